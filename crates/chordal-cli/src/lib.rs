@@ -44,6 +44,7 @@ mod rows;
 mod run;
 mod sample;
 mod sheet;
+mod stock;
 mod summary;
 mod terminal;
 mod time;
@@ -75,6 +76,7 @@ Examples:
   chordal view part.nc                       program and path side by side, in the browser
   chordal time part.nc                       how long it takes, where and why
   chordal report part.nc -o setup.html       a setup sheet to print or mail
+  chordal stock part.nc --setup op1.toml     what is left of the stock, and what is touched
   chordal check archive/                     problems of every program in a folder
   chordal archive check archive/ --out results.parquet
                                              all of a folder tree as one table
@@ -117,6 +119,7 @@ enum Command {
     Restart(restart::Args),
     Commands(commands::Args),
     Path(path::Args),
+    Stock(Box<stock::Args>),
     CompRange(comp_range::Args),
     Chords(chords::Args),
     Sample(sample::Args),
@@ -143,6 +146,7 @@ impl Command {
             Command::Restart(args) => restart::run(&args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Path(args) => path::run(&args, terminal),
+            Command::Stock(args) => stock::run(*args, terminal),
             Command::CompRange(args) => comp_range::run(&args),
             Command::Chords(args) => chords::run(&args, terminal),
             Command::Sample(args) => sample::run(&args, terminal),

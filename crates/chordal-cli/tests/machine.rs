@@ -107,7 +107,13 @@ fn the_folder_says_its_machine() {
         .ends(2)
         .complains(&["`mill.toml` is neither", "d/chordal.toml:1"]);
     assert_eq!(done.err.matches("neither").count(), 1);
-    folder.run(&["check", "e/part.nc"]).ends(2).complains(&["`feed` has no meaning together with"]);
+    // What stands next to `machine` counts for the folder.
+    folder.run(&["check", "e/part.nc"]).says(&["error[CH407]"]);
+    folder.write("e/chordal.toml", "machine = 'haas-vf2'\ninherits = 'haas-vf3'\n");
+    folder
+        .run(&["check", "e/part.nc"])
+        .ends(2)
+        .complains(&["`machine` has no meaning together with"]);
 }
 
 #[test]

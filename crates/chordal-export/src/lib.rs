@@ -11,6 +11,7 @@
 //! | calculations | text, JSON, SVG, PNG | [`worked_text`], [`worked_json`], [`figure_svg`], [`figure_png`] |
 //! | time | JSON | [`time_json`] |
 //! | comparisons | text, JSON | [`comparison_text`], [`comparison_json`] |
+//! | stock | text, JSON, PNG, STL, 3MF, GLB | [`stock_text`], [`stock_json`], [`stock_png`], [`stock_mesh`] |
 //! | problems | text, JSON, GitHub, SARIF | [`report`] |
 //!
 //! Inside Chordal everything is millimetres, radians and millimetres per second; each
@@ -56,6 +57,7 @@ mod plot;
 pub mod report;
 mod samples;
 mod setpoints;
+mod stock;
 mod time;
 mod transformed;
 mod worked;
@@ -80,6 +82,7 @@ pub use plot::{
 };
 pub use samples::{SampleFormat, SampleWriter};
 pub use setpoints::{SAMPLE_SCHEMA, SampleHead};
+pub use stock::{MeshFormat, StockMeshError, stock_json, stock_mesh, stock_png, stock_text};
 pub use time::{TimeDocument, comment_text, level_word, short_blocks_text, time_json};
 pub use transformed::{refusal_json, restart_json, split_json, transformed_json};
 pub use worked::{worked_json, worked_text};

@@ -10,7 +10,6 @@ use std::sync::Arc;
 use chordal::Machine;
 use chordal::control::{COMMON_SETTINGS, Control, SettingError, Strength, Units, recognize};
 use chordal::machine::{ControlName, Location, MachineError, builtin, read_tool_tbl};
-use toml::de::{DeTable, DeValue};
 
 use crate::assumed::assume;
 use crate::chosen::Chosen;
@@ -42,7 +41,7 @@ pub(crate) fn choose(
     for folder in folders(input) {
         let file = folder.join(FOLDER_FILE);
         if file.is_file() {
-            return Ok((finish(of_folder(&file)?, request)?, Chosen::Folder(file)));
+            return Ok((finish(from_file(&file)?, request)?, Chosen::Folder(file)));
         }
     }
     let recognition = recognize(text);
@@ -130,45 +129,6 @@ pub fn from_text(name: &str, text: &str) -> Result<Machine, LoadError> {
 fn read_text(path: &Path) -> std::io::Result<String> {
     let text = fs::read_to_string(path)?;
     Ok(text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text))
-}
-
-/// `chordal.toml` is a machine file, or says with `machine = "…"` which one to take.
-fn of_folder(path: &Path) -> Result<Machine, LoadError> {
-    let name = path.to_string_lossy();
-    let text = read_text(path).map_err(|error| LoadError::read(&*name, &error))?;
-    let (document, _) = DeTable::parse_recoverable(&text);
-    let Some(value) = document.get_ref().get("machine") else {
-        return from_text(&name, &text);
-    };
-    let wrong = |span, message: String, help: &str| {
-        let (file, text) = (name.to_string(), Arc::from(text.as_str()));
-        let help = Some(help.to_string());
-        LoadError::Machine(vec![MachineError { message, help, file, span: Some(span), text }])
-    };
-    if let Some((key, _)) = document.get_ref().iter().find(|(key, _)| key.get_ref() != "machine") {
-        return Err(wrong(
-            key.span(),
-            format!("`{}` has no meaning together with `machine`", key.get_ref()),
-            "write `inherits = \"…\"` instead of `machine = \"…\"`: then this file describes a machine \
-             itself",
-        ));
-    }
-    let DeValue::String(machine) = value.get_ref() else {
-        let message = "`machine` needs the name of a machine or of a file".to_string();
-        return Err(wrong(value.span(), message, "write `machine = \"haas-vf2\"`"));
-    };
-    if builtin(machine).is_some() {
-        return named(machine);
-    }
-    let file = path.with_file_name(machine.as_ref());
-    if !file.is_file() {
-        return Err(wrong(
-            value.span(),
-            format!("`{machine}` is neither a built-in machine nor a file in this folder"),
-            "`chordal machines` lists the built-in ones",
-        ));
-    }
-    from_file(&file)
 }
 
 /// Everything that a request says of a machine, whichever it is.

@@ -48,6 +48,7 @@ impl Machine {
                     | Slot::Quantity { .. }
                     | Slot::Position(_)
                     | Slot::Kind
+                    | Slot::File(_)
                     | Slot::Programmed
             )
         );

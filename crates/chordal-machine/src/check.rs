@@ -10,9 +10,13 @@ use toml::de::{DeTable, DeValue};
 use crate::error::{MachineError, Source};
 use crate::machine::Machine;
 use crate::quantity::{Dimension, QuantityError, parse_quantity};
-use crate::schema::{self, Keys, ROWS, Row, Sign, Slot};
+use crate::read::beside;
+use crate::schema::{self, Keys, ROWS, Row, Sign, Slot, rows};
 use crate::suggest;
 use crate::value::{Setting, SettingValue};
+
+/// The keys that name the file to read first: that of a machine file, and that of a setup file.
+pub(crate) const INHERITS: [&str; 2] = ["inherits", "machine"];
 
 /// The widest override that panels have: 200 %.
 const LARGEST_OVERRIDE: f64 = 2.0;
@@ -103,12 +107,12 @@ impl At {
 
 /// The key of another table that somebody may have meant.
 fn elsewhere(key: &str) -> Option<&'static str> {
-    let same_name = ROWS.iter().find(|row| row.name().eq_ignore_ascii_case(key));
+    let same_name = rows().find(|row| row.name().eq_ignore_ascii_case(key));
     let joined = || {
         let key = key.replace(['-', ' '], "_");
-        let paths: Vec<String> = ROWS.iter().map(|row| row.path.replace('.', "_")).collect();
+        let paths: Vec<String> = rows().map(|row| row.path.replace('.', "_")).collect();
         let near = suggest::nearest(&key, paths.iter().map(String::as_str))?;
-        ROWS.iter().find(|row| row.path.replace('.', "_") == near)
+        rows().find(|row| row.path.replace('.', "_") == near)
     };
     same_name.or_else(joined).map(|row| row.path)
 }
@@ -146,7 +150,7 @@ pub(crate) fn put_table(
 ) {
     for (key, value) in table {
         // Which file to inherit from has been read before.
-        if at.path.is_empty() && key.get_ref() == "inherits" {
+        if at.path.is_empty() && INHERITS.contains(&key.get_ref().as_ref()) {
             continue;
         }
         match at.step(key.get_ref(), key.span(), source) {
@@ -170,6 +174,9 @@ pub(crate) fn put(
             match row.map(|row| &row.slot) {
                 Some(Slot::Table(create)) => create(machine, &at.keys),
                 Some(Slot::Axis) => set_axis(machine, &at.keys, true),
+                Some(Slot::Body(body)) => {
+                    body(machine, &at.keys).location = Some(source.location(value.span()));
+                }
                 Some(Slot::ShopCode) => {
                     at.keys.code.place(machine).location = Some(source.location(value.span()));
                 }
@@ -240,6 +247,10 @@ impl Value<'_> {
             Slot::Programmed => self.take_programmed(machine)?,
             Slot::Text(place) => *place(machine, keys) = self.text(self.value)?,
             Slot::OptionalText(place) => *place(machine, keys) = Some(self.text(self.value)?),
+            Slot::File(place) => {
+                let name = self.text(self.value)?;
+                *place(machine, keys) = Some(beside(&self.source.file, &name));
+            }
             Slot::TextList(place) => {
                 *place(machine, keys) = match value {
                     DeValue::Array(items) => {
@@ -294,7 +305,7 @@ impl Value<'_> {
                 DeValue::Boolean(there) => set_axis(machine, keys, *there),
                 _ => return Err(self.is_a_table()),
             },
-            Slot::Table(_) | Slot::ShopCode => return Err(self.is_a_table()),
+            Slot::Table(_) | Slot::ShopCode | Slot::Body(_) => return Err(self.is_a_table()),
             Slot::Inherits => {
                 let message = "`inherits` belongs in a machine file and cannot be changed later";
                 return Err(self.error(message, None));

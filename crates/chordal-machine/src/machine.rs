@@ -6,6 +6,7 @@ use crate::axis::{AXES, Axis, PerAxis};
 use crate::control::ControlName;
 use crate::error::{Location, MachineError};
 use crate::motion::Motion;
+use crate::setup::Setup;
 use crate::tool::Tool;
 use crate::value::Setting;
 
@@ -56,6 +57,8 @@ pub struct Machine {
     pub shop_codes: BTreeMap<u16, ShopCode>,
     /// Programs that are called and that no text holds, by number.
     pub shop_programs: BTreeMap<u32, ShopCode>,
+    /// What lies on it.
+    pub setup: Setup,
     /// What was read from its file otherwise than it was written.
     pub notices: Notices,
 }
@@ -302,6 +305,7 @@ impl Machine {
             probe: Probe::default(),
             shop_codes: BTreeMap::new(),
             shop_programs: BTreeMap::new(),
+            setup: Setup::default(),
             notices: Notices::default(),
         }
     }

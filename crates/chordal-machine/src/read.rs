@@ -4,7 +4,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::builtin::{builtin, builtin_names};
-use crate::check::{At, put_table};
+use crate::check::{At, INHERITS, put_table};
 use crate::control::ControlName;
 use crate::error::{MachineError, Source};
 use crate::machine::Machine;
@@ -88,10 +88,19 @@ impl Reader<'_> {
         let (document, syntax) = DeTable::parse_recoverable(text);
         let document = document.into_inner();
         self.chain.push(normal(file));
-        if let Some(parent) = document.get("inherits") {
-            self.inherit(parent, file, &source);
+        let mut parents = INHERITS.iter().filter_map(|key| Some((*key, document.get(*key)?)));
+        let parent = parents.next();
+        if let Some((key, parent)) = parent {
+            self.inherit(key, parent, file, &source);
         }
-        self.machine.name = stem(file).to_string();
+        if let Some((key, second)) = parents.next() {
+            let message = format!("`{key}` has no meaning together with `inherits`");
+            let help = Some("one of the two names the machine".to_string());
+            self.errors.push(source.error(Some(second.span()), message, help));
+        }
+        if parent.is_none_or(|(key, _)| key == "inherits") {
+            self.machine.name = stem(file).to_string();
+        }
         self.control_said |= document.contains_key("control");
 
         let mut errors = Vec::new();
@@ -117,14 +126,14 @@ impl Reader<'_> {
         self.chain.pop();
     }
 
-    fn inherit(&mut self, parent: &Spanned<DeValue<'_>>, file: &str, source: &Source) {
+    fn inherit(&mut self, key: &str, parent: &Spanned<DeValue<'_>>, file: &str, source: &Source) {
         let refuse = |message: String, help: Option<String>| {
             source.error(Some(parent.span()), message, help)
         };
         let DeValue::String(name) = parent.get_ref() else {
             self.parts_missing = true;
-            let help = "write `inherits = \"haas-vf2\"`".to_string();
-            let message = "`inherits` needs the name of a machine or of a file".to_string();
+            let help = format!("write `{key} = \"haas-vf2\"`");
+            let message = format!("`{key}` needs the name of a machine or of a file");
             self.errors.push(refuse(message, Some(help)));
             return;
         };
@@ -182,7 +191,7 @@ fn stem(file: &str) -> &str {
 }
 
 /// A name in the folder of a file, unless it says its own root.
-fn beside(file: &str, name: &str) -> String {
+pub(crate) fn beside(file: &str, name: &str) -> String {
     let rooted = name.starts_with(is_separator) || name.as_bytes().get(1) == Some(&b':');
     match file.rfind(is_separator) {
         Some(end) if !rooted => format!("{}{name}", &file[..=end]),

@@ -34,6 +34,8 @@ pub struct Tool {
     pub profile: Vec<[f64; 2]>,
     /// How far up the edges cut.
     pub flute_length_mm: Option<f64>,
+    /// The diameter of a round shank, where `shank` does not say more.
+    pub shank_diameter_mm: Option<f64>,
     /// The shank, from the edges up.
     pub shank: Vec<Solid>,
     /// The holder, from the shank up.

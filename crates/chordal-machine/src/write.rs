@@ -6,6 +6,7 @@ use crate::axis::{Axis, PerAxis};
 use crate::check::{key_text, string_text};
 use crate::machine::{Machine, ProbeHit, Programmed, Rotary};
 use crate::quantity::Dimension;
+use crate::setup::{Body, BodyShape, MeshUnit};
 use crate::tool::Tool;
 use crate::value::SettingValue;
 
@@ -68,6 +69,9 @@ impl Machine {
             None => out.positions("probe.hit", &self.probe.planes, &factors),
         }
         self.write_tools(&mut out, &factors);
+        for (name, body) in self.setup.bodies() {
+            write_body(&mut out, &name, body);
+        }
         for (name, offset) in &self.work_offsets {
             out.table(&format!("work_offsets.{}", key_text(name)));
             out.values(&offset.values, &factors);
@@ -211,6 +215,36 @@ impl Machine {
     }
 }
 
+/// A body of the setup under its name.
+fn write_body(out: &mut Out, name: &str, body: &Body) {
+    let keys: Vec<String> = name.splitn(2, '.').map(key_text).collect();
+    out.table(&keys.join("."));
+    let words = [
+        ("shape", body.shape.map(BodyShape::as_str)),
+        ("work_offset", body.work_offset.as_deref()),
+        ("file", body.file.as_deref()),
+        ("unit", body.unit.map(MeshUnit::as_str)),
+        ("material", body.material.as_deref()),
+    ];
+    for (key, word) in words {
+        if let Some(word) = word {
+            out.line(key, &string_text(word));
+        }
+    }
+    if let Some(axis) = body.axis {
+        out.line("axis", &string_text(&axis.to_string()));
+    }
+    for (end, values) in [("from", &body.from), ("to", &body.to)] {
+        for (axis, value) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(values) {
+            out.quantity(&format!("{end}.{axis}"), *value, Dimension::Length);
+        }
+    }
+    out.quantity("diameter", body.diameter_mm, Dimension::Length);
+    out.quantity("bore", body.bore_mm, Dimension::Length);
+    out.quantity("clearance", body.clearance_mm, Dimension::Length);
+    out.quantity("tolerance", body.tolerance_mm, Dimension::Length);
+}
+
 /// The keys of a tool.
 fn write_tool(out: &mut Out, tool: &Tool, factors: &PerAxis<f64>) {
     out.quantity("diameter", tool.diameter_mm, Dimension::Length);
@@ -243,6 +277,7 @@ fn write_tool(out: &mut Out, tool: &Tool, factors: &PerAxis<f64>) {
     }
     out.lengths("profile", tool.profile.iter().map(|point| point.to_vec()));
     out.quantity("flute_length", tool.flute_length_mm, Dimension::Length);
+    out.quantity("shank_diameter", tool.shank_diameter_mm, Dimension::Length);
     for (key, solids) in [("shank", &tool.shank), ("holder", &tool.holder)] {
         out.lengths(key, solids.iter().map(|s| vec![s.height_mm, s.lower_mm, s.upper_mm]));
     }

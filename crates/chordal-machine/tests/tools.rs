@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
-use chordal_machine::{Axis, Cutter, Machine, Solid, ToolShape};
+use chordal_machine::{Axis, BodyShape, Cutter, Machine, Solid, ToolShape};
 
 fn read(text: &str) -> Machine {
     Machine::from_toml("m.toml", text, &|name| Err(format!("no {name}"))).expect("a good file")
@@ -197,4 +197,54 @@ fn angles_are_no_diameters() {
         refused("control = 'fanuc'\n[axes.C]\nprogrammed = 'diameter'"),
         "m.toml:3: C turns: its words are angles, not diameters\n"
     );
+}
+
+#[test]
+fn a_setup_file_names_its_machine_and_what_lies_on_it() {
+    let text = r#"
+machine = "haas-vf2"
+[stock]
+shape = "box"
+work_offset = "G54"
+from = { X = "0 mm", Y = "0 mm", Z = "-20 mm" }
+to   = { X = "80 mm", Y = "60 mm", Z = "0 mm" }
+[fixtures."left clamp"]
+shape = "cylinder"
+axis = "Y"
+diameter = "1 in"
+from = "-10 mm"
+to = "5 mm"
+clearance = "2 mm"
+[target]
+shape = "stl"
+file = "part.stl"
+unit = "in"
+[tools.1]
+kind = "flat"
+diameter = "10 mm"
+flute_length = "25 mm"
+shank_diameter = "10 mm"
+"#;
+    let none = |name: &str| Err(format!("no file {name}"));
+    let machine = Machine::from_toml("shop/op1.toml", text, &none).unwrap();
+    assert_eq!(machine.name, "haas-vf2");
+    let stock = machine.setup.stock.as_ref().unwrap();
+    assert_eq!(stock.shape, Some(BodyShape::Box));
+    assert_eq!((stock.from[2], stock.to[0]), (Some(-20.0), Some(80.0)));
+    let clamp = &machine.setup.fixtures["left clamp"];
+    assert_eq!((clamp.from, clamp.to[1]), ([None, Some(-10.0), None], Some(5.0)));
+    assert_eq!((clamp.diameter_mm, clamp.clearance_mm), (Some(25.4), Some(2.0)));
+    // The file is relative to the one that names it.
+    let target = machine.setup.target.as_ref().unwrap();
+    assert_eq!(target.file.as_deref(), Some("shop/part.stl"));
+    assert_eq!(machine.tools[&1].shank_diameter_mm, Some(10.0));
+
+    let again = Machine::from_toml("again.toml", &machine.to_toml(), &none).unwrap();
+    assert_eq!(again.setup, machine.setup);
+
+    let wrong = |text: &str| Machine::from_toml("op.toml", text, &none).unwrap_err()[0].to_string();
+    let shape = wrong("machine = 'haas-vf2'\n[stock]\nshape = 'bock'\n");
+    assert!(shape.contains("`bock` is not a body shape"), "{shape}");
+    let unit = wrong("machine = 'haas-vf2'\n[stock]\ndiameter = 20\n");
+    assert!(unit.contains("no unit"), "{unit}");
 }

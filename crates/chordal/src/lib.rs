@@ -37,6 +37,7 @@ mod job;
 pub mod motion;
 mod recheck;
 mod report;
+pub mod stock;
 mod summary;
 pub mod time;
 pub mod tool_comments;

@@ -50,6 +50,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     ("chordal-motion", &["chordal-geometry"]),
+    ("chordal-stock", &["chordal-geometry"]),
     (
         "chordal",
         &[
@@ -63,6 +64,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-gcode",
             "chordal-path",
             "chordal-motion",
+            "chordal-stock",
         ],
     ),
     ("chordal-calc", &["chordal-geometry", "chordal-machine", "chordal-dialect"]),

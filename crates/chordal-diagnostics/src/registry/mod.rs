@@ -12,6 +12,7 @@ mod motion;
 mod pockets;
 mod program;
 mod reading;
+mod stock;
 mod words;
 
 use std::fmt;
@@ -63,7 +64,7 @@ macro_rules! codes {
 }
 use codes;
 
-static FAMILIES: [&[CodeInfo]; 10] = [
+static FAMILIES: [&[CodeInfo]; 11] = [
     reading::FAMILY,
     program::FAMILY,
     words::FAMILY,
@@ -74,6 +75,7 @@ static FAMILIES: [&[CodeInfo]; 10] = [
     macros::FAMILY,
     cycles::FAMILY,
     pockets::FAMILY,
+    stock::FAMILY,
 ];
 
 /// All codes in the order of their numbers.

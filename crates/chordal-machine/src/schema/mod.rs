@@ -1,13 +1,16 @@
 //! The one table of the keys of a machine file: where each is, what it takes, what it means and
 //! where its value goes. Checking, suggestions, assignments and the reference read it.
 
+mod bodies;
 mod rows;
 
 pub(crate) use self::rows::{ROWS, tool};
+
 use crate::axis::Axis;
 use crate::machine::{Machine, Programmed, ShopCode};
 use crate::offset::work_offset_name;
 use crate::quantity::Dimension;
+use crate::setup::Body;
 use crate::tool::Solid;
 
 /// The field of a machine that a key fills.
@@ -82,6 +85,8 @@ pub(crate) enum Slot {
     Switches,
     /// An override: `"80 %"` or the fraction 0.8.
     Override(Place<Option<f64>>),
+    /// A file by its name, relative to the one that says it.
+    File(Place<Option<String>>),
     /// A setting of the control, kept raw.
     Setting,
     /// Read before all other keys.
@@ -90,6 +95,8 @@ pub(crate) enum Slot {
     Table(fn(&mut Machine, &Keys)),
     /// The same for a custom code, whose place is kept.
     ShopCode,
+    /// The same for stock, a fixture or a target, whose place is kept.
+    Body(Place<Body>),
     /// The same for an axis, which `false` takes away.
     Axis,
 }
@@ -138,15 +145,21 @@ pub(crate) enum Sign {
     Positive,
 }
 
+/// Every row, in the order of the reference.
+pub(crate) fn rows() -> impl Iterator<Item = &'static Row> {
+    let bodies = [&bodies::STOCK[..], &bodies::FIXTURE, &bodies::TARGET, &bodies::OWN];
+    ROWS.iter().chain(bodies.into_iter().flatten())
+}
+
 /// The row of a path, placeholders and all.
 pub(crate) fn row(path: &str) -> Option<&'static Row> {
-    ROWS.iter().find(|row| row.path == path)
+    rows().find(|row| row.path == path)
 }
 
 /// The names that may follow a path, or its one placeholder.
 pub(crate) fn children(path: &str) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = Vec::new();
-    for row in ROWS {
+    for row in rows() {
         let rest = match path {
             "" => Some(row.path),
             _ => row.path.strip_prefix(path).and_then(|rest| rest.strip_prefix('.')),
@@ -315,7 +328,7 @@ impl Row {
                 "two lengths, the lower first: `[\"0 mm\", \"762 mm\"]`; on A, B, C two angles"
                     .into()
             }
-            Slot::Text(_) | Slot::OptionalText(_) | Slot::Inherits => "a text".into(),
+            Slot::Text(_) | Slot::OptionalText(_) | Slot::File(_) | Slot::Inherits => "a text".into(),
             Slot::TextList(_) => "a list of texts".into(),
             Slot::Word { words, .. } => {
                 let words: Vec<String> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
@@ -333,7 +346,7 @@ impl Row {
                 "a text with `%` or a fraction: `\"80 %\"`, `0.8`; above 0, at most 200 %".into()
             }
             Slot::Setting => "a text, a number or `true`/`false`, depending on the setting".into(),
-            Slot::Table(_) | Slot::ShopCode => "a table".into(),
+            Slot::Table(_) | Slot::ShopCode | Slot::Body(_) => "a table".into(),
             Slot::Axis => "a table, or `false`".into(),
         }
     }
@@ -376,10 +389,11 @@ pub fn schema_keys() -> Vec<SchemaKey> {
             Some((meaning, default)) => (meaning, Some(default)),
             None => (row.doc, None),
         };
-        let is_table = matches!(row.slot, Slot::Table(_) | Slot::ShopCode | Slot::Axis);
+        let is_table =
+            matches!(row.slot, Slot::Table(_) | Slot::ShopCode | Slot::Body(_) | Slot::Axis);
         SchemaKey { path: row.path, takes: row.takes(), meaning, default, is_table }
     };
-    ROWS.iter().map(key).collect()
+    rows().map(key).collect()
 }
 
 /// The keys of a machine file, as a table in Markdown.
@@ -390,7 +404,7 @@ pub fn schema_reference() -> String {
          `min` (`in/min`, `mm/s^2`, `m/s³`); `ipm` and `rpm` are short forms.\n\n\
          || key | value | meaning \n|---|---|---|\n",
     );
-    for row in ROWS {
+    for row in rows() {
         let (path, takes, doc) = (row.path, row.takes(), row.doc);
         text.push_str(&format!("| `{path}` | {takes} | {doc} |\n"));
     }
@@ -404,13 +418,8 @@ mod tests {
     #[test]
     fn a_level_has_names_or_one_placeholder() {
         let mut paths = vec![String::new()];
-        for row in ROWS {
-            assert_eq!(
-                ROWS.iter().filter(|other| other.path == row.path).count(),
-                1,
-                "{}",
-                row.path
-            );
+        for row in rows() {
+            assert_eq!(rows().filter(|other| other.path == row.path).count(), 1, "{}", row.path);
             let ends = row.path.match_indices('.').map(|(at, _)| at);
             paths.extend(ends.map(|at| row.path[..at].to_string()));
         }
@@ -424,6 +433,6 @@ mod tests {
     #[test]
     fn the_reference_names_every_key() {
         let text = schema_reference();
-        assert!(ROWS.iter().all(|row| text.contains(&format!("| `{}` |", row.path))));
+        assert!(rows().all(|row| text.contains(&format!("| `{}` |", row.path))));
     }
 }

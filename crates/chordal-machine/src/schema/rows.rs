@@ -21,31 +21,34 @@ const fn position(path: &'static str, place: Place<Option<f64>>, doc: &'static s
     Row { path, slot: Slot::Position(place), doc }
 }
 
-const SHAPES: &[&str] = &{
-    let mut words = [""; ToolShape::ALL.len()];
-    let mut at = 0;
-    while at < words.len() {
-        words[at] = ToolShape::ALL[at].as_str();
-        at += 1;
-    }
-    words
-};
+/// The words of an enum that has `ALL` and `as_str`.
+macro_rules! words {
+    ($kind:ty) => {{
+        let mut words = [""; <$kind>::ALL.len()];
+        let mut at = 0;
+        while at < words.len() {
+            words[at] = <$kind>::ALL[at].as_str();
+            at += 1;
+        }
+        words
+    }};
+}
+pub(super) use words;
 
-const CONTROLS: &[&str] = &{
-    let mut words = [""; ControlName::ALL.len()];
-    let mut at = 0;
-    while at < words.len() {
-        words[at] = ControlName::ALL[at].as_str();
-        at += 1;
-    }
-    words
-};
+const SHAPES: &[&str] = &words!(ToolShape);
+
+const CONTROLS: &[&str] = &words!(ControlName);
 
 pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "inherits",
         slot: Slot::Inherits,
         doc: "a built-in machine, or a file relative to this one; its keys apply unless this file sets them",
+    },
+    Row {
+        path: "machine",
+        slot: Slot::Inherits,
+        doc: "the same for a setup file or the `chordal.toml` of a folder: the name of the machine stays",
     },
     Row {
         path: "name",
@@ -225,6 +228,13 @@ pub(crate) const ROWS: &[Row] = &[
         },
         doc: "what it is. A shape needs its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `form` the profile, `insert` nose radius and tip. Nothing is guessed for one that is missing",
     },
+    quantity(
+        "tools.<tool>.shank_diameter",
+        Dimension::Length,
+        Sign::Positive,
+        |m, k| &mut tool(m, k).shank_diameter_mm,
+        "the diameter of a round shank from the cutting edges up; `shank` says more",
+    ),
     quantity(
         "tools.<tool>.corner_radius",
         Dimension::Length,

@@ -1,0 +1,183 @@
+//! `chordal stock`: what is left of the stock, and what is touched.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use chordal::machine::Dimension;
+use chordal::stock::{StockOptions, StockReport, StockRunError, StockVerdict};
+use chordal_export::{MeshFormat, report, stock_json, stock_mesh, stock_png, stock_text};
+use chordal_load::{LoadError, reason};
+use clap::ArgAction;
+
+use crate::failure::{Failure, Verdict};
+use crate::options::{AnswerFormat, Common, Showing, quantity};
+use crate::output::write_whole;
+use crate::programs::{load_one, recognized};
+use crate::terminal::{Terminal, say};
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal stock part.nc --setup op1.toml
+  chordal stock part.nc --setup op1.toml --resolution 0.05mm
+  chordal stock part.nc --setup op1.toml -o left.stl -o left.png
+  chordal stock part.nc --setup op1.toml --format json | jq .verdict
+
+The setup file names the machine, the stock and the tools:
+
+  machine = \"haas-vf2\"
+  [stock]
+  shape = \"box\"
+  work_offset = \"G54\"
+  from = { X = \"0 mm\", Y = \"0 mm\", Z = \"-20 mm\" }
+  to   = { X = \"80 mm\", Y = \"60 mm\", Z = \"0 mm\" }
+  [tools.1]
+  shape = \"flat\"
+  diameter = \"10 mm\"
+  flute_length = \"25 mm\"
+
+Every answer lies between two bounds. Exit code 0: clean, which is proved; 1: problems, or not proved
+at this resolution; 2: wrong use.";
+
+/// Reports what a program removes, what is left, and what rapids, shank and holder touch
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The program; `-` is standard input
+    file: PathBuf,
+
+    /// The machine, the stock and the tools
+    #[arg(long, value_name = "SETUP.toml", conflicts_with = "machine")]
+    setup: Option<PathBuf>,
+
+    /// Side of a column, with its unit; without it, from the size of the stock
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    resolution: Option<f64>,
+
+    /// Where columns cannot tell they are halved, no finer than this; without it, an eighth of the resolution
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    finest: Option<f64>,
+
+    /// Touches that are no deeper are not reported
+    #[arg(long, value_name = "LENGTH", default_value = "0.01mm", value_parser = length)]
+    tolerance: f64,
+
+    /// Most memory for the columns, MiB
+    #[arg(long, value_name = "MIB", default_value_t = 1024)]
+    memory: u64,
+
+    /// Writes what is left: `.stl`, `.3mf`, `.glb` or a picture `.png`; several times for several files
+    #[arg(long, short, value_name = "OUT", action = ArgAction::Append)]
+    output: Vec<PathBuf>,
+
+    /// Format of the answer
+    #[arg(long, value_enum, default_value = "text")]
+    format: AnswerFormat,
+
+    #[command(flatten)]
+    showing: Showing,
+
+    #[command(flatten)]
+    common: Common,
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    match quantity(text, Dimension::Length)? {
+        mm if mm > 0.0 => Ok(mm),
+        _ => Err("the length must be above zero".to_string()),
+    }
+}
+
+/// What a file of the stock holds.
+#[derive(Clone, Copy)]
+enum Form {
+    Mesh(MeshFormat),
+    Picture,
+}
+
+fn form(path: &Path) -> Result<Form, Failure> {
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    Ok(match ending.as_str() {
+        "stl" => Form::Mesh(MeshFormat::Stl),
+        "3mf" => Form::Mesh(MeshFormat::ThreeMf),
+        "glb" => Form::Mesh(MeshFormat::Glb),
+        "png" => Form::Picture,
+        _ => {
+            let message = format!("the extension of {} is not a known format", path.display());
+            return Err(Failure::wrong(message, "the extensions are .stl, .3mf, .glb, .png"));
+        }
+    })
+}
+
+pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let forms: Vec<Form> = args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
+    if let Some(setup) = &args.setup {
+        args.common.machine = Some(setup.to_string_lossy().into_owned());
+    }
+    let loaded = load_one(&args.file, &args.common)?;
+    let job = loaded.job()?;
+    let options = StockOptions {
+        resolution_mm: args.resolution,
+        finest_mm: args.finest,
+        tolerance_mm: args.tolerance,
+        budget: args.memory.saturating_mul(1 << 20),
+    };
+    let files = |name: &str| fs::read(name).map_err(|error| reason(&error));
+    let found = job.stock(&options, &files).map_err(|error| failure(error, &args))?;
+    for (path, form) in args.output.iter().zip(forms) {
+        write_whole(path, &content(&found, form, path)?)?;
+    }
+    match args.format {
+        AnswerFormat::Text => {
+            terminal.tell(&recognized(&loaded));
+            if found.report.worst().is_some() {
+                let detail = args.showing.detail();
+                say(&report::text(&found.report, job.sources(), terminal.out, detail))?;
+            }
+            say(&stock_text(&found))?;
+            for path in &args.output {
+                say(&format!("written: {}\n", path.display()))?;
+            }
+        }
+        AnswerFormat::Json => say(&stock_json(&found, loaded.name()))?,
+    }
+    Ok(if found.verdict == StockVerdict::Clean { Verdict::Clean } else { Verdict::Problems })
+}
+
+fn content(found: &StockReport, form: Form, path: &Path) -> Result<Vec<u8>, Failure> {
+    let wrong = |message: String| Failure::wrong(message, "use a larger resolution");
+    match form {
+        Form::Picture => stock_png(found).map_err(|error| wrong(error.to_string())),
+        Form::Mesh(format) => {
+            let name = path.file_stem().unwrap_or_default().to_string_lossy();
+            let tolerance = 0.1 * found.resolution_mm;
+            stock_mesh(found, format, tolerance, &name).map_err(|error| wrong(error.to_string()))
+        }
+    }
+}
+
+/// What is wrong with a setup, drawn where it was written.
+fn failure(error: StockRunError, args: &Args) -> Failure {
+    match error {
+        StockRunError::Setup(setup) => match setup.location {
+            Some(at) => LoadError::Machine(vec![chordal::machine::MachineError {
+                message: setup.message,
+                help: Some(setup.help),
+                file: at.file.to_string(),
+                span: Some(at.span),
+                text: at.text,
+            }])
+            .into(),
+            None => Failure::wrong(setup.message, setup.help),
+        },
+        StockRunError::NoStock => {
+            let where_to = match &args.setup {
+                Some(setup) => format!("write `[stock]` in {}", setup.display()),
+                None => "name a setup file with --setup".to_string(),
+            };
+            Failure::wrong("there is no stock to cut", where_to)
+        }
+        other => {
+            Failure::wrong(other.to_string(), "choose a larger --resolution, or more --memory")
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! Stock: what is hit, what is left, what a tool cannot do.
+
+use super::codes;
+
+codes! {
+    RapidThroughStock = 620, "rapid-through-stock", Error;
+    "a rapid moves through material";
+    r#"The tool moves at rapid through stock that no cut before has removed. The depth is how far the tool is
+inside: at least and at most. Lift the tool before the move, or cut the place first; often a G0 should have been a G1."#;
+
+    DeeperThanFlutes = 621, "deeper-than-flutes", Error;
+    "a cut is deeper than the cutting edges are long";
+    r#"There is material above the cutting edges (`flute_length` of the tool), so the part of the tool above them rubs.
+Cut in more levels, or use a tool with longer edges."#;
+
+    ShankInStock = 622, "shank-in-stock", Error;
+    "the shank touches material";
+    r#"The shank above the cutting edges (`shank` or `shank_diameter` of the tool) moves into material that is not
+removed. Use a longer tool, or remove the material first."#;
+
+    HolderInStock = 623, "holder-in-stock", Error;
+    "the holder touches material";
+    r#"The holder (`holder` of the tool) moves into material that is not removed. Use a longer tool, or remove the
+material first."#;
+
+    FixtureHit = 624, "fixture-hit", Error;
+    "the tool or its holder touches a fixture";
+    r#"A move goes into a body of `[fixtures]`, or nearer to it than its `clearance`. Lift the tool, move the fixture, or
+set the tool deeper in its holder where the holder hits."#;
+
+    CutsWithoutSpindle = 625, "cuts-without-spindle", Error;
+    "the tool removes material while the spindle is stopped";
+    r#"A feed move goes through material, and the spindle has not been started (M3 or M4) or has been stopped (M5)."#;
+
+    Gouge = 626, "gouge", Error;
+    "the cut goes into the part";
+    r#"More is removed than the part of `[target]` allows: the cut is deeper than its surface by more than its
+`tolerance`."#;
+
+    MaterialLeft = 627, "material-left", Warning;
+    "material is left on the part";
+    r#"After the program there is more material than the part of `[target]` has, by more than its `tolerance`."#;
+
+    ToolWithoutShape = 628, "tool-without-shape", Warning;
+    "a tool cuts whose shape is not known";
+    r#"What this tool removes is not known, and nothing is guessed: its moves are not cut from the stock, so nothing
+after them is proved. Give its shape with all dimensions in the machine or setup file: `[tools.1] shape`, `diameter` and
+what the shape needs, or let the program's comments say it."#;
+
+    NotProved = 629, "stock-not-proved", Warning;
+    "a touch can be neither proved nor excluded at this resolution";
+    r#"The tool is nearer to the material than the resolution can tell apart. It may touch by the depth that is named.
+Use a smaller `--resolution`."#;
+
+    StockNotFollowed = 630, "stock-not-followed", Warning;
+    "a move cannot be cut from the stock";
+    r#"The place of the tool relative to the part is not known here, the tool turns, or the path is not followed. The move
+removes nothing, and nothing after it is proved."#;
+}

@@ -1,0 +1,11 @@
+//! What a run on stock answers: text, JSON, a shaded picture, meshes.
+
+mod json;
+mod mesh;
+mod picture;
+mod text;
+
+pub use json::stock_json;
+pub use mesh::{MeshFormat, StockMeshError, stock_mesh};
+pub use picture::stock_png;
+pub use text::stock_text;

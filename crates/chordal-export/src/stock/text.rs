@@ -1,0 +1,44 @@
+//! A run on stock in words.
+
+use chordal::stock::{Amount, StockReport, StockVerdict};
+
+/// A volume between two bounds: cubic centimetres, or cubic inches.
+fn volume(amount: Amount, inch: bool) -> String {
+    let (unit, size) = if inch { ("in³", 25.4_f64.powi(3)) } else { ("cm³", 1000.0) };
+    let [least, most] = [amount.least / size, amount.most / size];
+    // As many digits as both bounds share, and one more.
+    let gap = (most - least).max(1e-9 * most.abs()).max(1e-9);
+    let decimals = (1.0 - gap.log10()).ceil().clamp(0.0, 4.0) as usize;
+    let [low, high] = [least, most].map(|value| format!("{value:.decimals$}"));
+    if low == high { format!("{low} {unit}") } else { format!("{low} to {high} {unit}") }
+}
+
+/// The answer for people, in the units of the program; the problems are printed apart.
+pub fn stock_text(found: &StockReport) -> String {
+    let inch = found.report.summary.inch;
+    let length = |mm: f64| {
+        if inch { format!("{:.4} in", mm / 25.4) } else { format!("{mm:.3} mm") }
+    };
+    let mut text = format!("removed     {}\n", volume(found.removed_mm3, inch));
+    text += &format!("left        {}\n", volume(found.left_mm3, inch));
+    text += &format!("resolution  {}\n", length(found.resolution_mm));
+    for tool in &found.tools {
+        let removed = volume(tool.removed_mm3, inch);
+        let lowest = length(tool.lowest_mm);
+        text += &format!("tool {:<6} {removed}, lowest tip {lowest}\n", tool.number);
+    }
+    if let Some(target) = &found.target {
+        let volume = volume(target.left_over_mm3, inch);
+        text += &format!("left over   {volume} outside of the target\n");
+    }
+    text += match found.verdict {
+        StockVerdict::Clean => {
+            "clean: no rapid, shank or holder touches material, proved within the resolution\n"
+        }
+        StockVerdict::Problems => "problems: see above\n",
+        StockVerdict::NotProved => {
+            "not proved: no touch was found, and some cannot be excluded at this resolution\n"
+        }
+    };
+    text
+}

@@ -1,0 +1,179 @@
+//! The rows of stock, fixtures and target: the same keys in each table.
+
+use super::rows::words;
+use super::{Keys, Row, Sign, Slot};
+use crate::axis::Axis;
+use crate::machine::Machine;
+use crate::quantity::Dimension;
+use crate::setup::{Body, BodyShape, MeshUnit};
+
+const SHAPES: &[&str] = &words!(BodyShape);
+const UNITS: &[&str] = &words!(MeshUnit);
+const AXES: &[&str] = &["X", "Y", "Z"];
+
+fn stock<'m>(machine: &'m mut Machine, _: &Keys) -> &'m mut Body {
+    machine.setup.stock.get_or_insert_default()
+}
+
+fn fixture<'m>(machine: &'m mut Machine, keys: &Keys) -> &'m mut Body {
+    machine.setup.fixtures.entry(keys.name.clone()).or_default()
+}
+
+fn target<'m>(machine: &'m mut Machine, _: &Keys) -> &'m mut Body {
+    machine.setup.target.get_or_insert_default()
+}
+
+fn along<'b>(values: &'b mut [Option<f64>; 3], keys: &Keys) -> &'b mut Option<f64> {
+    &mut values[keys.axis.map_or(2, |axis| axis as usize % 3)]
+}
+
+/// The rows of one table.
+macro_rules! body_rows {
+    ($name:ident, $table:literal, $body:ident, $doc:literal) => {
+        pub(super) static $name: [Row; 13] = [
+            Row { path: $table, slot: Slot::Body($body), doc: $doc },
+            Row {
+                path: concat!($table, ".shape"),
+                slot: Slot::Word {
+                    what: "body shape",
+                    words: SHAPES,
+                    set: |m, k, word| {
+                        $body(m, k).shape =
+                            BodyShape::ALL.into_iter().find(|shape| shape.as_str() == word);
+                    },
+                },
+                doc: "what it is. A `box` needs `from` and `to`, a `cylinder` also the diameter, a `tube` also the bore, an `stl` the file",
+            },
+            Row {
+                path: concat!($table, ".work_offset"),
+                slot: Slot::OptionalText(|m, k| &mut $body(m, k).work_offset),
+                doc: "the work offset in whose coordinates it is given; otherwise that of the first cut",
+            },
+            Row {
+                path: concat!($table, ".from"),
+                slot: Slot::Quantity {
+                    dimension: Dimension::Length,
+                    sign: Sign::Any,
+                    place: |m, k| {
+                        let body = $body(m, k);
+                        let axis = body.axis.unwrap_or(Axis::Z);
+                        &mut body.from[axis as usize % 3]
+                    },
+                },
+                doc: "where a cylinder begins on its axis (write `axis` before it), or the lowest corner by X, Y and Z",
+            },
+            Row {
+                path: concat!($table, ".from.<axis>"),
+                slot: Slot::Quantity {
+                    dimension: Dimension::Length,
+                    sign: Sign::Any,
+                    place: |m, k| along(&mut $body(m, k).from, k),
+                },
+                doc: "the lowest corner of a box; where a cylinder begins, with the middle of its end; the zero of an STL file",
+            },
+            Row {
+                path: concat!($table, ".to"),
+                slot: Slot::Quantity {
+                    dimension: Dimension::Length,
+                    sign: Sign::Any,
+                    place: |m, k| {
+                        let body = $body(m, k);
+                        let axis = body.axis.unwrap_or(Axis::Z);
+                        &mut body.to[axis as usize % 3]
+                    },
+                },
+                doc: "where a cylinder ends on its axis, or the highest corner by X, Y and Z",
+            },
+            Row {
+                path: concat!($table, ".to.<axis>"),
+                slot: Slot::Quantity {
+                    dimension: Dimension::Length,
+                    sign: Sign::Any,
+                    place: |m, k| along(&mut $body(m, k).to, k),
+                },
+                doc: "the highest corner of a box; where a cylinder ends",
+            },
+            Row {
+                path: concat!($table, ".axis"),
+                slot: Slot::Word {
+                    what: "body axis",
+                    words: AXES,
+                    set: |m, k, word| {
+                        $body(m, k).axis = Axis::from_letter(word.as_bytes()[0]);
+                    },
+                },
+                doc: "the axis of a cylinder or tube; otherwise Z",
+            },
+            Row {
+                path: concat!($table, ".diameter"),
+                slot: Slot::Quantity {
+                    dimension: Dimension::Length,
+                    sign: Sign::Positive,
+                    place: |m, k| &mut $body(m, k).diameter_mm,
+                },
+                doc: "the diameter of a cylinder or tube",
+            },
+            Row {
+                path: concat!($table, ".bore"),
+                slot: Slot::Quantity {
+                    dimension: Dimension::Length,
+                    sign: Sign::Positive,
+                    place: |m, k| &mut $body(m, k).bore_mm,
+                },
+                doc: "the diameter of the bore of a tube",
+            },
+            Row {
+                path: concat!($table, ".file"),
+                slot: Slot::File(|m, k| &mut $body(m, k).file),
+                doc: "the STL file, relative to this file",
+            },
+            Row {
+                path: concat!($table, ".unit"),
+                slot: Slot::Word {
+                    what: "mesh unit",
+                    words: UNITS,
+                    set: |m, k, word| {
+                        $body(m, k).unit =
+                            MeshUnit::ALL.into_iter().find(|unit| unit.as_str() == word);
+                    },
+                },
+                doc: "the unit of the STL file, which the file does not name; otherwise mm",
+            },
+            Row {
+                path: concat!($table, ".material"),
+                slot: Slot::OptionalText(|m, k| &mut $body(m, k).material),
+                doc: "what it is made of",
+            },
+        ];
+    };
+}
+
+body_rows!(STOCK, "stock", stock, "what the program cuts from");
+body_rows!(
+    FIXTURE,
+    "fixtures.<name>",
+    fixture,
+    "a vise, a clamp or another body that the tool must not touch, by any name"
+);
+body_rows!(TARGET, "target", target, "the part as it should be");
+
+pub(super) static OWN: [Row; 2] = [
+    Row {
+        path: "fixtures.<name>.clearance",
+        slot: Slot::Quantity {
+            dimension: Dimension::Length,
+            sign: Sign::NotNegative,
+            place: |m, k| &mut fixture(m, k).clearance_mm,
+        },
+        doc: "how far the tool must stay away from it; otherwise 0 mm",
+    },
+    Row {
+        path: "target.tolerance",
+        slot: Slot::Quantity {
+            dimension: Dimension::Length,
+            sign: Sign::Positive,
+            place: |m, k| &mut target(m, k).tolerance_mm,
+        },
+        doc: "how far the part may be from it; otherwise 0.05 mm (assumed)",
+    },
+];

@@ -1,0 +1,236 @@
+//! Touches decided as finely as they need: where cells cannot say, the tile is done again in halves.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use chordal_geometry::Aabb;
+
+use super::plan::Task;
+use super::{AT_ONCE, Contact, Found, Job, Options, Stock, StockError, Touch};
+use crate::sweep::Move;
+
+/// A program of tasks on a stock that is at its beginning.
+#[derive(Clone, Copy)]
+pub struct Check<'a> {
+    /// The box of the stock, mm.
+    pub bounds: Aabb,
+    /// How coarse it begins.
+    pub options: Options,
+    /// The stock's shape: see [`Stock::shaped`].
+    pub heights: &'a dyn Fn([f64; 2], [f64; 2]) -> [f64; 2],
+    /// What is done, in this order.
+    pub tasks: &'a [Task<'a>],
+    /// Bodies may reach so deep into stock, mm: see [`Contact::touch`].
+    pub tolerance: f64,
+    /// Cells are not made smaller than this, mm.
+    pub finest: f64,
+}
+
+/// Runs all of some jobs.
+pub type Runner<'a> = dyn Fn(Vec<Job<'_>>) -> Vec<Found> + 'a;
+
+/// What a check found.
+#[derive(Clone, Debug)]
+pub struct Checked {
+    /// The stock at the end, as coarse as it began.
+    pub stock: Stock,
+    /// For each task, each of its bodies, each move. A contact that is undecided for the tolerance is so at the
+    /// finest cells.
+    pub contacts: Vec<Vec<Vec<Contact>>>,
+    /// Tiles that were done again, each in four, at any size.
+    pub refined: usize,
+}
+
+/// A question: a task, a body and a move of it.
+type Question = (usize, u32, u32);
+
+/// The questions that a tile leaves open, with what it knows.
+type Open = BTreeMap<usize, BTreeMap<Question, Contact>>;
+
+/// What happens on a part of the stock: moves of each task, with their numbers in it.
+struct Part {
+    bounds: Aabb,
+    resolution: f64,
+    moves: Vec<Vec<Move>>,
+    numbers: Vec<Vec<u32>>,
+    asked: BTreeSet<Question>,
+}
+
+impl Check<'_> {
+    /// Runs the tasks, and again on tiles with questions that cells are too coarse for.
+    ///
+    /// # Errors
+    /// As [`Stock::new`].
+    pub fn run(&self) -> Result<Checked, StockError> {
+        self.run_by(&|jobs| jobs.into_iter().map(Job::run).collect())
+    }
+
+    /// As [`Check::run`], with a function that runs all of some jobs, in any order and on any threads.
+    ///
+    /// # Errors
+    /// As [`Stock::new`].
+    pub fn run_by(&self, runner: &Runner<'_>) -> Result<Checked, StockError> {
+        let mut stock = Stock::shaped(self.bounds, self.options, self.heights)?;
+        let none = |task: &Task<'_>| vec![vec![Contact::NONE; task.moves.len()]; task.bodies.len()];
+        let mut contacts: Vec<Vec<Vec<Contact>>> = self.tasks.iter().map(none).collect();
+        let mut open = Open::new();
+        for (number, task) in self.tasks.iter().enumerate() {
+            for (first, task) in chunks(*task) {
+                for found in run(&mut stock, &task, runner) {
+                    let questions = found
+                        .contacts
+                        .iter()
+                        .map(|&(body, at, contact)| ((number, body, first + at), contact));
+                    self.sort(
+                        self.options.resolution,
+                        found.tile,
+                        questions,
+                        &mut open,
+                        &mut contacts,
+                    );
+                }
+            }
+        }
+        self.answered(&mut open, &mut contacts);
+        let moves: Vec<&[Move]> = self.tasks.iter().map(|task| task.moves).collect();
+        let parts = self.parts(&stock, &moves, None, open);
+        let mut refined = 0;
+        for part in parts {
+            refined += self.again(part, runner, &mut contacts)?;
+        }
+        Ok(Checked { stock, contacts, refined })
+    }
+
+    /// Puts what is decided, or as fine as it may be, to the contacts, and the rest to the tile's questions.
+    fn sort(
+        &self,
+        resolution: f64,
+        tile: usize,
+        found: impl Iterator<Item = (Question, Contact)>,
+        open: &mut Open,
+        contacts: &mut [Vec<Vec<Contact>>],
+    ) {
+        for (question, contact) in found {
+            let undecided = matches!(contact.touch(self.tolerance), Touch::Undecided { .. });
+            if undecided && resolution / 2.0 >= self.finest {
+                let known = open.entry(tile).or_default().entry(question).or_insert(Contact::NONE);
+                *known = known.deeper(contact);
+            } else {
+                settle(question, contact, contacts);
+            }
+        }
+    }
+
+    /// Settles open questions that another tile has answered: the body surely touches there.
+    fn answered(&self, open: &mut Open, contacts: &mut [Vec<Vec<Contact>>]) {
+        open.retain(|_, questions| {
+            questions.retain(|&question, &mut contact| {
+                let (task, body, number) = question;
+                let known = contacts[task][body as usize][number as usize];
+                let hit = matches!(known.touch(self.tolerance), Touch::Hit { .. });
+                if hit {
+                    settle(question, contact, contacts);
+                }
+                !hit
+            });
+            !questions.is_empty()
+        });
+    }
+
+    /// The tiles with open questions, each with the moves that meet it up to its last question.
+    fn parts(
+        &self,
+        stock: &Stock,
+        moves: &[&[Move]],
+        numbers: Option<&[Vec<u32>]>,
+        open: Open,
+    ) -> Vec<Part> {
+        let tasks = self.tasks.len();
+        let mut parts: BTreeMap<usize, Part> = BTreeMap::new();
+        for (tile, asked) in open {
+            let (bounds, resolution) =
+                (stock.grid().box_of(tile), stock.options().resolution / 2.0);
+            let (moves, numbers) = (vec![Vec::new(); tasks], vec![Vec::new(); tasks]);
+            let asked = asked.into_keys().collect();
+            parts.insert(tile, Part { bounds, resolution, moves, numbers, asked });
+        }
+        if parts.is_empty() {
+            return Vec::new();
+        }
+        for (number, task) in self.tasks.iter().enumerate() {
+            for (first, task) in chunks(Task { moves: moves[number], ..*task }) {
+                let plan = stock.plan(&task);
+                for (tile, todo) in plan.tiles() {
+                    let Some(part) = parts.get_mut(&tile) else { continue };
+                    if part.asked.last().is_none_or(|last| last.0 < number) {
+                        continue;
+                    }
+                    let met: BTreeSet<u32> =
+                        todo.iter().map(|&(_, step)| plan.number(step)).collect();
+                    for at in met {
+                        let at = first + at;
+                        let of_task = numbers.map_or(at, |numbers| numbers[number][at as usize]);
+                        part.moves[number].push(moves[number][at as usize]);
+                        part.numbers[number].push(of_task);
+                    }
+                }
+            }
+        }
+        parts.into_values().collect()
+    }
+
+    /// Runs a part at its resolution, and what stays open again.
+    fn again(
+        &self,
+        part: Part,
+        runner: &Runner<'_>,
+        contacts: &mut [Vec<Vec<Contact>>],
+    ) -> Result<usize, StockError> {
+        let options = Options { resolution: part.resolution, by_tag: false, ..self.options };
+        let mut stock = Stock::shaped(part.bounds, options, self.heights)?;
+        let mut open = Open::new();
+        for (number, task) in self.tasks.iter().enumerate() {
+            let of_task = &part.numbers[number];
+            let is_asked = |at: &u32| {
+                let of_task = of_task[*at as usize];
+                part.asked.range((number, 0, 0)..(number + 1, 0, 0)).any(|asked| asked.2 == of_task)
+            };
+            let asked: Vec<u32> = (0..of_task.len() as u32).filter(is_asked).collect();
+            let task = Task { moves: &part.moves[number], asked: Some(&asked), ..*task };
+            for (first, task) in chunks(task) {
+                for found in run(&mut stock, &task, runner) {
+                    let questions = found.contacts.iter().filter_map(|&(body, at, contact)| {
+                        let question = (number, body, of_task[(first + at) as usize]);
+                        part.asked.contains(&question).then_some((question, contact))
+                    });
+                    self.sort(part.resolution, found.tile, questions, &mut open, contacts);
+                }
+            }
+        }
+        self.answered(&mut open, contacts);
+        let moves: Vec<&[Move]> = part.moves.iter().map(Vec::as_slice).collect();
+        let mut refined = 1;
+        for finer in self.parts(&stock, &moves, Some(&part.numbers), open) {
+            refined += self.again(finer, runner, contacts)?;
+        }
+        Ok(refined)
+    }
+}
+
+fn settle((task, body, number): Question, contact: Contact, contacts: &mut [Vec<Vec<Contact>>]) {
+    let known = &mut contacts[task][body as usize][number as usize];
+    *known = known.deeper(contact);
+}
+
+fn run(stock: &mut Stock, task: &Task<'_>, runner: &Runner<'_>) -> Vec<Found> {
+    let plan = stock.plan(task);
+    runner(stock.jobs(&plan))
+}
+
+/// A task in parts of so many moves as are planned at once, each with the number of its first move.
+pub(crate) fn chunks(task: Task<'_>) -> impl Iterator<Item = (u32, Task<'_>)> {
+    let some = task.moves.chunks(AT_ONCE).enumerate();
+    some.map(move |(n, moves)| {
+        let first = (n * AT_ONCE) as u32;
+        (first, Task { moves, first, ..task })
+    })
+}

@@ -1,0 +1,49 @@
+//! The heights of a block, from the top of the stock.
+
+use super::grid::{CELLS, Grid};
+
+/// The heights of a block: outer and inner, from the stock's top, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Heights {
+    pub outer: [f32; CELLS],
+    pub inner: [f32; CELLS],
+}
+
+/// The least and the largest outer and inner height of a block, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Range {
+    pub outer: [f32; 2],
+    pub inner: [f32; 2],
+}
+
+impl Range {
+    pub fn uniform(outer: f32, inner: f32) -> Range {
+        Range { outer: [outer; 2], inner: [inner; 2] }
+    }
+
+    /// The heights of a block that is even.
+    pub fn even(&self) -> Heights {
+        Heights { outer: [self.outer[0]; CELLS], inner: [self.inner[0]; CELLS] }
+    }
+
+    pub fn is_uniform(&self) -> bool {
+        self.outer[0] == self.outer[1] && self.inner[0] == self.inner[1]
+    }
+}
+
+/// Not below the number.
+pub(crate) fn round_up(value: f64) -> f32 {
+    let near = value as f32;
+    if f64::from(near) < value { near.next_up() } else { near }
+}
+
+/// Not above the number.
+pub(crate) fn round_down(value: f64) -> f32 {
+    let near = value as f32;
+    if f64::from(near) > value { near.next_down() } else { near }
+}
+
+/// The bottom of the stock, from its top, rounded down, mm.
+pub(crate) fn bottom(grid: &Grid) -> f32 {
+    round_down(-grid.bounds().size().z)
+}

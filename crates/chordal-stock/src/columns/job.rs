@@ -1,0 +1,410 @@
+//! What one tile has to do of a plan.
+
+use wide::{CmpGt, f32x4};
+
+use super::block::{Part, certified, sampled};
+use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, Grid, LANES, TILE};
+use super::heights::{Range, bottom};
+use super::plan::{Action, Step};
+use super::tile::Tile;
+use super::{Contact, Found, Mode, Options, Plan};
+use crate::sweep::lanes::{Course, Place};
+use crate::sweep::shape::{AnyShape, Shape};
+use crate::sweep::strip::across;
+use crate::sweep::{Part as CutterPart, Piece};
+
+/// The steps of a plan on one tile.
+#[derive(Debug)]
+pub struct Job<'a> {
+    pub(crate) grid: &'a Grid,
+    pub(crate) options: &'a Options,
+    pub(crate) number: usize,
+    pub(crate) tile: &'a mut Tile,
+    pub(crate) plan: &'a Plan,
+    pub(crate) todo: &'a [(u32, u32)],
+}
+
+impl Job<'_> {
+    /// Does the steps, in the order of the program.
+    pub fn run(self) -> Found {
+        let bounds = self.grid.bounds();
+        let place = Place {
+            corner: self.grid.corner(self.number),
+            cell: self.grid.resolution(),
+            cells: TILE as u32,
+            top: bounds.max.z,
+            depth: bounds.size().z,
+        };
+        let [columns, rows] = self.grid.cells();
+        let [column, row] = self.grid.first_cell(self.number);
+        let within = [columns - column, rows - row].map(|cells| (cells as usize).min(TILE));
+        let mut run = Run {
+            grid: self.grid,
+            number: self.number,
+            tile: self.tile,
+            mode: self.options.mode,
+            by_tag: self.options.by_tag,
+            place,
+            within,
+            bottom: bottom(self.grid),
+            found: Found { tile: self.number, ..Found::default() },
+            contact: None,
+        };
+        for &(_, step) in self.todo {
+            run.step(self.plan, &self.plan.steps[step as usize]);
+        }
+        run.tile.settle();
+        run.found
+    }
+}
+
+struct Run<'a> {
+    grid: &'a Grid,
+    number: usize,
+    tile: &'a mut Tile,
+    mode: Mode,
+    by_tag: bool,
+    place: Place,
+    /// Cells of the tile inside the stock's box, along X and Y.
+    within: [usize; 2],
+    bottom: f32,
+    found: Found,
+    /// The deepest place of the step, where it compares.
+    contact: Option<Deepest>,
+}
+
+/// Where a body reaches deepest into the tile.
+#[derive(Clone, Copy, Debug)]
+struct Deepest {
+    least: f32,
+    most: f32,
+    cell: [usize; 2],
+    top: f32,
+}
+
+impl Run<'_> {
+    fn step(&mut self, plan: &Plan, step: &Step) {
+        let mut piece = plan.pieces[step.piece as usize];
+        if step.action != Action::Cut {
+            piece = piece.alone();
+        }
+        let piece = &piece;
+        let part = &plan.parts[step.part as usize];
+        // The floor is nowhere below this: what is not higher is not met.
+        let lowest = piece.lowest() + part.height - self.place.top;
+        if lowest >= f64::from(self.tile.top()) {
+            return;
+        }
+        let course = Course::new(piece, part, &self.place);
+        self.contact = match step.action {
+            Action::Cut => None,
+            Action::Compare(_) => Some(Deepest { least: 0.0, most: 0.0, cell: [0; 2], top: 0.0 }),
+        };
+        self.shapes(piece, part, step, &course);
+        let (Action::Compare(body), Some(deepest)) = (step.action, self.contact) else { return };
+        if deepest.most > 0.0 {
+            let [x, y] = [0, 1].map(|axis| {
+                self.place.corner[axis] + self.place.cell * (deepest.cell[axis] as f64 + 0.5)
+            });
+            let contact = Contact {
+                least: f64::from(deepest.least),
+                most: f64::from(deepest.most),
+                at: [x, y, self.place.top + f64::from(deepest.top)],
+            };
+            self.found.contacts.push((body, piece.number, contact));
+        }
+    }
+
+    fn shapes(&mut self, piece: &Piece, part: &CutterPart, step: &Step, course: &Course) {
+        // Neighbours share the cutter: only the slope of the next piece is another.
+        let next = AnyShape::new(part, piece.next.map_or(piece.slope, |joint| joint.slope));
+        match (AnyShape::new(part, piece.slope), next) {
+            (AnyShape::Flat(shape), _) => self.either(piece, step, course, [&shape; 2]),
+            (AnyShape::Cone(shape), AnyShape::Cone(next)) => {
+                self.either(piece, step, course, [&shape, &next]);
+            }
+            (AnyShape::Ball(shape), AnyShape::Ball(next)) => {
+                self.either(piece, step, course, [&shape, &next]);
+            }
+            (AnyShape::Round(shape), AnyShape::Round(next)) => {
+                self.either(piece, step, course, [&shape, &next]);
+            }
+            // The same part has the same shape on any slope.
+            (AnyShape::Cone(_) | AnyShape::Ball(_) | AnyShape::Round(_), _) => {}
+        }
+    }
+
+    fn either<S: Shape>(&mut self, piece: &Piece, step: &Step, course: &Course, shapes: [&S; 2]) {
+        if piece.slope == 0.0 {
+            self.lower::<true, S>(piece, step, course, shapes);
+        } else {
+            self.lower::<false, S>(piece, step, course, shapes);
+        }
+    }
+
+    /// Finds the blocks of the strip and lowers them.
+    fn lower<const LEVEL: bool, S: Shape>(
+        &mut self,
+        piece: &Piece,
+        step: &Step,
+        course: &Course,
+        shapes: [&S; 2],
+    ) {
+        let cell = self.place.cell;
+        let begin = [piece.start.x - self.place.corner[0], piece.start.y - self.place.corner[1]];
+        let margin = f64::from(course.slack);
+        let strip = &step.strip;
+        let [ux, uy] = piece.along;
+        let sideways = ux.abs() * (strip.reach + margin);
+        let ends = [uy * (strip.from - margin), uy * (strip.to + margin)];
+        let rows = [
+            begin[1] + ends[0].min(ends[1]) - sideways,
+            begin[1] + ends[0].max(ends[1]) + sideways,
+        ];
+        let width = cell * BLOCK as f64;
+        let units = Units::new(piece, cell);
+        let [first, last] = between(rows, width, self.within[1].div_ceil(BLOCK));
+        for block_row in first..=last {
+            let y = f64::from(block_row) * width - begin[1];
+            let columns = across(strip, piece.along, [y, y + width], margin).map(|x| x + begin[0]);
+            let [from, to] = between(columns, width, self.within[0].div_ceil(BLOCK));
+            for block_column in from..=to {
+                let block = block_row as usize * BLOCKS + block_column as usize;
+                self.found.counts.blocks += 1;
+                if let Some(part) = units.part(piece, course, shapes, corner(block)) {
+                    self.block::<LEVEL, S>(course, shapes[0], block, &part, piece.tag);
+                }
+            }
+        }
+    }
+
+    /// Lowers a part of a block.
+    #[inline]
+    fn block<const LEVEL: bool, S: Shape>(
+        &mut self,
+        course: &Course,
+        shape: &S,
+        block: usize,
+        part: &Part,
+        tag: u32,
+    ) {
+        let corner = corner(block);
+        let (middle, half) = part.middle();
+        let (a, e) = course.at(corner[0] + middle[0], corner[1] + middle[1]);
+        let radius = half * self.place.cell as f32 + course.slack;
+        let lowest = course.lowest_in_reach(a, radius);
+        let (a, e) = (f32x4::splat(a), f32x4::splat(e));
+        let least = course.least_within(shape, lowest, radius, a, e).to_array()[0];
+        let range = self.tile.range(block);
+        let raised = least + course.gap;
+        if least >= range.outer[1] {
+            return;
+        }
+        if self.contact.is_some() {
+            self.compare::<LEVEL, S>(course, shape, block, part, lowest);
+            return;
+        }
+        if raised >= range.outer[1] && lowest >= range.inner[1] {
+            return;
+        }
+        if self.by_tag {
+            self.tile.keep(tag, block, self.grid, self.number);
+        }
+        if LEVEL && S::FLAT && self.even(course, block, corner, range) {
+            return;
+        }
+        self.found.counts.columns += part.cells() as u64;
+        let bottom = f32x4::splat(self.bottom);
+        let sampled_only = self.mode == Mode::Sampled;
+        let data = self.tile.open(block);
+        let range = if sampled_only {
+            sampled::<LEVEL, S>(course, shape, corner, part, |at, floor| {
+                lower(data, at, floor.fast_max(bottom));
+            });
+            let outer = ends(data);
+            Range { outer, inner: outer }
+        } else {
+            let (outer, inner) = data.split_at_mut(GROUPS);
+            certified::<LEVEL, S>(course, shape, corner, part, lowest, |at, hi, lo| {
+                lower(outer, at, hi.fast_max(bottom));
+                lower(inner, at, lo.fast_max(bottom));
+            });
+            Range { outer: ends(outer), inner: ends(inner) }
+        };
+        self.tile.close(block, range);
+    }
+
+    /// Looks how deep a part of a body reaches into a part of a block.
+    fn compare<const LEVEL: bool, S: Shape>(
+        &mut self,
+        course: &Course,
+        shape: &S,
+        block: usize,
+        part: &Part,
+        lowest: f32,
+    ) {
+        let Some(mut deepest) = self.contact else { return };
+        self.found.counts.columns += part.cells() as u64;
+        let corner = corner(block);
+        let heights = self.tile.get(block);
+        let bottom = f32x4::splat(self.bottom);
+        let within = self.within;
+        let mut tell = |at: usize, hi: f32x4, lo: f32x4| {
+            let group = |heights: &[f32; CELLS]| {
+                let at = at * LANES;
+                f32x4::from([heights[at], heights[at + 1], heights[at + 2], heights[at + 3]])
+            };
+            let most = group(&heights.outer) - lo.fast_max(bottom);
+            let least = group(&heights.inner) - hi.fast_max(bottom);
+            if most.cmp_gt(f32x4::splat(deepest.most)).none()
+                && least.cmp_gt(f32x4::splat(deepest.least)).none()
+            {
+                return;
+            }
+            for (lane, (most, least)) in
+                most.to_array().into_iter().zip(least.to_array()).enumerate()
+            {
+                let place = at * LANES + lane;
+                let cell = [corner[0] as usize + place % BLOCK, corner[1] as usize + place / BLOCK];
+                if cell[0] >= within[0] || cell[1] >= within[1] {
+                    continue;
+                }
+                deepest.least = deepest.least.max(least);
+                if most > deepest.most {
+                    deepest = Deepest { most, cell, top: heights.outer[place], ..deepest };
+                }
+            }
+        };
+        match self.mode {
+            Mode::Certified => {
+                certified::<LEVEL, S>(course, shape, corner, part, lowest, tell);
+            }
+            Mode::Sampled => {
+                sampled::<LEVEL, S>(course, shape, corner, part, |at, floor| {
+                    tell(at, floor, floor)
+                });
+            }
+        }
+        self.contact = Some(deepest);
+    }
+
+    /// Makes a block even, if a level disc covers it and no cell is lower.
+    fn even(&mut self, course: &Course, block: usize, corner: [f32; 2], range: Range) -> bool {
+        let side = BLOCK as f32;
+        let ends = [(0.0, 0.0), (side, 0.0), (0.0, side), (side, side)]
+            .map(|(x, y)| course.at(corner[0] + x, corner[1] + y));
+        let along = f32x4::from(ends.map(|(a, _)| a));
+        let across = f32x4::from(ends.map(|(_, e)| e));
+        if !course.covers(along, across) {
+            return false;
+        }
+        let [hi, lo] = match self.mode {
+            Mode::Certified => course.level(),
+            Mode::Sampled => [course.plain_level(); 2],
+        };
+        let (hi, lo) = (hi.max(self.bottom), lo.max(self.bottom));
+        if range.outer[0] < hi || range.inner[0] < lo {
+            return false;
+        }
+        self.found.counts.even += 1;
+        self.tile.close(block, Range::uniform(hi, lo));
+        true
+    }
+}
+
+#[inline(always)]
+fn lower(heights: &mut [f32x4], at: usize, to: f32x4) {
+    heights[at] = heights[at].fast_min(to);
+}
+
+/// The least and the largest of the heights of a block.
+#[inline(always)]
+fn ends(heights: &[f32x4]) -> [f32; 2] {
+    let (mut least, mut most) = (heights[0], heights[0]);
+    for &some in &heights[1..] {
+        least = least.fast_min(some);
+        most = most.fast_max(some);
+    }
+    let (least, most) = (least.to_array(), most.to_array());
+    [
+        least[0].min(least[1]).min(least[2].min(least[3])),
+        most[0].max(most[1]).max(most[2].max(most[3])),
+    ]
+}
+
+/// The corner of a block, in cells of its tile.
+fn corner(block: usize) -> [f32; 2] {
+    [(block % BLOCKS * BLOCK) as f32, (block / BLOCKS * BLOCK) as f32]
+}
+
+/// A block in four: squares where the path runs along X, else bands of rows.
+struct Units {
+    squares: bool,
+    /// Half their sizes along the piece and across it, mm.
+    half: [f32; 2],
+}
+
+impl Units {
+    const BAND: f64 = (BLOCK / LANES) as f64;
+
+    fn new(piece: &Piece, cell: f64) -> Units {
+        let [ux, uy] = piece.along.map(f64::abs);
+        let squares = ux >= uy;
+        let (width, height) =
+            if squares { (LANES as f64, LANES as f64) } else { (BLOCK as f64, Units::BAND) };
+        let (x, y) = (width * cell / 2.0, height * cell / 2.0);
+        Units { squares, half: [(ux * x + uy * y) as f32, (uy * x + ux * y) as f32] }
+    }
+
+    /// The part of a block that the piece may not leave to its neighbours.
+    #[inline(always)]
+    fn part<S: Shape>(
+        &self,
+        piece: &Piece,
+        course: &Course,
+        shapes: [&S; 2],
+        corner: [f32; 2],
+    ) -> Option<Part> {
+        let middles = if self.squares {
+            [[2.0, 2.0], [6.0, 2.0], [2.0, 6.0], [6.0, 6.0]]
+        } else {
+            [[4.0, 1.0], [4.0, 3.0], [4.0, 5.0], [4.0, 7.0]]
+        };
+        let at = middles.map(|[x, y]| course.at(corner[0] + x, corner[1] + y));
+        let places = [f32x4::from(at.map(|at| at.0)), f32x4::from(at.map(|at| at.1))];
+        let taken = course.takes(piece, shapes, places, self.half).move_mask();
+        if taken == 0 {
+            return None;
+        }
+        Some(if self.squares {
+            // By pairs of bits: columns left and right, rows below and above.
+            let (left, right) = (taken & 0b0101 != 0, taken & 0b1010 != 0);
+            let (low, high) = (taken & 0b0011 != 0, taken & 0b1100 != 0);
+            Part {
+                column: if left { 0 } else { LANES },
+                row: if low { 0 } else { LANES },
+                groups: usize::from(left) + usize::from(right),
+                rows: LANES * (usize::from(low) + usize::from(high)),
+            }
+        } else {
+            let band = BLOCK / LANES;
+            let first = taken.trailing_zeros() as usize;
+            let last = (taken as u32).ilog2() as usize;
+            Part {
+                column: 0,
+                row: first * band,
+                groups: BLOCK / LANES,
+                rows: (last + 1 - first) * band,
+            }
+        })
+    }
+}
+
+/// The first and the last of `count` equal steps between two places; none when the first is larger.
+fn between([from, to]: [f64; 2], length: f64, count: usize) -> [i32; 2] {
+    let most = count as f64;
+    // Not below zero before they are cut off to whole numbers.
+    let first = (from / length).clamp(0.0, most) as i32;
+    let last = (to / length + 1.0).clamp(0.0, most) as i32 - 1;
+    [first, last]
+}

@@ -1,0 +1,311 @@
+//! Stock as columns along Z, in tiles, with two heights for each cell that enclose the truth.
+//!
+//! A cell is a square of the grid. Nothing of the stock is higher than its *outer* height anywhere on the
+//! cell; below its *inner* height, down to the bottom, everything on the cell is stock. A cut lowers the
+//! outer height to what it surely removes, and the inner one to what it may remove.
+//!
+//! [`Stock::cut`] does all by itself. A shell with threads makes a [`Plan`] of moves, gets a [`Job`] for each
+//! tile that they meet ([`Stock::jobs`]), and runs these in any order: the result has the same bits.
+
+mod block;
+mod check;
+mod found;
+mod grid;
+mod heights;
+mod job;
+mod plan;
+mod tile;
+mod touch;
+mod volume;
+
+use chordal_geometry::Aabb;
+
+pub use check::{Check, Checked, Runner};
+pub use found::{Counts, Found};
+pub use grid::Grid;
+pub use job::Job;
+pub use plan::{Plan, Task};
+pub use touch::{Contact, Touch};
+pub use volume::{Amount, Bounds};
+
+use crate::Cutter;
+use crate::sweep::{Body, Move};
+use tile::Tile;
+
+/// How the heights of cells are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mode {
+    /// Two heights that enclose the truth everywhere on the cell.
+    #[default]
+    Certified,
+    /// One height, that at the middle of the cell. No bound of anything, about half the time.
+    Sampled,
+}
+
+/// How fine a stock is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// The side of a cell, mm.
+    pub resolution: f64,
+    /// How heights are found.
+    pub mode: Mode,
+    /// Curves are cut into straight pieces that lie within this share of the resolution. It is counted in
+    /// the bounds.
+    pub chord_share: f64,
+    /// Whether volumes are told apart by the tags of moves: blocks are then kept as they were while the moves
+    /// of one tag change them, which may take as much memory again.
+    pub by_tag: bool,
+    /// The most memory the columns may take, bytes.
+    pub budget: u64,
+}
+
+impl Options {
+    /// Certified, curves within a tenth of the resolution (mm), no volumes by tag, in a budget of bytes.
+    pub const fn new(resolution: f64, budget: u64) -> Options {
+        Options { resolution, mode: Mode::Certified, chord_share: 0.1, by_tag: false, budget }
+    }
+}
+
+/// Why there is no stock.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StockError {
+    /// A number of the options that must be above zero is not.
+    #[error("the {what} must be above zero, it is {value}")]
+    NotPositive {
+        /// What it is.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The stock has no volume, or its box is not finite.
+    #[error("the stock's box has no volume, or is not finite")]
+    Empty,
+    /// More columns than the budget allows.
+    #[error(
+        "at {resolution} mm the stock needs up to {needed} bytes, {budget} are allowed; at {fits:.3} mm it fits"
+    )]
+    TooFine {
+        /// What was asked, mm.
+        resolution: f64,
+        /// Bytes that it would need.
+        needed: u64,
+        /// Bytes that are allowed.
+        budget: u64,
+        /// The finest resolution that fits, mm; infinite if none does.
+        fits: f64,
+    },
+}
+
+/// Moves in one plan: enough to make the tiles' lists worth it, few enough to stay in memory.
+const AT_ONCE: usize = 1 << 15;
+
+/// Stock that tools remove.
+#[derive(Clone, Debug)]
+pub struct Stock {
+    grid: Grid,
+    options: Options,
+    tiles: Vec<Tile>,
+    /// The volume at the beginning, mm³.
+    begun: Amount,
+}
+
+impl Stock {
+    /// A full box, mm.
+    ///
+    /// # Errors
+    /// When the box or the options are no use, or the columns do not fit in the budget.
+    pub fn new(bounds: Aabb, options: Options) -> Result<Stock, StockError> {
+        Stock::shaped(bounds, options, |_, _| [bounds.max.z, bounds.max.z])
+    }
+
+    /// Stock of any shape in a box, mm, by the heights of the cells: for the corners of a cell (least and
+    /// largest x and y) a height above which there is none of it, and one below which all of the cell is
+    /// stock, down to the bottom of the box.
+    ///
+    /// # Errors
+    /// As [`Stock::new`].
+    pub fn shaped(
+        bounds: Aabb,
+        options: Options,
+        heights: impl Fn([f64; 2], [f64; 2]) -> [f64; 2],
+    ) -> Result<Stock, StockError> {
+        let positive = |what, value: f64| {
+            let right = value > 0.0 && value.is_finite();
+            if right { Ok(()) } else { Err(StockError::NotPositive { what, value }) }
+        };
+        positive("resolution", options.resolution)?;
+        positive("share of the resolution", options.chord_share)?;
+        let size = bounds.size();
+        if !(size.is_finite() && size.x > 0.0 && size.y > 0.0 && size.z > 0.0) {
+            return Err(StockError::Empty);
+        }
+        let needed = |resolution: f64| tile::bytes(bounds, resolution, &options);
+        if needed(options.resolution) > options.budget as f64 {
+            return Err(StockError::TooFine {
+                resolution: options.resolution,
+                needed: needed(options.resolution) as u64,
+                budget: options.budget,
+                fits: tile::finest(bounds, &options),
+            });
+        }
+        let grid = Grid::new(bounds, options.resolution);
+        let tiles =
+            (0..grid.tiles()).map(|number| Tile::new(&grid, options.mode, number, &heights));
+        let mut stock = Stock { tiles: tiles.collect(), grid, options, begun: Amount::default() };
+        stock.begun = stock.left();
+        Ok(stock)
+    }
+
+    /// The grid of its cells.
+    pub fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// How fine it is.
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// Removes what a cutter sweeps on its moves, in this order.
+    pub fn cut(&mut self, cutter: &Cutter, moves: &[Move]) -> Counts {
+        let mut counts = Counts::default();
+        let task = Task { cutter: Some(cutter), moves, ..Task::default() };
+        for (_, task) in check::chunks(task) {
+            counts = self.run(&self.plan(&task)).1.plus(counts);
+        }
+        counts
+    }
+
+    /// How deep a body touches the stock on each of its moves; nothing is removed. A rapid of a cutter, say: with
+    /// [`Body::of_cutter`].
+    pub fn touch(&mut self, body: &Body, moves: &[Move]) -> Vec<Contact> {
+        let mut contacts = Vec::new();
+        let task = Task { bodies: core::slice::from_ref(body), moves, ..Task::default() };
+        for (_, task) in check::chunks(task) {
+            contacts.extend(self.run(&self.plan(&task)).0.into_iter().flatten());
+        }
+        contacts
+    }
+
+    /// Removes what a cutter sweeps, and says for each body and each move how deep the body touches what the
+    /// cutter has left until then: the shank, the holder, what is above the edges. `drop`: see [`Task::drop`].
+    pub fn cut_watching(
+        &mut self,
+        cutter: &Cutter,
+        bodies: &[Body],
+        moves: &[Move],
+        drop: f64,
+    ) -> Vec<Vec<Contact>> {
+        let mut contacts = vec![Vec::new(); bodies.len()];
+        let task = Task { cutter: Some(cutter), bodies, moves, drop, ..Task::default() };
+        for (_, task) in check::chunks(task) {
+            let (found, _) = self.run(&self.plan(&task));
+            for (all, some) in contacts.iter_mut().zip(found) {
+                all.extend(some);
+            }
+        }
+        contacts
+    }
+
+    /// The tiles that moves meet, and what each has to do.
+    pub fn plan(&self, task: &Task<'_>) -> Plan {
+        Plan::new(&self.grid, &self.options, task)
+    }
+
+    /// All jobs of a plan, one after the other.
+    fn run(&mut self, plan: &Plan) -> (Vec<Vec<Contact>>, Counts) {
+        let found: Vec<Found> = self.jobs(plan).into_iter().map(Job::run).collect();
+        let counts = found.iter().map(|found| found.counts).fold(Counts::default(), Counts::plus);
+        (plan.contacts(&found), counts)
+    }
+
+    /// One job for each tile of a plan of this stock: run in any order, on any thread, all of them before
+    /// those of the next plan.
+    pub fn jobs<'a>(&'a mut self, plan: &'a Plan) -> Vec<Job<'a>> {
+        let grid = &self.grid;
+        let options = &self.options;
+        let mut tiles = self.tiles.iter_mut().enumerate();
+        plan.tiles()
+            .filter_map(|(number, todo)| {
+                let (_, tile) = tiles.find(|(at, _)| *at == number)?;
+                Some(Job { grid, options, number, tile, plan, todo })
+            })
+            .collect()
+    }
+
+    /// What is left, mm³.
+    pub fn left(&self) -> Amount {
+        let tiles = self.tiles.iter().enumerate();
+        tiles
+            .map(|(number, tile)| tile.left(&self.grid, number))
+            .fold(Amount::default(), Amount::plus)
+    }
+
+    /// What was removed, mm³.
+    pub fn removed(&self) -> Amount {
+        let left = self.left();
+        let all = Amount {
+            least: (self.begun.least - left.most).max(0.0),
+            most: self.begun.most - left.least,
+        };
+        if !self.options.by_tag {
+            return all;
+        }
+        let by_tag = self.removed_by_tag().into_iter();
+        let sum = by_tag.fold(Amount::default(), |sum, (_, amount)| sum.plus(amount));
+        // Both enclose the truth: the second says nothing of cells that no move has met, the first does not add
+        // up what is uncertain again for each tag.
+        Amount { least: all.least.max(sum.least), most: all.most.min(sum.most) }
+    }
+
+    /// What the moves of each tag have removed, mm³, by rising tags; empty without [`Options::by_tag`].
+    pub fn removed_by_tag(&self) -> Vec<(u32, Amount)> {
+        let mut amounts = Vec::new();
+        for (number, tile) in self.tiles.iter().enumerate() {
+            tile.removed(&self.grid, number, &mut amounts);
+        }
+        amounts
+    }
+
+    /// The outer and inner heights of all cells, mm: row by row from the least y on, in each by x.
+    pub fn height_pairs(&self) -> Vec<Bounds> {
+        let [columns, rows] = self.grid.cells().map(|cells| cells as usize);
+        let top = self.grid.bounds().max.z;
+        let mut pairs = vec![Bounds { outer: top, inner: top }; columns * rows];
+        for (number, tile) in self.tiles.iter().enumerate() {
+            let first = self.grid.first_cell(number).map(|cell| cell as usize);
+            for block in 0..grid::BLOCKS * grid::BLOCKS {
+                let heights = tile.get(block);
+                let x = first[0] + block % grid::BLOCKS * grid::BLOCK;
+                let y = first[1] + block / grid::BLOCKS * grid::BLOCK;
+                for row in y..rows.min(y + grid::BLOCK) {
+                    for column in x..columns.min(x + grid::BLOCK) {
+                        let cell = (row - y) * grid::BLOCK + column - x;
+                        pairs[row * columns + column] = Bounds {
+                            outer: top + f64::from(heights.outer[cell]),
+                            inner: top + f64::from(heights.inner[cell]),
+                        };
+                    }
+                }
+            }
+        }
+        pairs
+    }
+
+    /// The outer and the inner height of a cell (column, row), mm.
+    pub fn heights_at(&self, column: u32, row: u32) -> Option<Bounds> {
+        let [columns, rows] = self.grid.cells();
+        if column >= columns || row >= rows {
+            return None;
+        }
+        let (tile, cell) = self.grid.tile_of(column, row);
+        let [outer, inner] = self.tiles[tile].heights(cell);
+        let top = self.grid.bounds().max.z;
+        Some(Bounds { outer: top + f64::from(outer), inner: top + f64::from(inner) })
+    }
+
+    /// The bytes that its columns take now.
+    pub fn bytes(&self) -> u64 {
+        self.tiles.iter().map(Tile::bytes).sum()
+    }
+}

@@ -1,0 +1,262 @@
+//! A tile: 64 blocks, each of one height or of one for each cell.
+
+use chordal_geometry::Aabb;
+use wide::f32x4;
+
+use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, Grid, LANES, TILE, count};
+use super::heights::{Heights, Range, bottom, round_down, round_up};
+use super::volume::{Kept, Ledger, integral};
+use super::{Amount, Mode, Options};
+
+/// A block has no heights of its own: all cells have that of its range.
+const UNIFORM: u32 = u32::MAX;
+
+#[derive(Clone, Copy, Debug)]
+struct Block {
+    range: Range,
+    slot: u32,
+}
+
+/// The columns of a tile. A sampled one stores one height for each cell: outer and inner are the same.
+#[derive(Clone, Debug)]
+pub(crate) struct Tile {
+    blocks: Box<[Block]>,
+    data: Vec<f32x4>,
+    free: Vec<u32>,
+    /// Groups of a block: 16 or 32.
+    stride: usize,
+    /// No outer height is above this, mm: as of the last job.
+    top: f32,
+    ledger: Ledger,
+}
+
+/// The most bytes of a tile. With volumes by tag every block may be kept as it was.
+fn most_bytes(mode: Mode, by_tag: bool) -> usize {
+    let kept = if by_tag { size_of::<Kept>() + size_of::<Heights>() } else { 0 };
+    let block = size_of::<Block>() + stride(mode) * size_of::<f32x4>() + kept;
+    BLOCKS * BLOCKS * block + size_of::<Tile>()
+}
+
+/// The most bytes that columns of this resolution take.
+pub(crate) fn bytes(bounds: Aabb, resolution: f64, options: &Options) -> f64 {
+    let size = bounds.size();
+    let tiles = (count(size.x, resolution) / TILE as f64).ceil()
+        * (count(size.y, resolution) / TILE as f64).ceil();
+    tiles * most_bytes(options.mode, options.by_tag) as f64
+}
+
+/// The finest resolution at which a box fits in a budget of bytes, mm, to a part in a thousand.
+pub(crate) fn finest(bounds: Aabb, options: &Options) -> f64 {
+    const FINER: f64 = 1.001;
+    let size = bounds.size();
+    let widest = size.x.max(size.y);
+    if bytes(bounds, widest, options) > options.budget as f64 {
+        return f64::INFINITY;
+    }
+    let mut resolution = widest;
+    // Tiles are whole, so the need falls in steps: the first size from coarse to fine that does not fit.
+    while resolution > widest * 1e-9
+        && bytes(bounds, resolution / FINER, options) <= options.budget as f64
+    {
+        resolution /= FINER;
+    }
+    resolution
+}
+
+fn stride(mode: Mode) -> usize {
+    match mode {
+        Mode::Certified => 2 * GROUPS,
+        Mode::Sampled => GROUPS,
+    }
+}
+
+impl Tile {
+    pub fn new(
+        grid: &Grid,
+        mode: Mode,
+        number: usize,
+        heights: &impl Fn([f64; 2], [f64; 2]) -> [f64; 2],
+    ) -> Tile {
+        let bottom = bottom(grid);
+        let empty = Block { range: Range::uniform(bottom, bottom), slot: UNIFORM };
+        let mut tile = Tile {
+            blocks: vec![empty; BLOCKS * BLOCKS].into_boxed_slice(),
+            data: Vec::new(),
+            free: Vec::new(),
+            stride: stride(mode),
+            top: 0.0,
+            ledger: Ledger::default(),
+        };
+        let top = grid.bounds().max.z;
+        let [column, row] = grid.first_cell(number);
+        let [columns, rows] = grid.cells();
+        for block in 0..BLOCKS * BLOCKS {
+            let mut cells = Heights { outer: [bottom; CELLS], inner: [bottom; CELLS] };
+            for cell in 0..CELLS {
+                let x = column + (block % BLOCKS * BLOCK + cell % BLOCK) as u32;
+                let y = row + (block / BLOCKS * BLOCK + cell / BLOCK) as u32;
+                // Cells beyond the box never count: they have the height of the last one, so that a block at
+                // the edge may be uniform too.
+                let [low, high] = grid.corners(x.min(columns - 1), y.min(rows - 1));
+                let [outer, inner] = heights(low, high);
+                cells.outer[cell] = round_up(outer - top).clamp(bottom, 0.0);
+                cells.inner[cell] = (round_down(inner - top)).clamp(bottom, cells.outer[cell]);
+            }
+            if mode == Mode::Sampled {
+                cells.inner = cells.outer;
+            }
+            tile.put(block, &cells);
+        }
+        tile.settle();
+        tile
+    }
+
+    /// Nothing of the tile is above this, mm from the stock's top.
+    pub fn top(&self) -> f32 {
+        self.top
+    }
+
+    /// Finds the top again, after heights were lowered.
+    pub fn settle(&mut self) {
+        let tops = self.blocks.iter().map(|block| block.range.outer[1]);
+        self.top = tops.fold(f32::NEG_INFINITY, f32::max);
+    }
+
+    /// The range of a block.
+    pub fn range(&self, block: usize) -> Range {
+        self.blocks[block].range
+    }
+
+    /// The heights of a block.
+    pub fn get(&self, block: usize) -> Heights {
+        let Block { range, slot } = self.blocks[block];
+        if slot == UNIFORM {
+            return range.even();
+        }
+        let at = slot as usize * self.stride;
+        let data = &self.data[at..at + self.stride];
+        let part = |from: usize| {
+            let mut heights = [0.0; CELLS];
+            for (to, group) in heights.chunks_exact_mut(LANES).zip(&data[from..from + GROUPS]) {
+                to.copy_from_slice(group.as_array_ref());
+            }
+            heights
+        };
+        Heights { outer: part(0), inner: part(self.stride - GROUPS) }
+    }
+
+    /// Where the heights of a block are stored, outer before inner, one list in a sampled tile; a uniform block
+    /// gets a place for them.
+    pub fn open(&mut self, block: usize) -> &mut [f32x4] {
+        let Block { range, slot } = self.blocks[block];
+        let slot = if slot == UNIFORM {
+            let slot = self.free.pop().unwrap_or((self.data.len() / self.stride) as u32);
+            let at = slot as usize * self.stride;
+            if at == self.data.len() {
+                self.data.resize(at + self.stride, f32x4::ZERO);
+            }
+            let data = &mut self.data[at..at + self.stride];
+            data[..GROUPS].fill(f32x4::splat(range.outer[0]));
+            data[GROUPS..].fill(f32x4::splat(range.inner[0]));
+            self.blocks[block].slot = slot;
+            slot
+        } else {
+            slot
+        };
+        let at = slot as usize * self.stride;
+        &mut self.data[at..at + self.stride]
+    }
+
+    /// Sets the range of a block, by its heights; one that is uniform gives up its place.
+    pub fn close(&mut self, block: usize, range: Range) {
+        let entry = &mut self.blocks[block];
+        entry.range = range;
+        if range.is_uniform() && entry.slot != UNIFORM {
+            self.free.push(entry.slot);
+            entry.slot = UNIFORM;
+        }
+    }
+
+    fn put(&mut self, block: usize, heights: &Heights) {
+        let ends = |cells: &[f32; CELLS]| {
+            let least = cells.iter().copied().fold(f32::INFINITY, f32::min);
+            [least, cells.iter().copied().fold(f32::NEG_INFINITY, f32::max)]
+        };
+        let range = Range { outer: ends(&heights.outer), inner: ends(&heights.inner) };
+        if !range.is_uniform() {
+            let stride = self.stride;
+            let data = self.open(block);
+            let groups = |cells: &[f32; CELLS], to: &mut [f32x4]| {
+                for (group, from) in to.iter_mut().zip(cells.chunks_exact(LANES)) {
+                    group.as_array_mut().copy_from_slice(from);
+                }
+            };
+            groups(&heights.outer, &mut data[..GROUPS]);
+            groups(&heights.inner, &mut data[stride - GROUPS..]);
+        }
+        self.close(block, range);
+    }
+
+    /// The outer and the inner height of a cell of a block.
+    pub fn heights(&self, [block, cell]: [usize; 2]) -> [f32; 2] {
+        let heights = self.get(block);
+        [heights.outer[cell], heights.inner[cell]]
+    }
+
+    /// What is left of it, mm³.
+    pub fn left(&self, grid: &Grid, number: usize) -> Amount {
+        let bottom = -grid.bounds().size().z;
+        let volume = |block: usize| {
+            let sides = grid.sides(number, block);
+            let heights = self.get(block);
+            Amount {
+                least: integral(&sides, |cell| (f64::from(heights.inner[cell]) - bottom).max(0.0)),
+                most: integral(&sides, |cell| (f64::from(heights.outer[cell]) - bottom).max(0.0)),
+            }
+        };
+        (0..BLOCKS * BLOCKS).map(volume).fold(Amount::default(), Amount::plus)
+    }
+
+    /// Keeps a block as it is before the first of the moves of a tag that follow each other.
+    #[inline]
+    pub fn keep(&mut self, tag: u32, block: usize, grid: &Grid, number: usize) {
+        if !self.ledger.is_new(tag, block) {
+            return;
+        }
+        if self.ledger.open().0 != Some(tag) {
+            let amount = self.removed_last(grid, number);
+            self.ledger.turn(tag, amount);
+        }
+        let range = self.range(block);
+        let heights = (!range.is_uniform()).then(|| Box::new(self.get(block)));
+        self.ledger.keep(Kept { block, range, heights });
+    }
+
+    /// What the moves of the last tag have removed, mm³.
+    fn removed_last(&self, grid: &Grid, number: usize) -> Amount {
+        let removed = |kept: &Kept| {
+            let sides = grid.sides(number, kept.block);
+            let even = kept.range.even();
+            let before = kept.heights.as_deref().unwrap_or(&even);
+            let after = self.get(kept.block);
+            let drop = |from: f32, to: f32| (f64::from(from) - f64::from(to)).max(0.0);
+            Amount {
+                least: integral(&sides, |cell| drop(before.inner[cell], after.outer[cell])),
+                most: integral(&sides, |cell| drop(before.outer[cell], after.inner[cell])),
+            }
+        };
+        self.ledger.open().1.iter().map(removed).fold(Amount::default(), Amount::plus)
+    }
+
+    /// Adds what the moves of each tag have removed, mm³.
+    pub fn removed(&self, grid: &Grid, number: usize, to: &mut Vec<(u32, Amount)>) {
+        self.ledger.tell(self.removed_last(grid, number), to);
+    }
+
+    pub fn bytes(&self) -> u64 {
+        (size_of::<Tile>()
+            + self.blocks.len() * size_of::<Block>()
+            + self.data.capacity() * size_of::<f32x4>()
+            + self.ledger.bytes()) as u64
+    }
+}

@@ -1,0 +1,267 @@
+//! The lowest point of a cutter above a column along an arc or a helix about a vertical axis.
+//!
+//! With the radius A of the path, the distance D of the column from the axis of the turn and the angle ψ
+//! from the place of the path that is nearest to the column, the plan distance of the tool axis is
+//! ρ² = (A − D)² + 4·A·D·y, y = sin²(ψ/2). On a helix of the rise p by radian the height is p·ψ + h(ρ).
+//! On the rising side of the nearest place both parts rise; on the other one the least value is at an
+//! end, at the edge of a ring or where p = h′(ρ)·dρ/dψ, which for cones and balls is a quadratic
+//! equation in y. All its roots are tried: the slope of h(ρ(ψ)) may fall again, so that there may be two.
+
+use std::f64::consts::{PI, TAU};
+
+use chordal_geometry::{Arc, Vec3};
+use libm::{asin, atan2, sincos};
+
+use super::profile::{Low, Profile};
+use crate::cutter::{Element, Ring};
+
+/// An arc or a helix about a vertical axis; its parameter is the angle travelled, from nothing to `sweep`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Around {
+    center: Vec3,
+    /// Towards the start, in plan.
+    u: [f64; 2],
+    /// Across it, in the sense of the turn.
+    v: [f64; 2],
+    radius: f64,
+    /// Radians, above zero.
+    sweep: f64,
+    /// By radian travelled, mm.
+    rise: f64,
+}
+
+/// A column as the turn sees it.
+struct Seen {
+    /// From the axis of the turn, mm.
+    distance: f64,
+    /// The angle travelled to the nearest place, within half a turn of the start.
+    nearest: f64,
+    /// (A − D) without sign: the least distance of column and path in plan, mm.
+    least: f64,
+    /// 4·A·D, mm².
+    four: f64,
+}
+
+impl Seen {
+    /// sin²(ψ/2) where the axis is a distance away; `None` where it never is so near.
+    fn half_sine2(&self, distance: f64) -> Option<f64> {
+        let square = (distance - self.least) * (distance + self.least);
+        if distance < self.least {
+            None
+        } else if square >= self.four {
+            Some(1.0)
+        } else {
+            Some(square / self.four)
+        }
+    }
+
+    fn distance_at(&self, half_sine2: f64) -> f64 {
+        (self.least * self.least + self.four * half_sine2).sqrt()
+    }
+}
+
+fn angle(half_sine2: f64) -> f64 {
+    2.0 * asin(half_sine2.clamp(0.0, 1.0).sqrt())
+}
+
+fn half_sine2(angle: f64) -> f64 {
+    let (sine, _) = sincos(0.5 * angle);
+    sine * sine
+}
+
+impl Around {
+    /// Of an arc about an axis along Z with a radius and a sweep.
+    pub(super) fn new(arc: &Arc) -> Around {
+        let up = if arc.w.z < 0.0 { -1.0 } else { 1.0 };
+        let turn = up * arc.sweep.signum();
+        let u = [arc.u.x, arc.u.y];
+        let sweep = arc.sweep.abs();
+        Around {
+            center: arc.center,
+            u,
+            v: [-turn * u[1], turn * u[0]],
+            radius: arc.radius,
+            sweep,
+            rise: up * arc.rise / sweep,
+        }
+    }
+
+    pub(super) const fn sweep(&self) -> f64 {
+        self.sweep
+    }
+
+    pub(super) const fn is_level(&self) -> bool {
+        self.rise == 0.0
+    }
+
+    fn height_at(&self, angle: f64) -> f64 {
+        self.center.z + self.rise * angle
+    }
+
+    fn seen_from(&self, place: [f64; 2]) -> Seen {
+        let [x, y] = [place[0] - self.center.x, place[1] - self.center.y];
+        let distance = (x * x + y * y).sqrt();
+        let nearest = atan2(x * self.v[0] + y * self.v[1], x * self.u[0] + y * self.u[1]);
+        let least = (self.radius - distance).abs();
+        Seen { distance, nearest, least, four: 4.0 * self.radius * distance }
+    }
+
+    /// The whole turns after which a range of angles about the nearest place meets a range of the path.
+    fn turns(seen: &Seen, reach: f64, [from, to]: [f64; 2]) -> [i64; 2] {
+        let first = ((from - seen.nearest - reach) / TAU).ceil();
+        let last = ((to - seen.nearest + reach) / TAU).floor();
+        [first as i64, last as i64]
+    }
+
+    /// Hands on the ranges of the angle in which the axis is within a radius of the column, in order.
+    pub(super) fn windows(&self, place: [f64; 2], radius: f64, push: &mut dyn FnMut([f64; 2])) {
+        let seen = self.seen_from(place);
+        if radius >= self.radius + seen.distance {
+            push([0.0, self.sweep]);
+            return;
+        }
+        let Some(half_sine2) = seen.half_sine2(radius) else { return };
+        let reach = angle(half_sine2);
+        let [first, last] = Around::turns(&seen, reach, [0.0, self.sweep]);
+        for turn in first..=last {
+            let middle = seen.nearest + TAU * turn as f64;
+            let range = [(middle - reach).max(0.0), (middle + reach).min(self.sweep)];
+            if range[0] <= range[1] {
+                push(range);
+            }
+        }
+    }
+
+    /// Whether [`Around::lowest`] has a closed form for a cutter: not for a round about a circle that
+    /// rises while it turns.
+    pub(super) fn is_closed_for(&self, profile: Profile) -> bool {
+        let bull =
+            |ring: &Ring| matches!(ring.element, Element::Torus { middle, .. } if middle != 0.0);
+        self.is_level() || !profile.rings().any(|ring| bull(&ring))
+    }
+
+    /// The lowest point above a column within a range of the angle.
+    pub(super) fn lowest(
+        &self,
+        profile: Profile,
+        place: [f64; 2],
+        [from, to]: [f64; 2],
+    ) -> Option<Low> {
+        let seen = self.seen_from(place);
+        let mut low = Low::NONE;
+        // On the axis of the turn all places are as near.
+        if self.is_level() || seen.four <= f64::MIN_POSITIVE {
+            self.offer_level(&seen, profile, [from, to], &mut low);
+            return low.found();
+        }
+        let [first, last] = Around::turns(&seen, PI, [from, to]);
+        // On a higher turn everything is the same, but higher: the lowest one and, since that may be
+        // there in part only, the next one.
+        let turns =
+            if self.rise > 0.0 { first..=last.min(first + 1) } else { first.max(last - 1)..=last };
+        for turn in turns {
+            let middle = seen.nearest + TAU * turn as f64;
+            let range = [(from - middle).max(-PI), (to - middle).min(PI)];
+            if range[0] <= range[1] {
+                for ring in profile.rings() {
+                    self.offer_ring(&seen, &ring, middle, range, &mut low);
+                }
+            }
+        }
+        low.found()
+    }
+
+    /// Where the height does not depend on ψ, or the distance not: the nearest place, or the lower end.
+    fn offer_level(&self, seen: &Seen, profile: Profile, [from, to]: [f64; 2], low: &mut Low) {
+        let mut offer = |angle: f64, at: f64| {
+            let distance = seen.distance_at(half_sine2(angle - seen.nearest));
+            low.offer(self.height_at(at) + profile.height_at(distance), at);
+        };
+        offer(from, from);
+        offer(to, to);
+        let [first, last] = Around::turns(seen, 0.0, [from, to]);
+        if first <= last {
+            offer(seen.nearest, seen.nearest + TAU * first as f64);
+        }
+    }
+
+    /// The lowest point of one ring in one turn; `range` is that of ψ, `middle` the angle of its zero.
+    fn offer_ring(&self, seen: &Seen, ring: &Ring, middle: f64, range: [f64; 2], low: &mut Low) {
+        let Some(outer) = seen.half_sine2(ring.to) else { return };
+        // Farther than the path ever is: its angle would be half a turn, but the ring is not there.
+        if ring.from > seen.least && (ring.from * ring.from) > seen.least * seen.least + seen.four {
+            return;
+        }
+        let inner = seen.half_sine2(ring.from).unwrap_or(0.0);
+        let (inner, outer) = (angle(inner), angle(outer));
+        let steep = self.rise.abs();
+        // x grows downhill.
+        let downhill = -self.rise.signum();
+        let (begin, end) =
+            if downhill > 0.0 { (range[0], range[1]) } else { (-range[1], -range[0]) };
+        let mut offer = |x: f64| {
+            let distance = seen.distance_at(half_sine2(x)).clamp(ring.from, ring.to);
+            let at = middle + downhill * x;
+            low.offer(self.height_at(at) + ring.height_at(distance), at);
+        };
+        // Uphill both the path and the cutter rise with the distance.
+        let (from, to) = (begin.max(-outer), end.min(-inner));
+        if from <= to {
+            offer(to);
+        }
+        let (from, to) = (begin.max(inner), end.min(outer));
+        if from > to {
+            return;
+        }
+        offer(from);
+        offer(to);
+        for y in stationary(ring.element, seen, steep) {
+            if (0.0..=1.0).contains(&y) {
+                let x = angle(y);
+                if from < x && x < to {
+                    offer(x);
+                }
+            }
+        }
+    }
+}
+
+/// sin²(ψ/2) where the height of an element stands still on a helix of a rise by radian.
+fn stationary(element: Element, seen: &Seen, rise: f64) -> [f64; 2] {
+    let product = 0.25 * seen.four;
+    match element {
+        Element::Disc { .. } => [f64::NAN; 2],
+        // k²A²D²·sin²ψ = p²ρ²
+        Element::Cone { slope, .. } => {
+            let share = rise / (slope * product);
+            let flat = rise / slope;
+            let least = seen.least * share;
+            roots(1.0 - flat * share, 0.25 * least * least)
+        }
+        // A²D²·sin²ψ = p²(c² − ρ²)
+        Element::Torus { round, .. } => {
+            let share = rise / product;
+            let left = (round - seen.least) * (round + seen.least);
+            roots(1.0 + rise * share, 0.25 * share * share * left)
+        }
+    }
+}
+
+/// The roots of y² − sum·y + product, without cancellation; a double root where rounding has
+/// left none.
+fn roots(sum: f64, product: f64) -> [f64; 2] {
+    let large = 0.5 * (sum + (sum * sum - 4.0 * product).max(0.0).sqrt());
+    [large, product / large]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roots_of_both_sizes() {
+        let [large, small] = roots(1.0, 1e-20);
+        assert_eq!(large, 1.0);
+        assert!((small - 1e-20).abs() < 1e-35);
+    }
+}

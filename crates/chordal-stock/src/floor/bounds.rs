@@ -1,0 +1,151 @@
+//! Bounds over all of a cell: what a move surely removes from each column in a square, and what it removes
+//! from none.
+//!
+//! Any column in the cell is within half a diagonal s of its middle. So the cutter pushed outwards by s is
+//! nowhere higher there, and pulled inwards by s nowhere lower (a circle of the radius R − s is reached from
+//! all of the cell). A convex cutter on a straight move sweeps a convex body: its floor is a convex
+//! function of the place, which is greatest at a corner and, reflected through the middle, not below twice
+//! the middle less that.
+
+use super::Sweep;
+use super::path::Path;
+use super::pieces::WIDE;
+use super::profile::Profile;
+use crate::floor::Span;
+
+/// What rounding may move a column or a height by at most, mm, on slopes below a thousand and lengths of
+/// some metres. Windows are too wide by less.
+const ROUNDING: f64 = 2.0 * WIDE;
+/// The same for larger lengths, as a share of them.
+const SHARE: f64 = 64.0 * f64::EPSILON;
+
+/// Two bounds of a height over all of a cell, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// No column of the cell has it lower.
+    pub lower: f64,
+    /// No column of the cell has it higher.
+    pub upper: f64,
+}
+
+impl Bounds {
+    /// Of the floor where no column is reached.
+    const NOWHERE: Bounds = Bounds { lower: f64::INFINITY, upper: f64::INFINITY };
+}
+
+/// A square about its middle, grown by what rounding and the ends of an arc may be off.
+struct Cell {
+    middle: [f64; 2],
+    /// Half a side.
+    half: f64,
+    /// Half a diagonal.
+    reach: f64,
+    /// What heights may be off.
+    off: f64,
+    gap: f64,
+}
+
+impl Cell {
+    fn corners(&self) -> [[f64; 2]; 4] {
+        let ([x, y], half) = (self.middle, self.half);
+        [[x - half, y - half], [x + half, y - half], [x - half, y + half], [x + half, y + half]]
+    }
+
+    /// The floor of a profile along the whole path.
+    fn floor(&self, path: &Path, profile: Profile, is_convex: bool) -> Bounds {
+        let outer = path.lowest(profile.pushed(self.reach), self.middle, self.gap);
+        let Some(outer) = outer else { return Bounds::NOWHERE };
+        let lower = outer.lower - self.off;
+        if is_convex && path.is_straight() {
+            let at = |place: [f64; 2]| {
+                path.lowest(profile, place, self.gap).map_or(f64::INFINITY, |low| low.upper)
+            };
+            let upper = self.corners().map(at).into_iter().fold(f64::NEG_INFINITY, f64::max);
+            if upper < f64::INFINITY {
+                let reflected = 2.0 * at(self.middle) - upper;
+                return Bounds { lower: lower.max(reflected - self.off), upper: upper + self.off };
+            }
+        }
+        let inner = path.lowest(profile.pushed(-self.reach), self.middle, self.gap);
+        let upper = inner.map_or(f64::INFINITY, |low| low.upper + self.off);
+        Bounds { lower, upper }
+    }
+
+    /// The same within a range of the path.
+    fn floor_within(
+        &self,
+        path: &Path,
+        profile: Profile,
+        range: [f64; 2],
+        is_outer: bool,
+    ) -> Option<f64> {
+        let by = if is_outer { self.reach } else { -self.reach };
+        let low = path.lowest_within(profile.pushed(by), self.middle, range, self.gap)?;
+        Some(if is_outer { low.lower - self.off } else { low.upper + self.off })
+    }
+}
+
+impl Sweep<'_> {
+    fn cell(&self, middle: [f64; 2], side: f64) -> Cell {
+        let size = middle.into_iter().fold(self.path.size(), |size, x| size.max(x.abs()));
+        let off = ROUNDING + SHARE * size + self.path.off();
+        let half = 0.5 * side + off;
+        Cell { middle, half, reach: half * std::f64::consts::SQRT_2, off, gap: self.gap }
+    }
+
+    /// Bounds of the floor over a cell of a side (mm) about its middle. The upper one is infinite where the
+    /// cutter may miss a column of it, both where it misses all.
+    #[must_use]
+    pub fn cell_floor(&self, middle: [f64; 2], side: f64) -> Bounds {
+        let cell = self.cell(middle, side);
+        cell.floor(&self.path, self.profile(), self.is_convex)
+    }
+
+    /// Adds what is surely removed from every column of a cell of a side (mm) about its middle, and what may
+    /// be removed from any: one span for each connected part of the move, in its order.
+    pub fn cell_spans(
+        &self,
+        middle: [f64; 2],
+        side: f64,
+        surely: &mut Vec<Span>,
+        maybe: &mut Vec<Span>,
+    ) {
+        let cell = self.cell(middle, side);
+        let profile = self.profile();
+        if self.path.is_straight() {
+            let floor = cell.floor(&self.path, profile, self.is_convex);
+            // Upside down.
+            let top = self.top.as_ref().map(|top| {
+                let floor = cell.floor(&top.path, Profile::new(&top.rings), top.is_convex);
+                Bounds { lower: top.height - floor.upper, upper: top.height - floor.lower }
+            });
+            let top = top.unwrap_or(Bounds::NOWHERE);
+            push(surely, floor.upper, top.lower);
+            push(maybe, floor.lower, top.upper);
+            return;
+        }
+        for (is_outer, out) in [(false, surely), (true, maybe)] {
+            let by = if is_outer { cell.reach } else { -cell.reach };
+            self.path.windows(middle, profile.pushed(by).radius(), is_outer, &mut |range| {
+                let floor = cell.floor_within(&self.path, profile, range, is_outer);
+                let top = match &self.top {
+                    None => Some(f64::INFINITY),
+                    Some(top) => {
+                        let profile = Profile::new(&top.rings);
+                        let low = cell.floor_within(&top.path, profile, range, is_outer);
+                        low.map(|low| top.height - low)
+                    }
+                };
+                if let (Some(floor), Some(top)) = (floor, top) {
+                    push(out, floor, top);
+                }
+            });
+        }
+    }
+}
+
+fn push(spans: &mut Vec<Span>, floor: f64, top: f64) {
+    if floor < top {
+        spans.push(Span { floor, top });
+    }
+}

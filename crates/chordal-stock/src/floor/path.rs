@@ -1,0 +1,256 @@
+//! A curve sorted by which closed form it has, if any.
+
+use chordal_geometry::{Arc, Curve, ParamCurve, Spiral, Transform, Vec3};
+
+use super::around::Around;
+use super::pieces::Pieces;
+use super::profile::{Low, Profile};
+use super::straight::Straight;
+use super::upright::Upright;
+use super::{At, Lowest};
+
+/// Lengths (mm) and angles beyond this, and what is no number, are no path and no place: nothing is removed.
+const LARGEST: f64 = 1e12;
+/// What an axis may lean, as the distance that it moves the path by, mm: rounding.
+const UPRIGHT: f64 = 1e-12;
+/// What two heights of the same place may differ by, mm: rounding.
+const SAME_HEIGHT: f64 = 1e-12;
+
+/// A path of the tip, of one of the kinds that are dealt with by themselves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Path {
+    /// As the curve gives them: those of an arc may be a little off its circle.
+    start: Vec3,
+    end: Vec3,
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, Debug)]
+#[allow(clippy::large_enum_variant, reason = "one for each move")]
+enum Kind {
+    /// Not of finite numbers: nowhere.
+    Nowhere,
+    Straight(Straight),
+    Around(Around, Pieces),
+    Upright(Upright, Pieces),
+    Pieces(Pieces),
+}
+
+impl Path {
+    pub(super) fn new(curve: &Curve) -> Path {
+        let (start, end) = (curve.start(), curve.end());
+        let straight = Kind::Straight(Straight::new(start, end));
+        let kind = match curve {
+            _ if !is_possible(curve) => Kind::Nowhere,
+            Curve::Line(_) => straight,
+            Curve::Arc(arc) => of_arc(arc).unwrap_or(straight),
+            Curve::Spiral(spiral) => of_spiral(spiral).unwrap_or(straight),
+            Curve::Spline(spline) if spline.order() <= 2 => straight,
+            Curve::Spline(spline) => Kind::Pieces(Pieces::Spline(*spline)),
+        };
+        Path { start, end, kind }
+    }
+
+    /// The path of the same curve upside down; its parameter is the same.
+    pub(super) fn mirrored(curve: &Curve) -> Path {
+        Path::new(&curve.transformed(&Transform::mirror(Vec3::Z, Vec3::ZERO)))
+    }
+
+    /// All of the parameter.
+    pub(super) const fn whole(&self) -> [f64; 2] {
+        match &self.kind {
+            Kind::Nowhere | Kind::Straight(_) | Kind::Pieces(_) => [0.0, 1.0],
+            Kind::Around(around, _) => [0.0, around.sweep()],
+            Kind::Upright(upright, _) => [0.0, upright.sweep()],
+        }
+    }
+
+    /// Hands on the ranges of the parameter in which the axis is within a radius of the column, in order. What
+    /// cannot be decided counts as within where `is_outer`.
+    pub(super) fn windows(
+        &self,
+        place: [f64; 2],
+        radius: f64,
+        is_outer: bool,
+        push: &mut dyn FnMut([f64; 2]),
+    ) {
+        if !place.iter().all(|x| is_length(*x)) {
+            return;
+        }
+        match &self.kind {
+            Kind::Nowhere => {}
+            Kind::Straight(line) => {
+                if let Some(range) = line.window(place, radius) {
+                    push(range);
+                }
+            }
+            Kind::Around(around, _) => around.windows(place, radius, push),
+            Kind::Upright(upright, _) => upright.windows(place, radius, push),
+            Kind::Pieces(pieces) => pieces.windows(place, radius, is_outer, push),
+        }
+    }
+
+    /// The lowest point above a column along the whole path; nothing but a lower bound, and an infinite upper
+    /// one, where it cannot be decided whether the column is reached.
+    pub(super) fn lowest(&self, profile: Profile, place: [f64; 2], gap: f64) -> Option<Lowest> {
+        let whole = self.whole();
+        let upright = match &self.kind {
+            Kind::Upright(upright, _) if Upright::is_closed_for(profile) => upright,
+            _ => return self.lowest_within(profile, place, whole, gap),
+        };
+        let mut low = Low::NONE;
+        upright.windows(place, profile.radius(), &mut |range| {
+            if let Some(found) = upright.lowest(profile, place, range) {
+                low.offer(found.height, found.at);
+            }
+        });
+        self.with_ends(profile, place, whole, exact(low.found()))
+    }
+
+    /// The lowest point above a column within a range that [`Path::windows`] has handed on.
+    pub(super) fn lowest_within(
+        &self,
+        profile: Profile,
+        place: [f64; 2],
+        range: [f64; 2],
+        gap: f64,
+    ) -> Option<Lowest> {
+        if !place.iter().all(|x| is_length(*x)) {
+            return None;
+        }
+        let found = match &self.kind {
+            Kind::Nowhere => return None,
+            Kind::Straight(line) => exact(line.lowest(profile, place)),
+            Kind::Around(around, _) if around.is_closed_for(profile) => {
+                exact(around.lowest(profile, place, range))
+            }
+            Kind::Upright(upright, _) if Upright::is_closed_for(profile) => {
+                exact(upright.lowest(profile, place, range))
+            }
+            Kind::Around(_, pieces) | Kind::Upright(_, pieces) | Kind::Pieces(pieces) => {
+                // Their parameter runs from 0 to 1.
+                let [_, end] = self.whole();
+                pieces.lowest(profile, place, range.map(|at| at / end), gap)
+            }
+        };
+        self.with_ends(profile, place, range, found)
+    }
+
+    /// How far the ends as they were given are from the curve, mm.
+    pub(super) fn off(&self) -> f64 {
+        match &self.kind {
+            Kind::Nowhere | Kind::Straight(_) => 0.0,
+            Kind::Around(_, pieces) | Kind::Upright(_, pieces) | Kind::Pieces(pieces) => {
+                let [start, end] = [0.0, 1.0].map(|t| pieces.point(t));
+                start.distance(self.start).max(end.distance(self.end))
+            }
+        }
+    }
+
+    /// The largest of its numbers, mm: what it is off by rounding is a share of them.
+    pub(super) fn size(&self) -> f64 {
+        let ends = [self.start, self.end].into_iter().flat_map(Vec3::to_array);
+        let size = ends.fold(0.0_f64, |size, x| size.max(x.abs()));
+        match &self.kind {
+            Kind::Nowhere | Kind::Straight(_) => size,
+            Kind::Around(_, pieces) | Kind::Upright(_, pieces) | Kind::Pieces(pieces) => {
+                size.max(pieces.size())
+            }
+        }
+    }
+
+    pub(super) const fn is_straight(&self) -> bool {
+        matches!(self.kind, Kind::Straight(_))
+    }
+
+    /// With the ends as they were given, and what they say about where the lowest point is.
+    fn with_ends(
+        &self,
+        profile: Profile,
+        place: [f64; 2],
+        range: [f64; 2],
+        found: Option<(f64, Low)>,
+    ) -> Option<Lowest> {
+        let whole = self.whole();
+        let height = |end: Vec3, is_within: bool| {
+            let (x, y) = (end.x - place[0], end.y - place[1]);
+            let height = end.z + profile.height_at((x * x + y * y).sqrt());
+            if is_within { height } else { f64::INFINITY }
+        };
+        let start = height(self.start, range[0] <= whole[0]);
+        let end = height(self.end, range[1] >= whole[1]);
+        let (lower, upper) =
+            found.map_or((f64::INFINITY, f64::INFINITY), |(lower, low)| (lower, low.height));
+        let (lower, upper) = (lower.min(start).min(end), upper.min(start).min(end));
+        if lower == f64::INFINITY {
+            return None;
+        }
+        let at = if end <= upper + SAME_HEIGHT {
+            At::End
+        } else if start <= upper + SAME_HEIGHT {
+            At::Start
+        } else {
+            At::Between
+        };
+        Some(Lowest { lower, upper, at })
+    }
+}
+
+fn is_length(x: f64) -> bool {
+    x.abs() <= LARGEST
+}
+
+fn is_point(p: Vec3) -> bool {
+    [p.x, p.y, p.z].into_iter().all(is_length)
+}
+
+/// Whether the numbers of a curve are finite, and so small that their squares are.
+fn is_possible(curve: &Curve) -> bool {
+    let ends = is_point(curve.start()) && is_point(curve.end());
+    ends && match curve {
+        Curve::Line(_) => true,
+        Curve::Arc(arc) => {
+            is_point(arc.center) && [arc.radius, arc.sweep, arc.rise].into_iter().all(is_length)
+        }
+        Curve::Spiral(spiral) => {
+            let numbers = [spiral.radius_start, spiral.radius_end, spiral.sweep, spiral.rise];
+            is_point(spiral.center) && numbers.into_iter().all(is_length)
+        }
+        Curve::Spline(spline) => spline.points().iter().all(|point| is_point(*point)),
+    }
+}
+
+/// A lower bound and what was found, from a closed form.
+fn exact(low: Option<Low>) -> Option<(f64, Low)> {
+    low.map(|low| (low.height, low))
+}
+
+/// `None` for an arc that is a straight line.
+fn of_arc(arc: &Arc) -> Option<Kind> {
+    if arc.sweep == 0.0 || arc.radius == 0.0 {
+        return None;
+    }
+    let pieces = Pieces::of_arc(arc);
+    let lean = arc.radius + arc.rise.abs();
+    let level = (arc.w.x * arc.w.x + arc.w.y * arc.w.y).sqrt();
+    if level * lean <= UPRIGHT {
+        return Some(Kind::Around(Around::new(arc), pieces));
+    }
+    let upright = arc.rise == 0.0 && arc.w.z.abs() * lean <= UPRIGHT;
+    match Upright::new(arc).filter(|_| upright) {
+        Some(upright) => Some(Kind::Upright(upright, pieces)),
+        None => Some(Kind::Pieces(pieces)),
+    }
+}
+
+/// `None` for a spiral that is a straight line.
+fn of_spiral(spiral: &Spiral) -> Option<Kind> {
+    if spiral.sweep == 0.0 {
+        return None;
+    }
+    if spiral.radius_start == spiral.radius_end {
+        let Spiral { center, u, w, radius_start: radius, sweep, rise, start, end, .. } = *spiral;
+        return of_arc(&Arc { center, u, w, radius, sweep, rise, start, end });
+    }
+    Some(Kind::Pieces(Pieces::of_spiral(spiral)))
+}

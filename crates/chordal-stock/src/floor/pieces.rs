@@ -1,0 +1,322 @@
+//! The lowest point of any cutter above a column along any curve, between two proved bounds.
+//!
+//! A part of the curve stays within a known distance of its chord. So the cutter, pushed outwards by the
+//! plan part of that distance and lowered by its vertical part, sweeps along the chord no less than along
+//! the curve: the closed form of the line gives a lower bound. The curve itself at the place that the
+//! chord tells gives an upper one. The part with the lowest bound is divided, until both are near enough.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use chordal_geometry::{Arc, Spiral, SplinePiece, Vec3};
+use libm::sincos;
+
+use super::profile::{Low, Profile};
+use super::straight::Straight;
+
+/// Nearer to its chord than this, mm, a part of a curve is its chord: what is left is like a column that
+/// stands so much aside.
+const SAME: f64 = 1e-13;
+/// No part is shorter than this, as a share of the parameter: what is left of its bend is rounding.
+const SHORTEST: f64 = 1.0 / (1_u64 << 40) as f64;
+/// How much a window may be too wide, mm, as a column that stands so much nearer has it.
+pub(super) const WIDE: f64 = 5e-10;
+/// After so many parts the bounds are what they are: along a curve that follows the rim of the cutter, or
+/// that leaves the column at one height all the way, all parts are as low.
+const MOST_PARTS: usize = 1 << 18;
+
+/// A curve that has no closed form; its parameter runs from 0 to 1.
+#[derive(Clone, Copy, Debug)]
+#[allow(clippy::large_enum_variant, reason = "one for each move")]
+pub(super) enum Pieces {
+    Winding(Winding),
+    Spline(SplinePiece),
+}
+
+/// A turn about any axis with an even change of radius and height.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Winding {
+    center: Vec3,
+    u: Vec3,
+    v: Vec3,
+    w: Vec3,
+    radius: f64,
+    /// Change of the radius, mm.
+    growth: f64,
+    /// Radians.
+    sweep: f64,
+    /// Along the axis, mm.
+    rise: f64,
+}
+
+/// The chord of a part, and how far the part is from it at most, mm.
+#[derive(Clone, Copy, Debug)]
+struct Chord {
+    start: Vec3,
+    end: Vec3,
+    /// In plan.
+    aside: f64,
+    /// Along Z.
+    above: f64,
+}
+
+impl Chord {
+    /// Whether a part from a parameter to another is its chord, to rounding.
+    fn is_all(&self, from: f64, to: f64) -> bool {
+        self.aside.max(self.above) <= SAME || to - from <= SHORTEST
+    }
+}
+
+impl Winding {
+    fn point(&self, t: f64) -> Vec3 {
+        let (sine, cosine) = sincos(self.sweep * t);
+        let out = self.u * cosine + self.v * sine;
+        self.center + out * (self.radius + self.growth * t) + self.w * (self.rise * t)
+    }
+
+    /// At equal parameter a chord is within |c″|·Δ²/8; c″ = −r·e + 2·r′·e′ by radian.
+    fn chord(&self, from: f64, to: f64) -> Chord {
+        let turn = self.sweep * (to - from);
+        let largest = (self.radius + self.growth * from).max(self.radius + self.growth * to);
+        let spread = 2.0 * self.growth / self.sweep;
+        let bend = (largest * largest + spread * spread).sqrt() * turn * turn / 8.0;
+        let upright = (1.0 - self.w.z * self.w.z).max(0.0).sqrt();
+        Chord { start: self.point(from), end: self.point(to), aside: bend, above: bend * upright }
+    }
+}
+
+fn spline_chord(spline: &SplinePiece, from: f64, to: f64) -> Chord {
+    let mut points = [([0.0; 3], 0.0); SplinePiece::MOST_ORDER];
+    let order = spline.order();
+    let origin = spline.points()[0];
+    for ((own, point), weight) in points.iter_mut().zip(spline.points()).zip(spline.weights()) {
+        *own = (((*point - origin) * *weight).to_array(), *weight);
+    }
+    let points = &mut points[..order];
+    // Before `to`, then after `from`.
+    halve(points, to, true);
+    halve(points, from / to.max(f64::MIN_POSITIVE), false);
+    // Seen from the start of the curve, where a small curve keeps its digits.
+    let place = |&([x, y, z], weight): &([f64; 3], f64)| Vec3::new(x, y, z) / weight;
+    let (start, end) = (place(&points[0]), place(&points[order - 1]));
+    // The curve is a mean of its control points: no farther from the chord than the farthest of them.
+    let along = end - start;
+    let square = along.length_squared();
+    let (mut aside, mut above) = (0.0_f64, 0.0_f64);
+    for point in &points[1..order - 1] {
+        let off = place(point) - start;
+        let share = if square > 0.0 { (off.dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
+        let off = off - along * share;
+        aside = aside.max((off.x * off.x + off.y * off.y).sqrt());
+        above = above.max(off.z.abs());
+    }
+    Chord { start: start + origin, end: end + origin, aside, above }
+}
+
+/// The control points of the part before or after a parameter, by de Casteljau's steps.
+fn halve(points: &mut [([f64; 3], f64)], t: f64, before: bool) {
+    let mean = |a: f64, b: f64| a * (1.0 - t) + b * t;
+    let count = points.len();
+    for step in 1..count {
+        let mut set = |at: usize, (a, b): (usize, usize)| {
+            let (one, other) = (points[a], points[b]);
+            let place = std::array::from_fn(|axis| mean(one.0[axis], other.0[axis]));
+            points[at] = (place, mean(one.1, other.1));
+        };
+        if before {
+            (step..count).rev().for_each(|at| set(at, (at - 1, at)));
+        } else {
+            (0..count - step).for_each(|at| set(at, (at, at + 1)));
+        }
+    }
+}
+
+/// A part of the curve that may hold the lowest point.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    least: f64,
+    from: f64,
+    to: f64,
+}
+
+impl Ord for Part {
+    /// The lowest is the greatest, that a heap hands out first; of equal ones the first on the curve.
+    fn cmp(&self, other: &Part) -> Ordering {
+        other.least.total_cmp(&self.least).then(other.from.total_cmp(&self.from))
+    }
+}
+
+impl PartialOrd for Part {
+    fn partial_cmp(&self, other: &Part) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Part {
+    fn eq(&self, other: &Part) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Part {}
+
+impl Pieces {
+    pub(super) fn of_arc(arc: &Arc) -> Pieces {
+        let (radius, sweep, rise) = (arc.radius, arc.sweep, arc.rise);
+        let v = arc.w.cross(arc.u);
+        let (center, u, w) = (arc.center, arc.u, arc.w);
+        Pieces::Winding(Winding { center, u, v, w, radius, growth: 0.0, sweep, rise })
+    }
+
+    pub(super) fn of_spiral(spiral: &Spiral) -> Pieces {
+        let (radius, sweep, rise) = (spiral.radius_start, spiral.sweep, spiral.rise);
+        let v = spiral.w.cross(spiral.u);
+        let growth = spiral.radius_end - spiral.radius_start;
+        let (center, u, w) = (spiral.center, spiral.u, spiral.w);
+        Pieces::Winding(Winding { center, u, v, w, radius, growth, sweep, rise })
+    }
+
+    /// The largest of the numbers of the curve, mm.
+    pub(super) fn size(&self) -> f64 {
+        let largest =
+            |p: &Vec3| p.to_array().into_iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        match self {
+            Pieces::Winding(winding) => {
+                largest(&winding.center)
+                    + winding.radius
+                    + winding.growth.abs()
+                    + winding.rise.abs()
+            }
+            Pieces::Spline(spline) => spline.points().iter().map(largest).fold(0.0, f64::max),
+        }
+    }
+
+    pub(super) fn point(&self, t: f64) -> Vec3 {
+        match self {
+            Pieces::Winding(winding) => winding.point(t),
+            Pieces::Spline(spline) => spline.jet_at_parameter(t)[0],
+        }
+    }
+
+    fn chord(&self, from: f64, to: f64) -> Chord {
+        match self {
+            Pieces::Winding(winding) => winding.chord(from, to),
+            Pieces::Spline(spline) => spline_chord(spline, from, to),
+        }
+    }
+
+    /// The lowest point above a column within a range of the parameter: a lower bound, and the lowest
+    /// that was found, no more than `gap` mm above it (more only after [`MOST_PARTS`]; infinite where
+    /// nothing was found until then). `None` where the cutter is nowhere over the column.
+    pub(super) fn lowest(
+        &self,
+        profile: Profile,
+        place: [f64; 2],
+        [from, to]: [f64; 2],
+        gap: f64,
+    ) -> Option<(f64, Low)> {
+        let mut low = Low::NONE;
+        let mut open = BinaryHeap::new();
+        open.push(Part { least: f64::NEG_INFINITY, from, to });
+        let mut count = 0;
+        let mut least = f64::INFINITY;
+        while let Some(part) = open.pop() {
+            if part.least >= low.height - gap || count >= MOST_PARTS {
+                least = part.least;
+                break;
+            }
+            let middle = 0.5 * (part.from + part.to);
+            for [from, to] in [[part.from, middle], [middle, part.to]] {
+                count += 1;
+                if let Some(least) = self.part(profile, place, [from, to], &mut low) {
+                    let least = least.max(part.least);
+                    if least < low.height {
+                        open.push(Part { least, from, to });
+                    }
+                }
+            }
+        }
+        let least = least.min(low.height);
+        (least < f64::INFINITY).then_some((least, low))
+    }
+
+    /// Looks at a part: offers what it finds there, and returns a lower bound of what else may be there.
+    fn part(
+        &self,
+        profile: Profile,
+        place: [f64; 2],
+        [from, to]: [f64; 2],
+        low: &mut Low,
+    ) -> Option<f64> {
+        let chord = self.chord(from, to);
+        let line = Straight::new(chord.start, chord.end);
+        if chord.is_all(from, to) {
+            let found = line.lowest(profile, place)?;
+            low.offer(found.height, from + (to - from) * found.at);
+            return None;
+        }
+        let found = line.lowest(profile.pushed(chord.aside), place)?;
+        let mut offer = |point: Vec3, t: f64| {
+            let (x, y) = (point.x - place[0], point.y - place[1]);
+            low.offer(point.z + profile.height_at((x * x + y * y).sqrt()), t);
+        };
+        offer(chord.start, from);
+        offer(chord.end, to);
+        if 0.0 < found.at && found.at < 1.0 {
+            let t = from + (to - from) * found.at;
+            offer(self.point(t), t);
+        }
+        Some(found.height - chord.above)
+    }
+
+    /// Hands on the ranges of the parameter in which the axis is within a radius of the column, in order; they
+    /// may reach [`WIDE`] farther. A part that cannot be decided (after [`MOST_PARTS`], along the rim) counts
+    /// as within where `is_outer`.
+    pub(super) fn windows(
+        &self,
+        place: [f64; 2],
+        radius: f64,
+        is_outer: bool,
+        push: &mut dyn FnMut([f64; 2]),
+    ) {
+        let mut open = vec![[0.0, 1.0]];
+        let mut last: Option<[f64; 2]> = None;
+        let mut count = 0;
+        while let Some([from, to]) = open.pop() {
+            count += 1;
+            let chord = self.chord(from, to);
+            let line = Straight::new(chord.start, chord.end);
+            let Some(range) = line.window(place, radius + chord.aside) else { continue };
+            let beyond = |end: Vec3| {
+                let (x, y) = (end.x - place[0], end.y - place[1]);
+                (x * x + y * y).sqrt() + chord.aside > radius
+            };
+            let is_inside = !beyond(chord.start) && !beyond(chord.end);
+            let is_narrow = chord.aside <= WIDE || to - from <= SHORTEST;
+            let is_enough = count >= MOST_PARTS;
+            if !(is_inside || is_narrow || is_enough) {
+                let middle = 0.5 * (from + to);
+                open.push([middle, to]);
+                open.push([from, middle]);
+                continue;
+            }
+            if !(is_inside || is_narrow || is_outer) {
+                continue;
+            }
+            // Exact where the whole of the chord is near enough, so that parts touch.
+            let at = |t: f64| if t >= 1.0 { to } else { from + (to - from) * t };
+            let range = range.map(at);
+            match &mut last {
+                Some(last) if last[1] >= range[0] => last[1] = range[1],
+                _ => {
+                    if let Some(done) = last.replace(range) {
+                        push(done);
+                    }
+                }
+            }
+        }
+        if let Some(done) = last {
+            push(done);
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! The lowest point of a cutter above a column along a straight move, in closed form.
+//!
+//! The tip is at `start + t·(end − start)`. Seen from the column the plan distance of the axis is
+//! ρ² = e² + w², where e is the distance of the column from the line of the move in plan and w that along
+//! it. Each ring of the cutter is there where w lies in one of two parts, one on either side of the
+//! column. On each of them the height m·w + h(ρ) is convex (m: rise by plan length), so its least value
+//! is at the free minimiser, clamped into the part.
+
+use chordal_geometry::Vec3;
+
+use super::profile::{Low, Profile};
+use crate::cutter::{Element, Ring};
+
+/// A straight move, or a plunge, where it has no length in plan.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Straight {
+    start: Vec3,
+    end: Vec3,
+    /// Length in plan, mm.
+    length: f64,
+    /// Unit vector of the direction in plan.
+    direction: [f64; 2],
+}
+
+impl Straight {
+    pub(super) fn new(start: Vec3, end: Vec3) -> Straight {
+        let along = [end.x - start.x, end.y - start.y];
+        let length = (along[0] * along[0] + along[1] * along[1]).sqrt();
+        let direction = if length > 0.0 { along.map(|x| x / length) } else { [1.0, 0.0] };
+        Straight { start, end, length, direction }
+    }
+
+    /// The way along the move to the foot of a column, and the distance of the column from it, mm.
+    fn seen_from(&self, place: [f64; 2]) -> (f64, f64) {
+        let [ux, uy] = self.direction;
+        let [x, y] = [place[0] - self.start.x, place[1] - self.start.y];
+        (x * ux + y * uy, (x * uy - y * ux).abs())
+    }
+
+    fn height_at(&self, t: f64) -> f64 {
+        // Exact at both ends.
+        self.start.z * (1.0 - t) + self.end.z * t
+    }
+
+    /// The fractions of the way between which the axis is within a radius of the column.
+    pub(super) fn window(&self, place: [f64; 2], radius: f64) -> Option<[f64; 2]> {
+        let (foot, aside) = self.seen_from(place);
+        if self.length <= 0.0 {
+            let distance = (foot * foot + aside * aside).sqrt();
+            return (distance <= radius).then_some([0.0, 1.0]);
+        }
+        let half = chord(radius, aside)?;
+        let from = ((foot - half) / self.length).max(0.0);
+        let to = ((foot + half) / self.length).min(1.0);
+        (from <= to).then_some([from, to])
+    }
+
+    /// The lowest point above a column; its place is a fraction of the way.
+    pub(super) fn lowest(&self, profile: Profile, place: [f64; 2]) -> Option<Low> {
+        let (foot, aside) = self.seen_from(place);
+        let mut low = Low::NONE;
+        if self.length <= 0.0 {
+            let height = profile.height_at((foot * foot + aside * aside).sqrt());
+            low.offer(self.start.z + height, 0.0);
+            low.offer(self.end.z + height, 1.0);
+            return low.found();
+        }
+        let slope = (self.end.z - self.start.z) / self.length;
+        let (first, last) = (-foot, self.length - foot);
+        for ring in profile.rings() {
+            let Some(outer) = chord(ring.to, aside) else { continue };
+            let inner = chord(ring.from, aside).unwrap_or(0.0);
+            let free = free_minimiser(&ring, aside, slope);
+            let parts = if inner > 0.0 {
+                [Some([-outer, -inner]), Some([inner, outer])]
+            } else {
+                [Some([-outer, outer]), None]
+            };
+            for [from, to] in parts.into_iter().flatten() {
+                let (from, to) = (from.max(first), to.min(last));
+                if from > to {
+                    continue;
+                }
+                let w = free.clamp(from, to);
+                let t = if w <= first {
+                    0.0
+                } else if w >= last {
+                    1.0
+                } else {
+                    ((foot + w) / self.length).clamp(0.0, 1.0)
+                };
+                let distance = (aside * aside + w * w).sqrt().clamp(ring.from, ring.to);
+                low.offer(self.height_at(t) + ring.height_at(distance), t);
+            }
+        }
+        low.found()
+    }
+}
+
+/// Half the chord that a circle about the column cuts out of a line `aside` of it; `None` beside it.
+pub(super) fn chord(radius: f64, aside: f64) -> Option<f64> {
+    (aside <= radius).then(|| ((radius - aside) * (radius + aside)).sqrt())
+}
+
+/// Where slope·w + h(√(aside² + w²)) of an element is least, if the element went on without end.
+fn free_minimiser(ring: &Ring, aside: f64, slope: f64) -> f64 {
+    if slope == 0.0 {
+        return 0.0;
+    }
+    let downhill = -slope.signum();
+    let steep = slope.abs();
+    match ring.element {
+        Element::Disc { .. } => downhill * f64::INFINITY,
+        Element::Cone { slope: rise, .. } => {
+            let square = (rise - steep) * (rise + steep);
+            if rise > steep && square > 0.0 {
+                downhill * (steep * aside / square.sqrt())
+            } else {
+                downhill * f64::INFINITY
+            }
+        }
+        Element::Torus { round, middle: 0.0, .. } => {
+            let q = chord(round, aside).unwrap_or(0.0);
+            downhill * (steep * q / (1.0 + steep * steep).sqrt())
+        }
+        Element::Torus { round, middle, .. } => {
+            downhill * way_on_torus(round, middle, aside, steep)
+        }
+    }
+}
+
+/// The way |w| from the foot of the column to the axis where a round of radius c about a circle of
+/// radius f touches lowest on a slope m > 0. With y = |w|/ρ the contact is at the distance
+/// ρ = f + c·m/√(m² + y²), and ρ²(1 − y²) = e². The left side falls from (f + c)² to nothing for y from
+/// nothing to one: Newton's steps, kept in a bracket.
+fn way_on_torus(round: f64, middle: f64, aside: f64, slope: f64) -> f64 {
+    // Newton's steps are three or four, eight at most of 20,000; halves alone reach neighbouring doubles in
+    // 60 or so.
+    const MOST_STEPS: u32 = 100;
+    // A step of Newton leaves the square of its error, and a place that is off by so much the square of it in
+    // the height.
+    const CLOSE: f64 = 1e-10;
+    let distance = |y: f64| middle + round * slope / (slope * slope + y * y).sqrt();
+    let value = |y: f64| {
+        let square = slope * slope + y * y;
+        let far = middle + round * slope / square.sqrt();
+        let left = (1.0 - y) * (1.0 + y);
+        let change = -round * slope * y / (square * square.sqrt());
+        (far * far * left - aside * aside, 2.0 * far * (change * left - far * y))
+    };
+    // A circle of centres beyond the axis, of a round that was pulled inwards: up to where ρ is nothing.
+    let reach = if middle < 0.0 {
+        let share = round / middle;
+        (slope * slope * (share * share - 1.0)).max(0.0).sqrt().min(1.0)
+    } else {
+        1.0
+    };
+    let (mut low, mut high) = (0.0_f64, reach);
+    // The contact of a ball of the whole radius as a start.
+    let share = (aside / (middle + round)).min(1.0);
+    let sine2 = ((slope * slope + share * share) / (1.0 + slope * slope)).min(1.0);
+    let mut y = (slope * (1.0 - sine2).sqrt() / sine2.sqrt()).clamp(low, high);
+    for _ in 0..MOST_STEPS {
+        let (off, change) = value(y);
+        if off == 0.0 {
+            break;
+        }
+        if off > 0.0 {
+            low = y;
+        } else {
+            high = y;
+        }
+        let newton = y - off / change;
+        if (newton - y).abs() <= CLOSE * y {
+            y = newton.clamp(0.0, reach);
+            break;
+        }
+        y = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
+    }
+    distance(y) * y
+}

@@ -1,0 +1,147 @@
+//! Triangles: read from STL, checked, measured, made of heights, written.
+//!
+//! A mesh is plain data: vertices that triangles share, each triangle counter-clockwise seen from outside.
+
+mod edges;
+mod steps;
+mod stl;
+mod weld;
+pub mod write;
+
+use chordal_geometry::{Aabb, Vec3};
+
+pub use edges::Edges;
+pub use steps::{HeightField, HeightFieldError, HeightMesh};
+pub use stl::{LengthUnit, Stl, StlError, StlForm, StlOptions, TextProblem, read_stl};
+
+/// The largest coordinate of a vertex, mm: a hundred metres. Up to here the rounding of coordinates stays
+/// far below a nanometre, which the bounds of shapes rely on.
+pub const LARGEST_COORDINATE: f64 = 1e5;
+
+/// Why numbers are no mesh.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum MeshError {
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle} names vertex {vertex}; there are {count}")]
+    NoVertex {
+        /// The triangle, from zero.
+        triangle: usize,
+        /// The vertex that it names.
+        vertex: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// A coordinate is NaN, infinite or beyond [`LARGEST_COORDINATE`].
+    #[error("vertex {vertex} has the coordinate {value} mm; the largest is {LARGEST_COORDINATE}")]
+    Coordinate {
+        /// The vertex, from zero.
+        vertex: usize,
+        /// The coordinate, mm.
+        value: f64,
+    },
+    /// More vertices or triangles than numbers of 32 bits can name.
+    #[error("{count} vertices or triangles are more than 32 bits can number")]
+    TooMany {
+        /// How many.
+        count: usize,
+    },
+}
+
+/// The first coordinate that no mesh can have.
+fn beyond(point: Vec3) -> Option<f64> {
+    let within = |value: f64| value.abs() <= LARGEST_COORDINATE;
+    point.to_array().into_iter().find(|&value| !within(value))
+}
+
+/// Triangles that share vertices, mm.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    vertices: Vec<Vec3>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// The mesh of vertices (mm) and triangles of three vertex numbers, counter-clockwise from outside.
+    ///
+    /// # Errors
+    /// When a triangle names a vertex that does not exist, or a coordinate is no number or too large.
+    pub fn new(vertices: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Mesh, MeshError> {
+        let count = vertices.len().max(triangles.len());
+        if u32::try_from(count).is_err() {
+            return Err(MeshError::TooMany { count });
+        }
+        for (vertex, point) in vertices.iter().enumerate() {
+            if let Some(value) = beyond(*point) {
+                return Err(MeshError::Coordinate { vertex, value });
+            }
+        }
+        for (triangle, corners) in triangles.iter().enumerate() {
+            if let Some(&vertex) = corners.iter().find(|&&v| v as usize >= vertices.len()) {
+                return Err(MeshError::NoVertex { triangle, vertex, count: vertices.len() });
+            }
+        }
+        Ok(Mesh { vertices, triangles })
+    }
+
+    /// The vertices, mm.
+    pub fn vertices(&self) -> &[Vec3] {
+        &self.vertices
+    }
+
+    /// The triangles: three numbers of vertices each.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// The corners of a triangle by its number, mm.
+    ///
+    /// # Panics
+    /// When there is no such triangle.
+    pub fn corners(&self, triangle: usize) -> [Vec3; 3] {
+        self.triangles[triangle].map(|vertex| self.vertices[vertex as usize])
+    }
+
+    /// The box around the vertices.
+    pub fn bounds(&self) -> Aabb {
+        self.vertices.iter().fold(Aabb::EMPTY, |around, point| around.include(*point))
+    }
+
+    /// The volume inside, mm³: below zero when the triangles are clockwise from outside. It means nothing
+    /// where the mesh is open.
+    pub fn volume(&self) -> f64 {
+        let bounds = self.bounds();
+        if bounds.is_empty() {
+            return 0.0;
+        }
+        // From the middle of the box, so that a small body far from zero loses no digits.
+        let middle = bounds.center();
+        let six: f64 = (0..self.triangles.len())
+            .map(|triangle| {
+                let [a, b, c] = self.corners(triangle).map(|corner| corner - middle);
+                a.dot(b.cross(c))
+            })
+            .sum();
+        six / 6.0
+    }
+
+    /// How the triangles meet: where the surface is open.
+    pub fn edges(&self) -> Edges {
+        Edges::of(self)
+    }
+
+    /// The same surface elsewhere, mm.
+    #[must_use]
+    pub fn moved(mut self, by: Vec3) -> Mesh {
+        self.vertices.iter_mut().for_each(|vertex| *vertex += by);
+        self
+    }
+
+    /// The same surface seen from its other side.
+    #[must_use]
+    pub fn turned(mut self) -> Mesh {
+        for triangle in &mut self.triangles {
+            triangle.swap(1, 2);
+        }
+        self
+    }
+}

@@ -1,0 +1,302 @@
+//! Rectangles and the walls between them as triangles.
+
+use chordal_geometry::Vec3;
+
+use super::cover::{Cover, NONE, Rectangle};
+use super::node::{Face, Node};
+use super::{HeightField, Touching};
+use crate::mesh::Mesh;
+
+/// No vertex at this corner.
+const NO_VERTEX: u32 = u32::MAX;
+
+/// A side of a rectangle as it is run through counter-clockwise.
+struct Side {
+    /// Its first corner.
+    from: [usize; 2],
+    /// One cell on.
+    step: [isize; 2],
+    /// How many cells it has.
+    cells: usize,
+    /// The number of the rectangle's cell at a corner of the side that is not the last.
+    cell: usize,
+    /// The number of the wall that runs on from a corner.
+    ahead: usize,
+}
+
+fn sides(rectangle: &Rectangle) -> [Side; 4] {
+    let Rectangle { columns: [left, right], rows: [low, high], .. } = *rectangle;
+    let (width, depth) = (right - left, high - low);
+    [
+        Side { from: [left, low], step: [1, 0], cells: width, cell: 0, ahead: 3 },
+        Side { from: [right, low], step: [0, 1], cells: depth, cell: 1, ahead: 0 },
+        Side { from: [right, high], step: [-1, 0], cells: width, cell: 2, ahead: 1 },
+        Side { from: [left, high], step: [0, -1], cells: depth, cell: 3, ahead: 2 },
+    ]
+}
+
+impl Side {
+    /// The corner after so many cells.
+    fn corner(&self, cells: usize) -> [usize; 2] {
+        [0, 1].map(|axis| self.from[axis].wrapping_add_signed(self.step[axis] * cells as isize))
+    }
+}
+
+/// Which faces have a vertex at a corner.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Used {
+    tops: bool,
+    bottom: bool,
+}
+
+pub(super) struct Builder<'a> {
+    field: &'a HeightField<'a>,
+    tops: &'a Cover,
+    bottoms: &'a Cover,
+    /// The height of each cell and of a border around them: that of its rectangle, or the bottom.
+    heights: Vec<f64>,
+    /// For each corner of cells its first vertex, and which faces have one there.
+    first: Vec<u32>,
+    used: Vec<Used>,
+    vertices: Vec<Vec3>,
+    triangles: Vec<[u32; 3]>,
+    touching: Vec<Touching>,
+    /// The vertices around a face, kept for the next one.
+    around: Vec<u32>,
+}
+
+impl<'a> Builder<'a> {
+    pub(super) fn new(
+        field: &'a HeightField<'a>,
+        tops: &'a Cover,
+        bottoms: &'a Cover,
+    ) -> Builder<'a> {
+        let corners = (field.columns + 1) * (field.rows + 1);
+        let (first, used) = (Vec::with_capacity(corners), Vec::with_capacity(corners));
+        let heights = bordered(field, tops);
+        let (vertices, triangles, touching) = (Vec::new(), Vec::new(), Vec::new());
+        let mut builder = Builder {
+            field,
+            tops,
+            bottoms,
+            heights,
+            first,
+            used,
+            vertices,
+            triangles,
+            touching,
+            around: Vec::new(),
+        };
+        builder.number();
+        builder
+    }
+
+    pub(super) fn mesh(mut self) -> (Mesh, Vec<Touching>) {
+        for rectangle in &self.tops.rectangles {
+            self.face(rectangle, true);
+            for side in sides(rectangle) {
+                self.walls(rectangle, &side);
+            }
+        }
+        for rectangle in &self.bottoms.rectangles {
+            self.face(rectangle, false);
+        }
+        (Mesh { vertices: self.vertices, triangles: self.triangles }, self.touching)
+    }
+
+    /// Gives the vertices of every corner their numbers.
+    fn number(&mut self) {
+        for row in 0..=self.field.rows {
+            for column in 0..=self.field.columns {
+                let at = [column, row];
+                let used = self.used(at);
+                self.used.push(used);
+                if !used.tops && !used.bottom {
+                    self.first.push(NO_VERTEX);
+                    continue;
+                }
+                // The count was checked against 32 bits before.
+                self.first.push(self.vertices.len() as u32);
+                let node = self.node(at, used);
+                for (height, &way) in node.vertices().zip(node.ways()) {
+                    if way != [0, 0] {
+                        self.touching.push(Touching { vertex: self.vertices.len() as u32, way });
+                    }
+                    self.vertices.push(self.point(at, height));
+                }
+            }
+        }
+    }
+
+    fn point(&self, [column, row]: [usize; 2], height: f64) -> Vec3 {
+        let HeightField { origin, cell, .. } = *self.field;
+        origin + Vec3::new(column as f64 * cell, row as f64 * cell, height)
+    }
+
+    /// The four cells around a corner, counter-clockwise from the one with higher x and y; `None` outside.
+    fn cells(&self, [column, row]: [usize; 2]) -> [Option<usize>; 4] {
+        let HeightField { columns, rows, .. } = *self.field;
+        [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[left, down]| {
+            let (column, row) = (column.checked_sub(left)?, row.checked_sub(down)?);
+            (column < columns && row < rows).then_some(row * columns + column)
+        })
+    }
+
+    /// Whether a corner ends an edge of some rectangle. Beside a hole tops and bottoms share the wall, and so
+    /// its ends.
+    fn used(&self, at: [usize; 2]) -> Used {
+        let cells = self.cells(at);
+        let ends = |cover: &Cover| {
+            let [a, b, c, d] = cells.map(|cell| cell.map_or(NONE, |cell| cover.of[cell]));
+            let straight = (a == b && c == d) || (b == c && d == a);
+            let whole = a == b && b == c && c == d;
+            !(straight || whole)
+        };
+        let (tops, bottom) = (ends(self.tops), ends(self.bottoms));
+        let hole = cells.iter().any(|cell| cell.is_none_or(|cell| self.tops.of[cell] == NONE));
+        if hole {
+            let either = tops || bottom;
+            Used { tops: either, bottom: either }
+        } else {
+            Used { tops, bottom }
+        }
+    }
+
+    fn floor(&self) -> f64 {
+        f64::from(self.field.floor)
+    }
+
+    fn node(&self, at: [usize; 2], used: Used) -> Node {
+        Node::new(self.heights_at(at), self.floor(), used.tops, used.bottom)
+    }
+
+    /// The heights of the four cells around a corner.
+    fn heights_at(&self, [column, row]: [usize; 2]) -> [f64; 4] {
+        let width = self.field.columns + 2;
+        let low = row * width + column;
+        let high = low + width;
+        [self.heights[high + 1], self.heights[high], self.heights[low], self.heights[low + 1]]
+    }
+
+    /// The number of the first vertex of a corner, and what meets there; `None` where no edge ends.
+    fn corner(&self, at: [usize; 2], tops: bool) -> Option<(u32, Node)> {
+        let corner = at[1] * (self.field.columns + 1) + at[0];
+        let used = self.used[corner];
+        let here = if tops { used.tops } else { used.bottom };
+        here.then(|| (self.first[corner], self.node(at, used)))
+    }
+
+    /// The top or the bottom of a rectangle.
+    fn face(&mut self, rectangle: &Rectangle, tops: bool) {
+        let height = if tops { rectangle.height } else { self.floor() };
+        let mut around = std::mem::take(&mut self.around);
+        around.clear();
+        for side in sides(rectangle) {
+            for cells in 0..side.cells {
+                if let Some((first, node)) = self.corner(side.corner(cells), tops) {
+                    let vertex = node.vertex(node.level(height), Face::Flat(side.cell));
+                    around.push(first + vertex as u32);
+                }
+            }
+        }
+        if !tops {
+            around.reverse();
+        }
+        if let [a, b, c, d] = around[..] {
+            self.triangles.extend([[a, b, c], [a, c, d]]);
+            self.around = around;
+            return;
+        }
+        // Corners of neighbours lie on its sides: from the middle no triangle is without area.
+        let Rectangle { columns, rows, .. } = *rectangle;
+        let [a, b] =
+            [[columns[0], rows[0]], [columns[1], rows[1]]].map(|at| self.point(at, height));
+        let middle = self.vertices.len() as u32;
+        self.vertices.push(a.lerp(b, 0.5));
+        let next = around.iter().cycle().skip(1);
+        self.triangles.extend(around.iter().zip(next).map(|(&a, &b)| [middle, a, b]));
+        self.around = around;
+    }
+
+    /// The walls below a side of a rectangle, where its neighbours are lower.
+    fn walls(&mut self, rectangle: &Rectangle, side: &Side) {
+        let mut begin: Option<(u32, Node)> = None;
+        for cells in 0..=side.cells {
+            let at = side.corner(cells);
+            let Some((first, node)) = self.corner(at, true) else { continue };
+            if let Some((from, before)) = &begin {
+                // The neighbour is the same since the last corner: look beside the last cell.
+                let low = self.across(side, cells - 1);
+                if low < rectangle.height {
+                    let span = [low, rectangle.height];
+                    let back = (side.ahead + 2) % 4;
+                    let left = Line::new(*from, before, side.ahead, span);
+                    let right = Line::new(first, &node, back, span);
+                    self.strip(left, right);
+                }
+            }
+            begin = Some((first, node));
+        }
+    }
+
+    /// The height on the other side of a side of a rectangle, after so many cells.
+    fn across(&self, side: &Side, cells: usize) -> f64 {
+        // Seen from the corner, the wall ahead has the rectangle on its left and the neighbour on its right.
+        self.heights_at(side.corner(cells))[side.ahead]
+    }
+
+    /// Triangles between two upright lines of vertices: the one on the left, then the one on the right, seen from
+    /// outside.
+    fn strip<'b>(&mut self, mut left: Line<'b>, mut right: Line<'b>) {
+        while left.level < left.top || right.level < right.top {
+            let on_the_left = left.level < left.top
+                && (right.level >= right.top || left.next_height() < right.next_height());
+            let (l, r) = (left.vertex(), right.vertex());
+            let line = if on_the_left { &mut left } else { &mut right };
+            line.level += 1;
+            let next = line.vertex();
+            self.triangles.push([l, r, next]);
+        }
+    }
+}
+
+/// The vertices of a wall over a corner, from the lowest.
+struct Line<'a> {
+    first: u32,
+    node: &'a Node,
+    wall: usize,
+    level: usize,
+    top: usize,
+}
+
+impl Line<'_> {
+    /// From one height to another, mm.
+    fn new(first: u32, node: &Node, wall: usize, [low, high]: [f64; 2]) -> Line<'_> {
+        Line { first, node, wall, level: node.level(low), top: node.level(high) }
+    }
+
+    fn vertex(&self) -> u32 {
+        let below_top = self.level < self.top;
+        let face = if below_top { Face::Up(self.wall) } else { Face::Down(self.wall) };
+        self.first + self.node.vertex(self.level, face) as u32
+    }
+
+    fn next_height(&self) -> f64 {
+        self.node.levels()[self.level + 1]
+    }
+}
+
+/// The heights of rectangles for each cell, the bottom for a cell that is cut through and for a border of
+/// one cell.
+fn bordered(field: &HeightField, tops: &Cover) -> Vec<f64> {
+    let width = field.columns + 2;
+    let mut heights = vec![f64::from(field.floor); width * (field.rows + 2)];
+    for rectangle in &tops.rectangles {
+        let [left, right] = rectangle.columns;
+        for row in rectangle.rows[0]..rectangle.rows[1] {
+            let from = (row + 1) * width + 1;
+            heights[from + left..from + right].fill(rectangle.height);
+        }
+    }
+    heights
+}

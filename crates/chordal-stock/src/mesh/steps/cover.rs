@@ -1,0 +1,154 @@
+//! The cells of a height field as rectangles, each of one height.
+
+use super::HeightField;
+
+/// Cells that become one face.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rectangle {
+    /// The first cell along X and the one after the last.
+    pub columns: [usize; 2],
+    /// The first cell along Y and the one after the last.
+    pub rows: [usize; 2],
+    /// Their height, mm above the origin.
+    pub height: f64,
+}
+
+/// Every cell that is not cut through in one rectangle.
+pub(super) struct Cover {
+    pub rectangles: Vec<Rectangle>,
+    /// For each cell the number of its rectangle, or [`NONE`].
+    pub of: Vec<u32>,
+    /// How far a cell is from the height of its rectangle at most, mm.
+    pub deviation: f64,
+}
+
+/// A cell that is cut through.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// What the cells of a rectangle have in common.
+#[derive(Clone, Copy)]
+struct Heights {
+    low: f64,
+    high: f64,
+    sum: f64,
+    count: usize,
+}
+
+impl Heights {
+    const NO: Heights = Heights { low: f64::INFINITY, high: f64::NEG_INFINITY, sum: 0.0, count: 0 };
+
+    fn with(self, height: f64) -> Heights {
+        Heights {
+            low: self.low.min(height),
+            high: self.high.max(height),
+            sum: self.sum + height,
+            count: self.count + 1,
+        }
+    }
+
+    /// The mean, which keeps the volume; rounding does not move it out of the range.
+    fn mean(&self) -> f64 {
+        (self.sum / self.count as f64).clamp(self.low, self.high)
+    }
+
+    fn deviation(&self) -> f64 {
+        self.deviation_from(self.mean())
+    }
+
+    fn deviation_from(&self, height: f64) -> f64 {
+        (self.high - height).max(height - self.low)
+    }
+}
+
+/// Heights of joined cells are multiples of this, mm: a float of 32 bits tells them apart up to 256 mm. Means
+/// that differ by rounding alone would be walls of no height in files of such floats.
+const STEP: f64 = 1.0 / 65536.0;
+
+/// Rounds means to multiples of [`STEP`], and gives what that takes from the volume to the next ones.
+#[derive(Default)]
+struct Rounder {
+    /// What is missing so far, mm times cells.
+    missing: f64,
+}
+
+impl Rounder {
+    fn height(&mut self, heights: &Heights, tolerance: f64) -> f64 {
+        let mean = heights.mean();
+        let cells = heights.count as f64;
+        let wanted = mean + (self.missing / cells).clamp(-STEP, STEP);
+        let rounded = (wanted / STEP).round() * STEP;
+        let height = if heights.low < heights.high && heights.deviation_from(rounded) <= tolerance {
+            rounded
+        } else {
+            mean
+        };
+        self.missing += (mean - height) * cells;
+        height
+    }
+}
+
+impl Cover {
+    /// Rectangles in which no height is further from the mean than the tolerance, mm.
+    pub(super) fn of_tops(field: &HeightField, tolerance: f64) -> Cover {
+        Cover::new(field, |column, row| field.height(column, row), tolerance)
+    }
+
+    /// Rectangles at the bottom.
+    pub(super) fn of_bottoms(field: &HeightField) -> Cover {
+        let floor = f64::from(field.floor);
+        Cover::new(field, |_, _| floor, 0.0)
+    }
+
+    /// From each first free cell as far along X as the tolerance allows, then along Y.
+    fn new(field: &HeightField, height: impl Fn(usize, usize) -> f64, tolerance: f64) -> Cover {
+        let HeightField { columns, rows, .. } = *field;
+        let floor = f64::from(field.floor);
+        let mut cover =
+            Cover { rectangles: Vec::new(), of: vec![NONE; columns * rows], deviation: 0.0 };
+        let mut rounder = Rounder::default();
+        for row in 0..rows {
+            let mut column = 0;
+            while column < columns {
+                let free = |cover: &Cover, column: usize, row: usize| {
+                    cover.of[row * columns + column] == NONE && field.height(column, row) > floor
+                };
+                if !free(&cover, column, row) {
+                    column += 1;
+                    continue;
+                }
+                let mut heights = Heights::NO.with(height(column, row));
+                let mut end = column + 1;
+                while end < columns && free(&cover, end, row) {
+                    let more = heights.with(height(end, row));
+                    if more.deviation() > tolerance {
+                        break;
+                    }
+                    heights = more;
+                    end += 1;
+                }
+                let mut top = row + 1;
+                while top < rows && (column..end).all(|at| free(&cover, at, top)) {
+                    let more = (column..end).fold(heights, |sum, at| sum.with(height(at, top)));
+                    if more.deviation() > tolerance {
+                        break;
+                    }
+                    heights = more;
+                    top += 1;
+                }
+                let number = cover.rectangles.len() as u32;
+                for row in row..top {
+                    cover.of[row * columns..][column..end].fill(number);
+                }
+                let height = rounder.height(&heights, tolerance);
+                cover.deviation = cover.deviation.max(heights.deviation_from(height));
+                cover.rectangles.push(Rectangle {
+                    columns: [column, end],
+                    rows: [row, top],
+                    height,
+                });
+                column = end;
+            }
+        }
+        cover
+    }
+}

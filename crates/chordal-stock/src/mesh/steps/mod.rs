@@ -1,0 +1,177 @@
+//! A closed surface around columns of given heights: flat tops, upright walls, a flat bottom.
+//!
+//! Each column is a prism of its cell, so the volume is the sum of the columns and a wall stays a wall.
+//! Columns of nearly one height are joined to rectangles first ([`cover`]); a rectangle takes the mean of
+//! its columns, which keeps the volume. What meets at a corner of cells is found there ([`node`]): every edge
+//! of the result has two triangles, also where two columns touch in an upright edge only.
+//!
+//! A body with several intervals in a column, or with crossings along X and Y beside those along Z, needs
+//! another way to its triangles; it can end in the same [`Mesh`].
+
+mod build;
+mod cover;
+mod node;
+
+use chordal_geometry::Vec3;
+
+use super::{LARGEST_COORDINATE, Mesh};
+
+/// Heights over a grid of square cells, row by row: the top of the body over each cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeightField<'a> {
+    /// The corner of the grid with the lowest x and y, and the zero of the heights, mm.
+    pub origin: Vec3,
+    /// The side of a cell, mm.
+    pub cell: f64,
+    /// How many cells there are along X.
+    pub columns: usize,
+    /// How many cells there are along Y.
+    pub rows: usize,
+    /// The heights, mm above the origin: `columns` of the lowest row first.
+    pub heights: &'a [f32],
+    /// The bottom, mm above the origin. A cell that is not higher is cut through.
+    pub floor: f32,
+}
+
+/// The surface of a height field.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeightMesh {
+    /// Closed, each edge with two triangles; empty when every cell is cut through.
+    pub mesh: Mesh,
+    /// How far the height of a cell differs from that of the surface there at most, mm.
+    pub deviation: f64,
+    touching: Vec<Touching>,
+}
+
+/// A vertex of a column that touches another one in an upright edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Touching {
+    vertex: u32,
+    /// The way to its own column, along X and Y.
+    way: [i8; 2],
+}
+
+impl HeightMesh {
+    /// The mesh with columns that touch in an upright edge moved apart there, each by so much along X and Y, mm.
+    ///
+    /// For forms that do not share vertices (STL): their readers take two vertices at one place for one, and find
+    /// edges with four triangles. The volume is smaller by about that distance along these edges; `gap` must be
+    /// small beside a cell, and more than the rounding of the form.
+    #[must_use]
+    pub fn parted(mut self, gap: f64) -> Mesh {
+        for Touching { vertex, way: [x, y] } in self.touching {
+            let way = Vec3::new(f64::from(x), f64::from(y), 0.0);
+            self.mesh.vertices[vertex as usize] += way * gap;
+        }
+        self.mesh
+    }
+}
+
+/// Why there is no surface.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum HeightFieldError {
+    /// The heights are not those of the grid.
+    #[error("{found} heights for {columns} × {rows} cells")]
+    Count {
+        /// How many heights there are.
+        found: usize,
+        /// Cells along X.
+        columns: usize,
+        /// Cells along Y.
+        rows: usize,
+    },
+    /// Too many cells to number the vertices.
+    #[error("{columns} × {rows} cells are too many for one mesh")]
+    TooMany {
+        /// Cells along X.
+        columns: usize,
+        /// Cells along Y.
+        rows: usize,
+    },
+    /// A height or the bottom is NaN, or above every coordinate.
+    #[error("the cell of column {column} and row {row} has the height {value} mm")]
+    Height {
+        /// The cell along X, from zero.
+        column: usize,
+        /// The cell along Y, from zero.
+        row: usize,
+        /// Its height, mm.
+        value: f32,
+    },
+    /// A dimension that is none.
+    #[error("the {what} cannot be {value} mm")]
+    Dimension {
+        /// What it is.
+        what: &'static str,
+        /// Its value, mm.
+        value: f64,
+    },
+}
+
+impl HeightField<'_> {
+    /// The closed surface, in which no cell is further from its height than `tolerance`, mm. With zero only
+    /// cells of the same height are joined. The volume is that of the columns, to half of 2⁻¹⁶ mm over the last of
+    /// the joined faces.
+    ///
+    /// # Errors
+    /// When the grid is none, or a height is no number.
+    pub fn mesh(&self, tolerance: f64) -> Result<HeightMesh, HeightFieldError> {
+        self.check(tolerance)?;
+        let tops = cover::Cover::of_tops(self, tolerance);
+        let bottoms = cover::Cover::of_bottoms(self);
+        let (mesh, touching) = build::Builder::new(self, &tops, &bottoms).mesh();
+        Ok(HeightMesh { mesh, deviation: tops.deviation, touching })
+    }
+
+    /// The volume of the columns, mm³.
+    pub fn volume(&self) -> f64 {
+        let floor = f64::from(self.floor);
+        let heights: f64 =
+            self.heights.iter().map(|&height| (f64::from(height) - floor).max(0.0)).sum();
+        heights * self.cell * self.cell
+    }
+
+    /// The height of a cell, mm above the origin; the bottom where it is cut through.
+    fn height(&self, column: usize, row: usize) -> f64 {
+        f64::from(self.heights[row * self.columns + column].max(self.floor))
+    }
+
+    fn check(&self, tolerance: f64) -> Result<(), HeightFieldError> {
+        let HeightField { columns, rows, .. } = *self;
+        let found = self.heights.len();
+        if columns.checked_mul(rows) != Some(found) {
+            return Err(HeightFieldError::Count { found, columns, rows });
+        }
+        // Each corner has at most as many vertices as columns meet there, and one for the bottom, twice.
+        const MOST: usize = u32::MAX as usize / 10;
+        if (columns + 1).saturating_mul(rows + 1) > MOST {
+            return Err(HeightFieldError::TooMany { columns, rows });
+        }
+        let at_least_zero = tolerance >= 0.0 && tolerance.is_finite();
+        let reach = columns.max(rows) as f64 * self.cell;
+        let within = self.cell > 0.0 && reach <= LARGEST_COORDINATE;
+        let floor = f64::from(self.floor);
+        let near = |from: f64| from.abs() + reach <= LARGEST_COORDINATE;
+        let HeightField { origin: Vec3 { x, y, .. }, .. } = *self;
+        for (what, value, good) in [
+            ("origin", x, near(x)),
+            ("origin", y, near(y)),
+            ("tolerance", tolerance, at_least_zero),
+            ("cell", self.cell, within),
+            ("bottom", floor, (self.origin.z + floor).abs() <= LARGEST_COORDINATE),
+        ] {
+            if !good {
+                return Err(HeightFieldError::Dimension { what, value });
+            }
+        }
+        // Minus infinity is a column that is not there.
+        let good = |value: f32| self.origin.z + f64::from(value) <= LARGEST_COORDINATE;
+        match self.heights.iter().position(|&value| !good(value)) {
+            Some(at) => {
+                let (column, row) = (at % columns, at / columns);
+                Err(HeightFieldError::Height { column, row, value: self.heights[at] })
+            }
+            None => Ok(()),
+        }
+    }
+}

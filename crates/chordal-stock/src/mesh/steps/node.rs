@@ -1,0 +1,184 @@
+//! What meets in the upright line over a corner of four cells.
+//!
+//! The cells around the corner are numbered counter-clockwise from the one with higher x and y. Wall `k`
+//! stands between cells `k` and `k + 1`: in the direction +Y, −X, −Y, +X from the corner.
+
+/// A face at a corner and a level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Face {
+    /// The wall of this number, from the level up.
+    Up(usize),
+    /// The wall of this number, from the level down.
+    Down(usize),
+    /// The top or the bottom of the cell of this number.
+    Flat(usize),
+}
+
+impl Face {
+    const COUNT: usize = 12;
+
+    const fn index(self) -> usize {
+        match self {
+            Face::Up(wall) => wall,
+            Face::Down(wall) => 4 + wall,
+            Face::Flat(cell) => 8 + cell,
+        }
+    }
+}
+
+/// From the corner to each cell.
+const WAYS: [[i8; 2]; 4] = [[1, 1], [-1, 1], [-1, -1], [1, -1]];
+
+/// The solid cell behind a face by its index.
+fn solid_cell(face: usize, above: [bool; 4], below: [bool; 4]) -> usize {
+    let cell = face % 4;
+    let solid = match face / 4 {
+        0 => above[cell],
+        1 => below[cell],
+        _ => true,
+    };
+    if solid { cell } else { (cell + 1) % 4 }
+}
+
+/// Four tops, the bottom.
+const MOST_LEVELS: usize = 5;
+/// No more than two bodies touch at a level.
+const MOST_VERTICES: usize = 2 * MOST_LEVELS;
+
+/// The vertices over one corner.
+pub(super) struct Node {
+    levels: [f64; MOST_LEVELS],
+    count: usize,
+    /// The vertex of each face at each level, where two bodies touch in the upright line; otherwise there is one
+    /// vertex for each level.
+    touching: Option<[[u8; Face::COUNT]; MOST_LEVELS]>,
+    /// The level of each vertex.
+    vertex_levels: [u8; MOST_VERTICES],
+    vertices: usize,
+    /// For each vertex the way to its body, along X and Y, where another body has one at the same place.
+    ways: [[i8; 2]; MOST_VERTICES],
+}
+
+impl Node {
+    /// `heights` of the four cells, the bottom for one that is cut through; whether the tops and whether
+    /// the bottom have a vertex here.
+    pub(super) fn new(heights: [f64; 4], floor: f64, tops: bool, bottom: bool) -> Node {
+        let mut node = Node {
+            levels: [0.0; MOST_LEVELS],
+            count: 0,
+            touching: None,
+            vertex_levels: std::array::from_fn(|vertex| vertex as u8),
+            vertices: 0,
+            ways: [[0, 0]; MOST_VERTICES],
+        };
+        if bottom {
+            node.add(floor);
+        }
+        if tops {
+            heights.into_iter().filter(|height| *height > floor).for_each(|top| node.add(top));
+        }
+        node.vertices = node.count;
+        let [a, b, c, d] = heights;
+        if a.max(c) < b.min(d) || b.max(d) < a.min(c) {
+            node.part(heights, floor);
+        }
+        node
+    }
+
+    /// The levels, from the lowest, mm.
+    pub(super) fn levels(&self) -> &[f64] {
+        &self.levels[..self.count]
+    }
+
+    /// For each vertex where to move it along X and Y to part it from another one at the same place; nothing where
+    /// it is alone.
+    pub(super) fn ways(&self) -> &[[i8; 2]] {
+        &self.ways[..self.vertices]
+    }
+
+    /// The height of each vertex, mm.
+    pub(super) fn vertices(&self) -> impl Iterator<Item = f64> {
+        self.vertex_levels[..self.vertices].iter().map(|level| self.levels[usize::from(*level)])
+    }
+
+    /// The vertex of a face at a level, from zero.
+    pub(super) fn vertex(&self, level: usize, face: Face) -> usize {
+        self.touching.map_or(level, |of| usize::from(of[level][face.index()]))
+    }
+
+    /// The number of a level by its height.
+    pub(super) fn level(&self, height: f64) -> usize {
+        self.levels().iter().position(|level| *level >= height).unwrap_or(0)
+    }
+
+    fn add(&mut self, level: f64) {
+        let at = self.levels().iter().position(|other| *other >= level).unwrap_or(self.count);
+        if at == self.count || self.levels[at] > level {
+            self.levels.copy_within(at..self.count, at + 1);
+            self.levels[at] = level;
+            self.count += 1;
+        }
+    }
+
+    /// Faces that share an edge share a vertex. In an upright edge between two solid cells that face each
+    /// other across it, the two faces of the same cell share it.
+    fn part(&mut self, heights: [f64; 4], floor: f64) {
+        let mut of = [[0; Face::COUNT]; MOST_LEVELS];
+        let mut vertices = 0;
+        let mut vertex_levels = [0; MOST_VERTICES];
+        for (level, of) in of.iter_mut().enumerate().take(self.count) {
+            let z = self.levels[level];
+            let above = heights.map(|height| height > z);
+            let below = heights.map(|height| height >= z && z > floor);
+            let mut class: [usize; Face::COUNT] = std::array::from_fn(|face| face);
+            let mut present = [false; Face::COUNT];
+            for cell in 0..4 {
+                let next = (cell + 1) % 4;
+                present[Face::Up(cell).index()] = above[cell] != above[next];
+                present[Face::Down(cell).index()] = below[cell] != below[next];
+                present[Face::Flat(cell).index()] = above[cell] != below[cell];
+            }
+            let mut join = |faces: &[Face]| {
+                let mut there = faces.iter().map(|face| face.index()).filter(|face| present[*face]);
+                if let Some(first) = there.next() {
+                    for face in there {
+                        let (from, to) = (class[face], class[first]);
+                        class.iter_mut().filter(|c| **c == from).for_each(|c| *c = to);
+                    }
+                }
+            };
+            for cell in 0..4 {
+                let next = (cell + 1) % 4;
+                join(&[Face::Up(cell), Face::Down(cell), Face::Flat(cell), Face::Flat(next)]);
+                // A run of solid cells begins after one wall and ends at the next.
+                for (solid, face) in [(above, Face::Up as fn(usize) -> Face), (below, Face::Down)] {
+                    if solid[next] && !solid[cell] {
+                        let run = (1..4).take_while(|more| solid[(cell + more) % 4]).count();
+                        join(&[face(cell), face((cell + run) % 4)]);
+                    }
+                }
+            }
+            let mut numbers = [None; Face::COUNT];
+            let first = vertices;
+            let mut ways = [[0; 2]; MOST_VERTICES];
+            for face in (0..Face::COUNT).filter(|face| present[*face]) {
+                let number = *numbers[class[face]].get_or_insert_with(|| {
+                    vertex_levels[vertices] = level as u8;
+                    vertices += 1;
+                    vertices as u8 - 1
+                });
+                of[face] = number;
+                let way = WAYS[solid_cell(face, above, below)];
+                for (sum, part) in ways[usize::from(number)].iter_mut().zip(way) {
+                    *sum += part;
+                }
+            }
+            if vertices > first + 1 {
+                let of_level = self.ways[first..vertices].iter_mut().zip(&ways[first..]);
+                of_level.for_each(|(way, sum)| *way = sum.map(i8::signum));
+            }
+        }
+        (self.vertices, self.vertex_levels) = (vertices, vertex_levels);
+        self.touching = Some(of);
+    }
+}

@@ -1,0 +1,57 @@
+//! Binary STL: 80 bytes of anything, the count, then for each triangle a normal, three corners (12 floats)
+//! and two bytes.
+
+use super::{Soup, StlError};
+
+/// The head and the count behind it.
+const HEAD: usize = 84;
+/// A triangle.
+const RECORD: usize = 50;
+/// The normal before the corners.
+const NORMAL: usize = 12;
+/// Three floats.
+const CORNER: usize = 12;
+
+/// How many triangles the head declares; `None` for less than a head.
+fn declared(bytes: &[u8]) -> Option<u32> {
+    let count = bytes.get(HEAD - 4..HEAD)?;
+    Some(u32::from_le_bytes(count.try_into().ok()?))
+}
+
+fn needed(count: u32) -> u64 {
+    HEAD as u64 + RECORD as u64 * u64::from(count)
+}
+
+/// Whether the size is that of the triangles which the head declares.
+pub(super) fn has_size(bytes: &[u8]) -> bool {
+    declared(bytes).is_some_and(|count| needed(count) == bytes.len() as u64)
+}
+
+pub(super) fn read(bytes: &[u8], soup: &mut Soup) -> Result<(), StlError> {
+    let size = bytes.len();
+    let declared = declared(bytes).ok_or(StlError::NoHead { size })?;
+    if needed(declared) != size as u64 {
+        return Err(StlError::Size { declared, needed: needed(declared), size });
+    }
+    let limit = soup.options.limit;
+    if declared as usize > limit {
+        return Err(StlError::TooMany { declared: Some(declared), limit });
+    }
+    for (number, record) in bytes[HEAD..].chunks_exact(RECORD).enumerate() {
+        let corner = |which: usize| {
+            let from = NORMAL + which * CORNER;
+            let values = [0, 4, 8].map(|at| {
+                let at = from + at;
+                f64::from(f32::from_le_bytes([
+                    record[at],
+                    record[at + 1],
+                    record[at + 2],
+                    record[at + 3],
+                ]))
+            });
+            (values, HEAD + number * RECORD + from)
+        };
+        soup.push([corner(0), corner(1), corner(2)])?;
+    }
+    Ok(())
+}

@@ -1,0 +1,157 @@
+//! STL as text: `facet normal … outer loop vertex … vertex … vertex … endloop endfacet` between
+//! `solid` and `endsolid` with a name up to the end of the line.
+
+use super::{Soup, StlError};
+
+/// What is wrong with a word of the text.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum TextProblem {
+    /// Another word belongs there.
+    #[error("'{expected}' was expected, '{found}' is there")]
+    Word {
+        /// What belongs there.
+        expected: &'static str,
+        /// What stands there, cut at [`LONGEST_SHOWN`] characters.
+        found: String,
+    },
+    /// No number.
+    #[error("'{found}' is no number")]
+    Number {
+        /// What stands there.
+        found: String,
+    },
+    /// The text ends within a solid.
+    #[error("the text ends where '{expected}' was expected")]
+    End {
+        /// What belongs there.
+        expected: &'static str,
+    },
+}
+
+/// How much of a word a message shows, in characters.
+const LONGEST_SHOWN: usize = 24;
+/// A binary file has zeros in its head or in its count (of less than 2²⁴ triangles); text has none.
+const HEAD: usize = 84;
+
+/// Whether bytes that are no binary STL by their size are text.
+pub(super) fn looks_like(bytes: &[u8]) -> bool {
+    let mut words = Words::new(bytes);
+    words.next().is_some_and(|word| word.is("solid"))
+        && !bytes[..bytes.len().min(HEAD)].contains(&0)
+}
+
+pub(super) fn read(bytes: &[u8], soup: &mut Soup) -> Result<(), StlError> {
+    let mut words = Words::new(bytes);
+    words.expect("solid")?;
+    loop {
+        words.skip_line();
+        loop {
+            let word = words.take("endsolid")?;
+            if word.is("endsolid") {
+                words.skip_line();
+                break;
+            }
+            if !word.is("facet") {
+                return Err(word.wrong("facet"));
+            }
+            facet(&mut words, soup)?;
+        }
+        let Some(word) = words.next() else { return Ok(()) };
+        if !word.is("solid") {
+            return Err(word.wrong("solid"));
+        }
+    }
+}
+
+fn facet(words: &mut Words, soup: &mut Soup) -> Result<(), StlError> {
+    words.expect("normal")?;
+    for _ in 0..3 {
+        // Not read: it follows from the corners, and writers put "nan" there for thin triangles.
+        words.take("a number")?;
+    }
+    words.expect("outer")?;
+    words.expect("loop")?;
+    let corners = [corner(words)?, corner(words)?, corner(words)?];
+    words.expect("endloop")?;
+    words.expect("endfacet")?;
+    soup.push(corners)
+}
+
+fn corner(words: &mut Words) -> Result<([f64; 3], usize), StlError> {
+    let offset = words.expect("vertex")?;
+    Ok(([words.number()?, words.number()?, words.number()?], offset))
+}
+
+struct Word<'a> {
+    bytes: &'a [u8],
+    line: usize,
+    offset: usize,
+}
+
+impl Word<'_> {
+    fn is(&self, word: &str) -> bool {
+        self.bytes.eq_ignore_ascii_case(word.as_bytes())
+    }
+
+    fn shown(&self) -> String {
+        String::from_utf8_lossy(self.bytes).chars().take(LONGEST_SHOWN).collect()
+    }
+
+    fn problem(&self, problem: TextProblem) -> StlError {
+        StlError::Text { line: self.line, offset: self.offset, problem }
+    }
+
+    fn wrong(&self, expected: &'static str) -> StlError {
+        self.problem(TextProblem::Word { expected, found: self.shown() })
+    }
+}
+
+/// Words between blanks, with their lines.
+struct Words<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: usize,
+}
+
+impl<'a> Words<'a> {
+    fn new(bytes: &'a [u8]) -> Words<'a> {
+        const MARK: &[u8] = b"\xef\xbb\xbf";
+        Words { bytes, at: if bytes.starts_with(MARK) { MARK.len() } else { 0 }, line: 1 }
+    }
+
+    fn next(&mut self) -> Option<Word<'a>> {
+        while let Some(byte) = self.bytes.get(self.at).filter(|byte| byte.is_ascii_whitespace()) {
+            self.line += usize::from(*byte == b'\n');
+            self.at += 1;
+        }
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().take_while(|byte| !byte.is_ascii_whitespace()).count();
+        let word = Word { bytes: &rest[..length], line: self.line, offset: self.at };
+        self.at += length;
+        (length > 0).then_some(word)
+    }
+
+    fn take(&mut self, expected: &'static str) -> Result<Word<'a>, StlError> {
+        let word = self.next();
+        let (line, offset) = (self.line, self.at);
+        word.ok_or(StlError::Text { line, offset, problem: TextProblem::End { expected } })
+    }
+
+    /// Takes a word that must be there: where it begins.
+    fn expect(&mut self, expected: &'static str) -> Result<usize, StlError> {
+        let word = self.take(expected)?;
+        if word.is(expected) { Ok(word.offset) } else { Err(word.wrong(expected)) }
+    }
+
+    fn number(&mut self) -> Result<f64, StlError> {
+        let word = self.take("a number")?;
+        let value = std::str::from_utf8(word.bytes).ok().and_then(|text| text.parse().ok());
+        value.ok_or_else(|| word.problem(TextProblem::Number { found: word.shown() }))
+    }
+
+    /// Goes to the end of the line: what is left of it is a name.
+    fn skip_line(&mut self) {
+        let rest = &self.bytes[self.at..];
+        self.at += rest.iter().take_while(|byte| **byte != b'\n').count();
+    }
+}

@@ -1,0 +1,200 @@
+//! A body that turns about an upright axis: a stack of cylinders and cones above a tip.
+
+use chordal_geometry::{Aabb, Vec3};
+use libm::{acos, asin, cos, sincos};
+
+use super::convex::Convex;
+use crate::cutter::{Cutter, Element, Ring};
+
+/// A cylinder or a cut cone about the axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frustum {
+    /// Where it begins, above the tip, mm.
+    pub from: f64,
+    /// Where it ends, above the tip, mm.
+    pub to: f64,
+    /// Its radius where it begins, mm.
+    pub lower: f64,
+    /// Its radius where it ends, mm.
+    pub upper: f64,
+}
+
+/// Why there is no body.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum BodyError {
+    /// No part at all.
+    #[error("a body needs a part")]
+    Empty,
+    /// A number of a part that is none, or a part that ends where it begins or before.
+    #[error("part {part} of the body runs from {} to {} mm with radii {} and {} mm",
+        .frustum.from, .frustum.to, .frustum.lower, .frustum.upper)]
+    Part {
+        /// The part, from zero.
+        part: usize,
+        /// What it is.
+        frustum: Frustum,
+    },
+    /// A tolerance that is not above zero, or an end that is not above the cutter's edges.
+    #[error("a cutter cannot become a body up to {top} mm within {tolerance} mm")]
+    Cutter {
+        /// The upper end, mm above the tip.
+        top: f64,
+        /// The tolerance, mm.
+        tolerance: f64,
+    },
+}
+
+/// On which side of the truth a body lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bound {
+    /// It contains the truth.
+    Outer,
+    /// The truth contains it.
+    Inner,
+}
+
+/// Frustums above a tip: a tool, a shank, a holder, or all of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    frustums: Vec<Frustum>,
+}
+
+impl Body {
+    /// The body of these parts, which may overlap or leave gaps.
+    ///
+    /// # Errors
+    /// When there is no part, or one has no height or a radius below zero.
+    pub fn new(frustums: Vec<Frustum>) -> Result<Body, BodyError> {
+        if frustums.is_empty() {
+            return Err(BodyError::Empty);
+        }
+        for (part, &frustum) in frustums.iter().enumerate() {
+            let Frustum { from, to, lower, upper } = frustum;
+            let finite = [from, to, lower, upper].into_iter().all(f64::is_finite);
+            if !(finite && from < to && lower >= 0.0 && upper >= 0.0) {
+                return Err(BodyError::Part { part, frustum });
+            }
+        }
+        Ok(Body { frustums })
+    }
+
+    /// A cutter from its tip up to a height above it. Rounds become cones that keep within `tolerance` of them,
+    /// outside or inside; everything else is exact. mm.
+    ///
+    /// # Errors
+    /// When `top` is not above the cutter's end, or the tolerance is not above zero.
+    pub fn of_cutter(
+        cutter: &Cutter,
+        top: f64,
+        tolerance: f64,
+        bound: Bound,
+    ) -> Result<Body, BodyError> {
+        let good = top.is_finite() && top > cutter.side() && tolerance > 0.0;
+        if !good {
+            return Err(BodyError::Cutter { top, tolerance });
+        }
+        let mut outline = Outline { frustums: Vec::new(), at: [0.0, 0.0] };
+        for ring in cutter.rings() {
+            outline.to([ring.from, ring.height_at(ring.from)]);
+            match ring.element {
+                Element::Torus { height, round, middle } => {
+                    outline.round(ring, [middle, height + round], round, tolerance, bound);
+                }
+                Element::Disc { .. } | Element::Cone { .. } => {}
+            }
+            outline.to([ring.to, ring.height_at(ring.to)]);
+        }
+        outline.to([cutter.radius(), top]);
+        Body::new(outline.frustums)
+    }
+
+    /// The parts.
+    pub fn frustums(&self) -> &[Frustum] {
+        &self.frustums
+    }
+
+    /// This body and another one about the same axis and tip.
+    #[must_use]
+    pub fn and(mut self, other: &Body) -> Body {
+        self.frustums.extend_from_slice(&other.frustums);
+        self
+    }
+
+    /// The largest radius, mm.
+    pub fn radius(&self) -> f64 {
+        self.frustums.iter().fold(0.0, |most, part| part.lower.max(part.upper).max(most))
+    }
+}
+
+/// A way outward and up, as frustums below it.
+struct Outline {
+    frustums: Vec<Frustum>,
+    /// Distance from the axis and height, mm.
+    at: [f64; 2],
+}
+
+impl Outline {
+    fn to(&mut self, [radius, height]: [f64; 2]) {
+        let [lower, from] = self.at;
+        if height > from {
+            self.frustums.push(Frustum { from, to: height, lower, upper: radius });
+        }
+        self.at = [radius, height.max(from)];
+    }
+
+    /// The arc of a ring about a middle, as chords (inside) or tangents (outside).
+    fn round(&mut self, ring: &Ring, [x, z]: [f64; 2], round: f64, tolerance: f64, bound: Bound) {
+        /// More sides than any tolerance needs that a tool is made to.
+        const MOST_SIDES: f64 = 1000.0;
+        let [first, last] =
+            [ring.from, ring.to].map(|radius| asin(((radius - x) / round).clamp(-1.0, 1.0)));
+        // A chord is nearest to the middle at r·cos, a corner of tangents furthest at r/cos, of half its angle.
+        let cosine = match bound {
+            Bound::Inner => 1.0 - tolerance / round,
+            Bound::Outer => round / (round + tolerance),
+        };
+        let step = 2.0 * acos(cosine.max(0.0));
+        let sides = ((last - first) / step).ceil().clamp(1.0, MOST_SIDES);
+        let angle = (last - first) / sides;
+        let (reach, offset, count) = match bound {
+            Bound::Inner => (round, 1.0, sides as usize - 1),
+            Bound::Outer => (round / cos(angle / 2.0), 0.5, sides as usize),
+        };
+        for side in 0..count {
+            let (sin, cos) = sincos(first + (side as f64 + offset) * angle);
+            self.to([x + reach * sin, z - reach * cos]);
+        }
+    }
+}
+
+/// A part of a body on a straight way: convex too.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Swept {
+    pub frustum: Frustum,
+    pub from: Vec3,
+    pub to: Vec3,
+}
+
+impl Swept {
+    pub(super) fn bounds(&self) -> Aabb {
+        let Frustum { from, to, lower, upper } = self.frustum;
+        let radius = lower.max(upper);
+        let way = Aabb::of_points(self.from, self.to);
+        Aabb {
+            min: way.min + Vec3::new(-radius, -radius, from),
+            max: way.max + Vec3::new(radius, radius, to),
+        }
+    }
+}
+
+impl Convex for Swept {
+    fn furthest(&self, way: Vec3) -> Vec3 {
+        let Frustum { from, to, lower, upper } = self.frustum;
+        let plan = (way.x * way.x + way.y * way.y).sqrt();
+        let higher = upper * plan + to * way.z > lower * plan + from * way.z;
+        let (radius, height) = if higher { (upper, to) } else { (lower, from) };
+        let tip = if (self.to - self.from).dot(way) > 0.0 { self.to } else { self.from };
+        let out = if plan > 0.0 { radius / plan } else { 0.0 };
+        tip + Vec3::new(way.x * out, way.y * out, height)
+    }
+}

@@ -1,0 +1,211 @@
+//! What a shape fills over the cells of a grid: for each cell what it may fill somewhere in the cell, and
+//! what it fills everywhere in the cell.
+
+use chordal_geometry::Aabb;
+
+use super::{Kind, Shape, ShapeError};
+use crate::mesh::LARGEST_COORDINATE;
+
+/// How far from its own edge a cell begins, mm, if it does not grow. A wall that lies in the edge of a cell, but for
+/// rounding, then belongs to one cell only.
+pub const EDGE: f64 = 2e-9;
+
+/// Square cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid {
+    /// The corner with the lowest x and y, mm.
+    pub origin: [f64; 2],
+    /// The side of a cell, mm.
+    pub cell: f64,
+    /// How many cells there are along X.
+    pub columns: usize,
+    /// How many cells there are along Y.
+    pub rows: usize,
+    /// Each cell is wider by this on every side, mm, for bounds that must hold around it too. From [`EDGE`] on no
+    /// place lies in no cell.
+    pub grow: f64,
+}
+
+/// From one height to another, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// The lower one.
+    pub from: f64,
+    /// The higher one.
+    pub to: f64,
+}
+
+/// A rectangle along the axes, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Rect {
+    pub x: Span,
+    pub y: Span,
+}
+
+impl Grid {
+    /// What is certified for a cell: half of [`EDGE`] is left for the rounding of everything that follows.
+    pub(super) fn rect(&self, column: usize, row: usize) -> Rect {
+        Rect { x: self.strip(0, column), y: self.strip(1, row) }
+    }
+
+    /// The cells of one number along X (0) or Y (1).
+    pub(super) fn strip(&self, axis: usize, number: usize) -> Span {
+        let out = self.grow - EDGE / 2.0;
+        let at = |number: usize| self.origin[axis] + number as f64 * self.cell;
+        Span { from: at(number) - out, to: at(number + 1) + out }
+    }
+
+    /// The middle of the cells of one number along X (0) or Y (1), mm.
+    pub(super) fn middle(&self, axis: usize, number: usize) -> f64 {
+        self.origin[axis] + (number as f64 + 0.5) * self.cell
+    }
+
+    /// The cells of a row whose strips may reach into a span along X: the first, and the one after the last.
+    pub(super) fn reached(&self, span: Span) -> [usize; 2] {
+        let cell = |value: f64| (value - self.origin[0]) / self.cell;
+        // EDGE is more than rounding; a float beyond the range becomes its end.
+        let out = self.grow + EDGE;
+        let first = cell(span.from - out).floor().max(0.0) as usize;
+        let after = (cell(span.to + out).floor() + 1.0).max(0.0) as usize;
+        [first.min(self.columns), after.min(self.columns)]
+    }
+
+    fn check(&self) -> Result<(), ShapeError> {
+        let Grid { columns, rows, cell, .. } = *self;
+        let counted = columns.checked_mul(rows).is_some_and(|count| count < u32::MAX as usize);
+        let reach = columns.max(rows) as f64 * cell + self.grow;
+        let near = self.origin.iter().all(|from| from.abs() + reach <= LARGEST_COORDINATE);
+        // A cell must be more than what it is drawn in by.
+        let good = cell > 4.0 * EDGE && self.grow >= 0.0 && near;
+        if counted && good { Ok(()) } else { Err(ShapeError::Grid { columns, rows, cell }) }
+    }
+}
+
+/// Lists of spans, one for each cell.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Lists {
+    /// Where the list of each cell ends.
+    ends: Vec<usize>,
+    spans: Vec<Span>,
+}
+
+impl Lists {
+    fn at(&self, cell: usize) -> &[Span] {
+        let from = cell.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.spans[from..self.ends[cell]]
+    }
+}
+
+/// What a shape fills over the cells of a grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cells {
+    columns: usize,
+    outer: Lists,
+    inner: Lists,
+}
+
+impl Cells {
+    /// What the shape may fill: over no place of the cell it fills anything else. Spans from the lowest, apart.
+    ///
+    /// # Panics
+    /// When the grid has no such cell.
+    pub fn outer(&self, column: usize, row: usize) -> &[Span] {
+        self.outer.at(row * self.columns + column)
+    }
+
+    /// What the shape fills over every place of the cell. Spans from the lowest, apart.
+    ///
+    /// # Panics
+    /// When the grid has no such cell.
+    pub fn inner(&self, column: usize, row: usize) -> &[Span] {
+        self.inner.at(row * self.columns + column)
+    }
+}
+
+/// Takes the lists of one cell after the other.
+pub(super) struct Filler {
+    cells: Cells,
+}
+
+impl Filler {
+    pub(super) fn new(grid: &Grid) -> Filler {
+        let lists = || Lists {
+            ends: Vec::with_capacity(grid.columns * grid.rows),
+            spans: Vec::with_capacity(grid.columns * grid.rows),
+        };
+        Filler { cells: Cells { columns: grid.columns, outer: lists(), inner: lists() } }
+    }
+
+    /// What the next cell may be filled with.
+    pub(super) fn outer(&mut self, span: Span) {
+        self.cells.outer.spans.push(span);
+    }
+
+    /// What the next cell is surely filled with.
+    pub(super) fn inner(&mut self, span: Span) {
+        self.cells.inner.spans.push(span);
+    }
+
+    /// Ends the lists of a cell.
+    pub(super) fn end_cell(&mut self) {
+        for lists in [&mut self.cells.outer, &mut self.cells.inner] {
+            lists.ends.push(lists.spans.len());
+        }
+    }
+
+    pub(super) fn cells(self) -> Cells {
+        self.cells
+    }
+}
+
+impl Shape {
+    /// What the shape fills over the cells of a grid, for each with an outer and an inner bound.
+    ///
+    /// For a box and an upright cylinder the heights are exact; round sides, slopes and walls within a cell make the
+    /// difference of the two. The bounds hold at every place of a cell that is at least [`EDGE`] less `grow` from its
+    /// edge.
+    ///
+    /// # Errors
+    /// When the grid has too many cells or numbers that are none, or the shape is a mesh that is not closed or has
+    /// too many triangles above each other.
+    pub fn cells(&self, grid: &Grid) -> Result<Cells, ShapeError> {
+        grid.check()?;
+        let mut filler = Filler::new(grid);
+        let mut each = |fill: &dyn Fn(Rect, &mut Filler)| {
+            for row in 0..grid.rows {
+                for column in 0..grid.columns {
+                    fill(grid.rect(column, row), &mut filler);
+                    filler.end_cell();
+                }
+            }
+        };
+        match &self.0 {
+            Kind::Cuboid(around) => each(&|rect, filler| fill_box(around, rect, filler)),
+            Kind::Round(round) => each(&|rect, filler| round.fill(rect, filler)),
+            Kind::Meshed(meshed) if meshed.edges.are_closed() => meshed.fill(grid, &mut filler)?,
+            Kind::Meshed(meshed) => return Err(ShapeError::Open { edges: meshed.edges }),
+        }
+        Ok(filler.cells())
+    }
+}
+
+impl Span {
+    pub(super) fn overlaps(self, other: Span) -> bool {
+        self.from < other.to && other.from < self.to
+    }
+
+    pub(super) fn contains(self, other: Span) -> bool {
+        self.from <= other.from && other.to <= self.to
+    }
+}
+
+fn fill_box(around: &Aabb, rect: Rect, filler: &mut Filler) {
+    let side =
+        |axis: usize| Span { from: around.min.component(axis), to: around.max.component(axis) };
+    if side(0).overlaps(rect.x) && side(1).overlaps(rect.y) {
+        filler.outer(side(2));
+    }
+    if side(0).contains(rect.x) && side(1).contains(rect.y) {
+        filler.inner(side(2));
+    }
+}

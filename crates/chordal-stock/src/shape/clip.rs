@@ -1,0 +1,71 @@
+//! Triangles cut to strips.
+
+use chordal_geometry::Vec3;
+
+use super::cells::Span;
+
+/// A triangle cut by two strips has seven corners at most; the rest is for corners that rounding makes two of.
+const MOST_CORNERS: usize = 12;
+
+/// A flat polygon in space.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Polygon {
+    corners: [Vec3; MOST_CORNERS],
+    count: usize,
+}
+
+impl Polygon {
+    pub(super) fn of_triangle([a, b, c]: [Vec3; 3]) -> Polygon {
+        let mut polygon = Polygon { corners: [Vec3::ZERO; MOST_CORNERS], count: 3 };
+        polygon.corners[..3].copy_from_slice(&[a, b, c]);
+        polygon
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// From the least to the largest coordinate: 0 is x, 1 is y, 2 is z.
+    pub(super) fn range(&self, axis: usize) -> Span {
+        let nothing = Span { from: f64::INFINITY, to: f64::NEG_INFINITY };
+        self.corners[..self.count].iter().fold(nothing, |range, corner| {
+            let value = corner.component(axis);
+            Span { from: range.from.min(value), to: range.to.max(value) }
+        })
+    }
+
+    /// The part within a strip of x (0) or y (1).
+    pub(super) fn within(&self, axis: usize, strip: Span) -> Polygon {
+        self.beside(axis, strip.from, 1.0).beside(axis, strip.to, -1.0)
+    }
+
+    /// The part on the higher (1) or lower (−1) side of a coordinate.
+    fn beside(&self, axis: usize, limit: f64, side: f64) -> Polygon {
+        let mut kept = Polygon { corners: [Vec3::ZERO; MOST_CORNERS], count: 0 };
+        let corners = &self.corners[..self.count];
+        let mut push = |corner: Vec3| {
+            debug_assert!(kept.count < MOST_CORNERS, "a convex polygon has one more for each cut");
+            let at = kept.count.min(MOST_CORNERS - 1);
+            kept.corners[at] = corner;
+            kept.count = at + 1;
+        };
+        for (at, &a) in corners.iter().enumerate() {
+            let b = corners[(at + 1) % corners.len()];
+            let [of_a, of_b] = [a, b].map(|corner| (corner.component(axis) - limit) * side);
+            if of_a >= 0.0 {
+                push(a);
+            }
+            if (of_a >= 0.0) != (of_b >= 0.0) {
+                let t = (of_a / (of_a - of_b)).clamp(0.0, 1.0);
+                push(between(a, b, t));
+            }
+        }
+        kept
+    }
+}
+
+/// The point at a fraction of the way; coordinates that are equal at both ends stay what they are.
+fn between(a: Vec3, b: Vec3, t: f64) -> Vec3 {
+    let at = |a: f64, b: f64| (a + t * (b - a)).clamp(a.min(b), a.max(b));
+    Vec3::new(at(a.x, b.x), at(a.y, b.y), at(a.z, b.z))
+}

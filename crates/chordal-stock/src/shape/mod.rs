@@ -1,0 +1,231 @@
+//! What stock, fixtures and targets are: boxes, cylinders, tubes and meshes.
+//!
+//! Two questions are answered, each with a bound on both sides: what a shape fills over each cell of a grid
+//! ([`Shape::cells`]), and how far it is from a body that turns about a vertical axis ([`Shape::distance`],
+//! [`Shape::distance_along`], [`Shape::passage`]).
+
+mod body;
+mod cells;
+mod clip;
+mod convex;
+mod distance;
+mod meshed;
+mod passage;
+mod profile;
+mod round;
+mod tree;
+
+use chordal_geometry::{Aabb, Vec3};
+
+use crate::mesh::{Edges, LARGEST_COORDINATE, Mesh};
+use meshed::Meshed;
+use round::Round;
+
+pub use body::{Body, BodyError, Bound, Frustum};
+pub use cells::{Cells, EDGE, Grid, Span};
+pub use convex::Distance;
+pub use passage::{Passage, Path};
+
+/// A direction of the axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Along X.
+    X,
+    /// Along Y.
+    Y,
+    /// Along Z.
+    Z,
+}
+
+/// Why there is no shape, or no answer about it.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ShapeError {
+    /// A dimension is not above zero, or no number that a shape can have.
+    #[error("the {what} cannot be {value} mm")]
+    Dimension {
+        /// What it is.
+        what: &'static str,
+        /// Its value, mm.
+        value: f64,
+    },
+    /// The mesh has no triangle.
+    #[error("the mesh has no triangle")]
+    NoTriangle,
+    /// The mesh encloses nothing.
+    #[error("the mesh is open at {} of {} edges, first from {} to {}",
+        .edges.open, .edges.count, place(.edges, 0), place(.edges, 1))]
+    Open {
+        /// How its triangles meet.
+        edges: Edges,
+    },
+    /// More triangles over the cells of a row than memory should hold.
+    #[error("too many triangles over row {row} of the grid")]
+    TooManyTriangles {
+        /// The row, from zero.
+        row: usize,
+    },
+    /// A grid without cells, too many of them, or numbers that are none.
+    #[error("a grid of {columns} × {rows} cells of {cell} mm")]
+    Grid {
+        /// Cells along X.
+        columns: usize,
+        /// Cells along Y.
+        rows: usize,
+        /// Their side, mm.
+        cell: f64,
+    },
+}
+
+/// An end of the first open edge.
+fn place(edges: &Edges, end: usize) -> String {
+    edges.first_open.map_or_else(String::new, |ends| {
+        let Vec3 { x, y, z } = ends[end];
+        format!("X{x} Y{y} Z{z}")
+    })
+}
+
+/// A body or, for a mesh that is not closed, a surface.
+#[derive(Clone, Debug)]
+pub struct Shape(Kind);
+
+#[derive(Clone, Debug)]
+enum Kind {
+    Cuboid(Aabb),
+    Round(Round),
+    Meshed(Box<Meshed>),
+}
+
+fn finite(what: &'static str, value: f64) -> Result<f64, ShapeError> {
+    let good = value.abs() <= LARGEST_COORDINATE;
+    if good { Ok(value) } else { Err(ShapeError::Dimension { what, value }) }
+}
+
+fn positive(what: &'static str, value: f64) -> Result<f64, ShapeError> {
+    if value > 0.0 { finite(what, value) } else { Err(ShapeError::Dimension { what, value }) }
+}
+
+impl Shape {
+    /// The box between two opposite corners, mm.
+    ///
+    /// # Errors
+    /// When a side has no length.
+    pub fn cuboid(a: Vec3, b: Vec3) -> Result<Shape, ShapeError> {
+        for point in [a, b] {
+            for value in point.to_array() {
+                finite("corner", value)?;
+            }
+        }
+        let around = Aabb::of_points(a, b);
+        for (what, value) in ["length", "width", "height"].into_iter().zip(around.size().to_array())
+        {
+            positive(what, value)?;
+        }
+        Ok(Shape(Kind::Cuboid(around)))
+    }
+
+    /// The cylinder about an axis through `middle`, of a diameter, from one coordinate along the axis to another,
+    /// mm. The coordinate of `middle` along the axis means nothing.
+    ///
+    /// # Errors
+    /// When the diameter or the length is not above zero.
+    pub fn cylinder(
+        axis: Axis,
+        middle: Vec3,
+        diameter: f64,
+        from: f64,
+        to: f64,
+    ) -> Result<Shape, ShapeError> {
+        Shape::round(axis, middle, [positive("diameter", diameter)?, 0.0], [from, to])
+    }
+
+    /// The tube between two diameters, as [`Shape::cylinder`].
+    ///
+    /// # Errors
+    /// When a diameter or the length is not above zero, or the bore is no smaller than the diameter.
+    pub fn tube(
+        axis: Axis,
+        middle: Vec3,
+        [diameter, bore]: [f64; 2],
+        from: f64,
+        to: f64,
+    ) -> Result<Shape, ShapeError> {
+        positive("diameter", diameter)?;
+        let bore = positive("bore", bore)?;
+        if bore >= diameter {
+            return Err(ShapeError::Dimension { what: "bore", value: bore });
+        }
+        Shape::round(axis, middle, [diameter, bore], [from, to])
+    }
+
+    fn round(
+        axis: Axis,
+        middle: Vec3,
+        [diameter, bore]: [f64; 2],
+        [from, to]: [f64; 2],
+    ) -> Result<Shape, ShapeError> {
+        for value in middle.to_array() {
+            finite("middle", value)?;
+        }
+        let (from, to) = (finite("end", from)?.min(to), finite("end", to)?.max(from));
+        positive("length", to - from)?;
+        let (outer, inner) = (diameter / 2.0, bore / 2.0);
+        Ok(Shape(Kind::Round(Round { axis, middle, outer, inner, from, to })))
+    }
+
+    /// The body inside a closed mesh. Where its triangles are clockwise from outside they are turned.
+    ///
+    /// # Errors
+    /// When the mesh is open or has no triangle.
+    pub fn solid(mesh: Mesh) -> Result<Shape, ShapeError> {
+        let edges = mesh.edges();
+        if mesh.triangles().is_empty() {
+            return Err(ShapeError::NoTriangle);
+        }
+        if !edges.are_closed() {
+            return Err(ShapeError::Open { edges });
+        }
+        let mesh = if mesh.volume() < 0.0 { mesh.turned() } else { mesh };
+        Ok(Shape(Kind::Meshed(Box::new(Meshed::new(mesh, edges)))))
+    }
+
+    /// The triangles of a mesh: of a body if it is closed, otherwise a surface without an inside, which can be
+    /// kept clear of but fills no cell.
+    ///
+    /// # Errors
+    /// When the mesh has no triangle.
+    pub fn surface(mesh: Mesh) -> Result<Shape, ShapeError> {
+        let edges = mesh.edges();
+        if edges.are_closed() {
+            return Shape::solid(mesh);
+        }
+        if mesh.triangles().is_empty() {
+            return Err(ShapeError::NoTriangle);
+        }
+        Ok(Shape(Kind::Meshed(Box::new(Meshed::new(mesh, edges)))))
+    }
+
+    /// The box around the shape.
+    pub fn bounds(&self) -> Aabb {
+        match &self.0 {
+            Kind::Cuboid(around) => *around,
+            Kind::Round(round) => round.bounds(),
+            Kind::Meshed(meshed) => meshed.mesh.bounds(),
+        }
+    }
+
+    /// The volume, mm³; nothing for a surface that is not closed.
+    pub fn volume(&self) -> f64 {
+        match &self.0 {
+            Kind::Cuboid(around) => {
+                let size = around.size();
+                size.x * size.y * size.z
+            }
+            Kind::Round(round) => {
+                let square = round.outer * round.outer - round.inner * round.inner;
+                std::f64::consts::PI * square * (round.to - round.from)
+            }
+            Kind::Meshed(meshed) if meshed.edges.are_closed() => meshed.mesh.volume(),
+            Kind::Meshed(_) => 0.0,
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Distances in the half plane of height and distance from an axis.
+//!
+//! A body that turns about an upright axis is met by a place according to its height and its distance from the axis
+//! alone. The places of a box, and of a cylinder or tube that stands upright, take every height of one span
+//! together with every distance of another: a rectangle in that half plane, so the distance is exact.
+
+use chordal_geometry::{Aabb, Vec3};
+
+use super::body::Frustum;
+use super::cells::Span;
+use super::round::distances;
+
+type Point = [f64; 2];
+
+/// The distance of a part of a body with its tip at a place from a box, mm.
+pub(super) fn from_box(frustum: &Frustum, tip: Vec3, around: &Aabb) -> f64 {
+    let span =
+        |axis: usize| Span { from: around.min.component(axis), to: around.max.component(axis) };
+    let (x, y) = (distances(span(0), tip.x), distances(span(1), tip.y));
+    let from = (x.from * x.from + y.from * y.from).sqrt();
+    let to = (x.to * x.to + y.to * y.to).sqrt();
+    distance(frustum, tip.z, Span { from, to }, span(2))
+}
+
+/// The distance of a part of a body, with the tip at a height, from the places between two distances from its
+/// axis and between two heights, mm.
+pub(super) fn distance(frustum: &Frustum, tip: f64, radii: Span, heights: Span) -> f64 {
+    let (low, high) = (tip + frustum.from, tip + frustum.to);
+    let body = [[0.0, low], [frustum.lower, low], [frustum.upper, high], [0.0, high]];
+    let (near, far) = (radii.from, radii.to);
+    let rectangle =
+        [[near, heights.from], [far, heights.from], [far, heights.to], [near, heights.to]];
+    if !apart(&body, &rectangle) {
+        return 0.0;
+    }
+    nearest(&body, &rectangle).min(nearest(&rectangle, &body))
+}
+
+/// Whether a side of one of two convex figures, or a direction across an axis, lies between them.
+fn apart(a: &[Point; 4], b: &[Point; 4]) -> bool {
+    let sides = |figure: &[Point; 4]| {
+        let figure = *figure;
+        [0, 1, 2, 3].map(|at: usize| {
+            let (from, to) = (figure[at], figure[(at + 1) % 4]);
+            [to[1] - from[1], from[0] - to[0]]
+        })
+    };
+    let separates = |[x, y]: Point| {
+        let range = |figure: &[Point; 4]| {
+            let along = figure.map(|point| point[0] * x + point[1] * y);
+            let low = along.into_iter().fold(f64::INFINITY, f64::min);
+            Span { from: low, to: along.into_iter().fold(f64::NEG_INFINITY, f64::max) }
+        };
+        let (of_a, of_b) = (range(a), range(b));
+        of_a.to < of_b.from || of_b.to < of_a.from
+    };
+    sides(a).into_iter().chain(sides(b)).any(separates)
+}
+
+/// The least distance of the corners of one figure from the sides of the other.
+fn nearest(corners: &[Point; 4], figure: &[Point; 4]) -> f64 {
+    let mut least = f64::INFINITY;
+    for &[x, y] in corners {
+        for at in 0..4 {
+            let (a, b) = (figure[at], figure[(at + 1) % 4]);
+            let along = [b[0] - a[0], b[1] - a[1]];
+            let whole = along[0] * along[0] + along[1] * along[1];
+            let t = (x - a[0]) * along[0] + (y - a[1]) * along[1];
+            let t = if whole > 0.0 { (t / whole).clamp(0.0, 1.0) } else { 0.0 };
+            let off = [a[0] + t * along[0] - x, a[1] + t * along[1] - y];
+            least = least.min(off[0] * off[0] + off[1] * off[1]);
+        }
+    }
+    least.sqrt()
+}

@@ -1,0 +1,106 @@
+//! Boxes around boxes around triangles.
+
+use chordal_geometry::{Aabb, Vec3};
+
+use crate::mesh::Mesh;
+
+/// Triangles in a box that is not divided further.
+const FEW: usize = 4;
+
+/// A box, and what is in it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    pub bounds: Aabb,
+    pub inside: Inside,
+}
+
+/// What is in a box.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Inside {
+    /// Two boxes, by their numbers.
+    Boxes(usize, usize),
+    /// Triangles: where they begin in the order of the tree, and how many there are.
+    Triangles(usize, usize),
+}
+
+/// A tree over the triangles of a mesh.
+#[derive(Clone, Debug)]
+pub(super) struct Tree {
+    nodes: Vec<Node>,
+    /// The triangles in the order of the boxes.
+    order: Vec<u32>,
+}
+
+impl Tree {
+    /// The tree of a mesh of at least one triangle.
+    pub(super) fn new(mesh: &Mesh) -> Tree {
+        let around = |triangle: u32| {
+            let corners = mesh.corners(triangle as usize);
+            corners.into_iter().fold(Aabb::EMPTY, |around, corner| around.include(corner))
+        };
+        // A mesh has no more triangles than 32 bits number.
+        let mut order: Vec<u32> = (0..mesh.triangles().len() as u32).collect();
+        let bounds: Vec<Aabb> = order.iter().map(|triangle| around(*triangle)).collect();
+        let mut tree = Tree { nodes: Vec::new(), order: Vec::new() };
+        tree.divide(&bounds, &mut order, 0);
+        tree.order = order;
+        tree
+    }
+
+    /// Makes the box of a part of the order; its number. The halves are the same in number, so that the depth is
+    /// the logarithm of the count.
+    fn divide(&mut self, bounds: &[Aabb], part: &mut [u32], first: usize) -> usize {
+        let around = part
+            .iter()
+            .fold(Aabb::EMPTY, |around, triangle| around.union(bounds[*triangle as usize]));
+        let node = self.nodes.len();
+        let inside = Inside::Triangles(first, part.len());
+        self.nodes.push(Node { bounds: around, inside });
+        if part.len() > FEW {
+            let Vec3 { x, y, z } = around.size();
+            let axis = if x >= y && x >= z {
+                0
+            } else if y >= z {
+                1
+            } else {
+                2
+            };
+            let middle = |triangle: u32| bounds[triangle as usize].center().component(axis);
+            let half = part.len() / 2;
+            // Equal ones in the order of their numbers: the same tree everywhere.
+            part.select_nth_unstable_by(half, |a, b| {
+                middle(*a).total_cmp(&middle(*b)).then(a.cmp(b))
+            });
+            let (low, high) = part.split_at_mut(half);
+            let low = self.divide(bounds, low, first);
+            let high = self.divide(bounds, high, first + half);
+            self.nodes[node].inside = Inside::Boxes(low, high);
+        }
+        node
+    }
+
+    /// The box around everything has the number zero.
+    pub(super) fn node(&self, number: usize) -> Node {
+        self.nodes[number]
+    }
+
+    /// The triangles of a box.
+    pub(super) fn triangles(&self, first: usize, count: usize) -> impl Iterator<Item = usize> {
+        self.order[first..first + count].iter().map(|triangle| *triangle as usize)
+    }
+
+    /// Calls for every triangle in a box that passes.
+    pub(super) fn each(&self, passes: impl Fn(&Aabb) -> bool, mut call: impl FnMut(usize)) {
+        let mut open = vec![0];
+        while let Some(number) = open.pop() {
+            let node = self.node(number);
+            if !passes(&node.bounds) {
+                continue;
+            }
+            match node.inside {
+                Inside::Boxes(a, b) => open.extend([b, a]),
+                Inside::Triangles(first, count) => self.triangles(first, count).for_each(&mut call),
+            }
+        }
+    }
+}

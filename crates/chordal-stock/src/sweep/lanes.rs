@@ -1,0 +1,303 @@
+//! The floor of a part on a piece for four columns at once, in single precision.
+//!
+//! Only + − × ÷ √ and the smaller or larger of two: the bits do not depend on the width of the lanes.
+//! Rounding is a shift of the column in plan: with `slack` it is counted, from above or from below.
+//!
+//! From above any place s on the piece is right, so the floor is taken at a place that is nearly the best,
+//! with the profile pushed outward. From below the column is moved nearer to the piece, and the piece longer.
+
+use wide::{CmpGe, CmpLe, CmpLt, f32x4};
+
+use super::shape::Shape;
+use super::{Part, Piece};
+
+const ZERO: f32x4 = f32x4::ZERO;
+
+/// Where a column is not reached.
+pub(crate) const NOTHING: f32 = f32::INFINITY;
+
+/// One step of rounding in single precision counts as 8 of them for a shift in plan: a sum of three products
+/// and two roots stay far below.
+const SHIFT: f64 = 1.0 / (1 << 21) as f64;
+
+/// Heights are rounded by this, mm, and by `SHIFT` of their range.
+const HEIGHT_ROUNDING: f64 = 1e-5;
+
+/// Rows of corners of a block.
+const ROWS: usize = 9;
+
+/// A floor as it is, apart from rounding.
+pub(crate) const PLAIN: u8 = 0;
+/// A floor from above.
+pub(crate) const UPPER: u8 = 1;
+/// A floor from below.
+pub(crate) const LOWER: u8 = 2;
+
+/// What bounds a floor from one side.
+#[derive(Clone, Copy)]
+pub(crate) struct Side {
+    reach_square: f32x4,
+    reach: f32x4,
+    /// From here to here along the piece, from the anchor, mm.
+    from: f32x4,
+    to: f32x4,
+    /// The height of the part at the anchor, mm.
+    height: f32x4,
+}
+
+/// A piece near a tile. Places along it are counted from its point nearest to the middle of the tile, the
+/// anchor; heights from the top of the stock.
+pub(crate) struct Course {
+    /// Places along the piece and across it at the tile's corner, and their changes from cell to cell, mm.
+    pub along: [f32; 3],
+    pub across: [f32; 3],
+    pub slope: f32,
+    /// −1 when the piece rises, 1 when it falls: where the lowest contact lies.
+    pub behind: f32x4,
+    pub upper: Side,
+    pub lower: Side,
+    pub plain: Side,
+    /// From above the profile is pushed outward by this, mm.
+    grow: f32x4,
+    /// From below columns are this much nearer to the piece, mm.
+    nearer: f32x4,
+    /// Along the piece and across it, from a row of cells to those after it, mm.
+    pub rows: [[f32x4; ROWS]; 2],
+    /// Half the diagonal of a cell, and what is uncertain, mm.
+    pub half_diagonal: f32,
+    /// What is uncertain in plan, mm.
+    pub slack: f32,
+    /// The height of the part at the anchor, from below, mm.
+    least_height: f32,
+    /// From above it is this much higher, mm.
+    pub gap: f32,
+}
+
+/// What a course depends on besides the piece.
+pub(crate) struct Place {
+    /// The corner of the tile, mm.
+    pub corner: [f64; 2],
+    /// The size of a cell, mm.
+    pub cell: f64,
+    /// Cells along a side of the tile.
+    pub cells: u32,
+    /// The top of the stock, mm.
+    pub top: f64,
+    /// From the top to the bottom of the stock, mm.
+    pub depth: f64,
+}
+
+impl Course {
+    pub fn new(piece: &Piece, part: &Part, place: &Place) -> Course {
+        let [ux, uy] = piece.along;
+        let width = place.cell * f64::from(place.cells);
+        let corner = [place.corner[0] - piece.start.x, place.corner[1] - piece.start.y];
+        let middle = [corner[0] + width / 2.0, corner[1] + width / 2.0];
+        let anchor = (middle[0] * ux + middle[1] * uy).clamp(0.0, piece.length);
+        let along = corner[0] * ux + corner[1] * uy - anchor;
+        let across = corner[1] * ux - corner[0] * uy;
+        // Beyond this from the anchor no column of the tile is reached.
+        let far = part.reach + 2.0 * width;
+        let (from, to) = ((-anchor).max(-far), (piece.length - anchor).min(far));
+        let round = SHIFT * (part.reach + width);
+        let height = piece.start.z + piece.slope * anchor + part.height - place.top;
+        let slope = piece.slope.abs();
+        let range = place.depth + height.abs() + slope * (to - from);
+        let lift = HEIGHT_ROUNDING + SHIFT * range;
+        let lane = |value: f64| f32x4::splat(value as f32);
+        let (over, under) = (round + piece.off, round + piece.off_in_run);
+        let high = part.reach - over - round;
+        // The ends of the piece rounded inwards: from above a place must be on it.
+        let (mut inner_from, mut inner_to) = ((from as f32).next_up(), (to as f32).next_down());
+        if from == to || inner_from > inner_to {
+            // So short that rounding is its length: its lower end, which is then as good as any.
+            let low = if piece.slope > 0.0 { from } else { to };
+            (inner_from, inner_to) = (low as f32, low as f32);
+        }
+        let side = |reach: f64, ends: [f32; 2], height: f64| Side {
+            // Nothing is reached where what is uncertain is as large as the part.
+            reach_square: lane(if reach > 0.0 { reach * reach } else { -1.0 }),
+            reach: lane(reach),
+            from: f32x4::splat(ends[0]),
+            to: f32x4::splat(ends[1]),
+            height: lane(height),
+        };
+        let rows = |step: f64| core::array::from_fn(|row| lane(step * row as f64));
+        let longer = [(from - under - round) as f32, (to + under + round) as f32];
+        Course {
+            along: [along as f32, (ux * place.cell) as f32, (uy * place.cell) as f32],
+            across: [across as f32, (-uy * place.cell) as f32, (ux * place.cell) as f32],
+            slope: piece.slope as f32,
+            behind: f32x4::splat(if piece.slope > 0.0 { -1.0 } else { 1.0 }),
+            upper: side(high, [inner_from, inner_to], height + lift + piece.off),
+            lower: side(
+                part.reach,
+                longer,
+                height - lift - piece.off_in_run - slope * (under + round),
+            ),
+            plain: side(part.reach, [from as f32, to as f32], height),
+            grow: lane(over),
+            nearer: lane(under + round),
+            rows: [rows(uy * place.cell), rows(ux * place.cell)],
+            half_diagonal: (place.cell / core::f64::consts::SQRT_2 + under + round) as f32,
+            slack: (under + round) as f32,
+            least_height: (height - lift - piece.off_in_run) as f32,
+            gap: (2.0 * lift + piece.off) as f32,
+        }
+    }
+
+    /// The place along the piece and across it at a corner of cells, counted from the tile's.
+    #[inline(always)]
+    pub fn at(&self, x: f32, y: f32) -> (f32, f32) {
+        (
+            self.along[0] + x * self.along[1] + y * self.along[2],
+            self.across[0] + x * self.across[1] + y * self.across[2],
+        )
+    }
+
+    /// The floor of a column, from one side, by its place along the piece and across it; `NOTHING` where it is
+    /// not reached.
+    #[inline(always)]
+    pub fn floor<const LEVEL: bool, const SIDE: u8, S: Shape>(
+        &self,
+        shape: &S,
+        along: f32x4,
+        across: f32x4,
+    ) -> f32x4 {
+        let side = match SIDE {
+            UPPER => &self.upper,
+            LOWER => &self.lower,
+            _ => &self.plain,
+        };
+        let e =
+            if SIDE == LOWER { (across.abs() - self.nearer).fast_max(ZERO) } else { across.abs() };
+        let height = |square: f32x4| {
+            if SIDE == UPPER {
+                shape.height_beyond(square, self.grow)
+            } else {
+                shape.height(square)
+            }
+        };
+        let square = e * e;
+        let base = side.height + shape.base();
+        let (low, high) = (side.from - along, side.to - along);
+        let nothing = f32x4::splat(NOTHING);
+        if LEVEL {
+            let ahead = ZERO.fast_max(low).fast_min(high);
+            let square = square + ahead * ahead;
+            square.cmp_le(side.reach_square).blend(base + height(square), nothing)
+        } else {
+            let room = (side.reach_square - square).fast_max(ZERO).sqrt();
+            let (low, high) = (low.fast_max(-room), high.fast_min(room));
+            let reached = square.cmp_le(side.reach_square) & low.cmp_le(high);
+            let best = self.behind * shape.contact(e, square, room);
+            let ahead = best.fast_max(low).fast_min(high);
+            let value =
+                base + f32x4::splat(self.slope) * (along + ahead) + height(square + ahead * ahead);
+            reached.blend(value, nothing)
+        }
+    }
+
+    /// What the floor is surely not below within `radius` mm of a column: the lowest place of the piece in
+    /// reach, and the part's height at the least distance. `lowest` is from `lowest_in_reach`.
+    #[inline(always)]
+    pub fn least_within<S: Shape>(
+        &self,
+        shape: &S,
+        lowest: f32,
+        radius: f32,
+        along: f32x4,
+        across: f32x4,
+    ) -> f32x4 {
+        let side = &self.lower;
+        let ahead = ZERO.fast_max(side.from - along).fast_min(side.to - along);
+        let distance = (across * across + ahead * ahead).sqrt() - f32x4::splat(radius);
+        let near = distance.fast_max(ZERO);
+        let value = f32x4::splat(lowest) + shape.base() + shape.height(near * near);
+        distance.cmp_le(side.reach).blend(value, f32x4::splat(NOTHING))
+    }
+
+    /// The least height of the part where it reaches places within `radius` mm of one along the piece.
+    #[inline(always)]
+    pub fn lowest_in_reach(&self, along: f32, radius: f32) -> f32 {
+        let side = &self.plain;
+        let [from, to, reach] = [side.from, side.to, side.reach].map(|lanes| lanes.to_array()[0]);
+        let far = reach + radius;
+        let first = (along - far).clamp(from, to);
+        let last = (along + far).clamp(from, to);
+        self.least_height + (self.slope * first).min(self.slope * last)
+    }
+
+    /// The height of a level piece, from above and from below, mm.
+    pub fn level(&self) -> [f32; 2] {
+        [self.upper.height.to_array()[0], self.least_height]
+    }
+
+    /// The height of a level piece at the anchor, mm.
+    pub fn plain_level(&self) -> f32 {
+        self.plain.height.to_array()[0]
+    }
+
+    /// Whether of four rectangles of columns (their middles along the piece and across it, and half their sizes)
+    /// any column may be this piece's own: reached, and not left to a neighbour. `next`: the shape on the slope of
+    /// the next piece.
+    #[inline(always)]
+    pub fn takes<S: Shape>(
+        &self,
+        piece: &Piece,
+        [shape, next]: [&S; 2],
+        [along, across]: [f32x4; 2],
+        half: [f32; 2],
+    ) -> f32x4 {
+        let side = &self.plain;
+        let slack = f32x4::splat(self.slack);
+        let (half_a, half_e) = (f32x4::splat(half[0]) + slack, f32x4::splat(half[1]) + slack);
+        let distances = |e: f32x4, half: f32x4| [(e.abs() - half).fast_max(ZERO), e.abs() + half];
+        let [near, far] = distances(across, half_e);
+        let [back, ahead] = contact(shape, piece.slope, near, far, side.reach_square);
+        let (first, last) = (along - half_a, along + half_a);
+        let mut takes = near.cmp_le(side.reach)
+            & first.cmp_le(side.to + side.reach)
+            & last.cmp_ge(side.from - side.reach);
+        if piece.follows {
+            takes &= (last + ahead).cmp_ge(side.from);
+        }
+        if let Some(joint) = piece.next {
+            let (cos, sin) = (f32x4::splat(joint.cos as f32), f32x4::splat(joint.sin as f32));
+            let beyond = along - side.to;
+            let (next_along, next_across) =
+                (beyond * cos + across * sin, across * cos - beyond * sin);
+            let next_half_a = cos.abs() * half_a + sin.abs() * half_e;
+            let next_half_e = sin.abs() * half_a + cos.abs() * half_e;
+            let [near, far] = distances(next_across, next_half_e);
+            let [next_back, _] = contact(next, joint.slope, near, far, side.reach_square);
+            takes &= (first + back).cmp_le(side.to)
+                | (next_along - next_half_a + next_back).cmp_lt(ZERO);
+        }
+        takes
+    }
+
+    /// Whether a part that does not rise covers all four columns, from above.
+    #[inline(always)]
+    pub fn covers(&self, along: f32x4, across: f32x4) -> bool {
+        let side = &self.upper;
+        let ahead = ZERO.fast_max(side.from - along).fast_min(side.to - along);
+        (across * across + ahead * ahead).cmp_le(side.reach_square).all()
+    }
+}
+
+/// Between these the lowest contact lies, ahead of a column's place on a piece, for distances from near to far.
+#[inline(always)]
+fn contact<S: Shape>(
+    shape: &S,
+    slope: f64,
+    near: f32x4,
+    far: f32x4,
+    reach_square: f32x4,
+) -> [f32x4; 2] {
+    if slope == 0.0 {
+        return [ZERO; 2];
+    }
+    let [least, most] = shape.contacts(near, far, reach_square);
+    if slope > 0.0 { [-most, -least] } else { [least, most] }
+}

@@ -1,0 +1,106 @@
+//! Fixtures: whether a tool with its shank and holder keeps clear of them, without columns.
+
+use chordal_diagnostics::Code;
+use chordal_geometry::{Aabb, ParamCurve};
+use chordal_stock::shape::{Body, Bound, Frustum, Passage, Path, Shape};
+use chordal_stock::{Amount, Move};
+
+use super::problems::Problems;
+use super::run::Run;
+use super::tools::ToolBody;
+
+/// Rounds of a tool are cones within this, outside of the truth, mm.
+const ROUND: f64 = 1e-3;
+/// Steps along one move.
+const STEPS: usize = 100_000;
+
+/// Looks at every move of every tool.
+pub(super) fn look_at_fixtures(
+    run: &Run<'_>,
+    name: &str,
+    fixture: &Shape,
+    clearance: f64,
+    problems: &mut Problems,
+) {
+    let bounds = fixture.bounds();
+    for batch in run.batches {
+        let Some(tool) = run.tool(batch.tool) else { continue };
+        let Some(body) = whole(tool) else { continue };
+        let reach = tool.radius() + clearance + run.options.tolerance_mm;
+        for (path, origin) in batch.moves.iter().zip(&batch.origins) {
+            if is_far(path, &bounds, reach, tool.top()) {
+                continue;
+            }
+            let length = path.curve.length();
+            let tip = |share: f64| path.curve.point_at(share * length);
+            let path = Path { tip: &tip, speed: length };
+            let passage = fixture.passage(&body, &path, clearance, run.options.tolerance_mm, STEPS);
+            let (code, share, distance) = match passage {
+                Passage::Clean { .. } => continue,
+                Passage::Hit { fraction, distance } => (Code::FixtureHit, fraction, distance),
+                Passage::Undecided { fraction, distance } => (Code::NotProved, fraction, distance),
+            };
+            let missing = Amount {
+                least: (clearance - distance.upper).max(0.0),
+                most: (clearance - distance.lower).max(0.0),
+            };
+            let place = run.place(*origin, batch.tool);
+            problems.fixture(code, name, clearance, missing, tip(share), &place);
+        }
+    }
+}
+
+/// A move that passes the box of a fixture at a distance.
+fn is_far(path: &Move, fixture: &Aabb, reach: f64, top: f64) -> bool {
+    let bounds = path.curve.bounds();
+    let apart = |low: f64, high: f64, from: f64, to: f64| low > to + reach || high < from - reach;
+    apart(bounds.min.x, bounds.max.x, fixture.min.x, fixture.max.x)
+        || apart(bounds.min.y, bounds.max.y, fixture.min.y, fixture.max.y)
+        || apart(bounds.min.z, bounds.max.z + top, fixture.min.z, fixture.max.z)
+}
+
+/// Cutter, shank and holder as one body.
+fn whole(tool: &ToolBody) -> Option<Body> {
+    let edges = tool.cutter.flutes().unwrap_or_else(|| tool.top()).max(tool.cutter.side() + ROUND);
+    let cutter = Body::of_cutter(&tool.cutter, edges, ROUND, Bound::Outer).ok()?;
+    let frustums: Vec<Frustum> = tool
+        .shank
+        .iter()
+        .chain(&tool.holder)
+        .filter(|piece| piece.height > 0.0)
+        .map(|piece| Frustum {
+            from: piece.from,
+            to: piece.from + piece.height,
+            lower: piece.lower / 2.0,
+            upper: piece.upper / 2.0,
+        })
+        .collect();
+    match Body::new(frustums) {
+        Ok(above) => Some(cutter.and(&above)),
+        Err(_) => Some(cutter),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use chordal_geometry::{Curve, Line, Vec3};
+
+    use super::*;
+
+    #[test]
+    fn far_moves_are_passed_over() {
+        let line = |z: f64| Move {
+            curve: Curve::Line(Line {
+                start: Vec3::new(0.0, 0.0, z),
+                end: Vec3::new(10.0, 0.0, z),
+            }),
+            tag: 1,
+        };
+        let fixture = Aabb { min: Vec3::new(20.0, -5.0, -5.0), max: Vec3::new(30.0, 5.0, 5.0) };
+        assert!(is_far(&line(0.0), &fixture, 9.0, 50.0));
+        assert!(!is_far(&line(0.0), &fixture, 11.0, 50.0));
+        // The holder reaches down to it from above.
+        assert!(is_far(&line(20.0), &fixture, 11.0, 50.0));
+        assert!(!is_far(&line(-50.0), &fixture, 11.0, 50.0));
+    }
+}

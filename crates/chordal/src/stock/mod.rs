@@ -1,0 +1,21 @@
+//! Programs on stock: what is left, what is touched, and how sure that is.
+//!
+//! [`Job::stock`](crate::Job::stock) runs a program on the stock of its machine's setup. Everything it answers
+//! lies between two bounds, and "clean" is said only where they prove it.
+
+mod fixtures;
+mod gather;
+mod heights;
+mod problems;
+mod report;
+mod run;
+mod setup;
+mod target;
+mod tools;
+
+pub use chordal_stock::mesh;
+pub use chordal_stock::{Amount, Stock, StockError};
+pub use report::{StockProblem, StockReport, StockVerdict, ToolRemoved};
+pub use run::{StockOptions, StockRunError};
+pub use setup::{Files, SetupError};
+pub use target::TargetReport;

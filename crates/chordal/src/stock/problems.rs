@@ -1,0 +1,191 @@
+//! Touches gathered block by block, and what is said of them.
+
+use chordal_command::{Origin, Units};
+use chordal_diagnostics::{Code, Diagnostic, SourceMap};
+use chordal_geometry::Vec3;
+use chordal_stock::{Amount, Contact, Touch};
+
+use super::report::StockProblem;
+
+/// Problems that are kept of a run.
+const MOST: usize = 1000;
+
+/// Gathers problems.
+#[derive(Debug, Default)]
+pub(super) struct Problems {
+    pub list: Vec<StockProblem>,
+    pub diagnostics: Vec<Diagnostic>,
+    pub more: u64,
+    pub hits: u64,
+    pub undecided: u64,
+    /// The block, kind and tool of the last problem: the next of the same block is one with it.
+    last: Option<(Origin, Code)>,
+}
+
+/// What touches, where it is told.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place<'a> {
+    pub origin: Origin,
+    pub tool: u32,
+    pub units: Units,
+    pub sources: &'a SourceMap<'a>,
+}
+
+impl Problems {
+    /// Takes what the bodies of a tool may touch on a move: of sure touches the first, as the others follow from
+    /// it; only without one what cannot be excluded.
+    pub fn touches(
+        &mut self,
+        contacts: impl Iterator<Item = (Code, Contact)>,
+        tolerance: f64,
+        place: &Place<'_>,
+    ) {
+        let mut open: Option<(Amount, [f64; 3])> = None;
+        for (code, contact) in contacts {
+            match contact.touch(tolerance) {
+                Touch::Clean => {}
+                Touch::Hit { least, most, at } => {
+                    self.hits += 1;
+                    self.push(code, Amount { least, most }, vector(at), place);
+                    return;
+                }
+                Touch::Undecided { most, at } => {
+                    if open.is_none_or(|(known, _)| most > known.most) {
+                        open = Some((Amount { least: 0.0, most }, at));
+                    }
+                }
+            }
+        }
+        if let Some((depth, at)) = open {
+            self.undecided += 1;
+            self.push(Code::NotProved, depth, vector(at), place);
+        }
+    }
+
+    /// Takes a move that comes too near to a fixture, or may do so: how much of the clearance is missing.
+    pub fn fixture(
+        &mut self,
+        code: Code,
+        name: &str,
+        clearance: f64,
+        missing: Amount,
+        at: Vec3,
+        place: &Place<'_>,
+    ) {
+        if code == Code::NotProved {
+            self.undecided += 1;
+        } else {
+            self.hits += 1;
+        }
+        let is_new = self.push(code, missing, at, place);
+        let units = place.units;
+        let tool = place.tool;
+        if let (true, Some(said)) = (is_new, self.diagnostics.last_mut()) {
+            let near = if clearance > 0.0 {
+                format!(
+                    "comes nearer to `{name}` than its clearance of {}",
+                    units.length_text(clearance)
+                )
+            } else {
+                format!("touches `{name}`")
+            };
+            said.message = match code {
+                Code::NotProved => {
+                    format!("tool {tool} or its holder may come too near to `{name}`")
+                }
+                _ => format!("tool {tool} or its holder {near}"),
+            };
+        }
+    }
+
+    /// Adds a problem, or widens the last one where it is of the same block; whether it is new.
+    fn push(&mut self, code: Code, depth_mm: Amount, at: Vec3, place: &Place<'_>) -> bool {
+        let key = Some((place.origin, code));
+        if self.last == key
+            && let (Some(last), Some(said)) = (self.list.last_mut(), self.diagnostics.last_mut())
+        {
+            if depth_mm.most > last.depth_mm.most {
+                last.depth_mm.most = depth_mm.most;
+                last.at = at;
+            }
+            last.depth_mm.least = last.depth_mm.least.max(depth_mm.least);
+            if code != Code::FixtureHit {
+                *said = diagnostic(code, last, place);
+            }
+            return false;
+        }
+        self.last = key;
+        if self.list.len() >= MOST {
+            self.more += 1;
+            return false;
+        }
+        let file = place.sources.get(place.origin.span.file).map_or("", |source| source.name());
+        let problem = StockProblem {
+            code,
+            file: file.to_string(),
+            line: place.origin.line,
+            tool: place.tool,
+            depth_mm,
+            at,
+        };
+        self.diagnostics.push(diagnostic(code, &problem, place));
+        self.list.push(problem);
+        true
+    }
+}
+
+fn vector([x, y, z]: [f64; 3]) -> Vec3 {
+    Vec3::new(x, y, z)
+}
+
+/// A depth that is known to lie between two.
+fn between(depth: Amount, units: Units) -> String {
+    let [least, most] = [depth.least, depth.most].map(|mm| units.length_text(mm));
+    if least == most { most } else { format!("{least} to {most}") }
+}
+
+fn diagnostic(code: Code, problem: &StockProblem, place: &Place<'_>) -> Diagnostic {
+    let depth = between(problem.depth_mm, place.units);
+    let tool = problem.tool;
+    let [x, y, z] =
+        [problem.at.x, problem.at.y, problem.at.z].map(|mm| place.units.length_text(mm));
+    let (message, label, help) = match code {
+        Code::RapidThroughStock => (
+            format!("a rapid goes {depth} deep through material"),
+            "at rapid speed".to_string(),
+            "lift the tool first, or use G1 if this is a cut",
+        ),
+        Code::DeeperThanFlutes => (
+            format!("the cut of tool {tool} reaches {depth} above its cutting edges"),
+            "deeper than the edges are long".to_string(),
+            "cut in more levels, or use a tool with longer edges",
+        ),
+        Code::ShankInStock => (
+            format!("the shank of tool {tool} goes {depth} deep into material"),
+            "the shank touches".to_string(),
+            "use a longer tool, or remove the material first",
+        ),
+        Code::HolderInStock => (
+            format!("the holder of tool {tool} goes {depth} deep into material"),
+            "the holder touches".to_string(),
+            "use a longer tool, or remove the material first",
+        ),
+        Code::CutsWithoutSpindle => (
+            format!("tool {tool} cuts {depth} deep, and the spindle is stopped"),
+            "no spindle".to_string(),
+            "start the spindle with M3 or M4 before the cut",
+        ),
+        _ => (
+            format!(
+                "the tool may touch material here, at most {} deep",
+                place.units.length_text(problem.depth_mm.most)
+            ),
+            "not proved at this resolution".to_string(),
+            "use a smaller resolution",
+        ),
+    };
+    Diagnostic::new(code, place.origin.span, message)
+        .label(label)
+        .note(format!("the deepest place is at X{x} Y{y} Z{z}"))
+        .help(help)
+}

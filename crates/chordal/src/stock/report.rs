@@ -1,0 +1,87 @@
+//! What a run on stock answers, as plain data.
+
+use chordal_diagnostics::Code;
+use chordal_geometry::Vec3;
+use chordal_stock::{Amount, Stock};
+
+use super::target::TargetReport;
+use crate::report::Report;
+
+/// What can be said of a program on its stock.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StockVerdict {
+    /// Nothing is touched that must not be, and that is proved.
+    Clean,
+    /// Something is touched, or the program has errors.
+    Problems,
+    /// No touch was found, and some cannot be excluded.
+    NotProved,
+}
+
+impl StockVerdict {
+    /// Its word in tables and JSON.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            StockVerdict::Clean => "clean",
+            StockVerdict::Problems => "problems",
+            StockVerdict::NotProved => "not-proved",
+        }
+    }
+}
+
+/// A touch, or one that cannot be excluded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StockProblem {
+    /// What it is.
+    pub code: Code,
+    /// The file and line of the block.
+    pub file: String,
+    /// Its line, from 1.
+    pub line: u32,
+    /// The tool.
+    pub tool: u32,
+    /// How deep, mm: at least and at most.
+    pub depth_mm: Amount,
+    /// The deepest place, in the frame of the run, mm.
+    pub at: Vec3,
+}
+
+/// What a tool has removed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToolRemoved {
+    /// Its number.
+    pub number: u32,
+    /// Moves at feed that were cut from the stock.
+    pub moves: u64,
+    /// mm³; the places that two tools may have removed are counted for the first of them.
+    pub removed_mm3: Amount,
+    /// The lowest place of its tip at feed, mm; infinite without one.
+    pub lowest_mm: f64,
+}
+
+/// The answers of a run on stock.
+#[derive(Debug)]
+pub struct StockReport {
+    /// The side of a column, mm.
+    pub resolution_mm: f64,
+    /// Parts of the stock that were cut again with finer columns, to decide what touches.
+    pub refined: u64,
+    /// What is removed, mm³.
+    pub removed_mm3: Amount,
+    /// What is left, mm³.
+    pub left_mm3: Amount,
+    /// What can be said.
+    pub verdict: StockVerdict,
+    /// Every touch, in the order of the run.
+    pub problems: Vec<StockProblem>,
+    /// Touches that are not in the list, for there are too many.
+    pub more_problems: u64,
+    /// By tool, in the order of their first cut.
+    pub tools: Vec<ToolRemoved>,
+    /// What is left on the part, where one is given.
+    pub target: Option<TargetReport>,
+    /// The stock as it is left.
+    pub stock: Stock,
+    /// The run, with the problems as diagnostics among the others.
+    pub report: Report,
+}

@@ -1,0 +1,312 @@
+//! A run on stock: what each tool removes, and what is touched on the way.
+
+use std::collections::BTreeMap;
+
+use chordal_command::Units;
+use chordal_diagnostics::{Code, Severity};
+use chordal_geometry::ParamCurve;
+use chordal_stock::shape::Shape;
+use chordal_stock::{Amount, Body, Check, Checked, Cutter, Move, Options, StockError, Task};
+
+use super::fixtures::look_at_fixtures;
+use super::gather::{Batch, Gathered, Kind};
+use super::heights::Heights;
+use super::problems::{Place, Problems};
+use super::report::{StockReport, StockVerdict, ToolRemoved};
+use super::setup::{Files, Named, SetupError, shift_between};
+use super::target::{Target, look_at_target};
+use super::tools::{NoBody, Piece, ToolBody, tools_of};
+use crate::job::Job;
+use crate::report::Report;
+
+/// How a run on stock is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StockOptions {
+    /// The side of a column, mm; `None`: from the size of the stock.
+    pub resolution_mm: Option<f64>,
+    /// Where columns are too coarse for a question they are halved, no finer than this, mm; `None`: an eighth of
+    /// the resolution.
+    pub finest_mm: Option<f64>,
+    /// Touches that are no deeper are none, mm.
+    pub tolerance_mm: f64,
+    /// The most memory of the columns, bytes.
+    pub budget: u64,
+}
+
+impl Default for StockOptions {
+    /// Touches from 0.01 mm on, in a gibibyte.
+    fn default() -> StockOptions {
+        StockOptions { resolution_mm: None, finest_mm: None, tolerance_mm: 0.01, budget: 1 << 30 }
+    }
+}
+
+/// Why there is no run on stock.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StockRunError {
+    /// No stock is given.
+    #[error("there is no stock: give `[stock]` in a setup or machine file")]
+    NoStock,
+    /// The setup cannot be used.
+    #[error(transparent)]
+    Setup(#[from] SetupError),
+    /// There are no columns for the stock.
+    #[error(transparent)]
+    Stock(#[from] StockError),
+}
+
+/// What the passes of a run share.
+pub(super) struct Run<'a> {
+    pub job: &'a Job<'a>,
+    pub options: StockOptions,
+    pub resolution: f64,
+    pub tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
+    pub batches: &'a [Batch],
+    pub units: Units,
+}
+
+impl Job<'_> {
+    /// Runs the program on the stock of its machine's setup; `files` gives the meshes that it names.
+    ///
+    /// # Errors
+    /// Without stock, with a setup that is incomplete, or a resolution that needs too much memory.
+    pub fn stock(
+        &self,
+        options: &StockOptions,
+        files: Files<'_>,
+    ) -> Result<StockReport, StockRunError> {
+        let tools = tools_of(self);
+        let control = self.control();
+        let mut gathered =
+            Gathered::new(&tools, control.table.work_names, control.parameters.rules.units);
+        let report = self.report_watched(&mut gathered);
+        let shape_of = |name: &str, body, may_be_open| {
+            let named = Named { name, body };
+            let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
+            named.shape(shift, files, may_be_open)
+        };
+        let setup = &self.machine().setup;
+        let body = setup.stock.as_ref().ok_or(StockRunError::NoStock)?;
+        let stock = shape_of("stock", body, false)?;
+        let mut fixtures = Vec::new();
+        for (name, body) in &setup.fixtures {
+            let shape = shape_of(&format!("fixtures.{name}"), body, true)?;
+            fixtures.push((name.as_str(), shape, body.clearance_mm.unwrap_or(0.0)));
+        }
+        let target = match &setup.target {
+            Some(body) => {
+                let shape = shape_of("target", body, false)?;
+                Some(Target { shape, tolerance: body.tolerance_mm.unwrap_or(TARGET_TOLERANCE) })
+            }
+            None => None,
+        };
+        let run = Run {
+            job: self,
+            options: *options,
+            resolution: options.resolution_mm.unwrap_or_else(|| usual_resolution(&stock)),
+            tools: &tools,
+            batches: &gathered.batches,
+            units: gathered.units,
+        };
+        let mut problems = Problems::default();
+        let checked = run.cut(&stock, &mut problems)?;
+        for (name, shape, clearance) in &fixtures {
+            look_at_fixtures(&run, name, shape, *clearance, &mut problems);
+        }
+        let target = match &target {
+            Some(target) => Some(look_at_target(&run, target, &checked.stock, &mut problems)?),
+            None => None,
+        };
+        problems.diagnostics.append(&mut gathered.diagnostics);
+        let is_proved = gathered.is_whole() && problems.undecided == 0;
+        let mut found = finish(report, checked, problems, is_proved, &gathered);
+        found.target = target;
+        Ok(found)
+    }
+}
+
+/// How near a part must be to its target where nothing is said, mm.
+const TARGET_TOLERANCE: f64 = 0.05;
+
+/// A round resolution with about a quarter of a million columns, mm.
+fn usual_resolution(stock: &Shape) -> f64 {
+    const COLUMNS: f64 = 250_000.0;
+    const STEPS: [f64; 7] = [0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0];
+    let size = stock.bounds().size();
+    let least = (size.x * size.y / COLUMNS).sqrt();
+    STEPS.into_iter().find(|step| *step >= least).unwrap_or(least)
+}
+
+/// A task with what its contacts mean.
+struct Asked<'a> {
+    cutter: Option<&'a Cutter>,
+    bodies: Vec<(Code, Body)>,
+    moves: Vec<Move>,
+    origins: Vec<chordal_command::Origin>,
+    tool: u32,
+}
+
+impl Run<'_> {
+    /// The options of columns.
+    pub fn columns(&self) -> Options {
+        Options { by_tag: true, ..Options::new(self.resolution, self.options.budget) }
+    }
+
+    pub fn finest(&self) -> f64 {
+        self.options.finest_mm.unwrap_or(self.resolution / 8.0)
+    }
+
+    /// The body of a tool; there is one for every batch.
+    pub fn tool(&self, number: u32) -> Option<&ToolBody> {
+        self.tools.get(&number)?.as_ref().ok()
+    }
+
+    /// Cuts the stock and looks at what touches it.
+    fn cut(&self, stock: &Shape, problems: &mut Problems) -> Result<Checked, StockError> {
+        let asked: Vec<Asked<'_>> =
+            self.batches.iter().flat_map(|batch| self.asked(batch)).collect();
+        let bodies: Vec<Vec<Body>> = asked
+            .iter()
+            .map(|asked| asked.bodies.iter().map(|(_, body)| body.clone()).collect())
+            .collect();
+        let tasks: Vec<Task<'_>> = asked
+            .iter()
+            .zip(&bodies)
+            .map(|(asked, bodies)| Task {
+                cutter: asked.cutter,
+                bodies,
+                moves: &asked.moves,
+                drop: self.options.tolerance_mm,
+                ..Task::default()
+            })
+            .collect();
+        let heights = Heights::new(stock, self.resolution);
+        let heights = |low: [f64; 2], high: [f64; 2]| heights.of(low, high);
+        let check = Check {
+            bounds: stock.bounds(),
+            options: self.columns(),
+            heights: &heights,
+            tasks: &tasks,
+            tolerance: self.options.tolerance_mm,
+            finest: self.finest(),
+        };
+        let checked = check.run()?;
+        for (asked, contacts) in asked.iter().zip(&checked.contacts) {
+            for (index, origin) in asked.origins.iter().enumerate() {
+                let place = self.place(*origin, asked.tool);
+                let touches = asked.bodies.iter().zip(contacts);
+                let touches = touches.map(|((code, _), of_moves)| (*code, of_moves[index]));
+                problems.touches(touches, self.options.tolerance_mm, &place);
+            }
+        }
+        Ok(checked)
+    }
+
+    pub fn place(&self, origin: chordal_command::Origin, tool: u32) -> Place<'_> {
+        Place { origin, tool, units: self.units, sources: self.job.sources() }
+    }
+
+    /// What is asked on the moves of a batch, in order.
+    fn asked<'r>(&'r self, batch: &Batch) -> Vec<Asked<'r>> {
+        let Some(tool) = self.tool(batch.tool) else { return Vec::new() };
+        let own = |code| (code, Body::of_cutter(&tool.cutter));
+        let above = bodies_above(tool);
+        let cuts = || Asked {
+            cutter: Some(&tool.cutter),
+            bodies: above.clone(),
+            moves: batch.moves.clone(),
+            origins: batch.origins.clone(),
+            tool: batch.tool,
+        };
+        match batch.kind {
+            Kind::Cut => vec![cuts()],
+            Kind::Rapid => vec![Asked {
+                bodies: std::iter::once(own(Code::RapidThroughStock)).chain(above).collect(),
+                ..watched(batch)
+            }],
+            Kind::Still => {
+                let still = Asked { bodies: vec![own(Code::CutsWithoutSpindle)], ..watched(batch) };
+                vec![still, cuts()]
+            }
+        }
+    }
+}
+
+/// The moves of a batch that only ask. Straight up nothing is touched that was not touched where the move begins.
+fn watched<'r>(batch: &Batch) -> Asked<'r> {
+    let lifts = |path: &Move| {
+        let (from, to) = (path.curve.start(), path.curve.end());
+        from.x == to.x && from.y == to.y && to.z >= from.z
+    };
+    let kept = || batch.moves.iter().zip(&batch.origins).filter(|(path, _)| !lifts(path));
+    Asked {
+        cutter: None,
+        bodies: Vec::new(),
+        moves: kept().map(|(path, _)| *path).collect(),
+        origins: kept().map(|(_, origin)| *origin).collect(),
+        tool: batch.tool,
+    }
+}
+
+/// What is above the edges of a tool and must not touch.
+fn bodies_above(tool: &ToolBody) -> Vec<(Code, Body)> {
+    let stack = |pieces: &[Piece]| {
+        let from = pieces.first()?.from;
+        let segments: Vec<[f64; 3]> =
+            pieces.iter().map(|piece| [piece.height, piece.lower, piece.upper]).collect();
+        Some(Body::stack(from, &segments))
+    };
+    let flutes = Body::above_flutes(&tool.cutter).map(|body| (Code::DeeperThanFlutes, body));
+    // A shank no wider than the cutter touches only what is deeper than the edges.
+    let wide = |piece: &Piece| piece.lower.max(piece.upper) > 2.0 * tool.cutter.radius();
+    let shank = stack(&tool.shank).filter(|_| tool.shank.iter().any(wide));
+    let shank = shank.map(|body| (Code::ShankInStock, body));
+    let holder = stack(&tool.holder).map(|body| (Code::HolderInStock, body));
+    holder.into_iter().chain(shank).chain(flutes).collect()
+}
+
+fn finish(
+    mut report: Report,
+    checked: Checked,
+    problems: Problems,
+    is_proved: bool,
+    gathered: &Gathered<'_>,
+) -> StockReport {
+    let has_problems = problems.hits > 0 || report.counts.errors > 0;
+    let is_proved = is_proved && report.verified();
+    for diagnostic in problems.diagnostics {
+        match diagnostic.severity {
+            Severity::Error => report.counts.errors += 1,
+            Severity::Warning => report.counts.warnings += 1,
+            Severity::Note => report.counts.notes += 1,
+        }
+        report.diagnostics.push(diagnostic);
+    }
+    report.diagnostics.sort_by_key(|each| {
+        let span = each.primary.span;
+        (span.file, span.range.start)
+    });
+    let stock = checked.stock;
+    let by_tag: BTreeMap<u32, Amount> = stock.removed_by_tag().into_iter().collect();
+    let tools = gathered.order.iter().map(|number| {
+        let (moves, lowest_mm) = gathered.counts[number];
+        let removed_mm3 = by_tag.get(number).copied().unwrap_or_default();
+        ToolRemoved { number: *number, moves, removed_mm3, lowest_mm }
+    });
+    StockReport {
+        resolution_mm: stock.grid().resolution(),
+        refined: checked.refined as u64,
+        removed_mm3: stock.removed(),
+        left_mm3: stock.left(),
+        verdict: match (has_problems, is_proved) {
+            (true, _) => StockVerdict::Problems,
+            (false, true) => StockVerdict::Clean,
+            (false, false) => StockVerdict::NotProved,
+        },
+        problems: problems.list,
+        more_problems: problems.more,
+        tools: tools.collect(),
+        target: None,
+        stock,
+        report,
+    }
+}

@@ -1,0 +1,159 @@
+//! The bodies of a setup as shapes in the frame of the run.
+
+use chordal_geometry::Vec3;
+use chordal_machine::{Axis as MachineAxis, Body, BodyShape, Location, Machine, MeshUnit};
+use chordal_stock::mesh::{LengthUnit, StlOptions, read_stl};
+use chordal_stock::shape::{Axis, Shape, ShapeError};
+
+/// Corners of a mesh that are nearer to each other are one, mm: half a unit of six digits.
+const WELD: f64 = 1e-6;
+/// The most triangles that a mesh may have.
+const TRIANGLES: usize = 5_000_000;
+
+/// Why a setup cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{message}")]
+pub struct SetupError {
+    /// What is wrong.
+    pub message: String,
+    /// What to do.
+    pub help: String,
+    /// Where it was written.
+    pub location: Option<Location>,
+}
+
+/// Gives the bytes of a file that a setup names, or why it cannot.
+pub type Files<'f> = &'f dyn Fn(&str) -> Result<Vec<u8>, String>;
+
+/// The name of a body in messages, and what was written of it.
+#[derive(Clone, Copy)]
+pub(super) struct Named<'a> {
+    pub name: &'a str,
+    pub body: &'a Body,
+}
+
+impl Named<'_> {
+    fn error(&self, message: String, help: &str) -> SetupError {
+        SetupError { message, help: help.to_string(), location: self.body.location.clone() }
+    }
+
+    fn wrong(&self, error: &ShapeError) -> SetupError {
+        let help = "check its dimensions: `from` is the lower end or corner, `to` the upper one";
+        self.error(format!("`{}` has no shape: {error}", self.name), help)
+    }
+
+    /// The shape, moved by `shift` from its own coordinates to those of the run. An open mesh is a surface,
+    /// where that is allowed.
+    pub fn shape(
+        &self,
+        shift: Vec3,
+        files: Files<'_>,
+        may_be_open: bool,
+    ) -> Result<Shape, SetupError> {
+        let name = self.name;
+        match self.body.shape {
+            None => {
+                let help = "write `shape = \"box\"` with `from` and `to`, or another shape";
+                Err(self.error(format!("`{name}` has no shape"), help))
+            }
+            Some(BodyShape::Box) => self.cuboid(shift),
+            Some(BodyShape::Cylinder | BodyShape::Tube) => self.round(shift),
+            Some(BodyShape::Stl) => self.mesh(shift, files, may_be_open),
+        }
+    }
+
+    fn cuboid(&self, shift: Vec3) -> Result<Shape, SetupError> {
+        let corner = |key: &str, at: [Option<f64>; 3]| {
+            let [x, y, z] = [0, 1, 2].map(|axis| {
+                at[axis].ok_or_else(|| {
+                    let letter = ["X", "Y", "Z"][axis];
+                    let help = "a box needs X, Y and Z of `from` and `to`";
+                    self.error(format!("`{}.{key}` has no {letter}", self.name), help)
+                })
+            });
+            Ok::<Vec3, SetupError>(Vec3::new(x?, y?, z?) + shift)
+        };
+        let (from, to) = (corner("from", self.body.from)?, corner("to", self.body.to)?);
+        Shape::cuboid(from, to).map_err(|error| self.wrong(&error))
+    }
+
+    fn round(&self, shift: Vec3) -> Result<Shape, SetupError> {
+        let body = self.body;
+        let number = body.axis.unwrap_or(MachineAxis::Z) as usize % 3;
+        let missing = |key: &str| {
+            let help = "a cylinder needs its diameter, and where it begins and ends on its axis";
+            self.error(format!("`{}` has no `{key}`", self.name), help)
+        };
+        let diameter = body.diameter_mm.ok_or_else(|| missing("diameter"))?;
+        let along = [shift.x, shift.y, shift.z][number];
+        let from = body.from[number].ok_or_else(|| missing("from"))? + along;
+        let to = body.to[number].ok_or_else(|| missing("to"))? + along;
+        let [x, y, z] = body.from.map(|at| at.unwrap_or(0.0));
+        let middle = Vec3::new(x, y, z) + shift;
+        let axis = [Axis::X, Axis::Y, Axis::Z][number];
+        let shape = if body.shape == Some(BodyShape::Tube) {
+            let bore = body.bore_mm.ok_or_else(|| missing("bore"))?;
+            Shape::tube(axis, middle, [diameter, bore], from, to)
+        } else {
+            Shape::cylinder(axis, middle, diameter, from, to)
+        };
+        shape.map_err(|error| self.wrong(&error))
+    }
+
+    fn mesh(&self, shift: Vec3, files: Files<'_>, may_be_open: bool) -> Result<Shape, SetupError> {
+        let name = self.name;
+        let Some(file) = self.body.file.as_deref() else {
+            return Err(self.error(format!("`{name}` has no `file`"), "name the STL file"));
+        };
+        let bytes = files(file).map_err(|why| {
+            let help = "the file is looked for relative to the setup file";
+            self.error(format!("cannot read {file} of `{name}`: {why}"), help)
+        })?;
+        let unit = match self.body.unit.unwrap_or(MeshUnit::Millimetre) {
+            MeshUnit::Millimetre => LengthUnit::Millimetre,
+            MeshUnit::Inch => LengthUnit::Inch,
+        };
+        let options = StlOptions { unit, weld: WELD, limit: TRIANGLES };
+        let read = read_stl(&bytes, &options).map_err(|error| {
+            self.error(
+                format!("{file} of `{name}` is no usable STL file: {error}"),
+                "export it again",
+            )
+        })?;
+        // `from` says where the zero of the file is.
+        let [x, y, z] = self.body.from.map(|at| at.unwrap_or(0.0));
+        let mesh = read.mesh.moved(Vec3::new(x, y, z) + shift);
+        let shape = if may_be_open { Shape::surface(mesh) } else { Shape::solid(mesh) };
+        shape.map_err(|error| {
+            let help =
+                "repair the mesh: stock and target must be closed, each edge with two triangles";
+            self.error(format!("{file} of `{name}`: {error}"), help)
+        })
+    }
+}
+
+/// What is added to coordinates of a body's work offset to have those of the run, whose first cut is under `run`.
+pub(super) fn shift_between(
+    machine: &Machine,
+    named: &Named<'_>,
+    run: Option<&str>,
+) -> Result<Vec3, SetupError> {
+    let Some(own) = named.body.work_offset.as_deref() else { return Ok(Vec3::ZERO) };
+    let Some(run) = run.filter(|run| !run.eq_ignore_ascii_case(own)) else { return Ok(Vec3::ZERO) };
+    let place = |name: &str| {
+        let offset = machine.work_offsets.get(name)?;
+        let [x, y, z] = [0, 1, 2].map(|axis| offset.values[axis]);
+        Some(Vec3::new(x?, y?, z?))
+    };
+    match (place(own), place(run)) {
+        (Some(own), Some(run)) => Ok(own - run),
+        _ => Err(named.error(
+            format!(
+                "`{}` is given in {own}, the first cut is in {run}, and where both are is not known",
+                named.name
+            ),
+            "give `[work_offsets]` of both in the setup or machine file, or the body in the work offset of \
+             the first cut",
+        )),
+    }
+}

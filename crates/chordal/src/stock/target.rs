@@ -1,0 +1,127 @@
+//! The part as it should be: where the cuts go into it, and what is left on it.
+
+use chordal_diagnostics::Code;
+use chordal_geometry::{ParamCurve, Transform, Vec3};
+use chordal_stock::shape::Shape;
+use chordal_stock::{Amount, Body, Check, Move, Stock, StockError, Task};
+
+use super::gather::{Batch, Kind};
+use super::heights::Heights;
+use super::problems::Problems;
+use super::run::Run;
+
+/// Contacts that are less deep are rounding, mm.
+const ROUNDING: f64 = 1e-3;
+/// A wall is known to a tolerance with cells of this share of it.
+const OF_TOLERANCE: f64 = 0.5;
+
+/// A part with how near to it the cuts must be, mm.
+pub(super) struct Target {
+    pub shape: Shape,
+    pub tolerance: f64,
+}
+
+/// What is left on a part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TargetReport {
+    /// Material outside of the part, mm³.
+    pub left_over_mm3: Amount,
+    /// The highest of it above the part, mm: at least and at most.
+    pub highest_mm: Amount,
+    /// Where that is, mm.
+    pub at: Vec3,
+}
+
+/// Looks for cuts into the part, and at what is left on it.
+pub(super) fn look_at_target(
+    run: &Run<'_>,
+    target: &Target,
+    stock: &Stock,
+    problems: &mut Problems,
+) -> Result<TargetReport, StockError> {
+    look_for_gouges(run, target, problems)?;
+    Ok(left_over(target, stock))
+}
+
+/// A cutter that lies the tolerance inside of the true one touches the part exactly where the true one is deeper
+/// in it than the tolerance.
+fn look_for_gouges(
+    run: &Run<'_>,
+    target: &Target,
+    problems: &mut Problems,
+) -> Result<(), StockError> {
+    let mut asked: Vec<(&Batch, [Body; 1], Vec<Move>)> = Vec::new();
+    for batch in run.batches.iter().filter(|batch| batch.kind != Kind::Rapid) {
+        let Some(tool) = run.tool(batch.tool) else { continue };
+        let Some((cutter, lift)) = tool.inside(target.tolerance) else {
+            problems.undecided += 1;
+            continue;
+        };
+        let up = Transform::translation(Vec3::new(0.0, 0.0, lift));
+        let moves =
+            batch.moves.iter().map(|path| Move { curve: path.curve.transformed(&up), ..*path });
+        asked.push((batch, [Body::of_cutter(&cutter)], moves.collect()));
+    }
+    let tasks: Vec<Task<'_>> = asked
+        .iter()
+        .map(|(_, bodies, moves)| Task { bodies, moves, drop: f64::INFINITY, ..Task::default() })
+        .collect();
+    let heights = Heights::new(&target.shape, run.resolution);
+    let heights = |low: [f64; 2], high: [f64; 2]| heights.of(low, high);
+    let check = Check {
+        bounds: target.shape.bounds(),
+        options: run.columns(),
+        heights: &heights,
+        tasks: &tasks,
+        tolerance: ROUNDING,
+        finest: run.finest().min(OF_TOLERANCE * target.tolerance),
+    };
+    let checked = check.run()?;
+    for ((batch, ..), contacts) in asked.iter().zip(&checked.contacts) {
+        for (index, origin) in batch.origins.iter().enumerate() {
+            let place = run.place(*origin, batch.tool);
+            let mut contact = contacts[0][index];
+            if contact.most > ROUNDING {
+                // The inner cutter's depth, and the tolerance around it.
+                contact.most += target.tolerance;
+                if contact.least > ROUNDING {
+                    contact.least += target.tolerance;
+                }
+            }
+            problems.touches([(Code::Gouge, contact)].into_iter(), ROUNDING, &place);
+        }
+    }
+    Ok(())
+}
+
+fn left_over(target: &Target, stock: &Stock) -> TargetReport {
+    let grid = stock.grid();
+    let heights = Heights::new(&target.shape, grid.resolution());
+    let [columns, rows] = grid.cells();
+    let pairs = stock.height_pairs();
+    let bottom = target.shape.bounds().min.z.min(grid.bounds().min.z);
+    let mut left = Amount::default();
+    let mut highest = Amount::default();
+    let mut at = Vec3::ZERO;
+    for row in 0..rows {
+        let mut of_row = Amount::default();
+        for column in 0..columns {
+            let [low, high] = grid.corners(column, row);
+            let area = (high[0] - low[0]) * (high[1] - low[1]);
+            let pair = pairs[row as usize * columns as usize + column as usize];
+            let [outer, inner] = heights.of(low, high);
+            let least = (pair.inner.max(bottom) - outer.max(bottom)).max(0.0);
+            let most = (pair.outer.max(bottom) - inner.max(bottom)).max(0.0);
+            of_row.least += area * least;
+            of_row.most += area * most;
+            if least > highest.least {
+                highest.least = least;
+                at = Vec3::new(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), pair.inner);
+            }
+            highest.most = highest.most.max(most);
+        }
+        left.least += of_row.least;
+        left.most += of_row.most;
+    }
+    TargetReport { left_over_mm3: left, highest_mm: highest, at }
+}
