@@ -62,7 +62,7 @@ impl<'s> Heights<'s> {
     }
 }
 
-/// So much wider than themselves cells are, for the rounding of the columns, mm.
-const GROW: f64 = 1e-6;
+/// Cells are not wider than they are: the columns count their own rounding.
+const GROW: f64 = 0.0;
 /// A shape that begins so near the bottom stands on it, mm.
 const NEAR: f64 = 1e-6;

@@ -1,0 +1,232 @@
+//! Programs on stock: planted touches are found, near misses are not reported, volumes enclose the truth.
+//!
+//! More: `CHORDAL_ROUNDS=1000 cargo test --release -p chordal --test stock`.
+
+#![allow(clippy::disallowed_methods, reason = "a test reads how many rounds it is to run")]
+
+use std::f64::consts::PI;
+
+use chordal::stock::{StockOptions, StockReport, StockVerdict};
+use chordal::{Job, Machine, Source, SourceMap};
+
+const RESOLUTION: f64 = 0.5;
+
+fn rounds() -> u64 {
+    std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(40)
+}
+
+/// A simple generator of numbers from 0 to 1.
+struct Random(u64);
+
+impl Random {
+    fn new(seed: u64) -> Random {
+        Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
+    }
+
+    fn share(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.share()
+    }
+}
+
+fn machine(setup: &str) -> Machine {
+    let none = |name: &str| Err(format!("no file {name}"));
+    Machine::from_toml("setup.toml", setup, &none).expect("a good setup")
+}
+
+fn run(setup: &str, program: &str) -> StockReport {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", program.as_bytes().to_vec()));
+    let job = Job::new(sources, machine(setup)).expect("settings of the control");
+    let options = StockOptions { resolution_mm: Some(RESOLUTION), ..StockOptions::default() };
+    job.stock(&options, &|name| Err(format!("no file {name}"))).expect("stock")
+}
+
+const SETUP: &str = r#"
+machine = "haas-vf2"
+[stock]
+shape = "box"
+from = { X = "0 mm", Y = "0 mm", Z = "-30 mm" }
+to = { X = "100 mm", Y = "60 mm", Z = "0 mm" }
+[fixtures.clamp]
+shape = "box"
+from = { X = "-20 mm", Y = "20 mm", Z = "-30 mm" }
+to = { X = "-5 mm", Y = "40 mm", Z = "10 mm" }
+[target]
+shape = "box"
+from = { X = "0 mm", Y = "0 mm", Z = "-30 mm" }
+to = { X = "100 mm", Y = "60 mm", Z = "-5 mm" }
+tolerance = "0.2 mm"
+[tools.1]
+shape = "flat"
+diameter = "10 mm"
+flute_length = "12 mm"
+holder = [["30 mm", "30 mm"]]
+shank = [["8 mm", "10 mm"]]
+[tools.2]
+shape = "ball"
+diameter = "8 mm"
+flute_length = "15 mm"
+holder = [["30 mm", "24 mm"]]
+shank = [["5 mm", "8 mm"]]
+"#;
+
+/// A program that cuts a slot within the target's allowance, with blocks before its end.
+fn program(tool: u32, blocks: &str) -> String {
+    format!(
+        "O1\nG21 G90 G17 G54\nT{tool} M6\nS3000 M3\nG0 X-30. Y10.\nG43 H{tool} Z20.\nG0 Z-3.\n\
+         G1 X70. F800.\nG0 Z20.\n{blocks}G0 Z20.\nM30\n"
+    )
+}
+
+/// The names of sure touches in a line.
+fn names(found: &StockReport, line: u32) -> Vec<&'static str> {
+    let there = found.problems.iter().filter(|problem| problem.line == line);
+    there.map(|problem| problem.code.info().name).filter(|name| *name != "stock-not-proved").collect()
+}
+
+/// A planted touch: what it is, the tool, its blocks, and the line of the touch.
+fn planted(kind: usize, random: &mut Random) -> (&'static str, u32, String, u32) {
+    let tool = 1 + u32::from(random.share() < 0.5);
+    // At least twice the resolution.
+    let deep = random.between(2.0 * RESOLUTION, 4.0);
+    let (x, y) = (random.between(20.0, 80.0), random.between(30.0, 50.0));
+    match kind {
+        // A rapid sideways below the top, where nothing is cut.
+        0 => (
+            "rapid-through-stock",
+            tool,
+            format!("G0 X-30. Y50.\nZ-{deep:.3}\nX{x:.3}\n"),
+            12,
+        ),
+        // A rapid down into the stock.
+        1 => ("rapid-through-stock", tool, format!("G0 X{x:.3} Y{y:.3}\nZ-{deep:.3}\n"), 11),
+        // A cut to the side, deeper than the edges. Straight down they cut the whole hole.
+        2 => {
+            let flutes = if tool == 1 { 12.0 } else { 15.0 };
+            (
+                "deeper-than-flutes",
+                tool,
+                format!("G0 X{x:.3} Y{y:.3}\nG1 Z-{:.3} F200.\nX{:.3}\n", flutes + deep, x + 8.0),
+                12,
+            )
+        }
+        // The holder comes to the top where the tool is deep in a hole.
+        3 => {
+            let stick_out = 20.0;
+            let holder = format!("G0 X{x:.3} Y{y:.3}\nG1 Z-{:.3} F200.\n", stick_out + deep);
+            ("holder-in-stock", tool, holder, 11)
+        }
+        // Into the clamp beside the stock.
+        4 => (
+            "fixture-hit",
+            tool,
+            format!("G0 X-40. Y30.\nZ{:.3}\nX-12.\n", 10.0 - deep),
+            12,
+        ),
+        // Below the target.
+        _ => ("gouge", tool, format!("G0 X{x:.3} Y{y:.3}\nG1 Z-{:.3} F200.\n", 5.2 + deep), 11),
+    }
+}
+
+#[test]
+fn planted_touches_are_found_in_their_line() {
+    let mut missed = Vec::new();
+    for seed in 1..=rounds() {
+        let mut random = Random::new(seed);
+        let (name, tool, blocks, line) = planted(seed as usize % 6, &mut random);
+        let found = run(SETUP, &program(tool, &blocks));
+        assert_eq!(found.verdict, StockVerdict::Problems, "seed {seed}");
+        if !names(&found, line).contains(&name) {
+            missed.push((seed, name, names(&found, line), blocks));
+        }
+    }
+    assert!(missed.is_empty(), "{} of {} missed: {missed:#?}", missed.len(), rounds());
+}
+
+/// The same moves, as far from a touch as they were in.
+fn near_miss(kind: usize, random: &mut Random) -> (u32, String) {
+    let tool = 1 + u32::from(random.share() < 0.5);
+    let off = random.between(2.0 * RESOLUTION, 4.0);
+    let (x, y) = (random.between(20.0, 80.0), random.between(30.0, 50.0));
+    let blocks = match kind {
+        0 => format!("G0 X-30. Y50.\nG0 Z{off:.3}\nX{x:.3}\n"),
+        1 => format!("G0 X{x:.3} Y{y:.3}\nZ{off:.3}\n"),
+        // In the slot that is cut, at its own depth.
+        2 => "G0 X30. Y10.\nZ-3.\nX60.\n".to_string(),
+        // Beside the clamp.
+        3 => format!("G0 X-40. Y{:.3}\nZ0\nX-12.\n", 20.0 - 15.0 - off),
+        4 => format!("G0 X-40. Y30.\nZ{:.3}\nX-12.\n", 10.0 + off),
+        // Above the target.
+        _ => format!("G0 X{x:.3} Y{y:.3}\nG1 Z-{:.3} F200.\n", 5.0 - off.min(4.5)),
+    };
+    (tool, blocks)
+}
+
+#[test]
+fn near_misses_are_not_reported() {
+    for seed in 1..=rounds() {
+        let mut random = Random::new(seed);
+        let (tool, blocks) = near_miss(seed as usize % 6, &mut random);
+        let found = run(SETUP, &program(tool, &blocks));
+        let said: Vec<&str> = found.problems.iter().map(|each| each.code.info().name).collect();
+        let sure = said.iter().filter(|name| **name != "stock-not-proved").count();
+        assert_eq!(sure, 0, "seed {seed}: {said:?} in\n{blocks}");
+    }
+}
+
+const PLAIN: &str = r#"
+machine = "haas-vf2"
+[stock]
+shape = "box"
+from = { X = "0 mm", Y = "0 mm", Z = "-30 mm" }
+to = { X = "100 mm", Y = "60 mm", Z = "0 mm" }
+[tools.1]
+shape = "flat"
+diameter = "10 mm"
+flute_length = "12 mm"
+"#;
+
+#[test]
+fn volumes_enclose_the_truth_and_clean_is_proved() {
+    // A slot of 60 mm with round ends, 5 mm deep.
+    let found = run(
+        PLAIN,
+        "O1\nG21 G90 G54\nT1 M6\nS3000 M3\nG0 X20. Y30.\nG43 H1 Z5.\nG1 Z-5. F200.\nX80. F600.\nG0 Z5.\nM30\n",
+    );
+    let truth = (600.0 + 25.0 * PI) * 5.0;
+    let removed = found.removed_mm3;
+    assert!(removed.least <= truth && truth <= removed.most, "{removed:?} for {truth}");
+    // Its walls are known to a cell.
+    assert!(removed.most - removed.least < 0.25 * truth, "{removed:?}");
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:#?}", found.problems);
+    assert_eq!(found.tools[0].number, 1);
+    assert_eq!(found.tools[0].lowest_mm, -5.0);
+    let all = 100.0 * 60.0 * 30.0;
+    assert!(found.left_mm3.least <= all - truth && all - truth <= found.left_mm3.most);
+}
+
+#[test]
+fn what_is_not_known_is_not_clean() {
+    let moves = "G0 X20. Y30.\nG43 H1 Z5.\nG1 Z-5. F200.\nX80. F600.\nG0 Z5.\nM30\n";
+    // A tool without a shape.
+    let unknown = PLAIN.replace("shape = \"flat\"\n", "");
+    let found = run(&unknown, &format!("O1\nG21 G90 G54\nT1 M6\nS3000 M3\n{moves}"));
+    assert_eq!(found.verdict, StockVerdict::NotProved);
+    assert_eq!(found.removed_mm3.most, 0.0);
+    assert!(found.report.diagnostics.iter().any(|each| each.code.info().name == "tool-without-shape"));
+    // A spindle that stands.
+    let found = run(PLAIN, &format!("O1\nG21 G90 G54\nT1 M6\n{moves}"));
+    assert_eq!(names(&found, 6), ["cuts-without-spindle"]);
+    // No stock.
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", b"O1\nG21 G90\nM30\n".as_slice()));
+    let job = Job::new(sources, machine("machine = 'haas-vf2'\n")).expect("settings");
+    assert!(job.stock(&StockOptions::default(), &|_| Err(String::new())).is_err());
+}
