@@ -137,6 +137,9 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
             for path in &args.output {
                 say(&format!("written: {}\n", path.display()))?;
             }
+            if found.is_hollow && !args.output.is_empty() {
+                say("note: the stock is hollow from below; what is written has a flat bottom\n")?;
+            }
         }
         AnswerFormat::Json => say(&stock_json(&found, loaded.name()))?,
     }

@@ -52,6 +52,8 @@ pub struct Body {
     pub file: Option<String>,
     /// The unit of a mesh, which its file does not name.
     pub unit: Option<MeshUnit>,
+    /// A mesh is turned by half a turn about this axis of its file before it is placed.
+    pub turned_over: Option<Axis>,
     /// How far the tool must stay away from a fixture, mm.
     pub clearance_mm: Option<f64>,
     /// How much of the part may be missing, or too much, mm.
@@ -77,8 +79,9 @@ impl PartialEq for Body {
                 other.diameter_mm,
                 other.bore_mm,
             )
-            && (one.file, one.unit, one.clearance_mm, one.tolerance_mm, one.material)
-                == (other.file, other.unit, other.clearance_mm, other.tolerance_mm, other.material)
+            && (one.file, one.unit, one.turned_over) == (other.file, other.unit, other.turned_over)
+            && (one.clearance_mm, one.tolerance_mm, one.material)
+                == (other.clearance_mm, other.tolerance_mm, other.material)
     }
 }
 

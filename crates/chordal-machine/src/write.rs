@@ -231,8 +231,10 @@ fn write_body(out: &mut Out, name: &str, body: &Body) {
             out.line(key, &string_text(word));
         }
     }
-    if let Some(axis) = body.axis {
-        out.line("axis", &string_text(&axis.to_string()));
+    for (key, axis) in [("axis", body.axis), ("turned_over", body.turned_over)] {
+        if let Some(axis) = axis {
+            out.line(key, &string_text(&axis.to_string()));
+        }
     }
     for (end, values) in [("from", &body.from), ("to", &body.to)] {
         for (axis, value) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(values) {

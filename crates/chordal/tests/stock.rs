@@ -88,7 +88,10 @@ fn program(tool: u32, blocks: &str) -> String {
 /// The names of sure touches in a line.
 fn names(found: &StockReport, line: u32) -> Vec<&'static str> {
     let there = found.problems.iter().filter(|problem| problem.line == line);
-    there.map(|problem| problem.code.info().name).filter(|name| *name != "stock-not-proved").collect()
+    there
+        .map(|problem| problem.code.info().name)
+        .filter(|name| *name != "stock-not-proved")
+        .collect()
 }
 
 /// A planted touch: what it is, the tool, its blocks, and the line of the touch.
@@ -99,12 +102,7 @@ fn planted(kind: usize, random: &mut Random) -> (&'static str, u32, String, u32)
     let (x, y) = (random.between(20.0, 80.0), random.between(30.0, 50.0));
     match kind {
         // A rapid sideways below the top, where nothing is cut.
-        0 => (
-            "rapid-through-stock",
-            tool,
-            format!("G0 X-30. Y50.\nZ-{deep:.3}\nX{x:.3}\n"),
-            12,
-        ),
+        0 => ("rapid-through-stock", tool, format!("G0 X-30. Y50.\nZ-{deep:.3}\nX{x:.3}\n"), 12),
         // A rapid down into the stock.
         1 => ("rapid-through-stock", tool, format!("G0 X{x:.3} Y{y:.3}\nZ-{deep:.3}\n"), 11),
         // A cut to the side, deeper than the edges. Straight down they cut the whole hole.
@@ -124,12 +122,7 @@ fn planted(kind: usize, random: &mut Random) -> (&'static str, u32, String, u32)
             ("holder-in-stock", tool, holder, 11)
         }
         // Into the clamp beside the stock.
-        4 => (
-            "fixture-hit",
-            tool,
-            format!("G0 X-40. Y30.\nZ{:.3}\nX-12.\n", 10.0 - deep),
-            12,
-        ),
+        4 => ("fixture-hit", tool, format!("G0 X-40. Y30.\nZ{:.3}\nX-12.\n", 10.0 - deep), 12),
         // Below the target.
         _ => ("gouge", tool, format!("G0 X{x:.3} Y{y:.3}\nG1 Z-{:.3} F200.\n", 5.2 + deep), 11),
     }
@@ -220,7 +213,9 @@ fn what_is_not_known_is_not_clean() {
     let found = run(&unknown, &format!("O1\nG21 G90 G54\nT1 M6\nS3000 M3\n{moves}"));
     assert_eq!(found.verdict, StockVerdict::NotProved);
     assert_eq!(found.removed_mm3.most, 0.0);
-    assert!(found.report.diagnostics.iter().any(|each| each.code.info().name == "tool-without-shape"));
+    assert!(
+        found.report.diagnostics.iter().any(|each| each.code.info().name == "tool-without-shape")
+    );
     // A spindle that stands.
     let found = run(PLAIN, &format!("O1\nG21 G90 G54\nT1 M6\n{moves}"));
     assert_eq!(names(&found, 6), ["cuts-without-spindle"]);

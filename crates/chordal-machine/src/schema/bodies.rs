@@ -30,7 +30,7 @@ fn along<'b>(values: &'b mut [Option<f64>; 3], keys: &Keys) -> &'b mut Option<f6
 /// The rows of one table.
 macro_rules! body_rows {
     ($name:ident, $table:literal, $body:ident, $doc:literal) => {
-        pub(super) static $name: [Row; 13] = [
+        pub(super) static $name: [Row; 14] = [
             Row { path: $table, slot: Slot::Body($body), doc: $doc },
             Row {
                 path: concat!($table, ".shape"),
@@ -138,6 +138,17 @@ macro_rules! body_rows {
                     },
                 },
                 doc: "the unit of the STL file, which the file does not name; otherwise mm",
+            },
+            Row {
+                path: concat!($table, ".turned_over"),
+                slot: Slot::Word {
+                    what: "body axis",
+                    words: AXES,
+                    set: |m, k, word| {
+                        $body(m, k).turned_over = Axis::from_letter(word.as_bytes()[0]);
+                    },
+                },
+                doc: "an STL file is turned by 180 degrees about this axis before it is placed: the part of operation 1, turned over for operation 2",
             },
             Row {
                 path: concat!($table, ".material"),

@@ -136,6 +136,16 @@ impl Mesh {
         self
     }
 
+    /// The same surface after half a turn about an axis, X, Y or Z by its number, through the origin.
+    #[must_use]
+    pub fn turned_over(mut self, axis: usize) -> Mesh {
+        let sign = |own: usize| if own == axis { 1.0 } else { -1.0 };
+        for vertex in &mut self.vertices {
+            *vertex = Vec3::new(vertex.x * sign(0), vertex.y * sign(1), vertex.z * sign(2));
+        }
+        self
+    }
+
     /// The same surface seen from its other side.
     #[must_use]
     pub fn turned(mut self) -> Mesh {

@@ -1,6 +1,7 @@
 //! Shapes as heights over cells, as columns begin with them.
 
-use chordal_stock::shape::{Cells, Grid, Shape};
+use chordal_stock::shape::{Cells, Grid, Shape, Span};
+use chordal_stock::{Amount, Stock};
 
 /// The heights of a shape over cells of any size: quick on those of one grid.
 pub(super) struct Heights<'s> {
@@ -55,11 +56,51 @@ impl<'s> Heights<'s> {
         }
     }
 
+    /// Of what lies under the top nothing is said: a touch begins there.
     fn heights(&self, cells: &Cells, column: usize, row: usize) -> [f64; 2] {
-        let outer = cells.outer(column, row).last().map_or(self.bottom, |span| span.to);
-        let inner = cells.inner(column, row).first().filter(|span| span.from <= self.bottom + NEAR);
-        [outer, inner.map_or(self.bottom, |span| span.to)]
+        let top = |spans: &[Span]| spans.last().map_or(self.bottom, |span| span.to);
+        [top(cells.outer(column, row)), top(cells.inner(column, row))]
     }
+
+    /// What is removed and what is left of the shape, mm³, where it is hollow from below: the columns alone know
+    /// nothing of that. `None` where it is not.
+    pub fn volumes(&self, stock: &Stock) -> Option<[Amount; 2]> {
+        let cells = self.cells.as_ref()?;
+        let is_full = |spans: &[Span]| match spans {
+            [] => true,
+            [one] => one.from <= self.bottom + NEAR,
+            _ => false,
+        };
+        let mut places =
+            (0..self.grid.rows).flat_map(|row| (0..self.grid.columns).map(move |at| [at, row]));
+        if places.all(|[column, row]| is_full(cells.inner(column, row))) {
+            return None;
+        }
+        let pairs = stock.height_pairs();
+        let [mut removed, mut left] = [Amount::default(); 2];
+        for (index, pair) in pairs.iter().enumerate() {
+            let [columns, _] = stock.grid().cells();
+            let (column, row) = (index % columns as usize, index / columns as usize);
+            if column >= self.grid.columns || row >= self.grid.rows {
+                continue;
+            }
+            let [low, high] = stock.grid().corners(column as u32, row as u32);
+            let area = (high[0] - low[0]) * (high[1] - low[1]);
+            let [outer, inner] = [cells.outer(column, row), cells.inner(column, row)];
+            let most = area * below(outer, pair.outer);
+            let least = area * below(inner, pair.inner);
+            left.least += least;
+            left.most += most;
+            removed.least += (area * below(inner, f64::INFINITY) - most).max(0.0);
+            removed.most += area * below(outer, f64::INFINITY) - least;
+        }
+        Some([removed, left])
+    }
+}
+
+/// How much of some spans is below a height, mm.
+fn below(spans: &[Span], height: f64) -> f64 {
+    spans.iter().map(|span| (span.to.min(height) - span.from).max(0.0)).sum()
 }
 
 /// Cells are not wider than they are: the columns count their own rounding.

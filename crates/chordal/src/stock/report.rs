@@ -80,6 +80,8 @@ pub struct StockReport {
     pub tools: Vec<ToolRemoved>,
     /// What is left on the part, where one is given.
     pub target: Option<TargetReport>,
+    /// The stock is hollow from below, which its columns do not show: meshes of it have a flat bottom.
+    pub is_hollow: bool,
     /// The stock as it is left.
     pub stock: Stock,
     /// The run, with the problems as diagnostics among the others.

@@ -108,17 +108,17 @@ impl Job<'_> {
             units: gathered.units,
         };
         let mut problems = Problems::default();
-        let checked = run.cut(&stock, &mut problems)?;
+        let cut = run.cut(&stock, &mut problems)?;
         for (name, shape, clearance) in &fixtures {
             look_at_fixtures(&run, name, shape, *clearance, &mut problems);
         }
         let target = match &target {
-            Some(target) => Some(look_at_target(&run, target, &checked.stock, &mut problems)?),
+            Some(target) => Some(look_at_target(&run, target, &cut.checked.stock, &mut problems)?),
             None => None,
         };
         problems.diagnostics.append(&mut gathered.diagnostics);
         let is_proved = gathered.is_whole() && problems.undecided == 0;
-        let mut found = finish(report, checked, problems, is_proved, &gathered);
+        let mut found = finish(report, cut, problems, is_proved, &gathered);
         found.target = target;
         Ok(found)
     }
@@ -134,6 +134,13 @@ fn usual_resolution(stock: &Shape) -> f64 {
     let size = stock.bounds().size();
     let least = (size.x * size.y / COLUMNS).sqrt();
     STEPS.into_iter().find(|step| *step >= least).unwrap_or(least)
+}
+
+/// Stock that is cut.
+struct Cut {
+    checked: Checked,
+    /// What is removed and left, mm³, of stock that is hollow from below.
+    hollow: Option<[Amount; 2]>,
 }
 
 /// A task with what its contacts mean.
@@ -161,7 +168,7 @@ impl Run<'_> {
     }
 
     /// Cuts the stock and looks at what touches it.
-    fn cut(&self, stock: &Shape, problems: &mut Problems) -> Result<Checked, StockError> {
+    fn cut(&self, stock: &Shape, problems: &mut Problems) -> Result<Cut, StockError> {
         let asked: Vec<Asked<'_>> =
             self.batches.iter().flat_map(|batch| self.asked(batch)).collect();
         let bodies: Vec<Vec<Body>> = asked
@@ -179,8 +186,8 @@ impl Run<'_> {
                 ..Task::default()
             })
             .collect();
-        let heights = Heights::new(stock, self.resolution);
-        let heights = |low: [f64; 2], high: [f64; 2]| heights.of(low, high);
+        let shape = Heights::new(stock, self.resolution);
+        let heights = |low: [f64; 2], high: [f64; 2]| shape.of(low, high);
         let check = Check {
             bounds: stock.bounds(),
             options: self.columns(),
@@ -198,7 +205,8 @@ impl Run<'_> {
                 problems.touches(touches, self.options.tolerance_mm, &place);
             }
         }
-        Ok(checked)
+        let hollow = shape.volumes(&checked.stock);
+        Ok(Cut { checked, hollow })
     }
 
     pub fn place(&self, origin: chordal_command::Origin, tool: u32) -> Place<'_> {
@@ -266,7 +274,7 @@ fn bodies_above(tool: &ToolBody) -> Vec<(Code, Body)> {
 
 fn finish(
     mut report: Report,
-    checked: Checked,
+    cut: Cut,
     problems: Problems,
     is_proved: bool,
     gathered: &Gathered<'_>,
@@ -285,18 +293,23 @@ fn finish(
         let span = each.primary.span;
         (span.file, span.range.start)
     });
-    let stock = checked.stock;
+    let Cut { checked: Checked { stock, refined, .. }, hollow } = cut;
+    let [removed_mm3, left_mm3] = hollow.unwrap_or_else(|| [stock.removed(), stock.left()]);
     let by_tag: BTreeMap<u32, Amount> = stock.removed_by_tag().into_iter().collect();
     let tools = gathered.order.iter().map(|number| {
         let (moves, lowest_mm) = gathered.counts[number];
-        let removed_mm3 = by_tag.get(number).copied().unwrap_or_default();
+        let mut removed_mm3 = by_tag.get(number).copied().unwrap_or_default();
+        if hollow.is_some() {
+            // The columns count what is hollow as removed.
+            removed_mm3.least = 0.0;
+        }
         ToolRemoved { number: *number, moves, removed_mm3, lowest_mm }
     });
     StockReport {
         resolution_mm: stock.grid().resolution(),
-        refined: checked.refined as u64,
-        removed_mm3: stock.removed(),
-        left_mm3: stock.left(),
+        refined: refined as u64,
+        removed_mm3,
+        left_mm3,
         verdict: match (has_problems, is_proved) {
             (true, _) => StockVerdict::Problems,
             (false, true) => StockVerdict::Clean,
@@ -306,6 +319,7 @@ fn finish(
         more_problems: problems.more,
         tools: tools.collect(),
         target: None,
+        is_hollow: hollow.is_some(),
         stock,
         report,
     }

@@ -122,7 +122,11 @@ impl Named<'_> {
         })?;
         // `from` says where the zero of the file is.
         let [x, y, z] = self.body.from.map(|at| at.unwrap_or(0.0));
-        let mesh = read.mesh.moved(Vec3::new(x, y, z) + shift);
+        let mesh = match self.body.turned_over {
+            Some(axis) => read.mesh.turned_over(axis as usize),
+            None => read.mesh,
+        };
+        let mesh = mesh.moved(Vec3::new(x, y, z) + shift);
         let shape = if may_be_open { Shape::surface(mesh) } else { Shape::solid(mesh) };
         shape.map_err(|error| {
             let help =
