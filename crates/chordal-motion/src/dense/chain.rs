@@ -20,6 +20,9 @@ use crate::trajectory::Stretch;
 /// A run is also planned with corners where it turns by more than this, 40 degrees, in case that is quicker.
 const LESSER_COSINE: f64 = 0.766_044_443_118_978;
 
+/// A run that takes no more times as long as at its feeds is not planned with more corners.
+const AT_FEED: f64 = 1.02;
+
 /// How runs are planned.
 pub(super) struct Way<'a, S> {
     pub moves: &'a [Move],
@@ -62,6 +65,8 @@ struct Planned {
     sides: [Option<Side>; 2],
     /// About the least time of the curves without jerk, s.
     least_s: f64,
+    /// The curve is little slower than at its feeds.
+    is_at_feed: bool,
 }
 
 impl Planned {
@@ -171,6 +176,8 @@ impl Dense {
         let is_quick = best.as_ref().is_some_and(|curve| {
             is_line || way.singly.is_quick(moves, curve.time_s(), curve.least_s)
         });
+        // More corners make it no quicker than its feeds.
+        let more = more.filter(|_| !best.as_ref().is_some_and(|curve| curve.is_at_feed));
         let mut try_other = |other: Planned| match &best {
             Some(known) if known.time_s() <= other.time_s() => {}
             _ => best = Some(other),
@@ -201,6 +208,7 @@ impl Dense {
         let is_exact = are_lines(&way.moves[of_moves]);
         let curved = self.run(way.moves, chords, way.limits, way.gap, gentle)?;
         let least_s = curved.least_s;
+        let is_at_feed = curved.time_s <= AT_FEED * curved.at_feed_s;
         let stretch = Stretch { pieces: curved.pieces, phases: curved.phases, overlap_s: 0.0 };
         // Chords are as far from the path as chords of arcs may be.
         let off = if is_exact { 0.0 } else { CHORD_ERROR };
@@ -211,7 +219,7 @@ impl Dense {
             after.as_ref().map(|meeting| known(meeting, 0)),
         ];
         let of_moves = Some(self.moves_of_run(way.moves));
-        Some(Planned { stretches: vec![Laid { stretch, of_moves }], sides, least_s })
+        Some(Planned { stretches: vec![Laid { stretch, of_moves }], sides, least_s, is_at_feed })
     }
 
     /// The stretch of a straight run beside an end of which not all of the jerk may be used: the law uses all

@@ -7,7 +7,7 @@
 
 use chordal_geometry::AXES;
 
-use crate::bound::Run;
+use crate::bound::{Gentle, Run};
 use crate::curve::{Chords, Measure, Smooth, Smoothing, Way};
 use crate::law::{Ends, Planner as LawPlanner};
 use crate::limits::Limits;
@@ -24,8 +24,11 @@ const FAR: f64 = 0.02;
 /// Of what a run takes longer than at its feed another curve gains no more than about this share: a tenth where most
 /// was seen to be gained. By no more do the estimates of such a run differ.
 const GAIN: f64 = 0.2;
-/// What cannot be gained by more than this share is not looked for.
+/// What cannot be gained by more than this share is not looked for, nor, in runs of many chords, by this one:
+/// there every candidate takes long.
 const LITTLE: f64 = 2e-4;
+const LITTLE_OF_MANY: f64 = 4e-3;
+const MANY: usize = 2000;
 
 /// Finds the quickest curves, one after the other; keeps its memory.
 #[derive(Debug, Default)]
@@ -46,6 +49,8 @@ pub(super) struct Curved {
     /// About the least time without jerk, s.
     pub least_s: f64,
     pub time_s: f64,
+    /// The time at the feeds, with a start and a stop, s.
+    pub at_feed_s: f64,
 }
 
 /// A curve, with the largest speed on each piece.
@@ -71,6 +76,7 @@ impl Quickest {
         let own = measure.linear_mm();
         let has_ladder = measure.has_linear();
         let lower = LADDER.iter().rev().copied().filter(|value| has_ladder && *value < own);
+        let little = if chords.count() > MANY { LITTLE_OF_MANY } else { LITTLE };
         let (mut least_s, mut at_feed_s) = (f64::INFINITY, f64::INFINITY);
         let mut best: Option<Curved> = None;
         for tolerance in std::iter::once(own).chain(lower) {
@@ -93,16 +99,16 @@ impl Quickest {
                 };
                 candidate.least_s = own_s;
                 level_s = level_s.min(candidate.least_s);
-                at_feed_s = at_feed_s.min(candidate.at_feed_s(limits));
+                at_feed_s = at_feed_s.min(candidate.at_feed_s(limits, laid.ends()));
                 // A run that is at its feed nearly everywhere needs no other candidate.
                 if level_s.min(least_s) == candidate.least_s
                     && best.is_none()
-                    && candidate.least_s <= at_feed_s * (1.0 + LITTLE)
+                    && GAIN * (candidate.least_s - at_feed_s) <= little * at_feed_s
                     && let Some(planned) = self.solve(&laid, gap)
                 {
-                    let is_done = planned.is_near(at_feed_s);
+                    let is_done = planned.is_near(at_feed_s, little);
                     let pieces = std::mem::take(&mut candidate.pieces);
-                    best = Some(Curved { pieces, ..planned });
+                    best = Some(Curved { pieces, at_feed_s, ..planned });
                     if is_done {
                         return best;
                     }
@@ -118,7 +124,8 @@ impl Quickest {
             self.drop_far(least_s * (1.0 + NEAR));
         }
         let near_s = window_s(NEAR, least_s, at_feed_s, &best);
-        self.quickest_of_found(gap, least_s + near_s, best, run)
+        let best = self.quickest_of_found(gap, least_s + near_s, best, run);
+        best.map(|best| Curved { at_feed_s, ..best })
     }
 
     /// Keeps a candidate that is not one of those that are known already.
@@ -175,14 +182,15 @@ impl Quickest {
     pub fn solve(&mut self, run: &Run<'_>, gap: f64) -> Option<Curved> {
         let phases = self.law.plan(run, [Ends::Rest; 2], gap)?;
         let time_s = phases.iter().map(|phase| phase.duration_s).sum();
-        Some(Curved { pieces: Vec::new(), phases, least_s: self.law.least_s(), time_s })
+        let least_s = self.law.least_s();
+        Some(Curved { pieces: Vec::new(), phases, least_s, time_s, at_feed_s: time_s })
     }
 }
 
 impl Curved {
     /// Whether no curve can gain much of what it takes longer than at its feed.
-    fn is_near(&self, at_feed_s: f64) -> bool {
-        GAIN * (self.time_s - at_feed_s) <= LITTLE * self.time_s
+    fn is_near(&self, at_feed_s: f64, little: f64) -> bool {
+        GAIN * (self.time_s - at_feed_s) <= little * self.time_s
     }
 }
 
@@ -198,27 +206,28 @@ impl Candidate {
         self.speeds.clear();
     }
 
-    /// The time at its speeds, with a start and a stop, s: nothing is quicker.
-    fn at_feed_s(&self, limits: &Limits) -> f64 {
+    /// The time at its speeds, with a start and a stop, s: little is quicker. Ends with a share of the jerk have no
+    /// more of it on all of the way.
+    fn at_feed_s(&self, limits: &Limits, gentle: &[Gentle; 2]) -> f64 {
         let at_speed = self.pieces.iter().zip(&self.speeds);
         let at_speed_s: f64 = at_speed.map(|(piece, speed)| piece.length / speed).sum();
         let ends =
             [(self.pieces.first(), self.speeds.first()), (self.pieces.last(), self.speeds.last())];
-        let lost = ends.map(|end| match end {
-            (Some(piece), Some(speed)) => 0.5 * ramp_s(piece, *speed, limits),
+        let lost = ends.into_iter().zip(gentle).map(|(end, gentle)| match end {
+            (Some(piece), Some(speed)) => 0.5 * ramp_s(piece, *speed, limits, gentle.share),
             _ => 0.0,
         });
-        at_speed_s + lost[0] + lost[1]
+        at_speed_s + lost.sum::<f64>()
     }
 }
 
 /// The time of a straight way from rest to a speed in the direction of a piece, s.
-fn ramp_s(piece: &Piece, speed: f64, limits: &Limits) -> f64 {
+fn ramp_s(piece: &Piece, speed: f64, limits: &Limits, share: f64) -> f64 {
     let least = |limits: &[f64; AXES]| {
         let of = |axis: usize| limits[axis] / piece.start[1][axis].abs();
         (0..AXES).map(of).fold(f64::INFINITY, f64::min)
     };
-    let (acceleration, jerk) = (least(&limits.acceleration()), least(&limits.jerk()));
+    let (acceleration, jerk) = (least(&limits.acceleration()), share * least(&limits.jerk()));
     if speed * jerk > acceleration * acceleration {
         speed / acceleration + acceleration / jerk
     } else {
