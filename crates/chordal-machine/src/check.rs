@@ -8,9 +8,9 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::{MachineError, Source};
+use crate::files::beside;
 use crate::machine::Machine;
 use crate::quantity::{Dimension, QuantityError, parse_quantity};
-use crate::read::beside;
 use crate::schema::{self, Keys, ROWS, Row, Sign, Slot, rows};
 use crate::suggest;
 use crate::value::{Setting, SettingValue};

@@ -36,6 +36,7 @@ mod controls;
 mod control;
 mod decimal;
 mod error;
+mod files;
 mod machine;
 mod motion;
 mod offset;

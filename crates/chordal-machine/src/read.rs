@@ -7,6 +7,7 @@ use crate::builtin::{builtin, builtin_names};
 use crate::check::{At, INHERITS, put_table};
 use crate::control::ControlName;
 use crate::error::{MachineError, Source};
+use crate::files::{beside, is_separator};
 use crate::machine::Machine;
 use crate::suggest;
 
@@ -180,23 +181,10 @@ fn builtin_help(name: &str) -> String {
     }
 }
 
-fn is_separator(c: char) -> bool {
-    c == '/' || c == '\\'
-}
-
 /// A file's name without folder and ending.
 fn stem(file: &str) -> &str {
     let name = file.rsplit(is_separator).next().unwrap_or(file);
     name.strip_suffix(".toml").filter(|name| !name.is_empty()).unwrap_or(name)
-}
-
-/// A name in the folder of a file, unless it says its own root.
-pub(crate) fn beside(file: &str, name: &str) -> String {
-    let rooted = name.starts_with(is_separator) || name.as_bytes().get(1) == Some(&b':');
-    match file.rfind(is_separator) {
-        Some(end) if !rooted => format!("{}{name}", &file[..=end]),
-        _ => name.to_string(),
-    }
 }
 
 /// The name with `.` and `..` worked off, so that a circle is seen.

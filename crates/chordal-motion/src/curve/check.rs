@@ -6,7 +6,7 @@
 
 use super::Measure;
 use super::chords::Chords;
-use super::fit::Spline;
+use super::fit::{Pull, Spline};
 use super::width::Widths;
 use chordal_geometry::AXES;
 
@@ -26,15 +26,6 @@ pub(super) struct Wishes {
     pub pulls: Vec<Pull>,
     /// The shares to which widths are to fall.
     pub falls: Vec<f64>,
-}
-
-/// A place of the curve that is to be moved.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Pull {
-    pub piece: usize,
-    /// Where on the piece, in shares of its length.
-    pub share: f64,
-    pub by: Axes,
 }
 
 /// The largest distance in tolerances, and what is wished where it is above one.

@@ -3,11 +3,19 @@
 use chordal_geometry::AXES;
 
 use super::Kernel;
-use super::check::Pull;
 use super::chords::Chords;
 use super::width::Widths;
 use crate::Axes;
 use crate::piece::{Jet, ahead};
+
+/// A place of the curve that is to be moved.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pull {
+    pub piece: usize,
+    /// Where on the piece, in shares of its length.
+    pub share: f64,
+    pub by: Axes,
+}
 
 /// What the mean over a box and a cubic B-spline take off, by the square of the distance of knots.
 const BIAS: f64 = 5.0 / 24.0;

@@ -5,8 +5,8 @@ use chordal_geometry::{Aabb, ParamCurve};
 use chordal_stock::shape::{Body, Bound, Frustum, Passage, Path, Shape};
 use chordal_stock::{Amount, Move};
 
+use super::pass::Run;
 use super::problems::Problems;
-use super::run::Run;
 use super::tools::ToolBody;
 
 /// Rounds of a tool are cones within this, outside of the truth, mm.

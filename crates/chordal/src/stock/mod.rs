@@ -6,6 +6,7 @@
 mod fixtures;
 mod gather;
 mod heights;
+mod pass;
 mod problems;
 mod report;
 mod run;
@@ -15,7 +16,9 @@ mod tools;
 
 pub use chordal_stock::mesh;
 pub use chordal_stock::{Amount, Stock, StockError};
-pub use report::{StockProblem, StockReport, StockVerdict, ToolRemoved};
-pub use run::{StockOptions, StockRunError};
+pub use pass::StockOptions;
+pub use problems::StockProblem;
+pub use report::{StockReport, StockVerdict, ToolRemoved};
+pub use run::StockRunError;
 pub use setup::{Files, SetupError};
 pub use target::TargetReport;

@@ -5,7 +5,22 @@ use chordal_diagnostics::{Code, Diagnostic, SourceMap};
 use chordal_geometry::Vec3;
 use chordal_stock::{Amount, Contact, Touch};
 
-use super::report::StockProblem;
+/// A touch, or one that cannot be excluded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StockProblem {
+    /// What it is.
+    pub code: Code,
+    /// The file and line of the block.
+    pub file: String,
+    /// Its line, from 1.
+    pub line: u32,
+    /// The tool.
+    pub tool: u32,
+    /// How deep, mm: at least and at most.
+    pub depth_mm: Amount,
+    /// The deepest place, in the frame of the run, mm.
+    pub at: Vec3,
+}
 
 /// Problems that are kept of a run.
 const MOST: usize = 1000;

@@ -1,9 +1,8 @@
 //! What a run on stock answers, as plain data.
 
-use chordal_diagnostics::Code;
-use chordal_geometry::Vec3;
 use chordal_stock::{Amount, Stock};
 
+use super::problems::StockProblem;
 use super::target::TargetReport;
 use crate::report::Report;
 
@@ -27,23 +26,6 @@ impl StockVerdict {
             StockVerdict::NotProved => "not-proved",
         }
     }
-}
-
-/// A touch, or one that cannot be excluded.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StockProblem {
-    /// What it is.
-    pub code: Code,
-    /// The file and line of the block.
-    pub file: String,
-    /// Its line, from 1.
-    pub line: u32,
-    /// The tool.
-    pub tool: u32,
-    /// How deep, mm: at least and at most.
-    pub depth_mm: Amount,
-    /// The deepest place, in the frame of the run, mm.
-    pub at: Vec3,
 }
 
 /// What a tool has removed.

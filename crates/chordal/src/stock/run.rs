@@ -2,43 +2,22 @@
 
 use std::collections::BTreeMap;
 
-use chordal_command::Units;
 use chordal_diagnostics::{Code, Severity};
 use chordal_geometry::ParamCurve;
 use chordal_stock::shape::Shape;
-use chordal_stock::{Amount, Body, Check, Checked, Cutter, Move, Options, StockError, Task};
+use chordal_stock::{Amount, Body, Check, Checked, Cutter, Move, StockError, Task};
 
 use super::fixtures::look_at_fixtures;
 use super::gather::{Batch, Gathered, Kind};
 use super::heights::Heights;
-use super::problems::{Place, Problems};
+use super::pass::{Run, StockOptions};
+use super::problems::Problems;
 use super::report::{StockReport, StockVerdict, ToolRemoved};
 use super::setup::{Files, Named, SetupError, shift_between};
 use super::target::{Target, look_at_target};
-use super::tools::{NoBody, Piece, ToolBody, tools_of};
+use super::tools::{Piece, ToolBody, tools_of};
 use crate::job::Job;
 use crate::report::Report;
-
-/// How a run on stock is made.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StockOptions {
-    /// The side of a column, mm; `None`: from the size of the stock.
-    pub resolution_mm: Option<f64>,
-    /// Where columns are too coarse for a question they are halved, no finer than this, mm; `None`: an eighth of
-    /// the resolution.
-    pub finest_mm: Option<f64>,
-    /// Touches that are no deeper are none, mm.
-    pub tolerance_mm: f64,
-    /// The most memory of the columns, bytes.
-    pub budget: u64,
-}
-
-impl Default for StockOptions {
-    /// Touches from 0.01 mm on, in a gibibyte.
-    fn default() -> StockOptions {
-        StockOptions { resolution_mm: None, finest_mm: None, tolerance_mm: 0.01, budget: 1 << 30 }
-    }
-}
 
 /// Why there is no run on stock.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -52,16 +31,6 @@ pub enum StockRunError {
     /// There are no columns for the stock.
     #[error(transparent)]
     Stock(#[from] StockError),
-}
-
-/// What the passes of a run share.
-pub(super) struct Run<'a> {
-    pub job: &'a Job<'a>,
-    pub options: StockOptions,
-    pub resolution: f64,
-    pub tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
-    pub batches: &'a [Batch],
-    pub units: Units,
 }
 
 impl Job<'_> {
@@ -153,20 +122,6 @@ struct Asked<'a> {
 }
 
 impl Run<'_> {
-    /// The options of columns.
-    pub fn columns(&self) -> Options {
-        Options { by_tag: true, ..Options::new(self.resolution, self.options.budget) }
-    }
-
-    pub fn finest(&self) -> f64 {
-        self.options.finest_mm.unwrap_or(self.resolution / 8.0)
-    }
-
-    /// The body of a tool; there is one for every batch.
-    pub fn tool(&self, number: u32) -> Option<&ToolBody> {
-        self.tools.get(&number)?.as_ref().ok()
-    }
-
     /// Cuts the stock and looks at what touches it.
     fn cut(&self, stock: &Shape, problems: &mut Problems) -> Result<Cut, StockError> {
         let asked: Vec<Asked<'_>> =
@@ -207,10 +162,6 @@ impl Run<'_> {
         }
         let hollow = shape.volumes(&checked.stock);
         Ok(Cut { checked, hollow })
-    }
-
-    pub fn place(&self, origin: chordal_command::Origin, tool: u32) -> Place<'_> {
-        Place { origin, tool, units: self.units, sources: self.job.sources() }
     }
 
     /// What is asked on the moves of a batch, in order.

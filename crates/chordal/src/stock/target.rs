@@ -7,8 +7,8 @@ use chordal_stock::{Amount, Body, Check, Move, Stock, StockError, Task};
 
 use super::gather::{Batch, Kind};
 use super::heights::Heights;
+use super::pass::Run;
 use super::problems::Problems;
-use super::run::Run;
 
 /// Contacts that are less deep are rounding, mm.
 const ROUNDING: f64 = 1e-3;

@@ -10,13 +10,14 @@
 //! start, and at the end t is nothing.
 
 mod begin;
+mod how;
 mod lanes;
 mod rows;
 mod step;
 
 use super::Side;
 use super::grid::{Cell, Grid, Node, rest_factor};
-use begin::Begin;
+use how::Begin;
 use lanes::Two;
 use rows::{Bend, Pull};
 use step::{Block, Line, Standing};

@@ -7,7 +7,7 @@
 
 use chordal_geometry::AXES;
 
-use super::begin::Begin;
+use super::how::Begin;
 use super::lanes::Two;
 
 /// A row of each of two cells. Between the passes of a step `change` is w, after them how the price changes,

@@ -1,0 +1,15 @@
+//! Names of files, relative to each other.
+
+/// What separates folders in a name.
+pub(crate) fn is_separator(c: char) -> bool {
+    c == '/' || c == '\\'
+}
+
+/// A name in the folder of a file, unless it says its own root.
+pub(crate) fn beside(file: &str, name: &str) -> String {
+    let rooted = name.starts_with(is_separator) || name.as_bytes().get(1) == Some(&b':');
+    match file.rfind(is_separator) {
+        Some(end) if !rooted => format!("{}{name}", &file[..=end]),
+        _ => name.to_string(),
+    }
+}

@@ -1,0 +1,62 @@
+//! What the passes of a run on stock share.
+
+use std::collections::BTreeMap;
+
+use chordal_command::{Origin, Units};
+use chordal_stock::Options;
+
+use super::gather::Batch;
+use super::problems::Place;
+use super::tools::{NoBody, ToolBody};
+use crate::job::Job;
+
+/// How a run on stock is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StockOptions {
+    /// The side of a column, mm; `None`: from the size of the stock.
+    pub resolution_mm: Option<f64>,
+    /// Where columns are too coarse for a question they are halved, no finer than this, mm; `None`: an eighth of
+    /// the resolution.
+    pub finest_mm: Option<f64>,
+    /// Touches that are no deeper are none, mm.
+    pub tolerance_mm: f64,
+    /// The most memory of the columns, bytes.
+    pub budget: u64,
+}
+
+impl Default for StockOptions {
+    /// Touches from 0.01 mm on, in a gibibyte.
+    fn default() -> StockOptions {
+        StockOptions { resolution_mm: None, finest_mm: None, tolerance_mm: 0.01, budget: 1 << 30 }
+    }
+}
+
+/// What the passes of a run share.
+pub(super) struct Run<'a> {
+    pub job: &'a Job<'a>,
+    pub options: StockOptions,
+    pub resolution: f64,
+    pub tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
+    pub batches: &'a [Batch],
+    pub units: Units,
+}
+
+impl Run<'_> {
+    /// The options of columns.
+    pub fn columns(&self) -> Options {
+        Options { by_tag: true, ..Options::new(self.resolution, self.options.budget) }
+    }
+
+    pub fn finest(&self) -> f64 {
+        self.options.finest_mm.unwrap_or(self.resolution / 8.0)
+    }
+
+    /// The body of a tool; there is one for every batch.
+    pub fn tool(&self, number: u32) -> Option<&ToolBody> {
+        self.tools.get(&number)?.as_ref().ok()
+    }
+
+    pub fn place(&self, origin: Origin, tool: u32) -> Place<'_> {
+        Place { origin, tool, units: self.units, sources: self.job.sources() }
+    }
+}
