@@ -23,7 +23,7 @@ fn folder() -> Folder {
     folder
         .write("op1.toml", SETUP)
         .write("part.nc", CLEAN)
-        .write("hit.nc", &CLEAN.replace("G1 Z-5. F200.", "G0 Z-5."));
+        .write("hit.nc", CLEAN.replace("G1 Z-5. F200.", "G0 Z-5."));
     folder
 }
 
@@ -91,7 +91,7 @@ flute_length = '25 mm'
 fn wrong_setups_are_drawn() {
     let folder = folder();
     folder.run(&["stock", "part.nc", "-m", "haas-vf2"]).ends(2).complains(&["no stock", "--setup"]);
-    folder.write("open.toml", &SETUP.replace(", Z = '0 mm' }", " }"));
+    folder.write("open.toml", SETUP.replace(", Z = '0 mm' }", " }"));
     folder
         .run(&["stock", "part.nc", "--setup", "open.toml"])
         .ends(2)

@@ -189,6 +189,7 @@ corner_radius = \"0.03 in\"
 teeth = 3
 flute_length = \"1.2 in\"
 shank = [[\"1.5 in\", \"0.5 in\"]]
+shank_diameter = \"0.5 in\"
 holder = [[\"1 in\", \"1.1 in\"], [\"0.6 in\", \"1.1 in\", \"1.7 in\"]]
 description = \"roughing end mill\"
 comment = \"3 flutes\"
@@ -304,5 +305,47 @@ blocks = \"G1 X#24 Y#25 Z#26 F#9\"",
         table: "settings",
         about: "",
         example: "[settings]\n\"No. 3410\" = \"0.02 mm\"\nradius_offsets = \"diameter\"",
+    },
+    Section {
+        table: "stock",
+        about: "What `chordal stock` cuts ([stock](stock.md)). A setup file is a machine file that names its machine with `machine`.",
+        example: "
+# instead of `inherits`
+machine = \"haas-vf2\"
+
+[stock]
+shape = \"tube\"
+work_offset = \"G54\"
+axis = \"Z\"
+diameter = \"100 mm\"
+bore = \"20 mm\"
+from = { X = \"50 mm\", Y = \"50 mm\", Z = \"-40 mm\" }
+to = \"0 mm\"
+file = \"left.stl\"
+unit = \"mm\"
+turned_over = \"X\"
+material = \"aluminium\"
+",
+    },
+    Section {
+        table: "fixtures",
+        about: "The same keys for each body that must not be touched.",
+        example: "
+[fixtures.\"rear jaw\"]
+shape = \"box\"
+from = { X = \"-10 mm\", Y = \"60 mm\", Z = \"-60 mm\" }
+to = { X = \"90 mm\", Y = \"80 mm\", Z = \"-15 mm\" }
+clearance = \"1 mm\"
+",
+    },
+    Section {
+        table: "target",
+        about: "The same keys for the part as it should be.",
+        example: "
+[target]
+shape = \"stl\"
+file = \"part.stl\"
+tolerance = \"0.05 mm\"
+",
     },
 ];

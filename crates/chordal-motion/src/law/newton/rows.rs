@@ -5,6 +5,11 @@
 //! the prices that the step before has found, works out the slacks, and sums up matrix and side; the second
 //! finds how far the step may be gone. One division serves both: w = 1/(slack · price), so 1/slack = w · price.
 
+#![allow(
+    clippy::needless_range_loop,
+    reason = "the number of an end runs through several lists at once"
+)]
+
 use chordal_geometry::AXES;
 
 use super::how::Begin;
