@@ -1,5 +1,8 @@
 %
 O0101 (OPERATION 1: POCKET AND ROUND GROOVE)
+(machine: haas-vf2)
+(set: tools.1.length="120 mm")
+(set: tools.2.length="110 mm")
 (T1 12 MM END MILL)
 (T2 8 MM BALL MILL)
 G21 G17 G40 G49 G80 G90 G54

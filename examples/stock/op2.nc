@@ -1,5 +1,7 @@
 %
 O0102 (OPERATION 2: FACE THE OTHER SIDE)
+(machine: haas-vf2)
+(set: tools.1.length="120 mm")
 (T1 12 MM END MILL)
 G21 G17 G40 G49 G80 G90 G54
 T1 M6

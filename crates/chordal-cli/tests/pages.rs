@@ -120,10 +120,14 @@ fn every_example_of_a_machine_file_is_read_and_every_key_has_one() {
             let is_own = path.len() == names.len()
                 && path.iter().zip(&names).all(|(own, name)| own == name || name.starts_with('<'));
             let is_like = of_body.is_some_and(|from| {
-                let bare = path.first().is_some_and(|own| own == "stock");
-                bare && path.len() > 1
-                    && path.len() - 1 == names.len().saturating_sub(from)
-                    && path[1..]
+                let own = match path[0].as_str() {
+                    "stock" | "target" => 1,
+                    "fixtures" => 2,
+                    _ => return false,
+                };
+                path.len() > own
+                    && path.len() - own == names.len().saturating_sub(from)
+                    && path[own..]
                         .iter()
                         .zip(&names[from..])
                         .all(|(own, name)| own == name || name.starts_with('<'))

@@ -51,6 +51,10 @@ fn json_has_the_bounds_and_the_problems() {
     let problem = &found["problems"][0];
     assert_eq!((&problem["code"], &problem["line"]), (&"CH620".into(), &7.into()));
     assert!(problem["depth_mm"]["least"].as_f64().is_some_and(|mm| (mm - 5.0).abs() < 1e-3));
+    // A rapid removes nothing.
+    assert_eq!(found["removed_mm3"]["most"], 0.0);
+    let done = folder.run(&["stock", "part.nc", "--setup", "op1.toml", "--format", "json"]).ends(0);
+    let found: serde_json::Value = serde_json::from_str(&done.out).expect("JSON");
     let removed = &found["removed_mm3"];
     let truth = (400.0 + 25.0 * std::f64::consts::PI) * 5.0;
     assert!(removed["least"].as_f64() <= Some(truth) && removed["most"].as_f64() >= Some(truth));

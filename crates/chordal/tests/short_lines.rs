@@ -182,7 +182,9 @@ fn lines_of_a_curve_have_the_times_of_their_pieces() {
                 continue;
             }
             let z = 0.5 * (0.3 * x).sin();
-            program += &format!("X{x:.3} Y{}. Z{z:.4} {feed}\n", 2 * row);
+            // Rest at both ends of the way to the next row: there is no overlap.
+            let stop = if step == 0 || step == 399 { "G9 " } else { "" };
+            program += &format!("{stop}X{x:.3} Y{}. Z{z:.4} {feed}\n", 2 * row);
         }
     }
     program += "G2 X20. Y30. R60.\nG4 P100\nG0 Z50.\nM30\n%\n";
