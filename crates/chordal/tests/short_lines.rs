@@ -168,7 +168,7 @@ impl PlanSink for LineTimes {
 #[test]
 fn lines_of_a_curve_have_the_times_of_their_pieces() {
     // Long ways at one feed, three feeds in a row, some lines longer than a piece of the curve, and an arc.
-    let mut program = String::from("%\nO1\nG21 G90 G54 S600 M3\nG0 X0 Y0 Z1.\nG1 Z0 F3000.\n");
+    let mut program = String::from("%\nO1\nG21 G90 G54 S600 M3\nG0 X0 Y0 Z1.\nG9 G1 Z0 F3000.\n");
     for row in 0..4_u32 {
         for step in 0..400_u32 {
             let x = 0.1 * f64::from(if row % 2 == 0 { step } else { 399 - step });
