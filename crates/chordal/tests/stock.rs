@@ -225,3 +225,17 @@ fn what_is_not_known_is_not_clean() {
     let job = Job::new(sources, machine("machine = 'haas-vf2'\n")).expect("settings");
     assert!(job.stock(&StockOptions::default(), &|_| Err(String::new())).is_err());
 }
+
+#[test]
+fn a_gouge_and_a_fixture_are_called_what_they_are() {
+    let said = |blocks: &str, name: &str| {
+        let found = run(SETUP, &program(1, blocks));
+        let diagnostics = found.report.diagnostics;
+        let named = diagnostics.into_iter().find(|each| each.code.info().name == name);
+        named.map(|each| each.message).unwrap_or_default()
+    };
+    let gouge = said("G0 X50. Y40.\nG1 Z-8. F200.\n", "gouge");
+    assert!(gouge.starts_with("tool 1 cuts") && gouge.ends_with("deep into the part"), "{gouge}");
+    let clamp = said("G0 X-40. Y30.\nZ5.\nX-12.\n", "fixture-hit");
+    assert_eq!(clamp, "tool 1 or its holder touches `clamp`");
+}

@@ -3,7 +3,7 @@
 use chordal::stock::{Amount, StockReport};
 use serde_json::{Value, json};
 
-/// To a millionth: what is behind it is rounding of sums.
+/// To a millionth: smaller digits are rounding of sums.
 fn rounded(value: f64) -> f64 {
     (value * 1e6).round() / 1e6
 }

@@ -1,6 +1,6 @@
 //! The rows of stock, fixtures and target: the same keys in each table.
 
-use super::rows::words;
+use super::rows::{quantity, words};
 use super::{Keys, Row, Sign, Slot};
 use crate::axis::Axis;
 use crate::machine::Machine;
@@ -27,6 +27,15 @@ fn along<'b>(values: &'b mut [Option<f64>; 3], keys: &Keys) -> &'b mut Option<f6
     &mut values[keys.axis.map_or(2, |axis| axis as usize % 3)]
 }
 
+/// The place of an end that is given by its coordinate on the body's axis alone.
+fn end_on_axis(
+    body: &mut Body,
+    end: impl FnOnce(&mut Body) -> &mut [Option<f64>; 3],
+) -> &mut Option<f64> {
+    let axis = body.axis.unwrap_or(Axis::Z) as usize % 3;
+    &mut end(body)[axis]
+}
+
 /// The rows of one table.
 macro_rules! body_rows {
     ($name:ident, $table:literal, $body:ident, $doc:literal) => {
@@ -49,50 +58,34 @@ macro_rules! body_rows {
                 slot: Slot::OptionalText(|m, k| &mut $body(m, k).work_offset),
                 doc: "the work offset in whose coordinates it is given; otherwise that of the first cut",
             },
-            Row {
-                path: concat!($table, ".from"),
-                slot: Slot::Quantity {
-                    dimension: Dimension::Length,
-                    sign: Sign::Any,
-                    place: |m, k| {
-                        let body = $body(m, k);
-                        let axis = body.axis.unwrap_or(Axis::Z);
-                        &mut body.from[axis as usize % 3]
-                    },
-                },
-                doc: "where a cylinder begins on its axis (write `axis` before it), or the lowest corner by X, Y and Z",
-            },
-            Row {
-                path: concat!($table, ".from.<axis>"),
-                slot: Slot::Quantity {
-                    dimension: Dimension::Length,
-                    sign: Sign::Any,
-                    place: |m, k| along(&mut $body(m, k).from, k),
-                },
-                doc: "the lowest corner of a box; where a cylinder begins, with the middle of its end; the zero of an STL file",
-            },
-            Row {
-                path: concat!($table, ".to"),
-                slot: Slot::Quantity {
-                    dimension: Dimension::Length,
-                    sign: Sign::Any,
-                    place: |m, k| {
-                        let body = $body(m, k);
-                        let axis = body.axis.unwrap_or(Axis::Z);
-                        &mut body.to[axis as usize % 3]
-                    },
-                },
-                doc: "where a cylinder ends on its axis, or the highest corner by X, Y and Z",
-            },
-            Row {
-                path: concat!($table, ".to.<axis>"),
-                slot: Slot::Quantity {
-                    dimension: Dimension::Length,
-                    sign: Sign::Any,
-                    place: |m, k| along(&mut $body(m, k).to, k),
-                },
-                doc: "the highest corner of a box; where a cylinder ends",
-            },
+            quantity(
+                concat!($table, ".from"),
+                Dimension::Length,
+                Sign::Any,
+                |m, k| end_on_axis($body(m, k), |body| &mut body.from),
+                "where a cylinder begins on its axis (write `axis` before it), or the lowest corner by X, Y and Z",
+            ),
+            quantity(
+                concat!($table, ".from.<axis>"),
+                Dimension::Length,
+                Sign::Any,
+                |m, k| along(&mut $body(m, k).from, k),
+                "the lowest corner of a box; where a cylinder begins, with the middle of its end; the zero of an STL file",
+            ),
+            quantity(
+                concat!($table, ".to"),
+                Dimension::Length,
+                Sign::Any,
+                |m, k| end_on_axis($body(m, k), |body| &mut body.to),
+                "where a cylinder ends on its axis, or the highest corner by X, Y and Z",
+            ),
+            quantity(
+                concat!($table, ".to.<axis>"),
+                Dimension::Length,
+                Sign::Any,
+                |m, k| along(&mut $body(m, k).to, k),
+                "the highest corner of a box; where a cylinder ends",
+            ),
             Row {
                 path: concat!($table, ".axis"),
                 slot: Slot::Word {
@@ -104,24 +97,20 @@ macro_rules! body_rows {
                 },
                 doc: "the axis of a cylinder or tube; otherwise Z",
             },
-            Row {
-                path: concat!($table, ".diameter"),
-                slot: Slot::Quantity {
-                    dimension: Dimension::Length,
-                    sign: Sign::Positive,
-                    place: |m, k| &mut $body(m, k).diameter_mm,
-                },
-                doc: "the diameter of a cylinder or tube",
-            },
-            Row {
-                path: concat!($table, ".bore"),
-                slot: Slot::Quantity {
-                    dimension: Dimension::Length,
-                    sign: Sign::Positive,
-                    place: |m, k| &mut $body(m, k).bore_mm,
-                },
-                doc: "the diameter of the bore of a tube",
-            },
+            quantity(
+                concat!($table, ".diameter"),
+                Dimension::Length,
+                Sign::Positive,
+                |m, k| &mut $body(m, k).diameter_mm,
+                "the diameter of a cylinder or tube",
+            ),
+            quantity(
+                concat!($table, ".bore"),
+                Dimension::Length,
+                Sign::Positive,
+                |m, k| &mut $body(m, k).bore_mm,
+                "the diameter of the bore of a tube",
+            ),
             Row {
                 path: concat!($table, ".file"),
                 slot: Slot::File(|m, k| &mut $body(m, k).file),
@@ -169,22 +158,18 @@ body_rows!(
 body_rows!(TARGET, "target", target, "the part as it should be");
 
 pub(super) static OWN: [Row; 2] = [
-    Row {
-        path: "fixtures.<name>.clearance",
-        slot: Slot::Quantity {
-            dimension: Dimension::Length,
-            sign: Sign::NotNegative,
-            place: |m, k| &mut fixture(m, k).clearance_mm,
-        },
-        doc: "how far the tool must stay away from it; otherwise 0 mm",
-    },
-    Row {
-        path: "target.tolerance",
-        slot: Slot::Quantity {
-            dimension: Dimension::Length,
-            sign: Sign::Positive,
-            place: |m, k| &mut target(m, k).tolerance_mm,
-        },
-        doc: "how far the part may be from it; otherwise 0.05 mm (assumed)",
-    },
+    quantity(
+        "fixtures.<name>.clearance",
+        Dimension::Length,
+        Sign::NotNegative,
+        |m, k| &mut fixture(m, k).clearance_mm,
+        "how far the tool must stay away from it; otherwise 0 mm",
+    ),
+    quantity(
+        "target.tolerance",
+        Dimension::Length,
+        Sign::Positive,
+        |m, k| &mut target(m, k).tolerance_mm,
+        "how far the part may be from it; otherwise 0.05 mm (assumed)",
+    ),
 ];

@@ -7,7 +7,7 @@ use crate::machine::{AxisLimits, Machine, ProbeHit, RapidShape, Rotary, Turns, W
 use crate::quantity::Dimension;
 use crate::tool::{Tool, ToolShape};
 
-const fn quantity(
+pub(super) const fn quantity(
     path: &'static str,
     dimension: Dimension,
     sign: Sign,

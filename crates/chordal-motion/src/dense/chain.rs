@@ -109,19 +109,17 @@ impl Dense {
         moves: &[Move],
         limits: &Limits,
         gap: f64,
-        singly: &mut impl Singly,
+        by_corners: &mut impl Singly,
     ) -> (Vec<Laid>, f64) {
+        let arrays = AxisArrays::new(limits);
+        let mut way = Way { moves, limits, arrays, gap, singly: by_corners };
         if !std::mem::take(&mut self.is_cut) {
             if !self.cut(moves) {
-                let mut out = Vec::new();
-                singly.plan(moves, [None; 2], &mut out);
-                let laid = out.into_iter().map(|stretch| Laid { stretch, of_moves: None });
-                return (laid.collect(), 0.0);
+                return (singly(&mut way, moves, &[None; 2]).stretches, 0.0);
             }
             self.corners = self.corners_of(moves, 0..moves.len(), CORNER_COSINE);
         }
         let corners = std::mem::take(&mut self.corners);
-        let mut way = Way { moves, limits, arrays: AxisArrays::new(limits), gap, singly };
         let planned = self.chain(&mut way, &corners, [None; 2], Some(LESSER_COSINE));
         (planned.stretches, planned.least_s)
     }

@@ -6,7 +6,7 @@ use chordal_stock::shape::{Body, Bound, Frustum, Passage, Path, Shape};
 use chordal_stock::{Amount, Move};
 
 use super::pass::Run;
-use super::problems::Problems;
+use super::problems::{Fixture, Problems};
 use super::tools::ToolBody;
 
 /// Rounds of a tool are cones within this, outside of the truth, mm.
@@ -17,12 +17,12 @@ const STEPS: usize = 100_000;
 /// Looks at every move of every tool.
 pub(super) fn look_at_fixtures(
     run: &Run<'_>,
-    name: &str,
-    fixture: &Shape,
-    clearance: f64,
+    fixture: &Fixture<'_>,
+    shape: &Shape,
     problems: &mut Problems,
 ) {
-    let bounds = fixture.bounds();
+    let bounds = shape.bounds();
+    let clearance = fixture.clearance;
     for batch in run.batches {
         let Some(tool) = run.tool(batch.tool) else { continue };
         let Some(body) = whole(tool) else { continue };
@@ -34,7 +34,7 @@ pub(super) fn look_at_fixtures(
             let length = path.curve.length();
             let tip = |share: f64| path.curve.point_at(share * length);
             let path = Path { tip: &tip, speed: length };
-            let passage = fixture.passage(&body, &path, clearance, run.options.tolerance_mm, STEPS);
+            let passage = shape.passage(&body, &path, clearance, run.options.tolerance_mm, STEPS);
             let (code, share, distance) = match passage {
                 Passage::Clean { .. } => continue,
                 Passage::Hit { fraction, distance } => (Code::FixtureHit, fraction, distance),
@@ -45,7 +45,7 @@ pub(super) fn look_at_fixtures(
                 most: (clearance - distance.lower).max(0.0),
             };
             let place = run.place(*origin, batch.tool);
-            problems.fixture(code, name, clearance, missing, tip(share), &place);
+            problems.fixture(code, fixture, missing, tip(share), &place);
         }
     }
 }

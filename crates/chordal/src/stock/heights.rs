@@ -29,7 +29,7 @@ impl<'s> Heights<'s> {
     }
 
     /// Of a cell between two corners: a height above which there is nothing of the shape, and one below which all
-    /// of the cell is shape down to the bottom of its box, mm.
+    /// of the cell is shape, down to the bottom of its box unless it is hollow there, mm.
     pub fn of(&self, low: [f64; 2], high: [f64; 2]) -> [f64; 2] {
         let side = (high[0] - low[0]).max(high[1] - low[1]);
         let is_own = (side - self.grid.cell).abs() <= 1e-9 * self.grid.cell;

@@ -57,6 +57,6 @@ impl Run<'_> {
     }
 
     pub fn place(&self, origin: Origin, tool: u32) -> Place<'_> {
-        Place { origin, tool, units: self.units, sources: self.job.sources() }
+        Place { origin, tool, units: self.units, sources: self.job.sources(), fixture: None }
     }
 }

@@ -33,8 +33,8 @@ pub(super) struct Problems {
     pub more: u64,
     pub hits: u64,
     pub undecided: u64,
-    /// The block, kind and tool of the last problem: the next of the same block is one with it.
-    last: Option<(Origin, Code)>,
+    /// The block, kind and fixture of the last problem: the next of the same is one with it.
+    last: Option<(Origin, Code, String)>,
 }
 
 /// What touches, where it is told.
@@ -44,6 +44,28 @@ pub(super) struct Place<'a> {
     pub tool: u32,
     pub units: Units,
     pub sources: &'a SourceMap<'a>,
+    /// What is touched, where it is no stock.
+    pub fixture: Option<Fixture<'a>>,
+}
+
+/// A fixture, and how far the tool must stay away, mm.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fixture<'a> {
+    pub name: &'a str,
+    pub clearance: f64,
+}
+
+impl Fixture<'_> {
+    /// What a tool does that comes too near.
+    fn said(&self, units: Units) -> String {
+        let Fixture { name, clearance } = *self;
+        if clearance > 0.0 {
+            let clearance = units.length_text(clearance);
+            format!("comes nearer to `{name}` than its clearance of {clearance}")
+        } else {
+            format!("touches `{name}`")
+        }
+    }
 }
 
 impl Problems {
@@ -81,8 +103,7 @@ impl Problems {
     pub fn fixture(
         &mut self,
         code: Code,
-        name: &str,
-        clearance: f64,
+        fixture: &Fixture<'_>,
         missing: Amount,
         at: Vec3,
         place: &Place<'_>,
@@ -92,31 +113,16 @@ impl Problems {
         } else {
             self.hits += 1;
         }
-        let is_new = self.push(code, missing, at, place);
-        let units = place.units;
-        let tool = place.tool;
-        if let (true, Some(said)) = (is_new, self.diagnostics.last_mut()) {
-            let near = if clearance > 0.0 {
-                format!(
-                    "comes nearer to `{name}` than its clearance of {}",
-                    units.length_text(clearance)
-                )
-            } else {
-                format!("touches `{name}`")
-            };
-            said.message = match code {
-                Code::NotProved => {
-                    format!("tool {tool} or its holder may come too near to `{name}`")
-                }
-                _ => format!("tool {tool} or its holder {near}"),
-            };
-        }
+        self.push(code, missing, at, &Place { fixture: Some(*fixture), ..*place });
     }
 
-    /// Adds a problem, or widens the last one where it is of the same block; whether it is new.
-    fn push(&mut self, code: Code, depth_mm: Amount, at: Vec3, place: &Place<'_>) -> bool {
-        let key = Some((place.origin, code));
-        if self.last == key
+    /// Adds a problem, or widens the last one where it is of the same block.
+    fn push(&mut self, code: Code, depth_mm: Amount, at: Vec3, place: &Place<'_>) {
+        let name = place.fixture.map_or("", |fixture| fixture.name);
+        let is_same = self.last.as_ref().is_some_and(|(origin, known, of)| {
+            (*origin, *known, of.as_str()) == (place.origin, code, name)
+        });
+        if is_same
             && let (Some(last), Some(said)) = (self.list.last_mut(), self.diagnostics.last_mut())
         {
             if depth_mm.most > last.depth_mm.most {
@@ -124,15 +130,13 @@ impl Problems {
                 last.at = at;
             }
             last.depth_mm.least = last.depth_mm.least.max(depth_mm.least);
-            if code != Code::FixtureHit {
-                *said = diagnostic(code, last, place);
-            }
-            return false;
+            *said = diagnostic(code, last, place);
+            return;
         }
-        self.last = key;
+        self.last = Some((place.origin, code, name.to_string()));
         if self.list.len() >= MOST {
             self.more += 1;
-            return false;
+            return;
         }
         let file = place.sources.get(place.origin.span.file).map_or("", |source| source.name());
         let problem = StockProblem {
@@ -145,7 +149,6 @@ impl Problems {
         };
         self.diagnostics.push(diagnostic(code, &problem, place));
         self.list.push(problem);
-        true
     }
 }
 
@@ -160,42 +163,57 @@ fn between(depth: Amount, units: Units) -> String {
 }
 
 fn diagnostic(code: Code, problem: &StockProblem, place: &Place<'_>) -> Diagnostic {
-    let depth = between(problem.depth_mm, place.units);
+    let units = place.units;
+    let depth = between(problem.depth_mm, units);
     let tool = problem.tool;
-    let [x, y, z] =
-        [problem.at.x, problem.at.y, problem.at.z].map(|mm| place.units.length_text(mm));
-    let (message, label, help) = match code {
-        Code::RapidThroughStock => (
+    let [x, y, z] = [problem.at.x, problem.at.y, problem.at.z].map(|mm| units.length_text(mm));
+    let (message, label, help) = match (code, &place.fixture) {
+        (Code::RapidThroughStock, _) => (
             format!("a rapid goes {depth} deep through material"),
-            "at rapid speed".to_string(),
+            "at rapid speed",
             "lift the tool first, or use G1 if this is a cut",
         ),
-        Code::DeeperThanFlutes => (
+        (Code::DeeperThanFlutes, _) => (
             format!("the cut of tool {tool} reaches {depth} above its cutting edges"),
-            "deeper than the edges are long".to_string(),
+            "deeper than the edges are long",
             "cut in more levels, or use a tool with longer edges",
         ),
-        Code::ShankInStock => (
+        (Code::ShankInStock, _) => (
             format!("the shank of tool {tool} goes {depth} deep into material"),
-            "the shank touches".to_string(),
+            "the shank touches",
             "use a longer tool, or remove the material first",
         ),
-        Code::HolderInStock => (
+        (Code::HolderInStock, _) => (
             format!("the holder of tool {tool} goes {depth} deep into material"),
-            "the holder touches".to_string(),
+            "the holder touches",
             "use a longer tool, or remove the material first",
         ),
-        Code::CutsWithoutSpindle => (
+        (Code::CutsWithoutSpindle, _) => (
             format!("tool {tool} cuts {depth} deep, and the spindle is stopped"),
-            "no spindle".to_string(),
+            "no spindle",
             "start the spindle with M3 or M4 before the cut",
+        ),
+        (Code::Gouge, _) => (
+            format!("tool {tool} cuts {depth} deep into the part"),
+            "below the surface of the target",
+            "check the offset, the tool and this block",
+        ),
+        (Code::FixtureHit, Some(fixture)) => (
+            format!("tool {tool} or its holder {}", fixture.said(units)),
+            "too near",
+            "lift the tool before this move, or move the fixture",
+        ),
+        (_, Some(fixture)) => (
+            format!("tool {tool} or its holder may come too near to `{}`", fixture.name),
+            "not proved",
+            "lift the tool before this move, or move the fixture",
         ),
         _ => (
             format!(
                 "the tool may touch material here, at most {} deep",
-                place.units.length_text(problem.depth_mm.most)
+                units.length_text(problem.depth_mm.most)
             ),
-            "not proved at this resolution".to_string(),
+            "not proved at this resolution",
             "use a smaller resolution",
         ),
     };

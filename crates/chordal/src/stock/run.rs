@@ -1,7 +1,9 @@
 //! A run on stock: what each tool removes, and what is touched on the way.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use chordal_command::Origin;
 use chordal_diagnostics::{Code, Severity};
 use chordal_geometry::ParamCurve;
 use chordal_stock::shape::Shape;
@@ -11,7 +13,7 @@ use super::fixtures::look_at_fixtures;
 use super::gather::{Batch, Gathered, Kind};
 use super::heights::Heights;
 use super::pass::{Run, StockOptions};
-use super::problems::Problems;
+use super::problems::{Fixture, Problems};
 use super::report::{StockReport, StockVerdict, ToolRemoved};
 use super::setup::{Files, Named, SetupError, shift_between};
 use super::target::{Target, look_at_target};
@@ -59,7 +61,8 @@ impl Job<'_> {
         let mut fixtures = Vec::new();
         for (name, body) in &setup.fixtures {
             let shape = shape_of(&format!("fixtures.{name}"), body, true)?;
-            fixtures.push((name.as_str(), shape, body.clearance_mm.unwrap_or(0.0)));
+            let clearance = body.clearance_mm.unwrap_or(0.0);
+            fixtures.push((Fixture { name, clearance }, shape));
         }
         let target = match &setup.target {
             Some(body) => {
@@ -78,8 +81,8 @@ impl Job<'_> {
         };
         let mut problems = Problems::default();
         let cut = run.cut(&stock, &mut problems)?;
-        for (name, shape, clearance) in &fixtures {
-            look_at_fixtures(&run, name, shape, *clearance, &mut problems);
+        for (fixture, shape) in &fixtures {
+            look_at_fixtures(&run, fixture, shape, &mut problems);
         }
         let target = match &target {
             Some(target) => Some(look_at_target(&run, target, &cut.checked.stock, &mut problems)?),
@@ -115,9 +118,11 @@ struct Cut {
 /// A task with what its contacts mean.
 struct Asked<'a> {
     cutter: Option<&'a Cutter>,
-    bodies: Vec<(Code, Body)>,
-    moves: Vec<Move>,
-    origins: Vec<chordal_command::Origin>,
+    /// What each body means that touches.
+    codes: Vec<Code>,
+    bodies: Vec<Body>,
+    moves: Cow<'a, [Move]>,
+    origins: Cow<'a, [Origin]>,
     tool: u32,
 }
 
@@ -126,16 +131,11 @@ impl Run<'_> {
     fn cut(&self, stock: &Shape, problems: &mut Problems) -> Result<Cut, StockError> {
         let asked: Vec<Asked<'_>> =
             self.batches.iter().flat_map(|batch| self.asked(batch)).collect();
-        let bodies: Vec<Vec<Body>> = asked
-            .iter()
-            .map(|asked| asked.bodies.iter().map(|(_, body)| body.clone()).collect())
-            .collect();
         let tasks: Vec<Task<'_>> = asked
             .iter()
-            .zip(&bodies)
-            .map(|(asked, bodies)| Task {
+            .map(|asked| Task {
                 cutter: asked.cutter,
-                bodies,
+                bodies: &asked.bodies,
                 moves: &asked.moves,
                 drop: self.options.tolerance_mm,
                 ..Task::default()
@@ -155,8 +155,8 @@ impl Run<'_> {
         for (asked, contacts) in asked.iter().zip(&checked.contacts) {
             for (index, origin) in asked.origins.iter().enumerate() {
                 let place = self.place(*origin, asked.tool);
-                let touches = asked.bodies.iter().zip(contacts);
-                let touches = touches.map(|((code, _), of_moves)| (*code, of_moves[index]));
+                let touches = asked.codes.iter().zip(contacts);
+                let touches = touches.map(|(code, of_moves)| (*code, of_moves[index]));
                 problems.touches(touches, self.options.tolerance_mm, &place);
             }
         }
@@ -165,45 +165,47 @@ impl Run<'_> {
     }
 
     /// What is asked on the moves of a batch, in order.
-    fn asked<'r>(&'r self, batch: &Batch) -> Vec<Asked<'r>> {
+    fn asked<'r>(&'r self, batch: &'r Batch) -> Vec<Asked<'r>> {
         let Some(tool) = self.tool(batch.tool) else { return Vec::new() };
         let own = |code| (code, Body::of_cutter(&tool.cutter));
         let above = bodies_above(tool);
-        let cuts = || Asked {
-            cutter: Some(&tool.cutter),
-            bodies: above.clone(),
-            moves: batch.moves.clone(),
-            origins: batch.origins.clone(),
-            tool: batch.tool,
+        let cuts = |above: Vec<(Code, Body)>| {
+            let (codes, bodies) = above.into_iter().unzip();
+            Asked {
+                cutter: Some(&tool.cutter),
+                codes,
+                bodies,
+                moves: Cow::Borrowed(&batch.moves),
+                origins: Cow::Borrowed(&batch.origins),
+                tool: batch.tool,
+            }
         };
         match batch.kind {
-            Kind::Cut => vec![cuts()],
-            Kind::Rapid => vec![Asked {
-                bodies: std::iter::once(own(Code::RapidThroughStock)).chain(above).collect(),
-                ..watched(batch)
-            }],
+            Kind::Cut => vec![cuts(above)],
+            Kind::Rapid => {
+                let own = own(Code::RapidThroughStock);
+                vec![watched(batch, std::iter::once(own).chain(above))]
+            }
             Kind::Still => {
-                let still = Asked { bodies: vec![own(Code::CutsWithoutSpindle)], ..watched(batch) };
-                vec![still, cuts()]
+                let own = own(Code::CutsWithoutSpindle);
+                vec![watched(batch, std::iter::once(own)), cuts(above)]
             }
         }
     }
 }
 
 /// The moves of a batch that only ask. Straight up nothing is touched that was not touched where the move begins.
-fn watched<'r>(batch: &Batch) -> Asked<'r> {
+fn watched<'r>(batch: &Batch, bodies: impl Iterator<Item = (Code, Body)>) -> Asked<'r> {
     let lifts = |path: &Move| {
         let (from, to) = (path.curve.start(), path.curve.end());
         from.x == to.x && from.y == to.y && to.z >= from.z
     };
-    let kept = || batch.moves.iter().zip(&batch.origins).filter(|(path, _)| !lifts(path));
-    Asked {
-        cutter: None,
-        bodies: Vec::new(),
-        moves: kept().map(|(path, _)| *path).collect(),
-        origins: kept().map(|(_, origin)| *origin).collect(),
-        tool: batch.tool,
-    }
+    let kept = batch.moves.iter().zip(&batch.origins).filter(|(path, _)| !lifts(path));
+    let (moves, origins): (Vec<Move>, Vec<Origin>) =
+        kept.map(|(path, from)| (*path, *from)).unzip();
+    let (codes, bodies) = bodies.unzip();
+    let (moves, origins) = (Cow::Owned(moves), Cow::Owned(origins));
+    Asked { cutter: None, codes, bodies, moves, origins, tool: batch.tool }
 }
 
 /// What is above the edges of a tool and must not touch.

@@ -39,8 +39,9 @@ pub(super) fn look_at_target(
     stock: &Stock,
     problems: &mut Problems,
 ) -> Result<TargetReport, StockError> {
-    look_for_gouges(run, target, problems)?;
-    Ok(left_over(target, stock))
+    let heights = Heights::new(&target.shape, run.resolution);
+    look_for_gouges(run, target, &heights, problems)?;
+    Ok(left_over(target, &heights, stock))
 }
 
 /// A cutter that lies the tolerance inside of the true one touches the part exactly where the true one is deeper
@@ -48,6 +49,7 @@ pub(super) fn look_at_target(
 fn look_for_gouges(
     run: &Run<'_>,
     target: &Target,
+    heights: &Heights<'_>,
     problems: &mut Problems,
 ) -> Result<(), StockError> {
     let mut asked: Vec<(&Batch, [Body; 1], Vec<Move>)> = Vec::new();
@@ -66,7 +68,6 @@ fn look_for_gouges(
         .iter()
         .map(|(_, bodies, moves)| Task { bodies, moves, drop: f64::INFINITY, ..Task::default() })
         .collect();
-    let heights = Heights::new(&target.shape, run.resolution);
     let heights = |low: [f64; 2], high: [f64; 2]| heights.of(low, high);
     let check = Check {
         bounds: target.shape.bounds(),
@@ -94,9 +95,8 @@ fn look_for_gouges(
     Ok(())
 }
 
-fn left_over(target: &Target, stock: &Stock) -> TargetReport {
+fn left_over(target: &Target, heights: &Heights<'_>, stock: &Stock) -> TargetReport {
     let grid = stock.grid();
-    let heights = Heights::new(&target.shape, grid.resolution());
     let [columns, rows] = grid.cells();
     let pairs = stock.height_pairs();
     let bottom = target.shape.bounds().min.z.min(grid.bounds().min.z);

@@ -8,8 +8,8 @@ use chordal_stock::{Cutter, CutterError};
 use crate::job::Job;
 use crate::tool_comments::known_tools;
 
-/// A thread's depth as a share of its pitch: 17/24 of the height of the sharp triangle, √3/2
-/// (ISO 68-1: 5/8 of it on a nut).
+/// A thread's depth as a share of its pitch: 5/8 of the height of the sharp triangle, which is √3/2 of the
+/// pitch (ISO 68-1).
 const THREAD_DEPTH: f64 = 0.541_265_877_365_274_2;
 /// A shank of which only the diameter is known has no end below this height, mm.
 const LONG: f64 = 1000.0;
@@ -18,43 +18,44 @@ const LONG: f64 = 1000.0;
 #[derive(Clone, Debug)]
 pub(super) struct ToolBody {
     pub cutter: Cutter,
-    shape: Rounded,
+    /// `None`: another shape than those.
+    dimensions: Option<Dimensions>,
     /// Pieces above the edges, the lowest first, each with its height above the tip, mm.
     pub shank: Vec<Piece>,
     pub holder: Vec<Piece>,
 }
 
-/// A cutter of which a smaller one inside is known.
+/// A cutter of which a smaller one inside is known, by its dimensions, mm and rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Rounded {
-    /// With a round corner of this radius, which may be nothing.
-    Bull {
-        diameter: f64,
-        corner: f64,
-    },
-    Ball {
-        diameter: f64,
-    },
-    Pointed {
-        diameter: f64,
-        tip: f64,
-        angle: f64,
-    },
-    /// Any other.
-    Other,
+enum Dimensions {
+    Flat { diameter: f64 },
+    Ball { diameter: f64 },
+    Bull { diameter: f64, corner: f64 },
+    Pointed { diameter: f64, tip: f64, angle: f64 },
 }
 
-impl ToolBody {
-    /// The cutter that lies everywhere at least `depth` inside of this one, and how much higher its tip is, mm;
-    /// `None` where it is not known, or nothing is left of it.
-    pub fn inside(&self, depth: f64) -> Option<(Cutter, f64)> {
-        let (cutter, lift) = match self.shape {
-            Rounded::Bull { diameter, corner } if corner > depth => {
-                (Cutter::bull(diameter - 2.0 * depth, corner - depth), depth)
+impl Dimensions {
+    fn cutter(self) -> Result<Cutter, CutterError> {
+        match self {
+            Dimensions::Flat { diameter } => Cutter::flat(diameter),
+            Dimensions::Ball { diameter } => Cutter::ball(diameter),
+            Dimensions::Bull { diameter, corner } => Cutter::bull(diameter, corner),
+            Dimensions::Pointed { diameter, tip, angle } => Cutter::pointed(diameter, tip, angle),
+        }
+    }
+
+    /// The same everywhere so much smaller, mm, and how much higher its tip is.
+    fn inside(self, depth: f64) -> (Dimensions, f64) {
+        let less = |diameter: f64| diameter - 2.0 * depth;
+        match self {
+            Dimensions::Bull { diameter, corner } if corner > depth => {
+                (Dimensions::Bull { diameter: less(diameter), corner: corner - depth }, depth)
             }
-            Rounded::Bull { diameter, .. } => (Cutter::flat(diameter - 2.0 * depth), depth),
-            Rounded::Ball { diameter } => (Cutter::ball(diameter - 2.0 * depth), depth),
-            Rounded::Pointed { diameter, tip, angle } => {
+            Dimensions::Flat { diameter } | Dimensions::Bull { diameter, .. } => {
+                (Dimensions::Flat { diameter: less(diameter) }, depth)
+            }
+            Dimensions::Ball { diameter } => (Dimensions::Ball { diameter: less(diameter) }, depth),
+            Dimensions::Pointed { diameter, tip, angle } => {
                 // The side of the cone moves inward by depth/cos, measured across the axis.
                 let (sine, cosine) = libm::sincos(angle / 2.0);
                 let rise = sine / cosine;
@@ -62,11 +63,18 @@ impl ToolBody {
                 let lift =
                     if at_lift(depth) < 0.0 { (depth / cosine - tip / 2.0) / rise } else { depth };
                 let tip = 2.0 * at_lift(lift).max(0.0);
-                (Cutter::pointed(diameter - 2.0 * depth, tip, angle), lift)
+                (Dimensions::Pointed { diameter: less(diameter), tip, angle }, lift)
             }
-            Rounded::Other => return None,
-        };
-        cutter.ok().map(|cutter| (cutter, lift))
+        }
+    }
+}
+
+impl ToolBody {
+    /// The cutter that lies everywhere at least `depth` inside of this one, and how much higher its tip is, mm;
+    /// `None` where it is not known, or nothing is left of it.
+    pub fn inside(&self, depth: f64) -> Option<(Cutter, f64)> {
+        let (dimensions, lift) = self.dimensions?.inside(depth);
+        Some((dimensions.cutter().ok()?, lift))
     }
 
     /// The highest known place of cutter, shank and holder above the tip, mm.
@@ -128,43 +136,35 @@ pub(super) fn tools_of(job: &Job) -> BTreeMap<u32, Result<ToolBody, NoBody>> {
 
 fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
     let shape = tool.shape.ok_or(NoBody::Unknown)?;
-    let rounded = match tool.cutter().ok_or(NoBody::Incomplete(shape))? {
-        Shape::Flat { diameter_mm } => Rounded::Bull { diameter: diameter_mm, corner: 0.0 },
-        Shape::Ball { diameter_mm } => Rounded::Ball { diameter: diameter_mm },
+    let (mut dimensions, mut other) = (None, None);
+    match tool.cutter().ok_or(NoBody::Incomplete(shape))? {
+        Shape::Flat { diameter_mm } => {
+            dimensions = Some(Dimensions::Flat { diameter: diameter_mm });
+        }
+        Shape::Ball { diameter_mm } => {
+            dimensions = Some(Dimensions::Ball { diameter: diameter_mm });
+        }
         Shape::Bull { diameter_mm, corner_radius_mm } => {
-            Rounded::Bull { diameter: diameter_mm, corner: corner_radius_mm }
+            dimensions = Some(Dimensions::Bull { diameter: diameter_mm, corner: corner_radius_mm });
         }
-        Shape::Chamfer { diameter_mm, tip_diameter_mm, point_angle_rad } => {
-            Rounded::Pointed { diameter: diameter_mm, tip: tip_diameter_mm, angle: point_angle_rad }
+        Shape::Chamfer { diameter_mm, tip_diameter_mm: tip, point_angle_rad: angle } => {
+            dimensions = Some(Dimensions::Pointed { diameter: diameter_mm, tip, angle });
         }
-        Shape::Drill { diameter_mm, point_angle_rad } => {
-            Rounded::Pointed { diameter: diameter_mm, tip: 0.0, angle: point_angle_rad }
-        }
-        _ => Rounded::Other,
-    };
-    let cutter = match tool.cutter().ok_or(NoBody::Incomplete(shape))? {
-        Shape::Flat { diameter_mm } => Cutter::flat(diameter_mm),
-        Shape::Ball { diameter_mm } => Cutter::ball(diameter_mm),
-        Shape::Bull { diameter_mm, corner_radius_mm } => {
-            Cutter::bull(diameter_mm, corner_radius_mm)
-        }
-        Shape::Chamfer { diameter_mm, tip_diameter_mm, point_angle_rad } => {
-            Cutter::pointed(diameter_mm, tip_diameter_mm, point_angle_rad)
-        }
-        Shape::Drill { diameter_mm, point_angle_rad } => {
-            Cutter::pointed(diameter_mm, 0.0, point_angle_rad)
+        Shape::Drill { diameter_mm, point_angle_rad: angle } => {
+            dimensions = Some(Dimensions::Pointed { diameter: diameter_mm, tip: 0.0, angle });
         }
         // Their core: the thread itself is finer than the columns.
         Shape::Tap { diameter_mm, pitch_mm } | Shape::ThreadMill { diameter_mm, pitch_mm, .. } => {
-            Cutter::flat(diameter_mm - 2.0 * THREAD_DEPTH * pitch_mm)
+            other = Some(Cutter::flat(diameter_mm - 2.0 * THREAD_DEPTH * pitch_mm));
         }
-        Shape::Form { profile } => Cutter::outline(profile),
+        Shape::Form { profile } => other = Some(Cutter::outline(profile)),
         Shape::Insert { .. } => return Err(NoBody::Turning),
-    };
+    }
+    let cutter = other.or_else(|| dimensions.map(Dimensions::cutter)).ok_or(NoBody::Unknown)?;
     let cutter = cutter.map_err(NoBody::Wrong)?.with_flutes(tool.flute_length_mm);
     // Where the edges end is not known: neither is where the shank begins.
     let Some(flutes) = tool.flute_length_mm else {
-        return Ok(ToolBody { cutter, shape: rounded, shank: Vec::new(), holder: Vec::new() });
+        return Ok(ToolBody { cutter, dimensions, shank: Vec::new(), holder: Vec::new() });
     };
     let mut at = flutes;
     let mut shank = stacked(&tool.shank, &mut at);
@@ -174,7 +174,7 @@ fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
         at += height;
     }
     let holder = stacked(&tool.holder, &mut at);
-    Ok(ToolBody { cutter, shape: rounded, shank, holder })
+    Ok(ToolBody { cutter, dimensions, shank, holder })
 }
 
 fn stacked(solids: &[Solid], at: &mut f64) -> Vec<Piece> {
