@@ -17,7 +17,7 @@ mod support;
 use std::time::Instant;
 
 use chordal_motion::{
-    Corner, Level, Limits, Move, Planner, PlannerOptions, Run, Step, Stretch, Use, bound,
+    Corner, Level, Limits, Move, Planner, PlannerOptions, Run, Step, Stretch, Use, Work, bound,
     largest_use,
 };
 use support::dense::{self, Places};
@@ -54,8 +54,8 @@ fn main() {
     );
     for (name, places) in paths.iter().filter(|(name, _)| name.contains(wanted.as_str())) {
         let moves = dense::moves(places, 1000.0, tolerance);
-        let (before, before_ms) = timed(&moves, limits, false);
-        let (now, now_ms) = timed(&moves, limits, true);
+        let (before, before_ms, _) = timed(&moves, limits, false);
+        let (now, now_ms, _) = timed(&moves, limits, true);
         let used = now.iter().map(|s| largest_use(s, &limits, 5)).fold(Use::default(), Use::or);
         let mut least = 0.0;
         for stretch in &now {
@@ -92,8 +92,8 @@ fn random(count: u64, limits: Limits) {
         let places = dense::harmonics(chord, 3 + seed as i32 % 2, seed);
         let tolerance = [0.002, 0.01, 0.05][seed as usize % 3];
         let moves = dense::moves(&places, [20.0, 100.0, 1000.0][seed as usize / 3 % 3], tolerance);
-        let (before, _) = timed(&moves, limits, false);
-        let (now, _) = timed(&moves, limits, true);
+        let (before, ..) = timed(&moves, limits, false);
+        let (now, ..) = timed(&moves, limits, true);
         let [before, time] = [before, now.clone()].map(|all| support::time_of(&all));
         if time < before {
             curves += 1;
@@ -127,6 +127,7 @@ fn properties(count: u64, from: u64, most: u64) {
     ];
     let mut worst = [(0.0_f64, 0); 9];
     let mut above = [[0_u64; 2]; 9];
+    let (mut windows, mut failed) = (0, 0);
     let mut used = Use::default();
     for seed in from..from + count {
         let chord = [0.05, 0.1, 0.2, 0.4][seed as usize % 4];
@@ -139,7 +140,8 @@ fn properties(count: u64, from: u64, most: u64) {
             support::time_of(&timed(&dense::moves(places, feed, tolerance), limits, true).0)
         };
         let moves = dense::moves(&places, feed, tolerance);
-        let (stretches, _) = timed(&moves, limits(1.0, 1.0), true);
+        let (stretches, _, work) = timed(&moves, limits(1.0, 1.0), true);
+        (windows, failed) = (windows + work.windows, failed + work.failed);
         used = stretches.iter().map(|s| largest_use(s, &limits(1.0, 1.0), 5)).fold(used, Use::or);
         let time = support::time_of(&stretches);
         let halved: Places = places
@@ -182,7 +184,7 @@ fn properties(count: u64, from: u64, most: u64) {
             above[index][1] += u64::from(ratio > 1.01);
         }
     }
-    println!("{count} paths, use {used:?}");
+    println!("{count} paths, use {used:?}; {failed} of {windows} windows without a law");
     for (name, ((worst, seed), [little, much])) in NAMES.iter().zip(worst.iter().zip(&above)) {
         println!(
             "{name:30} at most {:8.4} % slower (seed {seed}); above 0.02 % {little}, above 1 % {much}",
@@ -191,7 +193,7 @@ fn properties(count: u64, from: u64, most: u64) {
     }
 }
 
-fn timed(moves: &[Move], limits: Limits, joins: bool) -> (Vec<Stretch>, f64) {
+fn timed(moves: &[Move], limits: Limits, joins: bool) -> (Vec<Stretch>, f64, Work) {
     let options = PlannerOptions { joins, ..PlannerOptions::new(Level::Fast) };
     let mut planner = Planner::new(limits, options);
     let mut stretches: Vec<Stretch> = Vec::new();
@@ -205,5 +207,6 @@ fn timed(moves: &[Move], limits: Limits, joins: bool) -> (Vec<Stretch>, f64) {
         planner.push(motion, &mut take).expect("a line");
     }
     planner.finish(&mut take);
-    (stretches, begin.elapsed().as_secs_f64() * 1e3)
+    let ms = begin.elapsed().as_secs_f64() * 1e3;
+    (stretches, ms, planner.work())
 }

@@ -6,7 +6,7 @@ use crate::Axes;
 use crate::bound::Run;
 use crate::cell::AxisArrays;
 use crate::dense::{Dense, Laid, Singly};
-use crate::law::law;
+use crate::law::{Work, law};
 use crate::limits::Limits;
 use crate::piece::Piece;
 use crate::profile::{Cell, Solver};
@@ -328,6 +328,11 @@ impl<P: PathPart> Planner<P> {
         if long || self.row.pieces.len() >= ROW * self.patience {
             self.hand_on(take);
         }
+    }
+
+    /// What the laws of dense moves took so far. Where windows have failed, other curves or corners were planned.
+    pub fn work(&self) -> Work {
+        self.group.as_ref().map_or(Work::default(), |group| group.dense.work())
     }
 
     /// The axes come to rest and stand for a time, s.

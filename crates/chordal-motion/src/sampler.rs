@@ -91,7 +91,7 @@ impl Sampler {
                 let mut cursor = Cursor::default();
                 self.both_until_end(stretch, &mut cursor, begins_s, &mut take);
                 self.now_s = self.now_s.max(begins_s + stretch.duration_s());
-                let from_s = begins_s + straight_end_s(stretch);
+                let from_s = begins_s + free_until_s(stretch);
                 self.alone_until(stretch, &mut cursor, [begins_s, from_s], &mut take);
                 let (phase, piece) = cursor.leave_behind();
                 self.held.phases.clear();
@@ -216,8 +216,13 @@ impl Sampler {
     }
 }
 
-/// When the straight line begins that a stretch ends on, s from its start: there the movement after
-/// it may overlap.
+/// Until when no movement after it overlaps a stretch, s from its start: in its first half, and before the straight
+/// line that it ends on. Curves meet in their halves, single moves on straight lines.
+fn free_until_s(stretch: &Stretch) -> f64 {
+    straight_end_s(stretch).min(0.5 * stretch.duration_s())
+}
+
+/// When the straight line begins that a stretch ends on, s from its start.
 fn straight_end_s(stretch: &Stretch) -> f64 {
     let straight = stretch.pieces.iter().rev().take_while(|piece| piece.is_straight()).count();
     let bent = stretch.pieces.len() - straight;

@@ -92,6 +92,10 @@ fn places_of(samples: &[Sample]) -> Places {
 fn check_limits(case: &Case, stretches: &[Stretch], name: &str) {
     for period in [1e-3, 2.5e-4] {
         let samples = samples(stretches, period);
+        // They make the overlaps that the plan counts, also where runs end in bends.
+        let end = samples.last().map_or(0.0, |sample| sample.time_s);
+        let late = end - time_of(stretches);
+        assert!((-1e-9..period).contains(&late), "{name}: setpoints end {late} s after the plan");
         let rate = |values: &[f64]| -> Vec<f64> {
             values.windows(2).map(|pair| (pair[1] - pair[0]) / period).collect()
         };

@@ -106,11 +106,13 @@ struct Dense {
     tolerance: f64,
     speed: f64,
     rotary: bool,
+    /// Every so many chords a tangent arc follows.
+    arc_every: usize,
 }
 
 fn dense() -> impl Strategy<Value = Dense> {
     (
-        20..400_usize,
+        prop_oneof![3 => 20..400_usize, 1 => 400..1500_usize],
         0.02..0.6_f64,
         prop_oneof![0.0..0.02, 0.02..0.3_f64],
         5.0..200.0_f64,
@@ -118,10 +120,10 @@ fn dense() -> impl Strategy<Value = Dense> {
         3..6_i32,
         prop_oneof![Just(0.002), Just(0.01), Just(0.1)],
         prop_oneof![15.0..60.0, 60.0..300.0_f64],
-        prop::bool::weighted(0.3),
+        (prop::bool::weighted(0.3), prop_oneof![2 => Just(10_000_usize), 1 => 15..150_usize]),
     )
         .prop_map(
-            |(count, chord, bend, sway, corner_every, decimals, tolerance, speed, rotary)| Dense {
+            |(count, chord, bend, sway, corner_every, decimals, tolerance, speed, others)| Dense {
                 count,
                 chord,
                 bend,
@@ -130,7 +132,8 @@ fn dense() -> impl Strategy<Value = Dense> {
                 decimals,
                 tolerance,
                 speed,
-                rotary,
+                rotary: others.0,
+                arc_every: others.1,
             },
         )
 }
@@ -163,6 +166,20 @@ impl Dense {
             let motion = cut(Line::new(at, end).into(), self.speed, within);
             moves.push(Move { rotary_from, rotary_to, tag, ..motion });
             (at, rotary_from) = (end, rotary_to);
+            if index % self.arc_every == self.arc_every - 1 {
+                // Between chords that are as short, on a wide circle in the plane of X and Y.
+                let (radius, sweep) = (10.0 * self.chord, 0.2);
+                let out = Vec3::new(sin, -cos, 0.0);
+                let center = at - out * radius;
+                let plane = Plane::Xy.frame();
+                let frame = Frame { origin: center, u: out, v: plane.w.cross(out), w: plane.w };
+                let arc: Curve = Arc::new(frame, radius, sweep, 0.0).into();
+                (at, heading) = (arc.end(), heading + sweep);
+                exact = at;
+                let tag = moves.len() as u64;
+                let motion = cut(arc, self.speed, within);
+                moves.push(Move { rotary_from, rotary_to: rotary_from, tag, ..motion });
+            }
         }
         moves
     }
@@ -410,10 +427,13 @@ proptest! {
     fn dense_runs_hold_limits_and_tolerance_whatever_is_done(
         dense in dense(),
         events in events(),
+        fine in prop::bool::weighted(0.2),
         windows in prop_oneof![Just(3_usize), Just(16)],
+        headroom in prop_oneof![Just(0.0), Just(0.03)],
         pieces in prop_oneof![Just(2048_usize), Just(16_384)],
     ) {
-        let options = StreamOptions { windows, pieces, ..StreamOptions::default() };
+        let period_s = if fine { 0.000_25 } else { 0.001 };
+        let options = StreamOptions { period_s, windows, headroom, pieces, ..StreamOptions::default() };
         let moves = dense.moves();
         prop_assume!(!moves.is_empty());
         let (watch, points) = run(&moves, false, &events, options);

@@ -1,4 +1,4 @@
-//! A run of chords as a function of its length: places, integrals, and beyond its ends.
+//! A run of chords as a function of its length: places, means, and beyond its ends.
 
 use chordal_geometry::AXES;
 
@@ -11,8 +11,6 @@ pub(crate) struct Chords {
     pub places: Vec<Axes>,
     /// σ of each.
     pub at: Vec<f64>,
-    /// The integral of the places by σ, from the start to each.
-    pub integral: Vec<Axes>,
 }
 
 /// A place of the list that was found last, from where the next is sought.
@@ -23,10 +21,8 @@ impl Chords {
     pub fn begin(&mut self, place: Axes) {
         self.places.clear();
         self.at.clear();
-        self.integral.clear();
         self.places.push(place);
         self.at.push(0.0);
-        self.integral.push([0.0; AXES]);
     }
 
     /// Goes on to a place that is `length` away; `in_line` with the last chord, which is longer then.
@@ -35,7 +31,6 @@ impl Chords {
         if in_line && self.count() > 0 {
             self.places.pop();
             self.at.pop();
-            self.integral.pop();
         }
         self.add(place, end);
     }
@@ -77,11 +72,6 @@ impl Chords {
     }
 
     fn add(&mut self, place: Axes, at: f64) {
-        let last = self.places.len() - 1;
-        let (from, sum) = (self.places[last], self.integral[last]);
-        let half = 0.5 * (at - self.at[last]);
-        self.integral
-            .push(std::array::from_fn(|axis| sum[axis] + half * (from[axis] + place[axis])));
         self.places.push(place);
         self.at.push(at);
     }
@@ -142,36 +132,106 @@ impl Chords {
         folded.clamp(0.0, length)
     }
 
-    /// The integral of the places from the start to σ.
-    #[inline]
-    fn integral_to(&self, sigma: f64, hint: &mut Hint) -> Axes {
-        let length = self.length();
-        let inside = self.inside(sigma);
-        let index = self.chord_at(inside, hint);
-        let (along, span) = (inside - self.at[index], self.at[index + 1] - self.at[index]);
-        let (from, to) = (&self.places[index], &self.places[index + 1]);
-        let sum = &self.integral[index];
-        let half = 0.5 * along * along / span;
-        let part: Axes = std::array::from_fn(|axis| {
-            sum[axis] + from[axis] * along + (to[axis] - from[axis]) * half
-        });
-        if sigma < 0.0 {
-            let about = &self.places[0];
-            std::array::from_fn(|axis| 2.0 * about[axis] * sigma + part[axis])
-        } else if sigma > length {
-            let about = &self.places[self.count()];
-            std::array::from_fn(|axis| 2.0 * about[axis] * (sigma - length) + part[axis])
-        } else {
-            part
+    /// The integral of the places between two on the chords, the first one's chord known.
+    fn integral(&self, first: usize, from: f64, to: f64) -> Axes {
+        let mut sum = [0.0; AXES];
+        let (mut index, mut at, mut before) = (first, from, self.on(first, from));
+        loop {
+            let is_last = index + 1 == self.count() || self.at[index + 1] >= to;
+            let (until, after) = if is_last {
+                (to, self.on(index, to))
+            } else {
+                (self.at[index + 1], self.places[index + 1])
+            };
+            let half = 0.5 * (until - at);
+            for axis in 0..AXES {
+                sum[axis] += half * (before[axis] + after[axis]);
+            }
+            if is_last {
+                return sum;
+            }
+            (index, at, before) = (index + 1, until, after);
         }
     }
 
-    /// The mean of the places within `half` of σ.
+    /// The place at σ on a chord.
     #[inline]
+    fn on(&self, chord: usize, sigma: f64) -> Axes {
+        let share = (sigma - self.at[chord]) / (self.at[chord + 1] - self.at[chord]);
+        let (from, to) = (&self.places[chord], &self.places[chord + 1]);
+        std::array::from_fn(|axis| from[axis] + share * (to[axis] - from[axis]))
+    }
+
+    /// The mean of the places within `half` of σ, as exact as the places are: chord by chord, since a difference of
+    /// integrals from the start would have the rounding of all that lies before.
     pub(super) fn mean(&self, sigma: f64, half: f64, hint: &mut Hint) -> Axes {
-        let before = self.integral_to(sigma - half, hint);
-        let after = self.integral_to(sigma + half, hint);
-        let share = 0.5 / half;
-        std::array::from_fn(|axis| (after[axis] - before[axis]) * share)
+        let length = self.length();
+        let (from, to) = (sigma - half, sigma + half);
+        // What lies beyond an end is, with its mirror image, the place of the end.
+        let before = |sigma: f64| (-sigma).max(0.0);
+        let after = |sigma: f64| (sigma - length).max(0.0);
+        let beyond = [before(from) - before(to), after(to) - after(from)];
+        let (from, to) = (self.inside(from), self.inside(to));
+        let sign = if from <= to { 1.0 } else { -1.0 };
+        let (low, high) = (from.min(to), from.max(to));
+        let first = self.chord_at(low, hint);
+        let inner = self.integral(first, low, high);
+        let share = 1.0 / (2.0 * (beyond[0] + beyond[1]) + (to - from));
+        let (begin, end) = (&self.places[0], &self.places[self.count()]);
+        std::array::from_fn(|axis| {
+            let outer = 2.0 * (beyond[0] * begin[axis] + beyond[1] * end[axis]);
+            (outer + sign * inner[axis]) * share
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ten metres of chords of many lengths, far from zero, in one line.
+    fn line() -> Chords {
+        let mut chords = Chords::default();
+        let place = |at: f64| [500.0 + 0.6 * at, -900.0 - 0.8 * at, 700.0, 0.0, 0.0, 0.0];
+        chords.begin(place(0.0));
+        let mut at = 0.0;
+        for index in 0..3000 {
+            let length = [0.013, 0.1, 10.0, 3.0][index % 4];
+            at += length;
+            chords.push(place(at), length, false);
+        }
+        chords
+    }
+
+    #[test]
+    fn a_mean_is_as_exact_as_places_however_far_from_the_start() {
+        let chords = line();
+        let length = chords.length();
+        let mut hint = 0;
+        for step in 0..20_000 {
+            // Also about both ends, where a mean is the place of the line that goes on.
+            let sigma = (length + 2.0) * f64::from(step) / 20_000.0 - 1.0;
+            let half = [0.01, 0.3, 40.0][step as usize % 3];
+            let mean = chords.mean(sigma, half, &mut hint);
+            let expected = [500.0 + 0.6 * sigma, -900.0 - 0.8 * sigma, 700.0];
+            for axis in 0..3 {
+                let off = (mean[axis] - expected[axis]).abs();
+                // A few units in the last place of the coordinates, which are below 1e4.
+                assert!(off < 1e-11, "{half} about {sigma}: {off:e} off");
+            }
+        }
+    }
+
+    #[test]
+    fn the_mean_about_an_end_is_the_end() {
+        let chords = line();
+        let mut hint = 0;
+        for half in [0.01, 1.0, 30.0] {
+            assert_eq!(chords.mean(0.0, half, &mut hint), chords.places[0]);
+            let end = chords.mean(chords.length(), half, &mut hint);
+            for (mean, end) in end.iter().zip(&chords.places[chords.count()]) {
+                assert!((mean - end).abs() <= 4.0 * f64::EPSILON * end.abs(), "{mean}, not {end}");
+            }
+        }
     }
 }

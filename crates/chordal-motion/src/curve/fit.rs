@@ -46,6 +46,10 @@ impl Spline {
             Kernel::Plain => self.plain(chords, widths),
             Kernel::Sharp => self.sharp(chords),
         }
+        let last = self.control.len() - 1;
+        self.control[1] = chords.places[0];
+        self.control[last - 1] = chords.places[chords.count()];
+        self.end_without_bend();
         self.make_pieces();
     }
 
@@ -229,13 +233,19 @@ impl Spline {
                 *place += by;
             }
         }
+        self.end_without_bend();
+        self.make_pieces();
+    }
+
+    /// The outermost control points so that the curve goes through those next to them, without bend.
+    fn end_without_bend(&mut self) {
+        let last = self.control.len() - 1;
         for [outer, end, inner] in [[0, 1, 2], [last, last - 1, last - 2]] {
             for axis in 0..AXES {
                 self.control[outer][axis] =
                     2.0 * self.control[end][axis] - self.control[inner][axis];
             }
         }
-        self.make_pieces();
     }
 
     /// Each piece by the four control points around it.

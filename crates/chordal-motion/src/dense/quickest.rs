@@ -9,7 +9,7 @@ use chordal_geometry::AXES;
 
 use crate::bound::{Gentle, Run};
 use crate::curve::{Chords, Measure, Smooth, Smoothing, Way};
-use crate::law::{Ends, Planner as LawPlanner};
+use crate::law::{Ends, Planner as LawPlanner, Work};
 use crate::limits::Limits;
 use crate::piece::Piece;
 use crate::trajectory::Phase;
@@ -176,6 +176,11 @@ impl Quickest {
         }
         self.spare.append(&mut found);
         best
+    }
+
+    /// What all laws took.
+    pub fn work(&self) -> Work {
+        self.law.work
     }
 
     /// The law of a run, without its pieces.

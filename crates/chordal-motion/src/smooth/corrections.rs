@@ -12,6 +12,11 @@ use crate::smooth::bump::{Bump, SLOPE, TURN, bend, kink};
 /// The sum is made anew after so many legs, before rounding adds up.
 const FRESH_FOR: u32 = 16;
 
+/// And where corrections that have ended leave more than so many times the rounding of σ: a narrow one has a large
+/// third derivative, and by the rounding of its breaks it leaves a second one, which grows with the square of
+/// the way.
+const RESIDUE: f64 = 32.0;
+
 /// Where the sum changes its polynomial.
 #[derive(Clone, Copy, Debug)]
 pub struct Break {
@@ -34,6 +39,9 @@ pub struct Corrections {
     axes: usize,
     /// Legs since the sum was made anew.
     legs: u32,
+    /// Third derivatives of the corrections that have ended since, and the way since the first of them did.
+    ended: f64,
+    way: f64,
 }
 
 /// Where a bend's ramp turns, as shares of its half width, and by how many slopes.
@@ -61,7 +69,14 @@ impl Corrections {
     pub fn clear(&mut self) {
         self.breaks.clear();
         self.axes = 0;
-        (self.jet, self.active, self.legs) = (Jet::default(), 0, 0);
+        self.begin(Jet::default());
+        self.active = 0;
+    }
+
+    /// Goes on with a sum without rounding.
+    fn begin(&mut self, jet: Jet) {
+        self.jet = jet;
+        (self.legs, self.ended, self.way) = (0, 0.0, 0.0);
     }
 
     /// A node's widths are settled.
@@ -117,8 +132,21 @@ impl Corrections {
         if self.active == 0 {
             self.jet = Jet::default();
         } else if over || self.legs >= FRESH_FOR {
-            self.legs = 0;
-            self.jet = sum(from, until, nodes);
+            self.begin(sum(from, until, nodes));
+        }
+    }
+
+    /// Makes the sum anew at a place on a leg, if rounding would grow too large on the way ahead. Breaks up to
+    /// `until` are passed; `nodes` are those that reach into the leg.
+    pub fn refresh<'a>(
+        &mut self,
+        [from, until]: [f64; 2],
+        ahead: f64,
+        nodes: impl Iterator<Item = &'a Node>,
+    ) {
+        let way = self.way + ahead;
+        if self.active > 0 && self.ended * way * way > RESIDUE {
+            self.begin(sum(from, until, nodes));
         }
     }
 
@@ -127,7 +155,8 @@ impl Corrections {
         while self.next_before(until).is_some() {
             self.pass();
         }
-        self.jet = if self.active > 0 { sum(from, until, nodes) } else { Jet::default() };
+        let jet = if self.active > 0 { sum(from, until, nodes) } else { Jet::default() };
+        self.begin(jet);
     }
 
     /// The steps that the corrections take away lie here.
@@ -156,9 +185,11 @@ impl Corrections {
         self.active += begins;
         if self.active == 0 {
             // What is left is rounding.
-            self.jet = Jet::default();
-            self.legs = 0;
+            self.begin(Jet::default());
         } else {
+            if begins < 0 {
+                self.ended += change.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
+            }
             let third = &mut self.jet[3][..self.axes];
             third.iter_mut().zip(change).for_each(|(third, change)| *third += change);
         }
@@ -168,6 +199,9 @@ impl Corrections {
     pub fn advance(&mut self, way: f64) {
         if self.active > 0 {
             go_ahead(&mut self.jet, way, self.axes);
+            if self.ended > 0.0 {
+                self.way += way;
+            }
         }
     }
 }

@@ -446,10 +446,11 @@ impl Smoother {
         let (from, to) = leg.nodes;
         let nodes = if from < to { from - self.nodes_gone..to - self.nodes_gone } else { 0..0 };
         let until = leg.from + pieces::rounding(&leg);
-        self.corrections.enter(leg.from, until, own, self.nodes.range(nodes));
+        let nodes = self.nodes.range(nodes);
+        self.corrections.enter(leg.from, until, own, nodes.clone());
         let more = leg.more as usize;
         let parts = self.parts.range(..more);
-        pieces::make(&leg, parts, limits, &mut self.corrections, &mut self.scratch, row);
+        pieces::make(&leg, parts, nodes, limits, &mut self.corrections, &mut self.scratch, row);
         self.parts.drain(..more);
         while self.nodes.front().is_some_and(|node| {
             node.at + 2.0 * WIDEST < leg.end() && self.nodes_gone < self.unsettled

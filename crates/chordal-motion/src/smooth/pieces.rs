@@ -6,10 +6,10 @@ use crate::Axes;
 use crate::cell::{AxisArrays, Bounds, cell};
 use crate::piece::Jet;
 use crate::profile::Cell;
-use crate::smooth::Row;
 use crate::smooth::corrections::Corrections;
 use crate::smooth::leg::{Leg, Part, cuts, turning};
 use crate::smooth::span::PathPart;
+use crate::smooth::{Node, Row};
 
 /// Limits that differ by less are the same.
 const SAME: f64 = 1e-12;
@@ -35,10 +35,12 @@ struct Between {
 #[derive(Debug, Default)]
 pub struct Scratch(Vec<Between>);
 
-/// Adds a leg's pieces and cells to a row. The corrections have entered it, and go to its end.
+/// Adds a leg's pieces and cells to a row. The corrections have entered it, and go to its end; `nodes` are those
+/// that reach into it.
 pub fn make<'a, P: PathPart>(
     leg: &'a Leg,
     more: impl Iterator<Item = &'a Part>,
+    nodes: impl Iterator<Item = &'a Node> + Clone,
     limits: &AxisArrays,
     corrections: &mut Corrections,
     Scratch(spans): &mut Scratch,
@@ -59,6 +61,7 @@ pub fn make<'a, P: PathPart>(
         let to = next.unwrap_or(end);
         // Breaks that miss each other by rounding are one.
         if to - from > rounding || next.is_none() {
+            corrections.refresh([from, from + rounding], to - from, nodes.clone());
             let bounds = bounds(leg, corrections, from, to - from);
             let jet = corrections.jet();
             let pieces = add_pieces(leg, &mut parts, jet, from, to, &mut row.pieces);

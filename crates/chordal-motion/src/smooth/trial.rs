@@ -87,7 +87,7 @@ impl Trial {
         for leg in legs {
             let until = leg.from + pieces::rounding(leg);
             corrections.enter_anew(leg.from, until, nodes.iter());
-            pieces::make(leg, [].iter(), limits, corrections, scratch, row);
+            pieces::make(leg, [].iter(), nodes.iter(), limits, corrections, scratch, row);
         }
         solver.solve(&row.cells, 0.0, 0.0);
         law.clear();
