@@ -5,7 +5,7 @@ mod rows;
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use rows::{arcs, plan, spiral, surface, wiggle};
+use rows::{arcs, ellipse, harmonics, plan, spiral, surface, wiggle};
 
 fn bench(c: &mut Criterion) {
     let mut group = c.benchmark_group("plan");
@@ -14,6 +14,8 @@ fn bench(c: &mut Criterion) {
         ("surface", surface(100_000), true),
         ("spiral", spiral(100_000), true),
         ("wiggle", wiggle(100_000), true),
+        ("ellipse", ellipse(5000), true),
+        ("harmonics", harmonics(1500), true),
         ("surface by corners", surface(100_000), false),
         ("arcs", arcs(20_000), true),
     ] {

@@ -15,6 +15,8 @@ mod rows;
 
 use std::time::Instant;
 
+const KINDS: &str = "surface, spiral, wiggle, arcs, ellipse or harmonics";
+
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
@@ -28,7 +30,9 @@ fn main() {
         "spiral" => rows::spiral,
         "wiggle" => rows::wiggle,
         "arcs" => rows::arcs,
-        _ => return println!("say surface, spiral, wiggle or arcs, and how many moves"),
+        "ellipse" => rows::ellipse,
+        "harmonics" => rows::harmonics,
+        _ => return println!("say {KINDS}, and how many moves"),
     };
     let Some(count) = count else { return println!("the number of moves is missing") };
     let moves = moves_of(count);

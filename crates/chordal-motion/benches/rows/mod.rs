@@ -6,6 +6,9 @@ mod support;
 use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Vec3};
 use chordal_motion::{Corner, Level, Move, Planner, PlannerOptions, Step};
 
+/// A feed that no axis reaches, mm/s.
+const FAST: f64 = 1000.0;
+
 fn motion(curve: Curve, corner: Corner) -> Move {
     support::cut(curve, 50.0, corner)
 }
@@ -77,6 +80,18 @@ pub fn spiral(count: usize) -> Vec<Move> {
             motion(line.into(), within)
         })
         .collect()
+}
+
+/// A lap of an ellipse at a feed that is never reached.
+pub fn ellipse(count: usize) -> Vec<Move> {
+    support::dense::moves(&support::dense::ellipse(count as u32, None), FAST, 0.01)
+}
+
+/// Harmonics in space in chords of 0.1 mm, from the start on, at a feed that is never reached.
+pub fn harmonics(count: usize) -> Vec<Move> {
+    let places = support::dense::harmonics(0.1, 4, 1);
+    let places = places[..places.len().min(count + 1)].to_vec();
+    support::dense::moves(&places, FAST, 0.01)
 }
 
 /// Plans them, where it is quicker as curves if they may be joined; the time they take, s.

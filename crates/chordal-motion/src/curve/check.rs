@@ -3,6 +3,10 @@
 //! Both are functions of one σ, so the distance at the same σ bounds the distance both ways. Between
 //! knots and places of the chords it is a cubic whose second derivative is the curve's: with δ the
 //! length of such a part, |e| ≤ max(|e₀|, |e₁|) + max|q''|·δ²/8.
+//!
+//! Where some pieces were moved, only the chords beside them are measured again.
+
+use std::ops::Range;
 
 use super::Measure;
 use super::chords::Chords;
@@ -19,61 +23,110 @@ const FALL: [f64; 2] = [0.6, 0.97];
 const AIM: f64 = 0.95;
 const DAMPING: f64 = 0.8;
 
-/// What a curve that is too far asks for.
+/// How far the curve is from each chord, and what a curve that is too far asks for.
 #[derive(Debug, Default)]
-pub(super) struct Wishes {
-    /// Where the curve is to be moved, and how.
+pub(super) struct Certificate {
+    /// The largest distance from each chord, in tolerances.
+    offs: Vec<f64>,
+    /// Where the curve is to be moved, and how; in the order of the chords.
     pub pulls: Vec<Pull>,
     /// The shares to which widths are to fall.
-    pub falls: Vec<f64>,
+    falls: Vec<f64>,
+    before: Vec<Pull>,
 }
 
-/// The largest distance in tolerances, and what is wished where it is above one.
-pub(super) fn certify(
-    chords: &Chords,
-    spline: &Spline,
-    measure: &Measure,
-    widths: &Widths,
-    wishes: &mut Wishes,
-) -> f64 {
-    let mut most = 0.0_f64;
-    let Wishes { pulls, falls } = wishes;
-    pulls.clear();
-    falls.clear();
-    falls.resize(chords.count() + 1, 1.0);
-    let (mut piece, mut from, mut before) = (0, 0.0_f64, (0.0_f64, [0.0; AXES]));
-    for chord in 0..chords.count() {
-        let (begin, end) = (chords.at[chord], chords.at[chord + 1]);
-        let mut off = 0.0_f64;
-        while from < end {
-            let until = spline.at[piece + 1].min(end);
-            let jet = &spline.jets[piece];
-            let way = until - spline.at[piece];
-            let away = distance(chords, chord, until, jet, way);
-            let after = (measure.of(&away), away);
-            let start = ahead(jet, from - spline.at[piece], 6)[2];
-            let bend = measure.of(&start).max(measure.of(&ahead(jet, way, 6)[2]));
-            let part = until - from;
-            let own = before.0.max(after.0) + bend * part * part / 8.0;
-            off = off.max(own);
-            if own > 1.0 {
-                let length = spline.at[piece + 1] - spline.at[piece];
-                let (farther, at) =
-                    if before.0 > after.0 { (&before, from) } else { (&after, until) };
-                let back = -DAMPING * (own - AIM) / farther.0;
-                let by = farther.1.map(|away| away * back);
-                pulls.push(Pull { piece, share: (at - spline.at[piece]) / length, by });
+/// Where the next part begins, and how far the curve is from the chords there.
+struct Standing {
+    piece: usize,
+    from: f64,
+    away: (f64, Axes),
+}
+
+impl Certificate {
+    /// Measures the whole curve: the largest distance, in tolerances.
+    pub fn find(&mut self, chords: &Chords, spline: &Spline, measure: &Measure) -> f64 {
+        self.pulls.clear();
+        self.offs.clear();
+        self.offs.resize(chords.count(), 0.0);
+        self.look(0..chords.count(), chords, spline, measure);
+        self.most()
+    }
+
+    /// Measures the pieces that were moved last: the largest distance of the whole curve, then.
+    pub fn find_moved(&mut self, chords: &Chords, spline: &Spline, measure: &Measure) -> f64 {
+        self.before.clear();
+        std::mem::swap(&mut self.pulls, &mut self.before);
+        let (mut known, mut looked) = (0, 0);
+        for pieces in &spline.dirty {
+            // The chords beside them, too: what is known of a joint is known from the piece before it.
+            let [begin, end] = [spline.at[pieces.start], spline.at[pieces.end]];
+            let first = chords.at.partition_point(|at| *at < begin).saturating_sub(2);
+            let last = (chords.at.partition_point(|at| *at <= end) + 1).min(chords.count());
+            let range = first.max(looked)..last;
+            if range.is_empty() {
+                continue;
             }
-            (from, before) = (until, after);
-            if until >= spline.at[piece + 1] && piece + 1 < spline.jets.len() {
-                piece += 1;
-            } else if until >= spline.at[piece + 1] {
-                break;
-            }
+            let kept = self.before[known..].iter().take_while(|pull| pull.chord < range.start);
+            let until = known + kept.count();
+            self.pulls.extend_from_slice(&self.before[known..until]);
+            let left = self.before[until..].iter().take_while(|pull| pull.chord < range.end);
+            known = until + left.count();
+            looked = range.end;
+            self.look(range, chords, spline, measure);
         }
-        from = from.max(end);
-        most = most.max(off);
-        if off > 1.0 {
+        self.pulls.extend_from_slice(&self.before[known..]);
+        self.most()
+    }
+
+    fn most(&self) -> f64 {
+        self.offs.iter().fold(0.0, |most, off| most.max(*off))
+    }
+
+    fn look(&mut self, range: Range<usize>, chords: &Chords, spline: &Spline, measure: &Measure) {
+        let Standing { mut piece, mut from, away: mut before } =
+            standing(range.start, chords, spline, measure);
+        for chord in range {
+            let end = chords.at[chord + 1];
+            let mut off = 0.0_f64;
+            while from < end {
+                let until = spline.at[piece + 1].min(end);
+                let jet = &spline.jets[piece];
+                let way = until - spline.at[piece];
+                let away = distance(chords, chord, until, jet, way);
+                let after = (measure.of(&away), away);
+                let start = ahead(jet, from - spline.at[piece], 6)[2];
+                let bend = measure.of(&start).max(measure.of(&ahead(jet, way, 6)[2]));
+                let part = until - from;
+                let own = before.0.max(after.0) + bend * part * part / 8.0;
+                off = off.max(own);
+                if own > 1.0 {
+                    let length = spline.at[piece + 1] - spline.at[piece];
+                    let (farther, at) =
+                        if before.0 > after.0 { (&before, from) } else { (&after, until) };
+                    let back = -DAMPING * (own - AIM) / farther.0;
+                    let by = farther.1.map(|away| away * back);
+                    let share = (at - spline.at[piece]) / length;
+                    self.pulls.push(Pull { chord, piece, share, by });
+                }
+                (from, before) = (until, after);
+                if until >= spline.at[piece + 1] && piece + 1 < spline.jets.len() {
+                    piece += 1;
+                } else if until >= spline.at[piece + 1] {
+                    break;
+                }
+            }
+            from = from.max(end);
+            self.offs[chord] = off;
+        }
+    }
+
+    /// The shares to which the widths at the places of the chords are to fall.
+    pub fn falls(&mut self, chords: &Chords, widths: &Widths) -> &[f64] {
+        let falls = &mut self.falls;
+        falls.clear();
+        falls.resize(chords.count() + 1, 1.0);
+        for (chord, off) in self.offs.iter().enumerate().filter(|(_, off)| **off > 1.0) {
+            let (begin, end) = (chords.at[chord], chords.at[chord + 1]);
             let fall = (FALL[1] / off.sqrt()).max(FALL[0]);
             let wide = |at: usize| widths.boxes[at].max(widths.knots[at]);
             let reach = 1.5 * wide(chord).max(wide(chord + 1));
@@ -82,8 +135,22 @@ pub(super) fn certify(
             let up = (chord + 1..=chords.count()).take_while(|k| chords.at[*k] <= end + reach);
             up.for_each(|k| falls[k] = falls[k].min(fall));
         }
+        falls
     }
-    most
+}
+
+/// How the curve stands where a chord begins, as it is known from the chord before.
+fn standing(chord: usize, chords: &Chords, spline: &Spline, measure: &Measure) -> Standing {
+    let from = chords.at[chord];
+    if chord == 0 {
+        return Standing { piece: 0, from, away: (0.0, [0.0; AXES]) };
+    }
+    let ends = &spline.at[1..];
+    let last = spline.jets.len() - 1;
+    let piece = ends.partition_point(|end| *end < from).min(last);
+    let away = distance(chords, chord - 1, from, &spline.jets[piece], from - spline.at[piece]);
+    let next = if ends[piece] <= from { (piece + 1).min(last) } else { piece };
+    Standing { piece: next, from, away: (measure.of(&away), away) }
 }
 
 fn distance(chords: &Chords, chord: usize, at: f64, jet: &[Axes; 4], way: f64) -> Axes {

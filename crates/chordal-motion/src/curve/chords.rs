@@ -89,13 +89,13 @@ impl Chords {
     /// The chord that holds a place.
     #[inline]
     pub(super) fn chord_at(&self, sigma: f64, hint: &mut Hint) -> usize {
-        let last = self.count() - 1;
-        let mut index = (*hint).min(last);
-        while index > 0 && self.at[index] > sigma {
-            index -= 1;
-        }
-        while index < last && self.at[index + 1] <= sigma {
-            index += 1;
+        let begins = &self.at[..self.count()];
+        let mut index = (*hint).min(begins.len() - 1);
+        if begins[index] > sigma {
+            let before = begins[..index].iter().rev().take_while(|at| **at > sigma).count();
+            index = (index - before).saturating_sub(1);
+        } else {
+            index += begins[index + 1..].iter().take_while(|at| **at <= sigma).count();
         }
         *hint = index;
         index
@@ -104,20 +104,46 @@ impl Chords {
     /// The place at σ; beyond an end the chords go on, turned about the end.
     #[inline]
     pub fn place_at(&self, sigma: f64, hint: &mut Hint) -> Axes {
+        self.first_axes_at(sigma, hint)
+    }
+
+    /// The first axes of the place at σ.
+    #[inline(always)]
+    pub(super) fn first_axes_at<const N: usize>(&self, sigma: f64, hint: &mut Hint) -> [f64; N] {
         let length = self.length();
-        let inside = self.inside(sigma);
+        if sigma < 0.0 || sigma > length {
+            return self.beyond(sigma, hint);
+        }
+        self.between(sigma, hint)
+    }
+
+    #[inline(always)]
+    fn between<const N: usize>(&self, inside: f64, hint: &mut Hint) -> [f64; N] {
         let index = self.chord_at(inside, hint);
-        let share = (inside - self.at[index]) / (self.at[index + 1] - self.at[index]);
-        let (from, to) = (&self.places[index], &self.places[index + 1]);
-        let place: Axes = std::array::from_fn(|axis| from[axis] + share * (to[axis] - from[axis]));
-        let about = if sigma < 0.0 {
-            &self.places[0]
-        } else if sigma > length {
-            &self.places[self.count()]
-        } else {
-            return place;
+        let [begin, end] = self.at[index..index + 2] else { unreachable!("a chord has two ends") };
+        let [from, to] = &self.places[index..index + 2] else {
+            unreachable!("a chord has two ends")
         };
-        std::array::from_fn(|axis| 2.0 * about[axis] - place[axis])
+        let share = (inside - begin) / (end - begin);
+        let mut place = [0.0; N];
+        for axis in 0..N {
+            place[axis] = from[axis] + share * (to[axis] - from[axis]);
+        }
+        place
+    }
+
+    /// Beyond an end.
+    #[cold]
+    fn beyond<const N: usize>(&self, sigma: f64, hint: &mut Hint) -> [f64; N] {
+        let place: [f64; N] = self.between(self.inside(sigma), hint);
+        let about = if sigma < 0.0 { &self.places[0] } else { &self.places[self.count()] };
+        std::array::from_fn(|axis: usize| 2.0 * about[axis] - place[axis])
+    }
+
+    /// Whether only X, Y and Z move.
+    pub(super) fn is_linear(&self) -> bool {
+        let Some(first) = self.places.first() else { return true };
+        self.places.iter().all(|place| place[3..] == first[3..])
     }
 
     fn inside(&self, sigma: f64) -> f64 {

@@ -1,5 +1,7 @@
 //! Knots, control points and pieces of the cubic B-spline.
 
+use std::ops::Range;
+
 use chordal_geometry::AXES;
 
 use super::Kernel;
@@ -11,6 +13,8 @@ use crate::piece::{Jet, ahead};
 /// A place of the curve that is to be moved.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pull {
+    /// The chord that is too far there.
+    pub chord: usize,
     pub piece: usize,
     /// Where on the piece, in shares of its length.
     pub share: f64,
@@ -32,6 +36,8 @@ pub(super) struct Spline {
     eroded: Vec<f64>,
     /// How far control points are moved, with the square of that.
     moved: Vec<(Axes, f64)>,
+    /// The pieces that were moved last, in order.
+    pub dirty: Vec<Range<usize>>,
     /// σ where each piece begins, and where the last ends.
     pub at: Vec<f64>,
     /// The axes and their derivatives where each piece begins.
@@ -50,7 +56,9 @@ impl Spline {
         self.control[1] = chords.places[0];
         self.control[last - 1] = chords.places[chords.count()];
         self.end_without_bend();
-        self.make_pieces();
+        let count = self.at.len() - 1;
+        self.jets.resize(count, [[0.0; AXES]; 4]);
+        self.make_pieces(0..count);
     }
 
     /// The place at σ; `piece` is one that begins before.
@@ -228,13 +236,23 @@ impl Spline {
             }
         }
         let last = self.control.len() - 1;
-        for (index, (by, _)) in self.moved.iter().enumerate().take(last - 1).skip(2) {
-            for (place, by) in self.control[index].iter_mut().zip(by) {
-                *place += by;
+        self.dirty.clear();
+        // The ends are set anew.
+        self.see_dirty(0);
+        for index in 2..last - 1 {
+            let (by, size) = self.moved[index];
+            if size > 0.0 {
+                for (place, by) in self.control[index].iter_mut().zip(by) {
+                    *place += by;
+                }
+                self.see_dirty(index);
             }
         }
+        self.see_dirty(last);
         self.end_without_bend();
-        self.make_pieces();
+        for index in 0..self.dirty.len() {
+            self.make_pieces(self.dirty[index].clone());
+        }
     }
 
     /// The outermost control points so that the curve goes through those next to them, without bend.
@@ -248,10 +266,18 @@ impl Spline {
         }
     }
 
-    /// Each piece by the four control points around it.
-    fn make_pieces(&mut self) {
-        self.jets.clear();
-        for index in 0..self.at.len() - 1 {
+    /// The pieces around a control point are moved.
+    fn see_dirty(&mut self, control: usize) {
+        let (begin, end) = (control.saturating_sub(3), (control + 1).min(self.jets.len()));
+        match self.dirty.last_mut() {
+            Some(last) if last.end >= begin => last.end = end,
+            _ => self.dirty.push(begin..end),
+        }
+    }
+
+    /// Pieces by the four control points around each.
+    fn make_pieces(&mut self, pieces: Range<usize>) {
+        for index in pieces {
             let t = &self.knots[index..index + 7];
             let c = &self.control[index..index + 4];
             let slopes = [3.0 / (t[4] - t[1]), 3.0 / (t[5] - t[2]), 3.0 / (t[6] - t[3])];
@@ -269,7 +295,7 @@ impl Spline {
                 jet[2][axis] = e[0];
                 jet[3][axis] = (e[1] - e[0]) * last;
             }
-            self.jets.push(jet);
+            self.jets[index] = jet;
         }
     }
 }

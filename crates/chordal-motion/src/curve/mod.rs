@@ -15,11 +15,13 @@ mod chords;
 mod fit;
 mod width;
 
+use chordal_geometry::AXES;
+
 use crate::Axes;
 use crate::cell::AxisArrays;
 use crate::piece::Jet;
 use crate::root::cbrt;
-use check::Wishes;
+use check::Certificate;
 pub(crate) use chords::Chords;
 use fit::Spline;
 use width::Widths;
@@ -136,6 +138,14 @@ impl Measure {
         linear.max(a.abs().max(b.abs()).max(c.abs()) * self.rotary)
     }
 
+    /// The same of the first axes, the others being zero.
+    #[inline]
+    fn of_first<const N: usize>(&self, places: &[f64; N]) -> f64 {
+        let mut all = [0.0; AXES];
+        all[..N].copy_from_slice(places);
+        self.of(&all)
+    }
+
     /// The largest speed around a bend by jerk, σ per s. Acceleration has no part in it: where it is the
     /// limit the curve is a little wider than it need be, but more of it never makes the curve another one.
     fn fastest(&self, bend: &Axes) -> f64 {
@@ -152,7 +162,7 @@ pub(crate) struct Smoothing {
     spline: Spline,
     /// The chords without rounding.
     quiet: Chords,
-    wishes: Wishes,
+    certificate: Certificate,
 }
 
 /// A smooth curve over some chords: at the same σ it is no farther from them than the tolerance.
@@ -170,7 +180,7 @@ impl Smoothing {
         if chords.count() == 0 {
             return None;
         }
-        let Smoothing { widths, spline, quiet, wishes } = self;
+        let Smoothing { widths, spline, quiet, certificate } = self;
         let (through, kernel, (most, times)) = match way {
             Way::Along => (chords, Kernel::Sharp, (FOURTH, SHARP_TIMES)),
             Way::Inside => {
@@ -188,8 +198,8 @@ impl Smoothing {
         for _ in 0..ROUNDS {
             widths.settle(through, measure, kernel, times);
             spline.fit(through, widths, kernel);
+            let mut off = certificate.find(chords, spline, measure);
             for pull in 0..=PULLS {
-                let off = check::certify(chords, spline, measure, widths, wishes);
                 if off <= 1.0 {
                     return Some(Smooth { at: &spline.at, jets: &spline.jets });
                 }
@@ -197,9 +207,10 @@ impl Smoothing {
                     break;
                 }
                 pulls += 1;
-                spline.pull(&wishes.pulls);
+                spline.pull(&certificate.pulls);
+                off = certificate.find_moved(chords, spline, measure);
             }
-            widths.narrow(&wishes.falls);
+            widths.narrow(certificate.falls(chords, widths));
         }
         None
     }
@@ -262,13 +273,7 @@ mod tests {
                 continue;
             };
             let (at, jets) = (smooth.at.to_vec(), smooth.jets.to_vec());
-            let certified = check::certify(
-                &chords,
-                &smoothing.spline,
-                &measure,
-                &smoothing.widths,
-                &mut Wishes::default(),
-            );
+            let certified = Certificate::default().find(&chords, &smoothing.spline, &measure);
             assert!(certified <= 1.0);
             let mut hint = 0;
             let mut most = 0.0_f64;

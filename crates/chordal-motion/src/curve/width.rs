@@ -8,7 +8,6 @@ use chordal_geometry::AXES;
 
 use super::chords::{Chords, Hint};
 use super::{Kernel, Measure};
-use crate::Axes;
 
 /// A width grows and falls with σ by no more than this.
 const SLOPE: f64 = 0.2;
@@ -46,6 +45,21 @@ impl Widths {
     /// Finds the widths at every place, with what the axes can do: the largest over which the second difference
     /// (kernel plain) or the fourth (kernel sharp) is no more than so many tolerances.
     pub fn find(&mut self, chords: &Chords, measure: &Measure, kernel: Kernel, most: f64) {
+        if chords.is_linear() {
+            self.find_of::<3>(chords, measure, kernel, most);
+        } else {
+            self.find_of::<AXES>(chords, measure, kernel, most);
+        }
+    }
+
+    /// The same where no axes but the first ones move.
+    fn find_of<const N: usize>(
+        &mut self,
+        chords: &Chords,
+        measure: &Measure,
+        kernel: Kernel,
+        most: f64,
+    ) {
         let count = chords.count() + 1;
         self.shares.clear();
         self.shares.resize(count, 1.0);
@@ -57,7 +71,7 @@ impl Widths {
         self.levels.resize(count, 0);
         // Beyond the ends the chords are known as far as they are long.
         let widest = (WIDEST * measure.least).min(0.25 * chords.length());
-        let mut around = Around::new(chords, measure, kernel, most);
+        let mut around = Around::<N>::new(chords, measure, kernel, most);
         let top = (0..=LAST_LEVEL).rev().find(|level| around.radii[*level] <= widest).unwrap_or(0);
         let mut level = top;
         for index in 0..count {
@@ -85,7 +99,7 @@ impl Widths {
         graded(&mut self.by_time, &chords.at);
     }
 
-    fn enter(&mut self, around: &mut Around<'_>, level: usize, widest: f64) {
+    fn enter<const N: usize>(&mut self, around: &mut Around<'_, N>, level: usize, widest: f64) {
         let index = around.index;
         self.levels[index] = level as u8;
         self.reach[index] = around.width(level).min(widest);
@@ -124,8 +138,8 @@ impl Widths {
     }
 }
 
-/// What lies around one of the places, over all levels of width.
-struct Around<'a> {
+/// What lies around one of the places, over all levels of width; of the first axes.
+struct Around<'a, const N: usize> {
     chords: &'a Chords,
     measure: &'a Measure,
     kernel: Kernel,
@@ -136,15 +150,15 @@ struct Around<'a> {
     hints: [[Hint; 2]; LEVELS],
     index: usize,
     /// The second differences, and what of them is known: a bit a level.
-    seconds: [Axes; LEVELS],
+    seconds: [[f64; N]; LEVELS],
     has_second: u32,
     /// How much of what is allowed a level takes.
     uses: [f64; LEVELS],
     has_use: u32,
 }
 
-impl<'a> Around<'a> {
-    fn new(chords: &'a Chords, measure: &'a Measure, kernel: Kernel, most: f64) -> Around<'a> {
+impl<'a, const N: usize> Around<'a, N> {
+    fn new(chords: &'a Chords, measure: &'a Measure, kernel: Kernel, most: f64) -> Self {
         let mut radii = [measure.least, std::f64::consts::SQRT_2 * measure.least]
             .into_iter()
             .cycle()
@@ -158,7 +172,7 @@ impl<'a> Around<'a> {
             radii: std::array::from_fn(|_| radii.next().unwrap_or(0.0)),
             hints: [[0; 2]; LEVELS],
             index: 0,
-            seconds: [[0.0; AXES]; LEVELS],
+            seconds: [[0.0; N]; LEVELS],
             has_second: 0,
             uses: [0.0; LEVELS],
             has_use: 0,
@@ -170,34 +184,43 @@ impl<'a> Around<'a> {
     }
 
     /// The second difference of the places.
-    fn second(&mut self, level: usize) -> &Axes {
-        let bit = 1 << level;
-        if self.has_second & bit == 0 {
-            self.has_second |= bit;
-            let (at, way) = (self.chords.at[self.index], self.radii[level]);
-            let here = &self.chords.places[self.index];
-            let [before, after] = &mut self.hints[level];
-            let before = self.chords.place_at(at - way, before);
-            let after = self.chords.place_at(at + way, after);
-            for (axis, value) in self.seconds[level].iter_mut().enumerate() {
-                *value = before[axis] - 2.0 * here[axis] + after[axis];
-            }
+    #[inline(always)]
+    fn second(&mut self, level: usize) -> &[f64; N] {
+        if self.has_second & (1 << level) == 0 {
+            self.find_second(level);
         }
         &self.seconds[level]
     }
 
+    fn find_second(&mut self, level: usize) {
+        self.has_second |= 1 << level;
+        let (at, way) = (self.chords.at[self.index], self.radii[level]);
+        let here = &self.chords.places[self.index];
+        let [before, after] = &mut self.hints[level];
+        let before: [f64; N] = self.chords.first_axes_at(at - way, before);
+        let after: [f64; N] = self.chords.first_axes_at(at + way, after);
+        let second = &mut self.seconds[level];
+        for axis in 0..N {
+            second[axis] = before[axis] - 2.0 * here[axis] + after[axis];
+        }
+    }
+
     /// The share of the largest difference, in the power in which it grows with the square of the width.
+    #[inline]
     fn used(&mut self, level: usize) -> f64 {
         let bit = 1 << level;
         if self.has_use & bit == 0 {
             self.has_use |= bit;
             let near = *self.second(level);
             self.uses[level] = match self.kernel {
-                Kernel::Plain => self.measure.of(&near) / self.most,
+                Kernel::Plain => self.measure.of_first(&near) / self.most,
                 Kernel::Sharp => {
                     let far = self.second(level + TWICE);
-                    let fourth = std::array::from_fn(|axis| far[axis] - 4.0 * near[axis]);
-                    (self.measure.of(&fourth) / self.most).sqrt()
+                    let mut fourth = [0.0; N];
+                    for axis in 0..N {
+                        fourth[axis] = far[axis] - 4.0 * near[axis];
+                    }
+                    (self.measure.of_first(&fourth) / self.most).sqrt()
                 }
             };
         }
@@ -231,7 +254,11 @@ impl<'a> Around<'a> {
     /// The largest speed around the bend over a level, σ per s.
     fn fastest(&mut self, level: usize) -> f64 {
         let square = self.radii[level] * self.radii[level];
-        let bend = self.second(level).map(|part| part / square);
+        let second = self.second(level);
+        let mut bend = [0.0; AXES];
+        for axis in 0..N {
+            bend[axis] = second[axis] / square;
+        }
         self.measure.fastest(&bend)
     }
 }

@@ -9,7 +9,7 @@ use chordal_geometry::AXES;
 
 use crate::bound::{Gentle, Run};
 use crate::curve::{Chords, Measure, Smooth, Smoothing, Way};
-use crate::law::{Ends, Planner as LawPlanner, Work};
+use crate::law::{Ends, Laid, Planner as LawPlanner, Work};
 use crate::limits::Limits;
 use crate::piece::Piece;
 use crate::trajectory::Phase;
@@ -58,7 +58,7 @@ pub(super) struct Curved {
 struct Candidate {
     pieces: Vec<Piece>,
     speeds: Vec<f64>,
-    least_s: f64,
+    laid: Laid,
 }
 
 impl Quickest {
@@ -89,22 +89,21 @@ impl Quickest {
                 if let Some(smooth) = self.smoothing.smooth(&self.divided, &measure, way) {
                     lay(&smooth, &mut candidate.pieces, &mut candidate.speeds);
                 }
-                let laid = run(&candidate.pieces, &candidate.speeds).and_then(|run| {
-                    let least_s = self.law.least_s_of(&run, [Ends::Rest; 2], gap)?;
-                    Some((run, least_s))
-                });
-                let Some((laid, own_s)) = laid else {
+                let mut laid = std::mem::take(&mut candidate.laid);
+                let whole = run(&candidate.pieces, &candidate.speeds)
+                    .filter(|run| self.law.lay_run(run, [Ends::Rest; 2], gap, &mut laid));
+                let Some(whole) = whole else {
                     self.spare.push(candidate);
                     continue;
                 };
-                candidate.least_s = own_s;
-                level_s = level_s.min(candidate.least_s);
-                at_feed_s = at_feed_s.min(candidate.at_feed_s(limits, laid.ends()));
+                let own_s = laid.least_s;
+                level_s = level_s.min(own_s);
+                at_feed_s = at_feed_s.min(candidate.at_feed_s(limits, whole.ends()));
                 // A run that is at its feed nearly everywhere needs no other candidate.
-                if level_s.min(least_s) == candidate.least_s
+                if level_s.min(least_s) == own_s
                     && best.is_none()
-                    && GAIN * (candidate.least_s - at_feed_s) <= little * at_feed_s
-                    && let Some(planned) = self.solve(&laid, gap)
+                    && GAIN * (own_s - at_feed_s) <= little * at_feed_s
+                    && let Some(planned) = self.solve_laid(&whole, gap, &laid)
                 {
                     let is_done = planned.is_near(at_feed_s, little);
                     let pieces = std::mem::take(&mut candidate.pieces);
@@ -113,6 +112,7 @@ impl Quickest {
                         return best;
                     }
                 } else {
+                    candidate.laid = laid;
                     self.keep(candidate);
                 }
             }
@@ -131,7 +131,8 @@ impl Quickest {
     /// Keeps a candidate that is not one of those that are known already.
     fn keep(&mut self, candidate: Candidate) {
         let is_known = |other: &Candidate| {
-            other.least_s == candidate.least_s && other.pieces.len() == candidate.pieces.len()
+            other.laid.least_s == candidate.laid.least_s
+                && other.pieces.len() == candidate.pieces.len()
         };
         if self.found.iter().any(is_known) {
             self.spare.push(candidate);
@@ -144,7 +145,7 @@ impl Quickest {
     fn drop_far(&mut self, most_s: f64) {
         let mut index = 0;
         while index < self.found.len() {
-            if self.found[index].least_s > most_s {
+            if self.found[index].laid.least_s > most_s {
                 self.spare.push(self.found.swap_remove(index));
             } else {
                 index += 1;
@@ -162,13 +163,14 @@ impl Quickest {
         run: impl for<'a> Fn(&'a [Piece], &'a [f64]) -> Option<Run<'a>>,
     ) -> Option<Curved> {
         let mut found = std::mem::take(&mut self.found);
-        found.sort_by(|a, b| a.least_s.total_cmp(&b.least_s));
+        found.sort_by(|a, b| a.laid.least_s.total_cmp(&b.laid.least_s));
         for candidate in &mut found {
-            if best.is_some() && candidate.least_s > most_s {
+            if best.is_some() && candidate.laid.least_s > most_s {
                 break;
             }
-            let Some(laid) = run(&candidate.pieces, &candidate.speeds) else { continue };
-            let Some(planned) = self.solve(&laid, gap) else { continue };
+            let Candidate { pieces, speeds, laid } = &*candidate;
+            let Some(whole) = run(pieces, speeds) else { continue };
+            let Some(planned) = self.solve_laid(&whole, gap, laid) else { continue };
             if best.as_ref().is_none_or(|best| planned.time_s < best.time_s) {
                 let pieces = std::mem::take(&mut candidate.pieces);
                 best = Some(Curved { pieces, ..planned });
@@ -186,9 +188,19 @@ impl Quickest {
     /// The law of a run, without its pieces.
     pub fn solve(&mut self, run: &Run<'_>, gap: f64) -> Option<Curved> {
         let phases = self.law.plan(run, [Ends::Rest; 2], gap)?;
+        Some(self.curved(phases))
+    }
+
+    /// The same of a run that was laid.
+    fn solve_laid(&mut self, run: &Run<'_>, gap: f64, laid: &Laid) -> Option<Curved> {
+        let phases = self.law.plan_laid(run, [Ends::Rest; 2], gap, laid)?;
+        Some(self.curved(phases))
+    }
+
+    fn curved(&self, phases: Vec<Phase>) -> Curved {
         let time_s = phases.iter().map(|phase| phase.duration_s).sum();
         let least_s = self.law.least_s();
-        Some(Curved { pieces: Vec::new(), phases, least_s, time_s, at_feed_s: time_s })
+        Curved { pieces: Vec::new(), phases, least_s, time_s, at_feed_s: time_s }
     }
 }
 

@@ -37,6 +37,8 @@ const MOST_CELLS: usize = 200_000;
 const ACCELERATION: f64 = 0.96;
 const JERK: f64 = 0.87;
 const TURNING_JERK: f64 = 0.9;
+/// What rounding makes of a product, at most.
+const ROUNDING: f64 = 1e-12;
 
 /// A node between two cells.
 #[derive(Clone, Copy, Debug, Default)]
@@ -82,8 +84,63 @@ pub(super) struct Grid {
     pub bound: Vec<f64>,
     /// Cells are so many times as long as usual.
     scale: f64,
-    cuts: Vec<(f64, u32)>,
-    spare: Vec<(f64, u32)>,
+    /// Where cells begin, σ, and their pieces.
+    cuts: Vec<Cut>,
+    /// Whether an axis moves at one of the nodes.
+    moves: [bool; AXES],
+    /// Memory of what is cut.
+    spare: Spare,
+}
+
+/// Where a cell begins, σ, and the number of its piece.
+pub(super) type Cut = (f64, u32);
+
+#[derive(Debug, Default)]
+struct Spare {
+    cuts: Vec<Cut>,
+    nodes: Vec<Node>,
+    cells: Vec<Cell>,
+}
+
+/// The limits of a run by which nodes and cells are made.
+struct Shares<'a> {
+    run: &'a Run<'a>,
+    acceleration: [f64; AXES],
+    jerk: [f64; AXES],
+}
+
+impl Shares<'_> {
+    fn new<'a>(run: &'a Run<'a>) -> Shares<'a> {
+        let limits = run.limits();
+        Shares { run, acceleration: limits.acceleration(), jerk: limits.jerk() }
+    }
+
+    fn of(row: &[f64; AXES], limits: &[f64; AXES]) -> [f64; AXES] {
+        let mut shares = [0.0; AXES];
+        for axis in 0..AXES {
+            // Most axes are at rest, and divisions are slow.
+            if row[axis] != 0.0 {
+                shares[axis] = row[axis] / limits[axis];
+            }
+        }
+        shares
+    }
+
+    /// A node, without what the piece before allows.
+    fn node(&self, jet: &Jet, at: f64, cap: f64) -> Node {
+        let by = |limits| [Self::of(&jet[1], limits), Self::of(&jet[2], limits)];
+        let (by_acceleration, by_jerk) = (by(&self.acceleration), by(&self.jerk));
+        Node { at, by_acceleration, by_jerk, cap: cap * cap, share: 1.0 }
+    }
+
+    fn cell(&self, at: f64, end: f64, piece: u32, third: [[f64; AXES]; 2]) -> Cell {
+        let share = self.run.jerk_share(at, end);
+        Cell { length: end - at, piece, third, share, most: share }
+    }
+
+    fn third(&self, jet: &Jet) -> [f64; AXES] {
+        Self::of(&jet[3], &self.jerk)
+    }
 }
 
 impl Grid {
@@ -91,17 +148,30 @@ impl Grid {
     pub fn lay(&mut self, run: &Run<'_>, ends: [Ends; 2], scale: f64) -> bool {
         self.scale = scale;
         self.first_cuts(run, ends);
+        self.fill(run, ends);
         for _ in 0..ROUNDS {
-            self.fill(run, ends);
             self.find_bound(ends);
             if !self.cut_long(run, ends) {
-                return self.cells.len() >= 6 && self.cells.len() <= MOST_CELLS;
+                break;
             }
             if self.cuts.len() > MOST_CELLS {
                 return false;
             }
         }
-        true
+        self.cells.len() >= 6 && self.cells.len() <= MOST_CELLS
+    }
+
+    /// Where the cells of the grid that was laid last begin.
+    pub fn cuts(&self) -> &[Cut] {
+        &self.cuts
+    }
+
+    /// Lays a grid again that had these cells.
+    pub fn lay_again(&mut self, run: &Run<'_>, ends: [Ends; 2], cuts: &[Cut]) {
+        self.cuts.clear();
+        self.cuts.extend_from_slice(cuts);
+        self.fill(run, ends);
+        self.find_bound(ends);
     }
 
     /// Where pieces begin, and near rests as far as jerk takes the axes in even steps of time.
@@ -175,51 +245,46 @@ impl Grid {
         self.cuts.retain(|(at, _)| *at < length - near);
     }
 
+    /// The nodes and cells between the cuts.
     fn fill(&mut self, run: &Run<'_>, ends: [Ends; 2]) {
-        let limits = run.limits();
-        let (velocity, acceleration, jerk) =
-            (limits.velocity(), limits.acceleration(), limits.jerk());
-        self.of_velocity = std::array::from_fn(|axis| jerk[axis] / velocity[axis]);
-        self.of_acceleration = std::array::from_fn(|axis| jerk[axis] / acceleration[axis]);
-        let shares = |row: &[f64; AXES], limits: &[f64; AXES]| -> [f64; AXES] {
-            std::array::from_fn(|axis| row[axis] / limits[axis])
-        };
-        let node = |jet: &Jet, at: f64, cap: f64| Node {
-            at,
-            by_acceleration: [shares(&jet[1], &acceleration), shares(&jet[2], &acceleration)],
-            by_jerk: [shares(&jet[1], &jerk), shares(&jet[2], &jerk)],
-            cap: cap * cap,
-            share: 1.0,
-        };
+        let shares = Shares::new(run);
+        let velocity = run.limits().velocity();
+        self.of_velocity = std::array::from_fn(|axis| shares.jerk[axis] / velocity[axis]);
+        self.of_acceleration =
+            std::array::from_fn(|axis| shares.jerk[axis] / shares.acceleration[axis]);
         self.nodes.clear();
         self.cells.clear();
+        self.moves = [false; AXES];
         let length = run.length();
-        let mut before = f64::INFINITY;
-        let mut last: Option<(Jet, f64)> = None;
+        // The end of the cell before: its piece, how the axes move there, and the largest speed.
+        let mut last: Option<(u32, Jet, f64)> = None;
         for (index, &(at, piece)) in self.cuts.iter().enumerate() {
             let end = self.cuts.get(index + 1).map_or(length, |next| next.0);
-            let [first, second] = [at, end].map(|at| run.jet(piece as usize, at));
-            let caps = [&first, &second].map(|jet| run.speed_cap(piece as usize, jet));
-            let third = [&first, &second].map(|jet| shares(&jet[3], &jerk));
-            self.nodes.push(node(&first, at, caps[0].min(before)));
-            let share = run.jerk_share(at, end);
-            self.cells.push(Cell { length: end - at, piece, third, share, most: share });
-            before = caps[1];
-            last = Some((second, caps[1]));
-        }
-        if let Some((jet, cap)) = last {
-            self.nodes.push(node(&jet, length, cap));
-        }
-        self.add_nothing(ends);
-        self.axes.clear();
-        for axis in 0..AXES {
-            let moves = |node: &Node| {
-                node.by_acceleration[0][axis] != 0.0 || node.by_acceleration[1][axis] != 0.0
+            let before = last.map_or(f64::INFINITY, |last| last.2);
+            let (first, cap) = match last {
+                Some((same, jet, cap)) if same == piece => (jet, cap),
+                _ => {
+                    let jet = run.jet(piece as usize, at);
+                    (jet, run.speed_cap(piece as usize, &jet))
+                }
             };
-            if self.nodes.iter().any(moves) {
-                self.axes.push(axis);
-            }
+            let second = run.jet(piece as usize, end);
+            let third = [&first, &second].map(|jet| shares.third(jet));
+            self.nodes.push(shares.node(&first, at, cap.min(before)));
+            self.cells.push(shares.cell(at, end, piece, third));
+            last = Some((piece, second, run.speed_cap(piece as usize, &second)));
         }
+        if let Some((_, jet, cap)) = last {
+            self.nodes.push(shares.node(&jet, length, cap));
+        }
+        self.nodes.iter().for_each(|node| see_moves(&mut self.moves, node));
+        self.add_nothing(ends);
+        self.list_axes();
+    }
+
+    fn list_axes(&mut self) {
+        self.axes.clear();
+        self.axes.extend((0..AXES).filter(|axis| self.moves[*axis]));
     }
 
     /// A cell of nothing before an end that is passed at speed, so that the law is even there.
@@ -240,12 +305,20 @@ impl Grid {
     fn cut_long(&mut self, run: &Run<'_>, ends: [Ends; 2]) -> bool {
         let begin = usize::from(ends[0] != Ends::Rest);
         let least_jerk = run.limits().jerk().into_iter().fold(f64::INFINITY, f64::min);
+        let jerk = run.limits().jerk();
+        let of = |row: &[f64; AXES]| {
+            (0..AXES).fold(0.0_f64, |most, axis| most.max((row[axis] * jerk[axis]).abs()))
+        };
         let count = self.cuts.len();
-        self.spare.clear();
+        let shares = Shares::new(run);
+        let Spare { cuts, nodes, cells } = &mut self.spare;
+        cuts.clear();
+        nodes.clear();
+        cells.clear();
         for index in 0..count {
-            let cell = &self.cells[begin + index];
+            let node = self.nodes[begin + index];
+            let cell = self.cells[begin + index];
             let (at, piece) = self.cuts[index];
-            self.spare.push((at, piece));
             // Next to a rest the cells are as first cut.
             let at_rest = (index == 0 && ends[0] == Ends::Rest)
                 || (index + 1 == count && ends[1] == Ends::Rest);
@@ -254,33 +327,55 @@ impl Grid {
             let long_s = self.scale * of_ramp.clamp(SHORTEST_S, LONGEST_S);
             let mut parts =
                 if at_rest || speed <= 0.0 { 1.0 } else { cell.length / (speed * long_s) };
-            let jerk = run.limits().jerk();
-            let of = |row: &[f64; AXES]| {
-                (0..AXES).fold(0.0_f64, |most, axis| most.max((row[axis] * jerk[axis]).abs()))
-            };
             let third = cell.third.iter().map(of).fold(0.0, f64::max);
             parts = parts.max(cell.length * third.sqrt() / THIRD);
             if run.pieces()[piece as usize].base.is_some() {
-                let bend = of(&self.nodes[begin + index].by_jerk[1]);
+                let bend = of(&node.by_jerk[1]);
                 parts = parts.max(cell.length * bend / TURN);
             }
             let parts = (parts - 1e-9).ceil().clamp(1.0, MOST_PARTS) as u32;
+            cuts.push((at, piece));
+            nodes.push(node);
+            if parts == 1 {
+                cells.push(cell);
+                continue;
+            }
+            let end = self.cuts.get(index + 1).map_or(run.length(), |next| next.0);
+            let (mut from, mut third) = (at, cell.third[0]);
             for part in 1..parts {
                 let share = f64::from(part) / f64::from(parts);
-                self.spare.push((at + cell.length * share, piece));
+                let until = at + cell.length * share;
+                let jet = run.jet(piece as usize, until);
+                let next = shares.third(&jet);
+                cells.push(shares.cell(from, until, piece, [third, next]));
+                cuts.push((until, piece));
+                nodes.push(shares.node(&jet, until, run.speed_cap(piece as usize, &jet)));
+                see_moves(&mut self.moves, &nodes[nodes.len() - 1]);
+                (from, third) = (until, next);
             }
+            cells.push(shares.cell(from, end, piece, [third, cell.third[1]]));
         }
-        std::mem::swap(&mut self.cuts, &mut self.spare);
-        self.cuts.len() > count
+        if cuts.len() == count {
+            return false;
+        }
+        nodes.push(self.nodes[begin + count]);
+        std::mem::swap(&mut self.cuts, cuts);
+        std::mem::swap(&mut self.nodes, nodes);
+        std::mem::swap(&mut self.cells, cells);
+        self.add_nothing(ends);
+        self.list_axes();
+        true
     }
 
     /// The largest coefficients without jerk along the path: two passes.
     fn find_bound(&mut self, ends: [Ends; 2]) {
         let count = self.cells.len();
         self.bound.clear();
+        let mut before = self.cap(0);
         for index in 0..count {
-            let caps = [index, index + 1].map(|node| self.cap(node));
-            self.bound.push(caps[0].min(caps[1]));
+            let after = self.cap(index + 1);
+            self.bound.push(before.min(after));
+            before = after;
         }
         let last = count - 1;
         for (side, (at, next)) in [(0, 1), (last, last - 1)].into_iter().enumerate() {
@@ -296,12 +391,10 @@ impl Grid {
             }
         }
         for node in (1..count).rev() {
-            let most = self.most_beside(node, self.bound[node], true);
-            self.bound[node - 1] = self.bound[node - 1].min(most);
+            self.bound[node - 1] = self.most_beside(node, true);
         }
         for node in 1..count {
-            let most = self.most_beside(node, self.bound[node - 1], false);
-            self.bound[node] = self.bound[node].min(most);
+            self.bound[node] = self.most_beside(node, false);
         }
     }
 
@@ -337,33 +430,43 @@ impl Grid {
             if p < 1e-12 && second[one] != 0.0 {
                 cap = cap.min(ACCELERATION / second[one].abs());
             }
-            let before = index.checked_sub(1).and_then(|cell| self.cells.get(cell));
-            let thirds =
-                [before.map(|cell| cell.third[1]), self.cells.get(index).map(|c| c.third[0])];
-            for third in thirds.into_iter().flatten() {
-                let third = third[one].abs();
-                if third > 0.0 {
-                    let speed = cbrt(JERK / third);
-                    cap = cap.min(speed * speed);
-                }
+        }
+        let before = index.checked_sub(1).and_then(|cell| self.cells.get(cell));
+        let thirds =
+            [before.map(|cell| &cell.third[1]), self.cells.get(index).map(|c| &c.third[0])];
+        for third in thirds.into_iter().flatten() {
+            let third = self.axes.iter().fold(0.0_f64, |most, axis| most.max(third[*axis].abs()));
+            // A root of the third degree takes long, and most are not needed.
+            if third * cap * cap.sqrt() > JERK * (1.0 - ROUNDING) {
+                let speed = cbrt(JERK / third);
+                cap = cap.min(speed * speed);
             }
         }
         cap
     }
 
-    /// The largest coefficient on one side of a node with this one on the other side.
-    fn most_beside(&self, node: usize, known: f64, before: bool) -> f64 {
+    /// The largest coefficient before or after a node with the one that is known on its other side.
+    fn most_beside(&self, node: usize, before: bool) -> f64 {
         let (left, right) = (&self.cells[node - 1], &self.cells[node]);
         let sum = left.length + right.length;
         // Of b at the node, the share of the unknown and of the known one.
         let (own, other) = if before { (right, left) } else { (left, right) };
         let (own, other) = (own.length / sum, other.length / sum);
         let sign = if before { -1.0 } else { 1.0 };
-        let mut most = f64::INFINITY;
+        let [open, known] = if before {
+            [self.bound[node - 1], self.bound[node]]
+        } else {
+            [self.bound[node], self.bound[node - 1]]
+        };
+        let mut most = open;
         let mut hold = |slope: f64, level: f64, limit: f64| {
+            // Most limits leave it as it is, and divisions are slow.
+            let least = limit * (1.0 - ROUNDING);
             if slope > 1e-15 {
-                most = most.min((limit - level) / slope);
-            } else if slope < -1e-15 {
+                if slope * open + level > least {
+                    most = most.min((limit - level) / slope);
+                }
+            } else if slope < -1e-15 && slope * open + level < -least {
                 most = most.min((-limit - level) / slope);
             }
         };
@@ -384,6 +487,14 @@ impl Grid {
             }
         }
         most.max(0.0)
+    }
+}
+
+/// Which axes move at a node as well.
+fn see_moves(moves: &mut [bool; AXES], node: &Node) {
+    let [first, second] = &node.by_acceleration;
+    for axis in 0..AXES {
+        moves[axis] |= first[axis] != 0.0 || second[axis] != 0.0;
     }
 }
 

@@ -26,7 +26,7 @@ use crate::bound::{Gentle, Run};
 use crate::piece::Piece;
 use crate::trajectory::Phase;
 use cruise::Cruise;
-use grid::{Grid, Node};
+use grid::{Cut, Grid, Node};
 use newton::Newton;
 use start::Start;
 
@@ -107,6 +107,16 @@ pub(crate) struct Planner {
     pub work: Work,
 }
 
+/// What is known of a run whose law is not solved yet.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Laid {
+    /// About the least time without jerk along the path, s.
+    pub least_s: f64,
+    cruises: Vec<Cruise>,
+    /// Where its cells begin, if there are no cruises.
+    cuts: Vec<Cut>,
+}
+
 /// A part of a run that has its law.
 #[derive(Debug)]
 struct Part {
@@ -119,28 +129,63 @@ impl Planner {
     /// The law of a run as phases; `None` where none was found within all limits.
     pub fn plan(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64) -> Option<Vec<Phase>> {
         cruise::find(run, &mut self.cruises);
+        self.plan_around_cruises(run, ends, gap, None)
+    }
+
+    /// The same of a run that was laid.
+    pub fn plan_laid(
+        &mut self,
+        run: &Run<'_>,
+        ends: [Ends; 2],
+        gap: f64,
+        laid: &Laid,
+    ) -> Option<Vec<Phase>> {
+        self.cruises.clone_from(&laid.cruises);
+        self.plan_around_cruises(run, ends, gap, Some(laid))
+    }
+
+    fn plan_around_cruises(
+        &mut self,
+        run: &Run<'_>,
+        ends: [Ends; 2],
+        gap: f64,
+        laid: Option<&Laid>,
+    ) -> Option<Vec<Phase>> {
         let mut parts = std::mem::take(&mut self.parts);
         parts.clear();
-        let found = self.plan_parts(run, ends, gap, &mut parts);
+        let found = match laid.filter(|laid| laid.cruises.is_empty()) {
+            Some(laid) => {
+                self.grid.lay_again(run, ends, &laid.cuts);
+                self.solve_part(run, ends, gap, laid.least_s).map(|part| parts.push(part))
+            }
+            None => self.plan_parts(run, ends, gap, &mut parts),
+        };
         let phases = found.map(|()| self.join(&mut parts));
         self.parts = parts;
         phases
     }
 
-    /// About the least time of a run without jerk along the path, s, without its law; `None` where it has too
-    /// many cells.
-    pub fn least_s_of(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64) -> Option<f64> {
+    /// Lays a run, without its law: what is known of it, then; false where it has too many cells.
+    pub fn lay_run(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64, laid: &mut Laid) -> bool {
         cruise::find(run, &mut self.cruises);
+        laid.cruises.clone_from(&self.cruises);
+        laid.cuts.clear();
+        laid.least_s = 0.0;
         if self.cruises.is_empty() {
-            return self.lay(run, ends, gap);
+            let Some(least_s) = self.lay(run, ends, gap) else { return false };
+            laid.least_s = least_s;
+            laid.cuts.extend_from_slice(self.grid.cuts());
+            return true;
         }
         let cruises = self.cruises.iter();
-        let mut least_s: f64 = cruises.map(|cruise| (cruise.to - cruise.from) / cruise.speed).sum();
+        laid.least_s = cruises.map(|cruise| (cruise.to - cruise.from) / cruise.speed).sum();
         for index in 0..=self.cruises.len() {
-            least_s +=
-                self.between(run, ends, index, |planner, part, ends| planner.lay(part, ends, gap))?;
+            let own =
+                self.between(run, ends, index, |planner, part, ends| planner.lay(part, ends, gap));
+            let Some(least_s) = own else { return false };
+            laid.least_s += least_s;
         }
-        Some(least_s)
+        true
     }
 
     /// Lays a run, or a part of it, in cells: about its least time without jerk along the path, s.
@@ -245,6 +290,17 @@ impl Planner {
     /// The law of a run, or of a part of it, that has no cruise.
     fn plan_part(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64) -> Option<Part> {
         let least_s = self.lay(run, ends, gap)?;
+        self.solve_part(run, ends, gap, least_s)
+    }
+
+    /// The law of a part that was laid.
+    fn solve_part(
+        &mut self,
+        run: &Run<'_>,
+        ends: [Ends; 2],
+        gap: f64,
+        least_s: f64,
+    ) -> Option<Part> {
         self.work.cells += self.grid.cells.len() as u64;
         let look_s = self.look_s();
         self.solve(run, ends, look_s, gap)?;

@@ -268,13 +268,12 @@ fn near_bounds(
     const SAME_BEND: f64 = 1e-9;
     let step = length / (PROBES - 1) as f64;
     let probes = probes(curve, at, step);
-    let [curvature, third] = [1, 2].map(|order| {
-        let size = |probe: usize| {
-            let [x, y, z] = [0, 1, 2].map(|axis| probes[axis][order][probe]);
-            (x * x + y * y + z * z).sqrt()
-        };
-        size(0).max(size(PROBES - 1))
-    });
+    let size = |order: usize, probe: usize| {
+        let (x, y, z) = (probes[0][order][probe], probes[1][order][probe], probes[2][order][probe]);
+        (x * x + y * y + z * z).sqrt()
+    };
+    let curvature = size(1, 0).max(size(1, PROBES - 1));
+    let third = size(2, 0).max(size(2, PROBES - 1));
     // How fast it turns: a steep helix faster than its curvature says.
     let turn = if curvature > 0.0 { curvature.max(third / curvature) } else { 0.0 };
     if turn * length > MOST_TURN {
