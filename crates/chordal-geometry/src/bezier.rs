@@ -30,6 +30,12 @@ impl Weighted {
         Weighted { point: self.point - other.point, weight: self.weight - other.weight }
     }
 
+    #[inline]
+    pub(crate) fn plus(self, other: Weighted) -> Weighted {
+        Weighted { point: self.point + other.point, weight: self.weight + other.weight }
+    }
+
+    #[inline]
     pub(crate) fn times(self, k: f64) -> Weighted {
         Weighted { point: self.point * k, weight: self.weight * k }
     }
@@ -117,6 +123,30 @@ pub(crate) fn velocity(points: &mut [Weighted], t: f64) -> Vec3 {
     // A'w − Aw' = degree·(A₁w₀ − A₀w₁), whatever t is.
     let weight = first.lerp(last, t).weight;
     (last.point * first.weight - first.point * last.weight) * (degree as f64 / (weight * weight))
+}
+
+/// Makes control points the factors of powers of x, from −1 at the first to 1 at the last: about the middle, where
+/// the fewest digits are lost.
+pub(crate) fn to_powers(points: &mut [Weighted]) {
+    let degree = points.len() - 1;
+    let mut means = [Weighted::ZERO; MOST];
+    means[..=degree].copy_from_slice(points);
+    // The power k has the difference of order k of the means halfway after the other steps.
+    let mut factor = 1.0;
+    let mut found = [Weighted::ZERO; MOST];
+    for order in (0..=degree).rev() {
+        let mut differences = means;
+        for round in 0..order {
+            for index in 0..order - round {
+                differences[index] = differences[index + 1].minus(differences[index]);
+            }
+        }
+        // (degree over order), and half the width of x for each order.
+        found[order] = differences[0].times(factor * 0.5_f64.powi(order as i32));
+        factor = factor * order as f64 / (degree - order + 1) as f64;
+        step(&mut means, order + 1, 0.5);
+    }
+    points.copy_from_slice(&found[..=degree]);
 }
 
 /// Divides the control points at `t`: they become those before it, `after` those after it.

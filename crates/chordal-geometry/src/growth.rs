@@ -127,17 +127,16 @@ impl Growth {
         let (w1, w2, w3) = (theta * t1, theta * t2, theta * t3);
         let (r1, r2, r3) = (dr * t1, dr * t2, dr * t3);
         let (e, n) = (u * cos + v * sin, v * cos - u * sin);
-        let turned = |out: f64, along: f64, up: f64| e * out + n * along + w * up;
         let square = w1 * w1;
+        let (out2, along2) = (r2 - r * square, 2.0 * r1 * w1 + r * w2);
+        let out3 = r3 - 3.0 * (r1 * square + r * w1 * w2);
+        let along3 = 3.0 * (r2 * w1 + r1 * w2) + r * (w3 - w1 * square);
+        // Written out: as a function of its own it would be called, and what nobody asks for found.
         [
             center + e * r + w * (rise * t),
-            turned(r1, r * w1, rise * t1),
-            turned(r2 - r * square, 2.0 * r1 * w1 + r * w2, rise * t2),
-            turned(
-                r3 - 3.0 * (r1 * square + r * w1 * w2),
-                3.0 * (r2 * w1 + r1 * w2) + r * (w3 - w1 * square),
-                rise * t3,
-            ),
+            e * r1 + n * (r * w1) + w * (rise * t1),
+            e * out2 + n * along2 + w * (rise * t2),
+            e * out3 + n * along3 + w * (rise * t3),
         ]
     }
 }

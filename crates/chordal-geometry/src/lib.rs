@@ -52,6 +52,7 @@ mod quadrature;
 mod solve;
 mod spiral;
 mod spline_piece;
+mod spline_run;
 mod tracer;
 mod transform;
 mod vec2;

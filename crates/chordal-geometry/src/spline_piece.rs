@@ -1,11 +1,11 @@
 //! One polynomial span of a spline as a curve of its own: a rational Bezier curve.
 
 use crate::bezier::{self, Bezier, MOST, Weighted};
-use crate::quadrature::{gauss, integral};
+use crate::quadrature::integral;
 use crate::{Aabb, ChordError, Chords, Line, Nearest, ParamCurve, Placement, Transform, Vec3};
 
 /// What a length may be off, as a share of it: rounding.
-const OFF: f64 = 1e-13;
+pub(crate) const OFF: f64 = 1e-13;
 
 /// One polynomial span of a [`Spline`](crate::Spline), exactly: a rational Bezier curve of order 2 to
 /// [`SplinePiece::MOST_ORDER`]. It is made by [`Spline::pieces`](crate::Spline::pieces).
@@ -105,7 +105,7 @@ impl SplinePiece {
     }
 
     /// Length of the control polygon, mm: not below that of the curve.
-    fn hull_length(&self) -> f64 {
+    pub(crate) fn hull_length(&self) -> f64 {
         self.points().windows(2).map(|pair| pair[0].distance(pair[1])).sum()
     }
 
@@ -132,7 +132,7 @@ impl SplinePiece {
 
     /// The parameter at `s` between two whose lengths are known: Newton's steps, or halves where one leads
     /// out.
-    fn parameter_between(&self, low: (f64, f64), high: (f64, f64), s: f64) -> f64 {
+    pub(crate) fn parameter_between(&self, low: (f64, f64), high: (f64, f64), s: f64) -> f64 {
         const MOST_STEPS: u32 = 60;
         let (mut low, mut high) = (low, high);
         let share = (s - low.1) / (high.1 - low.1);
@@ -167,7 +167,7 @@ impl SplinePiece {
     }
 
     /// The point at a parameter and its derivatives by length.
-    fn by_length(&self, t: f64) -> [Vec3; 4] {
+    pub(crate) fn by_length(&self, t: f64) -> [Vec3; 4] {
         // Below this share of the control polygon a speed is none: the direction is that of what follows.
         const STILL: f64 = 1e-9;
         let [point, d1, d2, d3] = self.jet_at_parameter(t);
@@ -467,63 +467,5 @@ impl SplinePiece {
         let degree = (self.order - 1) as f64;
         let most = degree * (degree - 1.0) * (bends.0 + far * bends.1) / least;
         (most / (8.0 * tolerance)).sqrt()
-    }
-}
-
-/// A piece that is asked at many places: its length is known at even parameters.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Run {
-    piece: SplinePiece,
-    /// Lengths from the start, mm.
-    lengths: [f64; RUN + 1],
-    /// Gauss's rule over a part is right to rounding.
-    even: bool,
-}
-
-/// Parts of the parameter.
-const RUN: usize = 8;
-
-impl Run {
-    pub(crate) fn new(piece: &SplinePiece) -> Run {
-        let mut run = Run { piece: *piece, lengths: [0.0; RUN + 1], even: true };
-        let mut speed = |t: f64| piece.speed(t);
-        for k in 0..RUN {
-            let (from, to) = (k as f64 / RUN as f64, (k + 1) as f64 / RUN as f64);
-            let length = piece.length_between(from, to);
-            let quick = gauss(&mut speed, from, to);
-            run.even &= (quick - length).abs() <= 4.0 * OFF * piece.length;
-            run.lengths[k + 1] = run.lengths[k] + length;
-        }
-        run
-    }
-
-    fn parameter_at(&self, s: f64) -> f64 {
-        if !(s > 0.0 && s < self.piece.length) {
-            return self.piece.parameter_at(s);
-        }
-        let k = (1..RUN).find(|k| s < self.lengths[*k]).unwrap_or(RUN) - 1;
-        let (from, step) = (k as f64 / RUN as f64, 1.0 / RUN as f64);
-        let (low, high) = (self.lengths[k], self.lengths[k + 1]);
-        if !self.even {
-            return self.piece.parameter_between((from, low), (from + step, high), s);
-        }
-        let mut t = from + step * (s - low) / (high - low);
-        let mut speed = |t: f64| self.piece.speed(t);
-        for _ in 0..6 {
-            let off = low + gauss(&mut speed, from, t) - s;
-            let by = off / speed(t);
-            t -= by;
-            if by.abs() <= 1e-15 || by.is_nan() {
-                break;
-            }
-        }
-        t
-    }
-
-    /// The point at `s` mm from the start and its derivatives by time where those of `s` are `by_time`.
-    pub(crate) fn motion_at(&self, s: f64, [v, a, j]: [f64; 3]) -> [Vec3; 4] {
-        let [point, d1, d2, d3] = self.piece.by_length(self.parameter_at(s));
-        let (square, cube) = (v * v, v * v * v);
-        [point, d1 * v, d1 * a + d2 * square, d1 * j + d2 * (3.0 * v * a) + d3 * cube]
     }
 }

@@ -1,15 +1,16 @@
 //! Curves made ready to be asked at many places.
 
 use crate::growth::Growth;
-use crate::spline_piece::Run;
+use crate::spline_run::Run;
 use crate::winding::Winding;
 use crate::{Curve, Line, ParamCurve, Vec3, math};
 
 /// A curve with all that does not change along it worked out: it answers what
 /// [`ParamCurve::jet_at`] answers, to rounding, in less time. The ends are those of the curve.
 ///
-/// On a spiral it keeps the part that holds the last place, so that it is quick where one place
-/// lies near the one before. No answer depends on what was asked before.
+/// On a spiral or a spline it keeps the part that holds the last place, so that it is quick where one
+/// place lies near the one before. A point of a spline is within 1e-9 mm, or within 1e-12 of the length
+/// of the curve where that is more. No answer depends on what was asked before.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer {
     start: Vec3,
@@ -121,7 +122,8 @@ impl Tracer {
             // Each on its own, so that it stays in registers.
             Kind::Round(round) => take(round.motion_at(s, by_time)),
             Kind::Growing(growth) => take(growth.motion_at(s, by_time)),
-            Kind::Straight { .. } | Kind::Bent(_) => take(self.inside(s, by_time)),
+            Kind::Bent(run) => take(run.motion_at(s, by_time)),
+            Kind::Straight { .. } => take(self.inside(s, by_time)),
         }
     }
 

@@ -94,11 +94,13 @@ fn a_quarter_circle_answers_as_the_arc() {
         for (order, (a, b)) in piece.jet_at(s).into_iter().zip(exact).enumerate() {
             assert!(a.distance(b) < 1e-12, "{s}, derivative {order}: {a:?} {b:?}");
         }
-        for (a, b) in tracer.motion_at(s, [2.0, 3.0, 4.0]).into_iter().zip({
-            let [p, d1, d2, d3] = exact;
-            [p, d1 * 2.0, d1 * 3.0 + d2 * 4.0, d1 * 4.0 + d2 * 18.0 + d3 * 8.0]
-        }) {
-            assert!(a.distance(b) < 1e-11, "{s}: {a:?} {b:?}");
+        let [p, d1, d2, d3] = exact;
+        let exact = [p, d1 * 2.0, d1 * 3.0 + d2 * 4.0, d1 * 4.0 + d2 * 18.0 + d3 * 8.0];
+        // What a tracer promises of a spline, and what follows for its derivatives.
+        let within = [1e-9, 1e-9, 1e-8, 1e-8];
+        let found = tracer.motion_at(s, [2.0, 3.0, 4.0]);
+        for ((a, b), within) in found.into_iter().zip(exact).zip(within) {
+            assert!(a.distance(b) < within, "{s}: {a:?} {b:?}");
         }
     }
     let box_of = piece.bounds();
@@ -252,7 +254,7 @@ proptest! {
             let moved = piece.transformed(&by);
             prop_assert!(moved.point_at(2.0 * s).distance(by.apply_point(piece.point_at(s))) < 1e-8);
             let mut tracer = Tracer::new(&Curve::Spline(piece));
-            prop_assert!(tracer.jet_at(s)[0].distance(piece.point_at(s)) < 1e-8);
+            prop_assert!(tracer.jet_at(s)[0].distance(piece.point_at(s)) < 1e-9);
         }
     }
 

@@ -3,142 +3,24 @@
 
 #![allow(missing_docs, clippy::disallowed_methods, reason = "a benchmark is a shell")]
 
+mod programs;
 #[path = "../tests/support/mod.rs"]
 mod support;
 
-use std::hint::black_box;
-use std::sync::LazyLock;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use chordal_geometry::{Arc, Curve, ParamCurve, Plane, Spiral};
-use chordal_motion::{Corner, Feeder, Move, Pushed, Servo, StreamOptions, stream};
 use criterion::{Criterion, criterion_group, criterion_main};
-
-/// A move of a program that goes on for ever.
-type Program = fn(u64) -> Move;
-
-fn motion(curve: Curve, corner: Corner, tag: u64) -> Move {
-    Move { tag, ..support::cut(curve, 100.0, corner) }
-}
-
-fn line(from: [f64; 2], to: [f64; 2], corner: Corner, tag: u64) -> Move {
-    let at = |[x, y]: [f64; 2]| [x, y, 0.0];
-    motion(support::line(at(from), at(to)), corner, tag)
-}
-
-/// To and fro.
-fn lines(index: u64) -> Move {
-    let (from, to) = if index.is_multiple_of(2) { (0.0, 500.0) } else { (500.0, 0.0) };
-    line([from, 0.0], [to, 0.0], Corner::Stop, index)
-}
-
-/// Circles of radius 20, with a stop after twenty.
-fn arcs(index: u64) -> Move {
-    let turn = std::f64::consts::TAU;
-    let corner = if index % 20 == 19 { Corner::Stop } else { Corner::Exact };
-    motion(Arc::new(Plane::Xy.frame(), 20.0, turn, 0.0).into(), corner, index)
-}
-
-/// Out and in on a spiral of ten turns, with a stop at each end.
-fn spirals(index: u64) -> Move {
-    let out = Spiral::new(Plane::Xy.frame(), (5.0, 25.0), 10.0 * std::f64::consts::TAU, 0.0);
-    let spiral = if index.is_multiple_of(2) { out } else { out.reversed() };
-    motion(spiral.into(), Corner::Stop, index)
-}
-
-/// Chords of a star, which the planner makes a curve, with a stop after each lap.
-fn dense(index: u64) -> Move {
-    static LAP: LazyLock<Vec<Move>> =
-        LazyLock::new(|| support::dense::moves(&support::dense::star(0.1), 1000.0, 0.01));
-    let chord = index as usize % LAP.len();
-    let corner = if chord + 1 == LAP.len() { Corner::Stop } else { LAP[chord].corner };
-    Move { corner, tag: index, ..LAP[chord] }
-}
-
-/// A polygon of 500 lines around radius 20, eased within a hundredth of a millimetre.
-fn eased(index: u64) -> Move {
-    let circle = Arc::new(Plane::Xy.frame(), 20.0, std::f64::consts::TAU, 0.0);
-    let at = |index: u64| {
-        let p = circle.point_at(circle.length() * (index % 500) as f64 / 500.0);
-        [p.x, p.y]
-    };
-    let corner = Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 };
-    line(at(index), at(index + 1), corner, index)
-}
-
-/// Lines of a micrometre along a circle.
-fn short(index: u64) -> Move {
-    let circle = Arc::new(Plane::Xy.frame(), 20.0, std::f64::consts::TAU, 0.0);
-    let at = |index: u64| {
-        let p = circle.point_at((index % 125_663) as f64 * 0.001);
-        [p.x, p.y]
-    };
-    let corner = Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 };
-    line(at(index), at(index + 1), corner, index)
-}
-
-struct Source {
-    feeder: Feeder,
-    servo: Servo,
-    program: Program,
-    next: u64,
-}
-
-impl Source {
-    fn new(program: Program) -> Source {
-        let limits = support::limits(200.0, 2000.0, 1e5);
-        let (feeder, servo) = stream(limits, StreamOptions::default(), program(0).from());
-        let mut source = Source { feeder, servo, program, next: 0 };
-        source.fill();
-        for _ in 0..2000 {
-            source.servo.next();
-            source.fill();
-        }
-        source
-    }
-
-    fn fill(&mut self) {
-        while self.feeder.push(&(self.program)(self.next)) == Ok(Pushed::Taken) {
-            self.next += 1;
-        }
-    }
-
-    /// Time that setpoints take, without the push side.
-    fn pull(&mut self, count: u64, steer: impl Fn(u64, &mut Servo)) -> Duration {
-        let mut spent = Duration::ZERO;
-        let mut left = count;
-        while left > 0 {
-            self.fill();
-            let batch = left.min(100);
-            let start = Instant::now();
-            for index in 0..batch {
-                steer(index, &mut self.servo);
-                black_box(self.servo.next());
-            }
-            spent += start.elapsed();
-            left -= batch;
-        }
-        spent
-    }
-}
+use programs::{PROGRAMS, Source};
 
 fn pull(c: &mut Criterion) {
     let mut group = c.benchmark_group("setpoint");
-    let programs: [(&str, Program); 6] = [
-        ("lines", lines),
-        ("arcs", arcs),
-        ("spirals", spirals),
-        ("eased", eased),
-        ("short", short),
-        ("dense", dense),
-    ];
-    for (name, program) in programs {
+    for (name, program) in PROGRAMS {
         group.bench_function(name, |bencher| {
             let mut source = Source::new(program);
             bencher.iter_custom(|count| source.pull(count, |_, _| {}));
         });
     }
-    for (name, program) in programs {
+    for (name, program) in PROGRAMS {
         group.bench_function(format!("{name}, override changing"), |bencher| {
             let mut source = Source::new(program);
             bencher.iter_custom(|count| {

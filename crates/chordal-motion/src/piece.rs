@@ -1,6 +1,6 @@
 //! A piece of the smoothed path: a polynomial on every axis, with an arc under it or not.
 
-use chordal_geometry::{AXES, Curve, ParamCurve};
+use chordal_geometry::{AXES, Curve, ParamCurve, Vec3};
 
 use crate::Axes;
 
@@ -35,13 +35,19 @@ impl Piece {
     pub fn at(&self, sigma: f64) -> Jet {
         let mut jet = ahead(&self.start, sigma, 6);
         if let Some((curve, from)) = &self.base {
-            for (row, vector) in jet.iter_mut().zip(curve.jet_at(from + sigma)) {
-                for (value, part) in row.iter_mut().zip(vector.to_array()) {
-                    *value += part;
-                }
-            }
+            add_curve(&mut jet, curve.jet_at(from + sigma));
         }
         jet
+    }
+}
+
+/// Adds what a curve below does to X, Y and Z.
+#[inline]
+pub(crate) fn add_curve(jet: &mut Jet, curve: [Vec3; 4]) {
+    for (row, vector) in jet.iter_mut().zip(curve) {
+        for (value, part) in row.iter_mut().zip(vector.to_array()) {
+            *value += part;
+        }
     }
 }
 

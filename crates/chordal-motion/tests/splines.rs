@@ -71,6 +71,19 @@ fn plans_keep_every_limit_and_the_curve() {
             let far = far.fold(f64::INFINITY, f64::min);
             assert!(far <= off * ABOVE + 2.0 * TOLERANCE, "{seed}: {far} mm off the spline");
         }
+        // Setpoints are on polynomials within 1e-9 mm of the curve: those keep the limits, too.
+        for sample in &samples {
+            for axis in 0..3 {
+                let most = limits.axis(axis).unwrap();
+                for (value, most) in [
+                    (sample.velocity[axis], most.velocity),
+                    (sample.acceleration[axis], most.acceleration),
+                    (sample.jerk[axis], most.jerk),
+                ] {
+                    assert!(value.abs() <= most * ABOVE, "{seed}: {value} above {most}");
+                }
+            }
+        }
         let end = samples.last().unwrap().position;
         assert!(Vec3::new(end[0], end[1], end[2]).distance(spline.end()) < 1e-9);
     }

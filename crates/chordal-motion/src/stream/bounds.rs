@@ -1,7 +1,8 @@
 //! Fills the blocks of a window: what the axes do in each at the least and at the most.
 
-use chordal_geometry::AXES;
+use chordal_geometry::{AXES, Tracer};
 
+use crate::piece::{add_curve, ahead};
 use crate::trajectory::Along;
 use crate::{Axes, Jet};
 
@@ -77,6 +78,7 @@ fn add_chain(window: &Window, (first, end): (usize, usize), blocks: &mut [Block]
     let begins = window.legs[first].from_s.max(0.0);
     let mut block = blocks.partition_point(|block| block.end_s <= begins);
     let mut hull = Hull::new();
+    let mut below = Below::default();
     for leg in &window.legs[first..end] {
         let (from, to) = leg.phases;
         let mut piece = leg.pieces.0;
@@ -92,7 +94,7 @@ fn add_chain(window: &Window, (first, end): (usize, usize), blocks: &mut [Block]
                 let Some(current) = blocks.get(block) else { return };
                 let next = (t + LOOK_S).min(until).min(current.end_s);
                 let looks = [t, (t + next) / 2.0, next].map(|t| timed.phase.at(t - timed.from_s));
-                hull.look(window, leg, &mut piece, &looks);
+                hull.look(window, leg, &mut piece, &mut below, &looks);
                 t = next;
             }
         }
@@ -116,23 +118,31 @@ impl Hull {
 
     /// Takes in the motion of a phase from the first to the last of three instants, on every
     /// piece it meets there.
-    fn look(&mut self, window: &Window, leg: &Leg, hint: &mut usize, looks: &[Along; 3]) {
+    fn look(
+        &mut self,
+        window: &Window,
+        leg: &Leg,
+        hint: &mut usize,
+        below: &mut Below,
+        looks: &[Along; 3],
+    ) {
         let [one, middle, two] = looks;
         let sigma = two.sigma - one.sigma;
         let part =
             |at: f64| if sigma > 0.0 { ((at - one.sigma) / sigma).clamp(0.0, 1.0) } else { 0.0 };
         loop {
-            let Placed { from, piece } = &window.pieces[*hint];
-            let end = from + piece.length;
+            let placed = &window.pieces[*hint];
+            let (from, end) = (placed.from, placed.from + placed.length);
             let last = *hint + 1 >= leg.pieces.1;
-            let on = |along: &Along| {
-                derivatives(&piece.at((along.sigma - from).clamp(0.0, piece.length)), along)
+            let mut on = |along: &Along| {
+                let sigma = (along.sigma - from).clamp(0.0, placed.length);
+                derivatives(&below.jet_at(window, placed, sigma), along)
             };
-            if one.sigma >= *from && (two.sigma <= end || last) {
+            if one.sigma >= from && (two.sigma <= end || last) {
                 self.take(&on(one), &on(middle), &on(two));
             } else {
                 // Short pieces are met within a step: the velocity profile there lies between the two.
-                let at = |sigma: f64| on(&between(one, two, part(sigma)));
+                let mut at = |sigma: f64| on(&between(one, two, part(sigma)));
                 let (from, to) = (from.max(one.sigma), end.min(two.sigma));
                 self.take(&at(from), &at((from + to) / 2.0), &at(to));
             }
@@ -167,6 +177,25 @@ impl Hull {
                 }
             }
         }
+    }
+}
+
+/// The curve that was last met, made ready.
+#[derive(Default)]
+struct Below(Option<(usize, Tracer)>);
+
+impl Below {
+    /// The axes and their derivatives at `sigma` from the start of a piece.
+    fn jet_at(&mut self, window: &Window, placed: &Placed, sigma: f64) -> Jet {
+        let mut jet = ahead(&placed.start, sigma, AXES);
+        if let Some((curve, from)) = placed.base {
+            let tracer = match &mut self.0 {
+                Some((ready, tracer)) if *ready == curve => tracer,
+                none => &mut none.insert((curve, Tracer::new(&window.curves[curve]))).1,
+            };
+            add_curve(&mut jet, tracer.jet_at(from + sigma));
+        }
+        jet
     }
 }
 

@@ -6,7 +6,7 @@ use super::block::Room;
 use super::bounds;
 use super::rate::{Ahead, Course, Rate};
 use super::timeline::{Item, Timeline};
-use super::window::{Leg, Placed, Stop, Timed, Window};
+use super::window::{Leg, Stop, Timed, Window};
 
 /// Rates at the wall for which a stop is looked for, the best first.
 const LEVELS: PerAxis<f64> = [1.0, 0.7, 0.4, 0.1, 0.01, 0.001];
@@ -40,12 +40,10 @@ pub(super) fn lay(timeline: &Timeline, end_s: f64, pieces: usize, window: &mut W
                 .map(|(phase, time)| Timed { from_s: from_s + time, phase: *phase }),
         );
         let pieces_from = window.pieces.len();
-        window.pieces.extend(
-            laid.stretch.pieces[near..=far]
-                .iter()
-                .zip(&laid.places[near..])
-                .map(|(piece, from)| Placed { from: *from, piece: *piece }),
-        );
+        let places = &laid.places[near..];
+        for (piece, from) in laid.stretch.pieces[near..=far].iter().zip(places) {
+            window.push(*from, piece);
+        }
         window.legs.push(Leg {
             from_s: *from_s,
             to_s,

@@ -24,7 +24,7 @@ pub struct StreamOptions {
     pub window_s: f64,
     /// How many windows there are: together they bound memory and the time ahead.
     pub windows: usize,
-    /// How many pieces of path a window may hold, about 500 bytes each where they are used. In
+    /// How many pieces of path a window may hold, about 300 bytes each where they are used, and as many for each curve below. In
     /// shorter windows the stop has less path, so that the axes cannot get as quick as planned:
     /// let it be the most pieces that are travelled in two times `window_s`.
     pub pieces: usize,

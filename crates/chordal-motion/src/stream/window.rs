@@ -1,12 +1,13 @@
 //! A window: some tenths of a second of planned motion with everything that the pull side needs
 //! to walk through it and to stop in it.
 
-use chordal_geometry::AXES;
+use chordal_geometry::{AXES, Curve, ParamCurve};
 
-use crate::reader::Reader;
+use crate::piece::{add_curve, ahead};
+use crate::reader::{Part, Reader};
 use crate::sample::{Sample, State};
 use crate::trajectory::{Along, Phase};
-use crate::{Axes, Piece};
+use crate::{Axes, Jet, Piece};
 
 use super::block::Block;
 
@@ -17,11 +18,25 @@ pub(super) struct Timed {
     pub phase: Phase,
 }
 
-/// A piece and where it begins, σ from the start of its stretch.
+/// A piece and where it begins, σ from the start of its stretch. Its curve is kept apart, among those of the
+/// window: most pieces have none, and what is walked over is small.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
     pub from: f64,
-    pub piece: Piece,
+    /// As in the piece.
+    pub length: f64,
+    pub start: Jet,
+    pub tag: u64,
+    /// The number of the curve below, and how far from its start the piece begins.
+    pub base: Option<(usize, f64)>,
+}
+
+impl Placed {
+    #[inline(always)]
+    fn part<'a>(&'a self, curves: &'a [Curve]) -> Part<'a> {
+        let base = self.base.map(|(curve, from)| (&curves[curve], from));
+        Part { base, start: &self.start, tag: self.tag }
+    }
 }
 
 /// The part of a stretch that lies in a window.
@@ -59,6 +74,8 @@ pub(super) struct Window {
     pub legs: Vec<Leg>,
     pub phases: Vec<Timed>,
     pub pieces: Vec<Placed>,
+    /// What lies below them, one after the other; pieces over the same curve share it.
+    pub curves: Vec<Curve>,
     /// What the axes do, by blocks of time without gaps.
     pub blocks: Vec<Block>,
     /// Largest speed of each axis.
@@ -78,6 +95,7 @@ impl Window {
             legs: Vec::new(),
             phases: Vec::new(),
             pieces: Vec::new(),
+            curves: Vec::new(),
             blocks: Vec::new(),
             fastest: [0.0; AXES],
             stop: Stop::Unknown,
@@ -91,11 +109,24 @@ impl Window {
         self.legs.clear();
         self.phases.clear();
         self.pieces.clear();
+        self.curves.clear();
         self.blocks.clear();
         self.fastest = [0.0; AXES];
         self.stop = Stop::Unknown;
         self.wait = None;
         self.last = false;
+    }
+
+    /// Puts a piece after the others.
+    pub fn push(&mut self, from: f64, piece: &Piece) {
+        let Piece { length, start, tag, .. } = *piece;
+        let base = piece.base.as_ref().map(|(curve, from)| {
+            if self.curves.last() != Some(curve) {
+                self.curves.push(*curve);
+            }
+            (self.curves.len() - 1, *from)
+        });
+        self.pieces.push(Placed { from, length, start, tag, base });
     }
 
     /// The velocity profile of a leg at `t`, with its phase from `hint` on.
@@ -119,9 +150,12 @@ impl Window {
 
     /// Where the axes stand when the window ends at rest.
     pub fn end(&self) -> Option<State> {
-        let piece = &self.pieces.last()?.piece;
-        let position = piece.at(piece.length)[0];
-        Some(State { position, tag: piece.tag, ..State::default() })
+        let placed = self.pieces.last()?;
+        let mut jet = ahead(&placed.start, placed.length, AXES);
+        if let Some((curve, from)) = placed.base {
+            add_curve(&mut jet, self.curves[curve].jet_at(from + placed.length));
+        }
+        Some(State { position: jet[0], tag: placed.tag, ..State::default() })
     }
 }
 
@@ -196,19 +230,20 @@ impl Place {
         let leg = &window.legs[self.leg + which];
         let (phase, index) = &mut self.hints[which];
         let along = window.along(leg, phase, t);
-        let Placed { from, piece } = window.piece(leg, index, &along);
+        let placed = window.piece(leg, index, &along);
+        let part = placed.part(&window.curves);
         let reader = match &mut self.readers[which] {
             Some((at, reader)) => {
                 if at != index {
-                    reader.go_on((&window.pieces[*at].piece).into(), piece.into());
+                    reader.go_on(window.pieces[*at].part(&window.curves), part);
                     *at = *index;
                 }
                 reader
             }
-            none => &mut none.insert((*index, Reader::new(piece.into()))).1,
+            none => &mut none.insert((*index, Reader::new(part))).1,
         };
-        let sigma = (along.sigma - from).clamp(0.0, piece.length);
-        reader.fill(piece.into(), sigma, &along, out);
+        let sigma = (along.sigma - placed.from).clamp(0.0, placed.length);
+        reader.fill(part, sigma, &along, out);
     }
 }
 
