@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use chordal::stock::{StockOptions, StockVerdict};
 use chordal::{Report, Severity};
 use chordal_export::report::{self, Sarif};
 use chordal_load::Loaded;
@@ -10,10 +11,12 @@ use clap::ValueEnum;
 use crate::failure::{Failure, Verdict};
 use crate::json_files::{join, reading};
 use crate::numbers::{counted, grouped};
-use crate::options::{Common, EVERY_PLACE, Showing};
+use crate::options::{Common, EVERY_PLACE, Showing, length};
 use crate::programs::{Programs, recognized};
 use crate::readings;
+use crate::stock;
 use crate::terminal::{BOLD, Terminal, style};
+use crate::tiles::on_threads;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -21,6 +24,7 @@ Examples:
   chordal check part.nc --machine fanuc-30i --fail-on error
   chordal check archive/ > problems.txt
   chordal check archive/ --format sarif > chordal.sarif
+  chordal check archive/ --stock --setup op1.toml
   chordal check - < part.nc
 
 A folder means all programs in it and below it; programs are recognized by their content, not by the
@@ -42,6 +46,19 @@ pub struct Args {
     /// The lowest severity that makes the exit code 1
     #[arg(long, value_enum, default_value = "warning", value_name = "SEVERITY")]
     fail_on: FailOn,
+
+    /// Cuts the stock of the setup with each program as well, and reports what rapids, shank and holder touch;
+    /// what is not proved makes the exit code 1
+    #[arg(long)]
+    stock: bool,
+
+    /// The machine, the stock and the tools
+    #[arg(long, value_name = "SETUP.toml", conflicts_with = "machine", requires = "stock")]
+    setup: Option<PathBuf>,
+
+    /// Side of a column of the stock, with its unit; without it, from the size of the stock
+    #[arg(long, value_name = "LENGTH", requires = "stock", value_parser = length)]
+    resolution: Option<f64>,
 
     #[command(flatten)]
     showing: Showing,
@@ -83,7 +100,11 @@ impl FailOn {
 }
 
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let Args { files, format, fail_on, showing, common } = args;
+    let Args { files, format, fail_on, stock, setup, resolution, showing, mut common } = args;
+    if let Some(setup) = &setup {
+        common.machine = Some(setup.to_string_lossy().into_owned());
+    }
+    let options = StockOptions { resolution_mm: resolution, ..StockOptions::default() };
     let kept = if format == Format::Json { EVERY_PLACE } else { showing.kept() };
     let programs = Programs::new(&files, &common, terminal)?;
     let called = programs.called();
@@ -92,7 +113,13 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let mut sarif = Sarif::new();
     let mut handle = |programs: &Programs, loaded: &Loaded| {
         let job = loaded.job()?;
-        let report = job.check_keeping(kept);
+        let (report, is_proved) = if stock {
+            let found = job.stock_by(&options, &stock::files, &on_threads);
+            let found = found.map_err(|error| stock::failure(error, setup.as_deref()))?;
+            (found.report, found.verdict == StockVerdict::Clean)
+        } else {
+            (job.check_keeping(kept), true)
+        };
         totals.add(&report);
         match format {
             Format::Text => {
@@ -117,7 +144,8 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
             }
             Format::Sarif => sarif.add(&report, job.sources()),
         }
-        Ok(fail_on.verdict(report.worst()))
+        let verdict = fail_on.verdict(report.worst());
+        Ok(if is_proved || fail_on == FailOn::Never { verdict } else { Verdict::Problems })
     };
     let verdict = programs.each(|programs, _, loaded| handle(programs, loaded))?;
     totals.called = called;

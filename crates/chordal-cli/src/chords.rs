@@ -4,14 +4,13 @@ use std::io;
 use std::path::PathBuf;
 
 use chordal::geometry::Placement;
-use chordal::machine::Dimension;
 use chordal::{Job, Segment};
 use chordal_export::ChordWriter;
 use chordal_export::columns::{ChordColumns, ColumnFile};
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
-use crate::options::{Common, quantity};
+use crate::options::{Common, length};
 use crate::out::{Format, Out, RowFormat, keep};
 use crate::rows::Output;
 use crate::terminal::Terminal;
@@ -33,7 +32,7 @@ pub struct Args {
     file: PathBuf,
 
     /// Largest distance of a chord from the curve, with its unit
-    #[arg(long, value_name = "LENGTH", default_value = "0.01mm", value_parser = tolerance)]
+    #[arg(long, value_name = "LENGTH", default_value = "0.01mm", value_parser = length)]
     tolerance: f64,
 
     /// Where the ends of the chords are
@@ -66,13 +65,6 @@ impl Lie {
             Lie::Inscribed => Placement::Inscribed,
             Lie::Balanced => Placement::Balanced,
         }
-    }
-}
-
-fn tolerance(text: &str) -> Result<f64, String> {
-    match quantity(text, Dimension::Length)? {
-        mm if mm > 0.0 => Ok(mm),
-        _ => Err("a tolerance must be above zero".to_string()),
     }
 }
 

@@ -47,6 +47,7 @@ mod sheet;
 mod stock;
 mod summary;
 mod terminal;
+mod tiles;
 mod time;
 mod transform;
 mod unified;

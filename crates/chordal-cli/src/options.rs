@@ -115,6 +115,14 @@ pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
     parse_quantity(text, dimension).map_err(|error| wrong_quantity(&error))
 }
 
+/// A length above zero with its unit, mm.
+pub fn length(text: &str) -> Result<f64, String> {
+    match quantity(text, Dimension::Length)? {
+        mm if mm > 0.0 => Ok(mm),
+        _ => Err("the length must be above zero".to_string()),
+    }
+}
+
 /// What is wrong with a quantity, and what to write.
 pub fn wrong_quantity(error: &QuantityError) -> String {
     match error.help() {

@@ -3,17 +3,19 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use chordal::machine::Dimension;
+use chordal::motion::MotionOptions;
 use chordal::stock::{StockOptions, StockReport, StockRunError, StockVerdict};
-use chordal_export::{MeshFormat, report, stock_json, stock_mesh, stock_png, stock_text};
+use chordal_export::report::{self, Sarif};
+use chordal_export::{MeshFormat, stock_json, stock_mesh, stock_png, stock_text};
 use chordal_load::{LoadError, reason};
-use clap::ArgAction;
+use clap::{ArgAction, ValueEnum};
 
 use crate::failure::{Failure, Verdict};
-use crate::options::{AnswerFormat, Common, Showing, quantity};
+use crate::options::{Common, Showing, length};
 use crate::output::write_whole;
 use crate::programs::{load_one, recognized};
 use crate::terminal::{Terminal, say};
+use crate::tiles::on_threads;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -71,7 +73,7 @@ pub struct Args {
 
     /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
-    format: AnswerFormat,
+    format: Format,
 
     #[command(flatten)]
     showing: Showing,
@@ -80,11 +82,14 @@ pub struct Args {
     common: Common,
 }
 
-fn length(text: &str) -> Result<f64, String> {
-    match quantity(text, Dimension::Length)? {
-        mm if mm > 0.0 => Ok(mm),
-        _ => Err("the length must be above zero".to_string()),
-    }
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Format {
+    /// Text for the reader
+    Text,
+    /// One JSON object
+    Json,
+    /// The problems as SARIF 2.1.0, for code scanning
+    Sarif,
 }
 
 /// What a file of the stock holds.
@@ -108,6 +113,17 @@ fn form(path: &Path) -> Result<Form, Failure> {
     })
 }
 
+/// The files that a setup names.
+pub fn files(name: &str) -> Result<Vec<u8>, String> {
+    fs::read(name).map_err(|error| reason(&error))
+}
+
+impl Args {
+    fn setup(&self) -> Option<&Path> {
+        self.setup.as_deref()
+    }
+}
+
 pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let forms: Vec<Form> = args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
     if let Some(setup) = &args.setup {
@@ -121,13 +137,18 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         tolerance_mm: args.tolerance,
         budget: args.memory.saturating_mul(1 << 20),
     };
-    let files = |name: &str| fs::read(name).map_err(|error| reason(&error));
-    let found = job.stock(&options, &files).map_err(|error| failure(error, &args))?;
+    let mut found = job
+        .stock_by(&options, &files, &on_threads)
+        .map_err(|error| failure(error, args.setup()))?;
+    // Where the limits of the axes are wrong there are no times; `chordal time` says why.
+    if let Ok(timed) = job.time(&MotionOptions::default()) {
+        found.take_times(&timed.time.tools);
+    }
     for (path, form) in args.output.iter().zip(forms) {
         write_whole(path, &content(&found, form, path)?)?;
     }
     match args.format {
-        AnswerFormat::Text => {
+        Format::Text => {
             terminal.tell(&recognized(&loaded));
             if found.report.worst().is_some() {
                 let detail = args.showing.detail();
@@ -140,8 +161,16 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
             if found.is_hollow && !args.output.is_empty() {
                 say("note: the stock is hollow from below; what is written has a flat bottom\n")?;
             }
+            if found.stock.has_gaps() && !args.output.is_empty() {
+                say("note: what is written is seen from above: gaps of undercuts are filled\n")?;
+            }
         }
-        AnswerFormat::Json => say(&stock_json(&found, loaded.name()))?,
+        Format::Json => say(&stock_json(&found, loaded.name()))?,
+        Format::Sarif => {
+            let mut sarif = Sarif::new();
+            sarif.add(&found.report, job.sources());
+            say(&sarif.finish())?;
+        }
     }
     Ok(if found.verdict == StockVerdict::Clean { Verdict::Clean } else { Verdict::Problems })
 }
@@ -159,7 +188,7 @@ fn content(found: &StockReport, form: Form, path: &Path) -> Result<Vec<u8>, Fail
 }
 
 /// What is wrong with a setup, drawn where it was written.
-fn failure(error: StockRunError, args: &Args) -> Failure {
+pub fn failure(error: StockRunError, setup: Option<&Path>) -> Failure {
     match error {
         StockRunError::Setup(setup) => match setup.location {
             Some(at) => LoadError::Machine(vec![chordal::machine::MachineError {
@@ -173,7 +202,7 @@ fn failure(error: StockRunError, args: &Args) -> Failure {
             None => Failure::wrong(setup.message, setup.help),
         },
         StockRunError::NoStock => {
-            let where_to = match &args.setup {
+            let where_to = match setup {
                 Some(setup) => format!("write `[stock]` in {}", setup.display()),
                 None => "name a setup file with --setup".to_string(),
             };

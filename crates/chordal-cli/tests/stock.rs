@@ -109,3 +109,85 @@ fn wrong_setups_are_drawn() {
         .ends(2)
         .complains(&[".stl, .3mf, .glb, .png"]);
 }
+
+const T_SLOT: &str = "machine = 'haas-vf2'
+[stock]
+shape = 'box'
+from = { X = '0 mm', Y = '-30 mm', Z = '-20 mm' }
+to = { X = '100 mm', Y = '30 mm', Z = '0 mm' }
+[tools.1]
+shape = 'flat'
+diameter = '10 mm'
+flute_length = '25 mm'
+[tools.2]
+shape = 't-slot'
+diameter = '20 mm'
+flute_length = '4 mm'
+shank_diameter = '9 mm'
+";
+
+fn slots(second_y: &str) -> String {
+    let pass = |tool: u32, y: &str| {
+        format!(
+            "T{tool} M6\nS1000 M3\nG0 X-20. {y}\nG43 H{tool} Z5.\nG0 Z-12.\nG1 X120. F600.\nG0 Z20.\n"
+        )
+    };
+    format!("O1\nG21 G90 G54\n{}{}M30\n", pass(1, "Y0."), pass(2, second_y))
+}
+
+#[test]
+fn a_t_slot_is_cut_below_a_slot_and_its_neck_must_fit() {
+    let folder = Folder::new();
+    folder.write("t.toml", T_SLOT).write("in.nc", slots("Y0.")).write("aside.nc", slots("Y8."));
+    let done =
+        folder.run(&["stock", "in.nc", "--setup", "t.toml", "-o", "left.stl", "--format", "json"]);
+    let found: serde_json::Value = serde_json::from_str(&done.ends(0).out).expect("JSON");
+    // 12 cm³ of the slot, and 10 mm more of width on 4 mm of height.
+    let removed = &found["removed_mm3"];
+    assert!(
+        removed["least"].as_f64() <= Some(16_000.0) && removed["most"].as_f64() >= Some(16_000.0)
+    );
+    let tool = &found["tools"][1];
+    let of_tool = &tool["removed_mm3"];
+    assert!(
+        of_tool["least"].as_f64() > Some(3_500.0) && of_tool["least"].as_f64() <= Some(4_000.0)
+    );
+    assert!(tool["time_s"].as_f64() > Some(14.0));
+    folder
+        .run(&["stock", "in.nc", "--setup", "t.toml", "-o", "left.stl"])
+        .ends(0)
+        .says(&["clean: no rapid", "gaps of undercuts are filled"]);
+    folder
+        .run(&["stock", "aside.nc", "--setup", "t.toml"])
+        .ends(1)
+        .says(&["error[CH622]: the shank of tool 2 goes 8 mm deep into material"]);
+}
+
+#[test]
+fn folders_are_checked_on_their_stock() {
+    let folder = Folder::new();
+    folder
+        .write("t.toml", T_SLOT)
+        .write("nc/in.nc", slots("Y0."))
+        .write("nc/aside.nc", slots("Y8."));
+    let stock = ["check", "nc", "--stock", "--setup", "t.toml"];
+    folder.run(&stock).ends(1).says(&["CH622", "aside.nc:15"]).complains(&["1 of 2 programs"]);
+    folder.run(&["check", "nc/in.nc", "--stock", "--setup", "t.toml"]).ends(0);
+    folder
+        .run(&["check", "nc/in.nc", "--stock", "-m", "haas-vf2"])
+        .ends(2)
+        .complains(&["no stock"]);
+    for command in [&stock[..], &["stock", "nc/aside.nc", "--setup", "t.toml"]] {
+        let done = folder.run(&[command, &["--format", "sarif"]].concat()).ends(1);
+        let log: serde_json::Value = serde_json::from_str(&done.out).expect("JSON");
+        let results = log["runs"][0]["results"].as_array().expect("results");
+        let hit = results.iter().find(|result| result["ruleId"] == "CH622").expect("the hit");
+        let place = &hit["locations"][0]["physicalLocation"];
+        assert_eq!(place["region"]["startLine"], 15, "{place}");
+    }
+    // Coarse columns cannot exclude that the neck, which is half a millimetre from the walls, touches them.
+    let coarse = ["--resolution", "5mm", "--stock", "--setup", "wide.toml"];
+    folder.write("wide.toml", T_SLOT.replace("'9 mm'", "'9.98 mm'"));
+    let done = folder.run(&[&["check", "nc/in.nc"][..], &coarse].concat());
+    done.ends(1).says(&["CH629"]);
+}

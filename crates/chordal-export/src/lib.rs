@@ -82,7 +82,9 @@ pub use plot::{
 };
 pub use samples::{SampleFormat, SampleWriter};
 pub use setpoints::{SAMPLE_SCHEMA, SampleHead};
-pub use stock::{MeshFormat, StockMeshError, stock_json, stock_mesh, stock_png, stock_text};
+pub use stock::{
+    MeshFormat, StockMeshError, stock_json, stock_mesh, stock_png, stock_surface, stock_text,
+};
 pub use time::{TimeDocument, comment_text, level_word, short_blocks_text, time_json};
 pub use transformed::{refusal_json, restart_json, split_json, transformed_json};
 pub use worked::{worked_json, worked_text};

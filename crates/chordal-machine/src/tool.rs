@@ -97,12 +97,25 @@ impl Tool {
                 pitch_mm: self.pitch_mm?,
                 teeth: self.teeth?,
             },
+            ToolShape::TSlot => Cutter::TSlot {
+                diameter_mm: diameter_mm()?,
+                thickness_mm: self.flute_length_mm?,
+                neck_mm: self.neck_mm()?,
+            },
+            ToolShape::Lollipop => {
+                Cutter::Lollipop { diameter_mm: diameter_mm()?, neck_mm: self.neck_mm()? }
+            }
             ToolShape::Form if self.profile.len() < 2 => return None,
             ToolShape::Form => Cutter::Form { profile: &self.profile },
             ToolShape::Insert => {
                 Cutter::Insert { nose_radius_mm: self.nose_radius_mm?, tip: self.tip? }
             }
         })
+    }
+
+    /// The diameter of the shank where the edges end.
+    fn neck_mm(&self) -> Option<f64> {
+        self.shank.first().map(|piece| piece.lower_mm).or(self.shank_diameter_mm)
     }
 
     /// What a list calls it: its comment, else its description, else its shape.
@@ -141,6 +154,10 @@ pub enum ToolShape {
     Tap,
     /// A thread mill.
     ThreadMill,
+    /// A disc on a neck.
+    TSlot,
+    /// A ball on a neck.
+    Lollipop,
     /// A body of revolution with an outline of its own.
     Form,
     /// A turning insert.
@@ -149,7 +166,7 @@ pub enum ToolShape {
 
 impl ToolShape {
     /// Every shape.
-    pub const ALL: [ToolShape; 9] = [
+    pub const ALL: [ToolShape; 11] = [
         ToolShape::Flat,
         ToolShape::Ball,
         ToolShape::Bull,
@@ -157,6 +174,8 @@ impl ToolShape {
         ToolShape::Drill,
         ToolShape::Tap,
         ToolShape::ThreadMill,
+        ToolShape::TSlot,
+        ToolShape::Lollipop,
         ToolShape::Form,
         ToolShape::Insert,
     ];
@@ -171,6 +190,8 @@ impl ToolShape {
             ToolShape::Drill => "drill",
             ToolShape::Tap => "tap",
             ToolShape::ThreadMill => "thread mill",
+            ToolShape::TSlot => "t-slot",
+            ToolShape::Lollipop => "lollipop",
             ToolShape::Form => "form",
             ToolShape::Insert => "insert",
         }
@@ -187,26 +208,21 @@ impl ToolShape {
         let place = |word: &str| words.iter().position(|own| *own == word).unwrap_or(usize::MAX);
         // The first that fits: a thread mill is no mill, and a ball end mill no flat one.
         Some(match () {
-            () if either(&[
-                "REAM",
-                "REAMER",
-                "PROBE",
-                "LOLLIPOP",
-                "DOVETAIL",
-                "KEYSEAT",
-                "KEYCUTTER",
-            ]) || either(&[
-                "ENGRAVER",
-                "ENGRAVE",
-                "BORE",
-                "BAR",
-                "COUNTERBORE",
-                "SLITTING",
-                "SAW",
-            ]) =>
+            () if either(&["REAM", "REAMER", "PROBE", "DOVETAIL", "KEYSEAT", "KEYCUTTER"])
+                || either(&[
+                    "ENGRAVER",
+                    "ENGRAVE",
+                    "BORE",
+                    "BAR",
+                    "COUNTERBORE",
+                    "SLITTING",
+                    "SAW",
+                ]) =>
             {
                 return None;
             }
+            () if pair("T", "SLOT") || has("TSLOT") => ToolShape::TSlot,
+            () if has("LOLLIPOP") => ToolShape::Lollipop,
             () if pair("THREAD", "MILL") || either(&["THREADMILL", "THREADMILLING"]) => {
                 ToolShape::ThreadMill
             }
@@ -275,6 +291,10 @@ pub enum Cutter<'t> {
     Tap { diameter_mm: f64, pitch_mm: f64 },
     /// Threads one above the other.
     ThreadMill { diameter_mm: f64, pitch_mm: f64, teeth: u32 },
+    /// A disc of a thickness on a neck.
+    TSlot { diameter_mm: f64, thickness_mm: f64, neck_mm: f64 },
+    /// A ball on a neck.
+    Lollipop { diameter_mm: f64, neck_mm: f64 },
     /// An outline: height above the end and radius.
     Form { profile: &'t [[f64; 2]] },
     /// A nose and where the programmed point lies.

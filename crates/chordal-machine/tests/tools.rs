@@ -44,6 +44,14 @@ fn every_shape_wants_its_dimensions() {
             Cutter::ThreadMill { diameter_mm: 8.0, pitch_mm: 1.5, teeth: 4 },
         ),
         (
+            "shape = 't-slot'\ndiameter = '20 mm'\nflute_length = '4 mm'\nshank_diameter = '8 mm'",
+            Cutter::TSlot { diameter_mm: 20.0, thickness_mm: 4.0, neck_mm: 8.0 },
+        ),
+        (
+            "shape = 'lollipop'\ndiameter = '6 mm'\nshank = [['20 mm', '3 mm']]",
+            Cutter::Lollipop { diameter_mm: 6.0, neck_mm: 3.0 },
+        ),
+        (
             "shape = 'form'\nprofile = [['0 mm', '3 mm'], ['5 mm', '8 mm']]",
             Cutter::Form { profile: &[[0.0, 3.0], [5.0, 8.0]] },
         ),
@@ -62,6 +70,8 @@ fn every_shape_wants_its_dimensions() {
         "shape = 'tap'\ndiameter = '6 mm'",
         "shape = 'insert'\nnose_radius = '0.8 mm'",
         "shape = 'form'",
+        "shape = 't-slot'\ndiameter = '20 mm'\nshank_diameter = '8 mm'",
+        "shape = 'lollipop'\ndiameter = '20 mm'",
     ] {
         assert_eq!(tool(keys).cutter(), None, "{keys}");
     }
@@ -112,6 +122,8 @@ fn kinds_of_old_files_are_read() {
         ("bull nose end mill", Some(ToolShape::Bull)),
         ("face mill", Some(ToolShape::Flat)),
         ("thread mill", Some(ToolShape::ThreadMill)),
+        ("lollipop", Some(ToolShape::Lollipop)),
+        ("3/4 T-slot cutter", Some(ToolShape::TSlot)),
         ("90 deg chamfer mill", Some(ToolShape::Chamfer)),
         ("M6 tap", Some(ToolShape::Tap)),
         ("reamer", None),
@@ -121,7 +133,7 @@ fn kinds_of_old_files_are_read() {
         let machine = read(&format!("control = 'haas'\n[tools.1]\nkind = '{kind}'"));
         let tool = &machine.tools[&1];
         assert_eq!(tool.shape, shape, "{kind}");
-        let own_word = kind == "drill" || kind == "thread mill";
+        let own_word = ["drill", "thread mill", "lollipop"].contains(&kind);
         assert_eq!(tool.description.as_deref(), (!own_word).then_some(kind));
         assert_eq!(machine.notices.0.len(), usize::from(shape.is_none()), "{kind}");
     }

@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use chordal::stock::{StockOptions, StockReport, StockVerdict};
+use chordal::stock::{Runner, StockOptions, StockReport, StockVerdict, TileJob};
 use chordal::{Job, Machine, Source, SourceMap};
 
 const RESOLUTION: f64 = 0.5;
@@ -238,4 +238,52 @@ fn a_gouge_and_a_fixture_are_called_what_they_are() {
     assert!(gouge.starts_with("tool 1 cuts") && gouge.ends_with("deep into the part"), "{gouge}");
     let clamp = said("G0 X-40. Y30.\nZ5.\nX-12.\n", "fixture-hit");
     assert_eq!(clamp, "tool 1 or its holder touches `clamp`");
+}
+
+/// Tiles in any order, what they find in any order, on threads: the same answers to the bit.
+#[test]
+fn tiles_may_be_cut_on_threads() {
+    let text = program(1, "G0 X50. Y40.\nG1 Z-9. F200.\nG3 X30. Y40. I-10. J0.\nG0 X80. Y50.\n");
+    let told = |runner: &Runner<'_>| {
+        let mut sources = SourceMap::new();
+        sources.add(Source::new("part.nc", text.as_bytes().to_vec()));
+        let job = Job::new(sources, machine(SETUP)).expect("settings of the control");
+        let options = StockOptions { resolution_mm: Some(0.25), ..StockOptions::default() };
+        let found = job.stock_by(&options, &|_| Err(String::new()), runner).expect("stock");
+        assert!(!found.problems.is_empty());
+        let StockReport { problems, removed_mm3, left_mm3, refined, target, tools, .. } = found;
+        let heights = format!("{:?}", found.stock.height_pairs());
+        (problems, removed_mm3, left_mm3, refined, target, tools, heights)
+    };
+    let one = told(&|tiles| tiles.into_iter().map(TileJob::run).collect());
+    let backwards = told(&|tiles| tiles.into_iter().rev().map(TileJob::run).collect());
+    let each_on_its_own = told(&|tiles| {
+        std::thread::scope(|scope| {
+            let threads: Vec<_> =
+                tiles.into_iter().map(|tile| scope.spawn(|| tile.run())).collect();
+            threads.into_iter().map(|thread| thread.join().expect("a tile")).collect()
+        })
+    });
+    assert!(one == backwards && one == each_on_its_own);
+}
+
+const THREADED: &str = "O1\nG21 G90 G17 G54\nT1 M6\nS3000 M3\nG0 X50. Y30.\nG43 H1 Z5.\nG1 Z-20. F300.\n\
+G91 G1 X6. F600.\nG3 I-6. J0. Z0.\nG1 X-6.\nG90 G0 Z5.\nT2 M6\nS3000 M3\nG0 X50. Y30.\nG43 H2 Z5.\nG1 Z-15. F300.\n\
+G91 G1 X7.8 F300.\nG3 I-7.8 J0. Z1.5\nG1 X-7.8\nG90 G0 Z5.\nM30\n";
+
+/// A bore of R11, and a turn of two teeth of pitch 1.5 in it.
+#[test]
+fn a_thread_mill_cuts_its_thread() {
+    let setup = "machine = 'haas-vf2'\n[stock]\nshape = 'box'\n\
+        from = { X = '30 mm', Y = '10 mm', Z = '-20 mm' }\nto = { X = '70 mm', Y = '50 mm', Z = '0 mm' }\n\
+        [tools.1]\nshape = 'flat'\ndiameter = '10 mm'\nflute_length = '25 mm'\n\
+        [tools.2]\nshape = 'thread mill'\ndiameter = '8 mm'\npitch = '1.5 mm'\nteeth = 2\nflute_length = '6 mm'\n\
+        shank_diameter = '6 mm'\n";
+    let found = run(setup, THREADED);
+    let thread = found.tools[1].removed_mm3;
+    // The disc reaches R11.8, so 0.8 beyond the bore: of the area of that ring, and less than a height of 6 mm.
+    let ring = PI * (11.8_f64.powi(2) - 11.0_f64.powi(2)) * 6.0;
+    assert!(thread.least < ring && thread.most > 0.2 * ring, "{thread:?} {ring}");
+    assert!(found.stock.has_gaps());
+    assert!(found.problems.iter().all(|problem| problem.code.info().name == "stock-not-proved"));
 }

@@ -38,6 +38,7 @@ pub fn stock_json(found: &StockReport, file: &str) -> String {
                 "number": tool.number,
                 "moves": tool.moves,
                 "removed_mm3": bounds(tool.removed_mm3),
+                "time_s": tool.time_s.map(rounded),
                 "lowest_mm": tool.lowest_mm.is_finite().then(|| rounded(tool.lowest_mm)),
             })
         })

@@ -1,7 +1,7 @@
 //! What is left as a closed mesh: STL, 3MF, GLB.
 
 use chordal::stock::StockReport;
-use chordal::stock::mesh::{HeightField, HeightFieldError, LengthUnit, write};
+use chordal::stock::mesh::{HeightField, HeightFieldError, HeightMesh, LengthUnit, write};
 
 /// Columns that touch in an upright edge are parted by this share of a cell in STL, which shares no vertices.
 const GAP: f64 = 1e-3;
@@ -39,6 +39,25 @@ pub fn stock_mesh(
     tolerance_mm: f64,
     name: &str,
 ) -> Result<Vec<u8>, StockMeshError> {
+    let surface = stock_surface(found, tolerance_mm)?;
+    Ok(match format {
+        MeshFormat::Stl => {
+            let gap = GAP * found.stock.grid().resolution();
+            write::write_stl(&surface.parted(gap), LengthUnit::Millimetre)?
+        }
+        MeshFormat::ThreeMf => write::write_threemf(&surface.mesh, name)?,
+        MeshFormat::Glb => write::write_glb(&surface.mesh, name, None)?,
+    })
+}
+
+/// The same as a closed surface.
+///
+/// # Errors
+/// As [`stock_mesh`].
+pub fn stock_surface(
+    found: &StockReport,
+    tolerance_mm: f64,
+) -> Result<HeightMesh, HeightFieldError> {
     let grid = found.stock.grid();
     let bounds = grid.bounds();
     let [columns, rows] = grid.cells().map(|cells| cells as usize);
@@ -57,12 +76,5 @@ pub fn stock_mesh(
         heights: &heights,
         floor: 0.0,
     };
-    let surface = field.mesh(tolerance_mm)?;
-    Ok(match format {
-        MeshFormat::Stl => {
-            write::write_stl(&surface.parted(GAP * grid.resolution()), LengthUnit::Millimetre)?
-        }
-        MeshFormat::ThreeMf => write::write_threemf(&surface.mesh, name)?,
-        MeshFormat::Glb => write::write_glb(&surface.mesh, name, None)?,
-    })
+    field.mesh(tolerance_mm)
 }

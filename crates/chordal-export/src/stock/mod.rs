@@ -6,6 +6,6 @@ mod picture;
 mod text;
 
 pub use json::stock_json;
-pub use mesh::{MeshFormat, StockMeshError, stock_mesh};
+pub use mesh::{MeshFormat, StockMeshError, stock_mesh, stock_surface};
 pub use picture::stock_png;
 pub use text::stock_text;

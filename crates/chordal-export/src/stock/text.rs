@@ -2,6 +2,8 @@
 
 use chordal::stock::{Amount, StockReport, StockVerdict};
 
+use crate::numbers::duration;
+
 /// A volume between two bounds: cubic centimetres, or cubic inches.
 fn volume(amount: Amount, inch: bool) -> String {
     let (unit, size) = if inch { ("in³", 25.4_f64.powi(3)) } else { ("cm³", 1000.0) };
@@ -25,7 +27,8 @@ pub fn stock_text(found: &StockReport) -> String {
     for tool in &found.tools {
         let removed = volume(tool.removed_mm3, inch);
         let lowest = length(tool.lowest_mm);
-        text += &format!("tool {:<6} {removed}, lowest tip {lowest}\n", tool.number);
+        let time = tool.time_s.map(|time| format!(", {}", duration(time))).unwrap_or_default();
+        text += &format!("tool {:<6} {removed}, lowest tip {lowest}{time}\n", tool.number);
     }
     if let Some(target) = &found.target {
         let volume = volume(target.left_over_mm3, inch);

@@ -226,7 +226,7 @@ pub(crate) const ROWS: &[Row] = &[
                 tool(m, k).shape = ToolShape::ALL.into_iter().find(|shape| shape.as_str() == word);
             },
         },
-        doc: "what it is. A shape needs its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `form` the profile, `insert` nose radius and tip. Nothing is guessed for one that is missing",
+        doc: "what it is. A shape needs its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `t-slot` the flute length (its thickness) and the shank diameter (its neck), `lollipop` the shank diameter, `form` the profile, `insert` nose radius and tip. Nothing is guessed for one that is missing",
     },
     quantity(
         "tools.<tool>.shank_diameter",

@@ -2,6 +2,7 @@
 
 use wide::{CmpGt, f32x4};
 
+use super::below::OnTile;
 use super::block::{Part, certified, sampled};
 use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, Grid, LANES, TILE};
 use super::heights::{Range, bottom};
@@ -44,6 +45,7 @@ impl Job<'_> {
             tile: self.tile,
             mode: self.options.mode,
             by_tag: self.options.by_tag,
+            limit: self.options.gap_bytes(self.grid),
             place,
             within,
             bottom: bottom(self.grid),
@@ -64,6 +66,8 @@ struct Run<'a> {
     tile: &'a mut Tile,
     mode: Mode,
     by_tag: bool,
+    /// Bytes that the gaps of the tile may take.
+    limit: usize,
     place: Place,
     /// Cells of the tile inside the stock's box, along X and Y.
     within: [usize; 2],
@@ -84,6 +88,10 @@ struct Deepest {
 
 impl Run<'_> {
     fn step(&mut self, plan: &Plan, step: &Step) {
+        if step.action.is_below() {
+            self.below(plan, step);
+            return;
+        }
         let mut piece = plan.pieces[step.piece as usize];
         if step.action != Action::Cut {
             piece = piece.alone();
@@ -97,11 +105,20 @@ impl Run<'_> {
         }
         let course = Course::new(piece, part, &self.place);
         self.contact = match step.action {
-            Action::Cut => None,
-            Action::Compare(_) => Some(Deepest { least: 0.0, most: 0.0, cell: [0; 2], top: 0.0 }),
+            Action::Compare(_) | Action::CompareMost(_) => {
+                Some(Deepest { least: 0.0, most: 0.0, cell: [0; 2], top: 0.0 })
+            }
+            Action::Cut | Action::CutBelow | Action::CompareBelow(_) => None,
         };
         self.shapes(piece, part, step, &course);
-        let (Action::Compare(body), Some(deepest)) = (step.action, self.contact) else { return };
+        let (Action::Compare(body) | Action::CompareMost(body), Some(mut deepest)) =
+            (step.action, self.contact)
+        else {
+            return;
+        };
+        if step.action == Action::CompareMost(body) {
+            deepest.least = 0.0;
+        }
         if deepest.most > 0.0 {
             let [x, y] = [0, 1].map(|axis| {
                 self.place.corner[axis] + self.place.cell * (deepest.cell[axis] as f64 + 0.5)
@@ -112,6 +129,30 @@ impl Run<'_> {
                 at: [x, y, self.place.top + f64::from(deepest.top)],
             };
             self.found.contacts.push((body, piece.number, contact));
+        }
+    }
+
+    /// A whole move of an undercut.
+    fn below(&mut self, plan: &Plan, step: &Step) {
+        let below = &plan.below[step.piece as usize];
+        let on_tile = OnTile {
+            grid: self.grid,
+            number: self.number,
+            tile: self.tile,
+            below,
+            cutter: &plan.undercuts[below.cutter as usize],
+            by_tag: self.by_tag,
+            limit: self.limit,
+        };
+        if let Action::CompareBelow(body) = step.action {
+            let (contact, count) = on_tile.compare();
+            self.found.counts.columns += count;
+            if contact.most > 0.0 {
+                self.found.contacts.push((body, below.number, contact));
+            }
+        } else {
+            self.found.counts.columns += on_tile.cut();
+            self.tile.settle();
         }
     }
 
@@ -232,6 +273,7 @@ impl Run<'_> {
             Range { outer: ends(outer), inner: ends(inner) }
         };
         self.tile.close(block, range);
+        self.tile.settle_gaps(block);
     }
 
     /// Looks how deep a part of a body reaches into a part of a block.
@@ -308,6 +350,7 @@ impl Run<'_> {
         }
         self.found.counts.even += 1;
         self.tile.close(block, Range::uniform(hi, lo));
+        self.tile.settle_gaps(block);
         true
     }
 }

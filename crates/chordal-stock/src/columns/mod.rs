@@ -7,9 +7,11 @@
 //! [`Stock::cut`] does all by itself. A shell with threads makes a [`Plan`] of moves, gets a [`Job`] for each
 //! tile that they meet ([`Stock::jobs`]), and runs these in any order: the result has the same bits.
 
+mod below;
 mod block;
 mod check;
 mod found;
+mod gaps;
 mod grid;
 mod heights;
 mod job;
@@ -26,10 +28,10 @@ pub use grid::Grid;
 pub use job::Job;
 pub use plan::{Plan, Task};
 pub use touch::{Contact, Touch};
-pub use volume::{Amount, Bounds};
+pub use volume::{Amount, CellHeights};
 
-use crate::Cutter;
 use crate::sweep::{Body, Move};
+use crate::{Cutter, Span, Undercut};
 use tile::Tile;
 
 /// How the heights of cells are found.
@@ -60,6 +62,12 @@ pub struct Options {
 }
 
 impl Options {
+    /// Bytes that the gaps of undercuts may take in a tile: an even share of what the columns leave of the budget.
+    pub(crate) fn gap_bytes(&self, grid: &Grid) -> usize {
+        let rest = self.budget as f64 - tile::bytes(grid.bounds(), self.resolution, self);
+        (rest.max(0.0) / grid.tiles() as f64) as usize
+    }
+
     /// Certified, curves within a tenth of the resolution (mm), no volumes by tag, in a budget of bytes.
     pub const fn new(resolution: f64, budget: u64) -> Options {
         Options { resolution, mode: Mode::Certified, chord_share: 0.1, by_tag: false, budget }
@@ -176,6 +184,16 @@ impl Stock {
         counts
     }
 
+    /// Removes what undercuts sweep, each with the height of its lower end above the tip of the moves, mm.
+    pub fn cut_below(&mut self, undercuts: &[(f64, Undercut)], moves: &[Move]) -> Counts {
+        let mut counts = Counts::default();
+        let task = Task { undercuts, moves, ..Task::default() };
+        for (_, task) in check::chunks(task) {
+            counts = self.run(&self.plan(&task)).1.plus(counts);
+        }
+        counts
+    }
+
     /// How deep a body touches the stock on each of its moves; nothing is removed. A rapid of a cutter, say: with
     /// [`Body::of_cutter`].
     pub fn touch(&mut self, body: &Body, moves: &[Move]) -> Vec<Contact> {
@@ -199,6 +217,24 @@ impl Stock {
         let mut contacts = vec![Vec::new(); bodies.len()];
         let task = Task { cutter: Some(cutter), bodies, moves, drop, ..Task::default() };
         for (_, task) in check::chunks(task) {
+            let (found, _) = self.run(&self.plan(&task));
+            for (all, some) in contacts.iter_mut().zip(found) {
+                all.extend(some);
+            }
+        }
+        contacts
+    }
+
+    /// As [`Stock::cut_below`], and says for each body and each move how deep the body touches what is left when it
+    /// comes: a neck, a holder. Bodies are above the undercuts.
+    pub fn cut_watching_below(
+        &mut self,
+        undercuts: &[(f64, Undercut)],
+        bodies: &[Body],
+        moves: &[Move],
+    ) -> Vec<Vec<Contact>> {
+        let mut contacts = vec![Vec::new(); bodies.len()];
+        for (_, task) in check::chunks(Task { undercuts, bodies, moves, ..Task::default() }) {
             let (found, _) = self.run(&self.plan(&task));
             for (all, some) in contacts.iter_mut().zip(found) {
                 all.extend(some);
@@ -268,10 +304,10 @@ impl Stock {
     }
 
     /// The outer and inner heights of all cells, mm: row by row from the least y on, in each by x.
-    pub fn height_pairs(&self) -> Vec<Bounds> {
+    pub fn height_pairs(&self) -> Vec<CellHeights> {
         let [columns, rows] = self.grid.cells().map(|cells| cells as usize);
         let top = self.grid.bounds().max.z;
-        let mut pairs = vec![Bounds { outer: top, inner: top }; columns * rows];
+        let mut pairs = vec![CellHeights { outer: top, inner: top }; columns * rows];
         for (number, tile) in self.tiles.iter().enumerate() {
             let first = self.grid.first_cell(number).map(|cell| cell as usize);
             for block in 0..grid::BLOCKS * grid::BLOCKS {
@@ -281,7 +317,7 @@ impl Stock {
                 for row in y..rows.min(y + grid::BLOCK) {
                     for column in x..columns.min(x + grid::BLOCK) {
                         let cell = (row - y) * grid::BLOCK + column - x;
-                        pairs[row * columns + column] = Bounds {
+                        pairs[row * columns + column] = CellHeights {
                             outer: top + f64::from(heights.outer[cell]),
                             inner: top + f64::from(heights.inner[cell]),
                         };
@@ -293,7 +329,7 @@ impl Stock {
     }
 
     /// The outer and the inner height of a cell (column, row), mm.
-    pub fn heights_at(&self, column: u32, row: u32) -> Option<Bounds> {
+    pub fn heights_at(&self, column: u32, row: u32) -> Option<CellHeights> {
         let [columns, rows] = self.grid.cells();
         if column >= columns || row >= rows {
             return None;
@@ -301,7 +337,32 @@ impl Stock {
         let (tile, cell) = self.grid.tile_of(column, row);
         let [outer, inner] = self.tiles[tile].heights(cell);
         let top = self.grid.bounds().max.z;
-        Some(Bounds { outer: top + f64::from(outer), inner: top + f64::from(inner) })
+        Some(CellHeights { outer: top + f64::from(outer), inner: top + f64::from(inner) })
+    }
+
+    /// What undercuts have removed from a cell (column, row) below its heights, from below, mm: surely from all of
+    /// it, and what may be removed anywhere on it.
+    pub fn gaps_at(&self, column: u32, row: u32) -> [Vec<Span>; 2] {
+        let [columns, rows] = self.grid.cells();
+        if column >= columns || row >= rows {
+            return [Vec::new(), Vec::new()];
+        }
+        let (tile, cell) = self.grid.tile_of(column, row);
+        let top = self.grid.bounds().max.z;
+        let span = |gap: &gaps::Gap| {
+            let [floor, top] = gap.map(|height| top + f64::from(height));
+            Span { floor, top }
+        };
+        let spans = |gaps: &[gaps::Gap]| gaps.iter().map(span).collect();
+        match self.tiles[tile].gaps().of(cell) {
+            Some(column) => [spans(&column.surely), spans(&column.maybe)],
+            None => [Vec::new(), Vec::new()],
+        }
+    }
+
+    /// Whether columns have gaps: heights alone do not say all of what is left.
+    pub fn has_gaps(&self) -> bool {
+        self.tiles.iter().any(|tile| !tile.gaps().is_empty())
     }
 
     /// The bytes that its columns take now.

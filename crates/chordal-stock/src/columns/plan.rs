@@ -1,12 +1,13 @@
 //! What a list of moves has to do on which tile.
 
-use chordal_geometry::Vec3;
+use chordal_geometry::{ParamCurve, Transform, Vec3};
 
+use super::below::Below;
 use super::grid::TILE;
 use super::{Contact, Found, Grid, Options};
-use crate::Cutter;
 use crate::sweep::strip::{Strip, across, strip};
 use crate::sweep::{Body, Move, Part, Piece, Splitter, parts};
+use crate::{Cutter, Undercut};
 
 /// A part of the cutter on a piece of the path.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +25,19 @@ pub(crate) enum Action {
     Cut,
     /// Compares them with a body, by its number.
     Compare(u32),
+    /// The same on a move whose cutter may have been there before: what is surely touched is not known.
+    CompareMost(u32),
+    /// Removes what an undercut sweeps on a whole move: `piece` counts those.
+    CutBelow,
+    /// Compares a whole move of an undercut with the columns.
+    CompareBelow(u32),
+}
+
+impl Action {
+    /// Whether its piece is a whole move of an undercut.
+    pub fn is_below(self) -> bool {
+        matches!(self, Action::CutBelow | Action::CompareBelow(_))
+    }
 }
 
 /// What moves do.
@@ -31,6 +45,9 @@ pub(crate) enum Action {
 pub struct Task<'a> {
     /// The cutter that removes what it sweeps; none for moves that only ask.
     pub cutter: Option<&'a Cutter>,
+    /// Undercuts that remove what they sweep, each with the height of its lower end above the tip, mm. Not together with
+    /// a cutter, which it would be for to say what is above.
+    pub undercuts: &'a [(f64, Undercut)],
     /// Bodies that are compared with the stock, each on each piece of the moves before the cutter is.
     pub bodies: &'a [Body],
     /// The moves, in order.
@@ -51,6 +68,8 @@ pub struct Plan {
     pub(crate) pieces: Vec<Piece>,
     pub(crate) parts: Vec<Part>,
     pub(crate) steps: Vec<Step>,
+    pub(crate) undercuts: Vec<Undercut>,
+    pub(crate) below: Vec<Below>,
     /// Tile and number of a step, by tile, then in the order of the program.
     todo: Vec<(u32, u32)>,
     bodies: usize,
@@ -85,16 +104,20 @@ impl Plan {
         }
         let mut of = Vec::new();
         let mut all: Vec<Part> = Vec::new();
-        for (body, Body { parts }) in task.bodies.iter().enumerate() {
+        for (body, Body { parts, .. }) in task.bodies.iter().enumerate() {
             all.extend(parts);
             of.resize(all.len(), Action::Compare(body as u32));
         }
         all.extend(task.cutter.map_or(Vec::new(), |cutter| parts(&cutter.edges())));
         of.resize(all.len(), Action::Cut);
+        let of_bodies = task.bodies.iter().flat_map(|body| &body.undercuts);
+        let undercuts = task.undercuts.iter().chain(of_bodies);
         let mut plan = Plan {
             pieces,
             parts: all,
             steps: Vec::new(),
+            undercuts: undercuts.map(|(_, undercut)| undercut.clone()).collect(),
+            below: Vec::new(),
             todo: Vec::new(),
             bodies: task.bodies.len(),
             moves: task.moves.len(),
@@ -113,41 +136,113 @@ impl Plan {
         contacts
     }
 
-    /// Finds the tiles of each step.
+    /// Finds the tiles of each step. With undercuts a body, which is above their edges, meets what they leave: on the way down
+    /// they never again reach what it touches, so it is compared after them; on the way up they have not been there
+    /// yet, so it is compared before. On a move that does both it can only be said what is touched at most.
     fn tell(&mut self, grid: &Grid, task: &Task<'_>, actions: &[Action]) {
+        let pieces = core::mem::take(&mut self.pieces);
+        let mut first = 0;
+        for of_move in pieces.chunk_by(|a, b| a.number == b.number) {
+            let number = of_move[0].number;
+            let path = &task.moves[number as usize];
+            let [rises, falls] = match task.undercuts {
+                [] => [true, false],
+                _ => Below::rises_and_falls(&path.curve),
+            };
+            let asks = task.asks(number);
+            let compare = |plan: &mut Plan, only_most: bool| {
+                for (n, piece) in of_move.iter().enumerate() {
+                    for (part, action) in actions.iter().enumerate() {
+                        let action = match *action {
+                            Action::Compare(_) if !asks => continue,
+                            Action::Compare(body) if only_most => Action::CompareMost(body),
+                            action => action,
+                        };
+                        plan.tell_piece(grid, [first + n, part], piece, action);
+                    }
+                }
+            };
+            if rises {
+                compare(self, falls);
+            }
+            self.tell_below(grid, task, number, path, asks);
+            if falls || !rises {
+                compare(self, false);
+            }
+            first += of_move.len();
+        }
+        self.pieces = pieces;
+        self.todo.sort_by_key(|&(tile, _)| tile);
+    }
+
+    fn tell_piece(
+        &mut self,
+        grid: &Grid,
+        [at, part_at]: [usize; 2],
+        piece: &Piece,
+        action: Action,
+    ) {
         let bounds = grid.bounds();
         let width = grid.resolution() * TILE as f64;
-        let counts = grid.tile_counts();
-        for (number, piece) in self.pieces.iter().enumerate() {
-            let lowest = piece.lowest();
-            for (part_number, part) in self.parts.iter().enumerate() {
-                if lowest + part.height >= bounds.max.z {
-                    continue;
-                }
-                let action = actions[part_number];
-                let compares = action != Action::Cut;
-                if compares && !task.asks(piece.number) {
-                    continue;
-                }
-                let strip = strip(&if compares { piece.alone() } else { *piece }, part);
-                let step = self.steps.len() as u32;
-                let margin = piece.off_in_run + MARGIN * (width + part.reach);
-                let before = self.todo.len();
-                tiles(&strip, piece, bounds.min, width, margin, counts, |tile| {
-                    self.todo.push((tile, step));
-                });
-                if self.todo.len() > before {
-                    let (piece, part) = (number as u32, part_number as u32);
-                    self.steps.push(Step { piece, part, strip, action });
+        let part = &self.parts[part_at];
+        if piece.lowest() + part.height >= bounds.max.z {
+            return;
+        }
+        let compares = action != Action::Cut;
+        let strip = strip(&if compares { piece.alone() } else { *piece }, part);
+        let step = self.steps.len() as u32;
+        let margin = piece.off_in_run + MARGIN * (width + part.reach);
+        let before = self.todo.len();
+        tiles(&strip, piece, bounds.min, width, margin, grid.tile_counts(), |tile| {
+            self.todo.push((tile, step));
+        });
+        if self.todo.len() > before {
+            self.steps.push(Step { piece: at as u32, part: part_at as u32, strip, action });
+        }
+    }
+
+    /// The undercuts of a move, and those of the bodies that are compared.
+    fn tell_below(&mut self, grid: &Grid, task: &Task<'_>, number: u32, path: &Move, asks: bool) {
+        let own = task.undercuts.iter().map(|(lift, _)| (Action::CutBelow, *lift));
+        let of_bodies =
+            task.bodies.iter().enumerate().flat_map(|(body, Body { undercuts, .. })| {
+                let action = Action::CompareBelow(body as u32);
+                undercuts.iter().map(move |(lift, _)| (action, *lift))
+            });
+        let bounds = grid.bounds();
+        let width = grid.resolution() * TILE as f64;
+        for (cutter, (action, lift)) in own.chain(of_bodies).enumerate() {
+            let up = Transform::translation(Vec3::Z * lift);
+            let curve = path.curve.transformed(&up);
+            if action != Action::CutBelow && !asks || curve.bounds().min.z >= bounds.max.z {
+                continue;
+            }
+            let below = Below { cutter: cutter as u32, curve, number, tag: path.tag };
+            // Cells are looked at with what is around them, so what meets a cell by rounding counts.
+            let radius = self.undercuts[cutter].radius() + grid.resolution();
+            let origin = [bounds.min.x, bounds.min.y];
+            let counts = grid.tile_counts();
+            let [across, up] = below.range(radius, origin, width, counts);
+            let step = self.steps.len() as u32;
+            for row in up[0]..=up[1] {
+                for column in across[0]..=across[1] {
+                    self.todo.push(((row * i64::from(counts[0]) + column) as u32, step));
                 }
             }
+            let piece = self.below.len() as u32;
+            self.steps.push(Step { piece, part: 0, strip: Strip::default(), action });
+            self.below.push(below);
         }
-        self.todo.sort_by_key(|&(tile, _)| tile);
     }
 
     /// The number of the move of a step.
     pub(crate) fn number(&self, step: u32) -> u32 {
-        self.pieces[self.steps[step as usize].piece as usize].number
+        let Step { piece, action, .. } = self.steps[step as usize];
+        if action.is_below() {
+            self.below[piece as usize].number
+        } else {
+            self.pieces[piece as usize].number
+        }
     }
 
     /// The tiles in order, each with its steps.

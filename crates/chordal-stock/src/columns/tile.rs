@@ -3,10 +3,12 @@
 use chordal_geometry::Aabb;
 use wide::f32x4;
 
+use super::gaps::{Column, Gaps, Solid, solid};
 use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, Grid, LANES, TILE, count};
 use super::heights::{Heights, Range, bottom, round_down, round_up};
 use super::volume::{Kept, Ledger, integral};
 use super::{Amount, Mode, Options};
+use crate::Span;
 
 /// A block has no heights of its own: all cells have that of its range.
 const UNIFORM: u32 = u32::MAX;
@@ -28,6 +30,8 @@ pub(crate) struct Tile {
     /// No outer height is above this, mm: as of the last job.
     top: f32,
     ledger: Ledger,
+    /// What undercuts have removed below the tops of columns.
+    gaps: Gaps,
 }
 
 /// The most bytes of a tile. With volumes by tag every block may be kept as it was.
@@ -86,6 +90,7 @@ impl Tile {
             stride: stride(mode),
             top: 0.0,
             ledger: Ledger::default(),
+            gaps: Gaps::default(),
         };
         let top = grid.bounds().max.z;
         let [column, row] = grid.first_cell(number);
@@ -203,15 +208,57 @@ impl Tile {
         [heights.outer[cell], heights.inner[cell]]
     }
 
+    /// The gaps of its columns.
+    pub fn gaps(&self) -> &Gaps {
+        &self.gaps
+    }
+
+    /// Takes what is surely and what may be removed from a column: see [`Gaps::add`].
+    pub fn hollow(&mut self, place: [usize; 2], spans: [&[Span]; 2], bottom: f32, limit: usize) {
+        let [block, cell] = place;
+        let before = self.heights(place);
+        let after = self.gaps.add(place, spans, before, bottom, limit);
+        if after != before {
+            let mut heights = self.get(block);
+            (heights.outer[cell], heights.inner[cell]) = (after[0], after[1]);
+            self.put(block, &heights);
+        }
+    }
+
+    /// Has gaps of a block come to light, after its heights were lowered.
+    #[inline]
+    pub fn settle_gaps(&mut self, block: usize) {
+        if self.gaps.is_in(block) {
+            self.bring_to_light(block);
+        }
+    }
+
+    fn bring_to_light(&mut self, block: usize) {
+        let cells: Vec<usize> = self.gaps.of_block(block).map(|(cell, _)| cell).collect();
+        let mut heights = self.get(block);
+        for cell in cells {
+            let before = [heights.outer[cell], heights.inner[cell]];
+            let after = self.gaps.settle([block, cell], before);
+            (heights.outer[cell], heights.inner[cell]) = (after[0], after[1]);
+        }
+        self.put(block, &heights);
+    }
+
     /// What is left of it, mm³.
     pub fn left(&self, grid: &Grid, number: usize) -> Amount {
         let bottom = -grid.bounds().size().z;
         let volume = |block: usize| {
             let sides = grid.sides(number, block);
             let heights = self.get(block);
+            let mut outer = heights.outer.map(|height| (f64::from(height) - bottom).max(0.0));
+            let mut inner = heights.inner.map(|height| (f64::from(height) - bottom).max(0.0));
+            for (cell, Column { surely, maybe }) in self.gaps.of_block(block) {
+                outer[cell] = solid(heights.outer[cell], bottom, surely);
+                inner[cell] = solid(heights.inner[cell], bottom, maybe);
+            }
             Amount {
-                least: integral(&sides, |cell| (f64::from(heights.inner[cell]) - bottom).max(0.0)),
-                most: integral(&sides, |cell| (f64::from(heights.outer[cell]) - bottom).max(0.0)),
+                least: integral(&sides, |cell| inner[cell]),
+                most: integral(&sides, |cell| outer[cell]),
             }
         };
         (0..BLOCKS * BLOCKS).map(volume).fold(Amount::default(), Amount::plus)
@@ -229,7 +276,9 @@ impl Tile {
         }
         let range = self.range(block);
         let heights = (!range.is_uniform()).then(|| Box::new(self.get(block)));
-        self.ledger.keep(Kept { block, range, heights });
+        let gaps = self.gaps.of_block(block).map(|(cell, column)| (cell, column.clone()));
+        let gaps = gaps.collect();
+        self.ledger.keep(Kept { block, range, heights, gaps });
     }
 
     /// What the moves of the last tag have removed, mm³.
@@ -240,9 +289,25 @@ impl Tile {
             let before = kept.heights.as_deref().unwrap_or(&even);
             let after = self.get(kept.block);
             let drop = |from: f32, to: f32| (f64::from(from) - f64::from(to)).max(0.0);
+            let mut least: [f64; CELLS] =
+                core::array::from_fn(|cell| drop(before.inner[cell], after.outer[cell]));
+            let mut most: [f64; CELLS] =
+                core::array::from_fn(|cell| drop(before.outer[cell], after.inner[cell]));
+            if !kept.gaps.is_empty() || self.gaps.is_in(kept.block) {
+                let bottom = -grid.bounds().size().z;
+                for cell in 0..CELLS {
+                    let old =
+                        kept.gaps.iter().find(|(at, _)| *at == cell).map(|(_, column)| column);
+                    let new = self.gaps.of([kept.block, cell]);
+                    let [old_outer, old_inner] = both(before, cell, old);
+                    let [new_outer, new_inner] = both(&after, cell, new);
+                    least[cell] = old_inner.without(&new_outer, bottom);
+                    most[cell] = old_outer.without(&new_inner, bottom);
+                }
+            }
             Amount {
-                least: integral(&sides, |cell| drop(before.inner[cell], after.outer[cell])),
-                most: integral(&sides, |cell| drop(before.outer[cell], after.inner[cell])),
+                least: integral(&sides, |cell| least[cell]),
+                most: integral(&sides, |cell| most[cell]),
             }
         };
         self.ledger.open().1.iter().map(removed).fold(Amount::default(), Amount::plus)
@@ -257,6 +322,17 @@ impl Tile {
         (size_of::<Tile>()
             + self.blocks.len() * size_of::<Block>()
             + self.data.capacity() * size_of::<f32x4>()
-            + self.ledger.bytes()) as u64
+            + self.ledger.bytes()
+            + self.gaps.bytes()) as u64
     }
+}
+
+/// A column of a block with its gaps, by its outer and its inner height.
+fn both<'a>(heights: &Heights, cell: usize, column: Option<&'a Column>) -> [Solid<'a>; 2] {
+    let [surely, maybe] =
+        column.map_or([&[][..]; 2], |column| [&column.surely[..], &column.maybe[..]]);
+    [
+        Solid { height: heights.outer[cell], gaps: surely },
+        Solid { height: heights.inner[cell], gaps: maybe },
+    ]
 }

@@ -1,5 +1,6 @@
 //! Volumes, as sums in a fixed order.
 
+use super::gaps::Column;
 use super::grid::BLOCK;
 use super::heights::{Heights, Range};
 
@@ -20,10 +21,10 @@ impl Amount {
 
 /// The heights of a cell, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
+pub struct CellHeights {
     /// Nothing of the stock on the cell is higher.
     pub outer: f64,
-    /// Below it, down to the bottom, all of the cell is stock.
+    /// Below it, down to the bottom, all of the cell is stock, but for gaps: see [`Stock::gaps_at`](super::Stock::gaps_at).
     pub inner: f64,
 }
 
@@ -59,6 +60,8 @@ pub(crate) struct Kept {
     pub range: Range,
     /// None for one that was even.
     pub heights: Option<Box<Heights>>,
+    /// Its columns with gaps.
+    pub gaps: Vec<(usize, Column)>,
 }
 
 impl Ledger {

@@ -29,10 +29,12 @@ impl<'a> Profile<'a> {
     /// Height above the tip at a distance from the axis, mm; infinite outside. At a step it is that of
     /// the inner ring, the lower one: a cutter is closed.
     pub(super) fn height_at(&self, radius: f64) -> f64 {
-        // A number that is none is outside, so no `max`.
-        let radius = if radius < self.push { 0.0 } else { radius - self.push };
-        let on = |ring: &&Ring| radius <= ring.to;
-        self.rings.iter().find(on).map_or(f64::INFINITY, |ring| ring.height_at(radius))
+        // Compared where the rings are now, as `radius` says it: less the push again, its own radius may be beyond
+        // the last ring by rounding. A number that is none is outside.
+        let on = |ring: &&Ring| radius <= ring.to + self.push;
+        self.rings.iter().find(on).map_or(f64::INFINITY, |ring| {
+            ring.height_at((radius - self.push).max(0.0).min(ring.to))
+        })
     }
 
     /// The rings where they are now, from the axis outwards.

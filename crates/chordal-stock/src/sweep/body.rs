@@ -1,18 +1,26 @@
 //! What must not touch stock: a shank, a neck, a holder, the part of a cutter above its edges.
 
 use super::{Kind, Part, parts};
-use crate::Cutter;
+use crate::{Cutter, Undercut};
 
 /// A body of revolution about the tool axis, as its lowest surface. Heights above the tool tip, mm.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Body {
     pub(crate) parts: Vec<Part>,
+    /// Undercuts, each with the height of its lower end above the tip, mm.
+    pub(crate) undercuts: Vec<(f64, Undercut)>,
 }
 
 impl Body {
     /// A cutter itself: for moves that should not cut.
     pub fn of_cutter(cutter: &Cutter) -> Body {
-        Body { parts: parts(cutter.rings()) }
+        Body { parts: parts(cutter.rings()), ..Body::default() }
+    }
+
+    /// Undercuts themselves, each with the height of its lower end above the tip, mm: for moves that should not
+    /// cut. Unlike other bodies they end at their upper sides.
+    pub fn of_undercuts(undercuts: &[(f64, Undercut)]) -> Body {
+        Body { undercuts: undercuts.to_vec(), ..Body::default() }
     }
 
     /// What is above the edges of a cutter, as wide as the cutter; `None` if their length is not known. What it
@@ -55,7 +63,7 @@ impl Body {
             }
             height += length.max(0.0);
         }
-        Body { parts }
+        Body { parts, ..Body::default() }
     }
 }
 

@@ -8,8 +8,8 @@
 
 use wide::{CmpGe, CmpLe, CmpLt, f32x4};
 
-use super::shape::Shape;
-use super::{Part, Piece};
+use super::shape::{ROUND_SHIFT, Shape, is_ball};
+use super::{Kind, Part, Piece};
 
 const ZERO: f32x4 = f32x4::ZERO;
 
@@ -99,7 +99,11 @@ impl Course {
         // Beyond this from the anchor no column of the tile is reached.
         let far = part.reach + 2.0 * width;
         let (from, to) = ((-anchor).max(-far), (piece.length - anchor).min(far));
-        let round = SHIFT * (part.reach + width);
+        let newton = match part.kind {
+            Kind::Round { .. } if !is_ball(part) => ROUND_SHIFT * part.reach,
+            Kind::Round { .. } | Kind::Flat | Kind::Cone(_) => 0.0,
+        };
+        let round = SHIFT * (part.reach + width) + newton;
         let height = piece.start.z + piece.slope * anchor + part.height - place.top;
         let slope = piece.slope.abs();
         let range = place.depth + height.abs() + slope * (to - from);

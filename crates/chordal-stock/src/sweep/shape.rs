@@ -1,10 +1,12 @@
 //! The kinds of parts in four lanes: how high they are, and where on a slope they touch lowest.
 
-use wide::{CmpGt, f32x4};
+use wide::{CmpGt, CmpLt, f32x4};
 
 use super::{Kind, Part};
 
 const ZERO: f32x4 = f32x4::ZERO;
+/// No divisor is smaller.
+const TINY: f32x4 = f32x4::new([1e-12; 4]);
 
 /// A kind of part. Radii and heights in mm; heights above the core.
 pub(crate) trait Shape: Copy {
@@ -143,19 +145,27 @@ pub(crate) struct Round {
     core_square: f32x4,
     /// The height of the circle of the core on the round, mm: zero where it begins at its lowest place.
     rise: f32x4,
-    /// Slope² and 1 + slope².
-    slope_square: f32x4,
-    secant_square: f32x4,
+    /// Slope, its square, and 1/(1 + slope²).
     slope: f32x4,
-    /// The smallest sine of a contact.
-    least_sine: f32x4,
+    slope_square: f32x4,
+    cosine_square: f32x4,
+    /// The smallest sine of a contact, and what it is of its arm.
+    least_share: f32x4,
+    /// One over the whole radius.
+    inverse: f32x4,
+    middle_square: f32x4,
+    /// Where the contact begins at the distance of the middle.
+    at_middle: f32x4,
     reach_square: f32x4,
     reach: f32x4,
 }
 
-/// Newton's method for the contact of a round: from its start four steps reach single precision, and the
-/// floor's error is of the second order in what is left.
-const STEPS: usize = 4;
+/// Newton's method for the contact of a round: from its start three steps reach single precision.
+const STEPS: usize = 3;
+
+/// What the contact of a round is off after these, as a shift of the column by a share of the reach: twice the largest
+/// of four million cases with rounds from a hundredth of the radius and slopes up to a hundred.
+pub(crate) const ROUND_SHIFT: f64 = 1.0 / (1 << 15) as f64;
 
 impl Shape for Round {
     #[inline(always)]
@@ -169,30 +179,44 @@ impl Shape for Round {
         self.round - (self.round_square - d * d).fast_max(ZERO).sqrt() - self.rise
     }
 
-    /// With s the sine of the contact, (f + c·s)²·(1 + m² − m²/s²) = e²: the left side grows with s.
+    /// With s the sine of the contact and q² = s²(1 + m²) − m², (f + c·s)·q = e·s. Neither takes differences of nearly equal
+    /// numbers on steep slopes. The root lies between e·s/(f + c·s) for the least s and for one.
     #[inline(always)]
     fn contact(&self, e: f32x4, square: f32x4, room: f32x4) -> f32x4 {
         let one = f32x4::ONE;
         let square = square.fast_min(self.reach_square);
         let e = e.fast_min(self.reach);
-        let start = (self.slope_square + square / self.reach_square) / self.secant_square;
-        let mut s = start.sqrt().fast_max(self.least_sine).fast_min(one);
+        let (least, most) = (e * self.least_share, e * self.inverse);
+        // On the flat end the round hardly counts, outside of it the slope; between them both do.
+        let flat = (self.middle_square - square).fast_max(ZERO).sqrt();
+        let on_flat = (self.slope * e / flat.fast_max(TINY)).fast_min(self.at_middle);
+        let outside = ((e - self.middle) / self.round).fast_max(self.at_middle);
+        let start = e.cmp_lt(self.middle).blend(on_flat, outside);
+        let mut q = start.fast_max(least).fast_min(most);
+        let sine =
+            |q: f32x4| ((q * q + self.slope_square) * self.cosine_square).sqrt().fast_max(TINY);
         for _ in 0..STEPS {
+            let s = sine(q);
             let arm = self.middle + self.round * s;
-            let inverse = one / s;
-            let part = self.slope_square * inverse * inverse;
-            let rest = (self.secant_square - part).fast_max(ZERO);
-            let value = arm * arm * rest - e * e;
-            let rate = arm * (self.round * rest + arm * part * inverse);
-            s = (s - value / (rate + rate)).fast_max(self.least_sine).fast_min(one);
+            let value = arm * q - e * s;
+            let rate = arm + (self.round * q - e) * q * self.cosine_square / s;
+            q = (q - value / rate.fast_max(TINY)).fast_max(least).fast_min(most);
         }
+        let s = sine(q);
         let arm = self.middle + self.round * s;
-        let contact = self.slope * arm * (one - s * s).fast_max(ZERO).sqrt() / s;
+        let rest = ((one - q * q) * self.cosine_square).fast_max(ZERO).sqrt();
+        let contact = self.slope * arm * rest / s;
         let edge = (self.core_square - square).fast_max(ZERO).sqrt();
         // On the core itself the height does not change before its edge.
         let inside = contact.cmp_gt(edge);
         inside.blend(contact, edge).fast_min(room)
     }
+}
+
+/// Whether a round is half a ball, whose contact has a closed form.
+pub(crate) fn is_ball(part: &Part) -> bool {
+    matches!(part.kind, Kind::Round { round, middle }
+        if middle == 0.0 && part.core == 0.0 && part.reach == round)
 }
 
 /// Farther than a cutter reaches, mm, or steeper than any lean that matters.
@@ -224,18 +248,15 @@ impl AnyShape {
                 }),
                 steep: lane(if rise < k { 0.0 } else { FAR }),
             }),
-            Kind::Round { round, middle }
-                if middle == 0.0 && part.core == 0.0 && part.reach == round =>
-            {
-                AnyShape::Ball(Ball {
-                    round: lane(round),
-                    round_square: lane(round * round),
-                    sine: lane(rise / (1.0 + rise * rise).sqrt()),
-                    twice_round: lane(2.0 * round),
-                })
-            }
+            Kind::Round { round, .. } if is_ball(part) => AnyShape::Ball(Ball {
+                round: lane(round),
+                round_square: lane(round * round),
+                sine: lane(rise / (1.0 + rise * rise).sqrt()),
+                twice_round: lane(2.0 * round),
+            }),
             Kind::Round { round, middle } => {
                 let d = part.core - middle;
+                let sine = rise / (1.0 + rise * rise).sqrt();
                 AnyShape::Round(Round {
                     round: lane(round),
                     round_square: lane(round * round),
@@ -243,14 +264,60 @@ impl AnyShape {
                     core: lane(part.core),
                     core_square: lane(part.core * part.core),
                     rise: lane(round - (round * round - d * d).max(0.0).sqrt()),
-                    slope_square: lane(rise * rise),
-                    secant_square: lane(1.0 + rise * rise),
                     slope: lane(rise),
-                    least_sine: lane((rise / (1.0 + rise * rise).sqrt()).max(1e-6)),
+                    slope_square: lane(rise * rise),
+                    cosine_square: lane(1.0 / (1.0 + rise * rise)),
+                    least_share: lane(sine / (middle + round * sine)),
+                    inverse: lane(1.0 / (middle + round)),
+                    middle_square: lane(middle.max(0.0) * middle.max(0.0)),
+                    at_middle: lane(libm::cbrt(middle.max(0.0) * rise * rise / (2.0 * round))),
                     reach_square: lane(part.reach * part.reach),
                     reach: lane(part.reach),
                 })
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The contact by halving, in double precision.
+    fn halved(round: f64, middle: f64, slope: f64, e: f64) -> f64 {
+        let square = slope * slope;
+        let (mut low, mut high) = (slope / (1.0 + square).sqrt(), 1.0);
+        for _ in 0..100 {
+            let s = 0.5 * (low + high);
+            let arm = middle + round * s;
+            let value = arm * arm * (1.0 + square - square / (s * s)) - e * e;
+            *(if value < 0.0 { &mut low } else { &mut high }) = s;
+        }
+        let reach = middle + round;
+        let contact = slope * (middle + round * low) * (1.0 - low * low).max(0.0).sqrt() / low;
+        contact.min((reach * reach - e * e).max(0.0).sqrt())
+    }
+
+    /// Rounds from a fiftieth of the radius, slopes of a thousandth to fifty, columns about the edge of the flat end.
+    #[test]
+    fn contacts_of_rounds_are_where_they_should_be() {
+        let mut worst = 0.0_f64;
+        for round in [0.02, 0.05, 0.2, 0.5, 0.9] {
+            let middle: f64 = 1.0 - round;
+            let kind = Kind::Round { round, middle };
+            let part = Part { height: 0.0, core: middle, reach: 1.0, kind };
+            for slope in [0.001, 0.01, 0.03, 0.2, 1.0, 7.0, 50.0] {
+                let AnyShape::Round(shape) = AnyShape::new(&part, slope) else { unreachable!() };
+                for n in 0..=2000 {
+                    let e = f64::from(n) / 2000.0;
+                    let lane = f32x4::splat(e as f32);
+                    let room = (f32x4::ONE - lane * lane).fast_max(ZERO).sqrt();
+                    let found = f64::from(shape.contact(lane, lane * lane, room).to_array()[0]);
+                    worst = worst.max((found - halved(round, middle, slope, e)).abs());
+                }
+            }
+        }
+        // A root of a rounded number at the rim.
+        assert!(worst < 4e-4, "{worst}");
     }
 }

@@ -6,7 +6,7 @@
 use super::{Part, Piece};
 
 /// A rectangle along a piece: `from` to `to` along it from its start, `reach` to both sides, mm.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub(crate) struct Strip {
     pub from: f64,
     pub to: f64,

@@ -1,7 +1,8 @@
 //! Bounds over cells against columns in them.
 
+use chordal_geometry::{Arc, Frame, Vec3};
 use chordal_stock::floor::merge;
-use chordal_stock::{Span, Sweep};
+use chordal_stock::{Cutter, Span, Sweep};
 
 use crate::moves::{self, KINDS, Kind, Random, SHAPES, Shape};
 
@@ -115,4 +116,21 @@ fn bounds_close_with_the_side_of_a_cell() {
         println!("{kind:?} {shape:?}: mean gap {gaps:.4?} mm on sides of 0.2, 0.1, 0.05 mm");
         assert!(gaps[1] < 0.7 * gaps[0] && gaps[2] < 0.7 * gaps[1], "{gaps:?}");
     }
+}
+
+/// The end of a window on a hill lies on the rim of the cutter, which is pushed outwards by half the diagonal of this cell: less
+/// the push again it is beyond the rim by rounding, and was not counted.
+#[test]
+fn the_rim_of_a_pushed_cutter_counts() {
+    let flat = Cutter::flat(3.76017863078379).unwrap();
+    let (sine, cosine) = libm::sincos(0.2490610411948797);
+    let center = Vec3::new(-15.070943442608073, -4.508585269673651, 6.823557612994016);
+    let towards = Vec3::Z * cosine + Vec3::X * sine;
+    let frame = Frame::from_normal(center, Vec3::Y, towards).unwrap();
+    let hill = Arc::new(frame, 10.363389637542303, -0.7586677991447726, 0.0).into();
+    let sweep = Sweep::new(&flat, &hill, 1e-6);
+    let (middle, side) = ([-17.242791246112418, -5.6651598581193126], 0.9790640104599871);
+    let floor = sweep.floor([-17.73232325085288, -5.908649322239445]).unwrap();
+    let bounds = sweep.cell_floor(middle, side);
+    assert!(bounds.lower <= floor && floor <= bounds.upper, "{floor} {bounds:?}");
 }

@@ -87,8 +87,10 @@ impl<'s> Heights<'s> {
             let [low, high] = stock.grid().corners(column as u32, row as u32);
             let area = (high[0] - low[0]) * (high[1] - low[1]);
             let [outer, inner] = [cells.outer(column, row), cells.inner(column, row)];
+            // What undercuts may have removed besides, wherever it is.
+            let gaps = gaps_of(stock, column as u32, row as u32);
             let most = area * below(outer, pair.outer);
-            let least = area * below(inner, pair.inner);
+            let least = area * (below(inner, pair.inner) - gaps).max(0.0);
             left.least += least;
             left.most += most;
             removed.least += (area * below(inner, f64::INFINITY) - most).max(0.0);
@@ -96,6 +98,15 @@ impl<'s> Heights<'s> {
         }
         Some([removed, left])
     }
+}
+
+/// How much undercuts may have removed from a column below its heights, mm.
+pub(super) fn gaps_of(stock: &Stock, column: u32, row: u32) -> f64 {
+    if !stock.has_gaps() {
+        return 0.0;
+    }
+    let [_, maybe] = stock.gaps_at(column, row);
+    maybe.iter().map(|gap| gap.top - gap.floor).sum()
 }
 
 /// How much of some spans is below a height, mm.

@@ -14,6 +14,7 @@ mod setup;
 mod target;
 mod tools;
 
+pub use chordal_stock::columns::{Found, Job as TileJob, Runner};
 pub use chordal_stock::mesh;
 pub use chordal_stock::{Amount, Stock, StockError};
 pub use pass::StockOptions;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use chordal_command::{Origin, Units};
 use chordal_stock::Options;
+use chordal_stock::columns::Runner;
 
 use super::gather::Batch;
 use super::problems::Place;
@@ -39,6 +40,8 @@ pub(super) struct Run<'a> {
     pub tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
     pub batches: &'a [Batch],
     pub units: Units,
+    /// Cuts tiles of columns.
+    pub runner: &'a Runner<'a>,
 }
 
 impl Run<'_> {

@@ -5,6 +5,7 @@ use chordal_stock::{Amount, Stock};
 use super::problems::StockProblem;
 use super::target::TargetReport;
 use crate::report::Report;
+use crate::time::ToolTime;
 
 /// What can be said of a program on its stock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +40,8 @@ pub struct ToolRemoved {
     pub removed_mm3: Amount,
     /// The lowest place of its tip at feed, mm; infinite without one.
     pub lowest_mm: f64,
+    /// Its time with changes, s, where the run was planned: see [`StockReport::take_times`].
+    pub time_s: Option<f64>,
 }
 
 /// The answers of a run on stock.
@@ -68,4 +71,14 @@ pub struct StockReport {
     pub stock: Stock,
     /// The run, with the problems as diagnostics among the others.
     pub report: Report,
+}
+
+impl StockReport {
+    /// Takes the times of the tools, as the planner has them.
+    pub fn take_times(&mut self, times: &[ToolTime]) {
+        for tool in &mut self.tools {
+            let own = times.iter().find(|time| time.number == tool.number);
+            tool.time_s = own.map(|time| time.times.total_s());
+        }
+    }
 }

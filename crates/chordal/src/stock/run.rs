@@ -6,8 +6,9 @@ use std::collections::BTreeMap;
 use chordal_command::Origin;
 use chordal_diagnostics::{Code, Severity};
 use chordal_geometry::ParamCurve;
+use chordal_stock::columns::{Job as TileJob, Runner};
 use chordal_stock::shape::Shape;
-use chordal_stock::{Amount, Body, Check, Checked, Cutter, Move, StockError, Task};
+use chordal_stock::{Amount, Body, Check, Checked, Cutter, Move, StockError, Task, Undercut};
 
 use super::fixtures::look_at_fixtures;
 use super::gather::{Batch, Gathered, Kind};
@@ -45,6 +46,20 @@ impl Job<'_> {
         options: &StockOptions,
         files: Files<'_>,
     ) -> Result<StockReport, StockRunError> {
+        self.stock_by(options, files, &|tiles| tiles.into_iter().map(TileJob::run).collect())
+    }
+
+    /// The same with a function that cuts tiles of columns, in any order and on any threads: the answer has the same
+    /// bits.
+    ///
+    /// # Errors
+    /// As [`Job::stock`].
+    pub fn stock_by(
+        &self,
+        options: &StockOptions,
+        files: Files<'_>,
+        runner: &Runner<'_>,
+    ) -> Result<StockReport, StockRunError> {
         let tools = tools_of(self);
         let control = self.control();
         let mut gathered =
@@ -78,6 +93,7 @@ impl Job<'_> {
             tools: &tools,
             batches: &gathered.batches,
             units: gathered.units,
+            runner,
         };
         let mut problems = Problems::default();
         let cut = run.cut(&stock, &mut problems)?;
@@ -118,6 +134,7 @@ struct Cut {
 /// A task with what its contacts mean.
 struct Asked<'a> {
     cutter: Option<&'a Cutter>,
+    undercuts: &'a [(f64, Undercut)],
     /// What each body means that touches.
     codes: Vec<Code>,
     bodies: Vec<Body>,
@@ -135,6 +152,7 @@ impl Run<'_> {
             .iter()
             .map(|asked| Task {
                 cutter: asked.cutter,
+                undercuts: asked.undercuts,
                 bodies: &asked.bodies,
                 moves: &asked.moves,
                 drop: self.options.tolerance_mm,
@@ -151,7 +169,7 @@ impl Run<'_> {
             tolerance: self.options.tolerance_mm,
             finest: self.finest(),
         };
-        let checked = check.run()?;
+        let checked = check.run_by(self.runner)?;
         for (asked, contacts) in asked.iter().zip(&checked.contacts) {
             for (index, origin) in asked.origins.iter().enumerate() {
                 let place = self.place(*origin, asked.tool);
@@ -167,12 +185,16 @@ impl Run<'_> {
     /// What is asked on the moves of a batch, in order.
     fn asked<'r>(&'r self, batch: &'r Batch) -> Vec<Asked<'r>> {
         let Some(tool) = self.tool(batch.tool) else { return Vec::new() };
-        let own = |code| (code, Body::of_cutter(&tool.cutter));
+        let own = |code| match &tool.undercuts[..] {
+            [] => (code, Body::of_cutter(&tool.cutter)),
+            undercuts => (code, Body::of_undercuts(undercuts)),
+        };
         let above = bodies_above(tool);
         let cuts = |above: Vec<(Code, Body)>| {
             let (codes, bodies) = above.into_iter().unzip();
             Asked {
-                cutter: Some(&tool.cutter),
+                cutter: Some(&tool.cutter).filter(|_| tool.undercuts.is_empty()),
+                undercuts: &tool.undercuts,
                 codes,
                 bodies,
                 moves: Cow::Borrowed(&batch.moves),
@@ -205,7 +227,7 @@ fn watched<'r>(batch: &Batch, bodies: impl Iterator<Item = (Code, Body)>) -> Ask
         kept.map(|(path, from)| (*path, *from)).unzip();
     let (codes, bodies) = bodies.unzip();
     let (moves, origins) = (Cow::Owned(moves), Cow::Owned(origins));
-    Asked { cutter: None, codes, bodies, moves, origins, tool: batch.tool }
+    Asked { cutter: None, undercuts: &[], codes, bodies, moves, origins, tool: batch.tool }
 }
 
 /// What is above the edges of a tool and must not touch.
@@ -216,10 +238,13 @@ fn bodies_above(tool: &ToolBody) -> Vec<(Code, Body)> {
             pieces.iter().map(|piece| [piece.height, piece.lower, piece.upper]).collect();
         Some(Body::stack(from, &segments))
     };
-    let flutes = Body::above_flutes(&tool.cutter).map(|body| (Code::DeeperThanFlutes, body));
+    let is_below = !tool.undercuts.is_empty();
+    // The neck above an undercut is its shank, and never as wide.
+    let flutes = Body::above_flutes(&tool.cutter).filter(|_| !is_below);
+    let flutes = flutes.map(|body| (Code::DeeperThanFlutes, body));
     // A shank no wider than the cutter touches only what is deeper than the edges.
     let wide = |piece: &Piece| piece.lower.max(piece.upper) > 2.0 * tool.cutter.radius();
-    let shank = stack(&tool.shank).filter(|_| tool.shank.iter().any(wide));
+    let shank = stack(&tool.shank).filter(|_| is_below || tool.shank.iter().any(wide));
     let shank = shank.map(|body| (Code::ShankInStock, body));
     let holder = stack(&tool.holder).map(|body| (Code::HolderInStock, body));
     holder.into_iter().chain(shank).chain(flutes).collect()
@@ -256,7 +281,7 @@ fn finish(
             // The columns count what is hollow as removed.
             removed_mm3.least = 0.0;
         }
-        ToolRemoved { number: *number, moves, removed_mm3, lowest_mm }
+        ToolRemoved { number: *number, moves, removed_mm3, lowest_mm, time_s: None }
     });
     StockReport {
         resolution_mm: stock.grid().resolution(),

@@ -6,7 +6,7 @@ use chordal_stock::shape::Shape;
 use chordal_stock::{Amount, Body, Check, Move, Stock, StockError, Task};
 
 use super::gather::{Batch, Kind};
-use super::heights::Heights;
+use super::heights::{Heights, gaps_of};
 use super::pass::Run;
 use super::problems::Problems;
 
@@ -77,7 +77,7 @@ fn look_for_gouges(
         tolerance: ROUNDING,
         finest: run.finest().min(OF_TOLERANCE * target.tolerance),
     };
-    let checked = check.run()?;
+    let checked = check.run_by(run.runner)?;
     for ((batch, ..), contacts) in asked.iter().zip(&checked.contacts) {
         for (index, origin) in batch.origins.iter().enumerate() {
             let place = run.place(*origin, batch.tool);
@@ -110,7 +110,8 @@ fn left_over(target: &Target, heights: &Heights<'_>, stock: &Stock) -> TargetRep
             let area = (high[0] - low[0]) * (high[1] - low[1]);
             let pair = pairs[row as usize * columns as usize + column as usize];
             let [outer, inner] = heights.of(low, high);
-            let least = (pair.inner.max(bottom) - outer.max(bottom)).max(0.0);
+            let gaps = gaps_of(stock, column, row);
+            let least = (pair.inner.max(bottom) - outer.max(bottom) - gaps).max(0.0);
             let most = (pair.outer.max(bottom) - inner.max(bottom)).max(0.0);
             of_row.least += area * least;
             of_row.most += area * most;

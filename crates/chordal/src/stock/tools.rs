@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use chordal_machine::{Cutter as Shape, Solid, Tool, ToolShape};
-use chordal_stock::{Cutter, CutterError};
+use chordal_stock::{Cutter, CutterError, Undercut};
 
 use crate::job::Job;
 use crate::tool_comments::known_tools;
@@ -11,6 +11,10 @@ use crate::tool_comments::known_tools;
 /// A thread's depth as a share of its pitch: 5/8 of the height of the sharp triangle, which is √3/2 of the
 /// pitch (ISO 68-1).
 const THREAD_DEPTH: f64 = 0.541_265_877_365_274_2;
+/// The flat of a thread's tooth as a share of its pitch, and the angle of its flanks to the plane across the axis
+/// (ISO 68-1: 60° between them).
+const CREST: f64 = 0.125;
+const FLANK: f64 = std::f64::consts::FRAC_PI_6;
 /// A shank of which only the diameter is known has no end below this height, mm.
 const LONG: f64 = 1000.0;
 
@@ -18,6 +22,9 @@ const LONG: f64 = 1000.0;
 #[derive(Clone, Debug)]
 pub(super) struct ToolBody {
     pub cutter: Cutter,
+    /// What cuts instead of it where it is only the hull of edges above its widest place: each with the height of
+    /// its lower end above the tip, mm.
+    pub undercuts: Vec<(f64, Undercut)>,
     /// `None`: another shape than those.
     dimensions: Option<Dimensions>,
     /// Pieces above the edges, the lowest first, each with its height above the tip, mm.
@@ -136,45 +143,108 @@ pub(super) fn tools_of(job: &Job) -> BTreeMap<u32, Result<ToolBody, NoBody>> {
 
 fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
     let shape = tool.shape.ok_or(NoBody::Unknown)?;
-    let (mut dimensions, mut other) = (None, None);
-    match tool.cutter().ok_or(NoBody::Incomplete(shape))? {
-        Shape::Flat { diameter_mm } => {
-            dimensions = Some(Dimensions::Flat { diameter: diameter_mm });
-        }
-        Shape::Ball { diameter_mm } => {
-            dimensions = Some(Dimensions::Ball { diameter: diameter_mm });
-        }
-        Shape::Bull { diameter_mm, corner_radius_mm } => {
-            dimensions = Some(Dimensions::Bull { diameter: diameter_mm, corner: corner_radius_mm });
-        }
-        Shape::Chamfer { diameter_mm, tip_diameter_mm: tip, point_angle_rad: angle } => {
-            dimensions = Some(Dimensions::Pointed { diameter: diameter_mm, tip, angle });
-        }
-        Shape::Drill { diameter_mm, point_angle_rad: angle } => {
-            dimensions = Some(Dimensions::Pointed { diameter: diameter_mm, tip: 0.0, angle });
-        }
-        // Their core: the thread itself is finer than the columns.
-        Shape::Tap { diameter_mm, pitch_mm } | Shape::ThreadMill { diameter_mm, pitch_mm, .. } => {
-            other = Some(Cutter::flat(diameter_mm - 2.0 * THREAD_DEPTH * pitch_mm));
-        }
-        Shape::Form { profile } => other = Some(Cutter::outline(profile)),
-        Shape::Insert { .. } => return Err(NoBody::Turning),
-    }
-    let cutter = other.or_else(|| dimensions.map(Dimensions::cutter)).ok_or(NoBody::Unknown)?;
-    let cutter = cutter.map_err(NoBody::Wrong)?.with_flutes(tool.flute_length_mm);
+    let edges = edges_of(tool.cutter().ok_or(NoBody::Incomplete(shape))?)?;
     // Where the edges end is not known: neither is where the shank begins.
-    let Some(flutes) = tool.flute_length_mm else {
-        return Ok(ToolBody { cutter, dimensions, shank: Vec::new(), holder: Vec::new() });
+    let flutes = match edges.top {
+        Some(top) => Some(tool.flute_length_mm.map_or(top, |flutes| flutes.max(top))),
+        None => tool.flute_length_mm,
     };
+    let Edges { cutter, undercuts, dimensions, top, neck } = edges;
+    let cutter = cutter.with_flutes(flutes);
+    let mut body =
+        ToolBody { cutter, undercuts, dimensions, shank: Vec::new(), holder: Vec::new() };
+    let Some(flutes) = flutes else { return Ok(body) };
     let mut at = flutes;
-    let mut shank = stacked(&tool.shank, &mut at);
-    if let (true, Some(diameter)) = (shank.is_empty(), tool.shank_diameter_mm) {
+    body.shank = stacked(&tool.shank, &mut at);
+    if let (true, Some(diameter)) = (body.shank.is_empty(), tool.shank_diameter_mm) {
         let height = if tool.holder.is_empty() { LONG } else { 0.0 };
-        shank.push(Piece { from: at, height, lower: diameter, upper: diameter });
+        body.shank.push(Piece { from: at, height, lower: diameter, upper: diameter });
         at += height;
     }
-    let holder = stacked(&tool.holder, &mut at);
-    Ok(ToolBody { cutter, dimensions, shank, holder })
+    if let Some(from) = top.filter(|top| *top < flutes) {
+        // The neck between undercuts and shank.
+        let neck = Piece { from, height: flutes - from, lower: neck, upper: neck };
+        body.shank.insert(0, neck);
+    }
+    body.holder = stacked(&tool.holder, &mut at);
+    Ok(body)
+}
+
+/// What cuts.
+struct Edges {
+    cutter: Cutter,
+    undercuts: Vec<(f64, Undercut)>,
+    dimensions: Option<Dimensions>,
+    /// How far up they reach, where the shape says it, mm.
+    top: Option<f64>,
+    /// The diameter of what bears undercuts, mm.
+    neck: f64,
+}
+
+fn edges_of(shape: Shape<'_>) -> Result<Edges, NoBody> {
+    let known = |dimensions: Dimensions| {
+        let cutter = dimensions.cutter()?;
+        let dimensions = Some(dimensions);
+        Ok(Edges { cutter, undercuts: Vec::new(), dimensions, top: None, neck: 0.0 })
+    };
+    let other = |cutter: Cutter| Edges {
+        cutter,
+        undercuts: Vec::new(),
+        dimensions: None,
+        top: None,
+        neck: 0.0,
+    };
+    let found: Result<Edges, CutterError> = match shape {
+        Shape::Flat { diameter_mm } => known(Dimensions::Flat { diameter: diameter_mm }),
+        Shape::Ball { diameter_mm } => known(Dimensions::Ball { diameter: diameter_mm }),
+        Shape::Bull { diameter_mm, corner_radius_mm } => {
+            known(Dimensions::Bull { diameter: diameter_mm, corner: corner_radius_mm })
+        }
+        Shape::Chamfer { diameter_mm, tip_diameter_mm: tip, point_angle_rad: angle } => {
+            known(Dimensions::Pointed { diameter: diameter_mm, tip, angle })
+        }
+        Shape::Drill { diameter_mm, point_angle_rad: angle } => {
+            known(Dimensions::Pointed { diameter: diameter_mm, tip: 0.0, angle })
+        }
+        // Its core: a thread of a pitch a turn stands in the hole.
+        Shape::Tap { diameter_mm, pitch_mm } => {
+            Cutter::flat(core(diameter_mm, pitch_mm)).map(other)
+        }
+        Shape::ThreadMill { diameter_mm, pitch_mm, teeth } => threads(diameter_mm, pitch_mm, teeth),
+        Shape::TSlot { diameter_mm, thickness_mm, neck_mm } => {
+            let disc = Undercut::t_slot(diameter_mm, thickness_mm, neck_mm);
+            disc.and_then(|disc| Ok(below(Cutter::flat(diameter_mm)?, disc)))
+        }
+        Shape::Lollipop { diameter_mm, neck_mm } => {
+            let ball = Undercut::lollipop(diameter_mm, neck_mm);
+            ball.and_then(|ball| Ok(below(Cutter::ball(diameter_mm)?, ball)))
+        }
+        Shape::Form { profile } => Cutter::outline(profile).map(other),
+        Shape::Insert { .. } => return Err(NoBody::Turning),
+    };
+    found.map_err(NoBody::Wrong)
+}
+
+/// One undercut within a hull.
+fn below(hull: Cutter, undercut: Undercut) -> Edges {
+    let (top, neck) = (Some(undercut.height()), undercut.neck());
+    Edges { cutter: hull, undercuts: vec![(0.0, undercut)], dimensions: None, top, neck }
+}
+
+/// The diameter of a thread tool below its teeth, mm.
+fn core(diameter: f64, pitch: f64) -> f64 {
+    diameter - 2.0 * THREAD_DEPTH * pitch
+}
+
+/// Teeth above each other, with the core that bears them.
+fn threads(diameter: f64, pitch: f64, teeth: u32) -> Result<Edges, CutterError> {
+    let core = core(diameter, pitch);
+    let tooth = Undercut::thread_disc(diameter, pitch * CREST, FLANK, core)?;
+    let height = pitch * f64::from(teeth);
+    let mut undercuts = vec![(0.0, Undercut::t_slot(core, height.max(tooth.height()), core)?)];
+    undercuts.extend((0..teeth).map(|n| (pitch * f64::from(n), tooth.clone())));
+    let top = Some(height.max(tooth.height()));
+    Ok(Edges { cutter: Cutter::flat(diameter)?, undercuts, dimensions: None, top, neck: core })
 }
 
 fn stacked(solids: &[Solid], at: &mut f64) -> Vec<Piece> {

@@ -1,0 +1,190 @@
+//! Undercuts: cutters that remove from a column what is between their lower and their upper side.
+//!
+//! A move is taken whole, in double precision: there are few of such moves, and the spans of its windows are
+//! known for every kind of path.
+
+use chordal_geometry::{Curve, ParamCurve};
+
+use super::Contact;
+use super::gaps::Solid;
+use super::grid::{BLOCK, BLOCKS, CELLS, Grid};
+use super::tile::Tile;
+use crate::floor::merge;
+use crate::{Span, Sweep, Undercut};
+
+/// The gap of the bounds where there is no closed form, mm: far below any resolution, and cheap.
+const GAP: f64 = 1e-4;
+
+/// A whole move of an undercut.
+#[derive(Clone, Debug)]
+pub(crate) struct Below {
+    /// Number of the cutter in the plan.
+    pub cutter: u32,
+    /// The path of its lower end.
+    pub curve: Curve,
+    /// Number of the move in its list.
+    pub number: u32,
+    pub tag: u32,
+}
+
+impl Below {
+    /// The first and the last tile, or block, of a width that it meets, along X and Y from an origin; none where the
+    /// first is larger.
+    pub fn range(
+        &self,
+        radius: f64,
+        origin: [f64; 2],
+        width: f64,
+        counts: [u32; 2],
+    ) -> [[i64; 2]; 2] {
+        let bounds = self.curve.bounds();
+        let ends = [[bounds.min.x, bounds.max.x], [bounds.min.y, bounds.max.y]];
+        [0, 1].map(|axis| {
+            let [low, high] = ends[axis];
+            let from = ((low - radius - origin[axis]) / width).floor();
+            let to = ((high + radius - origin[axis]) / width).floor();
+            let most = f64::from(counts[axis]);
+            [from.clamp(0.0, most) as i64, to.clamp(-1.0, most - 1.0) as i64]
+        })
+    }
+
+    /// Whether its tip rises somewhere, and whether it falls.
+    pub fn rises_and_falls(curve: &Curve) -> [bool; 2] {
+        let (start, end, bounds) = (curve.start(), curve.end(), curve.bounds());
+        match curve {
+            Curve::Line(_) => [end.z > start.z, end.z < start.z],
+            // Level but for rounding, or a helix that only rises or falls.
+            Curve::Arc(arc) if arc.w.x == 0.0 && arc.w.y == 0.0 => {
+                [end.z > start.z, end.z < start.z]
+            }
+            _ => [bounds.max.z > start.z.min(end.z), bounds.min.z < start.z.max(end.z)],
+        }
+    }
+}
+
+/// A move of an undercut on a tile.
+pub(crate) struct OnTile<'a> {
+    pub grid: &'a Grid,
+    pub number: usize,
+    pub tile: &'a mut Tile,
+    pub below: &'a Below,
+    pub cutter: &'a Undercut,
+    pub by_tag: bool,
+    /// Bytes that the gaps of the tile may take.
+    pub limit: usize,
+}
+
+/// The spans of a cell, from the stock's top.
+#[derive(Default)]
+struct Spans {
+    surely: Vec<Span>,
+    maybe: Vec<Span>,
+}
+
+impl Spans {
+    /// Of a square about its middle; false where the move does not meet it.
+    fn find(&mut self, sweep: &Sweep<'_>, middle: [f64; 2], side: f64, top: f64) -> bool {
+        self.surely.clear();
+        self.maybe.clear();
+        sweep.cell_spans(middle, side, &mut self.surely, &mut self.maybe);
+        for spans in [&mut self.surely, &mut self.maybe] {
+            merge(spans);
+            for span in spans {
+                (span.floor, span.top) = (span.floor - top, span.top - top);
+            }
+        }
+        !self.maybe.is_empty()
+    }
+
+    fn lowest(&self) -> f64 {
+        self.maybe.first().map_or(f64::INFINITY, |span| span.floor)
+    }
+}
+
+impl OnTile<'_> {
+    /// The cells that the move may meet, by block, each with its middle.
+    fn each(&mut self, mut found: impl FnMut(&mut Self, [usize; 2], &Spans)) -> u64 {
+        let sweep = Sweep::of_undercut(self.cutter, &self.below.curve, GAP);
+        let (cell, corner) = (self.grid.resolution(), self.grid.corner(self.number));
+        let top = self.grid.bounds().max.z;
+        let width = cell * BLOCK as f64;
+        let [first_column, first_row] = self.grid.first_cell(self.number);
+        let [columns, rows] = self.grid.cells();
+        let radius = self.cutter.radius() + cell;
+        let [across, up] = self.below.range(radius, corner, width, [BLOCKS as u32; 2]);
+        let mut spans = Spans::default();
+        let mut count = 0;
+        for row in up[0]..=up[1] {
+            for column in across[0]..=across[1] {
+                let block = row as usize * BLOCKS + column as usize;
+                let middle = [column as f64, row as f64].map(|at| (at + 0.5) * width);
+                let middle = [corner[0] + middle[0], corner[1] + middle[1]];
+                if !spans.find(&sweep, middle, width, top)
+                    || spans.lowest() >= f64::from(self.tile.range(block).outer[1])
+                {
+                    continue;
+                }
+                for at in 0..CELLS {
+                    let x = column as usize * BLOCK + at % BLOCK;
+                    let y = row as usize * BLOCK + at / BLOCK;
+                    if x as u32 + first_column >= columns || y as u32 + first_row >= rows {
+                        continue;
+                    }
+                    let middle = [x, y].map(|n| (n as f64 + 0.5) * cell);
+                    let middle = [corner[0] + middle[0], corner[1] + middle[1]];
+                    if spans.find(&sweep, middle, cell, top) {
+                        count += 1;
+                        found(self, [block, at], &spans);
+                    }
+                }
+            }
+        }
+        count
+    }
+
+    /// Removes what the cutter sweeps. The number of cells that were looked at.
+    pub fn cut(mut self) -> u64 {
+        let bottom = super::heights::bottom(self.grid);
+        self.each(|on, place, spans| {
+            let heights = on.tile.heights(place);
+            if spans.lowest() < f64::from(heights[0]) {
+                if on.by_tag {
+                    on.tile.keep(on.below.tag, place[0], on.grid, on.number);
+                }
+                let found = [&spans.surely[..], &spans.maybe[..]];
+                on.tile.hollow(place, found, bottom, on.limit);
+            }
+        })
+    }
+
+    /// How deep the cutter goes into stock, at least and at most, and where. With the number of cells.
+    pub fn compare(mut self) -> (Contact, u64) {
+        let bounds = self.grid.bounds();
+        let (top, bottom) = (bounds.max.z, -bounds.size().z);
+        let (cell, corner) = (self.grid.resolution(), self.grid.corner(self.number));
+        let mut deepest = Contact::NONE;
+        let count = self.each(|on, place, spans| {
+            let [outer, inner] = on.tile.heights(place);
+            let column = on.tile.gaps().of(place);
+            let [surely, maybe] =
+                column.map_or([&[][..]; 2], |column| [&column.surely[..], &column.maybe[..]]);
+            let depth = |solid: Solid<'_>, spans: &[Span]| {
+                let of = |span: &Span| solid.within(bottom, [span.floor, span.top]);
+                spans.iter().map(of).fold(0.0, f64::max)
+            };
+            let most = depth(Solid { height: outer, gaps: surely }, &spans.maybe);
+            let least = depth(Solid { height: inner, gaps: maybe }, &spans.surely);
+            deepest.least = deepest.least.max(least);
+            if most > deepest.most {
+                let [block, at] = place;
+                let x = block % BLOCKS * BLOCK + at % BLOCK;
+                let y = block / BLOCKS * BLOCK + at / BLOCK;
+                let [x, y] = [x, y].map(|n| (n as f64 + 0.5) * cell);
+                let z = spans.maybe.last().map_or(0.0, |span| span.top.min(f64::from(outer)));
+                deepest.most = most;
+                deepest.at = [corner[0] + x, corner[1] + y, top + z];
+            }
+        });
+        (deepest, count)
+    }
+}

@@ -1,0 +1,238 @@
+//! Gaps in columns: what undercuts have removed below the top of a column.
+//!
+//! A column with gaps still has its two heights. Below the outer one all may be stock but what its sure gaps have
+//! removed; below the inner one all is stock but what its possible gaps may have removed. A gap that comes to
+//! light is none any more: the height goes down to its floor. Few columns have gaps, so they are a table aside.
+
+use std::collections::BTreeMap;
+
+use super::grid::CELLS;
+use super::heights::{round_down, round_up};
+use crate::Span;
+
+/// A gap from its floor to its top, from the stock's top, mm.
+pub(crate) type Gap = [f32; 2];
+
+/// The gaps of a column from below, none of which touch each other or the height.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Column {
+    /// Surely no stock.
+    pub surely: Vec<Gap>,
+    /// Where there may be none.
+    pub maybe: Vec<Gap>,
+}
+
+impl Column {
+    fn is_empty(&self) -> bool {
+        self.surely.is_empty() && self.maybe.is_empty()
+    }
+
+    fn count(&self) -> usize {
+        self.surely.len() + self.maybe.len()
+    }
+}
+
+/// The gaps of the columns of a tile, by block and cell.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Gaps {
+    columns: BTreeMap<u16, Column>,
+    /// Blocks with a column that has gaps.
+    blocks: u64,
+    /// Gaps of all columns together.
+    count: usize,
+}
+
+/// Bytes of a column in the table, about, and of a gap.
+const COLUMN_BYTES: usize = size_of::<Column>() + 2 * size_of::<u64>();
+const GAP_BYTES: usize = size_of::<Gap>();
+
+fn key([block, cell]: [usize; 2]) -> u16 {
+    (block * CELLS + cell) as u16
+}
+
+impl Gaps {
+    pub fn bytes(&self) -> usize {
+        self.columns.len() * COLUMN_BYTES + self.count * GAP_BYTES
+    }
+
+    /// Whether a column of a block has gaps.
+    pub fn is_in(&self, block: usize) -> bool {
+        self.blocks & (1 << block) != 0
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.columns.is_empty()
+    }
+
+    pub fn of(&self, place: [usize; 2]) -> Option<&Column> {
+        if self.is_in(place[0]) { self.columns.get(&key(place)) } else { None }
+    }
+
+    /// The columns of a block with gaps, by cell.
+    pub fn of_block(&self, block: usize) -> impl Iterator<Item = (usize, &Column)> {
+        let range = if self.is_in(block) { key([block, 0])..key([block, CELLS]) } else { 0..0 };
+        self.columns
+            .range(range)
+            .map(move |(at, column)| (usize::from(*at) - block * CELLS, column))
+    }
+
+    /// Takes what is surely and what may be removed from a column (from the stock's top, mm), and gives its heights
+    /// after that. Where the table would be larger than `limit` bytes, sure gaps are forgotten and the inner height
+    /// goes below the possible ones: the bounds are wider, and still bounds.
+    pub fn add(
+        &mut self,
+        place: [usize; 2],
+        [surely, maybe]: [&[Span]; 2],
+        heights: [f32; 2],
+        bottom: f32,
+        limit: usize,
+    ) -> [f32; 2] {
+        let mut column = self.columns.remove(&key(place)).unwrap_or_default();
+        self.count -= column.count();
+        for span in surely {
+            // Rounded so that it is smaller.
+            insert(&mut column.surely, [round_up(span.floor).max(bottom), round_down(span.top)]);
+        }
+        for span in maybe {
+            insert(&mut column.maybe, [round_down(span.floor).max(bottom), round_up(span.top)]);
+        }
+        let heights = self.put(place, column, heights);
+        if self.bytes() > limit {
+            return self.forget(place, heights);
+        }
+        heights
+    }
+
+    /// The heights of a column with gaps after others were lowered; the same where it has none.
+    pub fn settle(&mut self, place: [usize; 2], heights: [f32; 2]) -> [f32; 2] {
+        let Some(column) = self.columns.remove(&key(place)) else { return heights };
+        self.count -= column.count();
+        self.put(place, column, heights)
+    }
+
+    fn put(&mut self, place: [usize; 2], mut column: Column, [outer, inner]: [f32; 2]) -> [f32; 2] {
+        let outer = come_to_light(&mut column.surely, outer);
+        // What is surely gone may be gone, too.
+        let inner = come_to_light(&mut column.maybe, inner.min(outer));
+        if !column.is_empty() {
+            self.count += column.count();
+            self.columns.insert(key(place), column);
+            self.blocks |= 1 << place[0];
+        }
+        [outer, inner]
+    }
+
+    fn forget(&mut self, place: [usize; 2], [outer, inner]: [f32; 2]) -> [f32; 2] {
+        let Some(column) = self.columns.remove(&key(place)) else { return [outer, inner] };
+        self.count -= column.count();
+        [outer, column.maybe.first().map_or(inner, |gap| inner.min(gap[0]))]
+    }
+}
+
+/// Adds a gap, and joins it with those that it touches.
+fn insert(gaps: &mut Vec<Gap>, [mut floor, mut top]: Gap) {
+    if floor >= top {
+        return;
+    }
+    gaps.retain(|gap| {
+        let apart = gap[1] < floor || top < gap[0];
+        if !apart {
+            (floor, top) = (floor.min(gap[0]), top.max(gap[1]));
+        }
+        apart
+    });
+    let at = gaps.partition_point(|gap| gap[0] < floor);
+    gaps.insert(at, [floor, top]);
+}
+
+/// Gaps that reach the height, or are above it, are none; the height after that.
+fn come_to_light(gaps: &mut Vec<Gap>, mut height: f32) -> f32 {
+    while let Some(&[floor, top]) = gaps.last() {
+        if top < height {
+            break;
+        }
+        height = height.min(floor);
+        gaps.pop();
+    }
+    height
+}
+
+/// How much of a column from the bottom to a height is left beside gaps, mm.
+pub(crate) fn solid(height: f32, bottom: f64, gaps: &[Gap]) -> f64 {
+    (f64::from(height) - bottom).max(0.0) - gaps.iter().map(length).sum::<f64>()
+}
+
+fn length([floor, top]: &Gap) -> f64 {
+    (f64::from(*top) - f64::from(*floor)).max(0.0)
+}
+
+/// A column as stretches of stock from below: its height with gaps.
+#[derive(Clone, Copy)]
+pub(crate) struct Solid<'a> {
+    pub height: f32,
+    pub gaps: &'a [Gap],
+}
+
+impl Solid<'_> {
+    /// Its stretches from a bottom on.
+    fn stretches(&self, bottom: f64) -> impl Iterator<Item = [f64; 2]> {
+        let floors = core::iter::once(bottom).chain(self.gaps.iter().map(|gap| f64::from(gap[1])));
+        let tops = self.gaps.iter().map(|gap| f64::from(gap[0]));
+        let tops = tops.chain(core::iter::once(f64::from(self.height)));
+        floors.zip(tops).map(|(floor, top)| [floor, top])
+    }
+
+    /// How much of it a stretch has, mm.
+    pub fn within(&self, bottom: f64, [floor, top]: [f64; 2]) -> f64 {
+        self.stretches(bottom).map(|[from, to]| (to.min(top) - from.max(floor)).max(0.0)).sum()
+    }
+
+    /// How much of it is not in another one, mm.
+    pub fn without(&self, other: &Solid<'_>, bottom: f64) -> f64 {
+        let own = self.stretches(bottom);
+        own.map(|part| (part[1] - part[0]).max(0.0) - other.within(bottom, part)).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLACE: [usize; 2] = [3, 17];
+    const ALL: usize = 1 << 20;
+
+    fn span(floor: f64, top: f64) -> Span {
+        Span { floor, top }
+    }
+
+    #[test]
+    fn gaps_join_and_come_to_light() {
+        let mut gaps = Gaps::default();
+        let both = |spans: &'static [Span]| [spans, spans];
+        static LOW: [Span; 1] = [Span { floor: -12.0, top: -8.0 }];
+        static NEXT: [Span; 1] = [Span { floor: -8.0, top: -7.0 }];
+        assert_eq!(gaps.add(PLACE, both(&LOW), [0.0, 0.0], -20.0, ALL), [0.0, 0.0]);
+        assert_eq!(gaps.add(PLACE, both(&NEXT), [0.0, 0.0], -20.0, ALL), [0.0, 0.0]);
+        assert_eq!(gaps.of(PLACE).unwrap().surely, [[-12.0, -7.0]]);
+        // A cut to -7.5 is into the gap.
+        assert_eq!(gaps.settle(PLACE, [-7.5, -7.5]), [-12.0, -12.0]);
+        assert!(gaps.is_empty() && gaps.of(PLACE).is_none());
+    }
+
+    #[test]
+    fn a_column_without_room_for_gaps_has_wider_bounds() {
+        let mut gaps = Gaps::default();
+        let spans = [span(-12.0, -8.0)];
+        assert_eq!(gaps.add(PLACE, [&spans, &spans], [0.0, 0.0], -20.0, 0), [0.0, -12.0]);
+        assert!(gaps.is_empty());
+    }
+
+    #[test]
+    fn what_is_left_of_columns() {
+        let gaps = [[-12.0, -8.0], [-4.0, -3.0]];
+        let column = Solid { height: -1.0, gaps: &gaps };
+        assert_eq!(solid(-1.0, -20.0, &gaps), 14.0);
+        assert_eq!(column.within(-20.0, [-9.0, -3.5]), 4.0);
+        assert_eq!(column.without(&Solid { height: -8.0, gaps: &[] }, -20.0), 6.0);
+    }
+}
