@@ -23,6 +23,7 @@ from ._held import Comparison, Conversion, Refusal
 from ._machine import Machine, builtin_machines
 from ._program import Program, load, loads
 from ._shop import ShopAnswer, ShopCall, ShopCodes, ShopRefusal, ShopWait
+from ._stock import Stock, StockMesh
 from ._summary import AxisTravel, Summary, ToolUse
 from ._table import Chords, Moves, Table, Trajectory
 from ._time import BlockTime, Time, ToolTime
@@ -57,6 +58,8 @@ __all__ = [
     "ShopRefusal",
     "ShopWait",
     "Split",
+    "Stock",
+    "StockMesh",
     "Summary",
     "Table",
     "Time",

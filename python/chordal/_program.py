@@ -12,6 +12,7 @@ from . import _chordal, _held, _notebook, _shop, _summary, _time, _toml, _transf
 from ._held import Comparison, Conversion
 from ._machine import Machine, MachineLike, machine_of
 from ._shop import ShopCodes
+from ._stock import Stock
 from ._summary import Summary
 from ._table import Chords, Moves, Trajectory
 from ._time import Time
@@ -32,6 +33,9 @@ Tools = str | os.PathLike[str] | Mapping[int, Mapping[str, object]]
 
 #: The default limit on the number of setpoints.
 MOST_SAMPLES = 100_000_000
+
+#: The default limit on the bytes of a stock's columns.
+MOST_STOCK = 1 << 30
 
 
 def load(
@@ -450,6 +454,46 @@ class Program:
             machine_of(to)._machine, float(tolerance), digits, despite_errors, exact_cycles
         )
         return _held.conversion(json.loads(told))
+
+    def stock(
+        self,
+        setup: MachineLike | None = None,
+        *,
+        resolution_mm: float | None = None,
+        finest_mm: float | None = None,
+        tolerance_mm: float = 0.01,
+        memory: int = MOST_STOCK,
+    ) -> Stock:
+        """What it leaves of the stock, and what rapids, shank and holder touch, between two bounds.
+
+        ``setup``: a setup file, or what :func:`load` takes as a machine, with ``stock`` and ``tools``; without it
+        the program's own machine.
+        ``resolution_mm``: side of a column; without it, from the size of the stock.
+        ``finest_mm``: where columns cannot tell they are halved, no finer than this; without it, an eighth of
+        the resolution.
+        ``tolerance_mm``: touches that are no deeper are none.
+        ``memory``: most bytes of the columns.
+
+        Without stock, with a wrong setup, or with too little memory, :class:`~chordal.UsageError` is raised.
+
+        >>> import chordal
+        >>> setup = {
+        ...     "machine": "haas-vf2",
+        ...     "stock": {
+        ...         "shape": "box",
+        ...         "from": {"X": "0 mm", "Y": "0 mm", "Z": "-20 mm"},
+        ...         "to": {"X": "80 mm", "Y": "60 mm", "Z": "0 mm"},
+        ...     },
+        ...     "tools": {1: {"shape": "flat", "diameter": "10 mm", "flute_length": "25 mm"}},
+        ... }
+        >>> text = "G21 G90 G54\\nT1 M6\\nS3000 M3\\nG0 X-20. Y30. Z-5.\\nG1 X100. F600.\\nM30\\n"
+        >>> left = chordal.loads(text, setup).stock()
+        >>> left.verdict, left.most.shape, float(left.most[150, 200])
+        ('clean', (300, 400), -5.0)
+        """
+        machine = None if setup is None else machine_of(setup)._machine
+        found = self._program.stock(machine, resolution_mm, finest_mm, float(tolerance_mm), memory)
+        return Stock(found)
 
     def report(self, *, date: str | None = None) -> str:
         """The setup sheet: path, offsets, tools, times, travel, stops and problems on one HTML page that needs

@@ -19,6 +19,7 @@ mod motion;
 mod program;
 mod shop;
 mod signals;
+mod stock;
 mod table;
 
 use pyo3::prelude::*;
@@ -46,6 +47,7 @@ pub fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<table::Block>()?;
     module.add_class::<curve::Curve>()?;
     module.add_class::<motion::Motion>()?;
+    module.add_class::<stock::Stock>()?;
     module.add_class::<archive::ArchiveWorker>()?;
     module.add_class::<archive::Journal>()?;
     module.add_function(wrap_pyfunction!(codes, module)?)?;

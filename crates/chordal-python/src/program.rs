@@ -8,6 +8,7 @@ use chordal::geometry::Placement;
 use chordal::motion::{
     Level, LimitError, MotionOptions, PlanSink, Sampler, Sources, Step, StepSource,
 };
+use chordal::stock::StockOptions;
 use chordal::time::Effort;
 use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
 use chordal_compare::{Category, Options as Comparing, compare};
@@ -16,7 +17,7 @@ use chordal_export::{
     Plot, PlotOptions, SampleHead, TimeDocument, comparison_json, conversion_json, refusal_json,
     report, restart_json, sha256_hex, split_json, time_json, transformed_json,
 };
-use chordal_load::{Given, LoadError, Loaded, Request, file};
+use chordal_load::{Given, LoadError, Loaded, Request, file, reason};
 use chordal_report::{About, gather, html};
 use chordal_rewrite as rewrite;
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -27,6 +28,7 @@ use crate::error;
 use crate::machine::Machine;
 use crate::shop::Shop;
 use crate::signals::Signals;
+use crate::stock::{self, Stock};
 use crate::table::Table;
 
 /// A program with its machine and its subprograms. It never changes; every question runs it.
@@ -502,6 +504,40 @@ impl Program {
             let found = rewrite::convert::convert(job, &to.0, &options);
             Ok(conversion_json(&found, job))
         })
+    }
+
+    /// What is left of the stock of a setup, or of the program's own machine.
+    fn stock(
+        &self,
+        py: Python<'_>,
+        setup: Option<&Machine>,
+        resolution_mm: Option<f64>,
+        finest_mm: Option<f64>,
+        tolerance_mm: f64,
+        budget: u64,
+    ) -> PyResult<Stock> {
+        let options = StockOptions { resolution_mm, finest_mm, tolerance_mm, budget };
+        let files = |name: &str| std::fs::read(name).map_err(|wrong| reason(&wrong));
+        let machine = setup.map(|setup| setup.0.clone());
+        let signals = Signals::new();
+        let found = py.detach(|| {
+            let job = match machine {
+                Some(machine) => self.loaded.job_on(machine),
+                None => self.loaded.job(),
+            };
+            let job = job.map_err(|failure| error::inside(failure.to_string()))?;
+            let job = job.interrupt(signals.interrupt());
+            Ok::<_, PyErr>(job.stock(&options, &files).map(|mut found| {
+                // Where the limits of the axes are wrong there are no times.
+                if let Ok(timed) = job.time(&MotionOptions::default()) {
+                    found.take_times(&timed.time.tools);
+                }
+                found
+            }))
+        });
+        signals.raised()?;
+        let found = found?.map_err(|wrong| stock::refused(py, &wrong))?;
+        Ok(Stock::new(found, self.loaded.name()))
     }
 
     /// The setup sheet as one HTML page.

@@ -251,3 +251,14 @@ pub fn rows<const N: usize>(values: Vec<[f64; N]>) -> PyResult<Block> {
     let held = RecordBatch::try_new(schema, vec![Arc::new(array)]).map_err(error::inside)?;
     Ok(Block { address, shape, strides: vec![8 * N, 8], kind: "<f8", _held: held })
 }
+
+/// Triangles as rows of the numbers of their vertices.
+pub fn indices(values: Vec<[u32; 3]>) -> PyResult<Block> {
+    let shape = vec![values.len(), 3];
+    let array = arrow_array::UInt32Array::from(values.into_iter().flatten().collect::<Vec<u32>>());
+    let address = array.values().as_ptr() as usize;
+    let field = arrow_schema::Field::new("indices", DataType::UInt32, false);
+    let schema = Arc::new(arrow_schema::Schema::new(vec![field]));
+    let held = RecordBatch::try_new(schema, vec![Arc::new(array)]).map_err(error::inside)?;
+    Ok(Block { address, shape, strides: vec![12, 4], kind: "<u4", _held: held })
+}

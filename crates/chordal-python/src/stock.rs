@@ -1,0 +1,116 @@
+//! What is left of the stock.
+
+use chordal::geometry::Vec3;
+use chordal::stock::{StockReport, StockRunError};
+use chordal_export::{MeshFormat, stock_json, stock_mesh, stock_png, stock_surface};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::error;
+use crate::table::{Block, indices, rows};
+
+/// The answers of a run on stock. They never change.
+#[pyclass(frozen, module = "chordal._chordal")]
+pub struct Stock {
+    found: StockReport,
+    json: String,
+}
+
+impl Stock {
+    pub fn new(found: StockReport, name: &str) -> Stock {
+        let json = stock_json(&found, name);
+        Stock { found, json }
+    }
+}
+
+/// X, Y and Z, mm.
+type Point = (f64, f64, f64);
+
+fn point(at: Vec3) -> Point {
+    (at.x, at.y, at.z)
+}
+
+#[pymethods]
+impl Stock {
+    /// The object of `chordal stock --format json`.
+    #[getter]
+    fn json(&self) -> &str {
+        &self.json
+    }
+
+    /// Columns along X and Y.
+    #[getter]
+    fn shape(&self) -> (u32, u32) {
+        let [columns, rows] = self.found.stock.grid().cells();
+        (columns, rows)
+    }
+
+    /// The least and the largest corner of the stock's box, mm.
+    #[getter]
+    fn bounds(&self) -> (Point, Point) {
+        let bounds = self.found.stock.grid().bounds();
+        (point(bounds.min), point(bounds.max))
+    }
+
+    /// The least and the largest height of each column, mm: row by row from the least Y on, in each by X.
+    fn heights(&self, py: Python<'_>) -> PyResult<Block> {
+        py.detach(|| {
+            let bottom = self.found.stock.grid().bounds().min.z;
+            let pairs = self.found.stock.height_pairs();
+            let pair = pairs.iter().map(|pair| [pair.inner.max(bottom), pair.outer.max(bottom)]);
+            rows(pair.collect())
+        })
+    }
+
+    /// Vertices and triangles of what is left; heights that differ by no more than the tolerance are one face, mm.
+    fn mesh(&self, py: Python<'_>, tolerance_mm: f64) -> PyResult<(Block, Block)> {
+        let mesh = py.detach(|| stock_surface(&self.found, tolerance_mm));
+        let mesh = mesh.map_err(|wrong| coarser(py, &wrong.to_string()))?.mesh;
+        let vertices = mesh.vertices().iter().map(|vertex| vertex.to_array()).collect();
+        Ok((rows(vertices)?, indices(mesh.triangles().to_vec())?))
+    }
+
+    /// The bytes of a mesh file, by its ending, or of a picture (`png`).
+    fn file<'py>(
+        &self,
+        py: Python<'py>,
+        ending: &str,
+        tolerance_mm: f64,
+        name: &str,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let format = match ending {
+            "stl" => Some(MeshFormat::Stl),
+            "3mf" => Some(MeshFormat::ThreeMf),
+            "glb" => Some(MeshFormat::Glb),
+            "png" => None,
+            other => {
+                let message = format!("there is no format `{other}`");
+                return Err(error::usage(py, &message, Some("formats are stl, 3mf, glb, png")));
+            }
+        };
+        let bytes = py.detach(|| match format {
+            Some(format) => stock_mesh(&self.found, format, tolerance_mm, name)
+                .map_err(|error| error.to_string()),
+            None => stock_png(&self.found).map_err(|error| error.to_string()),
+        });
+        Ok(PyBytes::new(py, &bytes.map_err(|message| coarser(py, &message))?))
+    }
+}
+
+fn coarser(py: Python<'_>, message: &str) -> PyErr {
+    error::usage(py, message, Some("use a larger resolution"))
+}
+
+/// Why there is no run on stock, as the exception that says the same.
+pub fn refused(py: Python<'_>, wrong: &StockRunError) -> PyErr {
+    let help = match wrong {
+        StockRunError::NoStock => "give `[stock]` in the setup or machine",
+        StockRunError::Setup(setup) => setup.help.as_str(),
+        StockRunError::Stock(_) => "choose a larger resolution_mm, or more memory",
+    };
+    let message = match wrong {
+        StockRunError::Setup(setup) => setup.message.clone(),
+        other => other.to_string(),
+    };
+    error::usage(py, &message, Some(help))
+}

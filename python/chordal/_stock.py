@@ -1,0 +1,133 @@
+"""What is left of the stock, between two bounds."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _chordal
+
+__all__ = ["Stock", "StockMesh"]
+
+#: Columns whose heights differ by this part of the resolution are one face of a mesh.
+_SAME_FACE = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class StockMesh:
+    """A closed surface, mm."""
+
+    #: Places of its corners (n, 3), mm.
+    vertices: npt.NDArray[np.float64]
+    #: The corners of each triangle (m, 3), counter-clockwise as seen from outside.
+    faces: npt.NDArray[np.uint32]
+
+
+class Stock:
+    """What a program leaves of its stock: see :meth:`Program.stock`. Coordinates are those of the first cut's work
+    offset, mm. It is true where it is proved that nothing touches that must not."""
+
+    def __init__(self, stock: _chordal.Stock) -> None:
+        self._stock = stock
+
+    @cached_property
+    def report(self) -> dict[str, Any]:
+        """Everything that is said of it: the object of ``chordal stock --format json``."""
+        told: dict[str, Any] = json.loads(self._stock.json)
+        return told
+
+    @property
+    def verdict(self) -> Literal["clean", "problems", "not-proved"]:
+        """``"clean"`` only where it is proved."""
+        verdict: Literal["clean", "problems", "not-proved"] = self.report["verdict"]
+        return verdict
+
+    def __bool__(self) -> bool:
+        return self.verdict == "clean"
+
+    @property
+    def problems(self) -> list[dict[str, Any]]:
+        """What is touched, and what may be: code, line, tool, depth at least and at most, place."""
+        problems: list[dict[str, Any]] = self.report["problems"]
+        return problems
+
+    @property
+    def removed_mm3(self) -> tuple[float, float]:
+        """What is removed, at least and at most."""
+        return _bounds(self.report["removed_mm3"])
+
+    @property
+    def left_mm3(self) -> tuple[float, float]:
+        """What is left, at least and at most."""
+        return _bounds(self.report["left_mm3"])
+
+    @property
+    def target(self) -> dict[str, Any] | None:
+        """What is left outside of the target: volume and height at least and at most, and the place of the highest;
+        ``None`` where the setup has none."""
+        target: dict[str, Any] | None = self.report["target"]
+        return target
+
+    @property
+    def resolution_mm(self) -> float:
+        """The side of a column."""
+        resolution: float = self.report["resolution_mm"]
+        return resolution
+
+    @property
+    def origin(self) -> tuple[float, float, float]:
+        """The least corner of the stock, mm: there the first column begins."""
+        return self._stock.bounds[0]
+
+    @cached_property
+    def _heights(self) -> npt.NDArray[np.float64]:
+        columns, rows = self._stock.shape
+        return np.asarray(self._stock.heights()).reshape(rows, columns, 2)
+
+    @property
+    def least(self) -> npt.NDArray[np.float64]:
+        """Below this height, mm, each column is stock: (rows along Y, columns along X). Gaps of undercuts are not seen
+        in it."""
+        return self._heights[..., 0]
+
+    @property
+    def most(self) -> npt.NDArray[np.float64]:
+        """Above this height, mm, nothing is left of a column."""
+        return self._heights[..., 1]
+
+    def mesh(self, tolerance: float | None = None) -> StockMesh:
+        """What is left as a closed surface: the middle between the bounds. Columns whose heights differ by no more
+        than ``tolerance`` mm are one face; without it, a tenth of the resolution."""
+        vertices, faces = self._stock.mesh(self._tolerance(tolerance))
+        return StockMesh(np.asarray(vertices), np.asarray(faces))
+
+    def save(self, path: str | os.PathLike[str], tolerance: float | None = None) -> None:
+        """Writes what is left, by the ending: ``.stl``, ``.3mf``, ``.glb`` or a picture ``.png``."""
+        path = Path(path)
+        ending = path.suffix.removeprefix(".").lower()
+        path.write_bytes(self._stock.file(ending, self._tolerance(tolerance), path.stem))
+
+    def png(self) -> bytes:
+        """What is left, seen from above."""
+        return bytes(self._stock.file("png", 0.0, ""))
+
+    def _tolerance(self, tolerance: float | None) -> float:
+        return _SAME_FACE * self.resolution_mm if tolerance is None else float(tolerance)
+
+    def _repr_png_(self) -> bytes:
+        return self.png()
+
+    def __repr__(self) -> str:
+        least, most = self.removed_mm3
+        return f"<Stock {self.verdict}, removed {least:.6g} to {most:.6g} mm³>"
+
+
+def _bounds(amount: dict[str, float]) -> tuple[float, float]:
+    return amount["least"], amount["most"]
