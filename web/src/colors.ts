@@ -21,6 +21,11 @@ export interface Palette {
   markEdge: string;
   measure: string;
   toolShape: string;
+  /** Stock that is not cut yet, and where it is cut open. */
+  stock: string;
+  inside: string;
+  /** From too deep by much to too high by much, in the middle where it is right. */
+  deviation: string[];
   /** In the order in which the tools cut first. */
   tools: string[];
   /** From slow to fast, from low to high. */
@@ -41,6 +46,9 @@ export const LIGHT: Palette = {
   markEdge: "#1d2227",
   measure: "#6a1bb0",
   toolShape: "#5b6672",
+  stock: "#c9ced4",
+  inside: "#e9c46a",
+  deviation: ["#b00020", "#ef6a5a", "#b9c2b4", "#5aa2e0", "#0b4fa8"],
 };
 
 export const DARK: Palette = {
@@ -55,6 +63,9 @@ export const DARK: Palette = {
   markEdge: "#000000",
   measure: "#e3b3ff",
   toolShape: "#c8d2dc",
+  stock: "#8f989f",
+  inside: "#b8923a",
+  deviation: ["#ff4d5e", "#f08a7a", "#7d8a80", "#6fb0ea", "#3a86ff"],
 };
 
 type Rgb = [number, number, number];

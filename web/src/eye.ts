@@ -20,8 +20,11 @@ const ROOM = 0.86;
 /** And one that grows: it would be fitted, and drawn, again and again. */
 const GROWING_ROOM = 0.55;
 
+/** How far before and behind the camera is seen, mm: beyond every machine, and depths are told apart to 0.01 mm. */
+const DEEP = 5e4;
+
 export class Eye {
-  readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1e6, 1e6);
+  readonly camera = new OrthographicCamera(-1, 1, 1, -1, -DEEP, DEEP);
   private controls: OrbitControls;
   private view: ViewName = "iso";
   /** The user has chosen what is seen: nothing is fitted any more. */

@@ -133,7 +133,8 @@ export function layout(root: HTMLElement) {
   measure.id = "measure";
   measure.setAttribute("aria-pressed", "false");
   const section = sectionControls((chosen) => api.onSection(chosen), () => api.cursorLine());
-  bar.append(...views, fit, color, rapidsLabel, toolLabel, travelLabel, measure, section.root, chordsLabel, chordControls);
+  const stockSlot = element("span", "stock-slot");
+  bar.append(...views, fit, color, rapidsLabel, toolLabel, travelLabel, measure, section.root, stockSlot, chordsLabel, chordControls);
 
   const left = element("section", "left");
   left.setAttribute("aria-label", "Program");
@@ -262,7 +263,7 @@ export function layout(root: HTMLElement) {
 
   let toastTimer = 0;
   const api = {
-    save, machine, measure, section, canvas, axes, code, timeline, panels, paths, rapids, travel, toolOn, chordsOn, balanced,
+    save, machine, measure, section, stockSlot, canvas, axes, code, timeline, panels, paths, rapids, travel, toolOn, chordsOn, balanced,
     onView: (_view: ViewName) => {},
     onFit: () => {},
     onColor: (_by: ColorBy) => {},

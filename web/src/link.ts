@@ -39,6 +39,8 @@ export interface Tool {
   flute_length_mm: number | null;
   /** Height over the tip and radius, from the tip up. */
   profile_mm: [number, number][];
+  /** Of a shank without parts. */
+  shank_diameter_mm: number | null;
   /** Height, lower and upper diameter of each part, from the edges up. */
   shank_mm: [number, number, number][];
   holder_mm: [number, number, number][];
@@ -206,7 +208,23 @@ export interface Hello {
   tolerance_mm: number;
 }
 
+/** What is touched, with all problems of the run. */
+export interface StockReport {
+  run: number;
+  verdict: "clean" | "problems" | "not-proved";
+  resolution_mm: number;
+  removed_mm3: { least: number; most: number };
+  left_mm3: { least: number; most: number };
+  diagnostics: Problem[];
+  left_out: number;
+  errors: number;
+  warnings: number;
+  notes: number;
+}
+
 export type Told =
+  | ({ type: "stock_report" } & StockReport)
+  | { type: "no_stock"; run: number; message: string | null; help: string | null }
   | ({ type: "hello" } & Hello)
   | ({ type: "against" } & Against)
   | { type: "against_refused"; version: number; other: Other; message: string; help?: string | null }

@@ -17,6 +17,7 @@ import { Kinematics, unknownTurns } from "./turn";
 import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
 import type { ViewName } from "./eye";
 import { PathView } from "./scene";
+import { stockOfProgram } from "./stock";
 import { Timeline } from "./timeline";
 import { askWords, words } from "./words";
 import { count, counted, length } from "./units";
@@ -48,7 +49,7 @@ const editor = new Editor(ui.code, {
   cursor: (line, byUser) => {
     if (!byUser) return;
     if (!timeline.isPlaying) view.showDone(Infinity);
-    cursorAt(line);
+    cursorAt(line, true);
   },
   save: () => void save(false),
   definition: (line, column) => void goToDefinition(line, column),
@@ -71,7 +72,7 @@ const link = new Link(take, takeFrame, () => {
 const problems = new Problems(ui.panels.problems, ({ place }) => {
   if (!place?.own) return;
   editor.goTo(place.line, place.column, true);
-  cursorAt(place.line);
+  cursorAt(place.line, true);
 });
 
 const against = againstProgram({
@@ -88,14 +89,32 @@ const against = againstProgram({
   name: () => programName,
   goTo: (line) => {
     editor.goTo(line);
-    cursorAt(line);
+    cursorAt(line, true);
   },
   tell: ui.comparison,
   open: () => ui.show("compare"),
 });
 
+const stock = stockOfProgram({
+  view,
+  link,
+  path: () => path,
+  run: () => run,
+  machine: () => machine,
+  units: () => ({ inch: report?.inch ?? false }),
+  report: (told) => {
+    if (!report) return;
+    const { diagnostics, left_out, errors, warnings, notes } = told;
+    report = { ...report, diagnostics, left_out, errors, warnings, notes };
+    editor.setProblems(diagnostics);
+    tellProblems();
+  },
+  tell: ui.tell,
+});
+ui.stockSlot.append(stock.root);
+
 function take(told: Told): void {
-  if (against.take(told)) return;
+  if (against.take(told) || stock.take(told)) return;
   switch (told.type) {
     case "hello":
       document.title = `${told.name.split(/[\\/]/).pop()} – Chordal`;
@@ -146,7 +165,7 @@ function take(told: Told): void {
 
 function goTo(line: number): void {
   editor.goTo(line, 0, true);
-  cursorAt(line);
+  cursorAt(line, true);
 }
 
 async function goToDefinition(line: number, column: number): Promise<void> {
@@ -155,7 +174,7 @@ async function goToDefinition(line: number, column: number): Promise<void> {
   if (!told.place) return ui.tell("note", "This word has no definition in this file or its folder.");
   if (told.place.file !== undefined) return elsewhere.show(told.place);
   editor.goTo(told.place.line, told.place.column, true);
-  cursorAt(told.place.line);
+  cursorAt(told.place.line, true);
 }
 
 function begin(told: Extract<Told, { type: "run" }>): void {
@@ -185,10 +204,12 @@ function startPath(): void {
   shown = shownLine = "";
   measure.set(false);
   timeline.clear();
+  stock.began();
 }
 
 function takeFrame(frame: Frame): void {
   const { header } = frame;
+  if (stock.takeFrame(frame)) return;
   switch (header.type) {
     case "text":
       editor.addText(new TextDecoder().decode(u8(frame, "text")), header.first === true, header.last === true);
@@ -351,12 +372,15 @@ function tellTimes(): void {
   showTimes(ui.panels.times, times, timesMessage, report, machine, (tool) => toolColor(palette(), path.cutterIndex(tool)), goTo);
 }
 
-/** The cursor is on a line: its path is marked, and what is active after it is shown. */
-function cursorAt(line: number): void {
+/** The cursor is on a line: its path is marked, and what is active after it is shown; where it was put there, the stock as it is then. */
+function cursorAt(line: number, wasPut = false): void {
   const rows = path.rowsOfLine(line);
   view.markRows(rows);
   const done = rows ? rows[1] + 1 : path.doneAfterLine(line);
-  if (!timeline.isPlaying) showTool(done > 0 ? done - 1 : 0, 1);
+  if (!timeline.isPlaying) {
+    showTool(done > 0 ? done - 1 : 0, 1);
+    if (wasPut) stock.goTo(done, undefined);
+  }
   void tellState(done, line);
 }
 
@@ -425,7 +449,10 @@ timeline.onTime = (seconds) => {
   showTool(shownRow, 0, at, moment.turn);
   // At both ends there is nothing to tell apart.
   const isWithin = seconds > 0 && seconds < (setpoints?.totalS ?? 0) && !isLooking;
-  view.showDone(isWithin ? shownRow + path.shareOf(shownRow, at) : Infinity);
+  const done = shownRow + path.shareOf(shownRow, at);
+  view.showDone(isWithin ? done : Infinity);
+  if (seconds < (setpoints?.totalS ?? 0)) stock.goTo(seconds > 0 ? done : 0, at);
+  else stock.goTo(Infinity, undefined);
   tellReadout(seconds);
   showRow(shownRow);
 };
@@ -590,4 +617,4 @@ window.addEventListener("beforeunload", (event) => {
 });
 
 // For the browser's tests and for measurements.
-Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, path: () => path, report: () => report, setpoints: () => setpoints } });
+Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, stock, path: () => path, report: () => report, setpoints: () => setpoints } });

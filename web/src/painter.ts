@@ -21,6 +21,7 @@ import {
 } from "three";
 import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { type Coarse, LEVELS } from "./coarse";
+import { drawnAll } from "./fence";
 import { Pace, type Quality, Slices } from "./pace";
 import { type Piece, cost, isWide, pieces, weight, whole } from "./pieces";
 
@@ -30,6 +31,9 @@ const SMALL = 8_000;
 const SMOOTH_FROM = 100_000;
 /** How often a picture that is being drawn is shown, ms. */
 const SHOW_EVERY = 150;
+
+/** Frames that follow on each other as fast, ms, are of something that moves. */
+const BUSY_MS = 200;
 
 const STILL: Quality = { level: -1, samples: 4, scale: 1 };
 
@@ -48,6 +52,8 @@ export class Painter {
   /** What is drawn anew in each frame, over the path. */
   readonly over = new Group();
   readonly pace: Pace;
+  /** A picture with depth that lies under all of it: the stock. */
+  under: () => WebGLRenderTarget | undefined = () => undefined;
   /** Lines of the last frame, those of the kept picture included. */
   drawnLines = 0;
   /** Whether a picture that is not complete is shown. */
@@ -69,6 +75,8 @@ export class Painter {
   /** The number of the picture that is being drawn: what was begun for another is given up. */
   private picture = 0;
   private shownAt = 0;
+  private paintedAt = -Infinity;
+  private smoothLater = 0;
 
   constructor(
     canvas: HTMLCanvasElement,
@@ -147,19 +155,31 @@ export class Painter {
     this.renderer.info.reset();
     const lines = weight(pieces(this.path));
     const isShort = lines <= this.slices.lines;
-    this.drewAll = !isTurning && (isShort || this.state === "complete");
+    const isRough = this.isRough();
+    this.drewAll = !isTurning && !isRough && (isShort || this.state === "complete");
     if (isTurning && (this.coarse.isReady || isShort)) this.draw(this.pace.quality);
     else if (isShort) {
       this.changed();
       const began = performance.now();
-      this.draw(STILL);
-      void this.done().then(() => this.slices.took(lines, performance.now() - began));
+      this.draw(isRough ? { ...STILL, samples: 0 } : STILL);
+      void drawnAll(this.renderer).then(() => this.slices.took(lines, performance.now() - began));
     } else {
       if (this.state === "stale") this.begin();
       // Until the picture is there, the coarse path tells more than a part of the whole one.
       if (this.state === "complete" || !this.coarse.isReady) this.show();
       else this.draw({ ...this.pace.quality, samples: 0 });
     }
+  }
+
+  /** Over a stock the processor smooths no edges while something moves, but once it stands. */
+  private isRough(): boolean {
+    const now = performance.now();
+    const gap = now - this.paintedAt;
+    this.paintedAt = now;
+    window.clearTimeout(this.smoothLater);
+    if (!this.isSoftware || !this.under() || gap > BUSY_MS) return false;
+    this.smoothLater = window.setTimeout(this.wanted, BUSY_MS + 1);
+    return true;
   }
 
   /** All at once. */
@@ -176,12 +196,13 @@ export class Painter {
     const target = samples > 0 ? this.target(samples) : null;
     renderer.setRenderTarget(target);
     renderer.clear();
+    this.lay();
     renderer.render(scene, camera);
     coarse.show(false, level);
     cuts.visible = beside.visible = true;
     rapids.visible = rapidsShown;
     this.drawnLines = renderer.info.render.lines;
-    if (target) this.put(target, false);
+    if (target) this.put(target);
   }
 
   /** Pixels of the canvas itself, not of a target: to make a small picture large costs as much again. */
@@ -195,15 +216,25 @@ export class Painter {
   private show(): void {
     this.shownAt = performance.now();
     this.setScale(1);
-    if (this.kept) this.put(this.kept, true);
+    this.renderer.setRenderTarget(null);
+    this.renderer.clear();
+    this.lay();
+    // Where nothing of the path is, its depth is that of the background: the stock stays.
+    if (this.kept) this.copy.draw(this.renderer, this.kept, true);
     this.renderer.render(this.over, this.camera);
     this.drawnLines = this.keptLines;
   }
 
-  private put(target: WebGLRenderTarget, withDepth: boolean): void {
+  private put(target: WebGLRenderTarget): void {
     this.renderer.setRenderTarget(null);
     this.renderer.clear();
-    this.copy.draw(this.renderer, target, withDepth);
+    this.copy.draw(this.renderer, target, false);
+  }
+
+  /** The stock, before what lies on it. */
+  private lay(): void {
+    const under = this.under();
+    if (under) this.copy.draw(this.renderer, under, true);
   }
 
   private begin(): void {
@@ -225,7 +256,7 @@ export class Painter {
       if (this.queue.length === 0) [this.queue, this.late] = [this.late, []];
       const began = performance.now();
       const lines = this.drawSome();
-      await this.done();
+      await drawnAll(this.renderer);
       this.slices.took(lines, performance.now() - began);
       if (picture !== this.picture) return;
       if (this.showsPart && performance.now() - this.shownAt > SHOW_EVERY) this.wanted();
@@ -254,17 +285,6 @@ export class Painter {
     }
     renderer.setRenderTarget(null);
     return drawn;
-  }
-
-  /** The machine has drawn all that it was told. */
-  private async done(): Promise<void> {
-    const gl = this.renderer.getContext() as WebGL2RenderingContext;
-    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    if (!fence) return;
-    gl.flush();
-    do await new Promise((next) => setTimeout(next, 2));
-    while (!gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED);
-    gl.deleteSync(fence);
   }
 
   private target(samples: 0 | 4): WebGLRenderTarget {

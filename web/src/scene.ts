@@ -14,6 +14,7 @@ import {
 import { Apart, type Apartness } from "./apart";
 import { Coarse } from "./coarse";
 import { type ColorBy, type Palette, colorsOf } from "./colors";
+import type { StockBefore } from "./drops";
 import { Eye, type ViewName } from "./eye";
 import { type Edges, Extent, difference, longest } from "./fit";
 import { Fixed } from "./fixed";
@@ -28,6 +29,7 @@ import { type Batch, type Bounds, Path, type Vec3 } from "./path";
 import { type Picked, pick } from "./picking";
 import { type DrawnBatch, piecesOn } from "./pieces";
 import { Progress, spansOf } from "./progress";
+import { StockLayer } from "./stocklayer";
 import { StrokeMaterials, Strokes, empty, geometryOf, remove } from "./strokes";
 import { type Tolerance, seenTolerance } from "./tolerance";
 import { type Drawn, ToolShape } from "./tool";
@@ -75,6 +77,7 @@ export class PathView {
   private contourMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.9 });
   private chordMaterial = new LineBasicMaterial({ depthTest: false });
   private tool: ToolShape;
+  readonly stock: StockLayer;
   private palette: Palette;
   private colorBy: ColorBy = "tool";
   private turning = false;
@@ -105,6 +108,8 @@ export class PathView {
     this.eye = new Eye(canvas, () => this.moved());
     this.painter = new Painter(canvas, this.eye.camera, this.cuts, this.coarse, () => this.render());
     this.rapids = this.painter.rapids;
+    this.stock = new StockLayer(palette, this.painter.isSoftware, () => this.render());
+    this.painter.under = () => this.stock.under;
     this.tool = new ToolShape(palette);
     this.painter.beside.add(this.contour, this.chords, this.other.object);
     this.painter.own.add(this.apart.own.object);
@@ -242,8 +247,21 @@ export class PathView {
     this.mark.setColor(palette.mark, palette.markEdge);
     this.measured.setColor(palette.measure);
     this.tool.setPalette(palette);
+    this.stock.setPalette(palette);
     void this.recolor();
     this.changed();
+  }
+
+  /** The stock of the path, or none; it comes after the path. */
+  setStock(stock: StockBefore | undefined): void {
+    this.stock.begin(stock, this.path.origin);
+    if (stock && !this.eye.userMoved) this.fit();
+    this.render();
+  }
+
+  /** Something that the view does not know of has changed: the stock. */
+  redraw(): void {
+    this.render();
   }
 
   /** What compensation was programmed for, beside the path of the tool centre. */
@@ -484,6 +502,8 @@ export class PathView {
     if (bounds) box.set(new Vector3(...bounds.low), new Vector3(...bounds.high));
     const other = this.other.bounds(this.path.origin);
     if (other) box.union(new Box3(new Vector3(...other.low), new Vector3(...other.high)));
+    const stock = this.stock.bounds();
+    if (stock) box.union(new Box3(new Vector3(...stock.low), new Vector3(...stock.high)));
     if (box.isEmpty()) box.set(new Vector3(-10, -10, -10), new Vector3(10, 10, 10));
     return { low: box.min.toArray(), high: box.max.toArray() };
   }
@@ -497,7 +517,7 @@ export class PathView {
       extent.add(lines.cuts.points, step);
       extent.add(lines.rapids.points);
     }
-    if (extent.isEmpty || this.other.isShown) extent.addBox(box);
+    if (extent.isEmpty || this.other.isShown || this.stock.bounds()) extent.addBox(box);
     return extent.edges;
   }
 
@@ -553,7 +573,7 @@ export class PathView {
   /** The picture shows all of the path, and the coarse one is there for the next turn. */
   get isComplete(): boolean {
     const isReady = this.path.rows < MANY || this.coarse.isReady;
-    return !this.turning && isReady && this.painter.isComplete;
+    return !this.turning && isReady && this.painter.isComplete && this.stock.isComplete;
   }
 
   /** Lines of the last frame that are one pixel wide: for tests and measurements. */
@@ -598,6 +618,7 @@ export class PathView {
       this.other.dash(pixel);
       if (this.marksMoved) this.measured.draw(this.eye.screen());
       this.marksMoved = false;
+      this.stock.prepare(this.painter.renderer, this.eye.camera, this.turning);
       this.painter.paint(this.turning);
       this.drawnFrames++;
       this.onDrawn();

@@ -50,20 +50,26 @@ function corner(radius: number, given: number): Outline {
 export function outline(tool: Drawn, most: number): Outline {
   if (tool.shape === "form" && (tool.profile_mm?.length ?? 0) > 1) {
     const form = tool.profile_mm!.map(([height, radius]): [number, number] => [radius, height]);
-    return closed([[0, form[0]![1]], ...form], tool);
+    return closed([[0, form[0]![1]], ...form], tool, most);
   }
   const radius = Math.abs(tool.diameter_mm ?? 0) / 2;
   const points = end(tool, radius);
   const top = points.at(-1)![1];
-  const hasShank = (tool.shank_mm?.length ?? 0) > 0;
-  const known = hasShank ? (tool.flute_length_mm ?? tool.length_mm) : tool.length_mm;
+  const hasMore = (tool.shank_mm?.length ?? 0) > 0 || (tool.holder_mm?.length ?? 0) > 0 || Boolean(tool.shank_diameter_mm);
+  const known = hasMore ? (tool.flute_length_mm ?? tool.length_mm) : tool.length_mm;
   const high = known && known > 0 ? known : most;
   points.push([radius, Math.max(top, Math.min(high, most))]);
-  return closed(points, tool);
+  return closed(points, tool, most);
 }
 
 /** With the shank and the holder above, down to the axis at the top. */
-function closed(points: Outline, { shank_mm, holder_mm }: Drawn): Outline {
+function closed(points: Outline, { shank_mm, shank_diameter_mm, holder_mm }: Drawn, most: number): Outline {
+  if (shank_diameter_mm && !shank_mm?.length && !holder_mm?.length) {
+    // Where it ends is not known.
+    const radius = shank_diameter_mm / 2;
+    const top = points.at(-1)![1];
+    points.push([radius, top], [radius, Math.max(top + 2 * radius, most)]);
+  }
   for (const [height, lower, upper] of [...(shank_mm ?? []), ...(holder_mm ?? [])]) {
     const top = points.at(-1)![1];
     points.push([lower / 2, top], [upper / 2, top + height]);

@@ -20,6 +20,12 @@ export function length({ inch }: Units, mm: number, unit = true, figures = 0): s
   return unit ? `${text} ${inch ? "in" : "mm"}` : text;
 }
 
+/** A volume that lies between two, in cm³ or in³. */
+export function volume({ inch }: Units, leastMm3: number, mostMm3: number): string {
+  const own = (mm3: number) => (inch ? mm3 / MM_PER_INCH ** 3 : mm3 / 1000).toFixed(2);
+  return `${own(leastMm3)} to ${own(mostMm3)} ${inch ? "in³" : "cm³"}`;
+}
+
 /** A coordinate with all its digits, so that columns stand still. */
 export function coordinate({ inch }: Units, mm: number): string {
   const text = inch ? (mm / MM_PER_INCH).toFixed(4) : mm.toFixed(3);

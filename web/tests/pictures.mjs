@@ -1,4 +1,4 @@
-// Takes the pictures of the page, a setup sheet and a picture file for docs/pictures anew: node tests/pictures.mjs
+// Takes the pictures of the page, a setup sheet and a picture file for docs/pictures anew: node tests/pictures.mjs [stock …]
 
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -108,6 +108,18 @@ async function playing() {
   }
 }
 
+async function stock() {
+  await take("view-stock", {
+    program: join(ROOT, "examples/stock/op1.nc"),
+    options: ["--setup", join(ROOT, "examples/stock/op1.toml")],
+    act: async (page) => {
+      await page.waitForFunction(() => /removed/.test(document.querySelector("#stock").textContent));
+      await seekLine(page, 25, 0.5);
+      await page.waitForFunction(() => window.chordal.view.isComplete);
+    },
+  });
+}
+
 /** The first page of a setup sheet, and a picture file: their colours are those of the page. */
 async function files() {
   const sheet = join(folder, "sheet.html");
@@ -122,6 +134,9 @@ async function files() {
   execFileSync(CHORDAL, ["run", "thread-mill.nc", "-o", join(OUT, "thread-mill.png")], { cwd: join(ROOT, "examples/haas") });
 }
 
-for (const each of [line, mistake, compare, rotary, playing, files]) await each();
+/** All of them, or those that are named. */
+const all = { line, mistake, compare, rotary, playing, stock, files };
+const named = process.argv.slice(2);
+for (const [name, each] of Object.entries(all)) if (named.length === 0 || named.includes(name)) await each();
 await chromium.stop();
 rmSync(folder, { recursive: true, force: true });

@@ -9,7 +9,7 @@ use chordal::control::table;
 use chordal::machine::builtin_names;
 use chordal_compare::Options;
 use chordal_editor::{Program, Setup};
-use chordal_load::{Chosen, Given, Input, LoadError, Loader, Text};
+use chordal_load::{Chosen, Given, Input, LoadError, Loader, Text, reason};
 use chordal_server::{Against, MachineChoice, Programs, Refusal, ServeError, Server};
 
 use crate::compare::{length_mm, sides};
@@ -22,6 +22,7 @@ const EXAMPLES: &str = "\
 Examples:
   chordal view part.nc
   chordal view part.nc --machine haas-vf2
+  chordal view part.nc --setup op1.toml                 the stock is cut as the program plays
   chordal view part.nc --no-browser --port 8137
   chordal view part.nc --against returned.nc            both paths, and the differences
   chordal view fadal.nc --against haas.nc --as fadal-4020 --as haas-vf2
@@ -36,6 +37,10 @@ The program runs again while you type; the file is written only when you save.";
 pub struct Args {
     /// The program; `-` is standard input
     file: PathBuf,
+
+    /// The machine, the stock and the tools: the stock is shown as it is cut
+    #[arg(long, value_name = "SETUP.toml", conflicts_with_all = ["machine", "machines"])]
+    setup: Option<PathBuf>,
 
     /// Another program to compare it with: both paths are drawn, and the differences are listed
     #[arg(long, value_name = "FILE")]
@@ -62,7 +67,10 @@ pub struct Args {
 }
 
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let Args { file, against, machines, tolerance, no_browser, port, common } = args;
+    let Args { file, setup, against, machines, tolerance, no_browser, port, mut common } = args;
+    if let Some(setup) = setup {
+        common.machine = Some(setup.to_string_lossy().into_owned());
+    }
     let program = match sides(&file, against.as_ref(), &machines, &common)? {
         None => Shown::new(&file, &common)?,
         Some([_, (other, _)])
@@ -264,6 +272,10 @@ impl Programs for Shown {
 
     fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
         self.load(text, machine).map_err(|failure| refusal(&failure))
+    }
+
+    fn named_file(&self, name: &str) -> Result<Vec<u8>, String> {
+        std::fs::read(name).map_err(|error| reason(&error))
     }
 
     fn against(&self) -> Option<&Against> {

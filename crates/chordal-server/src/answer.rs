@@ -123,6 +123,7 @@ pub fn machine(job: &Job) -> Value {
             "tip_diameter_mm": tool.tip_diameter_mm,
             "flute_length_mm": tool.flute_length_mm,
             "profile_mm": tool.profile,
+            "shank_diameter_mm": tool.shank_diameter_mm,
             "shank_mm": tool.shank.iter().map(solid).collect::<Vec<_>>(),
             "holder_mm": tool.holder.iter().map(solid).collect::<Vec<_>>(),
             "kind": tool.description.as_deref().or(tool.shape.map(ToolShape::as_str)),

@@ -58,6 +58,14 @@ pub trait Programs: Send + Sync + 'static {
     /// The machines that [`Programs::open`] knows.
     fn machines(&self) -> Vec<MachineChoice>;
 
+    /// The bytes of a file that the machine's setup names: the mesh of a stock, a fixture or a target.
+    ///
+    /// # Errors
+    /// Why it cannot be read.
+    fn named_file(&self, name: &str) -> Result<Vec<u8>, String> {
+        Err(format!("there is no file {name}"))
+    }
+
     /// What the program is compared with, where the command line says it.
     fn against(&self) -> Option<&Against> {
         None

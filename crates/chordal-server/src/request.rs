@@ -63,6 +63,11 @@ pub enum Ask {
         /// mm.
         tolerance_mm: f64,
     },
+    /// How finely the stock is cut.
+    Stock {
+        /// About so many columns.
+        columns: u32,
+    },
     /// Lines of the other program, to be read.
     OtherText {
         /// 0 is the program itself, others are those of its subprograms.

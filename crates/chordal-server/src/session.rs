@@ -6,6 +6,7 @@
 //! | `paths` | runs the newest text, sends path and diagnostics |
 //! | `times` | plans the newest run, sends its motion |
 //! | `others` | holds the newest run against the other program |
+//! | `stocks` | cuts the stock with the newest run, sends what is lowered when and what is touched |
 //! | `watch` | looks whether a file has changed |
 //!
 //! A run and a comparison that are no longer the newest are given up, so that typing never waits for one.
@@ -28,6 +29,7 @@ use crate::outbox::Outbox;
 use crate::program::Programs;
 use crate::request::{Ask, Other, Request};
 use crate::run::{Ran, run};
+use crate::stock::{Cutting, USUAL_COLUMNS};
 use crate::wanted::Wanted;
 use crate::{answer, chords, times, words};
 
@@ -50,6 +52,8 @@ struct Shared {
     newest: Arc<AtomicU64>,
     /// The number of the newest comparison that somebody wants.
     compared: Arc<AtomicU64>,
+    /// The number of the newest stock that somebody wants.
+    stocked: Arc<AtomicU64>,
     over: Arc<AtomicBool>,
     held: Mutex<Held>,
 }
@@ -59,6 +63,7 @@ struct Shared {
 struct Queues {
     runs: Sender<u64>,
     comparisons: Sender<u64>,
+    stocks: Sender<u64>,
 }
 
 struct Held {
@@ -75,6 +80,8 @@ struct Held {
     other: Other,
     /// What the two paths may be apart, mm.
     tolerance_mm: f64,
+    /// Columns of the stock, about.
+    columns: u32,
     /// The other program as it is shown.
     beside: Option<Arc<Program>>,
 }
@@ -113,6 +120,7 @@ impl Session {
             ran: None,
             other: if against.is_some() { Other::Named } else { Other::Nothing },
             tolerance_mm: against.map_or(0.0, |against| against.options.tolerance_mm),
+            columns: USUAL_COLUMNS,
             beside: None,
         };
         let shared = Arc::new(Shared {
@@ -120,6 +128,7 @@ impl Session {
             out,
             newest: Arc::default(),
             compared: Arc::default(),
+            stocked: Arc::default(),
             over: Arc::default(),
             held: Mutex::new(held),
         });
@@ -129,12 +138,14 @@ impl Session {
         let (runs, to_run) = channel();
         let (plans, to_plan) = channel();
         let (comparisons, to_compare) = channel();
-        let queues = Queues { runs, comparisons: comparisons.clone() };
-        let after_runs = comparisons.clone();
+        let (stocks, to_cut) = channel();
+        let queues = Queues { runs, comparisons: comparisons.clone(), stocks };
+        let after_runs = queues.clone();
         spawn("answers", &shared, move |shared| shared.answer_all(&asked, &queues))?;
         spawn("paths", &shared, move |shared| shared.run_all(&to_run, &plans, &after_runs))?;
         spawn("times", &shared, move |shared| shared.plan_all(&to_plan))?;
         spawn("others", &shared, move |shared| shared.compare_all(&to_compare))?;
+        spawn("stocks", &shared, move |shared| shared.cut_all(&to_cut))?;
         spawn("watch", &shared, move |shared| shared.watch(watched, &comparisons))?;
         Ok(Session { shared, requests })
     }
@@ -272,6 +283,10 @@ impl Shared {
             }
             Ask::Against { other } => self.against(id, other, queues),
             Ask::Tolerance { tolerance_mm } => self.tolerance(id, tolerance_mm, queues),
+            Ask::Stock { columns } => {
+                self.held().columns = columns;
+                self.cut(&queues.stocks);
+            }
             Ask::OtherText { file, line } => {
                 let Some(beside) = self.held().beside.clone() else {
                     return self.out.refuse(id, "there is no other program", None);
@@ -310,6 +325,7 @@ impl Shared {
         let number = self.newest.fetch_add(1, Ordering::Relaxed) + 1;
         // What is compared now is of the text before; the run asks for the next.
         self.compared.fetch_add(1, Ordering::Relaxed);
+        self.stocked.fetch_add(1, Ordering::Relaxed);
         let _ = queues.runs.send(number);
     }
 
@@ -317,6 +333,12 @@ impl Shared {
     fn compare(&self, comparisons: &Sender<u64>) {
         let number = self.compared.fetch_add(1, Ordering::Relaxed) + 1;
         let _ = comparisons.send(number);
+    }
+
+    /// The next stock is wanted, and none before it.
+    fn cut(&self, stocks: &Sender<u64>) {
+        let number = self.stocked.fetch_add(1, Ordering::Relaxed) + 1;
+        let _ = stocks.send(number);
     }
 
     /// Another program, or none, is to be shown, too.
@@ -446,7 +468,7 @@ impl Shared {
         }
     }
 
-    fn run_all(&self, to_run: &Receiver<u64>, plans: &Sender<ToPlan>, comparisons: &Sender<u64>) {
+    fn run_all(&self, to_run: &Receiver<u64>, plans: &Sender<ToPlan>, queues: &Queues) {
         while let Some(number) = newest(to_run) {
             let wanted = self.wanted(number);
             if !wanted.is_wanted() {
@@ -474,7 +496,8 @@ impl Shared {
                 }
             };
             if let Some(about_s) = self.run_one(number, &program, &wanted) {
-                self.compare(comparisons);
+                self.compare(&queues.comparisons);
+                self.cut(&queues.stocks);
                 let _ = plans.send(ToPlan { number, program, about_s });
             }
         }
@@ -538,6 +561,19 @@ impl Shared {
                     "run": number,
                     "message": error.to_string(),
                 })),
+            }
+        }
+    }
+
+    fn cut_all(&self, to_cut: &Receiver<u64>) {
+        while let Some(number) = newest(to_cut) {
+            let wanted = Wanted { newest: self.stocked.clone(), over: self.over.clone(), number };
+            let (ran, columns) = {
+                let held = self.held();
+                (held.ran.clone(), held.columns)
+            };
+            if let Some(ran) = ran.filter(|_| wanted.is_wanted()) {
+                Cutting::new(&ran, columns).run(&*self.programs, &self.out, &wanted);
             }
         }
     }

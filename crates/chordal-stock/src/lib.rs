@@ -48,7 +48,8 @@ pub mod shape;
 mod sweep;
 
 pub use columns::{
-    Amount, CellHeights, Check, Checked, Contact, Mode, Options, Stock, StockError, Task, Touch,
+    Amount, CellHeights, Check, Checked, Contact, Lowered, Mode, Options, Stock, StockError, Task,
+    Touch,
 };
 pub use cutter::{Cutter, CutterError, Element, Ring, Undercut};
 pub use floor::{Lowest, Span, Sweep};

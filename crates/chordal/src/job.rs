@@ -144,6 +144,11 @@ impl<'a> Job<'a> {
         self
     }
 
+    /// Whether the run is to end early.
+    pub(crate) fn is_interrupted(&self) -> bool {
+        self.options.interrupt.as_ref().is_some_and(|interrupt| interrupt())
+    }
+
     /// The texts.
     pub fn sources(&self) -> &SourceMap<'a> {
         &self.sources

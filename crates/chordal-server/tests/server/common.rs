@@ -23,15 +23,22 @@ pub struct Shown {
     pub path: Option<PathBuf>,
     pub text: Mutex<Vec<u8>>,
     pub against: Option<Against>,
+    /// A setup file; without one the machine is a built-in one.
+    pub setup: Option<String>,
 }
 
 impl Shown {
     pub fn text(text: &str) -> Shown {
-        Shown { path: None, text: Mutex::new(text.as_bytes().to_vec()), against: None }
+        Shown { path: None, text: Mutex::new(text.as_bytes().to_vec()), against: None, setup: None }
     }
 
     pub fn file(path: PathBuf) -> Shown {
-        Shown { path: Some(path), text: Mutex::default(), against: None }
+        Shown { path: Some(path), text: Mutex::default(), against: None, setup: None }
+    }
+
+    /// With the machine, stock and tools of a setup file.
+    pub fn set_up(self, setup: &str) -> Shown {
+        Shown { setup: Some(setup.to_string()), ..self }
     }
 
     /// Compared with another program.
@@ -60,8 +67,14 @@ impl Programs for Shown {
     }
 
     fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
-        let machine = Machine::from_builtin(machine.unwrap_or("haas-vf2")).map_err(|errors| {
-            Refusal { message: errors[0].message.clone(), help: errors[0].help.clone() }
+        let none = |name: &str| Err(format!("no file {name}"));
+        let machine = match &self.setup {
+            Some(setup) => Machine::from_toml("setup.toml", setup, &none),
+            None => Machine::from_builtin(machine.unwrap_or("haas-vf2")),
+        };
+        let machine = machine.map_err(|errors| Refusal {
+            message: errors[0].message.clone(),
+            help: errors[0].help.clone(),
         })?;
         let beside = vec![("O77.nc".to_string(), b"(BESIDE)\nO77\nM99\n".to_vec())];
         let setup = Setup { beside, ..Setup::of(machine) };

@@ -7,3 +7,4 @@ mod against;
 mod common;
 mod live;
 mod security;
+mod stock;

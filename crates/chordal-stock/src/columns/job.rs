@@ -7,6 +7,7 @@ use super::block::{Part, certified, sampled};
 use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, Grid, LANES, TILE};
 use super::heights::{Range, bottom};
 use super::plan::{Action, Step};
+use super::recorder::{Lowered, Recorder};
 use super::tile::Tile;
 use super::{Contact, Found, Mode, Options, Plan};
 use crate::sweep::lanes::{Course, Place};
@@ -28,6 +29,15 @@ pub struct Job<'a> {
 impl Job<'_> {
     /// Does the steps, in the order of the program.
     pub fn run(self) -> Found {
+        self.run_with(None).0
+    }
+
+    /// As [`Job::run`], and says which columns were lowered; `shares`: those of the plan's pieces.
+    pub(crate) fn run_recording(self, shares: &[[f32; 2]]) -> (Found, Vec<Lowered>) {
+        self.run_with(Some(shares))
+    }
+
+    fn run_with(self, shares: Option<&[[f32; 2]]>) -> (Found, Vec<Lowered>) {
         let bounds = self.grid.bounds();
         let place = Place {
             corner: self.grid.corner(self.number),
@@ -51,12 +61,16 @@ impl Job<'_> {
             bottom: bottom(self.grid),
             found: Found { tile: self.number, ..Found::default() },
             contact: None,
+            recorder: shares.map(|shares| {
+                let corner = self.grid.corner(self.number);
+                Recorder::new(shares, [column, row], columns, corner, self.grid.resolution())
+            }),
         };
         for &(_, step) in self.todo {
             run.step(self.plan, &self.plan.steps[step as usize]);
         }
         run.tile.settle();
-        run.found
+        (run.found, run.recorder.map_or_else(Vec::new, |recorder| recorder.lowered))
     }
 }
 
@@ -75,6 +89,7 @@ struct Run<'a> {
     found: Found,
     /// The deepest place of the step, where it compares.
     contact: Option<Deepest>,
+    recorder: Option<Recorder<'a>>,
 }
 
 /// Where a body reaches deepest into the tile.
@@ -102,6 +117,9 @@ impl Run<'_> {
         let lowest = piece.lowest() + part.height - self.place.top;
         if lowest >= f64::from(self.tile.top()) {
             return;
+        }
+        if let Some(recorder) = &mut self.recorder {
+            recorder.begin(piece, step.piece);
         }
         let course = Course::new(piece, part, &self.place);
         self.contact = match step.action {
@@ -251,6 +269,28 @@ impl Run<'_> {
         if self.by_tag {
             self.tile.keep(tag, block, self.grid, self.number);
         }
+        if self.recorder.is_some() {
+            let before = self.tile.get(block);
+            self.lower_block::<LEVEL, S>(course, shape, block, part, lowest);
+            let after = self.tile.get(block);
+            if let Some(recorder) = &mut self.recorder {
+                recorder.changed(block, &before, &after, self.within);
+            }
+            return;
+        }
+        self.lower_block::<LEVEL, S>(course, shape, block, part, lowest);
+    }
+
+    #[inline]
+    fn lower_block<const LEVEL: bool, S: Shape>(
+        &mut self,
+        course: &Course,
+        shape: &S,
+        block: usize,
+        part: &Part,
+        lowest: f32,
+    ) {
+        let (corner, range) = (corner(block), self.tile.range(block));
         if LEVEL && S::FLAT && self.even(course, block, corner, range) {
             return;
         }

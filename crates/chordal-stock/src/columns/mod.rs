@@ -16,6 +16,7 @@ mod grid;
 mod heights;
 mod job;
 mod plan;
+mod recorder;
 mod tile;
 mod touch;
 mod volume;
@@ -27,6 +28,7 @@ pub use found::{Counts, Found};
 pub use grid::Grid;
 pub use job::Job;
 pub use plan::{Plan, Task};
+pub use recorder::Lowered;
 pub use touch::{Contact, Touch};
 pub use volume::{Amount, CellHeights};
 
@@ -192,6 +194,25 @@ impl Stock {
             counts = self.run(&self.plan(&task)).1.plus(counts);
         }
         counts
+    }
+
+    /// As [`Stock::cut`], and says which columns were lowered, in the order in which the axis of the tool passes
+    /// them. What columns under the tool lose before that is missing until then: cut the tool where it stands.
+    pub fn cut_telling(&mut self, cutter: &Cutter, moves: &[Move]) -> Vec<Lowered> {
+        let mut all = Vec::new();
+        let task = Task { cutter: Some(cutter), moves, ..Task::default() };
+        for (first, task) in check::chunks(task) {
+            let plan = self.plan(&task);
+            let shares = recorder::shares(&plan.pieces);
+            let jobs = self.jobs(&plan).into_iter();
+            let mut lowered: Vec<Lowered> =
+                jobs.flat_map(|job| job.run_recording(&shares).1).collect();
+            // Stable: what lowers a column twice at one moment stays in its order.
+            lowered.sort_by(|a, b| a.number.cmp(&b.number).then(a.share.total_cmp(&b.share)));
+            let numbered = |at: Lowered| Lowered { number: first + at.number, ..at };
+            all.extend(lowered.into_iter().map(numbered));
+        }
+        all
     }
 
     /// How deep a body touches the stock on each of its moves; nothing is removed. A rapid of a cutter, say: with

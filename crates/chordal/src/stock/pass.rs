@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use chordal_command::{Origin, Units};
 use chordal_stock::Options;
-use chordal_stock::columns::Runner;
+use chordal_stock::columns::{Found, Job as Tile, Runner};
 
 use super::gather::Batch;
 use super::problems::Place;
@@ -57,6 +57,14 @@ impl Run<'_> {
     /// The body of a tool; there is one for every batch.
     pub fn tool(&self, number: u32) -> Option<&ToolBody> {
         self.tools.get(&number)?.as_ref().ok()
+    }
+
+    /// Runs what is to be done on tiles; nothing of it once the run is to end early, and then nothing counts.
+    pub fn tiles(&self, tiles: Vec<Tile<'_>>) -> Vec<Found> {
+        if self.job.is_interrupted() {
+            return Vec::new();
+        }
+        (self.runner)(tiles)
     }
 
     pub fn place(&self, origin: Origin, tool: u32) -> Place<'_> {

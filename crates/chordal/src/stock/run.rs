@@ -17,7 +17,7 @@ use super::pass::{Run, StockOptions};
 use super::problems::{Fixture, Problems};
 use super::report::{StockReport, StockVerdict, ToolRemoved};
 use super::setup::{Files, Named, SetupError, shift_between};
-use super::target::{Target, look_at_target};
+use super::target::{TARGET_TOLERANCE, Target, look_at_target};
 use super::tools::{Piece, ToolBody, tools_of};
 use crate::job::Job;
 use crate::report::Report;
@@ -34,6 +34,9 @@ pub enum StockRunError {
     /// There are no columns for the stock.
     #[error(transparent)]
     Stock(#[from] StockError),
+    /// It was to end early.
+    #[error("the run on stock was ended early")]
+    Interrupted,
 }
 
 impl Job<'_> {
@@ -104,6 +107,9 @@ impl Job<'_> {
             Some(target) => Some(look_at_target(&run, target, &cut.checked.stock, &mut problems)?),
             None => None,
         };
+        if self.is_interrupted() {
+            return Err(StockRunError::Interrupted);
+        }
         problems.diagnostics.append(&mut gathered.diagnostics);
         let is_proved = gathered.is_whole() && problems.undecided == 0;
         let mut found = finish(report, cut, problems, is_proved, &gathered);
@@ -111,9 +117,6 @@ impl Job<'_> {
         Ok(found)
     }
 }
-
-/// How near a part must be to its target where nothing is said, mm.
-const TARGET_TOLERANCE: f64 = 0.05;
 
 /// A round resolution with about a quarter of a million columns, mm.
 fn usual_resolution(stock: &Shape) -> f64 {
@@ -169,7 +172,7 @@ impl Run<'_> {
             tolerance: self.options.tolerance_mm,
             finest: self.finest(),
         };
-        let checked = check.run_by(self.runner)?;
+        let checked = check.run_by(&|tiles| self.tiles(tiles))?;
         for (asked, contacts) in asked.iter().zip(&checked.contacts) {
             for (index, origin) in asked.origins.iter().enumerate() {
                 let place = self.place(*origin, asked.tool);

@@ -15,6 +15,9 @@ const ROUNDING: f64 = 1e-3;
 /// A wall is known to a tolerance with cells of this share of it.
 const OF_TOLERANCE: f64 = 0.5;
 
+/// How near a part must be to its target where nothing is said, mm.
+pub(super) const TARGET_TOLERANCE: f64 = 0.05;
+
 /// A part with how near to it the cuts must be, mm.
 pub(super) struct Target {
     pub shape: Shape,
@@ -77,7 +80,7 @@ fn look_for_gouges(
         tolerance: ROUNDING,
         finest: run.finest().min(OF_TOLERANCE * target.tolerance),
     };
-    let checked = check.run_by(run.runner)?;
+    let checked = check.run_by(&|tiles| run.tiles(tiles))?;
     for ((batch, ..), contacts) in asked.iter().zip(&checked.contacts) {
         for (index, origin) in batch.origins.iter().enumerate() {
             let place = run.place(*origin, batch.tool);

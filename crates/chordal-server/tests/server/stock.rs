@@ -1,0 +1,170 @@
+//! The stock of a page: its frames give the stock of a direct run again, forward and backward.
+
+use chordal::stock::{Drop, Replay, ReplayOptions, StockBefore};
+use chordal::{Job, Machine, Source, SourceMap};
+
+use crate::common::{Columns, Live, Shown, Told, serve};
+
+const SETUP: &str = r#"
+machine = "haas-vf2"
+[stock]
+shape = "box"
+from = { X = "0 mm", Y = "0 mm", Z = "-20 mm" }
+to = { X = "60 mm", Y = "40 mm", Z = "0 mm" }
+[target]
+shape = "box"
+from = { X = "0 mm", Y = "0 mm", Z = "-20 mm" }
+to = { X = "60 mm", Y = "40 mm", Z = "-3 mm" }
+[tools.1]
+shape = "flat"
+diameter = "10 mm"
+flute_length = "25 mm"
+[tools.2]
+shape = "ball"
+diameter = "8 mm"
+flute_length = "20 mm"
+"#;
+
+/// A pocket and an arc with two tools; line 9 is the first of the second tool, line 13 a rapid through the part.
+const FIRST: &str =
+    "G21 G90 G17\nT1 M6\nS5000 M3\nG0 X10. Y10. Z5.\nG1 Z-4. F200.\nX50. F600.\nY30.\nG0 Z20.\n";
+const SECOND: &str =
+    "T2 M6\nG0 X30. Y10.\nG1 Z-3. F200.\nG3 X30. Y30. I0 J10. F500.\nG0 X5.\nZ20.\nM30\n";
+
+fn whole() -> String {
+    [FIRST, SECOND].concat()
+}
+
+/// What a page holds of it.
+struct Page {
+    stock: Columns,
+    drops: Vec<Drop>,
+}
+
+fn gather(live: &mut Live) -> Page {
+    let stock = live.columns("stock");
+    let mut drops = Vec::new();
+    loop {
+        let some = live.columns("stock_drops");
+        let (columns, rows) = (some.u32("column"), some.u32("row"));
+        let (shares, heights) = (some.f32("share"), some.f32("height"));
+        for (at, &column) in columns.iter().enumerate() {
+            let (row, share, height) = (rows[at], shares[at], heights[at]);
+            drops.push(Drop { column, row, share, height });
+        }
+        if some.header["progress"] == 1.0 {
+            return Page { stock, drops };
+        }
+    }
+}
+
+/// A direct run of a program: the stock before, and what is left of it.
+fn direct(program: &str, columns: u32) -> (StockBefore, Vec<f32>) {
+    struct Before(Option<StockBefore>);
+    impl Replay for Before {
+        fn before(&mut self, stock: &StockBefore) {
+            self.0 = Some(stock.clone());
+        }
+        fn lowered(&mut self, _drops: &[Drop], _progress: f64) -> bool {
+            true
+        }
+    }
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", program.as_bytes().to_vec()));
+    let no_text = |name: &str| Err(format!("no file {name}"));
+    let none = |name: &str| Err(format!("no file {name}"));
+    let machine = Machine::from_toml("setup.toml", SETUP, &no_text).unwrap();
+    let job = Job::new(sources, machine).unwrap();
+    let mut before = Before(None);
+    let stock = job
+        .replay_stock(&ReplayOptions { columns, lag: 0.0 }, &none, &mut before)
+        .unwrap()
+        .unwrap();
+    let top = stock.grid().bounds().max.z;
+    let left = stock.height_pairs().iter().map(|at| (at.outer - top) as f32).collect();
+    (before.0.unwrap(), left)
+}
+
+#[test]
+fn the_frames_give_the_stock_of_a_direct_run_forward_and_backward() {
+    let mut live = serve(Shown::text(&whole()).set_up(SETUP)).live();
+    let lines = live.columns("path").u32("line");
+    let Page { stock, drops } = gather(&mut live);
+    let (before, left) = direct(&whole(), 250_000);
+    assert_eq!(stock.f32("heights"), before.heights);
+    assert_eq!(stock.header["cells"], serde_json::json!(before.columns));
+    assert_eq!(stock.f32("target"), before.target.unwrap().0);
+    // Forward: to the change of tools, where a program that ends there has the same stock, and to the end.
+    let second = lines.iter().position(|line| *line >= 9).unwrap() as u32;
+    let mut now = stock.f32("heights");
+    let mut undo = Vec::new();
+    let mut at_change = None;
+    for drop in &drops {
+        if drop.row >= second && at_change.is_none() {
+            at_change = Some(now.clone());
+        }
+        let column = drop.column as usize;
+        undo.push((drop.row, column, now[column]));
+        now[column] = drop.height;
+    }
+    let (_, left_by_first) = direct(&[FIRST, "M30\n"].concat(), 250_000);
+    assert!(left_by_first != left && left_by_first != before.heights);
+    assert!(at_change.unwrap() == left_by_first);
+    assert!(now == left);
+    // Backward: the same, and the whole stock again.
+    for (row, column, height) in undo.into_iter().rev() {
+        if row < second && !now.is_empty() && now != left_by_first {
+            panic!("after the second tool is undone the stock is another");
+        }
+        if row < second {
+            break;
+        }
+        now[column] = height;
+    }
+    assert!(now == left_by_first);
+}
+
+#[test]
+fn what_is_touched_comes_with_its_line_and_the_other_problems() {
+    let mut live = serve(Shown::text(&whole()).set_up(SETUP)).live();
+    let report = live.json("stock_report");
+    assert_eq!((&report["verdict"], &report["run"]), (&"problems".into(), &1.into()));
+    let problems = report["diagnostics"].as_array().unwrap();
+    let rapid = problems.iter().find(|problem| problem["code"] == "CH620").unwrap();
+    assert_eq!((&rapid["place"]["line"], &rapid["place"]["own"]), (&13.into(), &true.into()));
+    // The cut of 1 mm into the target of the first tool.
+    assert!(problems.iter().any(|problem| problem["code"] == "CH626"));
+    assert!(report["removed_mm3"]["least"].as_f64().unwrap() > 1000.0);
+}
+
+#[test]
+fn the_page_may_ask_for_other_columns_and_an_edit_begins_anew() {
+    let mut live = serve(Shown::text(&whole()).set_up(SETUP)).live();
+    let usual = gather(&mut live).stock;
+    live.json("stock_report");
+    live.send(r#"{"ask":"stock","columns":10000}"#);
+    let coarse = gather(&mut live).stock;
+    let (before, _) = direct(&whole(), 10_000);
+    assert_eq!(coarse.f32("heights"), before.heights);
+    let cells = |stock: &Columns| stock.f32("heights").len();
+    assert!(cells(&coarse) <= 10_000 && cells(&usual) <= 250_000 && cells(&usual) > 200_000);
+    live.json("stock_report");
+    // A digit of the feed: the same stock, of another run.
+    live.send(r#"{"ask":"edit","changes":[{"from":0,"to":0,"insert":"(NEW)\n"}]}"#);
+    assert_eq!(gather(&mut live).stock.header["run"], 2);
+}
+
+#[test]
+fn without_stock_and_with_a_wrong_setup_it_is_said() {
+    let mut live = serve(Shown::text(&whole())).live();
+    let told = live.json("no_stock");
+    assert_eq!(told["message"], serde_json::Value::Null);
+    let wrong = "machine = \"haas-vf2\"\n[stock]\nshape = \"stl\"\nfile = \"lost.stl\"\n";
+    let mut live = serve(Shown::text(&whole()).set_up(wrong)).live();
+    let told = live.json("no_stock");
+    assert!(told["message"].as_str().unwrap().contains("lost.stl"), "{told}");
+    assert!(told["help"].is_string());
+    // The path is there all the same.
+    live.send(r#"{"id":1,"ask":"outline"}"#);
+    assert!(matches!(live.next(), Told::Json(_) | Told::Columns(_)));
+}

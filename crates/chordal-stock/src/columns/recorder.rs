@@ -1,0 +1,91 @@
+//! Which columns a job lowers, when on which move.
+
+use super::grid::{BLOCK, BLOCKS, CELLS, TILE};
+use super::heights::Heights;
+use crate::sweep::Piece;
+
+/// A column that a move has lowered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lowered {
+    /// The column, by rows: that at (x, y) is `y · columns + x`.
+    pub cell: u32,
+    /// The move, by its place in the list.
+    pub number: u32,
+    /// How much of the move is done when the axis of the tool passes the column: from 0 to 1.
+    pub share: f32,
+    /// Its new outer height, from the top of the stock, mm.
+    pub height: f32,
+}
+
+/// Of each piece of a plan, from which share of its move to which it goes.
+pub(crate) fn shares(pieces: &[Piece]) -> Vec<[f32; 2]> {
+    let of_move = |move_: &[Piece]| {
+        let count = move_.len() as f32;
+        (0..move_.len())
+            .map(move |n| [n as f32 / count, (n + 1) as f32 / count])
+            .collect::<Vec<_>>()
+    };
+    pieces.chunk_by(|a, b| a.number == b.number).flat_map(of_move).collect()
+}
+
+/// Writes down what changes on a tile.
+#[derive(Debug)]
+pub(crate) struct Recorder<'a> {
+    shares: &'a [[f32; 2]],
+    /// The first column of the tile, and columns in a row of the stock.
+    first: [u32; 2],
+    columns: u32,
+    /// The middle of the tile's first column, mm.
+    middle: [f64; 2],
+    cell: f64,
+    now: Option<(Piece, [f32; 2])>,
+    pub lowered: Vec<Lowered>,
+}
+
+impl<'a> Recorder<'a> {
+    /// For a tile by its first column, its corner (mm) and the side of a column (mm).
+    pub fn new(
+        shares: &'a [[f32; 2]],
+        first: [u32; 2],
+        columns: u32,
+        corner: [f64; 2],
+        cell: f64,
+    ) -> Recorder<'a> {
+        let middle = corner.map(|at| at + cell / 2.0);
+        Recorder { shares, first, columns, middle, cell, now: None, lowered: Vec::new() }
+    }
+
+    /// What changes now is of this piece, by its number in the plan.
+    pub fn begin(&mut self, piece: &Piece, number: u32) {
+        self.now = Some((*piece, self.shares[number as usize]));
+    }
+
+    /// Compares the heights of a block before with those after. `within`: columns of the tile in the stock.
+    pub fn changed(&mut self, block: usize, before: &Heights, after: &Heights, within: [usize; 2]) {
+        let Some((piece, [from, to])) = &self.now else { return };
+        for cell in 0..CELLS {
+            if after.outer[cell] == before.outer[cell] {
+                continue;
+            }
+            let column = block % BLOCKS * BLOCK + cell % BLOCK;
+            let row = block / BLOCKS * BLOCK + cell / BLOCK;
+            debug_assert!(column < TILE && row < TILE);
+            if column >= within[0] || row >= within[1] {
+                continue;
+            }
+            let x = self.middle[0] + self.cell * column as f64 - piece.start.x;
+            let y = self.middle[1] + self.cell * row as f64 - piece.start.y;
+            let along = x * piece.along[0] + y * piece.along[1];
+            // A vertical piece has done its work at its end.
+            let done =
+                if piece.length > 0.0 { (along / piece.length).clamp(0.0, 1.0) } else { 1.0 };
+            let (x, y) = (self.first[0] + column as u32, self.first[1] + row as u32);
+            self.lowered.push(Lowered {
+                cell: y * self.columns + x,
+                number: piece.number,
+                share: from + (to - from) * done as f32,
+                height: after.outer[cell],
+            });
+        }
+    }
+}

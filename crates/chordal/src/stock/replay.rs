@@ -1,0 +1,282 @@
+//! A program on stock as a list of what is lowered when: for a picture that goes forward and backward.
+
+use chordal_command::Command;
+use chordal_path::{PathCommand, Segment};
+use chordal_stock::shape::Shape;
+use chordal_stock::{Lowered, Mode, Options, Stock};
+
+use super::gather::{Gathered, Kind};
+use super::heights::Heights;
+use super::run::StockRunError;
+use super::setup::{Files, Named, shift_between};
+use super::target::TARGET_TOLERANCE;
+use super::tools::tools_of;
+use crate::job::Job;
+use crate::report::Watch;
+
+/// Moves that are cut at once: what they lower is told after each lot. More where drops are left out, as none is
+/// that is the last of a lot.
+const AT_ONCE: usize = 4096;
+const AT_ONCE_THINNED: usize = 1 << 15;
+/// The most memory of the columns, bytes.
+const BUDGET: u64 = 1 << 30;
+
+/// The stock before the first cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StockBefore {
+    /// The corner of its box with the least coordinates, in the frame of the run, mm.
+    pub low: [f64; 3],
+    /// The corner with the largest, mm.
+    pub high: [f64; 3],
+    /// The side of a column, mm.
+    pub resolution_mm: f64,
+    /// Columns along X and Y; the last ones may reach over the box.
+    pub columns: [u32; 2],
+    /// The heights of the columns from the top of the box, mm: row by row from the least Y on, in each by X.
+    pub heights: Vec<f32>,
+    /// Those of the part as it should be, where a target is given, and how near to it cuts must be, mm.
+    pub target: Option<(Vec<f32>, f64)>,
+}
+
+/// A column that a cut has lowered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drop {
+    /// The column: `y · columns + x`.
+    pub column: u32,
+    /// The piece of path, by its number among all of the run.
+    pub row: u32,
+    /// How much of it is done when the axis of the tool passes the column: from 0 to 1.
+    pub share: f32,
+    /// The new height, from the top of the box, mm.
+    pub height: f32,
+}
+
+/// How a stock is replayed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReplayOptions {
+    /// About so many columns, no more.
+    pub columns: u32,
+    /// Drops are left out where a column seems no more than this too high without them, as a share of its side.
+    /// Zero: none is. After each tool, and after some thousand moves, all heights are right.
+    pub lag: f64,
+}
+
+/// Takes what a run on stock lowers.
+pub trait Replay {
+    /// The stock before the first cut.
+    fn before(&mut self, stock: &StockBefore);
+    /// Columns that were lowered, in the order of the run, and how much of it is done, from 0 to 1. Gives
+    /// whether to go on.
+    fn lowered(&mut self, drops: &[Drop], progress: f64) -> bool;
+}
+
+impl Job<'_> {
+    /// Cuts the stock of the machine's setup, and tells what is lowered when. Heights are those in the middle of each column: a picture without a bound, see [`Job::stock`] for that. Gives what
+    /// is left, or `None` where the replay was not to go on.
+    ///
+    /// # Errors
+    /// Without stock, with a setup that is incomplete, or with too many columns.
+    pub fn replay_stock(
+        &self,
+        options: &ReplayOptions,
+        files: Files<'_>,
+        replay: &mut dyn Replay,
+    ) -> Result<Option<Stock>, StockRunError> {
+        let setup = &self.machine().setup;
+        let body = setup.stock.as_ref().ok_or(StockRunError::NoStock)?;
+        let tools = tools_of(self);
+        let control = self.control();
+        let (naming, units) = (control.table.work_names, control.parameters.rules.units);
+        let mut moves =
+            Numbered { gathered: Gathered::new(&tools, naming, units), row: 0, rows: Vec::new() };
+        self.report_watched(&mut moves);
+        let Numbered { gathered, rows, row: all } = moves;
+        let shape_of = |name: &str, body| {
+            let named = Named { name, body };
+            let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
+            named.shape(shift, files, false)
+        };
+        let shape = shape_of("stock", body)?;
+        let resolution = resolution_for(&shape, options.columns);
+        let heights = Heights::new(&shape, resolution);
+        let sampled = Options { mode: Mode::Sampled, ..Options::new(resolution, BUDGET) };
+        let mut stock = Stock::shaped(shape.bounds(), sampled, |low, high| heights.of(low, high))?;
+        let target = match &setup.target {
+            Some(body) => {
+                let shape = shape_of("target", body)?;
+                let tolerance = body.tolerance_mm.unwrap_or(TARGET_TOLERANCE);
+                Some((target_heights(&shape, &stock), tolerance))
+            }
+            None => None,
+        };
+        let before = before(&stock, target);
+        replay.before(&before);
+        let mut thinning = (options.lag > 0.0).then(|| {
+            let most = (options.lag * resolution) as f32;
+            Thinning { most, last: vec![0; before.heights.len()], shown: before.heights }
+        });
+        let at_once = if thinning.is_some() { AT_ONCE_THINNED } else { AT_ONCE };
+        let mut done = 0;
+        for batch in &gathered.batches {
+            let of_batch = &rows[done..done + batch.moves.len()];
+            done += batch.moves.len();
+            let Some(Ok(tool)) = tools.get(&batch.tool) else { continue };
+            if batch.kind == Kind::Rapid {
+                continue;
+            }
+            for (moves, rows) in batch.moves.chunks(at_once).zip(of_batch.chunks(at_once)) {
+                let mut lowered = stock.cut_telling(&tool.cutter, moves);
+                if let Some(thinning) = &mut thinning {
+                    thinning.thin(&mut lowered);
+                }
+                let drops: Vec<Drop> = lowered
+                    .iter()
+                    .map(|at| Drop {
+                        column: at.cell,
+                        row: rows[at.number as usize],
+                        share: at.share,
+                        height: at.height,
+                    })
+                    .collect();
+                let last = rows.last().map_or(0, |row| row + 1);
+                if !replay.lowered(&drops, f64::from(last) / f64::from(all.max(1))) {
+                    return Ok(None);
+                }
+            }
+        }
+        Ok(Some(stock))
+    }
+}
+
+/// Leaves drops out.
+struct Thinning {
+    /// A column may seem so much too high, mm.
+    most: f32,
+    /// Of each column the heights that were told last.
+    shown: Vec<f32>,
+    /// Of each column the place of its last drop of the lot.
+    last: Vec<usize>,
+}
+
+impl Thinning {
+    fn thin(&mut self, lowered: &mut Vec<Lowered>) {
+        for (place, at) in lowered.iter().enumerate() {
+            self.last[at.cell as usize] = place;
+        }
+        let mut place = 0;
+        lowered.retain(|at| {
+            let cell = at.cell as usize;
+            let is_told = self.last[cell] == place || self.shown[cell] - at.height > self.most;
+            place += 1;
+            if is_told {
+                self.shown[cell] = at.height;
+            }
+            is_told
+        });
+    }
+}
+
+fn before(stock: &Stock, target: Option<(Vec<f32>, f64)>) -> StockBefore {
+    let grid = stock.grid();
+    let (min, max) = (grid.bounds().min, grid.bounds().max);
+    let heights = stock.height_pairs();
+    StockBefore {
+        low: [min.x, min.y, min.z],
+        high: [max.x, max.y, max.z],
+        resolution_mm: grid.resolution(),
+        columns: grid.cells(),
+        heights: heights.iter().map(|at| (at.outer - max.z) as f32).collect(),
+        target,
+    }
+}
+
+/// The heights of the part over the columns of the stock, from its top, mm: the middle of what encloses them.
+fn target_heights(shape: &Shape, stock: &Stock) -> Vec<f32> {
+    let grid = stock.grid();
+    let heights = Heights::new(shape, grid.resolution());
+    let [columns, rows] = grid.cells();
+    let (bottom, top) = (grid.bounds().min.z, grid.bounds().max.z);
+    let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
+    let height = |(column, row)| {
+        let [low, high] = grid.corners(column, row);
+        let [outer, inner] = heights.of(low, high);
+        (0.5 * (outer.max(bottom) + inner.max(bottom)) - top) as f32
+    };
+    cells.map(height).collect()
+}
+
+/// A resolution of two digits with no more than so many columns, mm.
+fn resolution_for(stock: &Shape, columns: u32) -> f64 {
+    let size = stock.bounds().size();
+    let most = f64::from(columns.max(1));
+    let least = (size.x * size.y / most).sqrt();
+    let digit = libm::pow(10.0, libm::floor(libm::log10(least)) - 1.0);
+    let count = |steps: f64| {
+        let along = |length: f64| (length / (steps * digit)).ceil();
+        along(size.x) * along(size.y)
+    };
+    let mut steps = (least / digit).ceil();
+    // Columns that reach over the edge count, too. One column is left at the largest side.
+    while count(steps) > most && steps * digit < size.x.max(size.y) {
+        steps += 1.0;
+    }
+    steps * digit
+}
+
+/// Gathers moves, and counts the pieces of path that they are.
+struct Numbered<'a> {
+    gathered: Gathered<'a>,
+    row: u32,
+    /// Of each move of all batches its piece of path.
+    rows: Vec<u32>,
+}
+
+impl Numbered<'_> {
+    /// What tells whether a move was added.
+    fn size(&self) -> (usize, usize) {
+        let batches = &self.gathered.batches;
+        (batches.len(), batches.last().map_or(0, |batch| batch.moves.len()))
+    }
+}
+
+impl Watch for Numbered<'_> {
+    fn programmed(&mut self, command: &Command) {
+        self.gathered.programmed(command);
+    }
+
+    fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
+        self.gathered.path(path, &[]);
+        for segment in segments {
+            let before = self.size();
+            self.gathered.path(path, std::slice::from_ref(segment));
+            if self.size() != before {
+                self.rows.push(self.row);
+            }
+            self.row = self.row.saturating_add(1);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_out_is_small_and_never_the_last() {
+        let at = |cell, share, height| Lowered { cell, number: 0, share, height };
+        let mut thinning = Thinning { most: 0.1, shown: vec![0.0; 2], last: vec![0; 2] };
+        let mut lowered = vec![
+            at(0, 0.1, -0.06),
+            at(1, 0.2, -0.5),
+            at(0, 0.3, -0.12),
+            at(0, 0.4, -0.2),
+            at(0, 0.5, -0.21),
+        ];
+        thinning.thin(&mut lowered);
+        // −0.06 is less than a tenth below 0, −0.2 less than a tenth below −0.12.
+        assert_eq!(lowered, [at(1, 0.2, -0.5), at(0, 0.3, -0.12), at(0, 0.5, -0.21)]);
+        let mut next = vec![at(1, 0.1, -0.55), at(1, 0.2, -0.56)];
+        thinning.thin(&mut next);
+        assert_eq!(next, [at(1, 0.2, -0.56)]);
+    }
+}

@@ -1,0 +1,519 @@
+// The stock in space. Its picture is kept: while a program plays only what changes is drawn anew in it, and
+// while the view turns a coarser surface stands for it.
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Camera,
+  Color,
+  DepthTexture,
+  DoubleSide,
+  GLSL3,
+  Group,
+  Mesh,
+  type OrthographicCamera,
+  ShaderMaterial,
+  UnsignedIntType,
+  Vector2,
+  Vector3,
+  Vector4,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from "three";
+import { type Palette, toolColor } from "./colors";
+import type { StockBefore } from "./drops";
+import { drawnAll } from "./fence";
+import type { Bounds, Vec3 } from "./path";
+import { FRAGMENT, VERTEX } from "./stockshader";
+import { SIDE, Surface, TILE, type Touched, triangles } from "./surface";
+
+export type StockColor = "tool" | "depth" | "deviation" | "plain";
+
+/** Where the stock is cut open, mm in the frame of the run: what lies beyond is left out. */
+export interface Cut {
+  axis: "x" | "y" | "z";
+  at: number;
+}
+
+/** Triangles that are drawn in one go: in a fraction of a frame, with a graphics card and without. */
+const AT_ONCE = { card: 4_000_000, software: 24_000 };
+/** Columns of the surface that stands for the stock while the view turns. */
+const COARSE = { card: 250_000, software: 9_000 };
+/** How long the view must be still before all of it is drawn again, ms; and how long at most where too much changes at once. */
+const STILL = 120;
+const MOST_STILL = 2_000;
+/** Colours that a material has room for: that of the stock, and tools. */
+const SLOTS = 24;
+/** Around what has changed so many pixels are drawn anew. */
+const MARGIN = 3;
+/** Deviations beyond so many tolerances have one colour. */
+export const TOLERANCES = 10;
+
+interface TilePart {
+  mesh: Mesh<BufferGeometry, ShaderMaterial>;
+  /** Lowest and highest corner, from the top, mm. */
+  ends: [number, number];
+  triangles: number;
+}
+
+export class StockLayer {
+  surface: Surface | undefined;
+  /** Triangles of the last frame: for tests and measurements. */
+  drawnTriangles = 0;
+  private shown = true;
+  private group = new Group();
+  private coarseGroup = new Group();
+  private tiles: TilePart[] = [];
+  private coarse: Mesh<BufferGeometry, ShaderMaterial> | undefined;
+  private coarseStep = 1;
+  private coarseStale = true;
+  private roughStale = true;
+  private material = material();
+  private whole: WebGLRenderTarget | undefined;
+  private rough: WebGLRenderTarget | undefined;
+  private picture: WebGLRenderTarget | undefined;
+  private state: "stale" | "drawing" | "complete" = "stale";
+  private seenFrom = "";
+  private movedAt = 0;
+  private patience = STILL;
+  private timer = 0;
+  private number = 0;
+  private origin: Vec3 = [0, 0, 0];
+  private cut: Cut | undefined;
+  private by: StockColor = "tool";
+  private own: Touched | undefined;
+
+  constructor(
+    private palette: Palette,
+    private isSoftware: boolean,
+    private wanted: () => void,
+  ) {}
+
+  private get atOnce(): number {
+    return this.isSoftware ? AT_ONCE.software : AT_ONCE.card;
+  }
+
+  /** Another stock, or none. */
+  begin(stock: StockBefore | undefined, origin: Vec3): void {
+    for (const { mesh } of this.tiles) mesh.geometry.dispose();
+    this.coarse?.geometry.dispose();
+    this.group.clear();
+    this.coarseGroup.clear();
+    this.tiles = [];
+    this.coarse = undefined;
+    this.own = undefined;
+    this.surface = stock && new Surface(stock);
+    if (this.surface) this.build(this.surface);
+    this.place(origin);
+    this.tellMaterial();
+    this.changed();
+  }
+
+  private build(surface: Surface): void {
+    const columns = surface.stock.columns[0] * surface.stock.columns[1];
+    const most = this.isSoftware ? COARSE.software : COARSE.card;
+    this.coarseStep = Math.max(1, Math.ceil(Math.sqrt(columns / most)));
+    for (let tile = 0; tile < surface.stale.length; tile++) {
+      const [x, y] = surface.firstCorner(tile);
+      const places = new Uint16Array(2 * SIDE * SIDE);
+      for (let at = 0; at < SIDE * SIDE; at++) places.set([x + (at % SIDE), y + Math.floor(at / SIDE)], 2 * at);
+      const geometry = geometryOf(places, surface.target !== undefined);
+      geometry.setIndex(new BufferAttribute(new Uint16Array(6 * TILE * TILE), 1));
+      const mesh = new Mesh(geometry, this.material);
+      mesh.frustumCulled = false;
+      this.group.add(mesh);
+      this.tiles.push({ mesh, ends: [surface.bottom, 0], triangles: 0 });
+    }
+    surface.stale.fill(1);
+    this.coarse = coarseMesh(surface, this.coarseStep, this.material);
+    this.coarseGroup.add(this.coarse);
+  }
+
+  /** The origin of the path is the zero of the picture. */
+  place(origin: Vec3): void {
+    this.origin = origin;
+    if (!this.surface) return;
+    const { low, high } = this.surface.stock;
+    for (const group of [this.group, this.coarseGroup]) {
+      group.position.set(low[0] - origin[0], low[1] - origin[1], high[2] - origin[2]);
+      group.updateMatrixWorld(true);
+    }
+    this.changed();
+  }
+
+  /** Its box, relative to the origin of the path. */
+  bounds(): Bounds | undefined {
+    if (!this.surface || !this.shown) return undefined;
+    const { low, high } = this.surface.stock;
+    const relative = (at: Vec3) => at.map((value, axis) => value - this.origin[axis]!) as Vec3;
+    return { low: relative(low), high: relative(high) };
+  }
+
+  show(shown: boolean): void {
+    this.shown = shown;
+    this.changed();
+  }
+
+  setPalette(palette: Palette): void {
+    this.palette = palette;
+    this.tellMaterial();
+    this.changed();
+  }
+
+  setColor(by: StockColor): void {
+    this.by = by;
+    this.tellMaterial();
+    this.changed();
+  }
+
+  setCut(cut: Cut | undefined): void {
+    this.cut = cut;
+    this.tellMaterial();
+    this.changed();
+  }
+
+  /** Everything of it is to be drawn anew. */
+  changed(): void {
+    this.number++;
+    this.state = "stale";
+    this.roughStale = true;
+    this.wanted();
+  }
+
+  /** The picture with depth as it was drawn last. */
+  get under(): WebGLRenderTarget | undefined {
+    return this.surface && this.shown ? this.picture : undefined;
+  }
+
+  /** The picture shows every column. */
+  get isComplete(): boolean {
+    return !this.surface || !this.shown || (this.state === "complete" && !this.own);
+  }
+
+  /** Draws what is due before a frame. */
+  prepare(renderer: WebGLRenderer, camera: OrthographicCamera, isTurning: boolean): void {
+    const { surface } = this;
+    this.drawnTriangles = 0;
+    if (!surface || !this.shown) return;
+    this.note(surface.takeTouched());
+    const from = `${camera.matrixWorld.elements.join()} ${camera.projectionMatrix.elements.join()}`;
+    if (this.resize(renderer) || from !== this.seenFrom) {
+      this.seenFrom = from;
+      this.number++;
+      this.state = "stale";
+      this.roughStale = true;
+      this.movedAt = performance.now();
+    }
+    this.material.uniforms.push!.value = 2 * (pushOf(camera, renderer) + 0.5 * surface.stock.pitch) / (camera.far - camera.near);
+    this.material.uniforms.eye!.value.set(...eyeOf(camera));
+    if (this.state === "complete" && this.own) this.repaint(renderer, camera, this.own);
+    if (this.state === "complete") return;
+    if (this.roughStale || this.coarseStale || this.picture !== this.rough) this.drawCoarse(renderer, camera);
+    // All of it once it is still.
+    window.clearTimeout(this.timer);
+    if (this.state === "drawing") return;
+    if (isTurning) return;
+    const rest = this.patience - (performance.now() - this.movedAt);
+    if (rest <= 0) void this.drawAll(renderer, camera);
+    else this.timer = window.setTimeout(() => this.wanted(), rest + 1);
+  }
+
+  private note(touched: Touched | undefined): void {
+    if (!touched) return;
+    this.coarseStale = true;
+    const { own } = this;
+    const join = (a: [number, number], b: [number, number]): [number, number] => [Math.min(a[0], b[0]), Math.max(a[1], b[1])];
+    this.own = own
+      ? { columns: join(own.columns, touched.columns), rows: join(own.rows, touched.rows), heights: join(own.heights, touched.heights) }
+      : touched;
+  }
+
+  private resize(renderer: WebGLRenderer): boolean {
+    const ratio = Math.min(2, window.devicePixelRatio);
+    const size = renderer.getSize(new Vector2()).multiplyScalar(ratio).floor().max(new Vector2(1, 1));
+    if (this.whole?.width === size.x && this.whole.height === size.y) return false;
+    const old = [this.whole, this.rough];
+    const make = () => new WebGLRenderTarget(size.x, size.y, { depthTexture: new DepthTexture(size.x, size.y, UnsignedIntType) });
+    [this.whole, this.rough] = [make(), make()];
+    this.picture = undefined;
+    old.forEach((target) => target?.dispose());
+    return true;
+  }
+
+  /** Draws anew what has changed, where that is soon done. */
+  private repaint(renderer: WebGLRenderer, camera: Camera, own: Touched): void {
+    const surface = this.surface!;
+    const { x, y, width, height } = this.rectangle(surface, camera, [
+      [own.columns[0], own.rows[0]], [own.columns[1] + 2, own.rows[1] + 2],
+    ], own.heights, MARGIN);
+    if (width <= 0 || height <= 0) {
+      this.own = undefined;
+      return;
+    }
+    const chosen: number[] = [];
+    let sum = 0;
+    for (const [tile, part] of this.tiles.entries()) {
+      this.take(tile);
+      const [x0, y0] = surface.firstCorner(tile);
+      const own = this.rectangle(surface, camera, [[x0, y0], [x0 + TILE, y0 + TILE]], part.ends, 1);
+      if (own.x > x + width || own.x + own.width < x || own.y > y + height || own.y + own.height < y) continue;
+      chosen.push(tile);
+      sum += part.triangles;
+      if (sum > this.atOnce) {
+        // Too much for one frame: the coarse surface until it is still.
+        this.number++;
+        this.state = "stale";
+        this.movedAt = performance.now();
+        this.patience = Math.min(MOST_STILL, 2 * this.patience);
+        return;
+      }
+    }
+    const target = this.whole!;
+    target.scissor.set(x, y, width, height);
+    target.scissorTest = true;
+    renderer.setRenderTarget(target);
+    renderer.clear();
+    this.draw(renderer, camera, chosen);
+    target.scissorTest = false;
+    renderer.setRenderTarget(null);
+    this.patience = STILL;
+    this.own = undefined;
+  }
+
+  /** What of the picture corners and heights between two take: pixels from the lower left. */
+  private rectangle(surface: Surface, camera: Camera, [low, high]: [[number, number], [number, number]], heights: [number, number], margin: number) {
+    const m = camera.matrixWorldInverse.elements;
+    const p = camera.projectionMatrix.elements;
+    const { position } = this.group;
+    const { width, height } = this.whole!;
+    let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
+    for (let bits = 0; bits < 8; bits++) {
+      const at = this.corner(surface, (bits & 1 ? high : low)[0], (bits & 2 ? high : low)[1]);
+      const [wx, wy, wz] = [at[0] + position.x, at[1] + position.y, heights[bits & 4 ? 1 : 0] + position.z];
+      const vx = m[0]! * wx + m[4]! * wy + m[8]! * wz + m[12]!;
+      const vy = m[1]! * wx + m[5]! * wy + m[9]! * wz + m[13]!;
+      const [sx, sy] = [((p[0]! * vx + p[12]! + 1) / 2) * width, ((p[5]! * vy + p[13]! + 1) / 2) * height];
+      [left, right] = [Math.min(left, sx), Math.max(right, sx)];
+      [bottom, top] = [Math.min(bottom, sy), Math.max(top, sy)];
+    }
+    const x = Math.max(0, Math.floor(left) - margin);
+    const y = Math.max(0, Math.floor(bottom) - margin);
+    return { x, y, width: Math.min(width, Math.ceil(right) + margin) - x, height: Math.min(height, Math.ceil(top) + margin) - y };
+  }
+
+  /** Where a corner is drawn, from the least corner of the stock, mm. */
+  private corner({ stock }: Surface, x: number, y: number): [number, number] {
+    const place = (axis: 0 | 1, at: number) => {
+      const size = stock.high[axis] - stock.low[axis];
+      return at <= 1 ? 0 : at >= stock.columns[axis] ? size : (at - 0.5) * stock.pitch;
+    };
+    return [place(0, x), place(1, y)];
+  }
+
+  private draw(renderer: WebGLRenderer, camera: Camera, tiles: number[]): void {
+    for (const part of this.tiles) part.mesh.visible = false;
+    for (const tile of tiles) {
+      this.take(tile);
+      this.tiles[tile]!.mesh.visible = true;
+      this.drawnTriangles += this.tiles[tile]!.triangles;
+    }
+    this.render(renderer, camera, this.group);
+  }
+
+  private render(renderer: WebGLRenderer, camera: Camera, group: Group): void {
+    renderer.render(group, camera);
+    if (this.material.uniforms.eye!.value.z >= 0) return;
+    // From below its underside is seen.
+    this.material.uniforms.isFlat!.value = true;
+    renderer.render(group, camera);
+    this.material.uniforms.isFlat!.value = false;
+  }
+
+  /** The corners of a tile that have changed go to the card. */
+  private take(tile: number): void {
+    const surface = this.surface!;
+    if (!surface.stale[tile]) return;
+    surface.stale[tile] = 0;
+    const part = this.tiles[tile]!;
+    const { geometry } = part.mesh;
+    const [z, slot, target] = [geometry.attributes.z!, geometry.attributes.slot!, geometry.attributes.target];
+    const heights = z.array as Float32Array;
+    part.ends = surface.copy(tile, heights, slot.array as Uint8Array, target?.array as Float32Array | undefined);
+    const lean = geometry.attributes.lean!;
+    surface.falls(tile, lean.array as Int8Array);
+    const [x, y] = surface.firstCorner(tile);
+    const open: [number, number] = [(surface.open.column ?? -1) - x, (surface.open.row ?? -1) - y];
+    const count = triangles(heights, slot.array as Uint8Array, target?.array as Float32Array | undefined, geometry.index!.array as Uint16Array, open);
+    part.triangles = count / 3;
+    geometry.setDrawRange(0, count);
+    for (const attribute of [z, slot, lean, target, geometry.index]) if (attribute) attribute.needsUpdate = true;
+  }
+
+  private drawCoarse(renderer: WebGLRenderer, camera: Camera): void {
+    const surface = this.surface!;
+    if (this.coarseStale) takeCoarse(this.coarse!, surface, this.coarseStep);
+    this.coarseStale = this.roughStale = false;
+    renderer.setRenderTarget(this.rough!);
+    renderer.clear();
+    this.render(renderer, camera, this.coarseGroup);
+    renderer.setRenderTarget(null);
+    this.drawnTriangles += this.coarse!.geometry.index!.count / 3;
+    this.picture = this.rough;
+  }
+
+  /** Draws all of it, some tiles at a time. */
+  private async drawAll(renderer: WebGLRenderer, camera: Camera): Promise<void> {
+    this.state = "drawing";
+    const number = ++this.number;
+    this.own = undefined;
+    let cleared = false;
+    let tile = 0;
+    while (tile < this.tiles.length) {
+      const some: number[] = [];
+      let sum = 0;
+      for (; tile < this.tiles.length && sum < this.atOnce; tile++) {
+        this.take(tile);
+        some.push(tile);
+        sum += this.tiles[tile]!.triangles;
+      }
+      renderer.setRenderTarget(this.whole!);
+      if (!cleared) renderer.clear();
+      cleared = true;
+      this.draw(renderer, camera, some);
+      renderer.setRenderTarget(null);
+      if (tile < this.tiles.length) await drawnAll(renderer);
+      if (number !== this.number) return;
+    }
+    this.state = "complete";
+    this.picture = this.whole;
+    this.wanted();
+  }
+
+  private tellMaterial(): void {
+    const { surface, palette, cut, by } = this;
+    if (!surface) return;
+    const { stock } = surface;
+    const size = [stock.high[0] - stock.low[0], stock.high[1] - stock.low[1]] as const;
+    const u = this.material.uniforms;
+    u.columns!.value.set(stock.columns[0], stock.columns[1]);
+    u.size!.value.set(...size);
+    u.pitch!.value = stock.pitch;
+    u.bottom!.value = surface.bottom;
+    u.by!.value = ["tool", "depth", "deviation", "plain"].indexOf(by === "deviation" && !surface.target ? "plain" : by);
+    u.colors!.value = [palette.stock, ...Array.from({ length: SLOTS - 1 }, (_, index) => toolColor(palette, index))].map((color) => new Color(color));
+    u.ramp!.value = (by === "deviation" ? palette.deviation : palette.ramp).map((color) => new Color(color));
+    u.inside!.value.set(palette.inside);
+    u.uncut!.value.set(palette.stock);
+    u.tolerance!.value = stock.toleranceMm;
+    u.farthest!.value = TOLERANCES * stock.toleranceMm;
+    // At the middle of a column, so that the walls of the cut are straight.
+    const column = (axis: 0 | 1) => {
+      const at = ((cut?.at ?? 0) - stock.low[axis]) / stock.pitch;
+      return Math.min(stock.columns[axis] - 1, Math.max(0, Math.round(at - 0.5)));
+    };
+    const snapped = (axis: 0 | 1) => this.corner(surface, column(0) + 1, column(1) + 1)[axis];
+    surface.setOpen(cut?.axis === "x" ? { column: column(0) + 1 } : cut?.axis === "y" ? { row: column(1) + 1 } : {});
+    u.keep!.value.set(
+      cut?.axis === "x" ? snapped(0) : Infinity_,
+      cut?.axis === "y" ? snapped(1) : -Infinity_,
+      cut?.axis === "z" ? cut.at - stock.high[2] : Infinity_,
+      cut ? 1 : 0,
+    );
+  }
+}
+
+/** Beyond every machine, mm. */
+const Infinity_ = 1e9;
+
+/** How far the stock is put back so that a path on it is seen, mm: a pixel and a half. */
+function pushOf(camera: OrthographicCamera, renderer: WebGLRenderer): number {
+  return (1.5 * (camera.right - camera.left)) / camera.zoom / Math.max(1, renderer.domElement.width);
+}
+
+function eyeOf(camera: Camera): Vec3 {
+  const m = camera.matrixWorld.elements;
+  return [m[8]!, m[9]!, m[10]!];
+}
+
+function geometryOf(places: Uint16Array, hasTarget: boolean): BufferGeometry {
+  const count = places.length / 2;
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("at", new BufferAttribute(places, 2));
+  geometry.setAttribute("z", new BufferAttribute(new Float32Array(count), 1));
+  geometry.setAttribute("slot", new BufferAttribute(new Uint8Array(count), 1));
+  geometry.setAttribute("lean", new BufferAttribute(new Int8Array(2 * count), 2, true));
+  if (hasTarget) geometry.setAttribute("target", new BufferAttribute(new Float32Array(count), 1));
+  return geometry;
+}
+
+/** Corners that a coarse surface takes: every so many, and the ring. */
+function coarsePlaces(count: number, step: number): number[] {
+  const places = [0];
+  for (let at = 1; at < count - 1; at += step) places.push(at);
+  if (places.at(-1)! < count - 2) places.push(count - 2);
+  places.push(count - 1);
+  return places;
+}
+
+function coarseMesh(surface: Surface, step: number, material: ShaderMaterial): Mesh<BufferGeometry, ShaderMaterial> {
+  const [across, up] = [coarsePlaces(surface.width, step), coarsePlaces(surface.height, step)];
+  const places = new Uint16Array(2 * across.length * up.length);
+  up.forEach((y, row) => across.forEach((x, column) => places.set([x, y], 2 * (row * across.length + column))));
+  const index = new Uint32Array(6 * (across.length - 1) * (up.length - 1));
+  let count = 0;
+  for (let row = 0; row + 1 < up.length; row++) {
+    for (let column = 0; column + 1 < across.length; column++) {
+      const a = row * across.length + column;
+      const [b, c, d] = [a + 1, a + across.length, a + across.length + 1];
+      index.set([a, b, c, b, d, c], count);
+      count += 6;
+    }
+  }
+  const geometry = geometryOf(places, surface.target !== undefined);
+  geometry.setIndex(new BufferAttribute(index, 1));
+  const mesh = new Mesh(geometry, material);
+  mesh.frustumCulled = false;
+  return mesh;
+}
+
+function takeCoarse({ geometry }: Mesh<BufferGeometry>, surface: Surface, step: number): void {
+  const [across, up] = [coarsePlaces(surface.width, step), coarsePlaces(surface.height, step)];
+  const [z, slot, target] = [geometry.attributes.z!, geometry.attributes.slot!, geometry.attributes.target];
+  let to = 0;
+  for (const y of up) {
+    for (const x of across) {
+      const from = y * surface.width + x;
+      z.array[to] = surface.z[from]!;
+      slot.array[to] = surface.slot[from]!;
+      if (target) target.array[to] = surface.target![from]!;
+      to++;
+    }
+  }
+  for (const attribute of [z, slot, target]) if (attribute) attribute.needsUpdate = true;
+}
+
+function material(): ShaderMaterial {
+  return new ShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    side: DoubleSide,
+    uniforms: {
+      columns: { value: new Vector2() },
+      size: { value: new Vector2() },
+      pitch: { value: 1 },
+      bottom: { value: 0 },
+      keep: { value: new Vector4() },
+      by: { value: 0 },
+      colors: { value: [] },
+      ramp: { value: [] },
+      inside: { value: new Color() },
+      uncut: { value: new Color() },
+      tolerance: { value: 0 },
+      farthest: { value: 1 },
+      push: { value: 0 },
+      eye: { value: new Vector3() },
+      isFlat: { value: false },
+    },
+  });
+}

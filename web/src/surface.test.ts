@@ -1,0 +1,107 @@
+import { expect, test } from "vitest";
+import type { StockBefore } from "./drops";
+import { floorOf } from "./floor";
+import { SIDE, Surface, TILE, triangles } from "./surface";
+
+function stock(nx: number, ny: number): StockBefore {
+  return { low: [0, 0, -10], high: [nx, ny, 0], pitch: 1, columns: [nx, ny], heights: new Float32Array(nx * ny), toleranceMm: 0 };
+}
+
+test("columns are corners within a ring at the bottom", () => {
+  const surface = new Surface(stock(3, 2));
+  expect([surface.width, surface.height]).toEqual([5, 4]);
+  expect([...surface.z.subarray(0, 5)]).toEqual([-10, -10, -10, -10, -10]);
+  expect([...surface.z.subarray(5, 10)]).toEqual([-10, 0, 0, 0, -10]);
+  surface.set(5, -3, 1);
+  expect(surface.z[2 * 5 + 3]).toBe(-3);
+  expect(surface.takeTouched()).toEqual({ columns: [2, 2], rows: [1, 1], heights: [-3, 0] });
+  expect(surface.takeTouched()).toBeUndefined();
+});
+
+test("a column on the edge of a tile changes both, and no other", () => {
+  const surface = new Surface(stock(100, 40));
+  surface.stale.fill(0);
+  // Column 31 is corner 32: the last of the first tile, and the first of the next.
+  surface.set(31, -1, 1);
+  expect([...surface.stale]).toEqual([1, 1, 0, 0, 0, 0, 0, 0]);
+  surface.stale.fill(0);
+  surface.set(30, -1, 1);
+  expect([...surface.stale]).toEqual([1, 0, 0, 0, 0, 0, 0, 0]);
+  // The same again is no change.
+  surface.stale.fill(0);
+  surface.set(30, -1, 1);
+  expect(surface.stale.some(Boolean)).toBe(false);
+});
+
+test("a flat block is two triangles, any other has two for each cell", () => {
+  const surface = new Surface(stock(100, 100));
+  const [z, slot, index] = [new Float32Array(SIDE * SIDE), new Uint8Array(SIDE * SIDE), new Uint16Array(6 * TILE * TILE)];
+  const blocks = (TILE / 8) ** 2;
+  const middle = 1 + surface.tiles[0];
+  surface.copy(middle, z, slot);
+  expect(triangles(z, slot, undefined, index)).toBe(6 * blocks);
+  // One column in the midst of a block.
+  surface.set((TILE + 3) * 100 + TILE + 3, -2, 1);
+  surface.copy(middle, z, slot);
+  // It is in the first block: its two neighbours have its corners on their edge, and eleven triangles each.
+  const count = triangles(z, slot, undefined, index);
+  expect(count).toBe(6 * 64 + 2 * 3 * 11 + 6 * (blocks - 3));
+  // Every cell is covered once.
+  let area = 0;
+  for (let at = 0; at < count; at += 3) {
+    const [a, b, c] = [index[at]!, index[at + 1]!, index[at + 2]!].map((corner) => [corner % SIDE, Math.floor(corner / SIDE)] as const);
+    area += Math.abs((b![0] - a![0]) * (c![1] - a![1]) - (c![0] - a![0]) * (b![1] - a![1])) / 2;
+  }
+  expect(area).toBe(TILE * TILE);
+});
+
+test("no block is one piece where the stock is cut open", () => {
+  const [z, slot, index] = [new Float32Array(SIDE * SIDE), new Uint8Array(SIDE * SIDE), new Uint16Array(6 * TILE * TILE)];
+  const whole = triangles(z, slot, undefined, index);
+  // Along column 12, in the second column of blocks.
+  const open = triangles(z, slot, undefined, index, [12, -1]);
+  expect(open - whole).toBe(4 * (6 * 64 - 6) + 8 * (33 - 6));
+});
+
+test("the light on walls follows the way the surface falls", () => {
+  const surface = new Surface(stock(100, 100));
+  for (let y = 0; y < 100; y++) for (let x = 50; x < 100; x++) surface.set(y * 100 + x, -5, 1);
+  const to = new Int8Array(2 * SIDE * SIDE);
+  surface.falls(1 + surface.tiles[0], to);
+  // Column 49 is corner 50, 18 after the first of the tile.
+  const at = (column: number) => [to[2 * (10 * SIDE + column)], to[2 * (10 * SIDE + column) + 1]];
+  expect(at(18)).toEqual([127, 0]);
+  expect(at(19)).toEqual([127, 0]);
+  expect(at(25)).toEqual([0, 0]);
+});
+
+test("the tool cuts where it stands, and what it cut so is there again when it has gone", () => {
+  const surface = new Surface(stock(20, 20));
+  const heights = new Float32Array(400);
+  const slots = new Uint8Array(400);
+  heights[210] = -5;
+  surface.set(210, -5, 1);
+  slots[210] = 1;
+  const floor = floorOf({ shape: "ball", diameter_mm: 6 })!;
+  surface.stand({ floor, slot: 2, at: [10.5, 10.5, -2] }, heights, slots);
+  const at = (x: number, y: number) => surface.z[(y + 1) * surface.width + x + 1]!;
+  // The tip is 2 mm below the top; 2 mm off the ball of 3 mm is 3 − √5 higher. What was deeper stays.
+  expect(at(12, 10)).toBeCloseTo(-2 + 3 - Math.sqrt(5), 6);
+  expect(at(10, 10)).toBe(-5);
+  expect(at(14, 10)).toBe(0);
+  surface.stand(undefined, heights, slots);
+  expect(at(12, 10)).toBe(0);
+  expect(at(10, 10)).toBe(-5);
+});
+
+test("the floor of each shape is that of its outline", () => {
+  const at = (tool: Parameters<typeof floorOf>[0], distance: number) => floorOf(tool)!.at(distance);
+  expect(at({ shape: "flat", diameter_mm: 10 }, 4.9)).toBe(0);
+  expect(at({ shape: "bull", diameter_mm: 10, corner_radius_mm: 2 }, 4)).toBeCloseTo(2 - Math.sqrt(3), 9);
+  expect(at({ shape: "drill", diameter_mm: 10, point_angle_rad: Math.PI / 2 }, 3)).toBeCloseTo(3, 9);
+  expect(at({ shape: "chamfer", diameter_mm: 10, tip_diameter_mm: 2, point_angle_rad: Math.PI / 2 }, 3)).toBeCloseTo(2, 9);
+  expect(at({ shape: "form", profile_mm: [[0, 0], [1, 4], [3, 4], [5, 6]] }, 2)).toBeCloseTo(0.5, 9);
+  expect(at({ shape: "form", profile_mm: [[0, 0], [1, 4], [3, 4], [5, 6]] }, 5)).toBeCloseTo(4, 9);
+  expect(floorOf({ shape: "flat" })).toBeUndefined();
+  expect(floorOf(undefined)).toBeUndefined();
+});

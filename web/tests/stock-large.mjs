@@ -1,0 +1,62 @@
+// Measures the stock of a long program on the page: node tests/stock-large.mjs PROGRAM SETUP.toml
+//
+// How soon it is there, what a moment costs, near and far, and how many frames a second follow on each other.
+
+import { browser, open, serve } from "./browser.mjs";
+
+const [program, setup] = process.argv.slice(2);
+const began = Date.now();
+const server = await serve(program, "--setup", setup);
+const chromium = await browser();
+const { page } = await open(chromium.context, server.url);
+const since = () => `${((Date.now() - began) / 1000).toFixed(1)} s`;
+await page.waitForFunction(() => window.chordal.stock.drops()?.count > 0, null, { timeout: 300_000 });
+console.log(`first of the stock after ${since()}`);
+await page.waitForFunction(() => document.querySelector("#stock summary").textContent === "Stock", null, { timeout: 300_000 });
+await page.waitForFunction(() => window.chordal.setpoints() && window.chordal.view.isComplete, null, { timeout: 300_000 });
+console.log(`all of it, and the times, after ${since()}`);
+console.log(await page.evaluate(() => {
+  const drops = window.chordal.stock.drops();
+  return { columns: drops.heights.length, drops: drops.count, each: drops.count / drops.heights.length, megabytes: drops.bytes / 1e6 };
+}));
+
+/** Milliseconds of moments that are sought: the list, the surface and the first frame. */
+const seeks = (count, next) => page.evaluate(async ([count, near]) => {
+  const { timeline, setpoints } = window.chordal;
+  const total = setpoints().totalS;
+  const times = [];
+  const frames = [];
+  let state = 7;
+  for (let n = 0; n < count; n++) {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    const share = state / 2 ** 32;
+    const start = performance.now();
+    timeline.seek(near ? (total * (n + 1)) / (count + 1) / 50 : total * share);
+    times.push(performance.now() - start);
+    await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+    frames.push(performance.now() - start);
+  }
+  const of = (all) => {
+    all.sort((a, b) => a - b);
+    return { median: all[all.length >> 1].toFixed(1), worst: all.at(-1).toFixed(1) };
+  };
+  return { seek: of(times), withFrame: of(frames) };
+}, [count, next]);
+console.log("far", await seeks(100, false));
+console.log("near", await seeks(100, true));
+
+/** Frames of playback at a rate. */
+const play = (rate) => page.evaluate(async (rate) => {
+  const { timeline, view } = window.chordal;
+  timeline.seek(0);
+  while (timeline.rate > 3) timeline.faster(-1);
+  for (let n = 0; n < rate; n++) timeline.faster(1);
+  const [frames, start] = [view.drawnFrames, performance.now()];
+  timeline.toggle();
+  await new Promise((done) => setTimeout(done, 5000));
+  timeline.pause();
+  return (view.drawnFrames - frames) / ((performance.now() - start) / 1000);
+}, rate);
+for (const rate of [0, 3]) console.log(`${[1, 2, 5, 10][rate]}×: ${(await play(rate)).toFixed(1)} frames a second`);
+await chromium.stop();
+server.stop();
