@@ -2,7 +2,8 @@
 //! surely removed, and what is surely left.
 //!
 //! Lengths are in millimetres, angles in radians. The tool axis is Z; a position is that of the tool
-//! tip. The crate knows no program, no control and no machine, and uses no file and no thread.
+//! tip. Stock that turns is exact instead: see [`turned`]. The crate knows no program, no control and no
+//! machine, and uses no file and no thread.
 //!
 //! | to | see |
 //! |---|---|
@@ -15,6 +16,7 @@
 //! | remove what it sweeps from stock, and measure | [`Stock::cut`], [`Stock::removed`], [`Stock::left`] |
 //! | do so tile by tile on threads | [`Stock::plan`], [`Stock::jobs`] |
 //! | ask whether a rapid, a shank or a holder touches it | [`Body`], [`Stock::touch`], [`Stock::cut_watching`] |
+//! | cut turned stock: exact half sections, volumes, passes | [`turned`] |
 //! | have what cells cannot say done again finer | [`Check`] |
 //!
 //! ```
@@ -46,6 +48,7 @@ pub mod floor;
 pub mod mesh;
 pub mod shape;
 mod sweep;
+pub mod turned;
 
 pub use columns::{
     Amount, CellHeights, Check, Checked, Contact, Lowered, Mode, Options, Stock, StockError, Task,

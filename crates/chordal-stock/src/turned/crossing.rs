@@ -1,0 +1,92 @@
+//! Where two edges have points in common.
+
+use chordal_geometry::{Circle2, Line2, Meeting, Vec2, circle_circle, line_circle, line_line};
+
+use super::edge::Edge;
+
+/// A place where edges are divided, and which of the two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Split {
+    pub place: Vec2,
+    pub first: bool,
+    pub second: bool,
+}
+
+/// Every place where one of two edges has to be divided: ends of one that lie on the other, and proper
+/// crossings. What lies within `tolerance` (mm) of an end is that end, which welding sees to.
+pub(crate) fn crossings(first: &Edge, second: &Edge, tolerance: f64, mut found: impl FnMut(Split)) {
+    for place in [second.start, second.end] {
+        if first.passes(place, tolerance) {
+            found(Split { place, first: true, second: false });
+        }
+    }
+    for place in [first.start, first.end] {
+        if second.passes(place, tolerance) {
+            found(Split { place, first: false, second: true });
+        }
+    }
+    let mut both = |place| found(Split { place, first: true, second: true });
+    match (first.is_straight(), second.is_straight()) {
+        (true, true) => {
+            if let Some(crossing) = line_line(line_of(first), line_of(second), 0.0) {
+                let within = |along: f64| (0.0..=1.0).contains(&along);
+                // Of lines that are nearly the same, rounding says anything: what is not on both is none.
+                let place = crossing.point;
+                let inner = within(crossing.along_first) && within(crossing.along_second);
+                if inner && first.passes(place, tolerance) && second.passes(place, tolerance) {
+                    both(place);
+                }
+            }
+        }
+        (true, false) => line_with_arc(first, second, tolerance, both),
+        (false, true) => line_with_arc(second, first, tolerance, both),
+        (false, false) => arcs(first, second, tolerance, both),
+    }
+}
+
+fn line_of(edge: &Edge) -> Line2 {
+    Line2 { point: edge.start, direction: edge.end - edge.start }
+}
+
+fn circle_of(edge: &Edge) -> Circle2 {
+    Circle2 { center: edge.circle.center, radius: edge.circle.radius }
+}
+
+/// Two crossings between which the shapes come no deeper than `tolerance` into each other are one touch:
+/// where exactly they lie is rounding, and between them is next to nothing.
+fn shallow(meeting: Meeting, depth: impl Fn(f64) -> f64, tolerance: f64) -> Meeting {
+    match meeting {
+        Meeting::Cross(p, q) if depth(0.5 * p.distance(q)) <= tolerance => {
+            Meeting::Touch((p + q) * 0.5)
+        }
+        other => other,
+    }
+}
+
+fn line_with_arc(line: &Edge, arc: &Edge, tolerance: f64, mut found: impl FnMut(Vec2)) {
+    let along = line.end - line.start;
+    let meeting = line_circle(line_of(line), circle_of(arc), 0.0);
+    let depth = |half: f64| 0.5 * half * half / arc.circle.radius;
+    for place in shallow(meeting, depth, tolerance).points() {
+        let reach = (place - line.start).dot(along);
+        if reach >= 0.0 && reach <= along.dot(along) && arc.faces(place) {
+            found(place);
+        }
+    }
+}
+
+fn arcs(first: &Edge, second: &Edge, tolerance: f64, mut found: impl FnMut(Vec2)) {
+    let (a, b) = (circle_of(first), circle_of(second));
+    let between = a.center.distance(b.center);
+    let depth = |_| (a.radius + b.radius - between).min(between - (a.radius - b.radius).abs());
+    for place in shallow(circle_circle(a, b, 0.0), depth, tolerance).points() {
+        // Of circles that are nearly the same the place is uncertain along both, and then off them; where
+        // even its foot is off the second, they are apart by less than rounding shows.
+        let Some(out) = (place - a.center).normalized() else { continue };
+        let place = a.center + out * a.radius;
+        let off = (place.distance(b.center) - b.radius).abs();
+        if off <= tolerance && first.faces(place) && second.faces(place) {
+            found(place);
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! What surely does not come near a swept area: what some direction parts from it.
+
+use chordal_geometry::Vec2;
+
+use super::edge::{Box2, Edge};
+
+/// Directions that are tried: a sweep of a usual insert has no more edges, of others some suffice.
+const MOST: usize = 16;
+/// Directions of one arc of a convex loop: between them it bulges by less than 1 % of its radius.
+const OF_ARC: u32 = 6;
+
+/// Directions, and how far edges reach along them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Hull {
+    reach: Vec<(Vec2, f64)>,
+}
+
+impl Hull {
+    /// Around edges: outward directions of their own. Those of one convex loop are its farthest points
+    /// themselves.
+    pub fn of(&mut self, edges: &[Edge], convex: bool) {
+        self.reach.clear();
+        if convex {
+            edges.iter().for_each(|edge| self.add_convex(edge));
+            return;
+        }
+        let every = edges.len().div_ceil(MOST).max(1);
+        for edge in edges.iter().step_by(every) {
+            let out = match edge.is_straight() {
+                true => -(edge.end - edge.start).turned_left(),
+                false => edge.middle() - edge.circle.center,
+            };
+            let Some(out) = out.normalized() else { continue };
+            let ends = edges.iter().map(|edge| edge.reach(out).1);
+            self.reach.push((out, ends.fold(f64::NEG_INFINITY, f64::max)));
+        }
+    }
+
+    fn add_convex(&mut self, edge: &Edge) {
+        if edge.is_straight() {
+            if let Some(along) = (edge.end - edge.start).normalized() {
+                let out = -along.turned_left();
+                self.reach.push((out, out.dot(edge.start).max(out.dot(edge.end))));
+            }
+            return;
+        }
+        let center = edge.circle.center;
+        let (from, to) = (edge.start - center, edge.end - center);
+        for at in 0..OF_ARC {
+            let share = (f64::from(at) + 0.5) / f64::from(OF_ARC);
+            if let Some(out) = (from * (1.0 - share) + to * share).normalized() {
+                self.reach.push((out, out.dot(center) + edge.circle.radius));
+            }
+        }
+    }
+
+    /// Whether a box lies more than `margin` (mm) outside. `tried` is the direction that is tried first: the
+    /// one that parted the neighbour.
+    pub fn parts(&self, area: &Box2, margin: f64, tried: &mut usize) -> bool {
+        let outside = |(out, reach): &(Vec2, f64)| {
+            let nearest = Vec2::new(
+                if out.a > 0.0 { area.min.a } else { area.max.a },
+                if out.b > 0.0 { area.min.b } else { area.max.b },
+            );
+            out.dot(nearest) > reach + margin
+        };
+        if self.reach.get(*tried).is_some_and(outside) {
+            return true;
+        }
+        match self.reach.iter().position(outside) {
+            Some(at) => {
+                *tried = at;
+                true
+            }
+            None => false,
+        }
+    }
+
+    /// Whether a point lies at most `margin` (mm) outside.
+    pub fn holds(&self, p: Vec2, margin: f64) -> bool {
+        self.reach.iter().all(|(out, reach)| out.dot(p) <= reach + margin)
+    }
+}

@@ -1,0 +1,93 @@
+//! Edges put together to loops, by the numbers of their vertices.
+
+use chordal_geometry::Vec2;
+
+use super::edge::Edge;
+use super::segment::Segment;
+
+/// Sines of angles below it are those of edges that go on straight.
+const STRAIGHT_ON: f64 = 1e-9;
+
+/// The edges, loop by loop. What does not close (it always does, after a checked operation) ends its loop.
+pub(crate) fn loops(edges: &[Edge]) -> Vec<Vec<Edge>> {
+    let mut by_start: Vec<u32> = (0..edges.len() as u32).collect();
+    by_start.sort_unstable_by_key(|at| (edges[*at as usize].ends[0], *at));
+    let mut used = vec![false; edges.len()];
+    let mut found = Vec::new();
+    for first in 0..edges.len() {
+        if used[first] {
+            continue;
+        }
+        let mut chain = Vec::new();
+        let mut at = first;
+        loop {
+            used[at] = true;
+            chain.push(edges[at]);
+            match next(edges, &by_start, &used, at, first) {
+                Some(following) if following != first => at = following,
+                _ => break,
+            }
+        }
+        found.push(chain);
+    }
+    found
+}
+
+/// The edge that follows, which is the loop's first one at its end.
+fn next(edges: &[Edge], by_start: &[u32], used: &[bool], at: usize, first: usize) -> Option<usize> {
+    let edge = &edges[at];
+    let begin = by_start.partition_point(|at| edges[*at as usize].ends[0] < edge.ends[1]);
+    let here = by_start[begin..].iter().map(|at| *at as usize);
+    let here = here.take_while(|at| edges[*at].ends[0] == edge.ends[1]);
+    let open = here.filter(|at| !used[*at] || *at == first);
+    open.max_by(|x, y| turn(edge, &edges[*x]).total_cmp(&turn(edge, &edges[*y])).then(y.cmp(x)))
+}
+
+/// How far to the left one goes from an edge to the next, from −π to π: loops that touch in a vertex stay
+/// apart when each takes the sharpest turn to the side of its region.
+fn turn(edge: &Edge, next: &Edge) -> f64 {
+    let (from, to) = (edge.direction(true), next.direction(false));
+    let angle = libm::atan2(from.cross(to), from.dot(to));
+    // Straight back is a turn to the left if the next edge bends away to the left.
+    if core::f64::consts::PI - angle.abs() < STRAIGHT_ON {
+        let bend = next.curvature() + edge.curvature();
+        return if bend > 0.0 { -core::f64::consts::PI } else { core::f64::consts::PI };
+    }
+    angle
+}
+
+/// A loop as it is drawn: neighbours of one line or circle, made by one move, are one segment.
+pub(crate) fn outline(chain: &[Edge], tolerance: f64) -> Vec<Segment> {
+    let goes_on = |one: &Edge, two: &Edge| one.tag == two.tag && is_continued(one, two, tolerance);
+    let count = chain.len();
+    // Begin at a corner, so that no segment is cut by the beginning.
+    let begin = (0..count).find(|at| !goes_on(&chain[(at + count - 1) % count], &chain[*at]));
+    let begin = begin.unwrap_or(0);
+    let mut drawn: Vec<Edge> = Vec::new();
+    for at in 0..count {
+        let edge = &chain[(begin + at) % count];
+        match drawn.last_mut() {
+            // Against all that is drawn of it, not against its last piece, which may have no length.
+            Some(last) if goes_on(last, edge) => last.end = edge.end,
+            _ => drawn.push(*edge),
+        }
+    }
+    drawn.into_iter().map(Edge::to_segment).collect()
+}
+
+/// Whether the second edge lies on the line or circle of the first and goes on in its sense.
+fn is_continued(one: &Edge, two: &Edge, tolerance: f64) -> bool {
+    if one.is_straight() != two.is_straight() {
+        return false;
+    }
+    if one.is_straight() {
+        let (from, to) = (one.end - one.start, two.end - two.start);
+        let whole: Vec2 = two.end - one.start;
+        let off = whole.cross(one.end - one.start).abs();
+        return from.dot(to) > 0.0 && off <= tolerance * whole.length();
+    }
+    let (a, b) = (&one.circle, &two.circle);
+    a.counterclockwise == b.counterclockwise
+        && a.center.distance(b.center) <= tolerance
+        && (a.radius - b.radius).abs() <= tolerance
+}

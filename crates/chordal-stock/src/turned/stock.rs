@@ -1,0 +1,291 @@
+//! Turned stock and the passes that cut it.
+
+use chordal_geometry::Vec2;
+
+use super::arrange::{NEW, Others, Outcome, Rule, Side};
+use super::edge::{Box2, Edge};
+use super::hull::Hull;
+use super::overlay::{Amounts, Operands, Overlay, Scale, Unresolved};
+use super::region::{Region, RegionError};
+use super::segment::Segment;
+use super::store::Store;
+use super::sweep::{Swept, sweep};
+use super::tool::Tool;
+
+/// Why a pass was not made. The stock is as it was.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum PassError {
+    /// The path cannot be used.
+    #[error(transparent)]
+    Path(#[from] RegionError),
+    /// What the tool sweeps cannot be told apart from the outline of the stock.
+    #[error(transparent)]
+    Unresolved(#[from] Unresolved),
+}
+
+/// What a tool takes from stock along one move, or would take.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pass {
+    /// Area of the half section that goes, mm².
+    pub area: f64,
+    /// Volume that goes, mm³.
+    pub volume: f64,
+    /// How far what goes extends across the feed, mm: the depth of cut of a pass. Of a straight move square
+    /// to it, of an arc along its radius, of no move along r.
+    pub across: f64,
+    /// How far it extends along the feed, mm: the depth of a plunge. Of an arc along its chord, of no move
+    /// along z.
+    pub along: f64,
+    /// Whether anything goes that is thicker than rounding.
+    pub touched: bool,
+    /// The corners of the box around what goes: least z and r, largest z and r, mm.
+    pub place: Option<(Vec2, Vec2)>,
+    /// How far the new outline may be off the exact one, mm: the bound of the tool; 1e-11 of the size
+    /// where the stock has walls thinner than that; a shift of the sweep where it could not be told apart
+    /// from the stock otherwise. As a rule 0.
+    pub bound: f64,
+}
+
+impl Pass {
+    /// The lesser of what goes along the feed and across it, mm: how deep a rapid that should not have
+    /// touched is in the stock.
+    #[must_use]
+    pub fn depth(&self) -> f64 {
+        self.along.min(self.across)
+    }
+}
+
+/// Work space of one pass.
+#[derive(Debug, Default)]
+struct Work {
+    given: Given,
+    overlay: Overlay,
+    outcome: Outcome,
+}
+
+/// What a pass is about: what is swept, and the stock near it.
+#[derive(Debug, Default)]
+struct Given {
+    swept: Vec<Edge>,
+    hull: Hull,
+    near: Vec<Edge>,
+    slots: Vec<u32>,
+}
+
+/// The stock without what is given.
+struct Rest<'a> {
+    store: &'a Store,
+    without: &'a [u32],
+}
+
+impl Others for Rest<'_> {
+    fn passages(&self, side: &Side) -> i32 {
+        self.store.passages(side, self.without)
+    }
+}
+
+/// Stock that turns: the exact region of its half section, and the tools that cut it.
+#[derive(Debug)]
+pub struct Turned {
+    store: Store,
+    bounds: Box2,
+    area: f64,
+    size: f64,
+    vertices: u64,
+    work: Work,
+}
+
+impl Clone for Turned {
+    fn clone(&self) -> Self {
+        Turned { store: self.store.clone(), work: Work::default(), ..*self }
+    }
+}
+
+impl Turned {
+    /// Stock that fills a region.
+    #[must_use]
+    pub fn new(region: &Region) -> Turned {
+        let edges = region.edges();
+        let bounds = Box2::around(edges);
+        Turned {
+            store: Store::of(edges),
+            bounds,
+            area: region.area(),
+            size: bounds.size(),
+            // More than any number of its vertices.
+            vertices: 1 + edges.iter().flat_map(|edge| edge.ends).max().unwrap_or(0),
+            work: Work::default(),
+        }
+    }
+
+    /// What is left.
+    #[must_use]
+    pub fn region(&self) -> Region {
+        Region::of(self.store.iter().copied().collect())
+    }
+
+    /// Area of the half section that is left, mm².
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.amounts().area
+    }
+
+    /// Volume that is left, mm³.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        self.amounts().volume
+    }
+
+    fn amounts(&self) -> Amounts {
+        if self.store.len() == 0 {
+            return Amounts::default();
+        }
+        let origin = (self.bounds.min + self.bounds.max) * 0.5;
+        let edges = self.store.iter();
+        edges.fold(Amounts::default(), |sum, edge| Amounts {
+            area: sum.area + edge.area(origin),
+            volume: sum.volume + edge.volume(),
+        })
+    }
+
+    /// How many lines and quadrants of circles bound it.
+    #[must_use]
+    pub fn edges(&self) -> usize {
+        self.store.len()
+    }
+
+    /// Cuts what a tool sweeps along a move: the path of its programmed point, a line or an arc. The new
+    /// edges have the tag of the move.
+    pub fn cut(&mut self, tool: &Tool, path: &Segment) -> Result<Pass, PassError> {
+        let mut work = core::mem::take(&mut self.work);
+        let found = self.lay(&mut work, tool, path);
+        if matches!(&found, Ok(pass) if pass.area > 0.0) {
+            self.take(&mut work);
+            self.area -= work.overlay.amounts.area;
+        }
+        self.work = work;
+        found
+    }
+
+    /// Cuts as [`cut`](Self::cut) does, and hands out what was removed.
+    pub fn cut_out(&mut self, tool: &Tool, path: &Segment) -> Result<(Pass, Region), PassError> {
+        let pass = self.cut(tool, path)?;
+        Ok((pass, Region::of(self.work.overlay.common.clone())))
+    }
+
+    /// What a tool, a holder or a rapid would take along a move; the stock stays as it is.
+    pub fn touch(&self, tool: &Tool, path: &Segment) -> Result<(Pass, Region), PassError> {
+        let mut work = Work::default();
+        let pass = self.lay(&mut work, tool, path)?;
+        Ok((pass, Region::of(work.overlay.common)))
+    }
+
+    fn lay(&self, work: &mut Work, tool: &Tool, path: &Segment) -> Result<Pass, PassError> {
+        let mut pass = Pass { bound: tool.bound(), ..Pass::default() };
+        let Work { given, overlay, outcome } = work;
+        overlay.common.clear();
+        let swept = sweep(tool.parts(), path, &mut given.swept)?;
+        let scale = Scale::new(self.size, self.area.max(0.0));
+        if self.store.len() == 0 || !self.bounds.meets(&swept.bounds.grown(scale.margin)) {
+            return Ok(pass);
+        }
+        given.hull.of(&given.swept, swept.simple);
+        self.gather(given, &swept, scale);
+        let lay = Overlay::lay;
+        if self.overlay(given, &swept, scale, overlay, outcome, lay).is_err() {
+            let scale = scale.wide();
+            self.gather(given, &swept, scale);
+            self.overlay(given, &swept, scale, overlay, outcome, Overlay::lay_shifted)?;
+        }
+        let Overlay { common, amounts, off, .. } = overlay;
+        pass.bound += *off;
+        if common.is_empty() {
+            return Ok(pass);
+        }
+        let bounds = Box2::around(common);
+        // Of next to nothing rounding may leave less.
+        (pass.area, pass.volume) = (amounts.area.max(0.0), amounts.volume.max(0.0));
+        (pass.across, pass.along) = extents(common, path);
+        let around: f64 = common.iter().map(Edge::length).sum();
+        pass.touched = amounts.area > scale.tolerance * around;
+        pass.place = Some((bounds.min, bounds.max));
+        Ok(pass)
+    }
+
+    /// Finds the edges near what is swept.
+    fn gather(&self, given: &mut Given, swept: &Swept, scale: Scale) {
+        let Given { hull, near, slots, .. } = given;
+        near.clear();
+        slots.clear();
+        let area = swept.bounds.grown(scale.margin);
+        self.store.near(&area, hull, scale.margin, |slot, edge| {
+            slots.push(slot);
+            near.push(*edge);
+        });
+    }
+
+    fn overlay(
+        &self,
+        given: &Given,
+        swept: &Swept,
+        scale: Scale,
+        overlay: &mut Overlay,
+        outcome: &mut Outcome,
+        lay: impl Fn(&mut Overlay, &Operands<'_>) -> Result<(), Unresolved>,
+    ) -> Result<(), Unresolved> {
+        let rest = Rest { store: &self.store, without: &given.slots };
+        let operands = Operands {
+            first: &given.near,
+            others: &rest,
+            second: &given.swept,
+            simple: swept.simple,
+            bounds: swept.bounds,
+            hull: &given.hull,
+            scale,
+        };
+        lay(overlay, &operands)?;
+        if !overlay.common.is_empty() {
+            overlay.outcome(&operands, Rule::Difference, outcome);
+        }
+        Ok(())
+    }
+
+    /// Puts the outcome of the last operation in the place of the edges it was made of.
+    fn take(&mut self, work: &mut Work) {
+        for at in &work.outcome.gone {
+            self.store.remove(work.given.slots[*at as usize]);
+        }
+        let first = self.vertices;
+        let mut highest = 0;
+        for edge in &work.outcome.came {
+            let mut edge = *edge;
+            for end in &mut edge.ends {
+                if *end & NEW != 0 {
+                    let local = *end & !NEW;
+                    highest = highest.max(local + 1);
+                    *end = first + local;
+                }
+            }
+            self.store.insert(edge);
+        }
+        self.vertices = first + highest;
+        self.store.settle();
+    }
+}
+
+/// How far edges extend across and along a path, mm.
+fn extents(edges: &[Edge], path: &Segment) -> (f64, f64) {
+    let spread = |reach: &dyn Fn(&Edge) -> (f64, f64)| {
+        let ends = edges.iter().map(reach);
+        let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |all, one| {
+            (all.0.min(one.0), all.1.max(one.1))
+        });
+        high - low
+    };
+    let feed = (path.end - path.start).normalized().unwrap_or(Vec2::new(1.0, 0.0));
+    let across = match path.bend {
+        None => spread(&|edge| edge.reach(feed.turned_left())),
+        Some(bend) => spread(&|edge| edge.distances(bend.center)),
+    };
+    (across, spread(&|edge| edge.reach(feed)))
+}

@@ -1,0 +1,186 @@
+//! What a convex outline sweeps along a line or an arc: exact loops of lines and arcs.
+//!
+//! The way there and back again is a closed path. Where its tangent has a direction, the outline touches
+//! what it sweeps where its own tangent has that direction; on the way back the outline is walked
+//! backwards. That closed curve winds round a place as often as the outline's centre, on its way, comes
+//! and goes within reach of it: never less than once where something is swept (the convolution of two
+//! curves, Guibas, Ramshaw and Stolfi 1983). Nose arcs give arcs of radius A + r and A − r about the
+//! path's centre, corners arcs of radius A, flanks stay straight.
+
+use chordal_geometry::Vec2;
+
+use super::convex::{Convex, Element, Step, TURN, angle, steps};
+use super::edge::{Box2, Circle, Edge, push_arc};
+use super::region::{RegionError, circle_of, in_range};
+use super::segment::Segment;
+
+/// Gaps and edges below it are rounding, mm.
+const NO_LENGTH: f64 = 1e-11;
+
+/// What was swept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Swept {
+    pub bounds: Box2,
+    /// Whether it is one loop that does not meet itself.
+    pub simple: bool,
+}
+
+/// Sweeps every part along a path of the origin. What comes to lie on the other side of the axis turns with
+/// the work, so its mirror image is swept too.
+pub(crate) fn sweep(
+    parts: &[Convex],
+    path: &Segment,
+    edges: &mut Vec<Edge>,
+) -> Result<Swept, RegionError> {
+    for value in [path.start.a, path.start.b, path.end.a, path.end.b] {
+        in_range(value)?;
+    }
+    let circle = circle_of(path)?;
+    edges.clear();
+    for part in parts {
+        let mut tracer = Tracer { edges, at: None, tag: path.tag };
+        match circle {
+            None => along_line(part, path, &mut tracer),
+            Some(circle) => along_arc(part, path, circle, &mut tracer),
+        }
+        tracer.close();
+    }
+    let mut bounds = Box2::around(edges);
+    let past_axis = bounds.min.b < -NO_LENGTH;
+    if past_axis {
+        for at in 0..edges.len() {
+            edges.push(edges[at].mirrored());
+        }
+        bounds = Box2::around(edges);
+    }
+    Ok(Swept { bounds, simple: parts.len() == 1 && circle.is_none() && !past_axis })
+}
+
+fn along_line(part: &Convex, path: &Segment, tracer: &mut Tracer<'_>) {
+    let tangent = (path.end - path.start).normalized().unwrap_or(Vec2::new(1.0, 0.0));
+    let first = (steps(tangent), tangent);
+    let back = (first.0 + TURN / 2, -tangent);
+    part.walk(first, back, |step| tracer.outline(path.end, &step));
+    part.walk(back, (first.0 + TURN, tangent), |step| tracer.outline(path.start, &step));
+}
+
+fn along_arc(part: &Convex, path: &Segment, circle: Circle, tracer: &mut Tracer<'_>) {
+    // Clockwise is the same counter-clockwise backwards.
+    let (start, end) = match circle.counterclockwise {
+        true => (path.start, path.end),
+        false => (path.end, path.start),
+    };
+    let Circle { center, radius, .. } = circle;
+    let tangent = |p: Vec2| (p - center).turned_left().normalized().unwrap_or(Vec2::new(1.0, 0.0));
+    let begin = (steps(tangent(start)), tangent(start));
+    let mut finish = (steps(tangent(end)), tangent(end));
+    if start == end || finish.0 < begin.0 {
+        finish.0 += TURN;
+    }
+    let half = |(step, tangent): (i64, Vec2)| (step + TURN / 2, -tangent);
+    part.walk(begin, finish, |step| tracer.forth(center, radius, &step));
+    part.walk(finish, half(finish), |step| tracer.outline(end, &step));
+    let mut back = Vec::new();
+    part.walk(half(begin), half(finish), |step| back.push(step));
+    for step in back.iter().rev() {
+        tracer.back(center, radius, step);
+    }
+    let again = (begin.0 + TURN, begin.1);
+    part.walk(half(begin), again, |step| tracer.outline(start, &step));
+}
+
+/// To the right of a tangent: outward, of a counter-clockwise curve.
+fn outward(tangent: Vec2) -> Vec2 {
+    -tangent.turned_left()
+}
+
+/// Draws one closed curve.
+struct Tracer<'a> {
+    edges: &'a mut Vec<Edge>,
+    /// Where the curve began and where it is.
+    at: Option<(Vec2, Vec2)>,
+    tag: u32,
+}
+
+impl Tracer<'_> {
+    fn line_to(&mut self, to: Vec2) {
+        let Some((first, at)) = self.at else {
+            self.at = Some((to, to));
+            return;
+        };
+        if at.distance(to) > NO_LENGTH {
+            self.edges.push(Edge::line(at, to, self.tag));
+            self.at = Some((first, to));
+        }
+    }
+
+    fn arc_to(&mut self, from: Vec2, to: Vec2, circle: Circle, sweep: f64) {
+        self.line_to(from);
+        let Some((first, at)) = self.at else { return };
+        if circle.radius > NO_LENGTH && sweep * circle.radius > NO_LENGTH {
+            push_arc(self.edges, (at, to), circle, sweep, self.tag);
+            self.at = Some((first, to));
+        }
+    }
+
+    fn close(&mut self) {
+        let Some((first, at)) = self.at.take() else { return };
+        if at == first {
+            return;
+        }
+        match self.edges.last_mut() {
+            // Its end, but for rounding.
+            Some(last) if at.distance(first) <= NO_LENGTH => last.end = first,
+            _ => self.edges.push(Edge::line(at, first, self.tag)),
+        }
+    }
+
+    /// The outline itself, with its origin at `place`.
+    fn outline(&mut self, place: Vec2, step: &Step) {
+        self.forth(place, 0.0, step);
+    }
+
+    /// The outline on a path about `center`, which turns as the outline does.
+    fn forth(&mut self, center: Vec2, radius: f64, step: &Step) {
+        let [from, to] = step.tangents.map(outward);
+        let sweep = angle(step.steps[1] - step.steps[0]);
+        match step.element {
+            Element::Line(start, end) => {
+                self.line_to(center + from * radius + start);
+                self.line_to(center + from * radius + end);
+            }
+            Element::Corner(corner) => {
+                self.turn(center + corner, radius, [from, to], sweep, true);
+            }
+            Element::Arc(middle, nose) => {
+                self.turn(center + middle, radius + nose, [from, to], sweep, true);
+            }
+        }
+    }
+
+    /// The outline on the way back.
+    fn back(&mut self, center: Vec2, radius: f64, step: &Step) {
+        let [from, to] = step.tangents.map(outward);
+        let sweep = angle(step.steps[1] - step.steps[0]);
+        match step.element {
+            Element::Line(start, end) => {
+                self.line_to(center - from * radius + end);
+                self.line_to(center - from * radius + start);
+            }
+            Element::Corner(corner) => {
+                self.turn(center + corner, -radius, [to, from], sweep, false);
+            }
+            Element::Arc(middle, nose) => {
+                self.turn(center + middle, nose - radius, [to, from], sweep, false);
+            }
+        }
+    }
+
+    /// An arc about `center` whose points are `reach` along directions; a reach below zero is on the other
+    /// side.
+    fn turn(&mut self, center: Vec2, reach: f64, out: [Vec2; 2], sweep: f64, forth: bool) {
+        let [from, to] = out.map(|out| center + out * reach);
+        let circle = Circle { center, radius: reach.abs(), counterclockwise: forth };
+        self.arc_to(from, to, circle, sweep);
+    }
+}

@@ -1,0 +1,515 @@
+//! Tools of a lathe as outlines in the half plane.
+//!
+//! An outline stands where its tool stands when the programmed point is at z 0, r 0: z to the right, r up,
+//! the work below an outside tool. It is a union of convex parts; what a convex part of lines and arcs
+//! sweeps along lines and arcs is exact.
+
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use chordal_geometry::Vec2;
+
+use super::convex::Convex;
+use super::polygon::triangles;
+use super::region::RegionError;
+use super::segment::Segment;
+
+/// The most pieces into which an arc that bends inward is divided.
+const MOST_CHORDS: f64 = 1024.0;
+
+/// What is wrong with a tool's dimensions.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ToolError {
+    /// A dimension is zero, below it or not a number.
+    #[error("the {what} must be above zero, it is {value}")]
+    NotPositive {
+        /// What it is.
+        what: &'static str,
+        /// Its value, mm or rad.
+        value: f64,
+    },
+    /// A dimension does not fit the others.
+    #[error("the {what} is {value}; {most} is the most that fits")]
+    TooLarge {
+        /// What it is.
+        what: &'static str,
+        /// Its value, mm or rad.
+        value: f64,
+        /// The largest possible, mm or rad.
+        most: f64,
+    },
+    /// Tip directions are numbered 0 to 9.
+    #[error("tip directions are 0 to 9, not {0}")]
+    Tip(u8),
+    /// The outline crosses itself or encloses nothing.
+    #[error("the outline of the tool crosses itself or encloses no area")]
+    NotSimple,
+    /// A segment of the outline cannot be used.
+    #[error(transparent)]
+    Outline(#[from] RegionError),
+}
+
+/// Where the programmed point lies as seen from the centre of the nose: the number of the tool's offset, 0 to
+/// 9, seen with z to the right and r up (Fanuc and Haas; LinuxCNC counts with r mirrored).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tip(u8);
+
+impl Tip {
+    /// The tip direction with this number.
+    pub fn new(number: u8) -> Result<Tip, ToolError> {
+        if number <= 9 { Ok(Tip(number)) } else { Err(ToolError::Tip(number)) }
+    }
+
+    /// Its number.
+    #[must_use]
+    pub fn number(self) -> u8 {
+        self.0
+    }
+
+    /// From the programmed point to the centre of the nose, (z, r) in nose radii.
+    #[must_use]
+    pub fn to_center(self) -> Vec2 {
+        let (z, r) = match self.0 {
+            1 => (-1.0, -1.0),
+            2 => (1.0, -1.0),
+            3 => (1.0, 1.0),
+            4 => (-1.0, 1.0),
+            5 => (-1.0, 0.0),
+            6 => (0.0, -1.0),
+            7 => (1.0, 0.0),
+            8 => (0.0, 1.0),
+            _ => (0.0, 0.0),
+        };
+        Vec2::new(z, r)
+    }
+}
+
+/// The corner of an insert that cuts: a nose between two straight flanks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Insert {
+    /// Radius of the nose, mm; zero is an ideal point.
+    pub nose: f64,
+    /// Which point is programmed.
+    pub tip: Tip,
+    /// Directions of the two flanks from the tip into the insert, rad from +z towards +r. The insert lies
+    /// counter-clockwise of the first, up to the second, less than half a turn on.
+    pub flanks: [f64; 2],
+    /// Length of the flanks from the sharp tip, mm.
+    pub length: f64,
+    /// What lies between the ends of the flanks.
+    pub shape: InsertShape,
+}
+
+/// The far side of an insert.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InsertShape {
+    /// Both flanks again: rhombic and square inserts.
+    Parallelogram,
+    /// A straight line: triangular inserts.
+    Triangle,
+}
+
+/// Which way a blade's body extends from its front edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Facing {
+    /// Towards +r: it cuts from outside towards the axis.
+    Outside,
+    /// Towards the axis: it cuts in a bore.
+    Inside,
+    /// Towards +z: it cuts into a face towards −z.
+    Face,
+    /// Towards −z: it cuts into a face towards +z.
+    BackFace,
+}
+
+/// Which point of a blade's front edge is programmed: the end with the lesser z (or r, of a blade for
+/// faces), the middle, or the end with the greater one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BladePoint {
+    /// The corner at the lesser coordinate.
+    Lower,
+    /// Halfway.
+    Middle,
+    /// The corner at the greater coordinate.
+    Upper,
+}
+
+/// A tool for grooves or for parting off: a front edge between two corners, and two parallel sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blade {
+    /// Width, mm.
+    pub width: f64,
+    /// Radii of the corners at the lesser and the greater coordinate along the width, mm.
+    pub corners: [f64; 2],
+    /// Depth to which it reaches, mm.
+    pub length: f64,
+    /// Slope of the front edge, rad: the end at the greater coordinate stands back by width·tan of it.
+    pub lead: f64,
+    /// Which way the body extends.
+    pub facing: Facing,
+    /// Which point is programmed. It is the foremost point of the front edge there.
+    pub point: BladePoint,
+}
+
+/// The outline of a tool, or of a holder.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tool {
+    parts: Vec<Convex>,
+    bound: f64,
+}
+
+impl Insert {
+    /// An insert held as tool holders hold it. `approach` is the angle (rad) between the main cutting edge and
+    /// the direction of feed along z, which is κ of ISO 3002 (95° of a holder PCLNL: the edge leans back from
+    /// a shoulder by 5°), `included` the angle of the corner (rad, 80° of a CNMG). Tips 3 and 4 cut from
+    /// outside towards −z and +z, tips 2 and 1 in a bore.
+    pub fn held(
+        tip: Tip,
+        nose: f64,
+        approach: f64,
+        included: f64,
+        length: f64,
+    ) -> Result<Insert, ToolError> {
+        let most = 3.0 * FRAC_PI_2;
+        if !(approach > 0.0 && approach + included <= most) {
+            return Err(ToolError::TooLarge { what: "approach angle", value: approach, most });
+        }
+        let (main, minor) = (PI - approach, PI - approach - included);
+        let flanks = match tip.number() {
+            3 => [minor, main],
+            4 => [PI - main, PI - minor],
+            2 => [-main, -minor],
+            1 => [PI + minor, PI + main],
+            _ => return Err(ToolError::Tip(tip.number())),
+        };
+        let shape = InsertShape::Parallelogram;
+        Ok(Insert { nose, tip, flanks, length, shape })
+    }
+
+    /// The point of no width that worked examples and drawings of cycles mean: all that lies behind the
+    /// programmed point in the quadrant of its tip (1 to 4) is tool, up to `length` (mm).
+    pub fn ideal_point(tip: Tip, length: f64) -> Result<Insert, ToolError> {
+        let quadrant = match tip.number() {
+            3 => 0.0,
+            4 => 1.0,
+            1 => 2.0,
+            2 => 3.0,
+            number => return Err(ToolError::Tip(number)),
+        };
+        let first = quadrant * FRAC_PI_2;
+        let shape = InsertShape::Parallelogram;
+        Ok(Insert { nose: 0.0, tip, flanks: [first, first + FRAC_PI_2], length, shape })
+    }
+
+    /// Its outline.
+    pub fn outline(&self) -> Result<Tool, ToolError> {
+        let [first, second] = self.flanks;
+        let included = second - first;
+        let (nose, length) =
+            (not_negative("nose radius", self.nose)?, positive("length", self.length)?);
+        if positive("included angle", included)? >= PI {
+            return Err(ToolError::TooLarge { what: "included angle", value: included, most: PI });
+        }
+        let [a, b] = self.flanks.map(unit);
+        // From the sharp tip to where the nose begins.
+        let tangent = nose / libm::tan(0.5 * included);
+        if tangent >= length {
+            let most = length * libm::tan(0.5 * included);
+            return Err(ToolError::TooLarge { what: "nose radius", value: nose, most });
+        }
+        let center = a * tangent + a.turned_left() * nose;
+        let mut outline = vec![Segment::line(a * tangent, a * length)];
+        let corners = match self.shape {
+            InsertShape::Parallelogram => vec![a * length, (a + b) * length, b * length],
+            InsertShape::Triangle => vec![a * length, b * length],
+        };
+        outline.extend(corners.windows(2).map(|two| Segment::line(two[0], two[1])));
+        outline.push(Segment::line(b * length, b * tangent));
+        if nose > 0.0 {
+            outline.push(Segment::arc(b * tangent, a * tangent, center, true));
+        }
+        // The programmed point lies off the centre as the tip says.
+        let point = center - self.tip.to_center() * nose;
+        Tool::convex(&outline, -point)
+    }
+}
+
+impl Blade {
+    /// Its outline.
+    pub fn outline(&self) -> Result<Tool, ToolError> {
+        let (width, length) = (positive("width", self.width)?, positive("length", self.length)?);
+        let [lower, upper] = self.corners;
+        not_negative("corner radius", lower)?;
+        not_negative("corner radius", upper)?;
+        let lean = self.lead;
+        if lean.is_nan() || lean.abs() >= FRAC_PI_2 {
+            return Err(ToolError::TooLarge { what: "lead", value: lean, most: FRAC_PI_2 });
+        }
+        let rise = width * libm::tan(lean);
+        // Across the width from 0, back into the body from the front.
+        let (front_lower, front_upper) = (Vec2::new(0.0, 0.0), Vec2::new(width, rise));
+        let along = unit(lean);
+        // How far the corners' arcs reach along the front edge and along the sides.
+        let reach = |radius: f64, angle: f64| radius / libm::tan(0.5 * angle);
+        let tangents = [reach(lower, FRAC_PI_2 - lean), reach(upper, FRAC_PI_2 + lean)];
+        let front = front_lower.distance(front_upper);
+        if tangents[0] + tangents[1] > front * (1.0 + f64::EPSILON * 8.0) {
+            let (value, most) = (lower + upper, width);
+            return Err(ToolError::TooLarge { what: "sum of corner radii", value, most });
+        }
+        if tangents[0] >= length || tangents[1] >= length - rise {
+            let (value, most) = (lower.max(upper), length);
+            return Err(ToolError::TooLarge { what: "corner radius", value, most });
+        }
+        let up = Vec2::new(0.0, 1.0);
+        let centers = [Vec2::new(lower, tangents[0]), Vec2::new(width - upper, rise + tangents[1])];
+        let (from, to) = (front_lower + along * tangents[0], front_upper - along * tangents[1]);
+        let sides = [front_lower + up * tangents[0], front_upper + up * tangents[1]];
+        let top = [Vec2::new(width, length), Vec2::new(0.0, length)];
+        let mut outline = Vec::new();
+        if from.distance(to) > width * 1e-12 {
+            outline.push(Segment::line(from, to));
+        }
+        if upper > 0.0 {
+            outline.push(Segment::arc(to, sides[1], centers[1], true));
+        }
+        outline.push(Segment::line(sides[1], top[0]));
+        outline.push(Segment::line(top[0], top[1]));
+        outline.push(Segment::line(top[1], sides[0]));
+        if lower > 0.0 {
+            outline.push(Segment::arc(sides[0], from, centers[0], true));
+        }
+        let at = match self.point {
+            BladePoint::Lower => 0.0,
+            BladePoint::Middle => 0.5 * width,
+            BladePoint::Upper => width,
+        };
+        // What is programmed lies on the foremost height, as it is touched off.
+        let foremost = if lean >= 0.0 { centers[0].b - lower } else { centers[1].b - upper };
+        let point = Vec2::new(at, foremost);
+        let placed: Vec<Segment> =
+            outline.iter().map(|segment| faced(segment, point, self.facing)).collect();
+        let placed = match self.facing {
+            Facing::Outside | Facing::BackFace => placed,
+            // Mirrored: the other way round.
+            Facing::Inside | Facing::Face => turned_round(&placed),
+        };
+        Tool::convex(&placed, Vec2::ZERO)
+    }
+}
+
+impl Tool {
+    /// A round insert of this radius (mm) about its centre; `tip` says which point is programmed.
+    pub fn round(radius: f64, tip: Tip) -> Result<Tool, ToolError> {
+        positive("radius", radius)?;
+        let right = Vec2::new(radius, 0.0);
+        let circle = Segment::arc(right, right, Vec2::ZERO, true);
+        Tool::convex(&[circle], tip.to_center() * radius)
+    }
+
+    /// A drill or a boring cutter on the axis that cuts towards −z, by its diameter (mm), the angle of its
+    /// point (rad, π is flat) and its length (mm). The tip is programmed, at r 0.
+    pub fn drill(diameter: f64, point_angle: f64, length: f64) -> Result<Tool, ToolError> {
+        let (diameter, length) = (positive("diameter", diameter)?, positive("length", length)?);
+        if positive("point angle", point_angle)? > PI {
+            return Err(ToolError::TooLarge { what: "point angle", value: point_angle, most: PI });
+        }
+        let radius = 0.5 * diameter;
+        let flat = point_angle == PI;
+        let cone = if flat { 0.0 } else { radius / libm::tan(0.5 * point_angle) };
+        if cone >= length {
+            return Err(ToolError::TooLarge {
+                what: "height of the point",
+                value: cone,
+                most: length,
+            });
+        }
+        let corners = [(0.0, 0.0), (length, 0.0), (length, radius), (cone, radius)].map(Vec2::from);
+        Tool::polygon(&corners)
+    }
+
+    /// The area within corners, in either sense: a holder, a bar, a simple form.
+    pub fn polygon(corners: &[Vec2]) -> Result<Tool, ToolError> {
+        let count = corners.len();
+        let sides: Vec<Segment> =
+            (0..count).map(|at| Segment::line(corners[at], corners[(at + 1) % count])).collect();
+        Tool::form(&sides, 1.0)
+    }
+
+    /// Any closed outline in either sense: a form tool. Arcs that bend outward, of up to half a turn, are
+    /// exact; those that bend inward become chords on the side of the work, at most `chord_error` (mm) off, and
+    /// [`bound`](Self::bound) says how much that is.
+    pub fn form(outline: &[Segment], chord_error: f64) -> Result<Tool, ToolError> {
+        positive("chord error", chord_error)?;
+        for side in [outline.to_vec(), turned_round(outline)] {
+            if let Some(convex) = Convex::of(&side)? {
+                return Ok(Tool { parts: vec![convex], bound: 0.0 });
+            }
+        }
+        let clockwise = signed_area(outline) < 0.0;
+        let outline = if clockwise { turned_round(outline) } else { outline.to_vec() };
+        let (mut parts, mut corners, mut bound) = (Vec::new(), Vec::new(), 0.0_f64);
+        for segment in &outline {
+            corners.push(segment.start);
+            let Some(bend) = segment.bend else { continue };
+            let sweep = segment.sweep().abs();
+            let (pieces, off) = match bend.counterclockwise {
+                // Parts of a quarter turn, so that the polygon of chords keeps clear of other sides.
+                true => ((sweep / FRAC_PI_2).ceil().max(1.0), 0.0),
+                false => chords(sweep, bend.radius, chord_error),
+            };
+            bound = bound.max(off);
+            let mut from = segment.start;
+            for piece in 1..=pieces as u32 {
+                let last = f64::from(piece) == pieces;
+                let part = f64::from(piece) / pieces * segment.sweep();
+                let to = if last { segment.end } else { turned(segment.start, bend.center, part) };
+                if bend.counterclockwise {
+                    let arc = Segment::arc(from, to, bend.center, true);
+                    let cap = Convex::of(&[arc, Segment::line(to, from)])?;
+                    parts.push(cap.ok_or(ToolError::NotSimple)?);
+                }
+                if !last {
+                    corners.push(to);
+                }
+                from = to;
+            }
+        }
+        for triangle in triangles(&corners).ok_or(ToolError::NotSimple)? {
+            let sides = [0, 1, 2].map(|at| Segment::line(triangle[at], triangle[(at + 1) % 3]));
+            parts.extend(Convex::of(&sides)?);
+        }
+        Ok(Tool { parts, bound })
+    }
+
+    fn convex(outline: &[Segment], by: Vec2) -> Result<Tool, ToolError> {
+        let convex = Convex::of(outline)?.ok_or(ToolError::NotSimple)?;
+        Ok(Tool { parts: vec![convex.moved(by)], bound: 0.0 })
+    }
+
+    /// Both outlines as one tool.
+    #[must_use]
+    pub fn with(mut self, other: &Tool) -> Tool {
+        self.parts.extend(other.parts.iter().cloned());
+        self.bound = self.bound.max(other.bound);
+        self
+    }
+
+    /// The same with another point programmed: the outline moves by (z, r), mm.
+    #[must_use]
+    pub fn moved(self, by: Vec2) -> Tool {
+        Tool { parts: self.parts.into_iter().map(|part| part.moved(by)).collect(), ..self }
+    }
+
+    /// Mirrored along the axis: for a second spindle.
+    pub fn mirrored(&self) -> Result<Tool, ToolError> {
+        self.flipped(true)
+    }
+
+    /// Mirrored at the axis: for a tool at negative diameters.
+    pub fn across(&self) -> Result<Tool, ToolError> {
+        self.flipped(false)
+    }
+
+    fn flipped(&self, along_axis: bool) -> Result<Tool, ToolError> {
+        let parts: Option<Vec<Convex>> =
+            self.parts.iter().map(|part| part.mirrored(along_axis)).collect();
+        Ok(Tool { parts: parts.ok_or(ToolError::NotSimple)?, bound: self.bound })
+    }
+
+    /// How far the outline may be off the one that was given, mm: 0 where it is exact.
+    #[must_use]
+    pub fn bound(&self) -> f64 {
+        self.bound
+    }
+
+    /// The outlines of the convex parts.
+    #[must_use]
+    pub fn outlines(&self) -> Vec<Vec<Segment>> {
+        self.parts.iter().map(Convex::outline).collect()
+    }
+
+    pub(crate) fn parts(&self) -> &[Convex] {
+        &self.parts
+    }
+}
+
+fn unit(angle: f64) -> Vec2 {
+    // Exact along the axes, where most edges lie.
+    let quarters = angle / FRAC_PI_2;
+    let whole = libm::round(quarters);
+    if (quarters - whole).abs() < 1e-14 {
+        let axes = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
+        return Vec2::from(axes[whole.rem_euclid(4.0) as usize % 4]);
+    }
+    let (sin, cos) = libm::sincos(angle);
+    Vec2::new(cos, sin)
+}
+
+fn positive(what: &'static str, value: f64) -> Result<f64, ToolError> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(ToolError::NotPositive { what, value })
+    }
+}
+
+fn not_negative(what: &'static str, value: f64) -> Result<f64, ToolError> {
+    if value == 0.0 { Ok(value) } else { positive(what, value) }
+}
+
+/// A blade's outline drawn with its body up, about its programmed point, as it faces.
+fn faced(segment: &Segment, point: Vec2, facing: Facing) -> Segment {
+    let place = |p: Vec2| {
+        let p = p - point;
+        match facing {
+            Facing::Outside => p,
+            Facing::Inside => Vec2::new(p.a, -p.b),
+            Facing::Face => Vec2::new(p.b, p.a),
+            Facing::BackFace => Vec2::new(-p.b, p.a),
+        }
+    };
+    let mirrored = matches!(facing, Facing::Inside | Facing::Face);
+    match segment.bend {
+        None => Segment::line(place(segment.start), place(segment.end)),
+        Some(bend) => {
+            let sense = bend.counterclockwise != mirrored;
+            Segment::arc(place(segment.start), place(segment.end), place(bend.center), sense)
+        }
+    }
+}
+
+/// The outline in the other sense.
+fn turned_round(outline: &[Segment]) -> Vec<Segment> {
+    let back = |segment: &Segment| match segment.bend {
+        None => Segment::line(segment.end, segment.start),
+        Some(bend) => Segment::arc(segment.end, segment.start, bend.center, !bend.counterclockwise),
+    };
+    outline.iter().rev().map(back).collect()
+}
+
+/// Twice the area within an outline.
+fn signed_area(outline: &[Segment]) -> f64 {
+    let part = |segment: &Segment| {
+        let bulge = segment.bend.map_or(0.0, |bend| {
+            let sweep = segment.sweep();
+            bend.radius * bend.radius * (sweep - libm::sin(sweep))
+        });
+        segment.start.cross(segment.end) + bulge
+    };
+    outline.iter().map(part).sum()
+}
+
+/// Into how many chords an arc is divided, and how far they are off it, mm.
+fn chords(sweep: f64, radius: f64, error: f64) -> (f64, f64) {
+    let off = |pieces: f64| radius * (1.0 - libm::cos(0.5 * sweep / pieces));
+    // Sagitta r(1 − cos φ) is at most rφ²/2, φ half the angle of a chord.
+    let pieces = (0.5 * sweep * (0.5 * radius / error).sqrt()).ceil().max(sweep / FRAC_PI_2).ceil();
+    let pieces = pieces.clamp(1.0, MOST_CHORDS);
+    (pieces, off(pieces))
+}
+
+fn turned(p: Vec2, center: Vec2, angle: f64) -> Vec2 {
+    let (sin, cos) = libm::sincos(angle);
+    let to = p - center;
+    center + to * cos + to.turned_left() * sin
+}
