@@ -15,6 +15,7 @@ use crate::options::{Common, EVERY_PLACE, Showing, length};
 use crate::programs::{Programs, recognized};
 use crate::readings;
 use crate::stock;
+use crate::stock_failure::failure_of;
 use crate::terminal::{BOLD, Terminal, style};
 use crate::tiles::on_threads;
 
@@ -115,7 +116,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         let job = loaded.job()?;
         let (report, is_proved) = if stock {
             let found = job.stock_by(&options, &stock::files, &on_threads);
-            let found = found.map_err(|error| stock::failure(error, setup.as_deref()))?;
+            let found = found.map_err(|error| failure_of(error, setup.as_deref()))?;
             (found.report, found.verdict == StockVerdict::Clean)
         } else {
             (job.check_keeping(kept), true)

@@ -26,11 +26,13 @@ mod comp_range;
 mod compare;
 mod completions;
 mod convert;
+mod engagement;
 mod explain;
 mod failure;
 mod json_files;
 mod lsp;
 mod machines;
+mod optimize;
 mod options;
 mod out;
 mod output;
@@ -45,6 +47,7 @@ mod run;
 mod sample;
 mod sheet;
 mod stock;
+mod stock_failure;
 mod summary;
 mod terminal;
 mod tiles;
@@ -85,6 +88,7 @@ Examples:
   chordal convert part.nc --to haas-vf2      the program for another machine, with a proof
   chordal transform part.nc --rotate 30      the same part, rotated, with a proof
   chordal restart part.nc --line 120         the program from line 120 on, with a proof
+  chordal optimize part.nc --setup op1.toml  feeds by what the tool meets, with a proof
   chordal run part.nc --machine haas-vf2     as a Haas would, for whatever control it was written
   chordal explain CH401                      what a message means
   chordal explain M17 --machine fadal-4020   what a code does
@@ -118,6 +122,7 @@ enum Command {
     Convert(convert::Args),
     Transform(Box<transform::Args>),
     Restart(restart::Args),
+    Optimize(Box<optimize::Args>),
     Commands(commands::Args),
     Path(path::Args),
     Stock(Box<stock::Args>),
@@ -145,6 +150,7 @@ impl Command {
             Command::Convert(args) => convert::run(&args, terminal),
             Command::Transform(args) => transform::run(&args, terminal),
             Command::Restart(args) => restart::run(&args, terminal),
+            Command::Optimize(mut args) => optimize::run(&mut args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Path(args) => path::run(&args, terminal),
             Command::Stock(args) => stock::run(*args, terminal),

@@ -38,6 +38,18 @@ impl Format for RowFormat {
     }
 }
 
+/// Text has one format.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Plain {
+    Nc,
+}
+
+impl Format for Plain {
+    fn columns(self) -> Option<ColumnFormat> {
+        None
+    }
+}
+
 /// The format that is asked for: by `--format`, by the ending, or else the one of standard
 /// output. `rows` says what is written, for messages.
 pub fn format_of<F: Format>(

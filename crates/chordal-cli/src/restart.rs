@@ -10,7 +10,7 @@ use chordal_rewrite::restart::{Restart, restart};
 use crate::failure::{Failure, Verdict};
 use crate::numbers::counted;
 use crate::options::{AnswerFormat, Common};
-use crate::out::{Out, trouble};
+use crate::out::{Out, Plain, trouble};
 use crate::programs::{load_one, recognized};
 use crate::terminal::{Terminal, say};
 
@@ -88,18 +88,6 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         say(&answer)?
     }
     Ok(Verdict::Clean)
-}
-
-/// Text has one format.
-#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Plain {
-    Nc,
-}
-
-impl crate::out::Format for Plain {
-    fn columns(self) -> Option<chordal_export::columns::ColumnFormat> {
-        None
-    }
 }
 
 fn refused_text(refusal: &Refusal, name: &str) -> String {

@@ -4,16 +4,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use chordal::motion::MotionOptions;
-use chordal::stock::{StockOptions, StockReport, StockRunError, StockVerdict};
+use chordal::stock::{EngagementOptions, StockOptions, StockReport, StockVerdict};
 use chordal_export::report::{self, Sarif};
 use chordal_export::{MeshFormat, stock_json, stock_mesh, stock_png, stock_text};
-use chordal_load::{LoadError, reason};
+use chordal_load::reason;
 use clap::{ArgAction, ValueEnum};
 
+use crate::engagement;
 use crate::failure::{Failure, Verdict};
-use crate::options::{Common, Showing, length};
+use crate::options::{AnswerFormat, Common, Showing, length};
 use crate::output::write_whole;
 use crate::programs::{load_one, recognized};
+use crate::stock_failure::failure_of;
 use crate::terminal::{Terminal, say};
 use crate::tiles::on_threads;
 
@@ -23,6 +25,7 @@ Examples:
   chordal stock part.nc --setup op1.toml --resolution 0.05mm
   chordal stock part.nc --setup op1.toml -o left.stl -o left.png
   chordal stock part.nc --setup op1.toml --format json | jq .verdict
+  chordal stock part.nc --setup op1.toml --engagement
 
 The setup file names the machine, the stock and the tools:
 
@@ -62,6 +65,14 @@ pub struct Args {
     /// Touches that are no deeper are not reported
     #[arg(long, value_name = "LENGTH", default_value = "0.01mm", value_parser = length)]
     tolerance: f64,
+
+    /// Reports how hard the cuts are: depths, chip, removal rate, power; files: .parquet, .arrow, .csv, .json
+    #[arg(long)]
+    engagement: bool,
+
+    /// With --engagement: the thickest chip that a tooth may take; without it, `max_chip` of each tool
+    #[arg(long, value_name = "LENGTH", value_parser = length, requires = "engagement")]
+    chip: Option<f64>,
 
     /// Most memory for the columns, MiB
     #[arg(long, value_name = "MIB", default_value_t = 1024)]
@@ -125,21 +136,39 @@ impl Args {
 }
 
 pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let forms: Vec<Form> = args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
     if let Some(setup) = &args.setup {
         args.common.machine = Some(setup.to_string_lossy().into_owned());
     }
-    let loaded = load_one(&args.file, &args.common)?;
-    let job = loaded.job()?;
     let options = StockOptions {
         resolution_mm: args.resolution,
         finest_mm: args.finest,
         tolerance_mm: args.tolerance,
         budget: args.memory.saturating_mul(1 << 20),
     };
+    let loaded = load_one(&args.file, &args.common)?;
+    if args.engagement {
+        let options = EngagementOptions { stock: options, max_chip_mm: args.chip };
+        let format = match args.format {
+            Format::Text => AnswerFormat::Text,
+            Format::Json => AnswerFormat::Json,
+            Format::Sarif => {
+                let message = "--engagement has no SARIF";
+                return Err(Failure::wrong(message, "write --format json, or leave --engagement out"));
+            }
+        };
+        let answer = engagement::Answer {
+            output: &args.output,
+            format,
+            detail: args.showing.detail(),
+            setup: args.setup.as_deref(),
+        };
+        return engagement::run(&answer, &options, &loaded, terminal);
+    }
+    let forms: Vec<Form> = args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
+    let job = loaded.job()?;
     let mut found = job
         .stock_by(&options, &files, &on_threads)
-        .map_err(|error| failure(error, args.setup()))?;
+        .map_err(|error| failure_of(error, args.setup()))?;
     // Where the limits of the axes are wrong there are no times; `chordal time` says why.
     if let Ok(timed) = job.time(&MotionOptions::default()) {
         found.take_times(&timed.time.tools);
@@ -183,33 +212,6 @@ fn content(found: &StockReport, form: Form, path: &Path) -> Result<Vec<u8>, Fail
             let name = path.file_stem().unwrap_or_default().to_string_lossy();
             let tolerance = 0.1 * found.resolution_mm;
             stock_mesh(found, format, tolerance, &name).map_err(|error| wrong(error.to_string()))
-        }
-    }
-}
-
-/// What is wrong with a setup, drawn where it was written.
-pub fn failure(error: StockRunError, setup: Option<&Path>) -> Failure {
-    match error {
-        StockRunError::Setup(setup) => match setup.location {
-            Some(at) => LoadError::Machine(vec![chordal::machine::MachineError {
-                message: setup.message,
-                help: Some(setup.help),
-                file: at.file.to_string(),
-                span: Some(at.span),
-                text: at.text,
-            }])
-            .into(),
-            None => Failure::wrong(setup.message, setup.help),
-        },
-        StockRunError::NoStock => {
-            let where_to = match setup {
-                Some(setup) => format!("write `[stock]` in {}", setup.display()),
-                None => "name a setup file with --setup".to_string(),
-            };
-            Failure::wrong("there is no stock to cut", where_to)
-        }
-        other => {
-            Failure::wrong(other.to_string(), "choose a larger --resolution, or more --memory")
         }
     }
 }

@@ -26,6 +26,7 @@ const WALKS: &[&str] = &[
     "docs/from-fadal-to-haas.md",
     "docs/getting-started/machinist.md",
     "docs/getting-started/post-developer.md",
+    "docs/optimize.md",
     "docs/transform.md",
 ];
 

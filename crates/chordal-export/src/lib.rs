@@ -12,6 +12,8 @@
 //! | time | JSON | [`time_json`] |
 //! | comparisons | text, JSON | [`comparison_text`], [`comparison_json`] |
 //! | stock | text, JSON, PNG, STL, 3MF, GLB | [`stock_text`], [`stock_json`], [`stock_png`], [`stock_mesh`] |
+//! | engagement of cuts | text, JSON, CSV, columns | [`engagement_text`], [`engagement_json`], [`columns`] |
+//! | new feeds | text, JSON | [`optimized_text`], [`optimized_json`] |
 //! | problems | text, JSON, GitHub, SARIF | [`report`] |
 //!
 //! Inside Chordal everything is millimetres, radians and millimetres per second; each
@@ -53,6 +55,7 @@ mod machine_error;
 mod motion;
 mod number;
 pub mod numbers;
+mod optimized;
 mod plot;
 pub mod report;
 mod samples;
@@ -76,6 +79,7 @@ pub use contour_ranges::{contour_ranges_json, contour_ranges_text};
 pub use digest::sha256_hex;
 pub use dxf::Dxf;
 pub use machine_error::machine_error_text;
+pub use optimized::{optimized_json, optimized_text};
 pub use plot::{
     MotionPlot, PageTool, PageView, Plot, PlotError, PlotOptions, Viewpoint, figure_png,
     figure_svg, palette_typescript,
@@ -83,7 +87,8 @@ pub use plot::{
 pub use samples::{SampleFormat, SampleWriter};
 pub use setpoints::{SAMPLE_SCHEMA, SampleHead};
 pub use stock::{
-    MeshFormat, StockMeshError, stock_json, stock_mesh, stock_png, stock_surface, stock_text,
+    MeshFormat, StockMeshError, engagement_json, engagement_text, stock_json, stock_mesh,
+    stock_png, stock_surface, stock_text,
 };
 pub use time::{TimeDocument, comment_text, level_word, short_blocks_text, time_json};
 pub use transformed::{refusal_json, restart_json, split_json, transformed_json};

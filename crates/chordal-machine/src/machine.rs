@@ -31,6 +31,8 @@ pub struct Machine {
     pub rapid: Option<RapidShape>,
     /// The fastest spindle speed, revolutions per minute.
     pub spindle_max_rpm: Option<f64>,
+    /// The power that the spindle has for a cut, kW.
+    pub spindle_power_kw: Option<f64>,
     /// The tools by number.
     pub tools: BTreeMap<u32, Tool>,
     /// The work offsets by the names that [`work_offset_name`](crate::work_offset_name) gives.
@@ -292,6 +294,7 @@ impl Machine {
             feed: FeedLimits::default(),
             rapid: None,
             spindle_max_rpm: None,
+            spindle_power_kw: None,
             tools: BTreeMap::new(),
             work_offsets: BTreeMap::new(),
             settings: BTreeMap::new(),

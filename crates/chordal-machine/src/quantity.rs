@@ -26,6 +26,8 @@ pub enum Dimension {
     AngularJerk,
     /// Revolutions per minute, as spindles are rated.
     SpindleSpeed,
+    /// Kilowatts.
+    Power,
 }
 
 impl Dimension {
@@ -42,6 +44,7 @@ impl Dimension {
             Dimension::Jerk => "a jerk",
             Dimension::AngularJerk => "an angular jerk",
             Dimension::SpindleSpeed => "a spindle speed",
+            Dimension::Power => "a power",
         }
     }
 
@@ -58,6 +61,7 @@ impl Dimension {
             Dimension::Jerk => &["mm/s^3", "m/s^3", "in/s^3"],
             Dimension::AngularJerk => &["deg/s^3", "rad/s^3"],
             Dimension::SpindleSpeed => &["rpm"],
+            Dimension::Power => &["kW", "hp"],
         }
     }
 
@@ -74,6 +78,7 @@ impl Dimension {
             Dimension::Jerk => "mm/s^3",
             Dimension::AngularJerk => "rad/s^3",
             Dimension::SpindleSpeed => "rpm",
+            Dimension::Power => "kW",
         }
     }
 
@@ -100,6 +105,7 @@ impl Dimension {
             (Base::Angle | Base::Turn, 2) => Some(Dimension::AngularAcceleration),
             (Base::Angle | Base::Turn, 3) => Some(Dimension::AngularJerk),
             (Base::Time, 0) => Some(Dimension::Time),
+            (Base::Power, 0) => Some(Dimension::Power),
             _ => None,
         }
     }
@@ -213,6 +219,7 @@ enum Base {
     /// An angle counted in revolutions.
     Turn,
     Time,
+    Power,
 }
 
 struct Unit {
@@ -260,6 +267,11 @@ const UNITS: &[Unit] = &[
     unit(&["s", "sec", "second", "seconds"], Base::Time, "1", 0, 1),
     unit(&["ms"], Base::Time, "1", -3, 1),
     unit(&["min", "minute", "minutes"], Base::Time, "6", 1, 1),
+    unit(&["kW"], Base::Power, "1", 0, 1),
+    unit(&["W"], Base::Power, "1", -3, 1),
+    // 550 foot-pounds in a second; 75 kilopond-metres in a second.
+    unit(&["hp"], Base::Power, "74569987158227022", -17, 1),
+    unit(&["PS"], Base::Power, "73549875", -8, 1),
 ];
 
 /// Units with a name of their own for something over a time.

@@ -26,6 +26,10 @@ pub struct Tool {
     pub pitch_mm: Option<f64>,
     /// Teeth: around, or of a thread mill along its axis.
     pub teeth: Option<u32>,
+    /// The thickest chip that a tooth may take.
+    pub max_chip_mm: Option<f64>,
+    /// The thinnest chip that its edges cut: below they rub.
+    pub min_chip_mm: Option<f64>,
     /// The nose radius of an insert.
     pub nose_radius_mm: Option<f64>,
     /// Where the programmed point lies as seen from the nose, 0 to 9 as the control counts.

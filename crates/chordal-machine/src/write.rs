@@ -33,9 +33,10 @@ impl Machine {
             out.table("rapid");
             out.line("shape", &string_text(shape.as_str()));
         }
-        if self.spindle_max_rpm.is_some() {
+        if self.spindle_max_rpm.is_some() || self.spindle_power_kw.is_some() {
             out.table("spindle");
             out.quantity("max", self.spindle_max_rpm, Dimension::SpindleSpeed);
+            out.quantity("power", self.spindle_power_kw, Dimension::Power);
         }
         out.positions("home", &self.home, &factors);
         for (at, point) in self.reference_points.iter().enumerate() {
@@ -277,6 +278,8 @@ fn write_tool(out: &mut Out, tool: &Tool, factors: &PerAxis<f64>) {
             out.line(key, &count.to_string());
         }
     }
+    out.quantity("max_chip", tool.max_chip_mm, Dimension::Length);
+    out.quantity("min_chip", tool.min_chip_mm, Dimension::Length);
     out.lengths("profile", tool.profile.iter().map(|point| point.to_vec()));
     out.quantity("flute_length", tool.flute_length_mm, Dimension::Length);
     out.quantity("shank_diameter", tool.shank_diameter_mm, Dimension::Length);

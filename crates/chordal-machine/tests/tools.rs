@@ -147,7 +147,7 @@ fn kinds_of_old_files_are_read() {
         notice.help.as_deref(),
         Some(
             "a shape is `shape = …` with \"flat\", \"ball\", \"bull\", \"chamfer\", \"drill\", \"tap\", \
-             \"thread mill\", \"form\" or \"insert\""
+             \"thread mill\", \"t-slot\", \"lollipop\", \"form\" or \"insert\""
         )
     );
 }

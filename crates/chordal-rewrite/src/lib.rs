@@ -35,5 +35,6 @@ pub use change::Change;
 pub use proof::{Certificate, prove, prove_contour, prove_mapped};
 pub use split::{By, Part, Split, split};
 pub use transform::{
-    ArcForm, HeightMap, MapError, Refusal, Step, Transformed, Warp, Warped, transform, warp,
+    ArcForm, ChipLimit, FeedProof, HeightMap, MapError, OptimizeError, OptimizeOptions, Optimized,
+    Refusal, Step, ToolChips, Transformed, Warp, Warped, optimize, transform, warp,
 };

@@ -18,6 +18,7 @@
 //! | ask whether a rapid, a shank or a holder touches it | [`Body`], [`Stock::touch`], [`Stock::cut_watching`] |
 //! | cut turned stock: exact half sections, volumes, passes | [`turned`] |
 //! | have what cells cannot say done again finer | [`Check`] |
+//! | ask how wide, how deep and how thick a cut is | [`engagement`], [`Stock::cut_measuring`] |
 //!
 //! ```
 //! use chordal_geometry::{Aabb, Line, Vec3};
@@ -44,6 +45,7 @@
 
 pub mod columns;
 pub mod cutter;
+pub mod engagement;
 pub mod floor;
 pub mod mesh;
 pub mod shape;

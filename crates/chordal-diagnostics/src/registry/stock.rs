@@ -56,4 +56,20 @@ Use a smaller `--resolution`."#;
     "a move cannot be cut from the stock";
     r#"The place of the tool relative to the part is not known here, the tool turns, or the path is not followed. The move
 removes nothing, and nothing after it is proved."#;
+
+    ChipTooThick = 631, "chip-too-thick", Warning;
+    "a tooth takes a thicker chip than it may";
+    r#"At the feed and speed of this block the thickest chip is above `max_chip` of the tool (or `--chip`). The chip is the
+feed of a tooth times how squarely its edge faces the feed; a corner or a full slot makes it thicker at the same F. Lower
+F in this block, or let `chordal optimize` do it."#;
+
+    SpindleOverloaded = 632, "spindle-overloaded", Warning;
+    "a cut needs more power than the spindle has";
+    r#"The power is estimated from the material, the removal rate and the mean chip, and true to about 30 %. It is above
+`spindle.power` of the machine. Take less depth, less width, or a lower feed."#;
+
+    ToolRubs = 633, "tool-rubs", Warning;
+    "the chip is too thin to be cut";
+    r#"The thickest chip of this cut is below `min_chip` of the tool: its edges rub instead of cutting, get hot and wear.
+Feed faster, or leave more material for this pass."#;
 }

@@ -174,7 +174,11 @@ max = \"650 in/min\"
 max_rotary = \"5000 deg/min\"",
     },
     Section { table: "rapid", about: "", example: "[rapid]\nshape = \"dog-leg\"" },
-    Section { table: "spindle", about: "", example: "[spindle]\nmax = \"8100 rpm\"" },
+    Section {
+        table: "spindle",
+        about: "",
+        example: "[spindle]\nmax = \"8100 rpm\"\npower = \"30 hp\"",
+    },
     Section {
         table: "tools",
         about: "A table for each tool, or `--tools tool.tbl` with a tool table of LinuxCNC.",
@@ -187,6 +191,8 @@ length_wear = \"0 in\"
 shape = \"bull\"
 corner_radius = \"0.03 in\"
 teeth = 3
+max_chip = \"0.004 in\"
+min_chip = \"0.0004 in\"
 flute_length = \"1.2 in\"
 shank = [[\"1.5 in\", \"0.5 in\"]]
 shank_diameter = \"0.5 in\"

@@ -8,6 +8,7 @@
 mod cells;
 mod chords;
 mod commands;
+mod engagement;
 mod field;
 mod file;
 mod parquet;
@@ -17,6 +18,7 @@ mod samples;
 
 pub use chords::{CHORD_COLUMNS, ChordColumns};
 pub use commands::{COMMAND_COLUMNS, CommandColumns, TOOL_PATH_COLUMNS};
+pub use engagement::{ENGAGEMENT_COLUMNS, EngagementColumns, engagement_csv};
 pub use file::{ColumnFile, ColumnFormat, Rows};
 pub use path::{PATH_COLUMNS, PathColumns};
 pub use reference::column_reference;

@@ -1,10 +1,12 @@
 //! What a run on stock answers: text, JSON, a shaded picture, meshes.
 
+mod engagement;
 mod json;
 mod mesh;
 mod picture;
 mod text;
 
+pub use engagement::{engagement_json, engagement_text};
 pub use json::stock_json;
 pub use mesh::{MeshFormat, StockMeshError, stock_mesh, stock_surface};
 pub use picture::stock_png;

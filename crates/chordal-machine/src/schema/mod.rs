@@ -364,6 +364,7 @@ const fn example(dimension: Dimension) -> &'static str {
         Dimension::Jerk => "100 m/s^3",
         Dimension::AngularJerk => "7200 deg/s^3",
         Dimension::SpindleSpeed => "6000 rpm",
+        Dimension::Power => "15 kW",
     }
 }
 

@@ -176,6 +176,13 @@ pub(crate) const ROWS: &[Row] = &[
         |m, _| &mut m.spindle_max_rpm,
         "the largest spindle speed",
     ),
+    quantity(
+        "spindle.power",
+        Dimension::Power,
+        Sign::Positive,
+        |m, _| &mut m.spindle_power_kw,
+        "the power that the spindle has for a cut, as `\"15 kW\"` or `\"20 hp\"`; otherwise no cut is compared with it",
+    ),
     Row {
         path: "tools.<tool>",
         slot: Slot::Table(|m, k| {
@@ -268,6 +275,20 @@ pub(crate) const ROWS: &[Row] = &[
         slot: Slot::Count { from: 1, to: 1000, place: |m, k| &mut tool(m, k).teeth },
         doc: "number of teeth around it; for a thread mill, along its axis",
     },
+    quantity(
+        "tools.<tool>.max_chip",
+        Dimension::Length,
+        Sign::Positive,
+        |m, k| &mut tool(m, k).max_chip_mm,
+        "the thickest chip that a tooth may take; otherwise none is too thick",
+    ),
+    quantity(
+        "tools.<tool>.min_chip",
+        Dimension::Length,
+        Sign::Positive,
+        |m, k| &mut tool(m, k).min_chip_mm,
+        "the thinnest chip that its edges cut, below which they rub; otherwise none is too thin",
+    ),
     quantity(
         "tools.<tool>.nose_radius",
         Dimension::Length,

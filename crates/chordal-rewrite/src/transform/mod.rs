@@ -12,6 +12,7 @@ mod heights;
 mod lines;
 mod map;
 mod number;
+mod optimize;
 mod proved;
 mod rates;
 mod record;
@@ -33,6 +34,9 @@ use crate::{Certificate, Change, prove_mapped};
 
 pub use edit::Refusal;
 pub use heights::{HeightMap, MapError, Warp, Warped, warp};
+pub use optimize::{
+    ChipLimit, FeedProof, OptimizeError, OptimizeOptions, Optimized, ToolChips, optimize,
+};
 
 /// Said where a proof ends at something that is not followed.
 const NOT_FOLLOWED: &str = "the program does something that is not followed, so nothing can be proved: \

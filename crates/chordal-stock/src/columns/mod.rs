@@ -20,6 +20,7 @@ mod recorder;
 mod tile;
 mod touch;
 mod volume;
+mod window;
 
 use chordal_geometry::Aabb;
 
@@ -31,6 +32,7 @@ pub use plan::{Plan, Task};
 pub use recorder::Lowered;
 pub use touch::{Contact, Touch};
 pub use volume::{Amount, CellHeights};
+pub(crate) use window::{Ends, Window};
 
 use crate::sweep::{Body, Move};
 use crate::{Cutter, Span, Undercut};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use chordal_command::{CommandKind, Origin, SpindleState, Units, WorkNaming};
+use chordal_command::{CommandKind, FeedMode, Origin, SpindleState, Units, WorkNaming};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::ParamCurve;
 use chordal_path::{PathCommand, Segment};
@@ -32,6 +32,19 @@ pub(super) struct Batch {
     pub kind: Kind,
     pub moves: Vec<Move>,
     pub origins: Vec<Origin>,
+    /// How fast each move goes.
+    pub rates: Vec<Rate>,
+}
+
+/// How fast a move is programmed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Rate {
+    /// Along the path, mm/s; zero where no feed is known.
+    pub feed: f64,
+    /// Revolutions of the spindle by minute; zero where it stands.
+    pub rpm: f64,
+    /// Its feed is an F by time of a block of its own: no thread, tap, cycle or time of a block.
+    pub by_time: bool,
 }
 
 /// Gathers what a run moves.
@@ -45,6 +58,9 @@ pub(super) struct Gathered<'a> {
     has_cut: bool,
     pub units: Units,
     spindle_turns: bool,
+    rpm: f64,
+    /// The move under way has a feed by time.
+    by_time: bool,
     rotary: Option<[f64; 3]>,
     /// What was told of a tool, once.
     told: Vec<(Code, u32)>,
@@ -69,6 +85,8 @@ impl<'a> Gathered<'a> {
             has_cut: false,
             units,
             spindle_turns: false,
+            rpm: 0.0,
+            by_time: false,
             rotary: None,
             told: Vec::new(),
             diagnostics: Vec::new(),
@@ -118,12 +136,19 @@ impl<'a> Gathered<'a> {
         }
         let follows = |batch: &Batch| batch.tool == segment.tool && batch.kind == kind;
         if !self.batches.last().is_some_and(follows) {
-            let (tool, moves, origins) = (segment.tool, Vec::new(), Vec::new());
-            self.batches.push(Batch { tool, kind, moves, origins });
+            let (moves, origins, rates) = (Vec::new(), Vec::new(), Vec::new());
+            self.batches.push(Batch { tool: segment.tool, kind, moves, origins, rates });
         }
+        let Segment { length_mm, duration_s, origin, .. } = *segment;
+        let rate = Rate {
+            feed: if duration_s > 0.0 { length_mm / duration_s } else { 0.0 },
+            rpm: if self.spindle_turns { self.rpm } else { 0.0 },
+            by_time: self.by_time && !origin.cycle,
+        };
         if let Some(batch) = self.batches.last_mut() {
             batch.moves.push(Move { curve: segment.curve, tag: segment.tool });
             batch.origins.push(segment.origin);
+            batch.rates.push(rate);
         }
     }
 
@@ -154,8 +179,9 @@ impl Watch for Gathered<'_> {
     fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
         let kind = &path.command.kind;
         match kind {
-            CommandKind::Spindle { state, .. } => {
+            CommandKind::Spindle { state, rpm } => {
                 self.spindle_turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
+                self.rpm = *rpm;
             }
             CommandKind::Units(units) => self.units = *units,
             CommandKind::WorkOffset { name, .. } => {
@@ -167,6 +193,8 @@ impl Watch for Gathered<'_> {
             }
             _ => {}
         }
+        self.by_time =
+            kind.feed().is_some_and(|feed| feed.mode == FeedMode::PerTime) && !kind.only_turns();
         let kind = match kind.feed() {
             None => Kind::Rapid,
             Some(_) if self.spindle_turns => Kind::Cut,

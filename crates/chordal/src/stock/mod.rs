@@ -3,6 +3,7 @@
 //! [`Job::stock`](crate::Job::stock) runs a program on the stock of its machine's setup. Everything it answers
 //! lies between two bounds, and "clean" is said only where they prove it.
 
+mod engagement;
 mod fixtures;
 mod gather;
 mod heights;
@@ -17,7 +18,11 @@ mod tools;
 
 pub use chordal_stock::columns::{Found, Job as TileJob, Runner};
 pub use chordal_stock::mesh;
-pub use chordal_stock::{Amount, Stock, StockError};
+pub use chordal_stock::{Amount, CellHeights, Stock, StockError};
+pub use engagement::{
+    Between, Chip, Effort, EngagementOptions, EngagementProblem, EngagementReport, MATERIALS,
+    Material, MoveEngagement, POWER_SHARE, Peak, Slice, ToolEngagement, engagement_angle,
+};
 pub use pass::StockOptions;
 pub use problems::StockProblem;
 pub use replay::{Drop, Replay, ReplayOptions, StockBefore};

@@ -121,7 +121,8 @@ impl Job<'_> {
             let of_batch = &rows[done..done + batch.moves.len()];
             done += batch.moves.len();
             let Some(Ok(tool)) = tools.get(&batch.tool) else { continue };
-            if batch.kind == Kind::Rapid {
+            // Undercuts leave the top of the stock as it is.
+            if batch.kind == Kind::Rapid || !tool.undercuts.is_empty() {
                 continue;
             }
             for (moves, rows) in batch.moves.chunks(at_once).zip(of_batch.chunks(at_once)) {

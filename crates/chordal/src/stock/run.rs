@@ -119,7 +119,7 @@ impl Job<'_> {
 }
 
 /// A round resolution with about a quarter of a million columns, mm.
-fn usual_resolution(stock: &Shape) -> f64 {
+pub(super) fn usual_resolution(stock: &Shape) -> f64 {
     const COLUMNS: f64 = 250_000.0;
     const STEPS: [f64; 7] = [0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0];
     let size = stock.bounds().size();

@@ -1,0 +1,35 @@
+//! Why there is no run on stock, for `chordal stock` and `chordal optimize`.
+
+use std::path::Path;
+
+use chordal::stock::StockRunError;
+use chordal_load::LoadError;
+
+use crate::failure::Failure;
+
+/// What is wrong with a setup, drawn where it was written; `setup`: the setup file.
+pub fn failure_of(error: StockRunError, setup: Option<&Path>) -> Failure {
+    match error {
+        StockRunError::Setup(setup) => match setup.location {
+            Some(at) => LoadError::Machine(vec![chordal::machine::MachineError {
+                message: setup.message,
+                help: Some(setup.help),
+                file: at.file.to_string(),
+                span: Some(at.span),
+                text: at.text,
+            }])
+            .into(),
+            None => Failure::wrong(setup.message, setup.help),
+        },
+        StockRunError::NoStock => {
+            let where_to = match setup {
+                Some(setup) => format!("write `[stock]` in {}", setup.display()),
+                None => "name a setup file with --setup".to_string(),
+            };
+            Failure::wrong("there is no stock to cut", where_to)
+        }
+        other => {
+            Failure::wrong(other.to_string(), "choose a larger --resolution, or more --memory")
+        }
+    }
+}

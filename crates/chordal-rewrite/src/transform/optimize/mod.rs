@@ -1,0 +1,233 @@
+//! Feeds by what the tool meets: F words are changed so that chips stay at a thickness, and nothing else is.
+//!
+//! | what | file |
+//! |---|---|
+//! | which share of its feed each block may have | `shares.rs` |
+//! | the order in which blocks run, and the F that each is run with | `visits.rs` |
+//! | the F words | `words.rs` |
+//! | both texts run, and compared command by command | `proof.rs` |
+
+mod proof;
+mod shares;
+mod visits;
+mod words;
+
+use std::collections::BTreeMap;
+
+use chordal::Job;
+use chordal::diagnostics::SourceMap;
+use chordal::motion::{LimitError, MotionOptions};
+use chordal::stock::{EngagementOptions, EngagementReport, StockRunError};
+
+use super::edit::{Refusal, apply, changes};
+use crate::Change;
+use crate::source::first_text;
+
+pub use proof::FeedProof;
+
+/// How thick chips may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ChipLimit {
+    /// As thick as those of the program's own best passes: the thickest that a tool has for half a second or longer
+    /// in all.
+    Best,
+    /// So thick for every tool, mm.
+    Thickness(f64),
+}
+
+/// How feeds are changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OptimizeOptions {
+    /// How engagement is measured.
+    pub engagement: EngagementOptions,
+    /// How thick chips may be.
+    pub limit: ChipLimit,
+    /// The largest feed, by the programmed one; 1 only lowers.
+    pub faster: f64,
+    /// How times are planned.
+    pub motion: MotionOptions,
+}
+
+/// Why feeds stay as they are.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum OptimizeError {
+    /// There is no run on stock.
+    #[error(transparent)]
+    Stock(#[from] StockRunError),
+    /// There are no times.
+    #[error(transparent)]
+    Limits(#[from] LimitError),
+    /// A block stands in the way.
+    #[error(transparent)]
+    Refused(#[from] Refusal),
+    /// What is known of program and setup is not enough.
+    #[error("{what}")]
+    NotKnown {
+        /// What is missing.
+        what: String,
+        /// What to do.
+        help: String,
+    },
+    /// The new text failed its proof.
+    #[error("the proof of the new feeds failed: {0}")]
+    NotProved(String),
+}
+
+/// The chips of a tool, at most, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToolChips {
+    /// Its number.
+    pub tool: u32,
+    /// How thick they may be.
+    pub limit_mm: f64,
+    /// The thickest with the old feeds and the new ones.
+    pub peak_mm: [f64; 2],
+}
+
+/// A program with other feeds.
+#[derive(Debug)]
+pub struct Optimized {
+    /// The new text.
+    pub text: Vec<u8>,
+    /// What was changed.
+    pub changes: Vec<Change>,
+    /// Blocks whose feed is another one, and all blocks that cut by a feed that may be changed.
+    pub blocks: [usize; 2],
+    /// Chips by tool.
+    pub chips: Vec<ToolChips>,
+    /// What is to be known in addition.
+    pub notes: Vec<String>,
+    /// The time of both, planned with jerk, s.
+    pub seconds: [f64; 2],
+    /// The time in material at the programmed feeds of both, s.
+    pub engaged_s: [f64; 2],
+    /// What was compared.
+    pub proof: FeedProof,
+}
+
+/// Gives the bytes of a file that a setup names.
+type Files<'f> = &'f dyn Fn(&str) -> Result<Vec<u8>, String>;
+
+/// Changes the F words of the first text of a job, and proves that nothing else changes.
+///
+/// # Errors
+/// Where stock, tools or the program are not known well enough, a block stands in the way, or the proof fails.
+pub fn optimize(
+    job: &Job,
+    options: &OptimizeOptions,
+    files: Files<'_>,
+) -> Result<Optimized, OptimizeError> {
+    let before = job.engagement(&options.engagement, files)?;
+    is_known(&before, job.sources())?;
+    let limits = limits(job, &before, options)?;
+    let visits = visits::Visits::of(job);
+    let shares = shares::Shares {
+        moves: &before.moves,
+        limits: &limits,
+        faster: options.faster.max(1.0),
+        power: shares::power(&before),
+        exponent: before.material.map_or(0.0, |material| material.m_c),
+        feed_max: job.machine().feed.max_mm_per_s,
+    };
+    let wanted = shares.by_block();
+    let mut written = words::write(job, &visits, &wanted)?;
+    let text = apply(first_text(job), &mut written.edits);
+    let new = job.with_text(text);
+    let after = new.engagement(&options.engagement, files)?;
+    let mut proof = proof::prove(job, &new, &written.changed)?;
+    proof.cells = proof::same_cut(&before, &after)?;
+    proof::within(&before, &after, &limits, options.faster.max(1.0))?;
+    let seconds =
+        [job, &new].map(|job| job.time(&options.motion).map(|timed| timed.time.total_s()));
+    let [old_s, new_s] = seconds;
+    let peak = |report: &EngagementReport, tool: u32| {
+        let found = report.tools.iter().find(|each| each.number == tool);
+        found.and_then(|each| each.chip_mm).map_or(0.0, |chip| chip.peak)
+    };
+    let chips = limits
+        .iter()
+        .map(|(&tool, &limit_mm)| ToolChips {
+            tool,
+            limit_mm,
+            peak_mm: [peak(&before, tool), peak(&after, tool)],
+        })
+        .collect();
+    let engaged =
+        |report: &EngagementReport| report.tools.iter().map(|tool| tool.engaged_s).sum::<f64>();
+    Ok(Optimized {
+        changes: changes(first_text(job), &written.edits),
+        blocks: [written.changed.len(), wanted.len()],
+        chips,
+        notes: notes(&before),
+        seconds: [old_s?, new_s?],
+        engaged_s: [engaged(&before), engaged(&after)],
+        proof,
+        text: first_text(&new).to_vec(),
+    })
+}
+
+/// Refuses where what tools meet is not known.
+fn is_known(found: &EngagementReport, sources: &SourceMap) -> Result<(), OptimizeError> {
+    let not_known = |what: &str, help: &str| {
+        Err(OptimizeError::NotKnown { what: what.to_string(), help: help.to_string() })
+    };
+    if let Some((_, line)) = found.report.not_verified_line(sources) {
+        let what = format!("from line {line} on the path is not known");
+        return not_known(&what, "`chordal check` says why");
+    }
+    if found.report.counts.errors > 0 {
+        return not_known(
+            "the program has errors",
+            "`chordal check` lists them; feeds are changed only in a program that runs",
+        );
+    }
+    if !found.is_whole {
+        return not_known(
+            "some moves are not cut from the stock, so what comes after them is not known",
+            "`chordal stock --engagement` says which and why",
+        );
+    }
+    Ok(())
+}
+
+/// The thickest chips that are allowed, by tool.
+fn limits(
+    job: &Job,
+    found: &EngagementReport,
+    options: &OptimizeOptions,
+) -> Result<BTreeMap<u32, f64>, OptimizeError> {
+    let mut limits = BTreeMap::new();
+    for tool in &found.tools {
+        let Some(lasting) = tool.lasting_chip_mm.filter(|chip| *chip > 0.0) else { continue };
+        let limit = match options.limit {
+            ChipLimit::Best => lasting,
+            ChipLimit::Thickness(mm) => mm,
+        };
+        let own = job.machine().tools.get(&tool.number).and_then(|tool| tool.max_chip_mm);
+        limits.insert(tool.number, own.map_or(limit, |own| own.min(limit)));
+    }
+    if limits.is_empty() {
+        return Err(OptimizeError::NotKnown {
+            what: "no tool has a chip: teeth, speed or feed are not known, or nothing is cut"
+                .into(),
+            help: "give `teeth` of the tools in the setup file".into(),
+        });
+    }
+    Ok(limits)
+}
+
+fn notes(found: &EngagementReport) -> Vec<String> {
+    let without: Vec<String> = found
+        .tools
+        .iter()
+        .filter(|tool| tool.lasting_chip_mm.is_none())
+        .map(|tool| tool.number.to_string())
+        .collect();
+    match without[..] {
+        [] => Vec::new(),
+        _ => vec![format!(
+            "the feeds of tool {} stay: without the number of its teeth, or a cut, it has no chip",
+            without.join(", ")
+        )],
+    }
+}

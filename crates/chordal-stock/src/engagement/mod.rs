@@ -1,0 +1,228 @@
+//! How a cutter is engaged along a move: how wide and how deep it cuts, how thick its chips are, what it removes.
+//!
+//! A place of the cutter's surface with the outward normal n takes a chip of the thickness f·(u·n) where it is in
+//! material: u is the direction of the feed, f the feed of a tooth. All answers here are for f = 1, so that the
+//! caller has the feed: [`Slice::chip`] is u·n.
+//!
+//! The surface is cut into patches ([`patches`]), the move into slices. On a slice a patch passes over some cells:
+//! what may stand on any of them gives what is at most engaged, what surely stands on all of them what is at least.
+//! So no place between two samples is left out. Stock is looked at as it was before a piece of the move: a convex
+//! cutter does not come back there on a line, and on a curve only where the chip is thinner than the piece turns,
+//! which is not counted as sure.
+
+mod patches;
+mod slice;
+
+use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
+
+use crate::columns::Window;
+use crate::sweep::Move;
+use crate::{Amount, Cutter, Stock};
+
+pub use slice::{Between, Slice, engagement_angle};
+
+use patches::Patches;
+use slice::Place;
+
+/// The most that a piece of a curve turns, rad: on the rest of a curve stock is looked at anew.
+const TURN: f64 = 0.2;
+
+/// A piece is not shorter than this, in cells: each costs a look at all cells around the cutter.
+const SHORTEST: f64 = 4.0;
+
+/// A piece of a line is no longer than so many diameters of the cutter, to keep the cells near it few.
+const DIAMETERS: f64 = 2.0;
+
+/// Contacts that are no deeper are none, mm, at least: heights of cells are rounded by a hundredth of it.
+const LEAST_GRAZE: f64 = 1e-3;
+
+/// Directions that differ less in their rise are as steep: rounding.
+const LEVEL: f64 = 1e-9;
+
+/// How moves are measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measuring {
+    /// Length of a slice, mm: about the side of a cell is fine enough.
+    pub spacing: f64,
+    /// Contacts that are no deeper are none, mm. On curves at least as much as chords may be off them, as the floors of
+    /// columns are not known better.
+    pub graze: f64,
+}
+
+/// What a move has removed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Removed {
+    /// Its bounds, mm³. What is uncertain on a cell counts for every move that changes it.
+    pub bounds: Amount,
+    /// By the middle between the bounds of each cell, mm³: over all moves the sum is what they remove together.
+    pub middle: f64,
+}
+
+/// A cutter whose engagement is measured.
+#[derive(Clone, Debug)]
+pub struct Meter {
+    cutter: Cutter,
+    patches: Patches,
+    measuring: Measuring,
+}
+
+impl Meter {
+    /// A cutter on stock of some resolution, mm.
+    pub fn new(cutter: Cutter, resolution: f64, measuring: Measuring) -> Meter {
+        let graze = measuring.graze.max(LEAST_GRAZE);
+        let spacing = if measuring.spacing > 0.0 { measuring.spacing } else { resolution };
+        Meter {
+            patches: Patches::new(&cutter, resolution),
+            measuring: Measuring { spacing, graze },
+            cutter,
+        }
+    }
+}
+
+impl Stock {
+    /// Removes what a cutter sweeps on a move, and gives every slice of it on which the cutter may be in material.
+    pub fn cut_measuring(
+        &mut self,
+        meter: &Meter,
+        path: &Move,
+        see: &mut dyn FnMut(&Slice),
+    ) -> Removed {
+        let mut removed = Removed::default();
+        let length = path.curve.length();
+        if !length.is_finite() || !path.curve.start().is_finite() || !path.curve.end().is_finite() {
+            return removed;
+        }
+        let bend = path.curve.max_curvature();
+        let radius = meter.cutter.radius();
+        let longest = (DIAMETERS * 2.0 * radius).min(TURN / bend.max(f64::MIN_POSITIVE));
+        let longest = longest.max(SHORTEST * self.grid().resolution());
+        let count = (length / longest).ceil().clamp(1.0, MOST_PIECES) as u64;
+        let ends = |k: u64| [k, k + 1].map(|k| length * k as f64 / count as f64);
+        let piece = |k: u64| {
+            let [from, to] = ends(k);
+            if count == 1 { path.curve } else { path.curve.subsegment(from, to) }
+        };
+        let margin = radius + self.grid().resolution();
+        if let Curve::Line(line) = &path.curve {
+            // It does not come back to what it has cut, so all of it is looked at before it is.
+            let windows: Vec<Window> = (0..count)
+                .map(|k| {
+                    let piece = piece(k);
+                    let window = self.window_around(&piece, margin);
+                    measure(meter, &window, &piece, ends(k)[0], [0.0, meter.measuring.graze], see);
+                    window
+                })
+                .collect();
+            self.cut(&meter.cutter, core::slice::from_ref(path));
+            let shares = Shares::new(line, count);
+            for (k, before) in (0..count).zip(&windows) {
+                let after = self.window_around(&piece(k), margin);
+                removed.add(before.removed(&after, |place| shares.of(place) == k));
+            }
+            return removed;
+        }
+        // Floors of curves are known to the distance of their chords.
+        let off = self.options().chord_share * self.grid().resolution();
+        let graze = meter.measuring.graze.max(off + LEAST_GRAZE);
+        for k in 0..count {
+            let piece = piece(k);
+            let before = self.window_around(&piece, margin);
+            measure(meter, &before, &piece, ends(k)[0], [bend, graze], see);
+            self.cut(&meter.cutter, &[Move { curve: piece, tag: path.tag }]);
+            removed.add(before.removed(&self.window_around(&piece, margin), |_| true));
+        }
+        removed
+    }
+
+    /// The cells around a curve, with a margin, mm.
+    fn window_around(&self, curve: &Curve, margin: f64) -> Window {
+        let bounds = curve.bounds();
+        self.window(
+            [bounds.min.x - margin, bounds.min.y - margin],
+            [bounds.max.x + margin, bounds.max.y + margin],
+        )
+    }
+}
+
+impl Removed {
+    fn add(&mut self, (bounds, middle): (Amount, f64)) {
+        self.bounds = self.bounds.plus(bounds);
+        self.middle += middle;
+    }
+}
+
+/// Which piece of a line a place belongs to, so that no cell counts twice.
+struct Shares {
+    start: Vec3,
+    /// Along the line in plan, in pieces by mm.
+    along: [f64; 2],
+    count: u64,
+}
+
+impl Shares {
+    fn new(line: &Line, count: u64) -> Shares {
+        let way = line.end - line.start;
+        let square = way.x * way.x + way.y * way.y;
+        let scale = if square > 0.0 { count as f64 / square } else { 0.0 };
+        Shares { start: line.start, along: [way.x * scale, way.y * scale], count }
+    }
+
+    fn of(&self, place: [f64; 2]) -> u64 {
+        let (x, y) = (place[0] - self.start.x, place[1] - self.start.y);
+        let share = x * self.along[0] + y * self.along[1];
+        share.clamp(0.0, (self.count - 1) as f64) as u64
+    }
+}
+
+/// The most pieces of one move, so that a curve far larger than any machine takes no time to speak of.
+const MOST_PIECES: f64 = 1e6;
+
+/// Looks at the slices of a piece that begins so far along its move: `bend` is its largest curvature, 1/mm; contacts
+/// no deeper than `graze` are none, mm.
+fn measure(
+    meter: &Meter,
+    window: &Window,
+    piece: &Curve,
+    begin: f64,
+    [bend, graze]: [f64; 2],
+    see: &mut dyn FnMut(&Slice),
+) {
+    if window.highest() <= piece.bounds().min.z + meter.measuring.graze {
+        return;
+    }
+    let length = piece.length();
+    let count = (length / meter.measuring.spacing).ceil().clamp(1.0, MOST_PIECES);
+    let half = 0.5 * length / count;
+    let convex = meter.cutter.is_convex();
+    for k in 0..count as u64 {
+        let at = half * (2 * k + 1) as f64;
+        let direction = direction(piece, at);
+        let rises = [at - half, at, at + half].map(|at| self::direction(piece, at).z);
+        let tilts = (rises[0] - rises[1]).abs().max((rises[2] - rises[1]).abs()) > LEVEL;
+        let place = Place {
+            tip: piece.point_at(at),
+            direction,
+            half,
+            turn: bend * half,
+            tilt: if tilts { bend * half } else { 0.0 },
+            // What the piece itself may have taken away before.
+            taken: if convex { bend * length } else { f64::INFINITY },
+            sag: 0.5 * bend * half * half,
+            graze,
+            fine: meter.measuring.graze,
+        };
+        if window.highest() <= place.lowest() + place.fine {
+            continue;
+        }
+        if let Some(slice) = slice::look(&meter.patches, window, &place, begin + at) {
+            see(&slice);
+        }
+    }
+}
+
+/// The direction of the feed; down where there is none.
+fn direction(piece: &Curve, at: f64) -> Vec3 {
+    let along = piece.tangent_at(at);
+    let length = along.length();
+    if length > 0.0 && length.is_finite() { along * (1.0 / length) } else { -Vec3::Z }
+}

@@ -1,0 +1,308 @@
+//! One slice of a move: which patches of the cutter are in material, from both sides.
+
+use std::f64::consts::PI;
+
+use chordal_geometry::Vec3;
+use libm::asin;
+
+use super::patches::{Band, Patches};
+use crate::columns::{Ends, Window};
+
+/// A number that is known to lie between two.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Between {
+    /// At least.
+    pub least: f64,
+    /// At most.
+    pub most: f64,
+}
+
+/// How the cutter is engaged on a slice of a move. Everything is for the slice's worst place.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Slice {
+    /// The middle of the slice, from the start of the move, mm.
+    pub at: f64,
+    /// How long it is, mm.
+    pub length: f64,
+    /// The thickest chip, as a share of the feed of a tooth: the largest u·n.
+    pub chip: Between,
+    /// The mean chip, as a share of the feed of a tooth, over the engaged surface by the middle heights of cells.
+    pub mean: f64,
+    /// From the first to the last engaged place across the feed, mm.
+    pub across: Between,
+    /// From the lowest to the highest engaged place along the axis, mm.
+    pub axial: Between,
+    /// From the first to the last engaged place around the axis, rad.
+    pub angle: Between,
+    /// The engaged surface seen along the feed, mm²: what is removed by length of path.
+    pub section: Between,
+    /// The same by the middle heights of cells, mm².
+    pub section_middle: f64,
+}
+
+/// Where the cutter is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// Its tip at the middle of the slice, mm.
+    pub tip: Vec3,
+    /// The direction of the feed.
+    pub direction: Vec3,
+    /// Half the length of the slice, mm.
+    pub half: f64,
+    /// How far the direction turns in plan to either side of the middle, rad.
+    pub turn: f64,
+    /// How far it tilts up or down.
+    pub tilt: f64,
+    /// Where u·n is no larger the piece itself may have taken the material away.
+    pub taken: f64,
+    /// How far the slice is off a straight one, mm.
+    pub sag: f64,
+    /// Contacts that are no deeper are none for the bounds, mm.
+    pub graze: f64,
+    /// The same for the middle of the bounds, where the distance of chords cancels.
+    pub fine: f64,
+}
+
+impl Place {
+    /// The tip is nowhere lower on the slice, mm.
+    pub fn lowest(&self) -> f64 {
+        self.tip.z - self.direction.z.abs() * self.half - self.sag
+    }
+
+    fn highest(&self) -> f64 {
+        self.tip.z + self.direction.z.abs() * self.half + self.sag
+    }
+}
+
+/// A range that grows; empty at first.
+#[derive(Clone, Copy, Debug)]
+struct Extent {
+    from: f64,
+    to: f64,
+}
+
+impl Extent {
+    const NONE: Extent = Extent { from: f64::INFINITY, to: f64::NEG_INFINITY };
+
+    fn add(&mut self, from: f64, to: f64) {
+        self.from = self.from.min(from);
+        self.to = self.to.max(to);
+    }
+
+    fn length(&self) -> f64 {
+        (self.to - self.from).max(0.0)
+    }
+}
+
+/// What is engaged, from one side.
+#[derive(Clone, Copy, Debug)]
+struct Side {
+    chip: f64,
+    across: Extent,
+    axial: Extent,
+    around: Extent,
+    section: f64,
+}
+
+impl Side {
+    const NONE: Side = Side {
+        chip: 0.0,
+        across: Extent::NONE,
+        axial: Extent::NONE,
+        around: Extent::NONE,
+        section: 0.0,
+    };
+}
+
+/// What a look at all patches gathers.
+struct Look<'a> {
+    window: &'a Window,
+    place: &'a Place,
+    /// The feed seen from above, or X where it goes straight down, and across it to the left.
+    ahead: [f64; 2],
+    /// Lengths of the feed's direction in plan and along the axis.
+    plan: f64,
+    rise: f64,
+    flutes: f64,
+    most: Side,
+    least: Side,
+    /// The engaged surface, mm², and seen along the feed, by the middle heights.
+    surface: f64,
+    section: f64,
+}
+
+/// A place with a smaller u·n slides along the material: rounding of directions stays far below, and a chip of a
+/// millionth of the feed is none.
+const SLIDES: f64 = 1e-6;
+
+/// Below this length in plan the feed is straight up or down.
+const UPRIGHT: f64 = 1e-9;
+
+/// Looks which patches of a cutter are in material; `None` where none may be.
+pub(super) fn look(patches: &Patches, window: &Window, place: &Place, at: f64) -> Option<Slice> {
+    let direction = place.direction;
+    let plan = libm::hypot(direction.x, direction.y);
+    let ahead = if plan > UPRIGHT { [direction.x / plan, direction.y / plan] } else { [1.0, 0.0] };
+    let mut look = Look {
+        window,
+        place,
+        ahead,
+        plan: if plan > UPRIGHT { plan } else { 0.0 },
+        rise: direction.z,
+        flutes: patches.flutes,
+        most: Side::NONE,
+        least: Side::NONE,
+        surface: 0.0,
+        section: 0.0,
+    };
+    for band in &patches.end {
+        look.band(band, &patches.around_end);
+    }
+    look.band(&patches.side, &patches.around_side);
+    let widest = 2.0 * patches.side.radii[1];
+    look.slice(at, widest)
+}
+
+impl Look<'_> {
+    fn slice(&self, at: f64, widest: f64) -> Option<Slice> {
+        let (most, least) = (&self.most, &self.least);
+        if most.chip <= 0.0 && self.section <= 0.0 {
+            return None;
+        }
+        let between = |least: f64, most: f64| Between { least: least.min(most), most };
+        Some(Slice {
+            at,
+            length: 2.0 * self.place.half,
+            chip: between(least.chip, most.chip.min(1.0)),
+            mean: if self.surface > 0.0 { self.section / self.surface } else { 0.0 },
+            across: between(least.across.length(), most.across.length().min(widest)),
+            axial: between(least.axial.length(), most.axial.length()),
+            angle: between(least.around.length(), most.around.length().min(2.0 * PI)),
+            section: between(least.section, most.section.max(self.section)),
+            section_middle: self.section,
+        })
+    }
+
+    /// Looks at the patches of a ring.
+    fn band(&mut self, band: &Band, around: &[[f64; 2]]) {
+        let place = self.place;
+        let low = place.lowest() + band.heights[0];
+        if self.window.highest() <= low + place.fine {
+            return;
+        }
+        let step = 2.0 * PI / around.len() as f64;
+        let (half_sine, half_cosine) = libm::sincos(0.5 * step);
+        for (number, &[sine, cosine]) in around.iter().enumerate() {
+            // The directions of both ends of the patch, from the feed.
+            let turned =
+                |by: f64| [sine * half_cosine + by * cosine, cosine * half_cosine - by * sine];
+            let ends = [turned(-half_sine), turned(half_sine)];
+            let angles = [number as f64 * step - PI, (number + 1) as f64 * step - PI];
+            self.patch(band, [sine, cosine], ends, angles, [half_sine, half_cosine]);
+        }
+    }
+
+    /// u·n where the normal leans by this sine and cosine and lies at a cosine from the feed.
+    fn facing(&self, [sine, cosine]: [f64; 2], around: f64) -> f64 {
+        self.plan * sine * around - self.rise * cosine
+    }
+
+    fn patch(
+        &mut self,
+        band: &Band,
+        [sine, cosine]: [f64; 2],
+        ends: [[f64; 2]; 2],
+        angles: [f64; 2],
+        [half_sine, half_cosine]: [f64; 2],
+    ) {
+        let place = self.place;
+        let cosines = ends.map(|end| end[1]);
+        // Patches begin at the feed and across it, so a cosine is largest and least at an end of one.
+        let nearest = cosines[0].max(cosines[1]);
+        let farthest = cosines[0].min(cosines[1]);
+        let over = |around: f64, pick: fn(f64, f64) -> f64| {
+            let [a, b] = band.normals.map(|normal| self.facing(normal, around));
+            pick(a, b)
+        };
+        let [sines, uprights] = [0, 1].map(|k| band.normals[0][k].max(band.normals[1][k]));
+        let turned = place.turn * sines + place.tilt * uprights;
+        let high = (over(nearest, f64::max) + band.bow + turned).min(1.0);
+        let low = over(farthest, f64::min) - turned;
+        if high <= SLIDES {
+            return;
+        }
+        let radius = 0.5 * (band.radii[0] + band.radii[1]);
+        let [ahead, left] = [self.ahead, [-self.ahead[1], self.ahead[0]]];
+        let outward = [0, 1].map(|axis| ahead[axis] * cosine + left[axis] * sine);
+        let middle = [place.tip.x + radius * outward[0], place.tip.y + radius * outward[1]];
+        let along = 0.5 * (band.radii[1] - band.radii[0]) + band.radii[1] * (1.0 - half_cosine);
+        let aside = band.radii[1] * half_sine;
+        let moved = place.half * self.plan;
+        let reach = [0, 1].map(|axis| {
+            outward[axis].abs() * along
+                + outward[1 - axis].abs() * aside
+                + ahead[axis].abs() * moved
+                + place.sag
+        });
+        let Ends { highest, lowest } = self.window.ends(middle, reach);
+        let top = place.highest() + self.flutes;
+        let heights = [place.lowest() + band.heights[0], place.highest() + band.heights[1]];
+        let (highest, lowest) = (highest.min(top), lowest.min(place.lowest() + self.flutes));
+        let width = band.radii[1] * (angles[1] - angles[0]);
+        self.middle(band, [sine, cosine], middle, width);
+        if highest <= heights[0] + place.graze {
+            return;
+        }
+        let sides = [0, 1].map(|k| {
+            let [sine, _] = ends[k];
+            [band.radii[0] * sine, band.radii[1] * sine]
+        });
+        let from = sides.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+        let to = sides.iter().flatten().copied().fold(f64::NEG_INFINITY, f64::max);
+        let length = |top: f64, bottom: f64| {
+            if band.is_side { (top - bottom).max(0.0) } else { band.length }
+        };
+        let most = &mut self.most;
+        most.chip = most.chip.max(high);
+        most.across.add(from, to);
+        most.axial.add(heights[0], highest);
+        most.around.add(angles[0], angles[1]);
+        most.section += width * length(highest, heights[0]) * high;
+        if low <= place.taken || low <= SLIDES || lowest <= heights[1] + place.graze {
+            return;
+        }
+        let least = &mut self.least;
+        least.chip = least.chip.max(low);
+        least.across.add(from, to);
+        least.axial.add(heights[1], lowest);
+        least.around.add(angles[0], angles[1]);
+        let narrow = band.radii[0] * (angles[1] - angles[0]);
+        least.section += narrow * length(lowest, heights[1]) * low;
+    }
+
+    /// Adds a patch by the middle height of the cell at its middle.
+    fn middle(&mut self, band: &Band, [_, cosine]: [f64; 2], middle: [f64; 2], width: f64) {
+        let [a, b] = band.normals.map(|normal| self.facing(normal, cosine));
+        let facing = 0.5 * (a + b);
+        let [bottom, above] = band.heights.map(|height| self.place.tip.z + height);
+        let top = self.window.middle(middle).min(self.place.tip.z + self.flutes);
+        if facing <= 0.0 || top <= bottom + self.place.fine {
+            return;
+        }
+        // The top may cross the patch.
+        let share = if above > bottom { ((top - bottom) / (above - bottom)).min(1.0) } else { 1.0 };
+        let radius = 0.5 * (band.radii[0] + band.radii[1]);
+        let width = width * if band.radii[1] > 0.0 { radius / band.radii[1] } else { 0.0 };
+        let area = width * if band.is_side { top - bottom } else { share * band.length };
+        self.surface += area;
+        self.section += area * facing;
+    }
+}
+
+/// The angle of engagement of a radial depth of cut, rad: from where the chip is nothing to where it ends.
+/// `across` and `diameter` in mm.
+pub fn engagement_angle(across: f64, diameter: f64) -> f64 {
+    let share = (across / diameter).clamp(0.0, 1.0);
+    // acos(1 − 2x) without its loss near zero.
+    2.0 * asin(share.sqrt())
+}

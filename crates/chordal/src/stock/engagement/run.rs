@@ -1,0 +1,243 @@
+//! A run on stock with the engagement of every move.
+
+use std::collections::BTreeMap;
+
+use chordal_command::Origin;
+use chordal_diagnostics::Severity;
+use chordal_geometry::ParamCurve;
+use chordal_machine::{Tool, ToolShape};
+use chordal_stock::engagement::{Between, Measuring, Meter, Slice};
+use chordal_stock::{Move, Options, Stock};
+
+use super::super::gather::{Batch, Gathered, Kind, Rate};
+use super::super::heights::Heights;
+use super::super::pass::StockOptions;
+use super::super::run::{StockRunError, usual_resolution};
+use super::super::setup::{Files, Named, shift_between};
+use super::super::tools::tools_of;
+use super::limits::Limits;
+use super::materials::{Material, torque};
+use super::report::{Chip, Effort, EngagementReport, MoveEngagement, by_tool};
+use crate::job::Job;
+use crate::tool_comments::known_tools;
+
+/// How engagement is measured.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EngagementOptions {
+    /// Of the columns.
+    pub stock: StockOptions,
+    /// The thickest chip that any tool may take, mm; `None`: that of each tool.
+    pub max_chip_mm: Option<f64>,
+}
+
+impl Job<'_> {
+    /// Runs the program on the stock of its machine's setup, and says how hard every cut is.
+    ///
+    /// # Errors
+    /// As [`Job::stock`].
+    pub fn engagement(
+        &self,
+        options: &EngagementOptions,
+        files: Files<'_>,
+    ) -> Result<EngagementReport, StockRunError> {
+        self.engagement_with(options, files, &mut |_, _| {})
+    }
+
+    /// The same, and gives every slice of every move: the number of the move, and the slice.
+    ///
+    /// # Errors
+    /// As [`Job::stock`].
+    pub fn engagement_with(
+        &self,
+        options: &EngagementOptions,
+        files: Files<'_>,
+        see: &mut dyn FnMut(usize, &Slice),
+    ) -> Result<EngagementReport, StockRunError> {
+        let bodies = tools_of(self);
+        let control = self.control();
+        let mut gathered =
+            Gathered::new(&bodies, control.table.work_names, control.parameters.rules.units);
+        let mut report = self.report_watched(&mut gathered);
+        let body = self.machine().setup.stock.as_ref().ok_or(StockRunError::NoStock)?;
+        let named = Named { name: "stock", body };
+        let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
+        let shape = named.shape(shift, files, false)?;
+        let resolution = options.stock.resolution_mm.unwrap_or_else(|| usual_resolution(&shape));
+        let heights = Heights::new(&shape, resolution);
+        let mut stock = Stock::shaped(
+            shape.bounds(),
+            Options::new(resolution, options.stock.budget),
+            |low, high| heights.of(low, high),
+        )?;
+        let tools: BTreeMap<u32, Tool> =
+            known_tools(self).into_iter().map(|(number, known)| (number, known.tool)).collect();
+        let teeth: BTreeMap<u32, u32> =
+            tools.iter().filter_map(|(number, tool)| Some((*number, teeth_of(tool)?))).collect();
+        let material_word = body.material.clone();
+        let material = material_word.as_deref().and_then(Material::named);
+        let measuring = Measuring { spacing: resolution, graze: options.stock.tolerance_mm };
+        let mut moves = Vec::new();
+        for batch in gathered.batches.iter().filter(|batch| batch.kind != Kind::Rapid) {
+            let Some(Ok(tool)) = bodies.get(&batch.tool) else { continue };
+            let meter = Meter::new(tool.cutter.clone(), resolution, measuring);
+            let cut =
+                Cut { batch, meter: &meter, teeth: teeth.get(&batch.tool).copied(), material };
+            for index in 0..batch.moves.len() {
+                let number = moves.len();
+                let mut see = |slice: &Slice| see(number, slice);
+                moves.push(cut.engagement(&mut stock, index, &mut see));
+            }
+        }
+        let limits = Limits {
+            tools: &tools,
+            max_chip: options.max_chip_mm,
+            spindle_kw: self.machine().spindle_power_kw,
+            units: gathered.units,
+            sources: self.sources(),
+        };
+        let mut found = limits.problems(&moves);
+        let (is_whole, units) = (gathered.is_whole() && report.verified(), gathered.units);
+        found.diagnostics.append(&mut gathered.diagnostics);
+        for diagnostic in found.diagnostics {
+            match diagnostic.severity {
+                Severity::Error => report.counts.errors += 1,
+                Severity::Warning => report.counts.warnings += 1,
+                Severity::Note => report.counts.notes += 1,
+            }
+            report.diagnostics.push(diagnostic);
+        }
+        report.diagnostics.sort_by_key(|each| {
+            let span = each.primary.span;
+            (span.file, span.range.start)
+        });
+        Ok(EngagementReport {
+            resolution_mm: resolution,
+            material_word,
+            material,
+            spindle_kw: self.machine().spindle_power_kw,
+            units,
+            tools: by_tool(&moves, &teeth),
+            moves,
+            problems: found.list,
+            more_problems: found.more,
+            is_whole,
+            stock,
+            report,
+        })
+    }
+}
+
+/// Teeth around a tool. Those of a thread mill are along its axis, and a tap has its own feed.
+fn teeth_of(tool: &Tool) -> Option<u32> {
+    match tool.shape? {
+        ToolShape::Tap | ToolShape::ThreadMill | ToolShape::Insert => None,
+        _ => tool.teeth,
+    }
+}
+
+/// Moves of a tool, to be measured.
+struct Cut<'a> {
+    batch: &'a Batch,
+    meter: &'a Meter,
+    teeth: Option<u32>,
+    material: Option<&'static Material>,
+}
+
+impl Cut<'_> {
+    fn engagement(
+        &self,
+        stock: &mut Stock,
+        index: usize,
+        see: &mut dyn FnMut(&Slice),
+    ) -> MoveEngagement {
+        let path: &Move = &self.batch.moves[index];
+        let rate = self.batch.rates[index];
+        let mut worst = Worst::new(self.batch.origins[index], self.batch.tool, rate, path);
+        let feed_per_tooth = self.teeth.and_then(|teeth| worst.total.feed_per_tooth(teeth));
+        let removed = stock.cut_measuring(self.meter, path, &mut |slice| {
+            worst.slice(slice, feed_per_tooth, self.material);
+            see(slice);
+        });
+        worst.total.removed_mm3 = removed.middle.max(0.0);
+        worst.finish(feed_per_tooth)
+    }
+}
+
+/// Heights that differ by less are the same, mm: rounding.
+const LEVEL: f64 = 1e-9;
+
+/// The worst of each number on a move.
+struct Worst {
+    total: MoveEngagement,
+    mean: f64,
+}
+
+impl Worst {
+    fn new(origin: Origin, tool: u32, rate: Rate, path: &Move) -> Worst {
+        let none = Between::default();
+        Worst {
+            total: MoveEngagement {
+                origin,
+                tool,
+                feed_mm_per_s: rate.feed,
+                rpm: rate.rpm,
+                by_time: rate.by_time,
+                falls: path.curve.bounds().min.z < path.curve.start().z - LEVEL,
+                length_mm: path.curve.length(),
+                engaged_mm: 0.0,
+                across_mm: none,
+                axial_mm: none,
+                angle_rad: none,
+                facing: none,
+                chip: None,
+                removed_mm3: 0.0,
+                rate_mm3_per_s: 0.0,
+                most_rate_mm3_per_s: 0.0,
+                effort: None,
+            },
+            mean: 0.0,
+        }
+    }
+
+    fn slice(
+        &mut self,
+        slice: &Slice,
+        feed_per_tooth: Option<f64>,
+        material: Option<&'static Material>,
+    ) {
+        let total = &mut self.total;
+        let feed = total.feed_mm_per_s;
+        total.engaged_mm += slice.length;
+        for (known, new) in [
+            (&mut total.across_mm, slice.across),
+            (&mut total.axial_mm, slice.axial),
+            (&mut total.angle_rad, slice.angle),
+            (&mut total.facing, slice.chip),
+        ] {
+            known.least = known.least.max(new.least);
+            known.most = known.most.max(new.most);
+        }
+        let rate = slice.section_middle * feed;
+        total.most_rate_mm3_per_s = total.most_rate_mm3_per_s.max(slice.section.most * feed);
+        if rate >= total.rate_mm3_per_s {
+            (total.rate_mm3_per_s, self.mean) = (rate, slice.mean);
+        }
+        let (Some(feed_per_tooth), Some(material)) = (feed_per_tooth, material) else { return };
+        let power_kw = material.power(rate, slice.mean * feed_per_tooth);
+        let known = total.effort.get_or_insert_default();
+        if power_kw > known.power_kw {
+            *known = Effort { power_kw, torque_nm: torque(power_kw, total.rpm) };
+        }
+    }
+
+    fn finish(mut self, feed_per_tooth: Option<f64>) -> MoveEngagement {
+        let facing = self.total.facing;
+        if facing.most > 0.0 {
+            self.total.chip = feed_per_tooth.map(|feed| Chip {
+                peak_mm: Between { least: facing.least * feed, most: facing.most * feed },
+                mean_mm: self.mean * feed,
+            });
+        }
+        self.total
+    }
+}
