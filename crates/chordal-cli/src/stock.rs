@@ -153,7 +153,10 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
             Format::Json => AnswerFormat::Json,
             Format::Sarif => {
                 let message = "--engagement has no SARIF";
-                return Err(Failure::wrong(message, "write --format json, or leave --engagement out"));
+                return Err(Failure::wrong(
+                    message,
+                    "write --format json, or leave --engagement out",
+                ));
             }
         };
         let answer = engagement::Answer {

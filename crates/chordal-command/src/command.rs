@@ -99,6 +99,9 @@ pub enum CommandKind {
         radius_mm: Option<f64>,
         /// Direction on the axes of the plane that I J K give beside G40, G41 or G42, mm.
         toward: Option<[f64; 2]>,
+        /// The programmed point as seen from the centre of the tool, on the axes of the plane and in radii: the
+        /// imaginary tip of a turning tool. Zero for a mill.
+        tip: [f64; 2],
     },
     /// The outside corner at the end of this block's move, or without one of the block
     /// before, is rounded (G39).

@@ -32,7 +32,7 @@ mod work_name;
 pub use axes::{AxisMask, Position};
 pub use command::{Command, CommandKind};
 pub use mode::{Coolant, Overrides, PathMode, Side, SpindleState};
-pub use motion::{ArcShape, Feed, FeedAlong, FeedMode, Move, RapidPath};
+pub use motion::{ArcShape, Feed, FeedAlong, FeedMode, Move, RapidPath, SurfaceSpeed};
 pub use origin::{CallPath, CallPaths, Origin};
 pub use sink::Sink;
 pub use units::{Units, number_text, telling_number};

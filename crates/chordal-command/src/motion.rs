@@ -58,6 +58,30 @@ pub struct Feed {
     pub along: FeedAlong,
     /// Revolutions of the spindle per second, for [`FeedMode::PerRevolution`].
     pub spindle_rev_per_s: f64,
+    /// The cutting speed that the spindle keeps instead (G96).
+    pub surface: Option<SurfaceSpeed>,
+}
+
+/// A cutting speed that the spindle keeps: it turns the faster, the nearer the tool is to the axis.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SurfaceSpeed {
+    /// The speed at the tool, mm/s.
+    pub mm_per_s: f64,
+    /// The spindle turns no faster than this, rev/s; infinite where nothing limits it.
+    pub most_rev_per_s: f64,
+}
+
+impl SurfaceSpeed {
+    /// The spindle's speed with the tool at this radius (of either sign, mm), rev/s.
+    pub fn rev_per_s(&self, radius_mm: f64) -> f64 {
+        let free = self.mm_per_s / (2.0 * std::f64::consts::PI * radius_mm.abs());
+        free.min(self.most_rev_per_s)
+    }
+
+    /// Inside this radius the spindle turns at its limit, mm.
+    pub fn limited_inside_mm(&self) -> f64 {
+        self.mm_per_s / (2.0 * std::f64::consts::PI * self.most_rev_per_s)
+    }
 }
 
 /// An arc, a helix, a spiral or a cone: the radius goes linearly with the angle from

@@ -8,8 +8,8 @@
 
 use chordal_command::Units;
 use chordal_geometry::Direction;
-use chordal_kernel::rules::{CycleKind, HolePattern};
-use chordal_kernel::{MotionMode, SplineForm};
+use chordal_kernel::rules::{CycleKind, HolePattern, TurnCycle};
+use chordal_kernel::{MotionMode, SplineForm, TurnPass};
 
 /// What a code does.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -53,6 +53,10 @@ pub enum ReadingCode {
     FeedPerTime,
     FeedInverseTime,
     FeedPerRevolution,
+    /// S is a cutting speed (G96).
+    SurfaceSpeed,
+    /// S is a spindle speed (G97).
+    SpindleRpm,
 }
 
 /// What acts before the motion of its block.
@@ -188,6 +192,8 @@ pub enum MotionCode {
     Spline(SplineForm),
     /// A spline of the control points since G5.2 (G5.3).
     SplineEnd,
+    /// A pass of a lathe and back to its start.
+    Turn(TurnPass),
 }
 
 /// What takes the axis words of its block for itself.
@@ -231,6 +237,8 @@ pub enum OnceCode {
     },
     /// An arc round an outside corner (G39), in a block of its own.
     CornerArcAlone,
+    /// A cycle of a lathe.
+    Turning(TurnCycle),
 }
 
 /// What acts after the motion of its block.
@@ -356,6 +364,7 @@ impl MotionCode {
             MotionCode::SpiralCw | MotionCode::SpiralCcw => true,
             MotionCode::Thread | MotionCode::RigidTap => false,
             MotionCode::Spline(_) | MotionCode::SplineEnd => true,
+            MotionCode::Turn(_) => false,
         }
     }
 }
@@ -402,7 +411,7 @@ impl Action {
             MotionCode::Rapid | MotionCode::Linear | MotionCode::ArcCw | MotionCode::ArcCcw => true,
             MotionCode::SpiralCw | MotionCode::SpiralCcw => false,
             MotionCode::Thread | MotionCode::RigidTap => false,
-            MotionCode::Spline(_) | MotionCode::SplineEnd => false,
+            MotionCode::Spline(_) | MotionCode::SplineEnd | MotionCode::Turn(_) => false,
         }
     }
 }
@@ -420,6 +429,7 @@ impl From<MotionMode> for Action {
             MotionMode::Thread => MotionCode::Thread,
             MotionMode::RigidTap => MotionCode::RigidTap,
             MotionMode::Spline(form) => MotionCode::Spline(form),
+            MotionMode::Turn(pass) => MotionCode::Turn(pass),
             MotionMode::Cycle(kind) => return Action::Cycle(kind),
         };
         Action::Motion(code)

@@ -44,7 +44,7 @@ pub use post::Post;
 pub use scale::Scale;
 pub use settings::{
     COMMON as COMMON_SETTINGS, Certainty, CompensationField, CycleField, Field, PathField, Setting,
-    SettingError, value_text,
+    SettingError, TurningField, value_text,
 };
 pub use spatial::SpatialRules;
 pub use table::{CodeRow, ControlTable, Group, code_name, code_number};

@@ -44,6 +44,19 @@ pub enum CenterAndRadius {
     Refused,
 }
 
+/// What the number behind T says.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum ToolWord {
+    /// A tool, which a code puts into the spindle.
+    Tool,
+    /// Station and offset: so many digits at the end are the number of the offset, which acts at once
+    /// (`T0101`); of a number with five digits or more the last three.
+    StationAndOffset {
+        /// Digits of the offset.
+        digits: u32,
+    },
+}
+
 /// The codes that choose inch and millimetres.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum UnitCodes {
@@ -119,6 +132,16 @@ pub struct Parameters {
     pub macro_angles_full_circle: bool,
     /// Codes that call macros.
     pub aliases: Aliases,
+    /// Letters that move an axis by an increment, and the letter of the axis (`U` of `X`).
+    pub increments: &'static [(u8, u8)],
+    /// What T says.
+    pub tool_word: ToolWord,
+    /// S in the block of the code that presets coordinates limits the spindle speed.
+    pub preset_limits_speed: bool,
+    /// A block with G2 or G3 in force, and no word of a centre, is a straight line.
+    pub arc_without_center_is_line: bool,
+    /// The letter of the lead of a thread in one pass.
+    pub thread_lead: u8,
     /// What the machine does, whatever the language.
     pub rules: Rules,
 }
@@ -188,6 +211,11 @@ impl Parameters {
         bore_diameter_register: 1,
         macro_angles_full_circle: false,
         aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
+        increments: &[],
+        tool_word: ToolWord::Tool,
+        preset_limits_speed: false,
+        arc_without_center_is_line: false,
+        thread_lead: b'K',
         rules: Rules::COMMON,
     };
 }

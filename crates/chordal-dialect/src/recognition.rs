@@ -89,6 +89,15 @@ pub struct Evidence {
     pub reason: &'static str,
 }
 
+/// A kind of machine, and how its programs are told from those of others.
+#[derive(Debug)]
+pub struct MachineKind {
+    /// The signs that a program is for this kind at all.
+    pub signs: &'static [Evidence],
+    /// So much they must weigh together.
+    pub needed: i32,
+}
+
 /// Writes a sign.
 pub const fn evidence(sign: Sign, weight: i32, reason: &'static str) -> Evidence {
     Evidence { sign, weight, reason }

@@ -4,7 +4,7 @@ use crate::action::{Action, LengthCode, OnceCode};
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
 use crate::post::Post;
-use crate::recognition::Evidence;
+use crate::recognition::{Evidence, MachineKind};
 use crate::settings::Setting;
 use crate::spatial::SpatialRules;
 use crate::word_rules::WordRule;
@@ -37,6 +37,7 @@ pub enum Group {
     Polar,
     ModalCall,
     FeedRamp,
+    SpindleMode,
     /// M codes.
     Stopping,
     Spindle,
@@ -281,6 +282,8 @@ pub struct ControlTable {
     pub call_start_label: Option<u8>,
     /// Its macro language.
     pub macros: &'static MacroRules,
+    /// The kind of machine that its programs must be for, where it is not a mill.
+    pub kind: Option<&'static MachineKind>,
     /// Signs by which its programs are recognized.
     pub evidence: &'static [Evidence],
     /// How it wants a program begun and ended.

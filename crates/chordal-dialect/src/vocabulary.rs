@@ -2,7 +2,7 @@
 
 pub(crate) use chordal_command::{FeedAlong, RapidPath, WorkNaming};
 pub(crate) use chordal_diagnostics::Code;
-pub(crate) use chordal_geometry::Direction;
+pub(crate) use chordal_geometry::{Direction, Plane};
 pub(crate) use chordal_kernel::ToolValue;
 pub(crate) use chordal_kernel::rules::*;
 pub(crate) use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
@@ -12,7 +12,7 @@ pub(crate) use crate::parameters::*;
 pub(crate) use crate::recognition::*;
 pub(crate) use crate::settings::{
     CORNER_ROUNDING, Certainty, CompensationField as C, CycleField, Field, FrameField, PathField,
-    Setting, setting, short_blocks,
+    Setting, TurningField, setting, short_blocks,
 };
 pub(crate) use crate::spatial::SpatialRules;
 pub(crate) use crate::table::*;

@@ -49,7 +49,7 @@ impl<'a, W: Write> Canon<'a, W> {
             line: Vec::with_capacity(256),
             sources: job.sources(),
             feed_per_minute: f64::NAN,
-            plane: Plane::Xy,
+            plane: job.control().parameters.rules.starts_in,
             coolant: Coolant::default(),
             rpm: 0.0,
         })

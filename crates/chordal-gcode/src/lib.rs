@@ -40,7 +40,9 @@ pub use interpreter::{
 };
 pub use library::{Library, Program, referenced_programs};
 pub use marks::{Mark, marks};
-pub use recognize::{Candidate, FoundSign, Recognition, Strength, not_read, recognize};
+pub use recognize::{
+    ANOTHER_KIND, Candidate, FoundSign, Recognition, Strength, not_read, recognize,
+};
 pub use shop::{ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord};
 pub use tokens::{block_tokens, class_of};
 pub use word_address::WordAddress;

@@ -2,6 +2,7 @@
 
 use chordal_command::{AxisMask, CommandKind, Position, Side, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
+use chordal_geometry::Plane;
 use chordal_machine::{AXES, PerAxis};
 
 use crate::kernel::Kernel;
@@ -122,7 +123,8 @@ impl Kernel<'_> {
                 .help("write the number of the tool's offset"),
             );
         }
-        self.emit(CommandKind::Compensation { side, number, radius_mm, toward });
+        let tip = number.map_or([0.0; 2], |number| self.tip(number));
+        self.emit(CommandKind::Compensation { side, number, radius_mm, toward, tip });
         if let (Some(number), None) = (number, radius_mm)
             && side != Side::Off
             && !cancelled
@@ -137,6 +139,27 @@ impl Kernel<'_> {
                 format!("set it with --set tools.{number}.diameter=\"…\""),
             );
         }
+    }
+
+    /// Where the programmed point of a turning tool lies as seen from the centre of its nose, in radii on the axes
+    /// of the plane: by the tip number of Fanuc and Haas (3 for turning outside towards the chuck).
+    fn tip(&self, number: u32) -> [f64; 2] {
+        let tip = self.state.offsets.tool(number).and_then(|tool| tool.tip);
+        // From the programmed point to the centre, along X and along Z.
+        let (x, z) = match tip {
+            _ if self.state.plane != Plane::Zx => (0.0, 0.0),
+            Some(1) => (-1.0, -1.0),
+            Some(2) => (-1.0, 1.0),
+            Some(3) => (1.0, 1.0),
+            Some(4) => (1.0, -1.0),
+            Some(5) => (0.0, -1.0),
+            Some(6) => (-1.0, 0.0),
+            Some(7) => (0.0, 1.0),
+            Some(8) => (1.0, 0.0),
+            _ => (0.0, 0.0),
+        };
+        // Not −0: it would be written.
+        [0.0 - z, 0.0 - x]
     }
 
     /// Writes one value of a tool, mm, or adds to it.

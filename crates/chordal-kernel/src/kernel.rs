@@ -93,6 +93,12 @@ pub struct Kernel<'a> {
     pub reported: Reported,
     /// Moves that wait for the corner at their end.
     pub(crate) corners: Corners,
+    /// The commands of a contour that a cycle reads, which are not carried out.
+    pub collected: Option<Vec<Command>>,
+    /// A contour is cut that cycles may have read before.
+    pub contour_again: bool,
+    /// What was said of the blocks of contours while cycles read them.
+    said_of_contours: Vec<(Code, Span)>,
     /// Who takes what the run produces.
     pub sink: &'a mut (dyn RunSink + 'a),
 }
@@ -121,6 +127,9 @@ impl<'a> Kernel<'a> {
             preset_acts: false,
             reported: Reported::default(),
             corners: Corners::default(),
+            collected: None,
+            contour_again: false,
+            said_of_contours: Vec::new(),
             sink,
         }
     }
@@ -129,7 +138,7 @@ impl<'a> Kernel<'a> {
     #[inline(always)]
     pub fn emit(&mut self, kind: CommandKind) {
         let command = Command { kind, origin: self.origin };
-        if self.corners.wait() || !self.state.frames.is_plain() {
+        if self.corners.wait() || !self.state.frames.is_plain() || self.collected.is_some() {
             return self.emit_otherwise(command);
         }
         self.sink.command(&command);
@@ -143,7 +152,15 @@ impl<'a> Kernel<'a> {
         }
         let command = self.in_work(command.kind, command.origin);
         self.check_scaled_size(&command);
-        self.sink.command(&command);
+        self.into_sink(&command);
+    }
+
+    /// Into the sink, or to the cycle that reads a contour.
+    pub(crate) fn into_sink(&mut self, command: &Command) {
+        match &mut self.collected {
+            Some(commands) => commands.push(command.clone()),
+            None => self.sink.command(command),
+        }
     }
 
     /// A command as the work coordinate system has it.
@@ -163,6 +180,15 @@ impl<'a> Kernel<'a> {
         }
         if diagnostic.alarm.is_none() && diagnostic.severity == Severity::Error {
             diagnostic.alarm = self.alarm_text(diagnostic.code, None);
+        }
+        if self.collected.is_some() || self.contour_again {
+            let said = (diagnostic.code, diagnostic.primary.span);
+            if self.said_of_contours.contains(&said) {
+                return;
+            }
+            if self.collected.is_some() {
+                self.said_of_contours.push(said);
+            }
         }
         self.sink.diagnostic(diagnostic);
     }

@@ -37,6 +37,7 @@ pub mod rules;
 mod sink;
 pub mod state;
 mod statement;
+mod turning;
 
 pub use checkpoint::{Checkpoint, Memory};
 pub use coordinates::ToolValue;
@@ -51,5 +52,8 @@ pub use offsets::{LengthOffset, Offsets};
 pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::RunSink;
-pub use state::{CycleState, Motion, OverrideState, SplineForm, State};
+pub use state::{
+    CycleState, Motion, OverrideState, SplineForm, State, ThreadMemory, TurnPass, TurningMemory,
+};
 pub use statement::{Statement, What};
+pub use turning::{PeckWords, Profile, ProfileWords, RoughWords, ThreadWords};

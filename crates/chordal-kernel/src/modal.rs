@@ -7,7 +7,7 @@ use chordal_geometry::{Direction, Plane};
 
 use crate::frames::FrameKinds;
 use crate::rules::{ArcCenter, CycleKind};
-use crate::state::{Motion, SplineForm, State};
+use crate::state::{Motion, SplineForm, State, TurnPass};
 
 /// What a block without a motion code does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -26,6 +26,8 @@ pub enum MotionMode {
     RigidTap,
     /// A spline.
     Spline(SplineForm),
+    /// A pass of a lathe and back to its start.
+    Turn(TurnPass),
     /// A canned cycle.
     Cycle(CycleKind),
 }
@@ -143,6 +145,7 @@ impl State {
             (None, Motion::Thread) => Some(MotionMode::Thread),
             (None, Motion::RigidTap) => Some(MotionMode::RigidTap),
             (None, Motion::Spline(form)) => Some(MotionMode::Spline(form)),
+            (None, Motion::Turn(pass)) => Some(MotionMode::Turn(pass)),
             (None, Motion::None) => None,
         }
     }

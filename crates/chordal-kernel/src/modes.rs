@@ -1,6 +1,6 @@
 //! Modes that a statement sets: distance, units, feed, plane, path, spindle, tool.
 
-use chordal_command::{CommandKind, Coolant, FeedMode, Side, SpindleState, Units};
+use chordal_command::{CommandKind, Coolant, FeedMode, Side, SpindleState, SurfaceSpeed, Units};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
 
@@ -73,6 +73,59 @@ impl Kernel<'_> {
         change(&mut self.state.coolant);
         if self.state.coolant != before {
             self.emit(CommandKind::Coolant(self.state.coolant));
+        }
+    }
+
+    /// G96: S is a cutting speed from here on; the last one acts until there is an S.
+    pub fn keep_surface_speed(&mut self) {
+        if self.state.surface_speed.is_none() {
+            self.state.surface_speed = Some(self.state.last_surface_speed);
+        }
+    }
+
+    /// G97: S is the spindle's speed again, and the last one stays.
+    pub fn keep_spindle_speed(&mut self) {
+        if self.state.surface_speed.take().is_some() {
+            self.state.rpm = self.rev_per_s(self.state.position[0]) * 60.0;
+        }
+    }
+
+    /// S while a cutting speed is kept, mm/s.
+    pub fn set_surface_speed(&mut self, mm_per_s: f64) {
+        self.state.surface_speed = Some(mm_per_s);
+        self.state.last_surface_speed = mm_per_s;
+        self.follow_diameter();
+    }
+
+    /// The program limits the speed of the spindle, rev/min.
+    pub fn limit_speed(&mut self, rpm: f64) {
+        self.state.speed_limit = Some(rpm);
+        if self.state.surface_speed.is_some() {
+            self.follow_diameter();
+        }
+    }
+
+    /// The spindle takes the speed of the diameter where the tool is.
+    pub(crate) fn follow_diameter(&mut self) {
+        if self.surface().is_some() {
+            let rpm = self.rev_per_s(self.state.position[0]) * 60.0;
+            self.set_speed(rpm);
+        }
+    }
+
+    /// The cutting speed that the spindle keeps.
+    pub(crate) fn surface(&self) -> Option<SurfaceSpeed> {
+        let mm_per_s = self.state.surface_speed?;
+        let limit = self.state.speed_limit.unwrap_or(f64::INFINITY);
+        let most = limit.min(self.machine.spindle_max_rpm.unwrap_or(f64::INFINITY));
+        Some(SurfaceSpeed { mm_per_s, most_rev_per_s: most / 60.0 })
+    }
+
+    /// The spindle's speed with the tool at a place of X, rev/s.
+    pub(crate) fn rev_per_s(&self, x: f64) -> f64 {
+        match self.surface() {
+            Some(surface) => surface.rev_per_s(x),
+            None => self.state.rpm / 60.0,
         }
     }
 

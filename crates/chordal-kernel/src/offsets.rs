@@ -20,6 +20,8 @@ pub struct Offsets {
     external: PerAxis<Option<f64>>,
     tools: BTreeMap<u32, Tool>,
     naming: WorkNaming,
+    /// The linear axes that the machine does not have: nothing of them is unknown.
+    absent: AxisMask,
     active: WorkName,
     /// G52, added to every system.
     shift: Position,
@@ -64,7 +66,10 @@ impl Offsets {
         let systems =
             machine.work_offsets.iter().map(|(name, o)| (name.clone(), o.values)).collect();
         let external = machine.work_offsets.get("EXT").map_or([None; AXES], |o| o.values);
+        let mut absent = AxisMask::NONE;
+        (0..3).filter(|axis| machine.axes[*axis].is_none()).for_each(|axis| absent.insert(axis));
         let mut offsets = Offsets {
+            absent,
             systems,
             rotations: BTreeMap::new(),
             external,
@@ -284,7 +289,7 @@ impl Offsets {
             if axis == Z {
                 is_known &= length_known;
             }
-            if is_known {
+            if is_known || self.absent.has(axis) {
                 known.insert(axis);
             }
         }

@@ -10,7 +10,7 @@ use chordal_machine::AXES;
 use crate::frames::{Frames, Polar};
 use crate::offsets::Offsets;
 use crate::path_mode::PathState;
-use crate::rules::{ArcCenter, CycleKind, Rules};
+use crate::rules::{ArcCenter, CycleKind, Rules, TurningRules};
 
 /// The motion that a block without a motion code makes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -29,8 +29,82 @@ pub enum Motion {
     RigidTap,
     /// G5, G5.1 and G5.2.
     Spline(SplineForm),
+    /// A pass of a lathe and back to its start.
+    Turn(TurnPass),
     /// None: an axis word needs a motion code (LinuxCNC after G80).
     None,
+}
+
+/// A pass of a lathe that one block makes, and that blocks after it repeat.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum TurnPass {
+    /// Along Z (G90).
+    Turning,
+    /// Along X (G94).
+    Facing,
+    /// A thread (G92).
+    Thread,
+}
+
+/// What the passes and cycles of a lathe remember from block to block, mm; depths are measured on the radius.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct TurningMemory {
+    /// The end of the last pass: X (a radius) and Z.
+    pub pass_end: [f64; 2],
+    /// How much a pass is tapered: start minus end.
+    pub pass_taper: f64,
+    /// The lead of the last thread.
+    pub pass_lead: f64,
+    /// Depth of a roughing pass.
+    pub rough_depth: f64,
+    /// How far it backs off.
+    pub rough_retract: f64,
+    /// What G73 leaves to be removed on the radius, and along Z.
+    pub pattern: [f64; 2],
+    /// In so many passes.
+    pub pattern_passes: u32,
+    /// How far a peck backs off.
+    pub peck_retract: f64,
+    /// What the first block of a thread has said.
+    pub thread: ThreadMemory,
+}
+
+/// What the first block of a thread cycle says.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ThreadMemory {
+    /// Finishing passes.
+    pub finish_passes: u32,
+    /// Length of the exit, in leads.
+    pub exit_leads: f64,
+    /// Angle of the tool, degrees.
+    pub angle_deg: f64,
+    /// Least depth of a pass, mm.
+    pub least: f64,
+    /// Depth of the finishing pass, mm.
+    pub finish: f64,
+}
+
+impl TurningMemory {
+    /// At power-on.
+    fn new(rules: &TurningRules) -> TurningMemory {
+        TurningMemory {
+            pass_end: [0.0; 2],
+            pass_taper: 0.0,
+            pass_lead: 0.0,
+            rough_depth: rules.rough_depth_mm,
+            rough_retract: rules.rough_retract_mm,
+            pattern: [0.0; 2],
+            pattern_passes: 1,
+            peck_retract: rules.peck_retract_mm,
+            thread: ThreadMemory {
+                finish_passes: rules.thread_finish_passes,
+                exit_leads: rules.thread_exit_leads,
+                angle_deg: rules.thread_angle_deg,
+                least: rules.thread_least_mm,
+                finish: rules.thread_finish_mm,
+            },
+        }
+    }
 }
 
 /// How the words of a block give a spline.
@@ -175,8 +249,14 @@ pub struct State {
     pub feed_over: Option<Span>,
     /// What the spindle does.
     pub spindle: SpindleState,
-    /// Its speed, rev/min.
+    /// Its speed, rev/min; the last one while a cutting speed is kept.
     pub rpm: f64,
+    /// The cutting speed that is kept (G96), mm/s; `None` in G97.
+    pub surface_speed: Option<f64>,
+    /// The last cutting speed, which a G96 without S brings back, mm/s.
+    pub last_surface_speed: f64,
+    /// The limit of the spindle speed that the program has set, rev/min.
+    pub speed_limit: Option<f64>,
     /// Open valves.
     pub coolant: Coolant,
     /// The tool in the spindle; 0 for none.
@@ -199,6 +279,8 @@ pub struct State {
     pub path: PathState,
     /// The overrides.
     pub overrides: OverrideState,
+    /// Passes and cycles of a lathe.
+    pub turning: TurningMemory,
 }
 
 impl State {
@@ -221,7 +303,7 @@ impl State {
             last_rotation_deg: None,
             polar: None,
             units: rules.units,
-            plane: Plane::Xy,
+            plane: rules.starts_in,
             incremental: rules.starts_incremental,
             incremental_from: [0.0; AXES],
             motion: match rules.starts_linear {
@@ -232,12 +314,15 @@ impl State {
             armed: None,
             arc_over_rapid: false,
             arc_center: rules.arc.arc_center,
-            feed_mode: FeedMode::PerTime,
+            feed_mode: rules.starting_feed_mode(),
             feed: None,
             feed_angular: None,
             feed_over: None,
             spindle: SpindleState::Off,
             rpm: 0.0,
+            surface_speed: None,
+            last_surface_speed: 0.0,
+            speed_limit: None,
             coolant: Coolant::default(),
             tool: 0,
             selected_tool: None,
@@ -249,6 +334,7 @@ impl State {
             cycle_dwell_s: None,
             path: PathState::new(&rules.path),
             overrides: OverrideState::default(),
+            turning: TurningMemory::new(&rules.turning),
         }
     }
 

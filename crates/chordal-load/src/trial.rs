@@ -1,6 +1,6 @@
 //! Where the signs do not decide: short runs on the controls that may be meant, and their errors counted.
 
-use chordal::control::{Candidate, Recognition, RunOptions, Strength};
+use chordal::control::{ANOTHER_KIND, Candidate, Recognition, RunOptions, Strength};
 use chordal::machine::ControlName;
 use chordal::{Code, Job, Machine, Severity, Source, SourceMap};
 
@@ -35,7 +35,8 @@ pub fn settle(
     let least =
         if weak { found.chosen().weight - chordal::control::recognition::LEAD } else { i32::MIN };
     let others = found.ranking.iter_mut().skip(1);
-    for other in others.filter(|other| !other.not_read && other.weight > least) {
+    let may_be = |other: &&mut Candidate| !other.not_read && other.weight > least.max(ANOTHER_KIND);
+    for other in others.filter(may_be) {
         errors_of(other, head, typical);
     }
     found.ranking[1..].sort_by_key(|other| other.errors.unwrap_or(u64::MAX));

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 macro_rules! names {
-    ($($name:ident $word:ident,)*) => {
+    ($($name:ident $folder:ident $word:literal,)*) => {
         /// The control of a machine: whose rules its programs are read by.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[allow(missing_docs, reason = "each is the control of its folder")]
@@ -19,7 +19,7 @@ macro_rules! names {
             /// The name, lower case, as a machine file writes it.
             pub const fn as_str(self) -> &'static str {
                 match self {
-                    $(ControlName::$name => stringify!($word),)*
+                    $(ControlName::$name => $word,)*
                 }
             }
         }

@@ -322,6 +322,11 @@ impl Machine {
         }
     }
 
+    /// A lathe: X is programmed as a diameter.
+    pub fn turns(&self) -> bool {
+        self.written_factors()[0] != 1.0
+    }
+
     /// What a place of an axis is multiplied by to be written in a program: 1, or 2 of a diameter.
     pub fn written_factor(&self, axis: usize) -> f64 {
         self.axes[axis].map_or(1.0, |limits| limits.programmed.factor())

@@ -123,6 +123,11 @@ pub fn duration_s(feed: &Feed, motion: &Move, curve: &Curve) -> f64 {
     if !positive {
         return 0.0;
     }
+    if feed.surface.is_some()
+        && let Some(seconds) = crate::surface::surface_time(feed, curve)
+    {
+        return seconds;
+    }
     let length = match (feed.along, curve) {
         (FeedAlong::Path, _) => curve.length(),
         (FeedAlong::Plane, Curve::Arc(arc)) => (arc.radius * arc.sweep).abs(),

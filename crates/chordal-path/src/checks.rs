@@ -38,6 +38,8 @@ const ON_PLANE_MM: f64 = 1e-6;
 #[derive(Debug)]
 pub struct Checks<'a> {
     machine: &'a Machine,
+    /// Nothing of the part is above this, mm.
+    clearance_mm: f64,
     /// Nobody named the machine: what exceeds its limits is one note at the end.
     assumed: bool,
     /// What is remembered where a program begins.
@@ -125,7 +127,19 @@ impl<'a> Checks<'a> {
             contour: ContourRapid::default(),
             told_axes: AxisMask::NONE,
         };
-        Checks { machine, assumed: false, start: now.clone(), now, seen: Seen::default() }
+        // The tool of a lathe comes from the side: no plane is above the part.
+        let clearance_mm = match machine.turns() {
+            true => f64::NEG_INFINITY,
+            false => machine.clearance_mm.unwrap_or(0.0),
+        };
+        Checks {
+            machine,
+            clearance_mm,
+            assumed: false,
+            start: now.clone(),
+            now,
+            seen: Seen::default(),
+        }
     }
 
     /// Nobody named the machine: its limits are a guess.
@@ -396,7 +410,7 @@ impl<'a> Checks<'a> {
     }
 
     fn clearance_mm(&self) -> f64 {
-        self.machine.clearance_mm.unwrap_or(0.0)
+        self.clearance_mm
     }
 
     /// A cut: the rapids that led here at depth from another cut count.

@@ -18,6 +18,7 @@
 //!     mode: FeedMode::PerTime,
 //!     along: FeedAlong::Path,
 //!     spindle_rev_per_s: 0.0,
+//!     surface: None,
 //! };
 //! let command = Command { kind: CommandKind::Line { motion, feed }, origin: Origin::default() };
 //!
@@ -43,6 +44,7 @@ mod rapid;
 mod rapid_check;
 mod segment;
 mod side_check;
+mod surface;
 
 pub use builder::{PathBuilder, duration_s};
 pub use checks::{Checks, ChecksMemory, Seen};
@@ -54,3 +56,4 @@ pub use contour_level::ContourLevel;
 pub use frame::Frame;
 pub use segment::{Segment, SegmentKind, curve_of, curves_of};
 pub use side_check::SideCheck;
+pub use surface::{SurfacePart, surface_parts};

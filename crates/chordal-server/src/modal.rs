@@ -68,8 +68,8 @@ impl ModalTrack {
     pub fn new(control: &Control, frame: Frame) -> ModalTrack {
         let now = Modal {
             units: control.parameters.rules.units,
-            plane: Plane::Xy,
-            feed_mode: FeedMode::PerTime,
+            plane: control.parameters.rules.starts_in,
+            feed_mode: control.parameters.rules.starting_feed_mode(),
             feed: None,
             spindle: SpindleState::Off,
             rpm: 0.0,

@@ -148,7 +148,7 @@ impl Recorder {
             contours: BTreeMap::new(),
             open: None,
             cancelling: false,
-            plane: Plane::Xy,
+            plane: control.parameters.rules.starts_in,
             units: control.parameters.rules.units,
             left_out: 0,
         }

@@ -27,7 +27,7 @@ pub mod control {
     pub use chordal_kernel::rules::*;
     pub use chordal_kernel::{
         Alarms, Checkpoint, Class, EndReason, FrameKinds, Language, Modal, MotionMode, Outcome,
-        ProgramPlace, Ran, RunSink, SplineForm, Token, ToolValue,
+        ProgramPlace, Ran, RunSink, SplineForm, Token, ToolValue, TurnPass,
     };
 }
 

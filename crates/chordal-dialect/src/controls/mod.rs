@@ -4,7 +4,7 @@
 use crate::table::ControlTable;
 
 macro_rules! tables {
-    ($($name:ident $folder:ident,)*) => {
+    ($($name:ident $folder:ident $word:literal,)*) => {
         $(pub(crate) mod $folder;)*
 
         /// Every control, in the order of the list.

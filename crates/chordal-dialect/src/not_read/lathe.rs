@@ -1,9 +1,9 @@
-//! Lathe programs of Fanuc and Haas. The weights were measured on 1,102 files, 261 of them for lathes: from a
+//! What tells the programs of lathes, and those of Haas lathes, which are not read. The weights were measured on 1,102 files, 261 of them for lathes: from a
 //! sum of five on a file is for a lathe, with one missed and none of 246 mill programs among them.
 
 use super::NotRead;
-use crate::controls::{fanuc, haas};
-use crate::recognition::{Evidence, Form, Sign, evidence};
+use crate::controls::haas;
+use crate::recognition::{Evidence, Form, MachineKind, Sign, evidence};
 use chordal_machine::ControlName;
 
 const WHY: &str = "lathe programs are not followed yet";
@@ -11,28 +11,8 @@ const WHY: &str = "lathe programs are not followed yet";
 /// The sum from which on a text is for a lathe.
 const NEEDED: i32 = 5;
 
-/// A lathe program for a Fanuc, or a control that reads as one.
-pub(super) const FANUC_LATHE: NotRead = NotRead {
-    name: "fanuc-lathe",
-    what: "a lathe program for a Fanuc",
-    why: WHY,
-    signs: SIGNS,
-    needed: NEEDED,
-    own: &[
-        evidence(Sign::Header(fanuc::recognition::NAMES), 8, "the header names a Fanuc"),
-        evidence(Sign::Comment(fanuc::recognition::NAMES), 5, "a comment names a Fanuc"),
-        evidence(
-            Sign::Comment(fanuc::recognition::MACHINES),
-            5,
-            "a comment names a machine that has a Fanuc",
-        ),
-        evidence(Sign::Comment(BUILDERS), 5, "a comment names a lathe that has a Fanuc"),
-        evidence(Sign::Block("G71|G72|G73 U|W R !P"), 2, "G71 in two blocks"),
-        evidence(Sign::Block("G76 P:6"), 1, "G76 with P of six digits"),
-        evidence(Sign::Form(Form::MacroStatement), 1, "macro B statements"),
-    ],
-    shown_on: ControlName::Fanuc,
-};
+/// A lathe.
+pub(crate) const LATHE: MachineKind = MachineKind { signs: SIGNS, needed: NEEDED };
 
 /// A lathe program for a Haas.
 pub(super) const HAAS_LATHE: NotRead = NotRead {
@@ -61,7 +41,7 @@ const MODELS: &[&str] = &[
     "DS-30Y", "SL-10", "SL-20", "SL-30", "TL-1", "TL-2", "CL-1", "ST10", "ST20", "ST30", "SL20",
 ];
 
-const BUILDERS: &[&str] = &[
+pub(crate) const BUILDERS: &[&str] = &[
     "PUMA", "LYNX", "NAKAMURA", "MORI", "TSUGAMI", "CITIZEN", "MIYANO", "STAR", "HARDINGE",
     "GANESH", "TAKISAWA", "VIPER",
 ];

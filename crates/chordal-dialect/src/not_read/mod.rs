@@ -3,7 +3,7 @@
 
 mod grbl;
 mod heidenhain;
-mod lathe;
+pub(crate) mod lathe;
 mod marlin;
 mod okuma;
 mod sinumerik;
@@ -36,7 +36,6 @@ pub const ALL: &[&NotRead] = &[
     &heidenhain::HEIDENHAIN,
     &sinumerik::SINUMERIK,
     &okuma::OKUMA,
-    &lathe::FANUC_LATHE,
     &lathe::HAAS_LATHE,
     &marlin::MARLIN,
     &grbl::GRBL,

@@ -5,6 +5,7 @@ mod compensation;
 mod cycle;
 mod frame;
 mod path_mode;
+mod turning;
 
 use chordal_command::{FeedAlong, RapidPath, Units};
 use chordal_kernel::rules::*;
@@ -16,6 +17,7 @@ pub use self::cycle::CycleField;
 pub use self::frame::FrameField;
 pub use self::path_mode::PathField;
 pub(crate) use self::path_mode::{CORNER_ROUNDING, short_blocks};
+pub use self::turning::TurningField;
 use crate::parameters::*;
 
 /// How sure a default is.
@@ -78,6 +80,7 @@ pub enum Field {
     Compensation(CompensationField),
     Path(PathField),
     Frame(FrameField),
+    Turning(TurningField),
     MacroAngles,
     /// A G code that calls a macro, by its place.
     AliasG(u8),
@@ -438,6 +441,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::Compensation(rule) => compensation::set(p, rule, word, value)?,
         Field::Path(rule) => path_mode::set(p, rule, word, value)?,
         Field::Frame(rule) => frame::set(p, rule, word, value)?,
+        Field::Turning(rule) => turning::set(p, rule, word, value)?,
         Field::MacroAngles => {
             p.macro_angles_full_circle = choose(word, MACRO_ANGLES)?;
         }
@@ -525,6 +529,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::Compensation(rule) => compensation::value_text(p, rule),
         Field::Path(rule) => path_mode::value_text(p, rule),
         Field::Frame(rule) => frame::value_text(p, rule),
+        Field::Turning(rule) => turning::value_text(p, rule),
         Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
         Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
         Field::AliasM(at) => p.aliases.m[at as usize].to_string(),

@@ -8,7 +8,7 @@ use chordal::control::table::{
     ArcTurns, CodeRow, ControlTable, DataTarget, Group, MotionModality, code_name,
 };
 use chordal::control::{Action, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode};
-use chordal::control::{CycleKind, ToolValue};
+use chordal::control::{CycleKind, ToolValue, TurnCycle, TurnPass, TurningField};
 use chordal::syntax::Letters;
 
 use crate::meaning::form::{example, word_rows};
@@ -132,7 +132,9 @@ fn alarms(action: Action, table: &ControlTable) -> Vec<(Code, &'static str)> {
         Action::Motion(MotionCode::ArcCw | MotionCode::ArcCcw) => &[401..=406, 408..=412],
         Action::Motion(MotionCode::SpiralCw | MotionCode::SpiralCcw) => &[404..=406, 410..=412],
         Action::Motion(MotionCode::Spline(_) | MotionCode::SplineEnd) => &[419..=426],
-        Action::Motion(MotionCode::Thread | MotionCode::RigidTap) => &[804..=804],
+        Action::Motion(MotionCode::Thread | MotionCode::RigidTap | MotionCode::Turn(_)) => {
+            &[804..=804]
+        }
         Action::Cycle(_) => &[800..=817],
         Action::Mode(ModeCode::CompensationLeft | ModeCode::CompensationRight) => &[501..=523],
         Action::Mode(ModeCode::CompensationOff) => &[501..=501],
@@ -227,7 +229,11 @@ fn fields_of(action: Action) -> &'static [Field] {
     match action {
         Action::Motion(code) => match code {
             MotionCode::Rapid => &[F::Rapid],
-            MotionCode::Linear | MotionCode::Thread | MotionCode::RigidTap => &[],
+            MotionCode::Linear
+            | MotionCode::Thread
+            | MotionCode::RigidTap
+            | MotionCode::Turn(TurnPass::Turning | TurnPass::Facing) => &[],
+            MotionCode::Turn(TurnPass::Thread) => &[F::Turning(TurningField::ThreadExit)],
             MotionCode::ArcCw | MotionCode::ArcCcw => &[
                 F::ArcCenter,
                 F::RadiusErrorTolerance,
@@ -249,7 +255,9 @@ fn fields_of(action: Action) -> &'static [Field] {
             | ReadingCode::ArcCenterIncremental
             | ReadingCode::FeedPerTime
             | ReadingCode::FeedInverseTime
-            | ReadingCode::FeedPerRevolution => &[],
+            | ReadingCode::FeedPerRevolution
+            | ReadingCode::SurfaceSpeed
+            | ReadingCode::SpindleRpm => &[],
         },
         Action::Mode(code) => settings_of_mode(code),
         Action::Length(code) => match code {
@@ -264,12 +272,33 @@ fn fields_of(action: Action) -> &'static [Field] {
             CallCode::Return => &[F::ReturnLabelInCallee],
             CallCode::SubroutineEnd | CallCode::MacroCall | CallCode::ModalMacroCall { .. } => &[],
         },
+        Action::Once(OnceCode::Turning(cycle)) => settings_of_turning(cycle),
         Action::Before(_)
         | Action::Once(_)
         | Action::After(_)
         | Action::NoEffect
         | Action::NotSimulated
         | Action::NotFollowed => &[],
+    }
+}
+
+fn settings_of_turning(cycle: TurnCycle) -> &'static [Field] {
+    use TurningField as T;
+    match cycle {
+        TurnCycle::Finish | TurnCycle::Pattern => &[],
+        TurnCycle::Rough | TurnCycle::RoughFace => &[
+            Field::Turning(T::RoughDepth),
+            Field::Turning(T::RoughRetract),
+            Field::Turning(T::FirstLevel),
+        ],
+        TurnCycle::PeckZ | TurnCycle::PeckX => &[Field::Turning(T::PeckRetract)],
+        TurnCycle::Thread => &[
+            Field::Turning(T::ThreadExit),
+            Field::Turning(T::ThreadLeast),
+            Field::Turning(T::ThreadFinish),
+            Field::Turning(T::ThreadFinishPasses),
+            Field::Turning(T::ThreadAngle),
+        ],
     }
 }
 

@@ -3,7 +3,7 @@
 use chordal::control::table::{CodeRow, DataTarget, code_name};
 use chordal::control::{
     Action, BackBore, BeforeCode, CallCode, CycleKind, LengthCode, ModeCode, MotionCode, OnceCode,
-    TapFeed,
+    TapFeed, TurnCycle, TurnPass,
 };
 
 use crate::meaning::{View, word_meaning};
@@ -42,6 +42,9 @@ fn of_motion(motion: MotionCode) -> Option<&'static str> {
         MotionCode::ArcCw => "X10. Y10. I10. J0 F200.",
         MotionCode::ArcCcw => "X10. Y10. I0 J10. F200.",
         MotionCode::Thread | MotionCode::RigidTap => "Z-12. K1.",
+        MotionCode::Turn(TurnPass::Turning) => "X50. Z-30. F0.25",
+        MotionCode::Turn(TurnPass::Facing) => "X20. Z-2. F0.2",
+        MotionCode::Turn(TurnPass::Thread) => "X23.2 Z-25. F3.",
         MotionCode::SpiralCw
         | MotionCode::SpiralCcw
         | MotionCode::Spline(_)
@@ -106,6 +109,11 @@ fn of_once(once: OnceCode, view: &View) -> Option<String> {
             let (number, _) = view.table.set_data.iter().find(|(_, target)| work(target))?;
             format!("L{number} P1 X-300. Y-200. Z0")
         }
+        OnceCode::Turning(TurnCycle::PeckZ) => "Z-40. Q12000 F0.15".into(),
+        OnceCode::Turning(TurnCycle::PeckX) => "X40. Z-30. P3000 Q2500 F0.1".into(),
+        OnceCode::Turning(TurnCycle::Thread) => "X20.376 Z-25. P1812 Q500 F3.".into(),
+        // The contour stands in blocks after it.
+        OnceCode::Turning(_) => return None,
         OnceCode::Rotation => "X0 Y0 R30.".into(),
         OnceCode::ReturnToReference { second: false } => "Z30.".into(),
         OnceCode::MachineCoordinates => "Z0".into(),

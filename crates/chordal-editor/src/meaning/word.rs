@@ -4,7 +4,7 @@ use chordal::control::table::{ArcTurns, CodeRow, DataTarget, DwellWord};
 use chordal::control::{
     Action, BeforeCode, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, PathCode,
 };
-use chordal::control::{ArcCenter, CycleKind, HolePattern, SplineForm};
+use chordal::control::{ArcCenter, CycleKind, HolePattern, SplineForm, TurnCycle, TurnPass};
 use chordal::control::{BackBore, CycleRules, PeckDwell, ShiftWords, SpiralForm, TapFeed};
 
 use chordal::machine::AXIS_LETTERS;
@@ -38,6 +38,7 @@ fn motion(code: MotionCode, letter: u8, view: &View) -> Option<String> {
             b'I' => Some("how many times as fast the tool comes back; 1 without it".into()),
             _ => None,
         },
+        MotionCode::Turn(pass) => turn_pass(pass, letter).map(str::to_string),
         MotionCode::SpiralCw | MotionCode::SpiralCcw => match letter {
             b'P' => Some("whole turns beyond the angle from start to end, 0 to 99".into()),
             b'I' | b'J' | b'K' => center(letter, view),
@@ -46,6 +47,55 @@ fn motion(code: MotionCode, letter: u8, view: &View) -> Option<String> {
         MotionCode::Spline(form) => spline(form, letter).map(str::to_string),
         MotionCode::SplineEnd => None,
     }
+}
+
+fn turn_pass(pass: TurnPass, letter: u8) -> Option<&'static str> {
+    Some(match (pass, letter) {
+        (TurnPass::Facing, b'R' | b'K') => "taper: Z of the start minus Z of the end",
+        (_, b'R' | b'I') => "taper on the radius: start minus end",
+        (TurnPass::Thread, b'Q') => "angle at which the thread starts",
+        _ => return None,
+    })
+}
+
+fn turning(cycle: TurnCycle, letter: u8) -> Option<&'static str> {
+    use TurnCycle as T;
+    Some(match (cycle, letter) {
+        (T::PeckX, b'P') => "depth of a peck, on the radius",
+        (T::PeckX, b'Q') => "distance of the plunges along Z",
+        (T::PeckZ, b'P') => "distance of the plunges, on the radius",
+        (T::PeckZ, b'Q') => "depth of a peck",
+        (T::PeckX | T::PeckZ, b'R') => {
+            "how far a peck backs off; with X or Z how far the tool goes aside at the bottom"
+        }
+        (T::Thread, b'P') => {
+            "passes, exit and angle in two digits each; with X and Z the height of the thread"
+        }
+        (T::Thread, b'Q') => "least depth of a pass; with X and Z the depth of the first pass",
+        (T::Thread, b'R') => "depth of the finishing pass; with X and Z the taper",
+        (T::Thread, b'K') => "height of the thread, in one block",
+        (T::Thread, b'D') => "depth of the first pass, in one block",
+        (T::Thread, b'A') => "angle of the thread, in one block",
+        (T::Thread, b'I') => "taper on the radius, in one block",
+        (_, b'P') => "number of the first block of the contour",
+        (_, b'Q') => "number of the last block of the contour",
+        (T::Rough, b'U') => {
+            "depth of a pass on the radius; with P and Q the finishing allowance on the diameter"
+        }
+        (T::RoughFace, b'W') => "depth of a pass; with P and Q the finishing allowance along Z",
+        (T::Rough | T::RoughFace, b'R') => "how far a pass backs off",
+        (T::Rough | T::RoughFace, b'D') => "depth of a pass, in one block",
+        (T::Pattern, b'U') => {
+            "what is to be removed, on the radius; with P and Q the finishing allowance on the diameter"
+        }
+        (T::Pattern, b'W') => "what is to be removed along Z; with P and Q the finishing allowance",
+        (T::Pattern, b'R') => "number of passes",
+        (T::Rough, b'W') => "finishing allowance along Z",
+        (T::RoughFace, b'U') => "finishing allowance on the diameter",
+        (_, b'F') => "feed of the cycle",
+        (_, b'S') => "spindle speed of the cycle",
+        _ => return None,
+    })
 }
 
 fn spline(form: SplineForm, letter: u8) -> Option<&'static str> {
@@ -67,6 +117,7 @@ fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
         OnceCode::Dwell => return dwell(letter, view),
         OnceCode::SetData => return set_data(letter, view),
         OnceCode::Pattern(pattern) => return holes(pattern, letter),
+        OnceCode::Turning(cycle) => return turning(cycle, letter).map(str::to_string),
         OnceCode::ReturnToReference { second } => match letter {
             b'P' if second => "number of the reference point: 2, 3 or 4; without P the second",
             _ => return None,

@@ -62,8 +62,13 @@ fn helix(sweep: f64, radius_to: f64, feed: Feed) -> Command {
     }
 }
 
-const FEED: Feed =
-    Feed { value: 10.0, mode: FeedMode::PerTime, along: FeedAlong::Path, spindle_rev_per_s: 5.0 };
+const FEED: Feed = Feed {
+    value: 10.0,
+    mode: FeedMode::PerTime,
+    along: FeedAlong::Path,
+    spindle_rev_per_s: 5.0,
+    surface: None,
+};
 
 fn object(command: &Command) -> serde_json::Value {
     let job = job("linuxcnc-mill", "small.nc", SMALL);

@@ -79,6 +79,9 @@ impl Interpreter<'_> {
                 self.kernel.arc_by_radius(&at, radius, &arc, target, named);
             }
             None if has_center => self.kernel.arc_by_center(&at, &arc, target, named),
+            None if self.control.parameters.arc_without_center_is_line => {
+                self.line_in_arc_mode(block, target, named, explicit);
+            }
             None => {
                 // Without that word nothing is left of the centre: one problem, not two.
                 if !outside {

@@ -488,7 +488,7 @@ impl Interpreter<'_> {
             && subroutine_head(block).is_some_and(|n| self.subroutines.contains_key(&n))
     }
 
-    fn report_missing_label(&mut self, block: &Block, letter: u8, label: &str) {
+    pub(super) fn report_missing_label(&mut self, block: &Block, letter: u8, label: &str) {
         let span = self.words_span(block, Letters(1 << (letter - b'A')));
         self.kernel.report(
             Diagnostic::new(Code::MissingLabel, span, format!("no block has the number N{label}"))

@@ -131,6 +131,9 @@ impl Interpreter<'_> {
     /// Letters that the block's codes and modes take.
     pub(super) fn claims(&self, codes: &[(&'static CodeRow, usize)]) -> Letters {
         let mut claims = ALWAYS.without(self.control.parameters.words_of_codes);
+        for (letter, _) in self.control.parameters.increments {
+            claims.insert(*letter);
+        }
         for (row, _) in codes {
             claims = claims.union(self.words_of(row));
         }
@@ -165,6 +168,9 @@ impl Interpreter<'_> {
         let code = match self.kernel.state.motion {
             Motion::Arc(_) => 20,
             Motion::Spiral(_) => 21,
+            Motion::Turn(_) | Motion::Thread if !self.control.parameters.increments.is_empty() => {
+                return self.motion_in_force_words();
+            }
             Motion::Thread => 330,
             Motion::RigidTap => 331,
             Motion::Spline(form) => {
@@ -179,6 +185,13 @@ impl Interpreter<'_> {
             _ => return None,
         };
         self.control.g_code(code).map(|row| self.words_of(row))
+    }
+
+    /// The words of the motion code in force, by its row.
+    fn motion_in_force_words(&self) -> Option<Letters> {
+        let action = Action::from(self.kernel.state.motion_mode()?);
+        let rows = self.control.table.g_codes;
+        rows.iter().find(|row| row.action == action).map(|row| self.words_of(row))
     }
 
     /// The letters a code takes with the parameters in force: Q and L on an arc only where

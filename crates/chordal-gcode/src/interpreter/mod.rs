@@ -32,6 +32,7 @@ mod spiral;
 mod spline;
 mod statement;
 mod thread;
+mod turning;
 
 pub use self::calls::subroutine_head;
 

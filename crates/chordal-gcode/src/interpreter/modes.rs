@@ -35,6 +35,8 @@ impl Interpreter<'_> {
             ReadingCode::FeedPerTime => self.kernel.set_feed_mode(FeedMode::PerTime),
             ReadingCode::FeedInverseTime => self.kernel.set_feed_mode(FeedMode::InverseTime),
             ReadingCode::FeedPerRevolution => self.kernel.set_feed_mode(FeedMode::PerRevolution),
+            ReadingCode::SurfaceSpeed => self.kernel.keep_surface_speed(),
+            ReadingCode::SpindleRpm => self.kernel.keep_spindle_speed(),
         }
     }
 
@@ -49,7 +51,11 @@ impl Interpreter<'_> {
         if letters.has(b'F') && !self.feed_is_tap_speed(codes) {
             self.take_feed(block);
         }
-        if letters.has(b'S') {
+        let limits = self.control.parameters.preset_limits_speed
+            && codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::PresetPosition));
+        if letters.has(b'S') && limits {
+            self.take_speed_limit(block);
+        } else if letters.has(b'S') {
             self.take_speed(block);
         }
         if letters.has(b'T') {
@@ -62,7 +68,9 @@ impl Interpreter<'_> {
             row.action == Action::Mode(ModeCode::CompensationLeftBy)
                 || row.action == Action::Mode(ModeCode::CompensationRightBy)
         };
+        let turns = |row: &CodeRow| matches!(row.action, Action::Once(OnceCode::Turning(_)));
         if letters.has(b'D')
+            && !codes.iter().any(|(row, _)| turns(row))
             && !codes.iter().any(|(row, _)| by_diameter(row))
             && let Some(number) = self.count_of(block, b'D')
         {

@@ -32,6 +32,10 @@ impl Interpreter<'_> {
                 target[axis] =
                     if self.kernel.state.incremental { from[axis] + value } else { value };
                 named.insert(axis);
+            } else if let Some(axis) = self.increment_axis(word) {
+                let Some(by) = self.axis_value(word, axis) else { continue };
+                target[axis] = from[axis] + by;
+                named.insert(axis);
             } else if left_to_right && word.letter == b'G' {
                 self.distance_word(word);
             }
@@ -43,6 +47,17 @@ impl Interpreter<'_> {
             self.missing_axes(block, &mut target, &mut named);
         }
         (target, named)
+    }
+
+    /// The axis that a letter of its own moves by an increment (U of X).
+    #[inline]
+    fn increment_axis(&self, word: &chordal_syntax::Word) -> Option<usize> {
+        let increments = self.control.parameters.increments;
+        if increments.is_empty() || word.comma {
+            return None;
+        }
+        let (_, axis) = increments.iter().find(|(letter, _)| *letter == word.letter)?;
+        Some(AXIS_OF[usize::from(*axis)] as usize)
     }
 
     /// G90 and G91 where they act from left to right.
@@ -151,6 +166,7 @@ impl Interpreter<'_> {
             MotionCode::RigidTap => Motion::RigidTap,
             MotionCode::Spline(form) => Motion::Spline(form),
             MotionCode::SplineEnd => Motion::None,
+            MotionCode::Turn(pass) => Motion::Turn(pass),
         };
         match motion {
             // G2 and G3 arm a direction and leave G0 or G1 in force.
@@ -165,7 +181,9 @@ impl Interpreter<'_> {
     fn exclusive_motion(&mut self, block: &Block, explicit: bool) {
         let arc_words = self.has_arc_words(block);
         let (target, named) = self.target(block);
-        if named == AxisMask::NONE && !arc_words {
+        if named == AxisMask::NONE
+            && (!arc_words || matches!(self.kernel.state.motion, Motion::Turn(_)))
+        {
             return;
         }
         if self.kernel.state.frame_jump.is_some() {
@@ -181,6 +199,7 @@ impl Interpreter<'_> {
             Motion::Spiral(direction) => self.spiral_block(block, direction, target, named),
             Motion::Thread => self.thread_block(block, target, named, false),
             Motion::RigidTap => self.thread_block(block, target, named, true),
+            Motion::Turn(pass) => self.turn_block(block, pass, target, named, explicit),
             // Carried out before: its words are others.
             Motion::Spline(_) => {}
             Motion::None => self.report_no_motion(block, target, named),

@@ -1,10 +1,10 @@
 //! Work offsets, tool length, compensation, G10, tools, spindle, coolant, registers.
 
-use chordal_command::{CommandKind, Side, WorkName};
+use chordal_command::{CommandKind, Side, Units, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
-use chordal_dialect::Group;
 use chordal_dialect::table::{DataTarget, MotionModality};
 use chordal_dialect::{Action, ModeCode, MotionCode};
+use chordal_dialect::{Group, ToolWord};
 use chordal_kernel::Motion;
 use chordal_kernel::ToolValue;
 use chordal_kernel::rules::LeadLength;
@@ -167,7 +167,8 @@ impl Interpreter<'_> {
         }
         self.kernel.state.side = side;
         let radius_mm = Some(diameter.abs() / 2.0);
-        self.kernel.emit(CommandKind::Compensation { side, number: None, radius_mm, toward: None });
+        let (number, toward, tip) = (None, None, [0.0; 2]);
+        self.kernel.emit(CommandKind::Compensation { side, number, radius_mm, toward, tip });
     }
 
     /// G43.2: the offsets of tool H are added to those in force.
@@ -330,6 +331,10 @@ impl Interpreter<'_> {
             let rows = self.control.table.set_data;
             rows.iter().find(|(number, _)| u32::from(*number) == l).map(|(_, target)| *target)
         });
+        let stations = self.control.parameters.tool_word != ToolWord::Tool;
+        if l.is_none() && stations {
+            return self.write_turning_tool(block);
+        }
         let span = self.span(block.words[at].range);
         match target {
             Some(DataTarget::WorkOffset) => self.write_work_offset(block, false),
@@ -548,6 +553,14 @@ impl Interpreter<'_> {
         let Some(word) = block.last(b'S').copied() else { return };
         let Some(number) = self.literal(&word) else { return };
         let rpm = number.to_f64();
+        if self.kernel.state.surface_speed.is_some() && rpm >= 0.0 {
+            // Metres or feet per minute.
+            let unit_mm = match self.kernel.state.units {
+                Units::Inch => 304.8,
+                Units::Millimetre => 1000.0,
+            };
+            return self.kernel.set_surface_speed(rpm * unit_mm / 60.0);
+        }
         if rpm < 0.0 {
             self.kernel.report(
                 Diagnostic::new(
@@ -577,6 +590,9 @@ impl Interpreter<'_> {
 
     /// T.
     pub(super) fn take_tool_word(&mut self, block: &Block) {
+        if let ToolWord::StationAndOffset { digits } = self.control.parameters.tool_word {
+            return self.take_station(block, digits);
+        }
         if let Some(number) = self.count_of(block, b'T') {
             self.kernel.select_tool(number);
         }

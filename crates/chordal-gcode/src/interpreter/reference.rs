@@ -76,7 +76,11 @@ impl Interpreter<'_> {
                 self.kernel.local_shift(&values);
             }
             OnceCode::PresetPosition => {
-                let values = self.axis_words(block);
+                let values = self.preset_words(block);
+                if values.iter().all(Option::is_none) && self.control.parameters.preset_limits_speed
+                {
+                    return;
+                }
                 self.kernel.preset_position(&values);
             }
             OnceCode::ClearPreset { keep } => self.kernel.clear_preset(keep),
@@ -91,6 +95,7 @@ impl Interpreter<'_> {
             OnceCode::CircularPocketCcw => self.circular_pocket(block, at, Direction::Ccw),
             OnceCode::GeneralPocket => self.general_pocket(block, at),
             OnceCode::CornerArcAlone => self.corner_arc(block, true),
+            OnceCode::Turning(cycle) => self.turning_cycle(block, at, cycle),
         }
     }
 
@@ -284,6 +289,20 @@ impl Interpreter<'_> {
                 self.unused_word(word);
             }
         }
+    }
+
+    /// The coordinates that the present position gets; a letter of increments changes them by that.
+    fn preset_words(&mut self, block: &Block) -> PerAxis<Option<f64>> {
+        let mut values = self.axis_words(block);
+        for (letter, axis) in self.control.parameters.increments {
+            let axis = AXIS_OF[usize::from(*axis)] as usize;
+            if let Some(word) = block.last(*letter).copied()
+                && let Some(by) = self.axis_value(&word, axis)
+            {
+                values[axis] = Some(self.kernel.state.position[axis] + by);
+            }
+        }
+        values
     }
 
     /// The axis words of a block as they stand, without regard to G90 and G91.

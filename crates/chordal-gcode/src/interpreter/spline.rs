@@ -307,6 +307,7 @@ impl Interpreter<'_> {
             | MotionCode::SpiralCcw
             | MotionCode::Thread
             | MotionCode::RigidTap
+            | MotionCode::Turn(_)
             | MotionCode::Spline(SplineForm::Cubic | SplineForm::Quadratic) => false,
         };
         if !goes_on {

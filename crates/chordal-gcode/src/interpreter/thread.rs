@@ -16,6 +16,9 @@ impl Interpreter<'_> {
         named: AxisMask,
         back: bool,
     ) {
+        if self.control.parameters.thread_lead == b'F' {
+            return self.thread_by_feed(block, target, named);
+        }
         if named == AxisMask::NONE {
             if block.letters().has(b'K') {
                 let name = if back { "G33.1" } else { "G33" };
@@ -72,5 +75,19 @@ impl Interpreter<'_> {
         } else {
             self.kernel.thread(target, named, lead.abs());
         }
+    }
+
+    /// A thread in one pass whose lead is F, along the axis that moves more.
+    fn thread_by_feed(&mut self, block: &Block, target: Position, named: AxisMask) {
+        if named == AxisMask::NONE {
+            return;
+        }
+        let lead = self.length_of(block, b'F').or(self.kernel.state.feed).unwrap_or(0.0);
+        if lead <= 0.0 {
+            let span = self.span(block.range);
+            let message = "a thread without F, its lead".to_string();
+            return self.kernel.missing_word(span, message, "give the lead with F");
+        }
+        self.kernel.turned_thread(&self.at(block), target, lead);
     }
 }

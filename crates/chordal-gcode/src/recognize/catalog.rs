@@ -60,7 +60,9 @@ impl Catalog {
     fn new() -> Catalog {
         let mut catalog = Catalog { languages: Vec::new(), entries: Vec::new() };
         for name in ControlName::ALL.iter().copied() {
-            catalog.add(Language::Control(name), chordal_dialect::table(name).evidence, &[]);
+            let table = chordal_dialect::table(name);
+            let kind: &[Evidence] = table.kind.map_or(&[], |kind| kind.signs);
+            catalog.add(Language::Control(name), kind, table.evidence);
         }
         for language in not_read::ALL.iter().copied() {
             catalog.add(Language::NotRead(language), language.signs, language.own);

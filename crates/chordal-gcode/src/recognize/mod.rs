@@ -82,6 +82,9 @@ pub struct Recognition {
     pub ranking: Vec<Candidate>,
 }
 
+/// The weight of a control whose machines are of another kind than the program is for.
+pub const ANOTHER_KIND: i32 = -1000;
+
 /// From this weight and lead on there is no doubt.
 const SURE: i32 = 6;
 
@@ -149,8 +152,12 @@ pub fn recognize(text: &[u8]) -> Recognition {
         .iter()
         .filter_map(|listed| candidate(listed, &tally, &mut lines))
         .collect();
-    // The sort keeps the order of those that weigh alike; the assumed one comes first then.
-    ranking.sort_by_key(|each| (-each.weight, !each.not_read, each.control != ASSUMED));
+    // The sort keeps the order of those that weigh alike; the assumed one comes first then. Of the lathes
+    // one that is read does.
+    ranking.sort_by_key(|each| {
+        let is_read_lathe = !each.not_read && chordal_dialect::table(each.control).kind.is_some();
+        (-each.weight, !is_read_lathe, !each.not_read, each.control != ASSUMED)
+    });
     let mut recognition = Recognition { ranking };
     if recognition.strength() == Strength::Assumed {
         recognition.choose(ASSUMED.as_str());
@@ -189,11 +196,15 @@ fn candidate(listed: &Listed, tally: &Tally, lines: &mut Lines) -> Option<Candid
             (language.name, language.what, language.shown_on, Some(language))
         }
     };
-    if not_read.is_some_and(|language| weight(&signs) < language.needed) {
+    let kind = not_read.is_none().then(|| chordal_dialect::table(control).kind).flatten();
+    let needed = not_read.map(|language| language.needed).or(kind.map(|kind| kind.needed));
+    let of_kind = needed.is_none_or(|needed| weight(&signs) >= needed);
+    if not_read.is_some() && !of_kind {
         return None;
     }
     signs.extend(of(listed.own..listed.end));
-    let weight = weight(&signs);
+    // What tells controls of a kind apart says nothing of a program that is for another kind.
+    let weight = if of_kind { weight(&signs) } else { ANOTHER_KIND };
     let mut signs: Vec<FoundSign> = signs
         .into_iter()
         .map(|(sign, weight, at)| FoundSign {

@@ -130,6 +130,7 @@ impl Kernel<'_> {
                 mode: FeedMode::PerTime,
                 along: FeedAlong::Path,
                 spindle_rev_per_s: rev_per_s,
+                surface: None,
             },
             None => {
                 let mut feed = self.feed_for(at, &motion, None);

@@ -41,13 +41,14 @@ impl Map {
                 let curve = Arc::new(mapped);
                 CommandKind::Spline { motion: self.motion(&motion), curve, feed }
             }
-            CommandKind::Compensation { side, number, radius_mm, toward } => {
+            CommandKind::Compensation { side, number, radius_mm, toward, tip } => {
                 let toward = toward.map(|way| self.way_in_plane(plane, way));
                 CommandKind::Compensation {
                     side: self.side(side, plane),
                     number,
                     radius_mm,
                     toward,
+                    tip,
                 }
             }
             CommandKind::CornerArc { toward } => {

@@ -31,6 +31,9 @@ impl Kernel<'_> {
             }
             let path = self.rules.rapid;
             self.emit(CommandKind::Rapid { motion, path });
+            if self.state.surface_speed.is_some() && motion.from[0] != motion.to[0] {
+                self.follow_diameter();
+            }
         } else {
             self.check_rotary(at, &motion);
             let feed = self.feed_for(at, &motion, None);
@@ -103,7 +106,8 @@ impl Kernel<'_> {
             value,
             mode: state.feed_mode,
             along: FeedAlong::Path,
-            spindle_rev_per_s: state.rpm / 60.0,
+            spindle_rev_per_s: self.rev_per_s(motion.from[0]),
+            surface: self.surface(),
         };
         let each_block = state.feed_mode == FeedMode::InverseTime && !at.has_feed();
         let has_feed = value > 0.0;

@@ -3,6 +3,7 @@
 use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, SpindleState};
 
 use crate::kernel::Kernel;
+use crate::statement::Statement;
 
 impl Kernel<'_> {
     /// A straight cut that advances by `lead_mm` along its path in a revolution of the spindle.
@@ -26,13 +27,22 @@ impl Kernel<'_> {
         self.set_in_tap(false);
     }
 
+    /// A cut in step with the spindle needs one that turns.
+    pub(crate) fn require_spindle(&mut self, at: &dyn Statement) {
+        let turns = matches!(self.state.spindle, SpindleState::Cw | SpindleState::Ccw);
+        if !turns {
+            self.report_spindle_stopped(at);
+        }
+    }
+
     fn in_step(&mut self, target: Position, named: AxisMask, lead_mm: f64, factor: f64) {
         let motion = self.moved_to(target, named);
         let feed = Feed {
             value: lead_mm,
             mode: FeedMode::PerRevolution,
             along: FeedAlong::Path,
-            spindle_rev_per_s: self.state.rpm / 60.0 * factor,
+            spindle_rev_per_s: self.rev_per_s(motion.from[0]) * factor,
+            surface: None,
         };
         self.emit(CommandKind::Line { motion, feed });
     }

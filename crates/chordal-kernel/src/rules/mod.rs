@@ -9,8 +9,10 @@ mod corner;
 mod cycle;
 mod frame;
 mod path_mode;
+mod turning;
 
-use chordal_command::{RapidPath, Units};
+use chordal_command::{FeedMode, RapidPath, Units};
+use chordal_geometry::Plane;
 
 pub use arc::*;
 pub use compensation::*;
@@ -18,6 +20,7 @@ pub use corner::*;
 pub use cycle::*;
 pub use frame::*;
 pub use path_mode::*;
+pub use turning::*;
 
 /// The rules of a numerical control, without those of its language.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -30,6 +33,10 @@ pub struct Rules {
     pub starts_without_motion: bool,
     /// G91, not G90, at power-on.
     pub starts_incremental: bool,
+    /// The plane of arcs at power-on.
+    pub starts_in: Plane,
+    /// F counts per revolution, not per minute, at power-on.
+    pub starts_per_revolution: bool,
     /// Digits behind the point that a number without one has, in inch (4: 0.0001 in).
     pub increment_digits_inch: u8,
     /// The same in millimetres (3: 0.001 mm).
@@ -76,12 +83,22 @@ pub struct Rules {
     pub corner: CornerRules,
     /// Mirror, scaling and rotation.
     pub frames: FrameRules,
+    /// Cycles of lathes.
+    pub turning: TurningRules,
 }
 
 impl Rules {
     /// `|2R − chord|` up to here makes the middle of the chord the centre, mm.
     pub fn semicircle_tolerance(&self, units: Units) -> f64 {
         self.arc.semicircle_tolerance_mm.unwrap_or(2.0 * self.least_increment(units))
+    }
+
+    /// What F counts at power-on.
+    pub fn starting_feed_mode(&self) -> FeedMode {
+        match self.starts_per_revolution {
+            true => FeedMode::PerRevolution,
+            false => FeedMode::PerTime,
+        }
     }
 
     /// The smallest length that a word can give, mm.
@@ -99,6 +116,8 @@ impl Rules {
         starts_linear: false,
         starts_without_motion: false,
         starts_incremental: false,
+        starts_in: Plane::Xy,
+        starts_per_revolution: false,
         increment_digits_inch: 4,
         increment_digits_mm: 3,
         machine_move_is_rapid: false,
@@ -122,5 +141,6 @@ impl Rules {
         arc: ArcRules::COMMON,
         corner: CornerRules::COMMON,
         frames: FrameRules::COMMON,
+        turning: TurningRules::COMMON,
     };
 }

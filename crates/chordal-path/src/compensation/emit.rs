@@ -32,10 +32,17 @@ impl Compensator {
         }
     }
 
+    /// Puts a move to a place of the tool centre; a turning tool goes by its imaginary tip.
     fn place(&self, position: &mut PerAxis<f64>, at: Vec2) {
         let (a, b, _) = self.plane.axes();
+        let at = self.tip_at(at);
         position[a] = at.a;
         position[b] = at.b;
+    }
+
+    /// What the control moves when the tool centre is at a place.
+    fn tip_at(&self, centre: Vec2) -> Vec2 {
+        centre + self.tip
     }
 
     /// A block and what stands after it.
@@ -129,6 +136,7 @@ impl Compensator {
                         return;
                     }
                 } else {
+                    let center = self.tip_at(*center);
                     *shape = ArcShape {
                         plane: shape.plane,
                         center: [center.a, center.b],
@@ -234,6 +242,7 @@ impl Compensator {
                 let next = block.next_feed.as_ref();
                 let feed = if of_next { next.or(kind.feed()) } else { kind.feed().or(next) };
                 let Some(feed) = feed else { return };
+                let center = self.tip_at(center);
                 let shape = ArcShape {
                     plane: self.plane,
                     center: [center.a, center.b],
@@ -259,6 +268,7 @@ impl Compensator {
     /// G40 alone, type C: the tool comes back to the end of the contour.
     pub(super) fn move_back(&mut self, command: &Command, to: Vec2, out: &mut dyn PathSink) {
         let (Some(at), Some(motion)) = (self.at, command.kind.motion()) else { return };
+        let to = to - self.tip;
         let mut motion = Move { to: motion.from, to_known: motion.from_known, ..*motion };
         self.place(&mut motion.from, at);
         self.place(&mut motion.to, to);
@@ -285,7 +295,7 @@ impl Compensator {
         curve: PlaneCurve,
         out: &mut dyn PathSink,
     ) {
-        let from = self.at.unwrap_or(curve.from());
+        let from = self.at.unwrap_or(curve.from() - self.tip);
         let mut moved = command.clone();
         if let Some(motion) = motion_mut(&mut moved.kind) {
             self.place(&mut motion.from, from);
@@ -301,7 +311,7 @@ impl Compensator {
             role: Role::Cancel,
             plane: self.plane,
             programmed: curve.moves().then_some(curve),
-            centre: vec![PlaneCurve::Line { from, to: curve.to() }],
+            centre: vec![PlaneCurve::Line { from, to: curve.to() - self.tip }],
             sign: self.sign,
             radius_mm: self.radius,
             negative: is_negative(self.side, self.sign),

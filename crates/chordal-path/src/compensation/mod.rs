@@ -149,6 +149,8 @@ pub struct Compensator {
     /// G39 with the next move.
     round_next: Option<Origin>,
     queue: VecDeque<Box<Block>>,
+    /// The programmed point of a turning tool as seen from the centre of its nose, mm.
+    tip: Vec2,
     /// The tool centre, if it is away from the programmed point.
     at: Option<Vec2>,
     stretch: u32,
@@ -165,6 +167,7 @@ pub struct CompensatorMemory {
     code: Origin,
     toward: Option<Vec2>,
     again: bool,
+    tip: Vec2,
 }
 
 impl CompensatorMemory {
@@ -182,7 +185,7 @@ impl Compensator {
             rules: *rules,
             alarms,
             radius_override: None,
-            plane: Plane::Xy,
+            plane: rules.starts_in,
             units: rules.units,
             phase: Phase::Off,
             side: Side::Off,
@@ -193,6 +196,7 @@ impl Compensator {
             again: false,
             round_next: None,
             queue: VecDeque::new(),
+            tip: Vec2::new(0.0, 0.0),
             at: None,
             stretch: 0,
         }
@@ -224,12 +228,15 @@ impl Compensator {
             code: self.code,
             toward: self.toward,
             again: self.again,
+            tip: self.tip,
         }
     }
 
     /// Goes on from there.
     pub fn recall(&mut self, memory: &CompensatorMemory) {
-        let CompensatorMemory { plane, units, side, sign, radius, code, toward, again } = *memory;
+        let CompensatorMemory { plane, units, side, sign, radius, code, toward, again, tip } =
+            *memory;
+        self.tip = tip;
         (self.plane, self.units, self.side, self.code) = (plane, units, side, code);
         (self.sign, self.radius, self.toward, self.again) = (sign, radius, toward, again);
     }
@@ -254,7 +261,7 @@ impl Compensator {
         self.phase = Phase::Off;
         self.side = Side::Off;
         self.at = None;
-        self.plane = Plane::Xy;
+        self.plane = self.rules.starts_in;
         self.units = self.rules.units;
     }
 
@@ -262,10 +269,13 @@ impl Compensator {
         match &command.kind {
             CommandKind::Idle => self.idle(&command.origin),
             CommandKind::CornerArc { .. } => self.round_next = Some(command.origin),
-            CommandKind::Compensation { side, number: _, radius_mm, toward } => {
+            CommandKind::Compensation { side, number: _, radius_mm, toward, tip } => {
                 self.pass_on(command, out);
                 let radius = self.radius_override.filter(|_| radius_mm != &Some(0.0));
                 let radius = radius.or(*radius_mm).unwrap_or(0.0);
+                if *side != Side::Off {
+                    self.tip = Vec2::new(tip[0], tip[1]) * radius.abs();
+                }
                 self.switch(*side, radius, *toward, &command.origin, out);
             }
             CommandKind::Units(units) => {

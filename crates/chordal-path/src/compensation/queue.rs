@@ -195,7 +195,7 @@ impl Compensator {
             return self.put(command, out);
         }
         self.stretch += 1;
-        self.at = Some(curve.from());
+        self.at = Some(curve.from() - self.tip);
         self.phase = Phase::On;
         let alone = self.code.span != command.origin.span;
         if alone && rules.on_alone == AloneAction::Perpendicular {
@@ -446,7 +446,7 @@ impl Compensator {
     fn cycle_move(&mut self, command: &Command, out: &mut dyn PathSink) {
         self.end_square(out);
         if let Some(motion) = command.kind.motion() {
-            self.at = self.at.map(|_| super::plane::ab(&motion.to, self.plane));
+            self.at = self.at.map(|_| super::plane::ab(&motion.to, self.plane) - self.tip);
         }
         let displaced = self.at.take();
         self.put(command, out);

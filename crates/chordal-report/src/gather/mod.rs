@@ -120,7 +120,7 @@ impl<'j> Seen<'j> {
             stops: Stops::default(),
             programs: Programs::new(job),
             plot: Plot::new(job),
-            plane: Plane::Xy,
+            plane: job.control().parameters.rules.starts_in,
             plane_mm: [0.0; 3],
         }
     }

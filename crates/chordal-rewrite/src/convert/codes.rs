@@ -216,7 +216,9 @@ fn without_such_a_code(
             | ReadingCode::Incremental
             | ReadingCode::FeedPerTime
             | ReadingCode::FeedInverseTime
-            | ReadingCode::FeedPerRevolution => return Err(missing(own, to)),
+            | ReadingCode::FeedPerRevolution
+            | ReadingCode::SurfaceSpeed
+            | ReadingCode::SpindleRpm => return Err(missing(own, to)),
         },
         Action::Once(code) => {
             let OnceCode::Probe { must_hit } = code else { return Err(missing(own, to)) };

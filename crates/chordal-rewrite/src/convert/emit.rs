@@ -128,8 +128,13 @@ impl<'a> Emitter<'a> {
     /// F, where what was written holds another one.
     fn restore_feed(&mut self, modes: &Modes) {
         let Some(value) = modes.feed.filter(|_| self.feed.is_some()) else { return };
-        let feed =
-            Feed { value, mode: modes.feed_mode, along: FeedAlong::Path, spindle_rev_per_s: 0.0 };
+        let feed = Feed {
+            value,
+            mode: modes.feed_mode,
+            along: FeedAlong::Path,
+            spindle_rev_per_s: 0.0,
+            surface: None,
+        };
         if feed.mode != FeedMode::InverseTime {
             let mut words = Vec::new();
             self.feed(&mut words, &feed, 1.0, false);

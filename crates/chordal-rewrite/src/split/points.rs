@@ -195,6 +195,7 @@ impl Walk<'_, '_> {
             | OnceCode::GeneralPocket
             | OnceCode::Pattern(_)
             | OnceCode::Probe { .. }
+            | OnceCode::Turning(_)
             | OnceCode::CornerArcAlone => {}
         }
     }

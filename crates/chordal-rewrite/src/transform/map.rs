@@ -358,8 +358,12 @@ impl Mapper<'_> {
 
 /// Moves whose directions no word says.
 fn makes_moves_of_its_own(action: Action) -> bool {
-    let once = |code: OnceCode| code.is_pocket() || matches!(code, OnceCode::Pattern(_));
-    action.once().is_some_and(once) || action == Action::After(AfterCode::RunCycleHere)
+    let once = |code: OnceCode| {
+        code.is_pocket() || matches!(code, OnceCode::Pattern(_) | OnceCode::Turning(_))
+    };
+    action.once().is_some_and(once)
+        || matches!(action, Action::Motion(MotionCode::Turn(_)))
+        || action == Action::After(AfterCode::RunCycleHere)
 }
 
 /// The code that does the same in a mirror; `None` where it is the same code.
@@ -373,6 +377,8 @@ fn mirrored(action: Action) -> Option<Action> {
             MotionCode::Rapid | MotionCode::Linear => return None,
             // The thread stays as it is.
             MotionCode::Thread | MotionCode::RigidTap => return None,
+            // Programs with passes of a lathe are not transformed.
+            MotionCode::Turn(_) => return None,
             // Programs with splines are not transformed.
             MotionCode::Spline(_) | MotionCode::SplineEnd => return None,
         })),

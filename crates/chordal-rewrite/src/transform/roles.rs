@@ -78,6 +78,7 @@ fn sort_of(action: Action) -> Option<Sort> {
             | OnceCode::Mirror { .. }
             | OnceCode::MirrorOff
             | OnceCode::Probe { .. }
+            | OnceCode::Turning(_)
             | OnceCode::CornerArcAlone => None,
         },
         Action::Call(code) => match code {

@@ -7,7 +7,9 @@ use chordal_kernel::Outcome;
 use chordal_kernel::rules::PathRules;
 use chordal_machine::{AXES, FeedLimits, Machine, Times};
 use chordal_motion::{Axes, Corner, Move, MoveKind};
-use chordal_path::{PathBuilder, PathCommand, PathSink, Segment, SegmentKind};
+use chordal_path::{
+    PathBuilder, PathCommand, PathSink, Segment, SegmentKind, curve_of, surface_parts,
+};
 
 use super::corner::{Ending, corner_of};
 use super::operations::Operations;
@@ -355,6 +357,26 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         self.held = None;
     }
 
+    /// A cut whose spindle keeps a cutting speed, in pieces with a speed each; false for every other one.
+    fn keeps_surface_speed(&mut self, command: &Command, whole: &Segment) -> bool {
+        let feed = command.kind.feed().filter(|feed| feed.surface.is_some());
+        let (Some(feed), Some(motion)) = (feed, command.kind.motion()) else { return false };
+        // X of the program is the radius, wherever the segment has been moved.
+        let curve = curve_of(motion, command.kind.shape());
+        let Some(parts) = surface_parts(feed, &curve) else { return false };
+        let count = parts.len();
+        for (index, part) in parts.into_iter().enumerate() {
+            let segment = Segment {
+                curve: whole.curve.subsegment(part.from, part.to),
+                length_mm: part.to - part.from,
+                duration_s: part.seconds,
+                ..*whole
+            };
+            self.segment(&segment, command.origin.cycle, index + 1 < count);
+        }
+        true
+    }
+
     /// Takes a command and its pieces of path.
     pub fn follow(&mut self, command: &Command, segments: &[Segment]) {
         self.sink.command(command);
@@ -364,6 +386,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         let cycle = command.origin.cycle;
         match bends.first() {
             _ if last.kind == SegmentKind::Spline => self.spline(segments, cycle),
+            _ if bends.is_empty() && self.keeps_surface_speed(command, last) => {}
             Some(first) if !self.dog_leg_shape => {
                 self.segment(&chord(first, bends, last), cycle, false);
             }

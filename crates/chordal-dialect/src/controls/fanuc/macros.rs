@@ -4,7 +4,7 @@ use crate::vocabulary::*;
 
 /// Fanuc custom macro B (B-63684EN, B-63944EN), and where the manuals were not at hand what
 /// probe makers' programs rely on.
-pub(super) static MACROS: MacroRules =
+pub(in crate::controls) static MACROS: MacroRules =
     MacroRules { common: COMMON, system: SYSTEM, modal_groups: GROUPS, ..MacroRules::MACRO_B };
 
 /// Groups 1 to 17 of a Fanuc; 14 is that of the work offsets.

@@ -8,7 +8,7 @@ pub(crate) mod recognition;
 mod rules;
 mod settings;
 
-pub(super) use macros::GROUPS;
+pub(super) use macros::{GROUPS, MACROS};
 pub(super) use post::POST;
 
 use crate::vocabulary::*;
@@ -46,7 +46,8 @@ pub static TABLE: ControlTable = ControlTable {
     work_names: WorkNaming { extended: "G54.1", by_e: false },
     program_numbers: ProgramNumbers { largest: 9999, digits: 4, required: true },
     call_start_label: Some(b'Q'),
-    macros: &macros::MACROS,
+    macros: &MACROS,
+    kind: None,
     evidence: recognition::EVIDENCE,
     post: &POST,
     default_machine: "fanuc-30i",

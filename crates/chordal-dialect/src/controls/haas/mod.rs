@@ -44,6 +44,7 @@ pub static TABLE: ControlTable = ControlTable {
     program_numbers: ProgramNumbers { largest: 99999, digits: 5, required: true },
     call_start_label: None,
     macros: &macros::MACROS,
+    kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,
     default_machine: "haas-vf2",

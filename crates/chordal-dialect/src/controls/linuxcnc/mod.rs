@@ -45,6 +45,7 @@ pub static TABLE: ControlTable = ControlTable {
     program_numbers: ProgramNumbers { largest: 99999, digits: 1, required: false },
     call_start_label: None,
     macros: &macros::MACROS,
+    kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,
     default_machine: "linuxcnc-mill",

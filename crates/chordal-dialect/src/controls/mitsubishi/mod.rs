@@ -44,6 +44,7 @@ pub static TABLE: ControlTable = ControlTable {
     program_numbers: ProgramNumbers { largest: 99999999, digits: 4, required: true },
     call_start_label: Some(b'H'),
     macros: &macros::MACROS,
+    kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,
     default_machine: "mitsubishi-m700",

@@ -470,6 +470,13 @@ impl Interpreter<'_> {
         }
     }
 
+    /// Ten times the code of the motion in force, by its row.
+    pub(super) fn motion_row_code(&self) -> f64 {
+        let action = self.kernel.state.motion_mode().map(Action::from);
+        let row = self.control.table.g_codes.iter().find(|row| Some(row.action) == action);
+        row.map_or(0.0, |row| f64::from(row.code))
+    }
+
     /// The code in force of a group.
     fn modal_code(&self, group: ModalGroup) -> f64 {
         let state = &self.kernel.state;
@@ -481,6 +488,7 @@ impl Interpreter<'_> {
                 Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
                 Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,
                 Motion::Spline(form) => self.spline_code(form) / 10.0,
+                Motion::Turn(_) => self.motion_row_code() / 10.0,
             },
             ModalGroup::Plane => match state.plane {
                 Plane::Xy => 17.0,

@@ -154,9 +154,9 @@ mod tests {
         // Group 2, D10 with 4 teeth, half of it wide, 5 deep, 0.05 a tooth at 3000 rpm.
         let steel = Material::named("VDI 2").unwrap();
         let feed = 0.05 * 4.0 * 3000.0 / 60.0;
-        let removal = 5.0 * 5.0 * feed;
+        let removal: f64 = 5.0 * 5.0 * feed;
         assert!((removal * 60.0 - 15_000.0).abs() < 1e-9);
-        let mean = 0.05 * 2.0 / std::f64::consts::PI;
+        let mean: f64 = 0.05 * 2.0 / std::f64::consts::PI;
         assert!((mean - 0.031_83).abs() < 1e-5);
         assert!((steel.force(mean) - 3202.0).abs() < 0.5, "{}", steel.force(mean));
         let power = steel.power(removal, mean);

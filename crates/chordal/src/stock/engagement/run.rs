@@ -77,8 +77,14 @@ impl Job<'_> {
         let material = material_word.as_deref().and_then(Material::named);
         let measuring = Measuring { spacing: resolution, graze: options.stock.tolerance_mm };
         let mut moves = Vec::new();
+        let mut has_undercuts = false;
         for batch in gathered.batches.iter().filter(|batch| batch.kind != Kind::Rapid) {
             let Some(Ok(tool)) = bodies.get(&batch.tool) else { continue };
+            // What undercuts engage is not measured.
+            if !tool.undercuts.is_empty() {
+                has_undercuts = true;
+                continue;
+            }
             let meter = Meter::new(tool.cutter.clone(), resolution, measuring);
             let cut =
                 Cut { batch, meter: &meter, teeth: teeth.get(&batch.tool).copied(), material };
@@ -96,7 +102,8 @@ impl Job<'_> {
             sources: self.sources(),
         };
         let mut found = limits.problems(&moves);
-        let (is_whole, units) = (gathered.is_whole() && report.verified(), gathered.units);
+        let (is_whole, units) =
+            (gathered.is_whole() && !has_undercuts && report.verified(), gathered.units);
         found.diagnostics.append(&mut gathered.diagnostics);
         for diagnostic in found.diagnostics {
             match diagnostic.severity {

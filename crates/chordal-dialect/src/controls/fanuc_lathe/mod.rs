@@ -1,0 +1,62 @@
+//! Fanuc 0i-T, 18i-T, 31i-T and what reads as one: lathes with X as a diameter.
+
+mod alarms;
+mod codes;
+mod post;
+mod recognition;
+mod rules;
+mod settings;
+
+use crate::vocabulary::*;
+
+/// Fanuc 0i-T, 18i-T, 31i-T, G code system A.
+pub static TABLE: ControlTable = ControlTable {
+    name: "fanuc-lathe",
+    title: "Fanuc lathe",
+    source: "Fanuc manuals for lathes B-62754EN, B-63604EN, B-63944EN",
+    lexicon: Lexicon::FANUC_STYLE,
+    g_codes: codes::G_CODES,
+    m_codes: codes::M_CODES,
+    parameters: rules::PARAMETERS,
+    settings: settings::SETTINGS,
+    alarms: alarms::ALARMS,
+    scale_unit: 0.001,
+    motion: MotionModality::Exclusive,
+    distance_left_to_right: false,
+    line_repeat: LineRepeat::None,
+    subroutines: Subroutines::None,
+    fixed_routines: &[],
+    axis_letters: "XYZABC",
+    arc_turns: ArcTurns::None,
+    strict_center_words: false,
+    set_data: SET_DATA,
+    dwell: DWELL,
+    dwell_alone_stops: true,
+    open_m_codes: true,
+    last_of_group_counts: true,
+    alone: &[],
+    word_rules: &[],
+    spatial: None,
+    spindle_stops_at_tool_change: false,
+    work_names: WorkNaming { extended: "G54.1", by_e: false },
+    program_numbers: ProgramNumbers { largest: 9999, digits: 4, required: true },
+    call_start_label: Some(b'Q'),
+    macros: &super::fanuc::MACROS,
+    kind: Some(&crate::not_read::lathe::LATHE),
+    evidence: recognition::EVIDENCE,
+    post: &post::POST,
+    default_machine: "fanuc-lathe",
+};
+
+const SET_DATA: &[(u16, DataTarget)] = &[
+    (2, DataTarget::WorkOffset),
+    (20, DataTarget::ExtendedWorkOffset),
+    (50, DataTarget::Lines),
+    (52, DataTarget::Lines),
+];
+
+const DWELL: &[DwellWord] = &[
+    DwellWord { letter: b'P', integer_s: 0.001, point_s: 0.001, takes_point: false },
+    DwellWord { letter: b'X', integer_s: 0.001, point_s: 1.0, takes_point: true },
+    DwellWord { letter: b'U', integer_s: 0.001, point_s: 1.0, takes_point: true },
+];

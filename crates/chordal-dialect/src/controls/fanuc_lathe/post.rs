@@ -1,0 +1,16 @@
+//! How Fanuc lathes want a program begun and ended. Thread mill programs need a live tool.
+
+use crate::post::Post;
+
+pub(in crate::controls) const POST: Post = Post {
+    remark: ["(", ")"],
+    open: &["%", "O{number} ({title})"],
+    begin: &[
+        "{units} G17 G40 G98",
+        "T{tool}{tool}",
+        "G54 G00 {start} {spindle} M03",
+        "{clear} M08",
+    ],
+    end: &["G00 {clear} M09", "M05", "G28 U0. W0.", "M30", "%"],
+    two_digits: true,
+};

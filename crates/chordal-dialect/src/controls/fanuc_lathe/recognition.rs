@@ -1,0 +1,15 @@
+//! Signs that tell a Fanuc among lathes. That a program is for a lathe at all, `not_read/lathe.rs` says.
+
+use crate::controls::fanuc::recognition::{MACHINES, NAMES};
+use crate::not_read::lathe::BUILDERS;
+use crate::vocabulary::*;
+
+pub(super) const EVIDENCE: &[Evidence] = &[
+    evidence(Sign::Header(NAMES), 8, "the header names a Fanuc"),
+    evidence(Sign::Comment(NAMES), 5, "a comment names a Fanuc"),
+    evidence(Sign::Comment(MACHINES), 5, "a comment names a machine that has a Fanuc"),
+    evidence(Sign::Comment(BUILDERS), 5, "a comment names a lathe that has a Fanuc"),
+    evidence(Sign::Block("G71|G72|G73 U|W R !P"), 2, "G71 in two blocks"),
+    evidence(Sign::Block("G76 P:6"), 1, "G76 with P of six digits"),
+    evidence(Sign::Form(Form::MacroStatement), 1, "macro B statements"),
+];

@@ -1,0 +1,40 @@
+//! How Fanuc lathes move, cut and compensate.
+
+use crate::vocabulary::*;
+
+pub(super) const PARAMETERS: Parameters = Parameters {
+    excess_decimals: ExcessDecimals::Cut,
+    most_digits: 8,
+    nesting: 10,
+    packed_calls: true,
+    macro_angles_full_circle: true,
+    increments: &[(b'U', b'X'), (b'V', b'Y'), (b'W', b'Z'), (b'H', b'C')],
+    tool_word: ToolWord::StationAndOffset { digits: 2 },
+    preset_limits_speed: true,
+    arc_without_center_is_line: true,
+    thread_lead: b'F',
+    rules: Rules {
+        starts_in: Plane::Zx,
+        starts_per_revolution: true,
+        machine_move_is_rapid: true,
+        radius_offsets: OffsetKind::Radius,
+        bare_home_moves_all: true,
+        compensation: COMPENSATION,
+        turning: TurningRules::COMMON,
+        arc: ArcRules {
+            full_circle_by_radius: FullCircleByRadius::NoMotion,
+            rotary_in_arc: false,
+            ..ArcRules::COMMON
+        },
+        ..Rules::COMMON
+    },
+    ..Parameters::COMMON
+};
+
+/// Two blocks are read ahead (B-63604EN): one without motion may stand between.
+const COMPENSATION: CompensationRules = CompensationRules {
+    idle_blocks: Some(1),
+    offset_of_tool: true,
+    coordinate_change: Allowance::Allowed,
+    ..CompensationRules::COMMON
+};

@@ -1,0 +1,67 @@
+//! Cycles of lathes.
+
+/// A cycle of a lathe.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum TurnCycle {
+    /// The contour once (G70).
+    Finish,
+    /// Passes along Z, down to the contour (G71).
+    Rough,
+    /// Passes along X (G72).
+    RoughFace,
+    /// The contour itself, again and again, ever nearer (G73).
+    Pattern,
+    /// Pecks along Z, one plunge after the other along X (G74).
+    PeckZ,
+    /// Pecks along X, one plunge after the other along Z (G75).
+    PeckX,
+    /// A thread in many passes (G76).
+    Thread,
+}
+
+/// Where the levels of roughing begin.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum FirstLevel {
+    /// At the start, moved away by the finishing allowance.
+    Allowance,
+    /// At the start itself.
+    Start,
+}
+
+/// How the cycles of a lathe run. Depths are measured on the radius.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct TurningRules {
+    /// Depth of a roughing pass before a program gives one, mm (Fanuc No. 5132).
+    pub rough_depth_mm: f64,
+    /// How far a roughing pass backs off, mm (No. 5133).
+    pub rough_retract_mm: f64,
+    /// Where the levels of roughing begin.
+    pub first_level: FirstLevel,
+    /// How far a peck backs off, mm (No. 5139).
+    pub peck_retract_mm: f64,
+    /// Finishing passes of a thread (No. 5142).
+    pub thread_finish_passes: u32,
+    /// Length of the exit of a thread, in leads (No. 5130).
+    pub thread_exit_leads: f64,
+    /// Angle of the thread tool, degrees (No. 5143).
+    pub thread_angle_deg: f64,
+    /// Least depth of a pass, mm (No. 5140).
+    pub thread_least_mm: f64,
+    /// Depth of the finishing pass, mm (No. 5141).
+    pub thread_finish_mm: f64,
+}
+
+impl TurningRules {
+    /// What most controls share.
+    pub const COMMON: TurningRules = TurningRules {
+        rough_depth_mm: 0.0,
+        rough_retract_mm: 0.5,
+        first_level: FirstLevel::Allowance,
+        peck_retract_mm: 0.5,
+        thread_finish_passes: 1,
+        thread_exit_leads: 1.0,
+        thread_angle_deg: 60.0,
+        thread_least_mm: 0.0,
+        thread_finish_mm: 0.0,
+    };
+}

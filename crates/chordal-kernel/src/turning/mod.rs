@@ -1,0 +1,77 @@
+//! The cycles of lathes, each as the moves that the control makes.
+//!
+//! Lengths are millimetres, X is a radius. `profile` is the contour that a cycle cuts, `rough` cuts down to it in
+//! levels, `pattern` repeats it, `passes` are the cycles of one block, `peck` and `thread` what they say.
+
+mod passes;
+mod pattern;
+mod peck;
+mod profile;
+mod rough;
+mod thread;
+
+use chordal_command::{AxisMask, Position};
+use chordal_machine::Axis;
+
+use crate::kernel::Kernel;
+use crate::statement::Statement;
+
+pub use peck::PeckWords;
+pub use profile::{Profile, ProfileWords};
+pub use rough::RoughWords;
+pub use thread::ThreadWords;
+
+const X: usize = Axis::X as usize;
+const Z: usize = Axis::Z as usize;
+const XZ: AxisMask = AxisMask(1 << X | 1 << Z);
+
+/// Ends nearer than this are one, mm: sums of rounded words.
+const SAME_MM: f64 = 1e-9;
+
+impl Kernel<'_> {
+    /// X (a radius) and Z of the tool.
+    fn turned_place(&self) -> [f64; 2] {
+        [self.state.position[X], self.state.position[Z]]
+    }
+
+    fn place_at(&self, [x, z]: [f64; 2]) -> Position {
+        let mut target = self.state.position;
+        (target[X], target[Z]) = (x, z);
+        target
+    }
+
+    /// A rapid of X and Z, where it goes anywhere.
+    fn turn_rapid(&mut self, to: [f64; 2]) {
+        let target = self.place_at(to);
+        if target != self.state.position {
+            self.rapid(target, XZ);
+            self.follow_diameter();
+        }
+    }
+
+    /// A cut of X and Z, where it goes anywhere.
+    fn turn_cut(&mut self, at: &dyn Statement, to: [f64; 2]) {
+        let target = self.place_at(to);
+        if target != self.state.position {
+            self.line(at, target, XZ);
+        }
+    }
+
+    /// A thread in one pass.
+    pub fn turned_thread(&mut self, at: &dyn Statement, target: Position, lead_mm: f64) {
+        self.require_spindle(at);
+        self.turn_thread([target[X], target[Z]], lead_mm);
+    }
+
+    /// A cut in step with the spindle, where it goes anywhere.
+    fn turn_thread(&mut self, to: [f64; 2], lead_mm: f64) {
+        let target = self.place_at(to);
+        let [x, z] = self.turned_place();
+        // The lead is along the axis that moves more, and F along the path.
+        let (dx, dz) = ((to[0] - x).abs(), (to[1] - z).abs());
+        let longer = dx.max(dz);
+        if longer > 0.0 {
+            self.thread(target, XZ, lead_mm * libm::hypot(dx, dz) / longer);
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Cycles of one block: out to a diameter, along, back out, and back to the start.
+
+use crate::kernel::Kernel;
+use crate::state::TurnPass;
+use crate::statement::Statement;
+use crate::turning::SAME_MM;
+
+impl Kernel<'_> {
+    /// One pass by the words that are remembered, and back to its start.
+    pub fn turn_pass(&mut self, at: &dyn Statement, pass: TurnPass) {
+        let [ax, az] = self.turned_place();
+        let memory = self.state.turning;
+        let ([x, z], taper) = (memory.pass_end, memory.pass_taper);
+        self.origin.cycle = true;
+        match pass {
+            TurnPass::Turning => {
+                self.turn_rapid([x + taper, az]);
+                self.turn_cut(at, [x, z]);
+                self.turn_cut(at, [ax, z]);
+            }
+            TurnPass::Facing => {
+                self.turn_rapid([ax, z + taper]);
+                self.turn_cut(at, [x, z]);
+                self.turn_cut(at, [x, az]);
+            }
+            TurnPass::Thread => {
+                self.turn_rapid([x + taper, az]);
+                self.thread_to(at, [x, z], [ax, az], memory.pass_lead);
+                self.turn_rapid([ax, z]);
+            }
+        }
+        self.turn_rapid([ax, az]);
+        self.origin.cycle = false;
+    }
+
+    /// Along a thread to its end, and out of it at 45 degrees towards the start `from`.
+    pub(super) fn thread_to(
+        &mut self,
+        at: &dyn Statement,
+        [x, z]: [f64; 2],
+        from: [f64; 2],
+        lead: f64,
+    ) {
+        self.require_spindle(at);
+        let full = self.state.turning.thread.exit_leads * lead;
+        let [start_x, start_z] = self.turned_place();
+        let length = (start_z - z).abs();
+        let back = if start_z >= z { 1.0 } else { -1.0 };
+        let out = if from[0] >= x { 1.0 } else { -1.0 };
+        // Out no further than the start of the cycle, and no longer than the thread.
+        let exit = full.min((from[0] - x).abs()).min(length);
+        if exit <= SAME_MM {
+            return self.turn_thread([x, z], lead);
+        }
+        // It begins where it would without ending at the start's diameter.
+        let begins = full.min(length);
+        let share = if length > 0.0 { begins / length } else { 0.0 };
+        let turn = [x + (start_x - x) * share, z + back * begins];
+        self.turn_thread(turn, lead);
+        self.turn_thread([turn[0] + out * exit, turn[1] - back * exit], lead);
+    }
+}

@@ -1,0 +1,243 @@
+//! The contour that a cycle of a lathe cuts: lines and arcs of X and Z, seen so that the cut goes down.
+
+use chordal_command::{ArcShape, Command, CommandKind, Origin};
+use chordal_geometry::Plane;
+
+use crate::kernel::Kernel;
+use crate::statement::Statement;
+use crate::turning::{SAME_MM, XZ};
+
+/// Words that a cycle with a contour shares.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct ProfileWords {
+    /// What is left for finishing: on the radius, and along Z, mm.
+    pub allowance: [f64; 2],
+}
+
+/// A contour as its blocks cut it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Profile {
+    /// Where its first block ends: X (a radius) and Z.
+    pub start: [f64; 2],
+    /// Its first block is a rapid.
+    pub first_is_rapid: bool,
+    /// The moves after it.
+    pub edges: Vec<Edge>,
+}
+
+/// A line or an arc of a contour, in (along, down) coordinates or in (x, z).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// Where it begins.
+    pub from: [f64; 2],
+    /// Where it ends.
+    pub to: [f64; 2],
+    /// Centre and angle of an arc, positive from the first axis to the second.
+    pub arc: Option<([f64; 2], f64)>,
+    /// Its block.
+    pub origin: Origin,
+}
+
+impl Profile {
+    /// The contour of the commands of its blocks; `None` where they move nothing.
+    pub fn of(commands: &[Command]) -> Option<Profile> {
+        let mut moves = commands.iter().filter(|command| command.kind.motion().is_some());
+        let first = moves.next()?;
+        let motion = first.kind.motion()?;
+        let to = place(&motion.to);
+        let edges = moves.filter_map(|command| Edge::of(command)).collect();
+        Some(Profile {
+            start: to,
+            first_is_rapid: matches!(first.kind, CommandKind::Rapid { .. }),
+            edges,
+        })
+    }
+
+    /// Where it ends.
+    pub fn end(&self) -> [f64; 2] {
+        self.edges.last().map_or(self.start, |edge| edge.to)
+    }
+}
+
+fn place(position: &[f64]) -> [f64; 2] {
+    [position[0], position[2]]
+}
+
+impl Edge {
+    fn of(command: &Command) -> Option<Edge> {
+        let motion = command.kind.motion()?;
+        let (from, to) = (place(&motion.from), place(&motion.to));
+        // In the plane of Z and X angles go from Z to X: from the second coordinate here to the first.
+        let arc =
+            command.kind.shape().map(|shape| ([shape.center[1], shape.center[0]], -shape.sweep));
+        (from != to).then_some(Edge { from, to, arc, origin: command.origin })
+    }
+
+    /// A straight one.
+    pub fn line(from: [f64; 2], to: [f64; 2], origin: Origin) -> Edge {
+        Edge { from, to, arc: None, origin }
+    }
+
+    /// The edge in other coordinates; `turns` where they turn the other way round.
+    fn mapped(&self, map: impl Fn([f64; 2]) -> [f64; 2], turns: bool) -> Edge {
+        let arc = self.arc.map(|(center, sweep)| (map(center), if turns { -sweep } else { sweep }));
+        Edge { from: map(self.from), to: map(self.to), arc, origin: self.origin }
+    }
+
+    /// The piece between two places of it, from 0 to 1.
+    pub fn piece(&self, first: f64, last: f64) -> Edge {
+        let from = if first <= 0.0 { self.from } else { self.at(first) };
+        let to = if last >= 1.0 { self.to } else { self.at(last) };
+        let arc = self.arc.map(|(center, sweep)| (center, sweep * (last - first)));
+        Edge { from, to, arc, origin: self.origin }
+    }
+
+    /// A place of it.
+    pub fn at(&self, share: f64) -> [f64; 2] {
+        match self.arc {
+            None => [0, 1].map(|i| self.from[i] + (self.to[i] - self.from[i]) * share),
+            Some((center, sweep)) => {
+                let from = [self.from[0] - center[0], self.from[1] - center[1]];
+                let (sin, cos) = libm::sincos(sweep * share);
+                [
+                    center[0] + from[0] * cos - from[1] * sin,
+                    center[1] + from[0] * sin + from[1] * cos,
+                ]
+            }
+        }
+    }
+
+    /// Where its second coordinate is `level`, in order, the ends left out.
+    pub fn crossings(&self, level: f64) -> Vec<f64> {
+        let inside = |share: &f64| *share > 1e-12 && *share < 1.0 - 1e-12;
+        let Some((center, sweep)) = self.arc else {
+            let rise = self.to[1] - self.from[1];
+            if rise.abs() <= SAME_MM {
+                return Vec::new();
+            }
+            return Some((level - self.from[1]) / rise).filter(inside).into_iter().collect();
+        };
+        let from = [self.from[0] - center[0], self.from[1] - center[1]];
+        let radius = libm::hypot(from[0], from[1]);
+        let sine = (level - center[1]) / radius;
+        if sine.abs() > 1.0 || sweep == 0.0 {
+            return Vec::new();
+        }
+        let begin = libm::atan2(from[1], from[0]);
+        let up = libm::asin(sine);
+        let turn = 2.0 * std::f64::consts::PI;
+        let mut shares: Vec<f64> = [up, std::f64::consts::PI - up]
+            .into_iter()
+            .flat_map(|angle| {
+                [-1.0, 0.0, 1.0, 2.0, -2.0].map(|n| (angle + n * turn - begin) / sweep)
+            })
+            .filter(inside)
+            .collect();
+        shares.sort_by(f64::total_cmp);
+        shares.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
+        shares
+    }
+
+    /// The least value of its second coordinate.
+    pub fn lowest(&self) -> f64 {
+        let ends = self.from[1].min(self.to[1]);
+        match self.arc {
+            None => ends,
+            Some((center, _)) => {
+                let radius = libm::hypot(self.from[0] - center[0], self.from[1] - center[1]);
+                let bottom = center[1] - radius;
+                // Its lowest point is on it where a level just above is crossed.
+                let reached = self.crossings(bottom + radius * 1e-12).len() >= 2;
+                if reached { bottom } else { ends }
+            }
+        }
+    }
+}
+
+/// How a cycle sees X and Z: along the passes, which go down to smaller numbers, and across them, where the
+/// part lies below.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct View {
+    /// The passes go along X.
+    along_x: bool,
+    along: f64,
+    across: f64,
+}
+
+impl View {
+    /// From the start of the cycle to its contour.
+    pub fn new(along_x: bool, start: [f64; 2], profile: &Profile) -> View {
+        let (end, first) = (profile.end(), profile.start);
+        let axis = usize::from(!along_x);
+        let cross = 1 - axis;
+        let sign = |value: f64| if value < 0.0 { -1.0 } else { 1.0 };
+        // The passes begin on the side of the start; the part lies where the contour begins.
+        let along = sign(first[axis].max(start[axis]) - end[axis]);
+        let along = if end[axis] == first[axis] { sign(start[axis] - end[axis]) } else { along };
+        let across = if first[cross] == start[cross] {
+            sign(
+                start[cross]
+                    - profile.edges.iter().map(|edge| edge.to[cross]).fold(first[cross], f64::min),
+            )
+        } else {
+            sign(start[cross] - first[cross])
+        };
+        View { along_x, along, across }
+    }
+
+    /// (x, z) as (along, across).
+    pub fn seen(&self, [x, z]: [f64; 2]) -> [f64; 2] {
+        match self.along_x {
+            true => [x * self.along, z * self.across],
+            false => [z * self.along, x * self.across],
+        }
+    }
+
+    /// Back to (x, z).
+    pub fn place(&self, [along, across]: [f64; 2]) -> [f64; 2] {
+        match self.along_x {
+            true => [along * self.along, across * self.across],
+            false => [across * self.across, along * self.along],
+        }
+    }
+
+    fn turns(&self) -> bool {
+        // (x, z) to (z, x) turns the sense once more.
+        (self.along * self.across < 0.0) != !self.along_x
+    }
+
+    /// The edges of a contour, moved by a vector of (along, across).
+    pub fn edges(&self, profile: &Profile, by: [f64; 2]) -> Vec<Edge> {
+        let map = |at: [f64; 2]| {
+            let [along, across] = self.seen(at);
+            [along + by[0], across + by[1]]
+        };
+        profile.edges.iter().map(|edge| edge.mapped(map, self.turns())).collect()
+    }
+
+    /// An edge of this view as X and Z.
+    pub fn placed(&self, edge: &Edge) -> Edge {
+        edge.mapped(|at| self.place(at), self.turns())
+    }
+}
+
+impl Kernel<'_> {
+    /// Cuts an edge of X and Z from where the tool is.
+    pub(super) fn turn_edge(&mut self, at: &dyn Statement, edge: &Edge) {
+        let Some((center, sweep)) = edge.arc else {
+            return self.turn_cut(at, edge.to);
+        };
+        let target = self.place_at(edge.to);
+        let motion = self.moved_to(target, XZ);
+        let away = |place: [f64; 2]| libm::hypot(place[0] - center[0], place[1] - center[1]);
+        let shape = ArcShape {
+            plane: Plane::Zx,
+            center: [center[1], center[0]],
+            sweep: -sweep,
+            radius_from: away([motion.from[0], motion.from[2]]),
+            radius_to: away(edge.to),
+        };
+        let feed = self.feed_for(at, &motion, Some(&shape));
+        self.emit(CommandKind::Arc { motion, shape, feed });
+    }
+}
