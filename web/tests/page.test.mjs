@@ -231,7 +231,7 @@ test("a section shows the lines, the tool or the depth that is chosen", async ()
     return 0;
   }, rows);
   assert.notEqual(await seen(cut), null);
-  await page.locator(".section summary").click();
+  await page.locator(".section summary", { hasText: "Section" }).click();
   await page.getByLabel("Last line").fill("3");
   await page.waitForTimeout(100);
   assert.equal(await seen(cut), null);

@@ -6,7 +6,12 @@ use chordal::{Job, Machine, Severity, SourceMap};
 use chordal_editor::meaning::{View, codes, example};
 
 /// The example after the head of a usual program, with what it may call.
-fn program(example: &str, spindle: &str) -> String {
+fn program(example: &str, spindle: &str, turns: bool) -> String {
+    if turns {
+        return format!(
+            "%\nO1\nG21 G18 G40 G98\nT0101\nS500 {spindle}\nG0 X66. Z10.\nG1 Z5. F200.\n{example}\nM30\nN100 M99\nO1000\nM99\n%\n"
+        );
+    }
     format!(
         "%\nO1\nG21 G17 G40 G49 G80 G90\nT1 M6\nS500 {spindle}\nG0 X0 Y0\nG43 H1 Z30.\nG1 Z10. F200.\n{example}\nM30\nN100 M99\nO1000\nM99\n%\n"
     )
@@ -25,7 +30,8 @@ fn every_example_runs_without_an_error() {
                 machine.set("tools.1.diameter=\"6 mm\"").unwrap();
                 // A left-hand tap turns the other way.
                 let left = row.action == Action::Cycle(CycleKind::LeftTap);
-                let text = program(&example, if left { "M4" } else { "M3" });
+                let turns = machine.turns();
+                let text = program(&example, if left { "M4" } else { "M3" }, turns);
                 let mut sources = SourceMap::new();
                 sources.add(Source::new("example.nc", text.into_bytes()));
                 let report = Job::new(sources, machine).unwrap().report();

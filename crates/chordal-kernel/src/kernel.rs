@@ -152,11 +152,11 @@ impl<'a> Kernel<'a> {
         }
         let command = self.in_work(command.kind, command.origin);
         self.check_scaled_size(&command);
-        self.into_sink(&command);
+        self.hand_over(&command);
     }
 
     /// Into the sink, or to the cycle that reads a contour.
-    pub(crate) fn into_sink(&mut self, command: &Command) {
+    pub(crate) fn hand_over(&mut self, command: &Command) {
         match &mut self.collected {
             Some(commands) => commands.push(command.clone()),
             None => self.sink.command(command),

@@ -25,7 +25,7 @@ const MOST_HALVINGS: u32 = 10;
 /// the curve is the radius of the part.
 pub fn surface_parts(feed: &Feed, curve: &Curve) -> Option<Vec<SurfacePart>> {
     let surface = feed.surface?;
-    if feed.mode != FeedMode::PerRevolution || !(feed.value > 0.0) {
+    if feed.mode != FeedMode::PerRevolution || feed.value <= 0.0 || feed.value.is_nan() {
         return None;
     }
     let length = curve.length();
@@ -81,12 +81,17 @@ mod tests {
 
     /// Seconds of a straight cut between two places of (X, Z), X a radius, at 200 m/min and most 3000 rpm.
     fn seconds(from: [f64; 2], to: [f64; 2], per_rev: f64) -> f64 {
+        seconds_below(50.0, from, to, per_rev)
+    }
+
+    /// The same with another limit of the spindle, rev/s.
+    fn seconds_below(most_rev_per_s: f64, from: [f64; 2], to: [f64; 2], per_rev: f64) -> f64 {
         let feed = Feed {
             value: per_rev,
             mode: FeedMode::PerRevolution,
             along: FeedAlong::Path,
             spindle_rev_per_s: 0.0,
-            surface: Some(SurfaceSpeed { mm_per_s: 200_000.0 / 60.0, most_rev_per_s: 50.0 }),
+            surface: Some(SurfaceSpeed { mm_per_s: 200_000.0 / 60.0, most_rev_per_s }),
         };
         let point = |[x, z]: [f64; 2]| Vec3::new(x, 0.0, z);
         let line = Curve::Line(Line { start: point(from), end: point(to) });
@@ -99,10 +104,10 @@ mod tests {
         // and 10.6103/(0.2·50) at the limit inside.
         let face = seconds([30.0, 0.0], [0.0, 0.0], 0.2);
         assert!((face - 4.7717).abs() < 4.7717e-4, "{face}");
-        // Along Z at diameter 40, and a cone from 20 to 40 over 15.
+        // Along Z at diameter 40, and a cone from 20 to 40 over 15 without a limit: 2·pi·15·18.0278/(0.3·V).
         let along = seconds([20.0, 0.0], [20.0, -50.0], 0.3);
-        assert!((along - 6.2832).abs() < 1e-4, "{along}");
-        let cone = seconds([10.0, 0.0], [20.0, -15.0], 0.3);
+        assert!((along - std::f64::consts::TAU).abs() < 1e-4, "{along}");
+        let cone = seconds_below(1e3, [10.0, 0.0], [20.0, -15.0], 0.3);
         assert!((cone - 1.6991).abs() < 1.7e-4, "{cone}");
     }
 }

@@ -3,7 +3,7 @@
 
 mod grbl;
 mod heidenhain;
-pub(crate) mod lathe;
+mod lathe;
 mod marlin;
 mod okuma;
 mod sinumerik;

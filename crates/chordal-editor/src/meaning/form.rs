@@ -12,6 +12,10 @@ use crate::meaning::{View, word_meaning};
 /// control. None for codes that stand alone, and for those that need more than a block.
 pub fn example(letter: u8, row: &CodeRow, view: &View) -> Option<String> {
     let code = code_name(letter, row.code);
+    let turns = !view.parameters.increments.is_empty();
+    if let Some(words) = of_lathe(row.action).filter(|_| turns) {
+        return Some(format!("{code} {words}"));
+    }
     let (before, after) = match row.action {
         Action::Motion(motion) => (None, of_motion(motion)?.to_string()),
         Action::Mode(mode) => of_mode(mode).map(|(before, after)| (before, after.to_string()))?,
@@ -33,6 +37,22 @@ pub fn example(letter: u8, row: &CodeRow, view: &View) -> Option<String> {
     };
     let parts = [before.unwrap_or_default(), code.as_str(), after.as_str()];
     Some(parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" "))
+}
+
+/// What stands after a code on a lathe, where that is not what a mill has; X is a diameter.
+fn of_lathe(action: Action) -> Option<&'static str> {
+    const WORDS: [(Action, &str); 9] = [
+        (Action::Motion(MotionCode::Rapid), "X66. Z5."),
+        (Action::Motion(MotionCode::Linear), "X60. Z-20. F0.2"),
+        (Action::Motion(MotionCode::ArcCw), "X76. Z0 R5. F0.2"),
+        (Action::Motion(MotionCode::ArcCcw), "X76. Z0 R5. F0.2"),
+        (Action::Motion(MotionCode::Thread), "Z-20. F2."),
+        (Action::Once(OnceCode::SetData), "L2 P1 X-300. Z-200."),
+        (Action::Once(OnceCode::ReturnToReference { second: false }), "U0 W0"),
+        (Action::Once(OnceCode::PresetPosition), "S3000"),
+        (Action::Once(OnceCode::LocalShift), "X10. Z10."),
+    ];
+    WORDS.iter().find(|(own, _)| *own == action).map(|(_, words)| *words)
 }
 
 fn of_motion(motion: MotionCode) -> Option<&'static str> {

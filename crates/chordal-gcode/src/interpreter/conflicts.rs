@@ -3,7 +3,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::table::MotionModality;
-use chordal_dialect::{Action, ModeCode, MotionCode};
+use chordal_dialect::{Action, ModeCode, MotionCode, OnceCode};
 use chordal_dialect::{CodeRow, Group};
 use chordal_kernel::Motion;
 use chordal_kernel::rules::SpiralForm;
@@ -131,8 +131,22 @@ impl Interpreter<'_> {
     /// Letters that the block's codes and modes take.
     pub(super) fn claims(&self, codes: &[(&'static CodeRow, usize)]) -> Letters {
         let mut claims = ALWAYS.without(self.control.parameters.words_of_codes);
-        for (letter, _) in self.control.parameters.increments {
-            claims.insert(*letter);
+        // Codes that take the axis words for themselves name the increments that they take.
+        let by_increments = |row: &CodeRow| {
+            !row.takes_axes()
+                || row.action.once().is_some_and(|code| {
+                    code == OnceCode::PresetPosition
+                        || code == OnceCode::ReturnFromReference
+                        || matches!(
+                            code,
+                            OnceCode::ReturnToReference { .. } | OnceCode::Probe { .. }
+                        )
+                })
+        };
+        if codes.iter().all(|(row, _)| by_increments(row)) {
+            for (letter, _) in self.control.parameters.increments {
+                claims.insert(*letter);
+            }
         }
         for (row, _) in codes {
             claims = claims.union(self.words_of(row));

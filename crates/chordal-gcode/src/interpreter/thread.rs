@@ -85,8 +85,7 @@ impl Interpreter<'_> {
         let lead = self.length_of(block, b'F').or(self.kernel.state.feed).unwrap_or(0.0);
         if lead <= 0.0 {
             let span = self.span(block.range);
-            let message = "a thread without F, its lead".to_string();
-            return self.kernel.missing_word(span, message, "give the lead with F");
+            return self.report_no_lead(span);
         }
         self.kernel.turned_thread(&self.at(block), target, lead);
     }

@@ -49,10 +49,19 @@ impl Interpreter<'_> {
         let without_lead = pass == TurnPass::Thread && memory.pass_lead <= 0.0;
         if without_lead {
             let span = self.span(block.range);
-            let message = "a thread without F, its lead".to_string();
-            return self.kernel.missing_word(span, message, "give the lead with F");
+            return self.report_no_lead(span);
         }
         self.kernel.turn_pass(&self.at(block), pass);
+    }
+
+    /// A thread needs a lead.
+    pub(super) fn report_no_lead(&mut self, span: chordal_diagnostics::Span) {
+        let message = "a thread without F, its lead";
+        self.kernel.report(
+            Diagnostic::new(Code::MissingFeed, span, message)
+                .label("nothing is cut")
+                .help("give the lead with F, above zero"),
+        );
     }
 
     /// G70 to G76.
@@ -71,6 +80,11 @@ impl Interpreter<'_> {
             );
             return;
         }
+        let ends = matches!(cycle, TurnCycle::PeckZ | TurnCycle::PeckX | TurnCycle::Thread);
+        let angle = cycle == TurnCycle::Thread;
+        self.unused_axes(block, |axis, letter| {
+            ends && (axis == X || axis == Z) || angle && letter == b'A'
+        });
         match cycle {
             TurnCycle::Finish => self.finish_contour(block, at),
             TurnCycle::Rough | TurnCycle::RoughFace => self.rough_contour(block, at, cycle),
@@ -240,8 +254,7 @@ impl Interpreter<'_> {
         }
         let lead = self.length_of(block, b'F').or(self.kernel.state.feed).unwrap_or(0.0);
         if lead <= 0.0 {
-            let message = "a thread without F, its lead".to_string();
-            return self.kernel.missing_word(span, message, "give the lead with F");
+            return self.report_no_lead(span);
         }
         let end = [target[X], target[Z]];
         let words = ThreadWords { end, taper, height, first, lead };
@@ -504,6 +517,8 @@ impl Interpreter<'_> {
             let message = "G10 needs P, the number of the offset".to_string();
             return self.kernel.missing_word(span, message, "P1 is wear 1, P10001 geometry 1");
         };
+        let axes = self.control.axes();
+        self.unused_axes(block, |axis, _| axes.has(axis));
         let words = self.axis_words(block);
         let mut added = [None; chordal_machine::AXES];
         for (letter, axis) in self.control.parameters.increments {

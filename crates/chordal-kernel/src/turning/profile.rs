@@ -45,7 +45,7 @@ impl Profile {
         let first = moves.next()?;
         let motion = first.kind.motion()?;
         let to = place(&motion.to);
-        let edges = moves.filter_map(|command| Edge::of(command)).collect();
+        let edges = moves.filter_map(Edge::of).collect();
         Some(Profile {
             start: to,
             first_is_rapid: matches!(first.kind, CommandKind::Rapid { .. }),
@@ -203,7 +203,7 @@ impl View {
 
     fn turns(&self) -> bool {
         // (x, z) to (z, x) turns the sense once more.
-        (self.along * self.across < 0.0) != !self.along_x
+        (self.along * self.across < 0.0) == self.along_x
     }
 
     /// The edges of a contour, moved by a vector of (along, across).

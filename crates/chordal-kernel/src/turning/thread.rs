@@ -79,6 +79,7 @@ fn depths(words: &ThreadWords, least: f64, finish: f64, finish_passes: u32) -> O
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::FRAC_1_SQRT_2;
 
     #[test]
     fn passes_of_equal_area_and_not_below_the_least() {
@@ -87,7 +88,18 @@ mod tests {
             ThreadWords { end: [10.188, -25.0], taper: 0.0, height: 1.812, first: 0.5, lead: 3.0 };
         let depths = depths(&words, 0.1, 0.1, 2).expect("not too many");
         let expected = [
-            0.5, 0.7071, 0.8660, 1.0, 1.1180, 1.2247, 1.3247, 1.4247, 1.5247, 1.6247, 1.712, 1.812,
+            0.5,
+            FRAC_1_SQRT_2,
+            0.8660,
+            1.0,
+            1.1180,
+            1.2247,
+            1.3247,
+            1.4247,
+            1.5247,
+            1.6247,
+            1.712,
+            1.812,
             1.812,
         ];
         assert_eq!(depths.len(), expected.len());

@@ -50,7 +50,7 @@ pub const KINDS: &[Kind] = &[
     // Codes.
     kind("unknown G code", unknown_g, &["CH301"]),
     // Where M codes are the machine builder's, an unknown one is a note.
-    kind("unknown M code", unknown_m, &["CH301"]).not_on(&["fanuc", "mitsubishi"]),
+    kind("unknown M code", unknown_m, &["CH301"]).not_on(&["fanuc", "fanuc-lathe", "mitsubishi"]),
     kind("G0 and G1 in one block", two_motions, &["CH302"]),
     kind("G54 and G55 in one block", two_offsets, &["CH302"]).not_on(&["fadal"]),
     // Arcs.

@@ -199,7 +199,7 @@ pub fn no_d(part: &Part, line: &Line) -> Planted {
 pub fn no_g40(_: &Part, line: &Line) -> Planted {
     let word = line.g(&["40"])?;
     // Not those of the first line, where nothing is on.
-    line.g(&["17", "80", "49"]).is_none().then(|| line.without(word))
+    line.g(&["17", "80", "49", "99"]).is_none().then(|| line.without(word))
 }
 
 /// The first line after it that returns in X or Y, changes the tool or ends.

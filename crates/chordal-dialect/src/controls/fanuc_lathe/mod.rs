@@ -42,7 +42,7 @@ pub static TABLE: ControlTable = ControlTable {
     program_numbers: ProgramNumbers { largest: 9999, digits: 4, required: true },
     call_start_label: Some(b'Q'),
     macros: &super::fanuc::MACROS,
-    kind: Some(&crate::not_read::lathe::LATHE),
+    kind: Some(&crate::lathe_signs::LATHE),
     evidence: recognition::EVIDENCE,
     post: &post::POST,
     default_machine: "fanuc-lathe",

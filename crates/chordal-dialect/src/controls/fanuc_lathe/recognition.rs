@@ -1,7 +1,7 @@
-//! Signs that tell a Fanuc among lathes. That a program is for a lathe at all, `not_read/lathe.rs` says.
+//! Signs that tell a Fanuc among lathes. That a program is for a lathe at all, `lathe_signs.rs` says.
 
 use crate::controls::fanuc::recognition::{MACHINES, NAMES};
-use crate::not_read::lathe::BUILDERS;
+use crate::lathe_signs::BUILDERS;
 use crate::vocabulary::*;
 
 pub(super) const EVIDENCE: &[Evidence] = &[

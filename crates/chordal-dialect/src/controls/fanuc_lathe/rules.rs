@@ -20,7 +20,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         radius_offsets: OffsetKind::Radius,
         bare_home_moves_all: true,
         compensation: COMPENSATION,
-        turning: TurningRules::COMMON,
+        corner: CORNER,
         arc: ArcRules {
             full_circle_by_radius: FullCircleByRadius::NoMotion,
             rotary_in_arc: false,
@@ -34,7 +34,9 @@ pub(super) const PARAMETERS: Parameters = Parameters {
 /// Two blocks are read ahead (B-63604EN): one without motion may stand between.
 const COMPENSATION: CompensationRules = CompensationRules {
     idle_blocks: Some(1),
-    offset_of_tool: true,
-    coordinate_change: Allowance::Allowed,
     ..CompensationRules::COMMON
 };
+
+/// Chamfer and corner R with a comma, as on the mills.
+const CORNER: CornerRules =
+    CornerRules { moves: CornerMoves::LinesAndArcs, dwells_between: 1, straight_deg: 1.0 };

@@ -62,7 +62,7 @@ impl Kernel<'_> {
             let command = self.in_work(kind, self.origin);
             match &mut self.corners.held {
                 Some(held) => held.waiting.push(Waiting::Command(command)),
-                None => self.into_sink(&command),
+                None => self.hand_over(&command),
             }
             return;
         }
@@ -90,7 +90,7 @@ impl Kernel<'_> {
 
     fn push(&mut self, kind: CommandKind) {
         let command = self.in_work(kind, self.origin);
-        self.into_sink(&command);
+        self.hand_over(&command);
     }
 
     /// Keeps a move until the next one is known, if it can end in a corner.
@@ -206,7 +206,7 @@ impl Kernel<'_> {
             Ok(Some(Joined { first, corner, next })) => {
                 for part in first.into_iter().chain([corner]) {
                     let command = self.in_work(part, held.origin);
-                    self.into_sink(&command);
+                    self.hand_over(&command);
                 }
                 self.push_waiting(held.waiting);
                 next
@@ -396,14 +396,14 @@ impl Kernel<'_> {
     /// The move as it was written, and what came after.
     fn pass_on(&mut self, held: Held) {
         let kind = held.frames.map().command(held.kind, held.plane);
-        self.into_sink(&Command { kind, origin: held.origin });
+        self.hand_over(&Command { kind, origin: held.origin });
         self.push_waiting(held.waiting);
     }
 
     fn push_waiting(&mut self, waiting: Vec<Waiting>) {
         for item in waiting {
             match item {
-                Waiting::Command(command) => self.into_sink(&command),
+                Waiting::Command(command) => self.hand_over(&command),
                 Waiting::BlockDone(origin, modal) => {
                     self.sink.block_done(&origin, &|| (*modal).clone())
                 }
