@@ -13,6 +13,7 @@ __all__ = [
     "Machine",
     "Motion",
     "Program",
+    "Stock",
     "Table",
     "__version__",
     "arc_from_center",

@@ -488,7 +488,7 @@ class Program:
         ... }
         >>> text = "G21 G90 G54\\nT1 M6\\nS3000 M3\\nG0 X-20. Y30. Z-5.\\nG1 X100. F600.\\nM30\\n"
         >>> left = chordal.loads(text, setup).stock()
-        >>> left.verdict, left.most.shape, float(left.most[150, 200])
+        >>> left.verdict, left.most.shape, round(float(left.most[150, 200]), 3)
         ('clean', (300, 400), -5.0)
         """
         machine = None if setup is None else machine_of(setup)._machine

@@ -16,7 +16,8 @@ def test_built_in_machines() -> None:
     assert "haas-vf2" in names
     for name in names:
         machine = Machine.named(name)
-        assert machine.name == name and "XYZ" in machine.axes
+        # A lathe may have no Y.
+        assert machine.name == name and {"X", "Z"} <= set(machine.axes)
         assert Machine.from_toml(machine.to_toml(), name) == machine
         assert pickle.loads(pickle.dumps(machine)) == machine
 

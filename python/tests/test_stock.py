@@ -47,7 +47,8 @@ def test_heights_are_arrays() -> None:
 
 
 def test_a_rapid_in_the_stock_is_told() -> None:
-    hit = chordal.loads(SLOT.replace("G1 Z-5. F200.", "G0 Z-5."), SETUP).stock()
+    plunge = SLOT.replace("G1 Z-5. F200.\nX60.", "G0 Z-5.\nG1 X60.")
+    hit = chordal.loads(plunge, SETUP).stock()
     assert not hit and hit.verdict == "problems"
     (problem,) = [each for each in hit.problems if each["code"] == "CH620"]
     assert problem["line"] == 6 and problem["depth_mm"]["least"] == pytest.approx(5, abs=1e-3)
