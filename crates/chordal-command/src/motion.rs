@@ -77,11 +77,6 @@ impl SurfaceSpeed {
         let free = self.mm_per_s / (2.0 * std::f64::consts::PI * radius_mm.abs());
         free.min(self.most_rev_per_s)
     }
-
-    /// Inside this radius the spindle turns at its limit, mm.
-    pub fn limited_inside_mm(&self) -> f64 {
-        self.mm_per_s / (2.0 * std::f64::consts::PI * self.most_rev_per_s)
-    }
 }
 
 /// An arc, a helix, a spiral or a cone: the radius goes linearly with the angle from

@@ -44,7 +44,7 @@ pub enum CenterAndRadius {
     Refused,
 }
 
-/// What the number behind T says.
+/// What the number after T says.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum ToolWord {
     /// A tool, which a code puts into the spindle.

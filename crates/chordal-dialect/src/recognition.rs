@@ -89,7 +89,7 @@ pub struct Evidence {
     pub reason: &'static str,
 }
 
-/// A kind of machine, and how its programs are told from those of others.
+/// A kind of machine, and how its programs are distinguished from those of others.
 #[derive(Debug)]
 pub struct MachineKind {
     /// The signs that a program is for this kind at all.

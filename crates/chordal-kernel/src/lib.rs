@@ -56,4 +56,4 @@ pub use state::{
     CycleState, Motion, OverrideState, SplineForm, State, ThreadMemory, TurnPass, TurningMemory,
 };
 pub use statement::{Statement, What};
-pub use turning::{PeckWords, Profile, ProfileWords, RoughWords, ThreadWords};
+pub use turning::{PeckWords, Profile, RoughWords, ThreadWords};

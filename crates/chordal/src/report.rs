@@ -107,6 +107,18 @@ impl Report {
         }
     }
 
+    /// Adds problems of a further pass, counted and in their places.
+    pub(crate) fn add(&mut self, diagnostics: impl IntoIterator<Item = Diagnostic>) {
+        for diagnostic in diagnostics {
+            self.counts.add(diagnostic.severity);
+            self.diagnostics.push(diagnostic);
+        }
+        self.diagnostics.sort_by_key(|each| {
+            let span = each.primary.span;
+            (span.file, span.range.start)
+        });
+    }
+
     /// The whole path was followed as the control would go it.
     pub fn verified(&self) -> bool {
         self.not_verified_from.is_none()

@@ -82,11 +82,7 @@ impl Interpreter<'_> {
         if named == AxisMask::NONE {
             return;
         }
-        let lead = self.length_of(block, b'F').or(self.kernel.state.feed).unwrap_or(0.0);
-        if lead <= 0.0 {
-            let span = self.span(block.range);
-            return self.report_no_lead(span);
-        }
+        let Some(lead) = self.lead_by_feed(block) else { return };
         self.kernel.turned_thread(&self.at(block), target, lead);
     }
 }

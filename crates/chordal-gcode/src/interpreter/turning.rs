@@ -4,7 +4,7 @@ use chordal_command::{AxisMask, Position, Side};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::{Action, OnceCode, code_number};
 use chordal_kernel::rules::TurnCycle;
-use chordal_kernel::{PeckWords, Profile, ProfileWords, RoughWords, ThreadWords, TurnPass};
+use chordal_kernel::{PeckWords, Profile, RoughWords, ThreadWords, TurnPass};
 use chordal_syntax::{Block, Letters, Position as TextPosition};
 
 use super::{EndReason, Flow, Interpreter};
@@ -17,7 +17,7 @@ struct Contour {
     first: TextPosition,
     /// Its first block names both axes, be it by W0.
     names_both: bool,
-    /// Behind its last block.
+    /// After its last block.
     end: TextPosition,
 }
 
@@ -54,8 +54,18 @@ impl Interpreter<'_> {
         self.kernel.turn_pass(&self.at(block), pass);
     }
 
+    /// The lead of a thread: F of its block, or the one in force.
+    pub(super) fn lead_by_feed(&mut self, block: &Block) -> Option<f64> {
+        let lead = self.length_of(block, b'F').or(self.kernel.state.feed);
+        let lead = lead.filter(|lead| *lead > 0.0);
+        if lead.is_none() {
+            self.report_no_lead(self.span(block.range));
+        }
+        lead
+    }
+
     /// A thread needs a lead.
-    pub(super) fn report_no_lead(&mut self, span: chordal_diagnostics::Span) {
+    fn report_no_lead(&mut self, span: chordal_diagnostics::Span) {
         let message = "a thread without F, its lead";
         self.kernel.report(
             Diagnostic::new(Code::MissingFeed, span, message)
@@ -135,7 +145,7 @@ impl Interpreter<'_> {
         let Some((contour, profile)) = self.read_contour(block, at) else { return };
         let words = RoughWords {
             along_x,
-            profile: ProfileWords { allowance },
+            allowance,
             depth,
             retract: self.kernel.state.turning.rough_retract,
             pockets: contour.names_both,
@@ -143,7 +153,7 @@ impl Interpreter<'_> {
         if self.contour_goes_on(block, &profile, along_x) {
             self.kernel.rough(&self.at(block), &words, &profile);
         }
-        self.go_on_behind(&contour);
+        self.continue_after(&contour);
     }
 
     /// I and K of a roughing cycle in one block: a further pass before the last one.
@@ -175,8 +185,8 @@ impl Interpreter<'_> {
         }
         let allowance = self.allowance(block);
         let Some((contour, profile)) = self.read_contour(block, at) else { return };
-        self.kernel.turn_pattern(&self.at(block), &ProfileWords { allowance }, &profile);
-        self.go_on_behind(&contour);
+        self.kernel.turn_pattern(&self.at(block), allowance, &profile);
+        self.continue_after(&contour);
     }
 
     /// R of G73: passes, written as a whole number or with a point.
@@ -252,10 +262,7 @@ impl Interpreter<'_> {
                 "the height of a thread and the depth of its first pass are above zero".into();
             return self.refuse_cycle(span, message, "give both", "PS0317");
         }
-        let lead = self.length_of(block, b'F').or(self.kernel.state.feed).unwrap_or(0.0);
-        if lead <= 0.0 {
-            return self.report_no_lead(span);
-        }
+        let Some(lead) = self.lead_by_feed(block) else { return };
         let end = [target[X], target[Z]];
         let words = ThreadWords { end, taper, height, first, lead };
         self.kernel.thread_passes(&self.at(block), &words);
@@ -401,20 +408,20 @@ impl Interpreter<'_> {
                 "it needs a first move and a contour after it",
                 "PS0065",
             );
-            self.go_on_behind(&contour);
+            self.continue_after(&contour);
             return None;
         }
         Some((contour, profile?))
     }
 
-    /// A program goes on behind the contour, where that stands after the cycle.
-    fn go_on_behind(&mut self, contour: &Contour) {
+    /// A program continues after the contour, where that stands after the cycle.
+    fn continue_after(&mut self, contour: &Contour) {
         if contour.end.offset > self.reader.position().offset {
             self.reader.seek(contour.end);
         }
     }
 
-    /// Carries out the blocks of a contour, and comes back behind the cycle's block.
+    /// Carries out the blocks of a contour, and continues after the block of the cycle.
     fn run_contour(&mut self, contour: &Contour, cycle: &Block) {
         let here = self.reader.position();
         let origin = self.kernel.origin;

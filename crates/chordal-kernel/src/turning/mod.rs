@@ -17,7 +17,7 @@ use crate::kernel::Kernel;
 use crate::statement::Statement;
 
 pub use peck::PeckWords;
-pub use profile::{Profile, ProfileWords};
+pub use profile::Profile;
 pub use rough::RoughWords;
 pub use thread::ThreadWords;
 

@@ -2,11 +2,11 @@
 
 use crate::kernel::Kernel;
 use crate::statement::Statement;
-use crate::turning::profile::{Edge, Profile, ProfileWords};
+use crate::turning::profile::Profile;
 
 impl Kernel<'_> {
     /// Runs the contour in so many passes, each nearer than the one before, and comes back to the start.
-    pub fn turn_pattern(&mut self, at: &dyn Statement, words: &ProfileWords, profile: &Profile) {
+    pub fn turn_pattern(&mut self, at: &dyn Statement, allowance: [f64; 2], profile: &Profile) {
         let start = self.turned_place();
         let memory = self.state.turning;
         let passes = memory.pattern_passes.max(1);
@@ -16,21 +16,15 @@ impl Kernel<'_> {
                 1 => 0.0,
                 _ => f64::from(passes - pass) / f64::from(passes - 1),
             };
-            let by = [0, 1].map(|axis| words.allowance[axis] + memory.pattern[axis] * share);
+            let by = [0, 1].map(|axis| allowance[axis] + memory.pattern[axis] * share);
             let moved = |at: [f64; 2]| [at[0] + by[0], at[1] + by[1]];
             self.turn_rapid(moved(start));
             match profile.first_is_rapid {
                 true => self.turn_rapid(moved(profile.start)),
                 false => self.turn_cut(at, moved(profile.start)),
             }
-            let cycle = self.origin;
-            for edge in &profile.edges {
-                self.origin = chordal_command::Origin { cycle: true, ..edge.origin };
-                let arc = edge.arc.map(|(center, sweep)| (moved(center), sweep));
-                let edge = Edge { from: moved(edge.from), to: moved(edge.to), arc, ..*edge };
-                self.turn_edge(at, &edge);
-            }
-            self.origin = cycle;
+            let edges = profile.edges.iter().map(|edge| edge.mapped(moved, false));
+            self.turn_contour(at, edges);
         }
         self.turn_rapid(start);
         self.origin.cycle = false;

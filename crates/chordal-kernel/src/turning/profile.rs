@@ -7,13 +7,6 @@ use crate::kernel::Kernel;
 use crate::statement::Statement;
 use crate::turning::{SAME_MM, XZ};
 
-/// Words that a cycle with a contour shares.
-#[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct ProfileWords {
-    /// What is left for finishing: on the radius, and along Z, mm.
-    pub allowance: [f64; 2],
-}
-
 /// A contour as its blocks cut it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
@@ -79,7 +72,7 @@ impl Edge {
     }
 
     /// The edge in other coordinates; `turns` where they turn the other way round.
-    fn mapped(&self, map: impl Fn([f64; 2]) -> [f64; 2], turns: bool) -> Edge {
+    pub(super) fn mapped(&self, map: impl Fn([f64; 2]) -> [f64; 2], turns: bool) -> Edge {
         let arc = self.arc.map(|(center, sweep)| (map(center), if turns { -sweep } else { sweep }));
         Edge { from: map(self.from), to: map(self.to), arc, origin: self.origin }
     }
@@ -222,6 +215,16 @@ impl View {
 }
 
 impl Kernel<'_> {
+    /// Cuts edges of X and Z, each as its own block.
+    pub(super) fn turn_contour(&mut self, at: &dyn Statement, edges: impl Iterator<Item = Edge>) {
+        let cycle = self.origin;
+        for edge in edges {
+            self.origin = Origin { cycle: true, ..edge.origin };
+            self.turn_edge(at, &edge);
+        }
+        self.origin = cycle;
+    }
+
     /// Cuts an edge of X and Z from where the tool is.
     pub(super) fn turn_edge(&mut self, at: &dyn Statement, edge: &Edge) {
         let Some((center, sweep)) = edge.arc else {

@@ -6,7 +6,7 @@ use crate::kernel::Kernel;
 use crate::rules::FirstLevel;
 use crate::statement::Statement;
 use crate::turning::SAME_MM;
-use crate::turning::profile::{Edge, Profile, ProfileWords, View};
+use crate::turning::profile::{Edge, Profile, View};
 
 /// Most passes of one cycle: a depth of a micron is a slip.
 const MOST_PASSES: u32 = 100_000;
@@ -16,8 +16,8 @@ const MOST_PASSES: u32 = 100_000;
 pub struct RoughWords {
     /// Passes along X (G72), not along Z.
     pub along_x: bool,
-    /// What is left for finishing.
-    pub profile: ProfileWords,
+    /// What is left for finishing: on the radius, and along Z, mm.
+    pub allowance: [f64; 2],
     /// Depth of a pass, mm.
     pub depth: f64,
     /// How far a pass backs off, mm.
@@ -43,7 +43,7 @@ impl Kernel<'_> {
     pub fn rough(&mut self, at: &dyn Statement, words: &RoughWords, profile: &Profile) {
         let start = self.turned_place();
         let view = View::new(words.along_x, start, profile);
-        let by = view.seen(words.profile.allowance);
+        let by = view.seen(words.allowance);
         self.check_allowance(at, by);
         let edges = view.edges(profile, by);
         let seen = view.seen(start);
@@ -60,7 +60,6 @@ impl Kernel<'_> {
             return self.report_passes(at, passes);
         }
         self.origin.cycle = true;
-        let cycle = self.origin;
         self.turn_rapid(view.place(begin));
         let job = Job {
             view,
@@ -76,11 +75,7 @@ impl Kernel<'_> {
         }
         self.infeed(at, &job, [begin[0], first[1]]);
         self.infeed(at, &job, first);
-        for edge in &edges {
-            self.origin = chordal_command::Origin { cycle: true, ..edge.origin };
-            self.turn_edge(at, &view.placed(edge));
-        }
-        self.origin = cycle;
+        self.turn_contour(at, edges.iter().map(|edge| view.placed(edge)));
         self.turn_rapid(start);
         self.origin.cycle = false;
     }

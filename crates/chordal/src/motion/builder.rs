@@ -383,10 +383,13 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         let Some((last, bends)) = segments.split_last() else {
             return self.other_command(command);
         };
+        let is_one = bends.is_empty() && last.kind != SegmentKind::Spline;
+        if is_one && self.keeps_surface_speed(command, last) {
+            return;
+        }
         let cycle = command.origin.cycle;
         match bends.first() {
             _ if last.kind == SegmentKind::Spline => self.spline(segments, cycle),
-            _ if bends.is_empty() && self.keeps_surface_speed(command, last) => {}
             Some(first) if !self.dog_leg_shape => {
                 self.segment(&chord(first, bends, last), cycle, false);
             }

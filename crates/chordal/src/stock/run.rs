@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use chordal_command::Origin;
-use chordal_diagnostics::{Code, Severity};
+use chordal_diagnostics::Code;
 use chordal_geometry::ParamCurve;
 use chordal_stock::columns::{Job as TileJob, Runner};
 use chordal_stock::shape::Shape;
@@ -262,18 +262,7 @@ fn finish(
 ) -> StockReport {
     let has_problems = problems.hits > 0 || report.counts.errors > 0;
     let is_proved = is_proved && report.verified();
-    for diagnostic in problems.diagnostics {
-        match diagnostic.severity {
-            Severity::Error => report.counts.errors += 1,
-            Severity::Warning => report.counts.warnings += 1,
-            Severity::Note => report.counts.notes += 1,
-        }
-        report.diagnostics.push(diagnostic);
-    }
-    report.diagnostics.sort_by_key(|each| {
-        let span = each.primary.span;
-        (span.file, span.range.start)
-    });
+    report.add(problems.diagnostics);
     let Cut { checked: Checked { stock, refined, .. }, hollow } = cut;
     let [removed_mm3, left_mm3] = hollow.unwrap_or_else(|| [stock.removed(), stock.left()]);
     let by_tag: BTreeMap<u32, Amount> = stock.removed_by_tag().into_iter().collect();

@@ -2,7 +2,7 @@
 
 use crate::vocabulary::*;
 
-pub(super) const ALARMS: &[(Code, &str)] = &[
+pub(in crate::controls) const ALARMS: &[(Code, &str)] = &[
     (Code::InsideArcTooSmall, "PS0041 INTERFERENCE IN CRC"),
     (Code::CompensationInterference, "PS0041 INTERFERENCE IN CRC"),
     (Code::NoOffsetIntersection, "PS0033 NO SOL AT CRC"),

@@ -8,6 +8,7 @@ pub(crate) mod recognition;
 mod rules;
 mod settings;
 
+pub(super) use alarms::ALARMS;
 pub(super) use macros::{GROUPS, MACROS};
 pub(super) use post::POST;
 
@@ -24,7 +25,7 @@ pub static TABLE: ControlTable = ControlTable {
     m_codes: codes::M_CODES,
     parameters: rules::PARAMETERS,
     settings: settings::SETTINGS,
-    alarms: alarms::ALARMS,
+    alarms: ALARMS,
     scale_unit: 0.001,
     motion: MotionModality::Exclusive,
     distance_left_to_right: false,

@@ -1,6 +1,5 @@
 //! Fanuc 0i-T, 18i-T, 31i-T and what reads as one: lathes with X as a diameter.
 
-mod alarms;
 mod codes;
 mod post;
 mod recognition;
@@ -19,7 +18,7 @@ pub static TABLE: ControlTable = ControlTable {
     m_codes: codes::M_CODES,
     parameters: rules::PARAMETERS,
     settings: settings::SETTINGS,
-    alarms: alarms::ALARMS,
+    alarms: super::fanuc::ALARMS,
     scale_unit: 0.001,
     motion: MotionModality::Exclusive,
     distance_left_to_right: false,

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use chordal_command::Origin;
-use chordal_diagnostics::Severity;
 use chordal_geometry::ParamCurve;
 use chordal_machine::{Tool, ToolShape};
 use chordal_stock::engagement::{Between, Measuring, Meter, Slice};
@@ -105,18 +104,7 @@ impl Job<'_> {
         let (is_whole, units) =
             (gathered.is_whole() && !has_undercuts && report.verified(), gathered.units);
         found.diagnostics.append(&mut gathered.diagnostics);
-        for diagnostic in found.diagnostics {
-            match diagnostic.severity {
-                Severity::Error => report.counts.errors += 1,
-                Severity::Warning => report.counts.warnings += 1,
-                Severity::Note => report.counts.notes += 1,
-            }
-            report.diagnostics.push(diagnostic);
-        }
-        report.diagnostics.sort_by_key(|each| {
-            let span = each.primary.span;
-            (span.file, span.range.start)
-        });
+        report.add(found.diagnostics);
         Ok(EngagementReport {
             resolution_mm: resolution,
             material_word,
