@@ -30,11 +30,9 @@ use width::Widths;
 const ROUNDS: usize = 60;
 
 /// Where the curve is beyond the tolerance by no larger factor it is pulled back, so many times, before widths
-/// fall: narrower ones move all knots that follow.
+/// fall: narrower ones move all knots that follow, and there is another place that is too far. So every round pulls.
 const PULLED: f64 = 4.0;
 const PULLS: usize = 12;
-/// So many times in all rounds: a long run has a place somewhere that no pull helps.
-const ALL_PULLS: usize = 12;
 
 /// Widths are looked for so far from the ends of a chord, in tolerances.
 const APART: f64 = 16.0;
@@ -194,7 +192,6 @@ impl Smoothing {
             }
         };
         widths.find(through, measure, kernel, most);
-        let mut pulls = 0;
         for _ in 0..ROUNDS {
             widths.settle(through, measure, kernel, times);
             spline.fit(through, widths, kernel);
@@ -203,10 +200,9 @@ impl Smoothing {
                 if off <= 1.0 {
                     return Some(Smooth { at: &spline.at, jets: &spline.jets });
                 }
-                if pull == PULLS || pulls == ALL_PULLS || off > PULLED {
+                if pull == PULLS || off > PULLED {
                     break;
                 }
-                pulls += 1;
                 spline.pull(&certificate.pulls);
                 off = certificate.find_moved(chords, spline, measure);
             }

@@ -1,9 +1,9 @@
 //! The quickest of some curves through the same chords.
 //!
 //! A curve within a tolerance is also within a larger one. So the lower values of a fixed ladder of tolerances
-//! are candidates as well, and more tolerance is not slower. About how long a curve takes is known without
-//! its law, from the two passes that limit its speeds: only of those that are near the least of these times
-//! laws are made.
+//! are candidates as well, and more tolerance is not slower. About how long a curve takes is known from the
+//! first law that the steps to the quickest one begin with: only of those that are near the least of these
+//! times, of each way of smoothing, the quickest laws are made.
 
 use chordal_geometry::AXES;
 
@@ -16,10 +16,11 @@ use crate::trajectory::Phase;
 
 /// The ladder, mm.
 const LADDER: [f64; 9] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5];
-/// Of curves whose times without jerk differ by a larger share the one with the least is the quickest: so for 160
-/// random paths with 3 and 4 decimals to 0.01 % on average, and to 1 % in the worst case.
-const NEAR: f64 = 0.01;
-/// Where all curves of a value of the ladder take so much longer without jerk, those of lower values do so, too.
+/// Curves of one way of smoothing whose first laws take longer than the least by a larger share are not the
+/// quickest, nor are those of a way whose least is above the other's by a larger share.
+const NEAR: f64 = 0.005;
+const OTHER: f64 = 0.02;
+/// Where the first laws of all curves of a value of the ladder take so much longer, those of lower values do so, too.
 const FAR: f64 = 0.02;
 /// Of what a run takes longer than at its feed another curve gains no more than about this share: a tenth where most
 /// was seen to be gained. By no more do the estimates of such a run differ.
@@ -29,6 +30,8 @@ const GAIN: f64 = 0.2;
 const LITTLE: f64 = 2e-4;
 const LITTLE_OF_MANY: f64 = 4e-3;
 const MANY: usize = 2000;
+/// Steps in which the share of the speeds is looked for that a short way is quickest at.
+const SLOWER: [f64; 4] = [0.8, 1.05, 0.98, 1.005];
 
 /// Finds the quickest curves, one after the other; keeps its memory.
 #[derive(Debug, Default)]
@@ -59,7 +62,12 @@ struct Candidate {
     pieces: Vec<Piece>,
     speeds: Vec<f64>,
     laid: Laid,
+    way: Option<Way>,
 }
+
+/// The least times of first laws, of each way.
+#[derive(Clone, Copy, Debug)]
+struct Leasts([f64; Way::ALL.len()]);
 
 impl Quickest {
     /// The quickest curve through some chords, if there is one. `lay` makes pieces with their largest speeds,
@@ -77,7 +85,7 @@ impl Quickest {
         let has_ladder = measure.has_linear();
         let lower = LADDER.iter().rev().copied().filter(|value| has_ladder && *value < own);
         let little = if chords.count() > MANY { LITTLE_OF_MANY } else { LITTLE };
-        let (mut least_s, mut at_feed_s) = (f64::INFINITY, f64::INFINITY);
+        let (mut leasts, mut at_feed_s) = (Leasts::NONE, f64::INFINITY);
         let mut best: Option<Curved> = None;
         for tolerance in std::iter::once(own).chain(lower) {
             let measure = measure.with_linear(tolerance);
@@ -96,13 +104,14 @@ impl Quickest {
                     self.spare.push(candidate);
                     continue;
                 };
-                let own_s = laid.least_s;
-                level_s = level_s.min(own_s);
+                let is_first = laid.first_s <= leasts.s().min(level_s);
+                level_s = level_s.min(laid.first_s);
+                leasts.see(way, laid.first_s);
                 at_feed_s = at_feed_s.min(candidate.at_feed_s(limits, whole.ends()));
                 // A run that is at its feed nearly everywhere needs no other candidate.
-                if level_s.min(least_s) == own_s
+                if is_first
                     && best.is_none()
-                    && GAIN * (own_s - at_feed_s) <= little * at_feed_s
+                    && GAIN * (laid.least_s - at_feed_s) <= little * at_feed_s
                     && let Some(planned) = self.solve_laid(&whole, gap, &laid)
                 {
                     let is_done = planned.is_near(at_feed_s, little);
@@ -113,18 +122,20 @@ impl Quickest {
                     }
                 } else {
                     candidate.laid = laid;
+                    candidate.way = Some(way);
                     self.keep(candidate);
                 }
             }
-            least_s = least_s.min(level_s);
-            let far_s = window_s(FAR, least_s, at_feed_s, &best);
-            if level_s > least_s + far_s || level_s == f64::INFINITY {
+            let far_s = window_s(FAR, leasts.s(), at_feed_s, &best);
+            if level_s > leasts.s() + far_s || level_s == f64::INFINITY {
                 break;
             }
-            self.drop_far(least_s * (1.0 + NEAR));
+            self.drop_far(&leasts);
         }
-        let near_s = window_s(NEAR, least_s, at_feed_s, &best);
-        let best = self.quickest_of_found(gap, least_s + near_s, best, run);
+        let [near_s, other_s] =
+            [NEAR, OTHER].map(|share| window_s(share, leasts.s(), at_feed_s, &best));
+        let is_near = |candidate: &Candidate| leasts.has_near(candidate, near_s, other_s);
+        let best = self.quickest_of_found(gap, is_near, best, run);
         best.map(|best| Curved { at_feed_s, ..best })
     }
 
@@ -141,11 +152,12 @@ impl Quickest {
         }
     }
 
-    /// Drops the candidates that take more without jerk.
-    fn drop_far(&mut self, most_s: f64) {
+    /// Drops the candidates that others of their way are far ahead of.
+    fn drop_far(&mut self, leasts: &Leasts) {
+        let near_s = NEAR * leasts.s();
         let mut index = 0;
         while index < self.found.len() {
-            if self.found[index].laid.least_s > most_s {
+            if !leasts.has_near(&self.found[index], near_s, f64::INFINITY) {
                 self.spare.push(self.found.swap_remove(index));
             } else {
                 index += 1;
@@ -153,22 +165,22 @@ impl Quickest {
         }
     }
 
-    /// The quickest with its law of the candidates that take no more than a time without jerk, and of the best
-    /// that is known; where none of these has a law, the first that has one.
+    /// The quickest with its law of the candidates that are near the least, and of the best that is known; where
+    /// none of these has a law, the first that has one.
     fn quickest_of_found(
         &mut self,
         gap: f64,
-        most_s: f64,
+        is_near: impl Fn(&Candidate) -> bool,
         mut best: Option<Curved>,
         run: impl for<'a> Fn(&'a [Piece], &'a [f64]) -> Option<Run<'a>>,
     ) -> Option<Curved> {
         let mut found = std::mem::take(&mut self.found);
-        found.sort_by(|a, b| a.laid.least_s.total_cmp(&b.laid.least_s));
+        found.sort_by(|a, b| a.laid.first_s.total_cmp(&b.laid.first_s));
         for candidate in &mut found {
-            if best.is_some() && candidate.laid.least_s > most_s {
-                break;
+            if best.is_some() && !is_near(candidate) {
+                continue;
             }
-            let Candidate { pieces, speeds, laid } = &*candidate;
+            let Candidate { pieces, speeds, laid, .. } = &*candidate;
             let Some(whole) = run(pieces, speeds) else { continue };
             let Some(planned) = self.solve_laid(&whole, gap, laid) else { continue };
             if best.as_ref().is_none_or(|best| planned.time_s < best.time_s) {
@@ -204,6 +216,27 @@ impl Quickest {
     }
 }
 
+impl Leasts {
+    const NONE: Leasts = Leasts([f64::INFINITY; Way::ALL.len()]);
+
+    fn see(&mut self, way: Way, first_s: f64) {
+        let own = &mut self.0[way as usize];
+        *own = own.min(first_s);
+    }
+
+    /// The least of all.
+    fn s(&self) -> f64 {
+        self.0.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether a candidate is near the least of its way, and that is near the least of all.
+    fn has_near(&self, candidate: &Candidate, near_s: f64, other_s: f64) -> bool {
+        let Some(way) = candidate.way else { return false };
+        let own_s = self.0[way as usize];
+        candidate.laid.first_s <= own_s + near_s && own_s <= self.s() + other_s
+    }
+}
+
 impl Curved {
     /// Whether no curve can gain much of what it takes longer than at its feed.
     fn is_near(&self, at_feed_s: f64, little: f64) -> bool {
@@ -223,18 +256,30 @@ impl Candidate {
         self.speeds.clear();
     }
 
-    /// The time at its speeds, with a start and a stop, s: little is quicker. Ends with a share of the jerk have no
-    /// more of it on all of the way.
+    /// The time at its speeds, with a start and a stop, s: little is quicker. Where the way is too short for them, at the
+    /// share of them at which it is the least. Ends with a share of the jerk have no more of it on all of the way.
     fn at_feed_s(&self, limits: &Limits, gentle: &[Gentle; 2]) -> f64 {
         let at_speed = self.pieces.iter().zip(&self.speeds);
         let at_speed_s: f64 = at_speed.map(|(piece, speed)| piece.length / speed).sum();
         let ends =
             [(self.pieces.first(), self.speeds.first()), (self.pieces.last(), self.speeds.last())];
-        let lost = ends.into_iter().zip(gentle).map(|(end, gentle)| match end {
-            (Some(piece), Some(speed)) => 0.5 * ramp_s(piece, *speed, limits, gentle.share),
-            _ => 0.0,
-        });
-        at_speed_s + lost.sum::<f64>()
+        let time_s = |share: f64| {
+            let lost = ends.into_iter().zip(gentle).map(|(end, gentle)| match end {
+                (Some(piece), Some(speed)) => {
+                    0.5 * ramp_s(piece, share * speed, limits, gentle.share)
+                }
+                _ => 0.0,
+            });
+            at_speed_s / share + lost.sum::<f64>()
+        };
+        let (mut share, mut least_s) = (1.0, time_s(1.0));
+        for factor in SLOWER {
+            while factor * share <= 1.0 && time_s(factor * share) < least_s {
+                share *= factor;
+                least_s = time_s(share);
+            }
+        }
+        least_s
     }
 }
 

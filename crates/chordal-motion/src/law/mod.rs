@@ -112,6 +112,8 @@ pub(crate) struct Planner {
 pub(crate) struct Laid {
     /// About the least time without jerk along the path, s.
     pub least_s: f64,
+    /// The time of the first law, s.
+    pub first_s: f64,
     cruises: Vec<Cruise>,
     /// Where its cells begin, if there are no cruises.
     cuts: Vec<Cut>,
@@ -174,16 +176,21 @@ impl Planner {
         if self.cruises.is_empty() {
             let Some(least_s) = self.lay(run, ends, gap) else { return false };
             laid.least_s = least_s;
+            laid.first_s = self.first_s(ends);
             laid.cuts.extend_from_slice(self.grid.cuts());
             return true;
         }
         let cruises = self.cruises.iter();
         laid.least_s = cruises.map(|cruise| (cruise.to - cruise.from) / cruise.speed).sum();
+        laid.first_s = laid.least_s;
         for index in 0..=self.cruises.len() {
-            let own =
-                self.between(run, ends, index, |planner, part, ends| planner.lay(part, ends, gap));
-            let Some(least_s) = own else { return false };
+            let own = self.between(run, ends, index, |planner, part, ends| {
+                let least_s = planner.lay(part, ends, gap)?;
+                Some([least_s, planner.first_s(ends)])
+            });
+            let Some([least_s, first_s]) = own else { return false };
             laid.least_s += least_s;
+            laid.first_s += first_s;
         }
         true
     }
@@ -192,6 +199,35 @@ impl Planner {
     fn lay(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64) -> Option<f64> {
         let is_laid = self.grid.lay(run, ends, (gap / USUAL_GAP).clamp(FINEST, 1.0));
         is_laid.then(|| self.own_cells(ends).map(|cell| self.cell_s(cell)).sum())
+    }
+
+    /// The time of the first law of what was laid last, as one window, s.
+    fn first_s(&mut self, ends: [Ends; 2]) -> f64 {
+        let count = self.grid.cells.len();
+        self.window.clear();
+        self.window.resize(count, 0.0);
+        for (end, kept) in ends.iter().zip([0..2, count - 2..count]) {
+            if let Ends::Even(speed) = end {
+                self.window[kept].fill(speed * speed);
+            }
+        }
+        let sides = ends.map(|end| if end == Ends::Rest { Side::Rest } else { Side::Fixed });
+        self.start.find(&self.grid, (0, count), sides, &mut self.window);
+        let length = |cell: usize| self.grid.cells[cell].length;
+        let speed = |node: usize| {
+            let (before, after) = (length(node - 1), length(node));
+            let [one, two] = [self.window[node - 1], self.window[node]];
+            ((one * after + two * before) / (before + after)).sqrt()
+        };
+        let inner = (1..count - 1).map(|cell| 2.0 * length(cell) / (speed(cell) + speed(cell + 1)));
+        let mut time_s: f64 = inner.sum();
+        if ends[0] == Ends::Rest {
+            time_s += 3.0 * length(0) / speed(1);
+        }
+        if ends[1] == Ends::Rest {
+            time_s += 3.0 * length(count - 1) / speed(count - 1);
+        }
+        time_s
     }
 
     /// The cells of what was laid last that are its own, and not before or after it.

@@ -28,6 +28,11 @@ const JERK: f64 = 0.9985;
 /// Prices of an elastic share, as shares of the time, and of the first law what is begun with: the next
 /// where elastic shares stay.
 const TRIES: [[f64; 2]; 4] = [[0.1, 1.0], [0.1, 0.4], [1.0, 0.15], [10.0, 1.0]];
+/// Where the elastic share falls to no less than this share of it in a step after the first ones, it becomes dearer so
+/// many times.
+const DEAR_FROM: u32 = 6;
+const FALLS: f64 = 0.9;
+const DEARER: f64 = 2.0;
 /// So far towards a wall in one step.
 const NEAR: f64 = 0.99;
 const ITERATIONS: usize = 60;
@@ -35,14 +40,16 @@ const ITERATIONS: usize = 60;
 const SLOW: (u32, f64) = (30, 0.1);
 /// A law within all limits is taken at the end of the steps up to this gap, as a share of the time.
 const ROUGH: f64 = 0.02;
-/// An open gap below this share of the time closes no more.
-const STUCK: f64 = 1e-8;
+/// Where the gap is closed to this share of what is asked, what is left of the elastic shares stays.
+const STUCK: f64 = 0.01;
 /// A step that ends beyond a limit is halved so often.
 const SHORTER: u32 = 30;
 /// The least b that has a root.
 const LEAST: f64 = 1e-300;
-/// The largest elastic share that is left.
+/// The largest elastic share that is left, and that a law is taken with at the end of the steps: no more than
+/// what is kept of the limits.
 const ELASTIC: f64 = 3e-4;
+const MOST_ELASTIC: f64 = 1.4e-3;
 
 /// What a solution took.
 #[derive(Clone, Copy, Debug)]
@@ -311,7 +318,8 @@ impl Newton {
         }
         self.begin(how);
         let time = self.time();
-        let price = price * time;
+        let mut price = price * time;
+        let mut known = f64::INFINITY;
         let rows = (2 * self.blocks.len() * (3 + 6 * self.axes)) as f64;
         let mut mu = how.open(gap) * time / rows;
         if !self.begin_prices(mu, price, how) {
@@ -324,7 +332,7 @@ impl Newton {
                 return Solution { iterations, converged: true };
             }
             // Where limits contradict what is given, the elastic shares stay.
-            let is_stuck = now.open.is_nan() || now.open <= STUCK * now.time;
+            let is_stuck = now.open.is_nan() || now.open <= STUCK * gap * now.time;
             let is_slow = iterations >= SLOW.0 && elastic > SLOW.1;
             if is_stuck || is_slow {
                 break;
@@ -332,6 +340,10 @@ impl Newton {
             if iterations > 0 {
                 mu *= now.open / rows;
             }
+            if iterations >= DEAR_FROM && elastic > FALLS * known {
+                price *= DEARER;
+            }
+            known = elastic;
             self.factor();
             self.solve_for(mu);
             let (primal, dual) = self.reach(mu);
@@ -340,7 +352,7 @@ impl Newton {
             mu = ((1.0 - done) * (1.0 - done) * (1.0 - done)).max(0.02);
         }
         // A law within all limits is one, if not the best; one far from the best may nearly stop somewhere.
-        let converged = self.largest_elastic() < ELASTIC && now.open < ROUGH * now.time;
+        let converged = self.largest_elastic() < MOST_ELASTIC && now.open < ROUGH * now.time;
         Solution { iterations: ITERATIONS as u32, converged }
     }
 
