@@ -20,6 +20,10 @@ const LADDER: [f64; 9] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5];
 /// quickest, nor are those of a way whose least is above the other's by a larger share.
 const NEAR: f64 = 0.005;
 const OTHER: f64 = 0.02;
+/// The same of runs that take no longer, s: their laws take little.
+const SHORT_S: f64 = 0.5;
+const NEAR_IF_SHORT: f64 = 0.02;
+const OTHER_IF_SHORT: f64 = 0.05;
 /// Where the first laws of all curves of a value of the ladder take so much longer, those of lower values do so, too.
 const FAR: f64 = 0.02;
 /// Of what a run takes longer than at its feed another curve gains no more than about this share: a tenth where most
@@ -133,7 +137,7 @@ impl Quickest {
             self.drop_far(&leasts);
         }
         let [near_s, other_s] =
-            [NEAR, OTHER].map(|share| window_s(share, leasts.s(), at_feed_s, &best));
+            leasts.shares().map(|share| window_s(share, leasts.s(), at_feed_s, &best));
         let is_near = |candidate: &Candidate| leasts.has_near(candidate, near_s, other_s);
         let best = self.quickest_of_found(gap, is_near, best, run);
         best.map(|best| Curved { at_feed_s, ..best })
@@ -154,7 +158,7 @@ impl Quickest {
 
     /// Drops the candidates that others of their way are far ahead of.
     fn drop_far(&mut self, leasts: &Leasts) {
-        let near_s = NEAR * leasts.s();
+        let near_s = leasts.shares()[0] * leasts.s();
         let mut index = 0;
         while index < self.found.len() {
             if !leasts.has_near(&self.found[index], near_s, f64::INFINITY) {
@@ -227,6 +231,11 @@ impl Leasts {
     /// The least of all.
     fn s(&self) -> f64 {
         self.0.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// How near the least of its way the first law of a candidate is, and that least the least of all.
+    fn shares(&self) -> [f64; 2] {
+        if self.s() > SHORT_S { [NEAR, OTHER] } else { [NEAR_IF_SHORT, OTHER_IF_SHORT] }
     }
 
     /// Whether a candidate is near the least of its way, and that is near the least of all.
