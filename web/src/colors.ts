@@ -23,6 +23,8 @@ export interface Palette {
   toolShape: string;
   /** Stock that is not cut yet, and where it is cut open. */
   stock: string;
+  /** What holds the stock. */
+  fixture: string;
   inside: string;
   /** From too deep by much to too high by much, in the middle where it is right. */
   deviation: string[];
@@ -47,6 +49,7 @@ export const LIGHT: Palette = {
   measure: "#6a1bb0",
   toolShape: "#5b6672",
   stock: "#c9ced4",
+  fixture: "#8aa0b4",
   inside: "#e9c46a",
   deviation: ["#b00020", "#ef6a5a", "#b9c2b4", "#5aa2e0", "#0b4fa8"],
 };
@@ -64,6 +67,7 @@ export const DARK: Palette = {
   measure: "#e3b3ff",
   toolShape: "#c8d2dc",
   stock: "#8f989f",
+  fixture: "#4d6478",
   inside: "#b8923a",
   deviation: ["#ff4d5e", "#f08a7a", "#7d8a80", "#6fb0ea", "#3a86ff"],
 };

@@ -15,10 +15,15 @@ export interface StockBefore {
   /** Those of the part as it should be, and how near to it cuts must be, mm. */
   target?: Float32Array | undefined;
   toleranceMm: number;
+  /** Triangles of what holds it, in the frame of the run, mm: nine numbers each. */
+  fixtures?: Float32Array | undefined;
 }
 
 /** Drops between two keyframes, at least: so many are carried out in a few milliseconds. */
 const LEAST_BETWEEN = 1 << 17;
+
+/** A moment is far that is as many drops away as one in so many columns. */
+const FAR = 16;
 
 interface Keyframe {
   at: number;
@@ -127,6 +132,24 @@ export class Drops {
       this.put(column[this.at]!, before[this.at]!, slotBefore[this.at]!, changed);
     }
     return work;
+  }
+
+  /**
+   * Goes to a moment when so many columns are other ones that all of them are best looked at; whether it was so.
+   * Nothing is done where it is near.
+   */
+  leap(rows: number): boolean {
+    const to = this.doneAt(rows);
+    const steps = Math.abs(to - this.at);
+    if (steps < this.heights.length / FAR) return false;
+    const nearest = this.nearest(to);
+    if (Math.abs(to - nearest.at) < steps) {
+      this.heights.set(nearest.heights);
+      this.slots.set(nearest.slots);
+      this.at = nearest.at;
+    }
+    this.seek(rows, () => {});
+    return true;
   }
 
   private nearest(to: number): Keyframe {

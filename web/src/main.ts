@@ -17,6 +17,7 @@ import { Kinematics, unknownTurns } from "./turn";
 import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
 import type { ViewName } from "./eye";
 import { PathView } from "./scene";
+import { engagedOf } from "./engaged";
 import { stockOfProgram } from "./stock";
 import { Timeline } from "./timeline";
 import { askWords, words } from "./words";
@@ -210,6 +211,10 @@ function startPath(): void {
 function takeFrame(frame: Frame): void {
   const { header } = frame;
   if (stock.takeFrame(frame)) return;
+  if (header.type === "engagement") {
+    if (header.run === run) timeline.setEngaged(engagedOf(frame));
+    return;
+  }
   switch (header.type) {
     case "text":
       editor.addText(new TextDecoder().decode(u8(frame, "text")), header.first === true, header.last === true);

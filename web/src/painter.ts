@@ -29,6 +29,9 @@ import { type Piece, cost, isWide, pieces, weight, whole } from "./pieces";
 const SMALL = 8_000;
 /** Lines that a machine must draw in one go before edges are smoothed in a picture that is kept. */
 const SMOOTH_FROM = 100_000;
+/** While frames follow on each other, a picture is drawn in the gaps: so small a share of what is drawn at once, this long after each, ms. */
+const BUSY_SHARE = 4;
+const BUSY_PAUSE = 40;
 /** How often a picture that is being drawn is shown, ms. */
 const SHOW_EVERY = 150;
 
@@ -76,6 +79,8 @@ export class Painter {
   private picture = 0;
   private shownAt = 0;
   private paintedAt = -Infinity;
+  /** The last frame followed soon on the one before. */
+  private isBusy = false;
   private smoothLater = 0;
 
   constructor(
@@ -145,6 +150,11 @@ export class Painter {
     this.keptLines = keptLines;
   }
 
+  /** Frames follow on each other. */
+  private get isBusyNow(): boolean {
+    return this.isBusy && performance.now() - this.paintedAt < BUSY_MS;
+  }
+
   /** The last frame showed everything. */
   get isComplete(): boolean {
     return this.drewAll;
@@ -153,6 +163,10 @@ export class Painter {
   /** Draws a frame; while the view turns, with what keeps the pace. */
   paint(isTurning: boolean): void {
     this.renderer.info.reset();
+    const now = performance.now();
+    const gap = now - this.paintedAt;
+    this.paintedAt = now;
+    this.isBusy = gap <= BUSY_MS;
     const lines = weight(pieces(this.path));
     const isShort = lines <= this.slices.lines;
     const isRough = this.isRough();
@@ -173,11 +187,8 @@ export class Painter {
 
   /** Over a stock the processor smooths no edges while something moves, but once it stands. */
   private isRough(): boolean {
-    const now = performance.now();
-    const gap = now - this.paintedAt;
-    this.paintedAt = now;
     window.clearTimeout(this.smoothLater);
-    if (!this.isSoftware || !this.under() || gap > BUSY_MS) return false;
+    if (!this.isSoftware || !this.under() || !this.isBusy) return false;
     this.smoothLater = window.setTimeout(this.wanted, BUSY_MS + 1);
     return true;
   }
@@ -252,6 +263,9 @@ export class Painter {
   private async drawQueue(): Promise<void> {
     this.state = "drawing";
     const picture = ++this.picture;
+    // The frame that has begun it is shown first.
+    await drawnAll(this.renderer);
+    if (picture !== this.picture) return;
     while (this.queue.length > 0 || weight(this.late) > SMALL) {
       if (this.queue.length === 0) [this.queue, this.late] = [this.late, []];
       const began = performance.now();
@@ -259,6 +273,10 @@ export class Painter {
       await drawnAll(this.renderer);
       this.slices.took(lines, performance.now() - began);
       if (picture !== this.picture) return;
+      if (this.isBusyNow) {
+        await new Promise((next) => setTimeout(next, BUSY_PAUSE));
+        if (picture !== this.picture) return;
+      }
       if (this.showsPart && performance.now() - this.shownAt > SHOW_EVERY) this.wanted();
     }
     this.state = "complete";
@@ -268,13 +286,14 @@ export class Painter {
 
   private drawSome(): number {
     const { renderer, camera, queue } = this;
+    const most = this.isBusyNow ? Math.max(2_000, this.slices.lines / BUSY_SHARE) : this.slices.lines;
     let drawn = 0;
     renderer.setRenderTarget(this.kept!);
-    while (queue.length > 0 && drawn < this.slices.lines) {
+    while (queue.length > 0 && drawn < most) {
       const piece = queue[0]!;
       const { object, from } = piece;
       // Wide lines are not cut: there are never many.
-      const count = isWide(object) ? piece.count : Math.min(piece.count, this.slices.lines - drawn);
+      const count = isWide(object) ? piece.count : Math.min(piece.count, most - drawn);
       if (!isWide(object)) object.geometry.setDrawRange(2 * from, 2 * count);
       renderer.render(object, camera);
       object.geometry.setDrawRange(0, Infinity);

@@ -37,6 +37,7 @@ export function stockOfProgram(of: StockOf) {
   let progress = 1;
   const controls = stockControls({
     show: (shown) => view.stock.show(shown),
+    showFixtures: (shown) => view.stock.showFixtures(shown),
     color: (by) => view.stock.setColor(by),
     cut: (cut) => view.stock.setCut(cut),
     columns: (columns) => of.link.tell("stock", { columns }),
@@ -57,11 +58,17 @@ export function stockOfProgram(of: StockOf) {
       heights: f32(frame, "heights"),
       target: "target" in frame.columns ? f32(frame, "target") : undefined,
       toleranceMm: Number(header.tolerance_mm ?? 0),
+      fixtures: f32(frame, "fixtures"),
     };
     drops = new Drops(stock.heights);
     progress = 0;
     view.setStock(stock);
-    controls.begin(stock, of.units(), { coarser: header.coarser === true, late: header.late === true });
+    controls.begin(stock, of.units(), {
+      coarser: header.coarser === true,
+      late: header.late === true,
+      undercuts: header.undercuts === true,
+      turned: header.turned === true,
+    });
   }
 
   function add(frame: Frame): void {
@@ -91,7 +98,8 @@ export function stockOfProgram(of: StockOf) {
     const { surface } = view.stock;
     if (!drops || !surface) return;
     const own = drops;
-    own.seek(moment.rows, (column) => surface.set(column, own.heights[column]!, own.slots[column]!));
+    if (own.leap(moment.rows)) surface.setAll(own.heights, own.slots);
+    else own.seek(moment.rows, (column) => surface.set(column, own.heights[column]!, own.slots[column]!));
     surface.stand(standing(), own.heights, own.slots);
     view.redraw();
   }

@@ -14,9 +14,18 @@ const VERDICTS = { clean: "clean", problems: "problems, see Problems", "not-prov
 
 interface Acts {
   show: (shown: boolean) => void;
+  showFixtures: (shown: boolean) => void;
   color: (by: StockColor) => void;
   cut: (cut: Cut | undefined) => void;
   columns: (columns: number) => void;
+}
+
+/** What the picture shows less than all of. */
+interface Less {
+  coarser: boolean;
+  late: boolean;
+  undercuts: boolean;
+  turned: boolean;
 }
 
 export function stockControls(acts: Acts) {
@@ -29,6 +38,11 @@ export function stockControls(acts: Acts) {
   shown.type = "checkbox";
   shown.checked = true;
   shown.id = "stock-shown";
+  const fixtures = element("input");
+  fixtures.type = "checkbox";
+  fixtures.checked = true;
+  fixtures.id = "stock-fixtures";
+  fixtures.setAttribute("aria-label", "Show fixtures");
   const color = select("stock-color", "Colour of the stock", [["tool", "By tool"], ["depth", "By depth"], ["deviation", "By deviation"], ["plain", "One colour"]]);
   const axis = select("stock-axis", "Cut open across", [["", "no"], ["x", "X"], ["y", "Y"], ["z", "Z"]]);
   const place = element("input");
@@ -48,6 +62,9 @@ export function stockControls(acts: Acts) {
     choices.append(element("span", "", name), pair);
   };
   row("Show", shown);
+  const fixturesRow = [element("span", "", "Fixtures"), element("span", "pair")] as const;
+  fixturesRow[1].append(fixtures);
+  choices.append(...fixturesRow);
   row("Colour", color);
   row("Cut open", axis, place);
   row("", placeText);
@@ -58,7 +75,7 @@ export function stockControls(acts: Acts) {
 
   let stock: StockBefore | undefined;
   let units: Units = { inch: false };
-  let less = { coarser: false, late: false };
+  let less: Less = { coarser: false, late: false, undercuts: false, turned: false };
   let changes: number | undefined;
 
   function tellCut(): void {
@@ -86,8 +103,11 @@ export function stockControls(acts: Acts) {
     const coarser = less.coarser ? ", coarser than chosen: the program lowers them too often" : "";
     const late = less.late ? `, at most ${length(units, stock.pitch / 2)} late in places` : "";
     const far = stock.target && color.value === "deviation" ? `. Red: too deep, blue: too high, by up to ${length(units, TOLERANCES * stock.toleranceMm)}` : "";
-    about.textContent = `${length(units, stock.pitch)}, ${count(nx * ny)} columns${coarser}${late}${more}${far}`;
+    const missing = [less.undercuts && "Undercuts are not drawn: the picture is seen from above", less.turned && "Cuts while the part is turned are not drawn"];
+    const notDrawn = missing.filter(Boolean).map((text) => `. ${text}`).join("");
+    about.textContent = `${length(units, stock.pitch)}, ${count(nx * ny)} columns${coarser}${late}${more}${far}${notDrawn}`;
   }
+  fixtures.addEventListener("change", () => acts.showFixtures(fixtures.checked));
   shown.addEventListener("change", () => acts.show(shown.checked));
   color.addEventListener("change", tellColor);
   for (const input of [axis, place]) input.addEventListener("input", tellCut);
@@ -104,9 +124,10 @@ export function stockControls(acts: Acts) {
       root.hidden = true;
       stock = undefined;
     },
-    begin(own: StockBefore, its: Units, missing: { coarser: boolean; late: boolean }): void {
+    begin(own: StockBefore, its: Units, missing: Less): void {
       [stock, units, less] = [own, its, missing];
       root.hidden = false;
+      fixturesRow.forEach((part) => (part.hidden = !own.fixtures?.length));
       color.querySelector<HTMLOptionElement>("[value=deviation]")!.disabled = !own.target;
       if (!own.target && color.value === "deviation") color.value = "tool";
       found.textContent = "";

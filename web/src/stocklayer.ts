@@ -23,6 +23,7 @@ import {
 import { type Palette, toolColor } from "./colors";
 import type { StockBefore } from "./drops";
 import { drawnAll } from "./fence";
+import { Fixtures } from "./fixtures";
 import type { Bounds, Vec3 } from "./path";
 import { FRAGMENT, VERTEX } from "./stockshader";
 import { SIDE, Surface, TILE, type Touched, triangles } from "./surface";
@@ -82,6 +83,7 @@ export class StockLayer {
   private cut: Cut | undefined;
   private by: StockColor = "tool";
   private own: Touched | undefined;
+  private fixtures = new Fixtures();
 
   constructor(
     private palette: Palette,
@@ -104,6 +106,7 @@ export class StockLayer {
     this.own = undefined;
     this.surface = stock && new Surface(stock);
     if (this.surface) this.build(this.surface);
+    this.fixtures.set(stock?.fixtures, this.palette);
     this.place(origin);
     this.tellMaterial();
     this.changed();
@@ -138,6 +141,8 @@ export class StockLayer {
       group.position.set(low[0] - origin[0], low[1] - origin[1], high[2] - origin[2]);
       group.updateMatrixWorld(true);
     }
+    this.fixtures.object.position.set(-origin[0], -origin[1], -origin[2]);
+    this.fixtures.object.updateMatrixWorld(true);
     this.changed();
   }
 
@@ -154,8 +159,14 @@ export class StockLayer {
     this.changed();
   }
 
+  showFixtures(shown: boolean): void {
+    this.fixtures.object.visible = shown;
+    this.changed();
+  }
+
   setPalette(palette: Palette): void {
     this.palette = palette;
+    this.fixtures.setPalette(palette);
     this.tellMaterial();
     this.changed();
   }
@@ -274,6 +285,7 @@ export class StockLayer {
     renderer.setRenderTarget(target);
     renderer.clear();
     this.draw(renderer, camera, chosen);
+    this.drawFixtures(renderer, camera);
     target.scissorTest = false;
     renderer.setRenderTarget(null);
     this.patience = STILL;
@@ -320,6 +332,10 @@ export class StockLayer {
     this.render(renderer, camera, this.group);
   }
 
+  private drawFixtures(renderer: WebGLRenderer, camera: Camera): void {
+    if (!this.fixtures.isEmpty) renderer.render(this.fixtures.object, camera);
+  }
+
   private render(renderer: WebGLRenderer, camera: Camera, group: Group): void {
     renderer.render(group, camera);
     if (this.material.uniforms.eye!.value.z >= 0) return;
@@ -356,6 +372,7 @@ export class StockLayer {
     renderer.setRenderTarget(this.rough!);
     renderer.clear();
     this.render(renderer, camera, this.coarseGroup);
+    this.drawFixtures(renderer, camera);
     renderer.setRenderTarget(null);
     this.drawnTriangles += this.coarse!.geometry.index!.count / 3;
     this.picture = this.rough;
@@ -377,7 +394,10 @@ export class StockLayer {
         sum += this.tiles[tile]!.triangles;
       }
       renderer.setRenderTarget(this.whole!);
-      if (!cleared) renderer.clear();
+      if (!cleared) {
+        renderer.clear();
+        this.drawFixtures(renderer, camera);
+      }
       cleared = true;
       this.draw(renderer, camera, some);
       renderer.setRenderTarget(null);

@@ -105,3 +105,17 @@ test("the floor of each shape is that of its outline", () => {
   expect(floorOf({ shape: "flat" })).toBeUndefined();
   expect(floorOf(undefined)).toBeUndefined();
 });
+
+test("all columns at once are the same as one by one", () => {
+  const [one, all] = [new Surface(stock(70, 40)), new Surface(stock(70, 40))];
+  for (const surface of [one, all]) surface.stale.fill(0);
+  const heights = new Float32Array(2800);
+  const slots = new Uint8Array(2800);
+  for (const column of [0, 31, 32, 69, 70 * 31 + 5, 70 * 32 + 31, 2799]) {
+    [heights[column], slots[column]] = [-1 - (column % 3), 2];
+    one.set(column, heights[column]!, 2);
+  }
+  all.setAll(heights, slots);
+  expect([all.z, all.slot, all.stale]).toEqual([one.z, one.slot, one.stale]);
+  expect(all.takeTouched()).toEqual(one.takeTouched());
+});

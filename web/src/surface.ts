@@ -75,6 +75,25 @@ export class Surface {
     this.stale[high * across + right] = 1;
   }
 
+  /** Every column has the height and the owner of these: quicker than one by one where many are others. */
+  setAll(heights: Float32Array, slots: Uint8Array): void {
+    const [nx, ny] = this.stock.columns;
+    const { z, slot, stale, tiles: [across] } = this;
+    for (let y = 0; y < ny; y++) {
+      const [from, to] = [y * nx, this.corner(0, y)];
+      const [below, above] = [Math.floor(y / TILE) * across, Math.floor((y + 1) / TILE) * across];
+      for (let x = 0; x < nx; x++) {
+        const [before, after] = [z[to + x]!, heights[from + x]!];
+        if (before === after && slot[to + x] === slots[from + x]) continue;
+        z[to + x] = after;
+        slot[to + x] = slots[from + x]!;
+        this.touch(x, y, Math.min(before, after), Math.max(before, after));
+        const [left, right] = [Math.floor(x / TILE), Math.floor((x + 1) / TILE)];
+        stale[below + left] = stale[below + right] = stale[above + left] = stale[above + right] = 1;
+      }
+    }
+  }
+
   private touch(x: number, y: number, low: number, high: number): void {
     const { touched } = this;
     if (!touched) {

@@ -1,5 +1,6 @@
 // The timeline: speed over time, a scrubber, and playback.
 
+import { type Engaged, MEASURES, type Measure, measured } from "./engaged";
 import { type Sign, icon, signButton } from "./icons";
 import { type Setpoints, speedBands } from "./playback";
 import { type Units, duration, speed } from "./units";
@@ -18,6 +19,8 @@ export class Timeline {
   private clock: HTMLElement;
   private rateText: HTMLElement;
   private playButton: HTMLButtonElement;
+  private choice: HTMLSelectElement;
+  private engaged: Engaged | undefined;
   onTime: (seconds: number, playing: boolean) => void = () => {};
   onStep: (direction: 1 | -1) => void = () => {};
   onToCursor: () => void = () => {};
@@ -32,6 +35,11 @@ export class Timeline {
     this.clock = document.createElement("span");
     this.clock.className = "clock";
     this.clock.id = "clock";
+    this.choice = document.createElement("select");
+    this.choice.id = "over-time";
+    this.choice.setAttribute("aria-label", "What is drawn over time");
+    this.choice.addEventListener("change", () => this.draw());
+    this.choice.hidden = true;
     bar.append(
       signButton("start", "To the start", () => this.seek(0)),
       signButton("back", "Previous block (,)", () => this.onStep(-1)),
@@ -42,6 +50,7 @@ export class Timeline {
       this.rateText,
       signButton("plus", "Faster (])", () => this.faster(1)),
       this.clock,
+      this.choice,
     );
     const plot = document.createElement("div");
     plot.className = "plot";
@@ -78,6 +87,7 @@ export class Timeline {
 
   clear(): void {
     this.points = undefined;
+    this.setEngaged(undefined);
     this.pause();
     this.draw();
     this.show();
@@ -90,6 +100,21 @@ export class Timeline {
     this.now = Math.min(this.now, points.totalS);
     this.draw();
     this.show();
+  }
+
+  /** How hard the cuts are, once that is known. */
+  setEngaged(engaged: Engaged | undefined): void {
+    const { value } = this.choice;
+    this.engaged = engaged;
+    this.choice.hidden = !engaged;
+    const known = MEASURES.filter(([measure]) => engaged?.known.includes(measure));
+    this.choice.replaceChildren(...[["speed", "Speed"], ...known].map(([key, text]) => new Option(text, key)));
+    this.choice.value = known.some(([measure]) => measure === value) ? value : "speed";
+    this.draw();
+  }
+
+  private get measure(): Measure | undefined {
+    return this.engaged && this.choice.value !== "speed" ? (this.choice.value as Measure) : undefined;
   }
 
   toggle(): void {
@@ -163,7 +188,10 @@ export class Timeline {
     const context = canvas.getContext("2d");
     if (!context || !points || width === 0 || points.totalS <= 0) return;
     const style = getComputedStyle(canvas);
-    const [low, high] = speedBands(points, canvas.width);
+    const { measure } = this;
+    const bands = this.engaged?.bands(measure, points, canvas.width);
+    const [low, high] = measure && bands ? [new Float32Array(canvas.width), bands.most] : speedBands(points, canvas.width);
+    canvas.setAttribute("aria-label", `${measure ? this.choice.selectedOptions[0]?.text : "Speed"} over time`);
     const most = high.reduce((a, b) => (b > a ? b : a), 0) || 1;
     const y = (value: number) => canvas.height - 1 - (value / most) * (canvas.height - 16 * scale);
     context.fillStyle = style.getPropertyValue("--plot-fill");
@@ -176,12 +204,18 @@ export class Timeline {
     context.fill();
     context.beginPath();
     for (let x = 0; x < high.length; x++) {
-      context.moveTo(x, y(low[x]!));
+      context.moveTo(x, measure ? y(high[x]!) : y(low[x]!));
       context.lineTo(x, y(high[x]!) - 1);
     }
     context.stroke();
     context.fillStyle = style.getPropertyValue("--plot-text");
     context.font = `${11 * scale}px system-ui, sans-serif`;
-    context.fillText(speed(this.units, most), 4 * scale, 11 * scale);
+    const text = measure ? `at most ${measured(this.units, measure, high.reduce((a, b) => Math.max(a, b), 0))}` : speed(this.units, most);
+    context.fillText(text, 4 * scale, 11 * scale);
+    // Moves that are too much, or rub: where, and how many parts of the line.
+    for (const [fault, color] of [["rubs", "--warning"], ["overload", "--error"]] as const) {
+      context.fillStyle = style.getPropertyValue(color);
+      bands?.faults.forEach((own, x) => own === fault && context.fillRect(x, canvas.height - 4 * scale, Math.max(1, scale), 4 * scale));
+    }
   }
 }

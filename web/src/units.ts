@@ -5,6 +5,7 @@ export interface Units {
 }
 
 const MM_PER_INCH = 25.4;
+const KW_PER_HP = 0.745699871582270;
 
 function trimmed(value: number, digits: number): string {
   const text = value.toFixed(digits);
@@ -41,6 +42,11 @@ export function angles(turn: ArrayLike<number>): string {
 /** A speed that is given in mm/min. */
 export function speed({ inch }: Units, mmPerMin: number): string {
   return inch ? `${trimmed(mmPerMin / MM_PER_INCH, 1)} in/min` : `${trimmed(mmPerMin, 0)} mm/min`;
+}
+
+/** A power that is given in kW. */
+export function power({ inch }: Units, kw: number): string {
+  return inch ? `${trimmed(kw / KW_PER_HP, 2)} hp` : `${trimmed(kw, 2)} kW`;
 }
 
 /** `9.4 s`, `3:07.5`, `1:02:03`. */

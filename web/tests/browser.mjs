@@ -1,7 +1,7 @@
 // A server and Chromium for a test.
 
 import { spawn } from "node:child_process";
-import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -84,4 +84,24 @@ export async function picture(page, name) {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   await page.waitForTimeout(250);
   await page.screenshot({ path: join(PICTURES, `${name}.png`) });
+}
+
+/** What Chromium's drawing and page processes have used of a processor, s: other load does not count. */
+export function processorSeconds(type) {
+  const stat = (pid) => readFileSync(`/proc/${pid}/stat`, "utf8").split(") ").pop().split(" ");
+  const isOurs = (pid) => {
+    for (let at = pid; at > 1; at = Number(stat(at)[1])) if (at === process.pid) return true;
+    return false;
+  };
+  let seconds = 0;
+  for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name)).map(Number)) {
+    try {
+      if (!readFileSync(`/proc/${pid}/cmdline`, "utf8").includes(`--type=${type}`) || !isOurs(pid)) continue;
+      const fields = stat(pid);
+      seconds += (Number(fields[11]) + Number(fields[12])) / 100;
+    } catch {
+      // It has ended meanwhile.
+    }
+  }
+  return seconds;
 }

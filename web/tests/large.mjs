@@ -4,9 +4,8 @@
 // waited meanwhile, how long a frame takes while the view turns, what the page holds, and how long it
 // was busy without a break. CHROMIUM_FLAGS chooses what draws (see `browser.mjs`).
 
-import { readFileSync, readdirSync } from "node:fs";
 import { performance } from "node:perf_hooks";
-import { browser, picture, serve } from "./browser.mjs";
+import { browser, picture, processorSeconds, serve } from "./browser.mjs";
 
 const file = process.argv[2];
 const chromium = await browser();
@@ -73,25 +72,6 @@ await page.waitForFunction(() => window.chordal.view.isComplete, null, { polling
 console.log(`all drawn      ${since()}`);
 await picture(page, "million");
 
-// What Chromium's drawing and page processes have used of a processor, s: other load does not count.
-function processorSeconds(type) {
-  const stat = (pid) => readFileSync(`/proc/${pid}/stat`, "utf8").split(") ").pop().split(" ");
-  const isOurs = (pid) => {
-    for (let at = pid; at > 1; at = Number(stat(at)[1])) if (at === process.pid) return true;
-    return false;
-  };
-  let seconds = 0;
-  for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name)).map(Number)) {
-    try {
-      if (!readFileSync(`/proc/${pid}/cmdline`, "utf8").includes(`--type=${type}`) || !isOurs(pid)) continue;
-      const fields = stat(pid);
-      seconds += (Number(fields[11]) + Number(fields[12])) / 100;
-    } catch {
-      // It has ended meanwhile.
-    }
-  }
-  return seconds;
-}
 const used = () => [processorSeconds("gpu-process"), processorSeconds("renderer")];
 
 // Turning: a pointer that moves at sixty a second, whether or not the page keeps up with it.

@@ -120,6 +120,24 @@ async function stock() {
   });
 }
 
+/** Chips over time, with a limit that the slot does not keep; and what is left in a picture of the command. */
+async function engagement() {
+  const setup = join(folder, "feeds.toml");
+  const feeds = readFileSync(join(ROOT, "examples/stock/feeds.toml"), "utf8");
+  writeFileSync(setup, feeds.replace("teeth = 3", 'teeth = 3\nmax_chip = "0.045 mm"'));
+  await take("view-engagement", {
+    program: join(ROOT, "examples/stock/contour.nc"),
+    options: ["--setup", setup],
+    act: async (page) => {
+      await page.locator("#over-time").selectOption("chip", { timeout: 60_000 });
+      await page.evaluate(() => window.chordal.timeline.seek(12));
+      await page.waitForFunction(() => window.chordal.view.isComplete);
+    },
+  });
+  const run = ["run", "examples/stock/op1.nc", "--setup", "examples/stock/op1.toml", "-o", join(OUT, "stock-run.png")];
+  execFileSync(CHORDAL, run, { cwd: ROOT });
+}
+
 /** The first page of a setup sheet, and a picture file: their colours are those of the page. */
 async function files() {
   const sheet = join(folder, "sheet.html");
@@ -135,7 +153,7 @@ async function files() {
 }
 
 /** All of them, or those that are named. */
-const all = { line, mistake, compare, rotary, playing, stock, files };
+const all = { line, mistake, compare, rotary, playing, stock, engagement, files };
 const named = process.argv.slice(2);
 for (const [name, each] of Object.entries(all)) if (named.length === 0 || named.includes(name)) await each();
 await chromium.stop();

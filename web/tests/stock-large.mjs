@@ -2,7 +2,7 @@
 //
 // How soon it is there, what a moment costs, near and far, and how many frames a second follow on each other.
 
-import { browser, open, serve } from "./browser.mjs";
+import { browser, open, processorSeconds, serve } from "./browser.mjs";
 
 const [program, setup] = process.argv.slice(2);
 const began = Date.now();
@@ -55,8 +55,14 @@ const play = (rate) => page.evaluate(async (rate) => {
   timeline.toggle();
   await new Promise((done) => setTimeout(done, 5000));
   timeline.pause();
-  return (view.drawnFrames - frames) / ((performance.now() - start) / 1000);
+  return [view.drawnFrames - frames, (performance.now() - start) / 1000];
 }, rate);
-for (const rate of [0, 3]) console.log(`${[1, 2, 5, 10][rate]}×: ${(await play(rate)).toFixed(1)} frames a second`);
+for (const rate of [0, 3]) {
+  const used = () => processorSeconds("gpu-process") + processorSeconds("renderer");
+  const before = used();
+  const [frames, seconds] = await play(rate);
+  const each = ((used() - before) / frames) * 1000;
+  console.log(`${[1, 2, 5, 10][rate]}×: ${(frames / seconds).toFixed(1)} frames a second, ${each.toFixed(0)} ms of a processor each`);
+}
 await chromium.stop();
 server.stop();

@@ -150,6 +150,11 @@ test("colours, a cut through the part, and coarser columns", async () => {
   await picture(page, "stock-open");
   await page.locator("#stock-axis").selectOption("");
   assert.notEqual(await pixel(5, 5, -6), background);
+  // A jaw of the vise, which stands beside the stock.
+  const jaw = [40, -18, -15];
+  assert.notEqual(await pixel(...jaw), background);
+  await page.locator("#stock-fixtures").uncheck();
+  assert.equal(await pixel(...jaw), background);
   await page.locator("#stock-shown").uncheck();
   assert.equal(await pixel(...top), background);
   await page.locator("#stock-shown").check();
@@ -168,7 +173,7 @@ test("what is touched is a problem of its line, and a click shows the stock ther
   writeFileSync(setup, [
     'machine = "haas-vf2"', "[stock]", 'shape = "box"', 'from = { X = "0 mm", Y = "0 mm", Z = "-20 mm" }',
     'to = { X = "60 mm", Y = "40 mm", Z = "0 mm" }', "[target]", 'shape = "box"', 'from = { X = "0 mm", Y = "0 mm", Z = "-20 mm" }',
-    'to = { X = "60 mm", Y = "40 mm", Z = "-3 mm" }', "[tools.1]", 'shape = "flat"', 'diameter = "10 mm"', 'flute_length = "25 mm"', "",
+    'to = { X = "60 mm", Y = "40 mm", Z = "-3 mm" }', "[tools.1]", 'shape = "flat"', 'diameter = "10 mm"', 'flute_length = "25 mm"', "teeth = 2", 'max_chip = "0.05 mm"', "",
   ].join("\n"));
   const { page } = await show(program, setup);
   const problem = page.locator("#panel-problems .problem", { hasText: "rapid" }).first();
@@ -184,6 +189,16 @@ test("what is touched is a problem of its line, and a click shows the stock ther
   await complete(page);
   assert.match(await page.locator("#stock").innerText(), /too deep/);
   await picture(page, "stock-deviation");
+  // 600 mm/min, 5000 rev/min and two teeth make chips of 0.06 mm: too thick, and marked so.
+  await page.locator("#over-time").selectOption("chip");
+  assert.equal(await page.locator("#timeline canvas, .plot canvas").getAttribute("aria-label"), "Chip over time");
+  const marked = await page.evaluate(() => {
+    const canvas = document.querySelector(".plot canvas");
+    const { data } = canvas.getContext("2d").getImageData(0, canvas.height - 1, canvas.width, 1);
+    const red = [...getComputedStyle(canvas).getPropertyValue("--error").matchAll(/[0-9a-f]{2}/g)].map(([part]) => parseInt(part, 16));
+    return data.filter((value, at) => at % 4 === 0 && value === red[0] && data[at + 1] === red[1]).length / canvas.width;
+  });
+  assert.ok(marked > 0.1 && marked < 0.9, String(marked));
   // An edit lifts the tool: nothing is touched any more.
   await page.keyboard.press("Escape");
   await page.locator(".cm-line").nth(6).click();

@@ -7,11 +7,12 @@ use chordal::control::EndReason;
 use chordal::diagnostics::{Diagnostic, FileId, line_ends};
 use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::motion::MotionOptions;
+use chordal::stock::{Amount, StockOptions, StockReport};
 use chordal::{Job, Machine, Report, RunOptions, Source, SourceMap, TextProgram, Watch};
 use chordal_export::sha256_hex;
 
 use crate::columns::ARCHIVE_COLUMNS;
-use crate::row::{FileRecord, Problem, Ran, Row};
+use crate::row::{FileRecord, Problem, Ran, RanStock, Row};
 
 /// Most problems of a program whose text is kept; all are counted.
 const MOST_PROBLEMS: usize = 20;
@@ -36,6 +37,8 @@ pub struct Prepared {
     pub chosen: String,
     /// Budgets.
     pub options: RunOptions,
+    /// The meshes that the setup of its machine names, where its stock is asked for.
+    pub meshes: Vec<(String, Result<Vec<u8>, String>)>,
 }
 
 /// Where files come from and what they are run on. Errors are a line for people.
@@ -57,6 +60,14 @@ pub trait Loader {
     /// # Errors
     /// A machine file or an assignment that is wrong.
     fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<Prepared, String>;
+
+    /// A file that the setup of a machine names: a mesh.
+    ///
+    /// # Errors
+    /// What the system says, or that there are no such files.
+    fn named_file(&mut self, name: &str) -> Result<Vec<u8>, String> {
+        Err(format!("there is no file {name}"))
+    }
 }
 
 /// What is asked of every program.
@@ -64,6 +75,8 @@ pub trait Loader {
 pub struct Options {
     /// Plans the motion, for times with acceleration and jerk.
     pub plan: bool,
+    /// Cuts the stock of the setup of each program.
+    pub stock: bool,
 }
 
 /// What the rows of a file depend on, as a digest: version of Chordal and of the columns, options,
@@ -77,6 +90,13 @@ pub fn file_key(file_sha256: &str, prepared: &Prepared, options: Options) -> Str
         prepared.chosen,
     );
     about.push_str(&sha256_hex(prepared.machine.to_toml().as_bytes()));
+    if options.stock {
+        about.push_str("\nstock");
+    }
+    for (name, mesh) in &prepared.meshes {
+        let mesh = mesh.as_deref().unwrap_or_default();
+        about.push_str(&format!("\n{name}\n{}", sha256_hex(mesh)));
+    }
     for (name, text) in prepared.texts.iter().skip(1) {
         about.push_str(&format!("\n{name}\n{}", sha256_hex(text)));
     }
@@ -153,7 +173,16 @@ fn gather(loader: &mut impl Loader, path: &Path, options: Options) -> Gathered {
         let message = "no line of the file begins like a block";
         return Gathered::Other(other(Some(about), "other", "skipped", message));
     }
-    match guarded(|| loader.prepare(path, bytes)) {
+    let prepare = || {
+        let mut prepared = loader.prepare(path, bytes)?;
+        if options.stock {
+            let names = meshes(&prepared.machine);
+            let read = |name: String| (name.clone(), loader.named_file(&name));
+            prepared.meshes = names.into_iter().map(read).collect();
+        }
+        Ok(prepared)
+    };
+    match guarded(prepare) {
         Ok(prepared) => Gathered::Program {
             key: file_key(&about.sha256, &prepared, options),
             about,
@@ -161,6 +190,16 @@ fn gather(loader: &mut impl Loader, path: &Path, options: Options) -> Gathered {
         },
         Err(message) => Gathered::Other(other(Some(about), "program", "failed", &message)),
     }
+}
+
+/// The files that the setup of a machine names.
+fn meshes(machine: &Machine) -> Vec<String> {
+    let setup = &machine.setup;
+    let bodies = setup.stock.iter().chain(setup.fixtures.values()).chain(&setup.target);
+    let mut names: Vec<String> = bodies.filter_map(|body| body.file.clone()).collect();
+    names.sort();
+    names.dedup();
+    names
 }
 
 /// A file of which no program is run.
@@ -301,8 +340,46 @@ fn run(
     if let Some(place) = place {
         job = job.program_at(place);
     }
+    let stock = if options.stock { Some(cut(&job, prepared)) } else { None };
+    let (mut ran, message) = run_job(&job, prepared, options)?;
+    let message = match stock {
+        None => message,
+        Some(Err(why)) => message.or(Some(why)),
+        Some(Ok(found)) => {
+            // Its problems are those of the run and of the stock.
+            let counts = found.report.counts;
+            (ran.codes, ran.problems) = problems(&job, &found.report);
+            ran.counts = [counts.errors, counts.warnings, counts.notes];
+            let bounds = |amount: Amount| [amount.least, amount.most];
+            ran.stock = Some(RanStock {
+                verdict: found.verdict.as_str().into(),
+                problems: found.problems.len() as u64 + found.more_problems,
+                removed_mm3: bounds(found.removed_mm3),
+                left_mm3: bounds(found.left_mm3),
+                resolution_mm: found.resolution_mm,
+            });
+            message
+        }
+    };
+    Ok((ran, message))
+}
+
+/// What a program leaves of the stock of its setup.
+fn cut(job: &Job<'_>, prepared: &Prepared) -> Result<StockReport, String> {
+    let files = |name: &str| {
+        let own = prepared.meshes.iter().find(|(known, _)| known == name);
+        own.map_or_else(|| Err(format!("there is no file {name}")), |(_, mesh)| mesh.clone())
+    };
+    job.stock(&StockOptions::default(), &files).map_err(|error| error.to_string())
+}
+
+fn run_job(
+    job: &Job<'_>,
+    prepared: &Prepared,
+    options: Options,
+) -> Result<(Ran, Option<String>), String> {
     if !options.plan {
-        return Ok((ran(&job, &job.report(), None), None));
+        return Ok((ran(job, &job.report(), None), None));
     }
     let lines = prepared.texts.iter().map(|(_, text)| lines(text)).sum::<u64>();
     let motion = MotionOptions::default();
@@ -314,13 +391,13 @@ fn run(
     }
     Ok(match timed {
         // As long as the budget is, not as the program.
-        Ok(_) if is_stopped => (ran(&job, &report, None), None),
+        Ok(_) if is_stopped => (ran(job, &report, None), None),
         Ok(timed) => {
             let times = timed.map(|timed| timed.time.times);
             let planned = times.map(|times| [times.cutting_s, times.rapid_s, times.other_s]);
-            (ran(&job, &report, planned), None)
+            (ran(job, &report, planned), None)
         }
-        Err(error) => (ran(&job, &report, None), Some(format!("no time: {error}"))),
+        Err(error) => (ran(job, &report, None), Some(format!("no time: {error}"))),
     })
 }
 
@@ -348,6 +425,7 @@ fn ran(job: &Job<'_>, report: &Report, planned: Option<[f64; 3]>) -> Ran {
         rapid_length_mm: summary.rapid_length_mm,
         at_feed_s: summary.total_time_s(),
         planned,
+        stock: None,
         counts: [counts.errors, counts.warnings, counts.notes],
         codes,
         problems,

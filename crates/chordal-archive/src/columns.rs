@@ -92,7 +92,19 @@ const COLUMNS: &[(&str, Holds, &str, &str)] = {
         ("cutting_s", Number, "s", "part of it that cuts"),
         ("rapid_s", Number, "s", "part of it in rapids"),
         ("other_s", Number, "s", "part of it in dwells, tool changes, spindle"),
-        ("errors", Count, "", "errors"),
+        (
+            "stock_verdict",
+            Text,
+            "",
+            "with `--stock`: `clean`, `problems` or `not-proved`; a gap where there is no stock",
+        ),
+        ("stock_problems", Count, "", "what rapids, shank, holder touch, or may touch"),
+        ("removed_least_mm3", Number, "mm³", "the program removes at least so much"),
+        ("removed_most_mm3", Number, "mm³", "and at most so much"),
+        ("left_least_mm3", Number, "mm³", "of the stock at least so much is left"),
+        ("left_most_mm3", Number, "mm³", "and at most so much"),
+        ("columns_mm", Number, "mm", "the side of a column of the stock"),
+        ("errors", Count, "", "errors, with those of the stock"),
         ("warnings", Count, "", "warnings"),
         ("notes", Count, "", "notes"),
         ("codes", Words, "", "the codes that occurred, most severe first"),
@@ -262,6 +274,7 @@ impl Rows for ArchiveColumns {
 
 fn said<'a>(column: &str, path: &'a str, file: &'a FileRecord, row: &'a Row) -> Said<'a> {
     let ran = row.ran.as_ref();
+    let stock = ran.and_then(|ran| ran.stock.as_ref());
     let count = |of: fn(&Ran) -> u64| Said::Count(ran.map(of));
     let number = |of: &dyn Fn(&Ran) -> Option<f64>| Said::Number(ran.and_then(of));
     let text = |text: &'a Option<String>| Said::Text(text.as_deref());
@@ -294,6 +307,13 @@ fn said<'a>(column: &str, path: &'a str, file: &'a FileRecord, row: &'a Row) -> 
         "cutting_s" => number(&|ran| ran.planned.map(|times| times[0])),
         "rapid_s" => number(&|ran| ran.planned.map(|times| times[1])),
         "other_s" => number(&|ran| ran.planned.map(|times| times[2])),
+        "stock_verdict" => Said::Text(stock.map(|stock| stock.verdict.as_str())),
+        "stock_problems" => Said::Count(stock.map(|stock| stock.problems)),
+        "removed_least_mm3" => Said::Number(stock.map(|stock| stock.removed_mm3[0])),
+        "removed_most_mm3" => Said::Number(stock.map(|stock| stock.removed_mm3[1])),
+        "left_least_mm3" => Said::Number(stock.map(|stock| stock.left_mm3[0])),
+        "left_most_mm3" => Said::Number(stock.map(|stock| stock.left_mm3[1])),
+        "columns_mm" => Said::Number(stock.map(|stock| stock.resolution_mm)),
         "errors" => count(|ran| ran.counts[0]),
         "warnings" => count(|ran| ran.counts[1]),
         "notes" => count(|ran| ran.counts[2]),

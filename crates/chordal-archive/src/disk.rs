@@ -95,7 +95,11 @@ impl Loader for Disk {
         for (name, _) in &mut texts {
             *name = self.told(std::mem::take(name));
         }
-        Ok(Prepared { texts, machine, chosen, options })
+        Ok(Prepared { texts, machine, chosen, options, meshes: Vec::new() })
+    }
+
+    fn named_file(&mut self, name: &str) -> Result<Vec<u8>, String> {
+        self.read(Path::new(name))
     }
 }
 

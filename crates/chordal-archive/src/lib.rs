@@ -32,11 +32,12 @@
 //!             machine: Machine::from_builtin("haas-vf2").map_err(|_| "no machine")?,
 //!             chosen: "haas-vf2".into(),
 //!             options: Default::default(),
+//!             meshes: Vec::new(),
 //!         })
 //!     }
 //! }
 //!
-//! let record = check_file(&mut Memory, Path::new("part.nc"), Options { plan: true }, |_| false);
+//! let record = check_file(&mut Memory, Path::new("part.nc"), Options { plan: true, stock: false }, |_| false);
 //! assert_eq!(record.unwrap().rows.len(), 1);
 //! ```
 

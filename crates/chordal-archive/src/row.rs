@@ -41,12 +41,30 @@ pub struct Ran {
     pub at_feed_s: f64,
     /// Cutting, rapid and other time with acceleration and jerk, where it was planned.
     pub planned: Option<[f64; 3]>,
+    /// What it leaves of the stock of its setup, where that was asked.
+    #[serde(default)]
+    pub stock: Option<RanStock>,
     /// Errors, warnings and notes.
     pub counts: [u64; 3],
     /// The codes that occurred, gravest first.
     pub codes: Vec<String>,
     /// The first problems, gravest first.
     pub problems: Vec<Problem>,
+}
+
+/// What a program leaves of its stock: volumes are between two bounds, mm³.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct RanStock {
+    /// `clean`, `problems`, `not-proved`.
+    pub verdict: String,
+    /// What is touched, or cannot be excluded.
+    pub problems: u64,
+    /// At least and at most so much is removed.
+    pub removed_mm3: [f64; 2],
+    /// At least and at most so much is left.
+    pub left_mm3: [f64; 2],
+    /// The side of a column, mm.
+    pub resolution_mm: f64,
 }
 
 /// A row of the table: a program, or a file that holds none.

@@ -32,6 +32,8 @@ pub struct Done {
     pub with_errors: u64,
     /// Programs with warnings only.
     pub with_warnings: u64,
+    /// Programs whose stock is not proved clean, though they have no errors and no warnings.
+    pub not_proved: u64,
     /// Files and programs that could not be run.
     pub failed: u64,
     /// Files that are no programs.
@@ -47,6 +49,9 @@ impl Done {
         for row in &record.rows {
             self.rows += 1;
             self.programs += u64::from(row.ran.is_some());
+            let stock = row.ran.as_ref().and_then(|ran| ran.stock.as_ref());
+            let is_proved = stock.is_none_or(|stock| stock.verdict == "clean");
+            self.not_proved += u64::from(row.status == "ok" && !is_proved);
             let sum = match row.status.as_str() {
                 "errors" | "stopped" => &mut self.with_errors,
                 "warnings" => &mut self.with_warnings,

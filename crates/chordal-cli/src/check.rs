@@ -15,9 +15,7 @@ use crate::options::{Common, EVERY_PLACE, Showing, length};
 use crate::programs::{Programs, recognized};
 use crate::readings;
 use crate::stock;
-use crate::stock_failure::failure_of;
 use crate::terminal::{BOLD, Terminal, style};
-use crate::tiles::on_threads;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -102,9 +100,7 @@ impl FailOn {
 
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let Args { files, format, fail_on, stock, setup, resolution, showing, mut common } = args;
-    if let Some(setup) = &setup {
-        common.machine = Some(setup.to_string_lossy().into_owned());
-    }
+    common.set_up(setup.as_deref());
     let options = StockOptions { resolution_mm: resolution, ..StockOptions::default() };
     let kept = if format == Format::Json { EVERY_PLACE } else { showing.kept() };
     let programs = Programs::new(&files, &common, terminal)?;
@@ -115,8 +111,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let mut handle = |programs: &Programs, loaded: &Loaded| {
         let job = loaded.job()?;
         let (report, is_proved) = if stock {
-            let found = job.stock_by(&options, &stock::files, &on_threads);
-            let found = found.map_err(|error| failure_of(error, setup.as_deref()))?;
+            let found = stock::cut(&job, &options, setup.as_deref())?;
             (found.report, found.verdict == StockVerdict::Clean)
         } else {
             (job.check_keeping(kept), true)

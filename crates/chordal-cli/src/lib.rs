@@ -142,7 +142,7 @@ impl Command {
             Command::Run(args) => run::run(args, terminal),
             Command::View(args) => view::run(args, terminal),
             Command::Time(args) => time::run(&args, terminal),
-            Command::Report(args) => report::run(&args, terminal),
+            Command::Report(mut args) => report::run(&mut args, terminal),
             Command::Calibrate(args) => calibrate::run(&args),
             Command::Check(args) => check::run(args, terminal),
             Command::Archive(args) => archive::run(&args, terminal),

@@ -94,9 +94,7 @@ fn times(text: &str) -> Result<f64, String> {
 }
 
 pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    if let Some(setup) = &args.setup {
-        args.common.machine = Some(setup.to_string_lossy().into_owned());
-    }
+    args.common.set_up(args.setup.as_deref());
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     terminal.tell(&recognized(&loaded));

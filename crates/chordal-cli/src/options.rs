@@ -1,6 +1,6 @@
 //! Arguments that several commands share.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use chordal::KEPT_PER_CODE;
 use chordal::machine::{Dimension, QuantityError, parse_quantity};
@@ -53,6 +53,13 @@ pub struct Common {
 }
 
 impl Common {
+    /// Takes the machine from a setup file, which names it.
+    pub fn set_up(&mut self, setup: Option<&Path>) {
+        if let Some(setup) = setup {
+            self.machine = Some(setup.to_string_lossy().into_owned());
+        }
+    }
+
     /// What the arguments say, for loading.
     pub fn request(&self) -> Request {
         Request {

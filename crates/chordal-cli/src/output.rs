@@ -5,6 +5,7 @@ use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use chordal::stock::StockReport;
 use chordal::{Command, CommandKind, Job, PathCommand, Report, Segment, Watch};
 use chordal_export::{Canon, CommandCsv, CommandJsonLines, Dxf, Plot, PlotOptions};
 use chordal_load::Input;
@@ -211,13 +212,21 @@ impl<'a> Outputs<'a> {
     }
 
     /// Puts the files in place and names them.
-    pub fn finish(self, report: &Report, options: &PlotOptions) -> Result<Vec<PathBuf>, Failure> {
+    pub fn finish(
+        self,
+        report: &Report,
+        stock: Option<&StockReport>,
+        options: &PlotOptions,
+    ) -> Result<Vec<PathBuf>, Failure> {
         if let Some(failure) = self.failed {
             return Err(failure);
         }
         let mut plot = self.plot;
         if let Some(plot) = &mut plot {
             plot.set_inch(report.summary.inch);
+            if let Some(found) = stock {
+                plot.set_stock(found);
+            }
         }
         let mut written = Vec::new();
         for (path, writer) in self.writers {

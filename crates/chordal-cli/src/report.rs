@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 
+use chordal::stock::{StockOptions, StockReport, StockVerdict};
 use chordal_export::columns::ColumnFormat;
 use chordal_report::{About, gather, html, json};
 use clap::ValueEnum;
@@ -12,12 +13,14 @@ use crate::options::Common;
 use crate::out::{self, Out, format_of, trouble};
 use crate::programs::load_one;
 use crate::rows::tell;
+use crate::stock;
 use crate::terminal::Terminal;
 
 const EXAMPLES: &str = "\
 Examples:
   chordal report part.nc -o setup.html       a page to print, to mail or to keep at the machine
   chordal report part.nc --machine vf2.toml -o setup.html
+  chordal report part.nc --setup op1.toml -o setup.html   with the stock that is left
   chordal report part.nc -o setup.html --date 2026-11-21
   chordal report part.nc -o setup.json       the same as data
   chordal report part.nc --format json | jq '.tools.rows[].number'
@@ -46,6 +49,11 @@ pub struct Args {
     #[arg(long, value_name = "TEXT")]
     date: Option<String>,
 
+    /// The machine, the stock and the tools: what is left of the stock is in the report, and what rapids, shank and
+    /// holder touch
+    #[arg(long, value_name = "SETUP.toml", conflicts_with = "machine")]
+    setup: Option<PathBuf>,
+
     #[command(flatten)]
     common: Common,
 }
@@ -65,18 +73,24 @@ impl out::Format for Format {
     }
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    args.common.set_up(args.setup.as_deref());
     let path = args.output.as_deref();
     let format = format_of(args.format, path, Format::Html, "reports")?;
     let mut out = Out::open(path, &args.file, format)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     let recognized = loaded.chosen.why(job.control().table.title);
+    let stock = match &args.setup {
+        Some(setup) => Some(stock::cut(&job, &StockOptions::default(), Some(setup))?),
+        None => None,
+    };
     let about = About {
         file: loaded.name(),
         program: loaded.program,
         recognized: recognized.as_deref(),
         date: args.date.as_deref(),
+        stock: stock.as_ref(),
     };
     let gathered = gather(&job, &about);
     let text = match format {
@@ -85,5 +99,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     };
     out.write_all(text.as_bytes()).map_err(|error| trouble(path, error))?;
     out.put()?;
-    Ok(tell(&gathered.report, &loaded, &job, terminal))
+    let verdict = tell(&gathered.report, &loaded, &job, terminal);
+    let is_clean = |found: &StockReport| found.verdict == StockVerdict::Clean;
+    Ok(if stock.as_ref().is_none_or(is_clean) { verdict } else { Verdict::Problems })
 }

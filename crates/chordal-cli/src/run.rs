@@ -1,11 +1,12 @@
 //! `chordal run`: the summary of a program and its picture.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use chordal::motion::MotionOptions;
+use chordal::stock::{StockOptions, StockReport, StockVerdict};
 use chordal::time::Timed;
 use chordal::{Job, Report, Severity};
-use chordal_export::{PlotOptions, report};
+use chordal_export::{PlotOptions, report, stock_text};
 use chordal_load::Loaded;
 use clap::ValueEnum;
 
@@ -15,6 +16,7 @@ use crate::options::{Common, Showing};
 use crate::output::{self, Outputs};
 use crate::programs::Programs;
 use crate::readings;
+use crate::stock;
 use crate::summary;
 use crate::terminal::{BOLD, Terminal, say, style};
 
@@ -25,6 +27,7 @@ Examples:
   chordal run archive/ -o pictures/          a picture of every program
   chordal run archive/ -o 'out/*.dxf'        * is the program's name
   chordal run part.nc --machine mill.toml --set tools.5.diameter=\"0.5 in\"
+  chordal run part.nc --setup op1.toml -o part.png   with the stock that is left
   chordal run part.nc --format json          summary and problems for other programs
   chordal run all-prog.txt --program 9013    one program of a control's memory
 
@@ -35,7 +38,8 @@ Outputs by file extension:
   .txt        the text that the program itself prints (DPRNT)
 
 Subprograms are also looked for in the program's folder, by file name (O1000, 1000.nc) and by
-the number in the file. The exit code is 1 when there is an error: the control would stop.";
+the number in the file. The exit code is 1 when there is an error: the control would stop; with --setup also
+when the stock is not proved clean.";
 
 /// Most moves of a program whose cycle time is planned: longer ones are for `chordal time`, so
 /// that the summary of a million lines is there at once.
@@ -60,6 +64,11 @@ pub struct Args {
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 
+    /// The machine, the stock and the tools: cuts the stock as well, draws what is left of it in pictures, and
+    /// reports what rapids, shank and holder touch; what is not proved makes the exit code 1
+    #[arg(long, value_name = "SETUP.toml", conflicts_with = "machine")]
+    setup: Option<PathBuf>,
+
     #[command(flatten)]
     showing: Showing,
 
@@ -75,14 +84,15 @@ enum Format {
     Json,
 }
 
-pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    args.common.set_up(args.setup.as_deref());
     let programs = Programs::new(&args.files, &args.common, terminal)?;
     let plan = output::plan(&args.outputs, programs.inputs())?;
     let mut objects = Vec::new();
     let mut first = true;
     let verdict = programs.each(|programs, index, loaded| {
         let job = loaded.job()?;
-        let done = carry_out(loaded, &job, &plan[index])?;
+        let done = carry_out(loaded, &job, args.setup.as_deref(), &plan[index])?;
         match args.format {
             Format::Text => {
                 programs.say(if first { "" } else { "\n" })?;
@@ -90,14 +100,16 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
                 first = false;
             }
             Format::Json => {
-                let Done { report, timed, .. } = &done;
+                let Done { report, timed, stock, .. } = &done;
                 let reading = reading(loaded);
-                let object =
-                    report::summary_json(report, &job, loaded.name(), &reading, timed.as_ref());
+                let run = report::RunOf { report, timed: timed.as_ref(), stock: stock.as_ref() };
+                let object = report::summary_json(&run, &job, loaded.name(), &reading);
                 objects.push(object);
             }
         }
-        let failed = done.report.worst() == Some(Severity::Error);
+        let is_clean = |stock: &StockReport| stock.verdict == StockVerdict::Clean;
+        let failed = done.report.worst() == Some(Severity::Error)
+            || !done.stock.as_ref().is_none_or(is_clean);
         Ok(if failed { Verdict::Problems } else { Verdict::Clean })
     })?;
     if args.format == Format::Json {
@@ -108,12 +120,19 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
 
 /// What a run came to, and the files it wrote.
 struct Done {
+    /// With the problems of the stock.
     report: Report,
     timed: Option<Timed>,
+    stock: Option<StockReport>,
     written: Vec<PathBuf>,
 }
 
-fn carry_out(loaded: &Loaded, job: &Job, targets: &[output::Target]) -> Result<Done, Failure> {
+fn carry_out(
+    loaded: &Loaded,
+    job: &Job,
+    setup: Option<&Path>,
+    targets: &[output::Target],
+) -> Result<Done, Failure> {
     let mut outputs = Outputs::open(targets, job)?;
     // A long text is not planned in vain.
     let most = if loaded.size() as u64 > MOST_PLANNED * LINE { 0 } else { MOST_PLANNED };
@@ -125,13 +144,28 @@ fn carry_out(loaded: &Loaded, job: &Job, targets: &[output::Target]) -> Result<D
         subtitle: summary::subtitle(job, &report, timed.as_ref()),
         ..PlotOptions::default()
     };
-    let written = outputs.finish(&report, &options)?;
-    Ok(Done { report, timed, written })
+    let mut stock = match setup {
+        Some(_) => Some(stock::cut(job, &StockOptions::default(), setup)?),
+        None => None,
+    };
+    let written = outputs.finish(&report, stock.as_ref(), &options)?;
+    let mut report = report;
+    if let Some(found) = &mut stock {
+        report = found.report.clone();
+        if let Some(timed) = &timed {
+            found.take_times(&timed.time.tools);
+        }
+    }
+    Ok(Done { report, timed, stock, written })
 }
 
 fn text(loaded: &Loaded, job: &Job, done: &Done, showing: Showing, terminal: Terminal) -> String {
-    let Done { report, timed, written } = done;
+    let Done { report, timed, stock, written } = done;
     let mut text = summary::text(loaded, job, report, timed.as_ref(), terminal.out);
+    if let Some(found) = stock {
+        text.push('\n');
+        text.push_str(&indented(&stock_text(found)));
+    }
     for path in written {
         let row = style(terminal.out, BOLD, "written   ");
         // A program in inches is drawn in mm, too, and not every reader looks for the unit in the file.
@@ -149,4 +183,9 @@ fn text(loaded: &Loaded, job: &Job, done: &Done, showing: Showing, terminal: Ter
         text.push_str(&report::text(report, job.sources(), terminal.out, detail));
     }
     text
+}
+
+/// Lines below the heading of a summary.
+fn indented(text: &str) -> String {
+    text.lines().map(|line| format!("  {line}\n")).collect()
 }

@@ -3,10 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use chordal::Job;
 use chordal::motion::MotionOptions;
 use chordal::stock::{EngagementOptions, StockOptions, StockReport, StockVerdict};
 use chordal_export::report::{self, Sarif};
-use chordal_export::{MeshFormat, stock_json, stock_mesh, stock_png, stock_text};
+use chordal_export::{MeshFormat, MeshSurface, stock_json, stock_mesh, stock_png, stock_text};
 use chordal_load::reason;
 use clap::{ArgAction, ValueEnum};
 
@@ -24,6 +25,7 @@ Examples:
   chordal stock part.nc --setup op1.toml
   chordal stock part.nc --setup op1.toml --resolution 0.05mm
   chordal stock part.nc --setup op1.toml -o left.stl -o left.png
+  chordal stock part.nc --setup op1.toml -o left.stl --smooth 0.02mm
   chordal stock part.nc --setup op1.toml --format json | jq .verdict
   chordal stock part.nc --setup op1.toml --engagement
 
@@ -82,6 +84,10 @@ pub struct Args {
     #[arg(long, short, value_name = "OUT", action = ArgAction::Append)]
     output: Vec<PathBuf>,
 
+    /// Meshes go smoothly through the middles of the columns, no further from them than so much, instead of in steps
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    smooth: Option<f64>,
+
     /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
@@ -125,20 +131,21 @@ fn form(path: &Path) -> Result<Form, Failure> {
 }
 
 /// The files that a setup names.
-pub fn files(name: &str) -> Result<Vec<u8>, String> {
+fn files(name: &str) -> Result<Vec<u8>, String> {
     fs::read(name).map_err(|error| reason(&error))
 }
 
-impl Args {
-    fn setup(&self) -> Option<&Path> {
-        self.setup.as_deref()
-    }
+/// Cuts the stock of the setup with a program, on threads.
+pub fn cut(
+    job: &Job<'_>,
+    options: &StockOptions,
+    setup: Option<&Path>,
+) -> Result<StockReport, Failure> {
+    job.stock_by(options, &files, &on_threads).map_err(|error| failure_of(error, setup))
 }
 
 pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    if let Some(setup) = &args.setup {
-        args.common.machine = Some(setup.to_string_lossy().into_owned());
-    }
+    args.common.set_up(args.setup.as_deref());
     let options = StockOptions {
         resolution_mm: args.resolution,
         finest_mm: args.finest,
@@ -169,15 +176,13 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     }
     let forms: Vec<Form> = args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
     let job = loaded.job()?;
-    let mut found = job
-        .stock_by(&options, &files, &on_threads)
-        .map_err(|error| failure_of(error, args.setup()))?;
+    let mut found = cut(&job, &options, args.setup.as_deref())?;
     // Where the limits of the axes are wrong there are no times; `chordal time` says why.
     if let Ok(timed) = job.time(&MotionOptions::default()) {
         found.take_times(&timed.time.tools);
     }
     for (path, form) in args.output.iter().zip(forms) {
-        write_whole(path, &content(&found, form, path)?)?;
+        write_whole(path, &content(&found, form, args.smooth, path)?)?;
     }
     match args.format {
         Format::Text => {
@@ -193,6 +198,9 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
             if found.is_hollow && !args.output.is_empty() {
                 say("note: the stock is hollow from below; what is written has a flat bottom\n")?;
             }
+            if found.sides > 1 && !args.output.is_empty() {
+                say("note: what is written is cut only while all rotary axes are at zero\n")?;
+            }
             if found.stock.has_gaps() && !args.output.is_empty() {
                 say("note: what is written is seen from above: gaps of undercuts are filled\n")?;
             }
@@ -207,14 +215,24 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     Ok(if found.verdict == StockVerdict::Clean { Verdict::Clean } else { Verdict::Problems })
 }
 
-fn content(found: &StockReport, form: Form, path: &Path) -> Result<Vec<u8>, Failure> {
-    let wrong = |message: String| Failure::wrong(message, "use a larger resolution");
+fn content(
+    found: &StockReport,
+    form: Form,
+    smooth: Option<f64>,
+    path: &Path,
+) -> Result<Vec<u8>, Failure> {
+    let help = match smooth {
+        Some(_) => "use another resolution, or leave --smooth out",
+        None => "use a larger resolution",
+    };
+    let wrong = |message: String| Failure::wrong(message, help);
     match form {
         Form::Picture => stock_png(found).map_err(|error| wrong(error.to_string())),
         Form::Mesh(format) => {
             let name = path.file_stem().unwrap_or_default().to_string_lossy();
-            let tolerance = 0.1 * found.resolution_mm;
-            stock_mesh(found, format, tolerance, &name).map_err(|error| wrong(error.to_string()))
+            let steps = MeshSurface::Steps(0.1 * found.resolution_mm);
+            let surface = smooth.map_or(steps, MeshSurface::Smooth);
+            stock_mesh(found, format, surface, &name).map_err(|error| wrong(error.to_string()))
         }
     }
 }

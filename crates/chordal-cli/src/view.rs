@@ -68,9 +68,7 @@ pub struct Args {
 
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let Args { file, setup, against, machines, tolerance, no_browser, port, mut common } = args;
-    if let Some(setup) = setup {
-        common.machine = Some(setup.to_string_lossy().into_owned());
-    }
+    common.set_up(setup.as_deref());
     let program = match sides(&file, against.as_ref(), &machines, &common)? {
         None => Shown::new(&file, &common)?,
         Some([_, (other, _)])

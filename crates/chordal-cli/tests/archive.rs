@@ -441,3 +441,49 @@ fn what_came_back() {
     text.ends(1).says(&["f-path.nc", "mm apart", "from line 7", "11 files: 1 same, 1 text"]);
     folder.run(&["archive", "diff", "released", "released", "--machine", "haas-vf2"]).ends(0);
 }
+
+#[test]
+fn the_stock_of_each_program_is_in_the_table() {
+    let folder = Folder::new();
+    let part = "O1\nG21 G90 G54\nT1 M6\nS3000 M3\nG0 X20. Y30.\nG43 H1 Z5.\nG1 Z-5. F200.\nX60. F600.\nG0 Z5.\nM30\n";
+    let setup = "machine = 'haas-vf2'
+[stock]
+shape = 'box'
+from = { X = '0 mm', Y = '0 mm', Z = '-20 mm' }
+to = { X = '80 mm', Y = '60 mm', Z = '0 mm' }
+[tools.1]
+shape = 'flat'
+diameter = '10 mm'
+flute_length = '25 mm'
+";
+    folder
+        .write("in/a.nc", part)
+        .write("in/b.nc", part.replace("G1 Z-5. F200.", "G0 Z-5."))
+        .write("in/c.txt", "no program\n")
+        .write("op1.toml", setup);
+    let check = ["archive", "check", "in", "--out", "t.parquet", "--no-plan"];
+    let with_stock = [&check[..], &["--stock", "--setup", "op1.toml"]].concat();
+    folder.run(&with_stock).ends(1).complains(&["1 with errors"]);
+    let table = || read(folder.bytes("t.parquet"));
+    let rows = table();
+    let column = |name: &str| rows.column_by_name(name).expect("a column").clone();
+    let verdicts = column("stock_verdict");
+    let verdicts: Vec<Option<&str>> = verdicts.as_string::<i32>().iter().collect();
+    assert_eq!(verdicts, [Some("clean"), Some("problems"), None]);
+    let removed = ["removed_least_mm3", "removed_most_mm3"]
+        .map(|name| column(name).as_primitive::<Float64Type>().value(0));
+    let truth = (400.0 + 25.0 * std::f64::consts::PI) * 5.0;
+    assert!(removed[0] <= truth && truth <= removed[1], "{removed:?}");
+    // The rapid down, and the next block, which is a rapid as well.
+    assert_eq!(column("stock_problems").as_primitive::<UInt64Type>().value(1), 2);
+    // Without it the table is another: nothing of the journal is taken for it.
+    folder.run(&check).ends(0);
+    let verdicts = table().column_by_name("stock_verdict").expect("a column").null_count();
+    assert_eq!(verdicts, 3);
+    // Where no stock is given, the row says so.
+    let no_stock = [&check[..], &["--stock", "-m", "haas-vf2"]].concat();
+    folder.run(&no_stock).ends(0);
+    let rows = table();
+    let message = rows.column_by_name("message").expect("a column").as_string::<i32>().value(0);
+    assert!(message.starts_with("there is no stock"), "{message}");
+}

@@ -79,16 +79,51 @@ diameter = '10 mm'
 flute_length = '25 mm'
 ";
     folder.write("op2.toml", second);
+    // Through the middles of the columns; walls are as wide as one.
+    folder
+        .run(&["stock", "part.nc", "--setup", "op1.toml", "-o", "smooth.stl", "--smooth", "0.01mm"])
+        .ends(0)
+        .says(&["written: smooth.stl"]);
     // Below the pocket of the first side 15 mm are left.
     folder
         .run(&["stock", "part.nc", "--setup", "op2.toml", "-o", "two.stl"])
         .ends(0)
         .says(&["clean: no rapid", "hollow from below"]);
+    // A smooth mesh is closed as well.
+    folder.write("op3.toml", second.replace("left.stl", "smooth.stl"));
+    folder.run(&["stock", "part.nc", "--setup", "op3.toml"]).ends(0);
     folder.write("left.stl", "solid of nothing");
     folder
         .run(&["stock", "part.nc", "--setup", "op2.toml"])
         .ends(2)
         .complains(&["left.stl", "op2.toml:2"]);
+}
+
+#[test]
+fn run_and_report_show_what_is_left() {
+    let folder = folder();
+    let setup = ["--setup", "op1.toml"];
+    folder
+        .run(&[&["run", "part.nc", "-o", "part.svg", "-o", "part.png"], &setup[..]].concat())
+        .ends(0)
+        .says(&["removed     ", "clean: no rapid", "written   part.png"]);
+    let images = |name: &str| folder.read(name).matches("<image ").count();
+    assert_eq!(images("part.svg"), 4);
+    let done = folder.run(&[&["run", "hit.nc", "--format", "json"], &setup[..]].concat()).ends(1);
+    let found: serde_json::Value = serde_json::from_str(&done.out).expect("JSON");
+    let stock = &found["files"][0]["stock"];
+    assert_eq!(stock["verdict"], "problems");
+    assert_eq!(stock["problems"][0]["code"], "CH620");
+    // Two views of the path, and the stock alone.
+    folder.run(&[&["report", "part.nc", "-o", "setup.html"], &setup[..]].concat()).ends(0);
+    assert_eq!(images("setup.html"), 3);
+    assert!(folder.read("setup.html").contains("Clean: no rapid, shank or holder"));
+    let done =
+        folder.run(&[&["report", "hit.nc", "--format", "json"], &setup[..]].concat()).ends(1);
+    let found: serde_json::Value = serde_json::from_str(&done.out).expect("JSON");
+    assert_eq!((&found["stock"]["verdict"], &found["errors"]), (&"problems".into(), &2.into()));
+    assert_eq!(found["problems"]["rows"][0]["code"], "CH620");
+    folder.run(&["run", "part.nc", "--setup", "none.toml"]).ends(2).complains(&["none.toml"]);
 }
 
 #[test]

@@ -87,8 +87,8 @@ pub use plot::{
 pub use samples::{SampleFormat, SampleWriter};
 pub use setpoints::{SAMPLE_SCHEMA, SampleHead};
 pub use stock::{
-    MeshFormat, StockMeshError, engagement_json, engagement_text, stock_json, stock_mesh,
-    stock_png, stock_surface, stock_text,
+    MeshFormat, MeshSurface, StockMeshError, engagement_json, engagement_text, stock_json,
+    stock_mesh, stock_png, stock_surface, stock_text, stock_verdict_text, stock_volume,
 };
 pub use time::{TimeDocument, comment_text, level_word, short_blocks_text, time_json};
 pub use transformed::{refusal_json, restart_json, split_json, transformed_json};

@@ -84,7 +84,7 @@ impl ArchiveWorker {
         py: Python<'py>,
         files: Vec<(String, PathBuf, Option<String>)>,
     ) -> Vec<Bound<'py, PyBytes>> {
-        let options = chordal_archive::Options { plan: self.plan };
+        let options = chordal_archive::Options { plan: self.plan, stock: false };
         let records: Vec<Vec<u8>> = py.detach(|| {
             let mut disk = self.disk.lock().unwrap_or_else(PoisonError::into_inner);
             let record = |(name, path, known): &(String, PathBuf, Option<String>)| {

@@ -552,6 +552,7 @@ impl Program {
                     program: self.loaded.program,
                     recognized: recognized.as_deref(),
                     date,
+                    stock: None,
                 },
             );
             self.keep(gathered.report)?;

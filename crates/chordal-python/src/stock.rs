@@ -2,7 +2,7 @@
 
 use chordal::geometry::Vec3;
 use chordal::stock::{StockReport, StockRunError};
-use chordal_export::{MeshFormat, stock_json, stock_mesh, stock_png, stock_surface};
+use chordal_export::{MeshFormat, MeshSurface, stock_json, stock_mesh, stock_png, stock_surface};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -89,8 +89,10 @@ impl Stock {
             }
         };
         let bytes = py.detach(|| match format {
-            Some(format) => stock_mesh(&self.found, format, tolerance_mm, name)
-                .map_err(|error| error.to_string()),
+            Some(format) => {
+                { stock_mesh(&self.found, format, MeshSurface::Steps(tolerance_mm), name) }
+                    .map_err(|error| error.to_string())
+            }
             None => stock_png(&self.found).map_err(|error| error.to_string()),
         });
         Ok(PyBytes::new(py, &bytes.map_err(|message| coarser(py, &message))?))

@@ -52,8 +52,10 @@ pub struct Document {
     pub printed: Rows<String>,
     /// Subprograms that were run.
     pub called: Rows<Called>,
-    /// Problems, the gravest first.
+    /// Problems, the gravest first; those of the stock among them.
     pub problems: Rows<Problem>,
+    /// What is left of the stock, where one is given.
+    pub stock: Option<Stock>,
     /// The path.
     #[serde(skip)]
     pub pictures: Pictures,
@@ -390,6 +392,47 @@ pub struct Problem {
     pub fix: Option<String>,
 }
 
+/// A volume between two bounds, mm³.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Volume {
+    /// Surely so much.
+    pub least: f64,
+    /// No more than that.
+    pub most: f64,
+}
+
+/// What a tool removes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct StockTool {
+    /// Its number.
+    pub number: u32,
+    /// What it removes.
+    pub removed_mm3: Volume,
+    /// The lowest place of its tip at feed, mm.
+    pub lowest_mm: Option<f64>,
+    /// Its time, its changes included, s.
+    pub time_s: Option<f64>,
+}
+
+/// What is left of the stock.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Stock {
+    /// The side of a column, mm.
+    pub resolution_mm: f64,
+    /// What is removed.
+    pub removed_mm3: Volume,
+    /// What is left.
+    pub left_mm3: Volume,
+    /// `clean`, `problems` or `not-proved`.
+    pub verdict: &'static str,
+    /// The same as a sentence.
+    pub sentence: &'static str,
+    /// Gaps of undercuts are in the volumes, and not in the picture.
+    pub gaps_not_drawn: bool,
+    /// By tool, in the order of their first cut.
+    pub tools: Rows<StockTool>,
+}
+
 /// A view of the path as SVG.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
@@ -413,6 +456,8 @@ pub struct ToolSign {
 pub struct Pictures {
     /// The views; none where nothing moves.
     pub views: Vec<Picture>,
+    /// The stock that is left, where one is given.
+    pub stock: Option<Picture>,
     /// The legend.
     pub tools: Vec<ToolSign>,
     /// Cuts whose place nobody knows are not drawn.

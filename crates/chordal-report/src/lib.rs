@@ -12,7 +12,7 @@
 //! let mut sources = SourceMap::new();
 //! sources.add(Source::new("part.nc", b"G21 G90 T1 M6\nS900 M3\nG1 X10. F100.\nM30\n".as_slice()));
 //! let job = Job::new(sources, Machine::from_builtin("haas-vf2").unwrap()).unwrap();
-//! let about = About { file: "part.nc", program: None, recognized: None, date: Some("2024-05-17") };
+//! let about = About { file: "part.nc", date: Some("2024-05-17"), ..About::default() };
 //! let found = gather(&job, &about);
 //! assert!(html(&found.document).contains("part.nc"));
 //! ```
@@ -25,8 +25,8 @@ mod page;
 
 pub use data::{
     AxisRange, AxisValue, Block, Called, Document, Feeds, Head, MachineTravel, Moves, Operation,
-    Picture, Pictures, Problem, Register, Rows, Skipped, Stop, StopKind, Time, Tool, ToolSign,
-    Travel, Wait, WorkOffset,
+    Picture, Pictures, Problem, Register, Rows, Skipped, Stock, StockTool, Stop, StopKind, Time,
+    Tool, ToolSign, Travel, Volume, Wait, WorkOffset,
 };
 pub use gather::{About, Gathered, gather, title};
 pub use page::html;

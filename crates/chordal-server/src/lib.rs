@@ -26,6 +26,7 @@ mod answer;
 mod chords;
 mod columns;
 mod document;
+mod engagement;
 mod file;
 mod frame;
 mod guard;

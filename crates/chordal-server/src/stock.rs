@@ -7,6 +7,7 @@ use chordal::stock::{
 use serde_json::{Value, json};
 
 use crate::answer;
+use crate::engagement;
 use crate::frame::Frame;
 use crate::outbox::Outbox;
 use crate::program::Programs;
@@ -51,7 +52,10 @@ impl<'a> Cutting<'a> {
         let files = |name: &str| programs.named_file(name);
         let failed = match self.replay(&job, &files, out, wanted) {
             Ok(true) => match job.stock(&StockOptions::default(), &files) {
-                Ok(found) => return out.json(&told(run, &found, &job)),
+                Ok(found) => {
+                    out.json(&told(run, &found, &job));
+                    return self.engagement(&job, &files, out);
+                }
                 Err(StockRunError::Interrupted) => return,
                 Err(error) => error,
             },
@@ -65,6 +69,16 @@ impl<'a> Cutting<'a> {
         // A machine without stock is nothing to speak of.
         let message = (failed != StockRunError::NoStock).then(|| failed.to_string());
         out.json(&json!({ "type": "no_stock", "run": run, "message": message, "help": help }));
+    }
+
+    /// Sends how hard the cuts are. Whatever keeps it from that was said of the stock.
+    fn engagement(&self, job: &Job, files: &dyn Fn(&str) -> Result<Vec<u8>, String>, out: &Outbox) {
+        if self.ran.rows > engagement::MOST_ROWS {
+            return;
+        }
+        if let Ok(found) = job.engagement(&engagement::options(), files) {
+            out.binary(engagement::frame(self.ran.number, &found));
+        }
     }
 
     /// Whether all of it was sent.
@@ -163,7 +177,15 @@ impl Replay for Sending<'_> {
             "cells": stock.columns,
             "coarser": self.is_coarser,
             "late": self.is_late,
+            "undercuts": stock.missing.undercuts,
+            "turned": stock.missing.turned,
         });
+        let names = stock.fixtures.iter().map(|fixture| fixture.name.as_str());
+        header["fixtures"] = names.collect();
+        // One after the other: the picture is of all of them.
+        let corners: Vec<f32> =
+            stock.fixtures.iter().flat_map(|fixture| fixture.corners.iter().copied()).collect();
+        frame.column("fixtures", &corners);
         if let Some((heights, tolerance_mm)) = &stock.target {
             frame.column("target", heights);
             header["tolerance_mm"] = json!(tolerance_mm);

@@ -9,11 +9,11 @@
 
 use std::error::Error;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use chordal_geometry::Vec3;
 use chordal_stock::mesh::write::{write_glb, write_stl, write_threemf};
-use chordal_stock::mesh::{HeightField, LengthUnit};
+use chordal_stock::mesh::{HeightField, LengthUnit, Mesh};
 
 const COLUMNS: usize = 160;
 const ROWS: usize = 120;
@@ -55,29 +55,38 @@ fn main() -> Result<(), Box<dyn Error>> {
             floor: -20.0,
         };
         for tolerance in [0.0, 0.05, 0.5] {
-            let made = field.mesh(tolerance)?;
-            let colours: Vec<[u8; 4]> = made
-                .mesh
-                .vertices()
-                .iter()
-                .map(|vertex| [200, (vertex.z * 5.0) as u8, 90, 255])
-                .collect();
             let name = format!("{}-{tolerance}", if touching { "touching" } else { "pocket" });
-            let glb = write_glb(&made.mesh, "stock & \"more\"", Some(&colours))?;
-            fs::write(folder.join(format!("{name}.glb")), glb)?;
-            let threemf = write_threemf(&made.mesh, "stock & \"more\"")?;
-            fs::write(folder.join(format!("{name}.3mf")), threemf)?;
-            rows.push(format!(
-            "{{\"name\":\"{name}\",\"touching\":{touching},\"volume\":{},\"triangles\":{},\"vertices\":{},\"deviation\":{}}}",
-            field.volume(),
-            made.mesh.triangles().len(),
-            made.mesh.vertices().len(),
-            made.deviation
-            ));
-            let parted = write_stl(&made.parted(GAP), LengthUnit::Millimetre)?;
-            fs::write(folder.join(format!("{name}.stl")), parted)?;
+            let steps = field.mesh(tolerance)?;
+            let parted = |_: &Mesh| steps.clone().parted(GAP);
+            rows.push(write(&folder, &name, &steps.mesh, field.volume(), parted)?);
+            let smooth = field.smooth(tolerance)?;
+            // Its walls are as wide as a cell: its volume is its own.
+            let name = format!("{name}-smooth");
+            rows.push(write(&folder, &name, &smooth, smooth.volume(), Mesh::clone)?);
         }
     }
     fs::write(folder.join("meshes.json"), format!("[{}]\n", rows.join(",\n")))?;
     Ok(())
+}
+
+/// Writes a mesh in every form, and gives what is known of it; `for_stl` gives that of the form that shares no vertices.
+fn write(
+    folder: &Path,
+    name: &str,
+    mesh: &Mesh,
+    volume: f64,
+    for_stl: impl Fn(&Mesh) -> Mesh,
+) -> Result<String, Box<dyn Error>> {
+    let colour = |vertex: &Vec3| [200, (vertex.z * 5.0) as u8, 90, 255];
+    let colours: Vec<[u8; 4]> = mesh.vertices().iter().map(colour).collect();
+    let title = "stock & \"more\"";
+    fs::write(folder.join(format!("{name}.glb")), write_glb(mesh, title, Some(&colours))?)?;
+    fs::write(folder.join(format!("{name}.3mf")), write_threemf(mesh, title)?)?;
+    let stl = write_stl(&for_stl(mesh), LengthUnit::Millimetre)?;
+    fs::write(folder.join(format!("{name}.stl")), stl)?;
+    Ok(format!(
+        "{{\"name\":\"{name}\",\"volume\":{volume},\"triangles\":{},\"vertices\":{}}}",
+        mesh.triangles().len(),
+        mesh.vertices().len(),
+    ))
 }

@@ -287,3 +287,91 @@ fn a_thread_mill_cuts_its_thread() {
     assert!(found.stock.has_gaps());
     assert!(found.problems.iter().all(|problem| problem.code.info().name == "stock-not-proved"));
 }
+
+/// A bar about the axis of a rotary table.
+const BAR: &str = r#"
+machine = "haas-vf2"
+[axes.A]
+[rotary.A]
+turns = "table"
+[stock]
+shape = "box"
+from = { X = "0 mm", Y = "-20 mm", Z = "-15 mm" }
+to = { X = "100 mm", Y = "20 mm", Z = "15 mm" }
+[tools.1]
+shape = "flat"
+diameter = "10 mm"
+flute_length = "30 mm"
+"#;
+
+/// Cuts at angles of A, each from a safe place: blocks between are at that angle.
+fn indexed(sides: &[(&str, &str)]) -> String {
+    let side = |(angle, blocks): &(&str, &str)| format!("G0 Z60.\nG0 A{angle}\n{blocks}");
+    let sides: String = sides.iter().map(side).collect();
+    format!(
+        "O1\nG21 G90 G54\nT1 M6\nS3000 M3\nG0 X-20. Y0. A0.\nG43 H1 Z60.\n{sides}G0 Z60.\nM30\n"
+    )
+}
+
+fn codes(found: &StockReport) -> Vec<&'static str> {
+    found.report.diagnostics.iter().map(|each| each.code.info().id).collect()
+}
+
+const SLOT: &str = "G0 X-20. Y0.\nZ10.\nG1 X120. F600.\n";
+
+#[test]
+fn a_part_is_cut_from_several_sides() {
+    let deep = SLOT.replace("Z10.", "Z15.");
+    let sides = [("0.", SLOT), ("90.", &deep), ("180.", SLOT), ("450.", &deep)];
+    let found = run(BAR, &indexed(&sides));
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.report.diagnostics);
+    assert_eq!(found.sides, 3);
+    // Three slots of 5 × 10 × 100; no one alone is more.
+    let removed = found.removed_mm3;
+    assert!(removed.least <= 15_000.0 && 15_000.0 <= removed.most, "{removed:?}");
+    // Walls are known to a column of half a millimetre.
+    assert!(removed.least > 4_499.0 && removed.most < 16_501.0, "{removed:?}");
+    let left = found.left_mm3;
+    assert!(left.least <= 105_000.0 && 105_000.0 <= left.most, "{left:?}");
+}
+
+#[test]
+fn touches_from_several_sides_are_sure_or_not_proved_and_never_clean() {
+    // 10 mm deep into a side that nothing else has cut.
+    let found = run(BAR, &indexed(&[("0.", SLOT), ("90.", "G0 X50. Y0.\nZ10.\n")]));
+    assert_eq!(found.verdict, StockVerdict::Problems);
+    let hit = &found.problems[0];
+    assert_eq!(hit.code.info().name, "rapid-through-stock");
+    assert!(hit.depth_mm.least > 9.9 && hit.depth_mm.most < 10.1, "{hit:?}");
+    // Through what the first side has removed: the tool is in air, and the columns of this side do not know it.
+    let step = "G0 X-20. Y-5.\nZ10.\nG1 X120. F600.\nG0 Y-15.\nG1 X-20.\n";
+    let through = "G0 X-20. Y16.\nZ1.\nG0 X120.\n";
+    let found = run(BAR, &indexed(&[("0.", step), ("90.", through)]));
+    assert_eq!(found.verdict, StockVerdict::NotProved, "{:?}", found.problems);
+    assert!(codes(&found).contains(&"CH629"));
+    // Without the step it is a touch.
+    let found = run(BAR, &indexed(&[("90.", through)]));
+    assert_eq!(found.verdict, StockVerdict::Problems);
+}
+
+#[test]
+fn a_part_that_turns_must_be_clear_of_the_tool() {
+    // Its corners are 25 mm from the axis.
+    let turned_at = |z: &str| format!("G0 X50. Y0.\nZ{z}\nA45.\nA0.\n");
+    let found = run(BAR, &indexed(&[("0.", &turned_at("25.01"))]));
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.report.diagnostics);
+    let found = run(BAR, &indexed(&[("0.", &turned_at("24.9"))]));
+    assert_eq!(found.verdict, StockVerdict::NotProved);
+    assert!(codes(&found).contains(&"CH630"));
+    let cut = "G0 X50. Y0.\nZ10.\nG1 X60. A90. F300.\nG0 X-20.\n";
+    assert!(codes(&run(BAR, &indexed(&[("0.", cut)]))).contains(&"CH630"));
+    // Where it is not known what A turns, nothing at an angle is followed; at zero everything is.
+    let unknown =
+        BAR.replace("[rotary.A]\nturns = \"table\"\n", "").replace("haas-vf2", "linuxcnc-mill");
+    let found = run(&unknown, &indexed(&[("90.", SLOT)]));
+    assert_eq!(found.verdict, StockVerdict::NotProved);
+    let said = |each: &chordal::Diagnostic| each.message.contains("[rotary.A]");
+    assert!(found.report.diagnostics.iter().any(said));
+    assert_eq!(found.removed_mm3.most, 0.0);
+    assert_eq!(run(&unknown, &indexed(&[("0.", SLOT)])).verdict, StockVerdict::Clean);
+}

@@ -15,6 +15,7 @@ Examples:
   chordal archive check archive/ --out results.parquet
   chordal archive check released/ returned/ --out results.parquet --machine haas-vf2
   chordal archive check archive/ --out results.parquet --jobs 4 --no-plan
+  chordal archive check archive/ --out results.parquet --stock --setup op1.toml
 
 Every file of the folders gets a row, and so does every program of a file that holds several. If it is
 interrupted, start it again with the same --out: it continues. The same archive gives the same table,
@@ -42,6 +43,14 @@ pub struct Args {
     #[arg(long)]
     no_plan: bool,
 
+    /// Cuts the stock of each program's setup as well: what is left, and what rapids, shank and holder touch
+    #[arg(long)]
+    stock: bool,
+
+    /// The machine, the stock and the tools of all programs; without it those of `chordal.toml` in their folders
+    #[arg(long, value_name = "SETUP.toml", conflicts_with_all = ["machine", "control"], requires = "stock")]
+    setup: Option<PathBuf>,
+
     /// Shows the progress on standard error, even if that is not a terminal
     #[arg(long)]
     progress: bool,
@@ -56,19 +65,19 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         argument.metadata().map_err(|error| Failure::read(argument.to_string_lossy(), &error))?;
     }
     keep_programs(&args.out)?;
-    let disk = Disk::new(args.machines.request(), &args.folders)?;
+    let disk = Disk::new(args.machines.request(args.setup.as_deref()), &args.folders)?;
     let found = walk(&args.folders, &[args.out.clone(), Journal::folder_of(&args.out)]);
     if found.is_empty() {
         return Err(Failure::wrong("there is no file in the folders", "name a folder of programs"));
     }
     let meter = Meter::new(found.len(), args.progress, terminal);
-    let options = Options { plan: !args.no_plan };
+    let options = Options { plan: !args.no_plan, stock: args.stock };
     let jobs = jobs(args.jobs);
     let done = check_all(&found, &args.out, jobs, options, || disk.again(), &meter);
     meter.finish();
     let done = done.map_err(failure)?;
     terminal.tell(&text(&done, &args.out, terminal));
-    let is_clean = done.with_errors + done.with_warnings + done.failed == 0;
+    let is_clean = done.with_errors + done.with_warnings + done.not_proved + done.failed == 0;
     Ok(if is_clean { Verdict::Clean } else { Verdict::Problems })
 }
 
@@ -93,6 +102,7 @@ fn text(done: &Done, out: &Path, terminal: Terminal) -> String {
     let parts = [
         (done.with_errors, "with errors"),
         (done.with_warnings, "with warnings"),
+        (done.not_proved, "whose stock is not proved clean"),
         (done.failed, "that could not be run"),
         (done.skipped, "other files"),
         (done.resumed, "files done before"),

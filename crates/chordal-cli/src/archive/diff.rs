@@ -75,7 +75,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         super::check::keep_programs(out)?;
     }
     let roots = [args.released.clone(), args.returned.clone()];
-    let disk = Disk::new(args.machines.request(), &roots)?;
+    let disk = Disk::new(args.machines.request(None), &roots)?;
     let meter = Meter::new(0, false, terminal);
     let (released, returned) = (&args.released, &args.returned);
     let rows =

@@ -4,7 +4,7 @@ mod check;
 mod diff;
 mod progress;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use chordal::machine::ControlName;
 use chordal_load::{Given, Request};
@@ -58,8 +58,10 @@ struct Machines {
 }
 
 impl Machines {
-    fn request(&self) -> Request {
-        let named = self.machine.clone().map(Given::Name);
+    /// With the setup file, which names the machine, where there is one.
+    fn request(&self, setup: Option<&Path>) -> Request {
+        let setup = setup.map(|setup| setup.to_string_lossy().into_owned());
+        let named = setup.or_else(|| self.machine.clone()).map(Given::Name);
         Request {
             machine: named.or(self.control.map(Given::Control)),
             set: self.set.clone(),

@@ -8,6 +8,7 @@ mod motion;
 mod page;
 mod palette;
 mod pen;
+mod relief;
 mod sheet;
 mod store;
 mod text;
@@ -16,6 +17,7 @@ mod view;
 use std::sync::Arc;
 
 use chordal::control::Units;
+use chordal::stock::StockReport;
 use chordal::{Job, Segment};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
@@ -23,6 +25,7 @@ use resvg::usvg;
 pub use figure::{figure_png, figure_svg};
 pub use motion::MotionPlot;
 pub use page::{PageTool, PageView, Viewpoint};
+use relief::Relief;
 use store::Store;
 
 /// What stands on the sheet in addition to the path, and how large it is.
@@ -110,6 +113,11 @@ impl Plot {
         self.inch = inch;
     }
 
+    /// Draws the stock that is left, shaded, under the path.
+    pub fn set_stock(&mut self, found: &StockReport) {
+        self.store.stock = Some(Relief::of(found));
+    }
+
     /// Adds a segment.
     pub fn segment(&mut self, segment: &Segment) {
         self.store.push(segment);
@@ -117,7 +125,7 @@ impl Plot {
 
     /// The sheet as SVG. Sides below 200 px are drawn as 200.
     pub fn svg(&self, options: &PlotOptions) -> String {
-        sheet::svg(&self.store, self.inch, options)
+        sheet::layers(&self.store, self.inch, options).svg()
     }
 
     /// The sheet as PNG.
@@ -126,7 +134,8 @@ impl Plot {
     /// When the sheet has no reasonable size.
     pub fn png(&self, options: &PlotOptions) -> Result<Vec<u8>, PlotError> {
         let (width, height) = (options.width_px, options.height_px);
-        render(width, height, || self.svg(options))
+        may_be(width, height)?;
+        sheet::layers(&self.store, self.inch, options).pixels(width, height)
     }
 }
 
@@ -137,15 +146,30 @@ pub fn palette_typescript() -> String {
 
 /// Draws an SVG of this size as PNG; it is asked for only when the size can be drawn.
 fn render(width: u32, height: u32, svg: impl FnOnce() -> String) -> Result<Vec<u8>, PlotError> {
-    let size = PlotError::Size(width, height);
+    may_be(width, height)?;
+    let mut pixmap = Pixmap::new(width, height).ok_or(PlotError::Size(width, height))?;
+    draw_onto(&mut pixmap, &svg(), &usvg_options())?;
+    png_of(&pixmap)
+}
+
+/// Whether a picture of this size can be held.
+fn may_be(width: u32, height: u32) -> Result<(), PlotError> {
     let pixels = u64::from(width) * u64::from(height);
-    if !SIDES_PX.contains(&width) || !SIDES_PX.contains(&height) || pixels > MOST_PIXELS {
-        return Err(size);
+    if SIDES_PX.contains(&width) && SIDES_PX.contains(&height) && pixels <= MOST_PIXELS {
+        Ok(())
+    } else {
+        Err(PlotError::Size(width, height))
     }
-    let tree = usvg::Tree::from_str(&svg(), &usvg_options())
-        .map_err(|error| PlotError::Render(error.to_string()))?;
-    let mut pixmap = Pixmap::new(width, height).ok_or(size)?;
+}
+
+fn draw_onto(pixmap: &mut Pixmap, svg: &str, options: &usvg::Options<'_>) -> Result<(), PlotError> {
+    let tree =
+        usvg::Tree::from_str(svg, options).map_err(|error| PlotError::Render(error.to_string()))?;
     resvg::render(&tree, Transform::identity(), &mut pixmap.as_mut());
+    Ok(())
+}
+
+fn png_of(pixmap: &Pixmap) -> Result<Vec<u8>, PlotError> {
     pixmap.encode_png().map_err(|error| PlotError::Render(error.to_string()))
 }
 

@@ -1,15 +1,19 @@
 //! Single views for a page that has a caption and a legend of its own.
 
+use chordal::geometry::Aabb;
+
 use super::Plot;
-use super::frame::Grid;
+use super::frame::{self, Grid};
 use super::layout::single;
 use super::palette::Palette;
-use super::sheet::{clip, tool_dash, view};
+use super::sheet::{clip, ground, tool_dash, view};
 use super::text::px;
-use super::view::{FRONT, ISOMETRIC, SIDE, TOP, View};
+use super::view::{FRONT, ISOMETRIC, Panel, SIDE, TOP, View};
 
 /// Bytes of path data of a view beyond which it is drawn coarser: a page is mailed and printed.
 const MOST_BYTES: usize = 1 << 20;
+/// Views of the path that a page may have.
+const VIEWS: usize = 4;
 
 /// Where one looks from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +49,15 @@ pub struct PageView {
     pub grid: String,
 }
 
+/// A view that is begun.
+struct Opened {
+    svg: String,
+    panel: Panel,
+    /// The step of its grid.
+    grid: String,
+    unit: f64,
+}
+
 /// A tool as the drawings show it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PageTool {
@@ -58,24 +71,55 @@ impl Plot {
     /// One view as SVG for a page; `None` where there is nothing to draw. Sides below 200 px are
     /// drawn as 200.
     pub fn page_view(&self, from: Viewpoint, width_px: u32, height_px: u32) -> Option<PageView> {
-        let bounds = self.store.extent()?;
+        let (bounds, index) = (self.store.extent()?, from as usize);
+        let Opened { mut svg, panel, grid, unit } =
+            self.opened(from, [width_px, height_px], &bounds, (index, "Path of the tool"));
+        view(&mut svg, &self.store, &panel, index, unit, MOST_BYTES, Palette::page());
+        svg.push_str("</svg>\n");
+        Some(PageView { svg, grid })
+    }
+
+    /// The stock alone, without the path; `None` where there is none.
+    pub fn page_stock(&self, from: Viewpoint, width_px: u32, height_px: u32) -> Option<PageView> {
+        let stock = self.store.stock.as_ref()?;
+        // Ids of its own: the views of the path may stand on the same page.
+        let index = VIEWS + from as usize;
+        let Opened { mut svg, panel, grid, unit } = self.opened(
+            from,
+            [width_px, height_px],
+            &stock.bounds(),
+            (index, "Stock that is left"),
+        );
+        frame::over(&mut svg, &panel, unit, Palette::page());
+        svg.push_str("</svg>\n");
+        Some(PageView { svg, grid })
+    }
+
+    /// A view with its ground and the stock.
+    fn opened(
+        &self,
+        from: Viewpoint,
+        [width_px, height_px]: [u32; 2],
+        bounds: &Aabb,
+        (index, what): (usize, &str),
+    ) -> Opened {
         let (width, height) = (f64::from(width_px.max(200)), f64::from(height_px.max(200)));
-        let (unit, index, colors) = (1.0, from as usize, Palette::page());
-        let panel = single(from.view(), width, height, &bounds, unit);
-        let grid = Grid::new(&panel, unit, self.inch, &bounds);
+        let (unit, colors) = (1.0, Palette::page());
+        let panel = single(from.view(), width, height, bounds, unit);
+        let grid = Grid::new(&panel, unit, self.inch, bounds);
         let mut svg = format!(
             "<svg viewBox=\"0 0 {} {}\" role=\"img\" \
-             aria-label=\"Path of the tool, {}\"><defs>",
+             aria-label=\"{what}, {}\"><defs>",
             px(width),
             px(height),
             panel.view.title.to_lowercase()
         );
         clip(&mut svg, &panel, index);
         svg.push_str("</defs>\n");
-        let store = &self.store;
-        view(&mut svg, store, &panel, index, &grid, &bounds, unit, MOST_BYTES, colors);
-        svg.push_str("</svg>\n");
-        Some(PageView { svg, grid: grid.text() })
+        ground(&mut svg, &panel, index, &grid, bounds, unit, colors);
+        let stock = self.store.stock.as_ref().and_then(|stock| stock.draw(&panel, false));
+        svg.extend(stock.map(|drawn| drawn.svg()));
+        Opened { svg, panel, grid: grid.text(), unit }
     }
 
     /// The tools that cut, in the order of their first use.

@@ -1,15 +1,17 @@
 //! The sheet: caption, views, legend.
 
 use chordal::geometry::{Aabb, Vec3};
+use resvg::tiny_skia::Pixmap;
 
-use super::PlotOptions;
 use super::frame::{self, Grid, INCH};
 use super::layout::{Layout, MARGIN};
 use super::palette::Palette;
 use super::pen::Paths;
+use super::relief::Drawn;
 use super::store::Store;
 use super::text::{escape, label, px};
 use super::view::{Panel, Rect};
+use super::{PlotError, PlotOptions, draw_onto, png_of, usvg_options};
 
 /// Rows of the legend; tools for which there is no room are counted.
 const LEGEND_ROWS: usize = 3;
@@ -19,8 +21,44 @@ const ROW: f64 = 25.0;
 /// Bytes of path data of one view beyond which it is drawn coarser.
 const MOST_BYTES: usize = 3 << 20;
 
+/// A sheet in layers: what lies under the stock, the stock, and what lies over it.
+pub(super) struct Layers {
+    /// The root element with its definitions.
+    head: String,
+    under: String,
+    stock: Vec<Drawn>,
+    over: String,
+}
+
+const END: &str = "</svg>\n";
+
+impl Layers {
+    /// All in one.
+    pub fn svg(self) -> String {
+        let stock: String = self.stock.iter().map(Drawn::svg).collect();
+        [self.head, self.under, stock, self.over, END.to_string()].concat()
+    }
+
+    /// All in one as PNG.
+    pub fn pixels(self, width: u32, height: u32) -> Result<Vec<u8>, PlotError> {
+        let mut pixmap = Pixmap::new(width, height).ok_or(PlotError::Size(width, height))?;
+        let options = usvg_options();
+        let Layers { head, under, stock, over } = self;
+        if stock.is_empty() {
+            draw_onto(&mut pixmap, &[&head, &under, &over, END].concat(), &options)?;
+            return png_of(&pixmap);
+        }
+        draw_onto(&mut pixmap, &[&head, &under, END].concat(), &options)?;
+        for picture in &stock {
+            picture.paint(&mut pixmap);
+        }
+        draw_onto(&mut pixmap, &[&head, &over, END].concat(), &options)?;
+        png_of(&pixmap)
+    }
+}
+
 /// The whole sheet.
-pub(super) fn svg(store: &Store, inch: bool, options: &PlotOptions) -> String {
+pub(super) fn layers(store: &Store, inch: bool, options: &PlotOptions) -> Layers {
     let colors = Palette::of(options.dark);
     let (width, height) =
         (f64::from(options.width_px.max(200)), f64::from(options.height_px.max(200)));
@@ -31,23 +69,26 @@ pub(super) fn svg(store: &Store, inch: bool, options: &PlotOptions) -> String {
     let layout = Layout::new(width, height, &drawn, legend.height());
     let grid = Grid::new(&layout.panels[0], unit, inch, &drawn);
 
-    let mut out = String::new();
-    open(&mut out, &layout, options, colors);
-    caption(&mut out, store, &layout, &grid, inch, options, colors);
+    let (mut head, mut under, mut over) = (String::new(), String::new(), String::new());
+    open(&mut head, &layout, options);
+    sheet(&mut under, &layout, colors);
+    caption(&mut under, store, &layout, &grid, inch, options, colors);
+    let mut stock = Vec::new();
     match bounds {
         Some(bounds) => {
             for (index, panel) in layout.panels.iter().enumerate() {
-                view(&mut out, store, panel, index, &grid, &bounds, unit, MOST_BYTES, colors);
+                ground(&mut under, panel, index, &grid, &bounds, unit, colors);
+                stock.extend(store.stock.as_ref().and_then(|of| of.draw(panel, options.dark)));
+                view(&mut over, store, panel, index, unit, MOST_BYTES, colors);
             }
-            legend.draw(&mut out, &layout, colors);
+            legend.draw(&mut over, &layout, colors);
         }
-        None => nothing(&mut out, store, &layout, colors),
+        None => nothing(&mut over, store, &layout, colors),
     }
-    out.push_str("</svg>\n");
-    out
+    Layers { head, under, stock, over }
 }
 
-fn open(out: &mut String, layout: &Layout, options: &PlotOptions, colors: &Palette) {
+fn open(out: &mut String, layout: &Layout, options: &PlotOptions) {
     let (width, height) = (px(layout.width), px(layout.height));
     out.push_str(&format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
@@ -60,6 +101,10 @@ fn open(out: &mut String, layout: &Layout, options: &PlotOptions, colors: &Palet
         clip(out, panel, index);
     }
     out.push_str("</defs>\n");
+}
+
+fn sheet(out: &mut String, layout: &Layout, colors: &Palette) {
+    let (width, height) = (px(layout.width), px(layout.height));
     out.push_str(&format!(
         "<rect width=\"{width}\" height=\"{height}\" fill=\"{}\"/>\n",
         colors.sheet
@@ -141,24 +186,35 @@ fn extents(store: &Store, grid: &Grid, inch: bool) -> Vec<String> {
     lines
 }
 
-/// A view with everything in it.
-#[allow(clippy::too_many_arguments, reason = "the parts of a sheet")]
-pub(super) fn view(
+/// What lies under everything in a view.
+pub(super) fn ground(
     out: &mut String,
-    store: &Store,
     panel: &Panel,
     index: usize,
     grid: &Grid,
     bounds: &Aabb,
     unit: f64,
-    most_bytes: usize,
     colors: &Palette,
 ) {
     frame::under(out, panel, grid, unit, colors);
-    out.push_str(&format!("<g clip-path=\"url(#view{index})\" fill=\"none\">\n"));
     if !panel.view.along_axes {
+        out.push_str(&format!("<g clip-path=\"url(#view{index})\" fill=\"none\">\n"));
         frame::floor(out, panel, grid, bounds, unit, colors);
+        out.push_str("</g>\n");
     }
+}
+
+/// A view with everything in it that lies over the ground and the stock.
+pub(super) fn view(
+    out: &mut String,
+    store: &Store,
+    panel: &Panel,
+    index: usize,
+    unit: f64,
+    most_bytes: usize,
+    colors: &Palette,
+) {
+    out.push_str(&format!("<g clip-path=\"url(#view{index})\" fill=\"none\">\n"));
     paths(out, store, panel, unit, most_bytes, colors);
     frame::origin(out, panel, unit, colors);
     ends(out, store, panel, unit, colors);

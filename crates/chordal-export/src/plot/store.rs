@@ -3,6 +3,8 @@
 use chordal::geometry::{Aabb, Curve, ParamCurve, Vec3};
 use chordal::{Segment, SegmentKind};
 
+use super::relief::Relief;
+
 /// Pieces after which the path is thinned for the first time.
 const MANY: usize = 1 << 21;
 /// Thinning keeps detail of this fraction of the drawing: below half a pixel on any sheet.
@@ -52,6 +54,8 @@ pub(super) struct Store {
     unknown: bool,
     /// Two programs in one picture, by these names, not tools.
     pub overlay: Option<[String; 2]>,
+    /// The stock that is left.
+    pub stock: Option<Relief>,
 }
 
 impl Default for Store {
@@ -69,6 +73,7 @@ impl Default for Store {
             limit: MANY,
             unknown: false,
             overlay: None,
+            stock: None,
         }
     }
 }
@@ -174,7 +179,7 @@ impl Store {
         self.rapid_mm = old.rapid_mm;
         (self.cuts, self.rapids) = (old.cuts, old.rapids);
         (self.start, self.end, self.unknown) = (old.start, old.end, old.unknown);
-        self.overlay = old.overlay;
+        (self.overlay, self.stock) = (old.overlay, old.stock);
         self.limit = MANY.max(2 * self.pieces.len());
     }
 
@@ -221,8 +226,16 @@ impl Store {
         (!self.cuts.is_empty()).then_some(self.cuts)
     }
 
-    /// The box that is drawn: the cuts, and the rapids near them.
+    /// The box that is drawn: the cuts, the rapids near them, and the stock.
     pub fn extent(&self) -> Option<Aabb> {
+        let stock = self.stock.as_ref().map(Relief::bounds);
+        match (self.path_extent(), stock) {
+            (Some(path), Some(stock)) => Some(path.union(stock)),
+            (path, stock) => path.or(stock),
+        }
+    }
+
+    fn path_extent(&self) -> Option<Aabb> {
         let Some(cuts) = self.cut_extent() else {
             return self.rapid_mm().map(|_| self.rapids);
         };

@@ -13,7 +13,7 @@ pub use github::github;
 pub use json::{Reading, json};
 pub use place::{Place, place};
 pub use sarif::Sarif;
-pub use summary::summary_json;
+pub use summary::{RunOf, summary_json};
 pub use text::{Detail, excerpt, one, text};
 
 pub(crate) use excerpt::{Excerpts, Mark};

@@ -4,25 +4,35 @@ use std::collections::BTreeMap;
 
 use chordal::control::EndReason;
 use chordal::machine::ToolShape;
+use chordal::stock::StockReport;
 use chordal::time::Timed;
 use chordal::tool_comments::{KnownTool, known_tools};
 use chordal::{AxisTravel, Job, Report, ToolUse};
 use serde_json::{Value, json};
 
 use super::json::{Reading, problems};
+use crate::stock::stock_members;
+
+/// What a run came to.
+pub struct RunOf<'a> {
+    /// Its summary and its problems.
+    pub report: &'a Report,
+    /// Its times, where it was planned.
+    pub timed: Option<&'a Timed>,
+    /// What it leaves of a stock, where one is given.
+    pub stock: Option<&'a StockReport>,
+}
 
 /// A run with its problems as one JSON object, schema `chordal.summary/1`: the members of
-/// [`json`](super::json()) and `summary`. Lengths in mm, angles in degrees, times in s, feeds in mm/min;
-/// `time_s` is null where the run was not planned.
-pub fn summary_json(
-    report: &Report,
-    job: &Job,
-    file: &str,
-    reading: &Reading<'_>,
-    timed: Option<&Timed>,
-) -> String {
+/// [`json`](super::json()), `summary`, and with a stock `stock` as in `chordal.stock/1`. Lengths in mm, angles in
+/// degrees, times in s, feeds in mm/min; `time_s` is null where the run was not planned.
+pub fn summary_json(run: &RunOf<'_>, job: &Job, file: &str, reading: &Reading<'_>) -> String {
+    let RunOf { report, timed, stock } = *run;
     let mut object = problems("chordal.summary/1", report, job.sources(), file, reading);
     object.insert("summary".into(), summary(report, job, timed));
+    if let Some(found) = stock {
+        object.insert("stock".into(), Value::Object(stock_members(found)));
+    }
     format!("{:#}\n", Value::Object(object))
 }
 

@@ -6,10 +6,7 @@ use chordal::control::{Units, telling_number};
 use chordal::stock::{Between, EngagementReport, MoveEngagement, Peak, ToolEngagement};
 use serde_json::{Value, json};
 
-/// To a millionth: smaller digits are rounding of sums.
-fn rounded(value: f64) -> f64 {
-    (value * 1e6).round() / 1e6
-}
+use super::json::{between, problem, rounded};
 
 /// Numbers in the units of a program.
 struct Words(Units);
@@ -142,8 +139,8 @@ fn head(tool: &ToolEngagement) -> String {
     format!("tool {}{teeth}: {} moves, {seconds} s in material", tool.number, tool.moves)
 }
 
-fn between(value: Between, scale: f64) -> Value {
-    json!({ "least": rounded(value.least * scale), "most": rounded(value.most * scale) })
+fn bounds(value: Between, scale: f64) -> Value {
+    between(value.least * scale, value.most * scale)
 }
 
 fn peak(peak: Peak, scale: f64) -> Value {
@@ -180,17 +177,10 @@ pub fn engagement_json(found: &EngagementReport, file: &str, moves: bool) -> Str
     let problems: Vec<Value> = found
         .problems
         .iter()
-        .map(|problem| {
-            let info = problem.code.info();
-            json!({
-                "code": info.id,
-                "name": info.name,
-                "file": problem.file,
-                "line": problem.line,
-                "tool": problem.tool,
-                "value": between(problem.value, 1.0),
-                "limit": rounded(problem.limit),
-            })
+        .map(|found| {
+            let limit = json!(rounded(found.limit));
+            let more = [("value", bounds(found.value, 1.0)), ("limit", limit)];
+            problem(found.code, (&found.file, found.line), found.tool, more)
         })
         .collect();
     let material = found.material.map(|material| {
@@ -228,10 +218,10 @@ fn row(each: &MoveEngagement) -> Value {
         "engaged_mm": rounded(each.engaged_mm),
         "feed_mm_per_min": rounded(each.feed_mm_per_s * 60.0),
         "spindle_rpm": rounded(each.rpm),
-        "radial_depth_mm": between(each.across_mm, 1.0),
-        "axial_depth_mm": between(each.axial_mm, 1.0),
-        "angle_deg": between(each.angle_rad, 180.0 / std::f64::consts::PI),
-        "chip_mm": each.chip.map(|chip| between(chip.peak_mm, 1.0)),
+        "radial_depth_mm": bounds(each.across_mm, 1.0),
+        "axial_depth_mm": bounds(each.axial_mm, 1.0),
+        "angle_deg": bounds(each.angle_rad, 180.0 / std::f64::consts::PI),
+        "chip_mm": each.chip.map(|chip| bounds(chip.peak_mm, 1.0)),
         "mean_chip_mm": each.chip.map(|chip| rounded(chip.mean_mm)),
         "removed_mm3": rounded(each.removed_mm3),
         "rate_mm3_per_min": rounded(each.rate_mm3_per_s * 60.0),

@@ -1,33 +1,60 @@
 //! A run on stock as one JSON object.
 
+use chordal::Code;
 use chordal::stock::{Amount, StockReport};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 /// To a millionth: smaller digits are rounding of sums.
-fn rounded(value: f64) -> f64 {
+pub(super) fn rounded(value: f64) -> f64 {
     (value * 1e6).round() / 1e6
 }
 
+/// Two bounds.
+pub(super) fn between(least: f64, most: f64) -> Value {
+    json!({ "least": rounded(least), "most": rounded(most) })
+}
+
 fn bounds(amount: Amount) -> Value {
-    json!({ "least": rounded(amount.least), "most": rounded(amount.most) })
+    between(amount.least, amount.most)
+}
+
+/// What a problem of a block is, and where, with what else is known of it.
+pub(super) fn problem(
+    code: Code,
+    (file, line): (&str, u32),
+    tool: u32,
+    more: [(&str, Value); 2],
+) -> Value {
+    let info = code.info();
+    let place = [
+        ("code", json!(info.id)),
+        ("name", json!(info.name)),
+        ("file", json!(file)),
+        ("line", json!(line)),
+        ("tool", json!(tool)),
+    ];
+    let members = place.into_iter().chain(more);
+    Value::Object(members.map(|(name, value)| (name.to_string(), value)).collect())
 }
 
 /// Schema `chordal.stock/1`: lengths in mm, volumes in mm³, places in the frame of the first cut's work offset.
 pub fn stock_json(found: &StockReport, file: &str) -> String {
+    let mut object = Map::new();
+    object.insert("schema".into(), json!("chordal.stock/1"));
+    object.insert("file".into(), json!(file));
+    object.extend(stock_members(found));
+    format!("{:#}\n", Value::Object(object))
+}
+
+/// The members of that object but for its schema and file.
+pub(crate) fn stock_members(found: &StockReport) -> Map<String, Value> {
     let problems: Vec<Value> = found
         .problems
         .iter()
-        .map(|problem| {
-            let info = problem.code.info();
-            json!({
-                "code": info.id,
-                "name": info.name,
-                "file": problem.file,
-                "line": problem.line,
-                "tool": problem.tool,
-                "depth_mm": bounds(problem.depth_mm),
-                "at_mm": ([problem.at.x, problem.at.y, problem.at.z].map(rounded)),
-            })
+        .map(|found| {
+            let at = [found.at.x, found.at.y, found.at.z].map(rounded);
+            let more = [("depth_mm", bounds(found.depth_mm)), ("at_mm", json!(at))];
+            problem(found.code, (&found.file, found.line), found.tool, more)
         })
         .collect();
     let tools: Vec<Value> = found
@@ -50,19 +77,18 @@ pub fn stock_json(found: &StockReport, file: &str) -> String {
             "at_mm": ([target.at.x, target.at.y, target.at.z].map(rounded)),
         })
     });
-    let object = json!({
-        "schema": "chordal.stock/1",
-        "file": file,
-        "resolution_mm": found.resolution_mm,
-        "refined": found.refined,
-        "removed_mm3": bounds(found.removed_mm3),
-        "left_mm3": bounds(found.left_mm3),
-        "verdict": found.verdict.as_str(),
-        "problems": problems,
-        "problems_left_out": found.more_problems,
-        "errors": found.report.counts.errors,
-        "tools": tools,
-        "target": target,
-    });
-    format!("{object:#}\n")
+    let members = [
+        ("resolution_mm", json!(found.resolution_mm)),
+        ("refined", json!(found.refined)),
+        ("sides", json!(found.sides)),
+        ("removed_mm3", bounds(found.removed_mm3)),
+        ("left_mm3", bounds(found.left_mm3)),
+        ("verdict", json!(found.verdict.as_str())),
+        ("problems", json!(problems)),
+        ("problems_left_out", json!(found.more_problems)),
+        ("errors", json!(found.report.counts.errors)),
+        ("tools", json!(tools)),
+        ("target", json!(target)),
+    ];
+    members.into_iter().map(|(name, value)| (name.to_string(), value)).collect()
 }

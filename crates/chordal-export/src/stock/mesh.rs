@@ -1,7 +1,9 @@
 //! What is left as a closed mesh: STL, 3MF, GLB.
 
 use chordal::stock::StockReport;
-use chordal::stock::mesh::{HeightField, HeightFieldError, HeightMesh, LengthUnit, write};
+use chordal::stock::mesh::{
+    HeightField, HeightFieldError, HeightMesh, LengthUnit, SmoothError, write,
+};
 
 /// Columns that touch in an upright edge are parted by this share of a cell in STL, which shares no vertices.
 const GAP: f64 = 1e-3;
@@ -23,34 +25,52 @@ pub enum StockMeshError {
     /// The columns make no surface.
     #[error(transparent)]
     Columns(#[from] HeightFieldError),
+    /// They make no smooth one.
+    #[error(transparent)]
+    Smooth(#[from] SmoothError),
     /// The format has no room for it.
     #[error(transparent)]
     Write(#[from] write::WriteError),
 }
 
-/// The stock that is left: the middle between the two bounds of each column; columns whose heights differ by no
-/// more than `tolerance_mm` are joined.
+/// How columns become a surface.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum MeshSurface {
+    /// Flat tops and upright walls. Columns are joined to tops that are no further from them than this, mm; the volume
+    /// is theirs.
+    Steps(f64),
+    /// Through the middles of the columns, no further from them than this along Z, mm; walls are as wide as a column.
+    Smooth(f64),
+}
+
+/// The stock that is left: the middle between the two bounds of each column.
 ///
 /// # Errors
 /// When there are too many columns for one mesh.
 pub fn stock_mesh(
     found: &StockReport,
     format: MeshFormat,
-    tolerance_mm: f64,
+    surface: MeshSurface,
     name: &str,
 ) -> Result<Vec<u8>, StockMeshError> {
-    let surface = stock_surface(found, tolerance_mm)?;
-    Ok(match format {
-        MeshFormat::Stl => {
-            let gap = GAP * found.stock.grid().resolution();
-            write::write_stl(&surface.parted(gap), LengthUnit::Millimetre)?
+    let mesh = match surface {
+        MeshSurface::Steps(tolerance) => {
+            let steps = stock_surface(found, tolerance)?;
+            match format {
+                MeshFormat::Stl => steps.parted(GAP * found.stock.grid().resolution()),
+                MeshFormat::ThreeMf | MeshFormat::Glb => steps.mesh,
+            }
         }
-        MeshFormat::ThreeMf => write::write_threemf(&surface.mesh, name)?,
-        MeshFormat::Glb => write::write_glb(&surface.mesh, name, None)?,
+        MeshSurface::Smooth(tolerance) => with_field(found, |field| field.smooth(tolerance))?,
+    };
+    Ok(match format {
+        MeshFormat::Stl => write::write_stl(&mesh, LengthUnit::Millimetre)?,
+        MeshFormat::ThreeMf => write::write_threemf(&mesh, name)?,
+        MeshFormat::Glb => write::write_glb(&mesh, name, None)?,
     })
 }
 
-/// The same as a closed surface.
+/// The same as a closed surface of flat tops, which are no further from their columns than `tolerance_mm`.
 ///
 /// # Errors
 /// As [`stock_mesh`].
@@ -58,6 +78,10 @@ pub fn stock_surface(
     found: &StockReport,
     tolerance_mm: f64,
 ) -> Result<HeightMesh, HeightFieldError> {
+    with_field(found, |field| field.mesh(tolerance_mm))
+}
+
+fn with_field<T>(found: &StockReport, make: impl FnOnce(&HeightField<'_>) -> T) -> T {
     let grid = found.stock.grid();
     let bounds = grid.bounds();
     let [columns, rows] = grid.cells().map(|cells| cells as usize);
@@ -76,5 +100,5 @@ pub fn stock_surface(
         heights: &heights,
         floor: 0.0,
     };
-    field.mesh(tolerance_mm)
+    make(&field)
 }

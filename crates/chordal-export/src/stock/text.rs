@@ -5,9 +5,9 @@ use chordal::stock::{Amount, StockReport, StockVerdict};
 use crate::numbers::duration;
 
 /// A volume between two bounds: cubic centimetres, or cubic inches.
-fn volume(amount: Amount, inch: bool) -> String {
+pub fn stock_volume(bounds_mm3: [f64; 2], inch: bool) -> String {
     let (unit, size) = if inch { ("in³", 25.4_f64.powi(3)) } else { ("cm³", 1000.0) };
-    let [least, most] = [amount.least / size, amount.most / size];
+    let [least, most] = bounds_mm3.map(|volume| volume / size);
     // As many digits as both bounds share, and one more.
     let gap = (most - least).max(1e-9 * most.abs()).max(1e-9);
     let decimals = (1.0 - gap.log10()).ceil().clamp(0.0, 4.0) as usize;
@@ -21,9 +21,13 @@ pub fn stock_text(found: &StockReport) -> String {
     let length = |mm: f64| {
         if inch { format!("{:.4} in", mm / 25.4) } else { format!("{mm:.3} mm") }
     };
+    let volume = |amount: Amount, inch| stock_volume([amount.least, amount.most], inch);
     let mut text = format!("removed     {}\n", volume(found.removed_mm3, inch));
     text += &format!("left        {}\n", volume(found.left_mm3, inch));
     text += &format!("resolution  {}\n", length(found.resolution_mm));
+    if found.sides > 1 {
+        text += &format!("sides       {}, one for each angle of the rotary axes\n", found.sides);
+    }
     for tool in &found.tools {
         let removed = volume(tool.removed_mm3, inch);
         let lowest = length(tool.lowest_mm);
@@ -34,14 +38,20 @@ pub fn stock_text(found: &StockReport) -> String {
         let volume = volume(target.left_over_mm3, inch);
         text += &format!("left over   {volume} outside of the target\n");
     }
-    text += match found.verdict {
-        StockVerdict::Clean => {
-            "clean: no rapid, shank or holder touches material, proved within the resolution\n"
-        }
-        StockVerdict::Problems => "problems: see above\n",
-        StockVerdict::NotProved => {
-            "not proved: no touch was found, and some cannot be excluded at this resolution\n"
-        }
-    };
+    text += stock_verdict_text(found.verdict);
+    text.push('\n');
     text
+}
+
+/// What a verdict says.
+pub fn stock_verdict_text(verdict: StockVerdict) -> &'static str {
+    match verdict {
+        StockVerdict::Clean => {
+            "clean: no rapid, shank or holder touches material, proved within the resolution"
+        }
+        StockVerdict::Problems => "problems: see the list of problems",
+        StockVerdict::NotProved => {
+            "not proved: no touch was found, and some cannot be excluded at this resolution"
+        }
+    }
 }

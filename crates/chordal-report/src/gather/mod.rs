@@ -1,6 +1,7 @@
 //! One run, watched, and everything a report says about it.
 
 pub(crate) mod problems;
+mod stock;
 mod stops;
 mod text;
 mod time;
@@ -11,6 +12,7 @@ use chordal::control::{Command, CommandKind, EndReason};
 use chordal::diagnostics::FileId;
 use chordal::geometry::Plane;
 use chordal::motion::{MotionOptions, OperationStart};
+use chordal::stock::StockReport;
 use chordal::{Job, PathCommand, Report, Segment, SegmentKind, Watch};
 use chordal_export::{Plot, Viewpoint, sha256_hex};
 
@@ -38,6 +40,8 @@ pub struct About<'a> {
     pub recognized: Option<&'a str>,
     /// A date to print. A report reads no clock: the same input gives the same bytes.
     pub date: Option<&'a str>,
+    /// What the program leaves of a stock, where one is given.
+    pub stock: Option<&'a StockReport>,
 }
 
 /// A report, and what else the run found.
@@ -59,12 +63,17 @@ pub fn gather(job: &Job, about: &About) -> Gathered {
     let timed = timed.ok().flatten();
     let Seen { tools, travels, stops, programs, mut plot, plane_mm, .. } = seen;
     plot.set_inch(report.summary.inch);
+    if let Some(found) = about.stock {
+        plot.set_stock(found);
+    }
 
     let comments = Comments::new(job, programs.first_main(about.program));
     let time = timed.as_ref().map(|timed| &timed.time);
     let tools_told = tools.tools(job, &comments, &report.summary, time);
-    let time =
+    let times =
         timed.as_ref().map(|timed| time::time(timed, &tools_told.rows, &comments.head(), job));
+    // The run on stock has found the same and more.
+    let report = about.stock.map_or(report, |found| found.report.clone());
     let printed = report.output.iter().take(MOST_PRINTED).map(|line| clean(line, 200));
     let document = Document {
         schema: "chordal.report/1",
@@ -78,7 +87,7 @@ pub fn gather(job: &Job, about: &About) -> Gathered {
         notes: report.counts.notes,
         ends: ends(job, &report),
         moves: moves(&report),
-        time,
+        time: times,
         tools: tools_told,
         work_offsets: travels.work_offsets(job),
         registers: tools.registers(job),
@@ -95,6 +104,7 @@ pub fn gather(job: &Job, about: &About) -> Gathered {
         },
         called: programs.called(about.program),
         problems: problems::problems(&report, job),
+        stock: about.stock.map(|found| stock::stock(found, time)),
         pictures: pictures(&plot, &plane_mm),
     };
     Gathered { document, report }
@@ -252,6 +262,10 @@ fn pictures(plot: &Plot, plane_mm: &[f64; 3]) -> Pictures {
     let sign = |tool: chordal_export::PageTool| ToolSign { number: tool.number, svg: tool.sign };
     Pictures {
         views: views.into_iter().filter_map(view).collect(),
+        stock: plot.page_stock(Viewpoint::Isometric, width, height).map(|drawn| Picture {
+            caption: format!("from the front, right and above; grid {}", drawn.grid),
+            svg: drawn.svg,
+        }),
         tools: plot.page_tools().into_iter().map(sign).collect(),
         cuts_left_out: plot.leaves_out_cuts(),
     }

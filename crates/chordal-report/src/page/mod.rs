@@ -2,6 +2,7 @@
 
 mod program;
 mod setup;
+mod stock;
 mod times;
 
 use chordal_export::Plot;
@@ -36,6 +37,7 @@ pub fn html(document: &Document) -> String {
                     // What must be mended comes before what is set up.
                     @if document.errors > 0 { (problems(document)) }
                     (pictures(document))
+                    (stock::stock(document, &show))
                     (setup::offsets(document, &show))
                     (setup::tools(document, &show))
                     (program::stops(document))
@@ -62,6 +64,10 @@ struct Show {
 impl Show {
     fn of(document: &Document) -> Show {
         Show { units: Units::of(document.head.units == "inch") }
+    }
+
+    fn is_inch(&self) -> bool {
+        self.units == Units::Inch
     }
 
     /// A place of an axis, mm or degrees.
@@ -231,6 +237,7 @@ fn pictures(document: &Document) -> Markup {
                         li { "and " (pictures.tools.len() - 24) " more tools" }
                     }
                     li.faint { "dashed: rapids" }
+                    @if document.stock.is_some() { li.faint { "grey: the stock that is left" } }
                     li.faint { "quartered circle: zero of the work offset of the first cut" }
                     li.faint { "ring and square: start and end" }
                 }
@@ -312,8 +319,10 @@ fn foot(document: &Document) -> Markup {
             }
             p {
                 "Made by Chordal " (document.chordal) ". Times hold velocity, acceleration and jerk of "
-                "every axis, as the machine file gives them; the times are not measured. There "
-                "is no model of stock, fixtures or holders."
+                "every axis, as the machine file gives them; the times are not measured."
+                @if document.stock.is_none() {
+                    " Without a setup file, stock, fixtures and holders are not looked at."
+                }
             }
         }
     }

@@ -15,10 +15,16 @@ to = { X = "60 mm", Y = "40 mm", Z = "0 mm" }
 shape = "box"
 from = { X = "0 mm", Y = "0 mm", Z = "-20 mm" }
 to = { X = "60 mm", Y = "40 mm", Z = "-3 mm" }
+[fixtures.jaw]
+shape = "box"
+from = { X = "0 mm", Y = "40 mm", Z = "-30 mm" }
+to = { X = "60 mm", Y = "60 mm", Z = "-10 mm" }
 [tools.1]
 shape = "flat"
 diameter = "10 mm"
 flute_length = "25 mm"
+teeth = 2
+max_chip = "0.05 mm"
 [tools.2]
 shape = "ball"
 diameter = "8 mm"
@@ -167,4 +173,25 @@ fn without_stock_and_with_a_wrong_setup_it_is_said() {
     // The path is there all the same.
     live.send(r#"{"id":1,"ask":"outline"}"#);
     assert!(matches!(live.next(), Told::Json(_) | Told::Columns(_)));
+}
+
+#[test]
+fn fixtures_and_how_hard_the_cuts_are_come_with_it() {
+    let mut live = serve(Shown::text(&whole()).set_up(SETUP)).live();
+    let lines = live.columns("path").u32("line");
+    let stock = live.columns("stock");
+    assert_eq!(stock.header["fixtures"], serde_json::json!(["jaw"]));
+    assert_eq!(stock.header["undercuts"], false);
+    let corners = stock.f32("fixtures");
+    assert_eq!(corners.len(), 12 * 9);
+    assert!(corners.chunks(3).all(|at| (40.0..=60.0).contains(&at[1])));
+    let found = live.columns("engagement");
+    let (rows, radial, chips) = (found.u32("row"), found.f32("radial"), found.f32("chip"));
+    // 600 mm/min, 5000 rev/min, two teeth: 0.06 mm of each in the full width of the tool.
+    let at = rows.iter().position(|row| lines[*row as usize] == 6).expect("the slot");
+    assert!((radial[at] - 10.0).abs() < 0.3 && (chips[at] - 0.06).abs() < 1e-4);
+    assert_eq!(found.u8("problem")[at], 1);
+    // The ball cutter has no teeth given.
+    let ball = rows.iter().position(|row| lines[*row as usize] == 12).expect("the arc");
+    assert!(chips[ball] < 0.0 && radial[ball] > 0.0 && found.u8("problem")[ball] == 0);
 }

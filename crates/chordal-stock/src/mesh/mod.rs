@@ -3,6 +3,7 @@
 //! A mesh is plain data: vertices that triangles share, each triangle counter-clockwise seen from outside.
 
 mod edges;
+mod smooth;
 mod steps;
 mod stl;
 mod weld;
@@ -11,6 +12,7 @@ pub mod write;
 use chordal_geometry::{Aabb, Vec3};
 
 pub use edges::Edges;
+pub use smooth::SmoothError;
 pub use steps::{HeightField, HeightFieldError, HeightMesh};
 pub use stl::{LengthUnit, Stl, StlError, StlForm, StlOptions, TextProblem, read_stl};
 

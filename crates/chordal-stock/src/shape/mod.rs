@@ -14,6 +14,7 @@ mod passage;
 mod profile;
 mod round;
 mod tree;
+mod turned;
 
 use chordal_geometry::{Aabb, Vec3};
 

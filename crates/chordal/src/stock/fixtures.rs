@@ -23,7 +23,7 @@ pub(super) fn look_at_fixtures(
 ) {
     let bounds = shape.bounds();
     let clearance = fixture.clearance;
-    for batch in run.batches {
+    for batch in &run.batches {
         let Some(tool) = run.tool(batch.tool) else { continue };
         let Some(body) = whole(tool) else { continue };
         let reach = tool.radius() + clearance + run.options.tolerance_mm;

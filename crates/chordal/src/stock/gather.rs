@@ -5,14 +5,19 @@ use std::collections::BTreeMap;
 use chordal_command::{CommandKind, FeedMode, Origin, SpindleState, Units, WorkNaming};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::ParamCurve;
+use chordal_machine::Rotary;
 use chordal_path::{PathCommand, Segment};
 use chordal_stock::Move;
 
 use super::tools::{NoBody, ToolBody};
+use super::turns::{self, Turn};
+use crate::job::Job;
 use crate::report::Watch;
 
-/// Angles of rotary axes that differ by less are the same, rad.
-const SAME_ANGLE: f64 = 1e-9;
+/// The most angles of a run at which the part is cut: each has columns of its own.
+const MOST_TURNS: usize = 64;
+/// The most moves of a run on which the part turns and of which it is asked whether the tool is clear of it.
+const MOST_SWINGS: usize = 100_000;
 
 /// What moves are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,15 +30,19 @@ pub(super) enum Kind {
     Still,
 }
 
-/// Moves of one kind and tool, one after the other.
+/// Moves of one kind and tool, one after the other, on a part that lies the same way.
 #[derive(Debug)]
 pub(super) struct Batch {
     pub tool: u32,
     pub kind: Kind,
+    /// How the part lies, by its number in [`Gathered::turns`].
+    pub turn: usize,
     pub moves: Vec<Move>,
     pub origins: Vec<Origin>,
     /// How fast each move goes.
     pub rates: Vec<Rate>,
+    /// The number of each among all pieces of path of the run.
+    pub rows: Vec<u32>,
 }
 
 /// How fast a move is programmed.
@@ -50,7 +59,17 @@ pub(super) struct Rate {
 /// Gathers what a run moves.
 pub(super) struct Gathered<'a> {
     tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
+    rotary: &'a [Rotary; 3],
+    /// Parts that were turned are followed; otherwise only while they lie as they were given.
+    follows_turns: bool,
     pub batches: Vec<Batch>,
+    /// How the part lies on one move or another; first as it was given.
+    pub turns: Vec<Turn>,
+    /// Moves on which the part turns.
+    pub swings: Vec<Segment>,
+    /// Moves are left out on which the part is turned, or turns.
+    pub leaves_out_turned: bool,
+    row: u32,
     /// The work offset of the first cut, which is the frame of the run.
     pub work: Option<String>,
     work_now: Option<String>,
@@ -61,7 +80,6 @@ pub(super) struct Gathered<'a> {
     rpm: f64,
     /// The move under way has a feed by time.
     by_time: bool,
-    rotary: Option<[f64; 3]>,
     /// What was told of a tool, once.
     told: Vec<(Code, u32)>,
     pub diagnostics: Vec<Diagnostic>,
@@ -72,13 +90,21 @@ pub(super) struct Gathered<'a> {
 
 impl<'a> Gathered<'a> {
     pub fn new(
+        job: &'a Job<'_>,
         tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
-        naming: WorkNaming,
-        units: Units,
+        follows_turns: bool,
     ) -> Gathered<'a> {
+        let control = job.control();
+        let (naming, units) = (control.table.work_names, control.parameters.rules.units);
         Gathered {
             tools,
+            rotary: &job.machine().rotary,
+            follows_turns,
             batches: Vec::new(),
+            turns: vec![Turn::NONE],
+            swings: Vec::new(),
+            leaves_out_turned: false,
+            row: 0,
             work: None,
             work_now: None,
             naming,
@@ -87,7 +113,6 @@ impl<'a> Gathered<'a> {
             spindle_turns: false,
             rpm: 0.0,
             by_time: false,
-            rotary: None,
             told: Vec::new(),
             diagnostics: Vec::new(),
             counts: BTreeMap::new(),
@@ -95,12 +120,47 @@ impl<'a> Gathered<'a> {
         }
     }
 
+    /// The largest radius of a tool with its shank and holder, mm.
+    pub fn radius(&self, tool: u32) -> Option<f64> {
+        Some(self.tools.get(&tool)?.as_ref().ok()?.radius())
+    }
+
+    /// Pieces of path of the run so far.
+    pub fn rows(&self) -> u32 {
+        self.row
+    }
+
+    /// Says of a move on which the part turns that the tool may touch it.
+    pub fn tell_swing(&mut self, segment: &Segment) {
+        let why = "the part turns on it, and the tool is not clear of all that it may pass";
+        self.tell(Code::StockNotFollowed, segment, why);
+    }
+
     /// Whether every move that may cut is in a batch.
     pub fn is_whole(&self) -> bool {
         self.told.is_empty()
     }
 
+    /// How the part lies at some angles.
+    fn turn(&mut self, angles: [f64; 3]) -> Result<usize, String> {
+        if let Some(known) = self.turns.iter().position(|turn| turn.is_at(angles)) {
+            return Ok(known);
+        }
+        let turn = Turn::of(self.rotary, angles)?;
+        if !self.follows_turns {
+            self.leaves_out_turned = true;
+            return Err(format!("the part is turned to {}", turn.name()));
+        }
+        if self.turns.len() >= MOST_TURNS {
+            return Err(format!("more than {MOST_TURNS} angles of rotary axes are not followed"));
+        }
+        self.turns.push(turn);
+        Ok(self.turns.len() - 1)
+    }
+
     fn segment(&mut self, segment: &Segment, kind: Kind) {
+        let row = self.row;
+        self.row = self.row.saturating_add(1);
         let reason = match self.tools.get(&segment.tool) {
             Some(Ok(_)) => None,
             Some(Err(reason)) => Some(reason.why()),
@@ -112,12 +172,6 @@ impl<'a> Gathered<'a> {
             }
             return;
         }
-        let angles = *self.rotary.get_or_insert(segment.rotary_from);
-        let same = |a: &[f64; 3]| a.iter().zip(&angles).all(|(a, b)| (a - b).abs() < SAME_ANGLE);
-        if !same(&segment.rotary_from) || !same(&segment.rotary_to) {
-            let why = "rotary axes turn, and turned parts are not cut yet";
-            return self.tell(Code::StockNotFollowed, segment, why);
-        }
         if !segment.known {
             // Before the first place that the program names nothing is known: the tool is far away.
             if kind != Kind::Rapid {
@@ -126,6 +180,26 @@ impl<'a> Gathered<'a> {
             }
             return;
         }
+        let has_swung = !turns::are_same(segment.rotary_from, segment.rotary_to);
+        if has_swung && self.follows_turns {
+            if self.swings.len() < MOST_SWINGS {
+                self.swings.push(*segment);
+            } else {
+                self.tell_swing(segment);
+            }
+            return;
+        }
+        let turn = match self.turn(segment.rotary_from) {
+            Ok(_) if has_swung => {
+                self.leaves_out_turned = true;
+                Err("rotary axes turn on it".to_string())
+            }
+            found => found,
+        };
+        let turn = match turn {
+            Ok(turn) => turn,
+            Err(why) => return self.tell(Code::StockNotFollowed, segment, &why),
+        };
         if kind != Kind::Rapid {
             let count = self.counts.entry(segment.tool).or_insert((0, f64::INFINITY));
             count.0 += 1;
@@ -134,10 +208,19 @@ impl<'a> Gathered<'a> {
                 self.order.push(segment.tool);
             }
         }
-        let follows = |batch: &Batch| batch.tool == segment.tool && batch.kind == kind;
+        let follows =
+            |batch: &Batch| (batch.tool, batch.kind, batch.turn) == (segment.tool, kind, turn);
         if !self.batches.last().is_some_and(follows) {
-            let (moves, origins, rates) = (Vec::new(), Vec::new(), Vec::new());
-            self.batches.push(Batch { tool: segment.tool, kind, moves, origins, rates });
+            let (moves, origins, rates, rows) = Default::default();
+            self.batches.push(Batch {
+                tool: segment.tool,
+                kind,
+                turn,
+                moves,
+                origins,
+                rates,
+                rows,
+            });
         }
         let Segment { length_mm, duration_s, origin, .. } = *segment;
         let rate = Rate {
@@ -149,6 +232,7 @@ impl<'a> Gathered<'a> {
             batch.moves.push(Move { curve: segment.curve, tag: segment.tool });
             batch.origins.push(segment.origin);
             batch.rates.push(rate);
+            batch.rows.push(row);
         }
     }
 

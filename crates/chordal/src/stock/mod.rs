@@ -15,6 +15,8 @@ mod run;
 mod setup;
 mod target;
 mod tools;
+mod turned;
+mod turns;
 
 pub use chordal_stock::columns::{Found, Job as TileJob, Runner};
 pub use chordal_stock::mesh;
@@ -25,7 +27,7 @@ pub use engagement::{
 };
 pub use pass::StockOptions;
 pub use problems::StockProblem;
-pub use replay::{Drop, Replay, ReplayOptions, StockBefore};
+pub use replay::{Drop, FixtureMesh, Missing, Replay, ReplayOptions, StockBefore};
 pub use report::{StockReport, StockVerdict, ToolRemoved};
 pub use run::StockRunError;
 pub use setup::{Files, SetupError};

@@ -38,13 +38,14 @@ pub(super) struct Run<'a> {
     pub options: StockOptions,
     pub resolution: f64,
     pub tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
-    pub batches: &'a [Batch],
+    /// Those of one way that the part lies.
+    pub batches: Vec<&'a Batch>,
     pub units: Units,
     /// Cuts tiles of columns.
     pub runner: &'a Runner<'a>,
 }
 
-impl Run<'_> {
+impl<'a> Run<'a> {
     /// The options of columns.
     pub fn columns(&self) -> Options {
         Options { by_tag: true, ..Options::new(self.resolution, self.options.budget) }
@@ -55,7 +56,7 @@ impl Run<'_> {
     }
 
     /// The body of a tool; there is one for every batch.
-    pub fn tool(&self, number: u32) -> Option<&ToolBody> {
+    pub fn tool(&self, number: u32) -> Option<&'a ToolBody> {
         self.tools.get(&number)?.as_ref().ok()
     }
 

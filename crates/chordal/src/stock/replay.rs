@@ -1,8 +1,6 @@
 //! A program on stock as a list of what is lowered when: for a picture that goes forward and backward.
 
-use chordal_command::Command;
-use chordal_path::{PathCommand, Segment};
-use chordal_stock::shape::Shape;
+use chordal_stock::shape::{Bound, Shape};
 use chordal_stock::{Lowered, Mode, Options, Stock};
 
 use super::gather::{Gathered, Kind};
@@ -10,9 +8,8 @@ use super::heights::Heights;
 use super::run::StockRunError;
 use super::setup::{Files, Named, shift_between};
 use super::target::TARGET_TOLERANCE;
-use super::tools::tools_of;
+use super::tools::{ToolBody, tools_of};
 use crate::job::Job;
-use crate::report::Watch;
 
 /// Moves that are cut at once: what they lower is told after each lot. More where drops are left out, as none is
 /// that is the last of a lot.
@@ -20,6 +17,8 @@ const AT_ONCE: usize = 4096;
 const AT_ONCE_THINNED: usize = 1 << 15;
 /// The most memory of the columns, bytes.
 const BUDGET: u64 = 1 << 30;
+/// Round fixtures are triangles within this, mm.
+const FIXTURE_SAG: f64 = 0.05;
 
 /// The stock before the first cut.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +35,28 @@ pub struct StockBefore {
     pub heights: Vec<f32>,
     /// Those of the part as it should be, where a target is given, and how near to it cuts must be, mm.
     pub target: Option<(Vec<f32>, f64)>,
+    /// What holds the part.
+    pub fixtures: Vec<FixtureMesh>,
+    /// What the picture does not show.
+    pub missing: Missing,
+}
+
+/// A fixture as triangles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FixtureMesh {
+    /// Its name in the setup.
+    pub name: String,
+    /// The corners of each triangle in the frame of the run, mm: nine numbers.
+    pub corners: Vec<f32>,
+}
+
+/// What a replay leaves out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Missing {
+    /// Cuts of undercuts: gaps in columns are not shown.
+    pub undercuts: bool,
+    /// Cuts while the part is turned.
+    pub turned: bool,
 }
 
 /// A column that a cut has lowered.
@@ -71,8 +92,9 @@ pub trait Replay {
 }
 
 impl Job<'_> {
-    /// Cuts the stock of the machine's setup, and tells what is lowered when. Heights are those in the middle of each column: a picture without a bound, see [`Job::stock`] for that. Gives what
-    /// is left, or `None` where the replay was not to go on.
+    /// Cuts the stock of the machine's setup, and tells what is lowered when. Heights are those in the middle of each
+    /// column: a picture without a bound, see [`Job::stock`] for that. What is cut while the part is turned is not
+    /// in it. Gives what is left, or `None` where the replay was not to go on.
     ///
     /// # Errors
     /// Without stock, with a setup that is incomplete, or with too many columns.
@@ -85,12 +107,9 @@ impl Job<'_> {
         let setup = &self.machine().setup;
         let body = setup.stock.as_ref().ok_or(StockRunError::NoStock)?;
         let tools = tools_of(self);
-        let control = self.control();
-        let (naming, units) = (control.table.work_names, control.parameters.rules.units);
-        let mut moves =
-            Numbered { gathered: Gathered::new(&tools, naming, units), row: 0, rows: Vec::new() };
-        self.report_watched(&mut moves);
-        let Numbered { gathered, rows, row: all } = moves;
+        let mut gathered = Gathered::new(self, &tools, false);
+        self.report_watched(&mut gathered);
+        let all = gathered.rows();
         let shape_of = |name: &str, body| {
             let named = Named { name, body };
             let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
@@ -109,23 +128,34 @@ impl Job<'_> {
             }
             None => None,
         };
-        let before = before(&stock, target);
+        let undercuts = gathered.batches.iter().any(|batch| {
+            let is_undercut = |tool: &ToolBody| !tool.undercuts.is_empty();
+            batch.kind != Kind::Rapid
+                && tools.get(&batch.tool).is_some_and(|tool| tool.as_ref().is_ok_and(is_undercut))
+        });
+        let mut before = before(&stock, target);
+        before.missing = Missing { undercuts, turned: gathered.leaves_out_turned };
+        for (name, body) in &setup.fixtures {
+            let named = Named { name, body };
+            let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
+            let mesh = named.shape(shift, files, true)?.triangles(FIXTURE_SAG, Bound::Outer);
+            let corners = (0..mesh.triangles().len()).flat_map(|at| mesh.corners(at));
+            let corners = corners.flat_map(|at| at.to_array().map(|mm| mm as f32)).collect();
+            before.fixtures.push(FixtureMesh { name: name.clone(), corners });
+        }
         replay.before(&before);
         let mut thinning = (options.lag > 0.0).then(|| {
             let most = (options.lag * resolution) as f32;
             Thinning { most, last: vec![0; before.heights.len()], shown: before.heights }
         });
         let at_once = if thinning.is_some() { AT_ONCE_THINNED } else { AT_ONCE };
-        let mut done = 0;
         for batch in &gathered.batches {
-            let of_batch = &rows[done..done + batch.moves.len()];
-            done += batch.moves.len();
             let Some(Ok(tool)) = tools.get(&batch.tool) else { continue };
             // Undercuts leave the top of the stock as it is.
             if batch.kind == Kind::Rapid || !tool.undercuts.is_empty() {
                 continue;
             }
-            for (moves, rows) in batch.moves.chunks(at_once).zip(of_batch.chunks(at_once)) {
+            for (moves, rows) in batch.moves.chunks(at_once).zip(batch.rows.chunks(at_once)) {
                 let mut lowered = stock.cut_telling(&tool.cutter, moves);
                 if let Some(thinning) = &mut thinning {
                     thinning.thin(&mut lowered);
@@ -188,6 +218,8 @@ fn before(stock: &Stock, target: Option<(Vec<f32>, f64)>) -> StockBefore {
         columns: grid.cells(),
         heights: heights.iter().map(|at| (at.outer - max.z) as f32).collect(),
         target,
+        fixtures: Vec::new(),
+        missing: Missing::default(),
     }
 }
 
@@ -222,40 +254,6 @@ fn resolution_for(stock: &Shape, columns: u32) -> f64 {
         steps += 1.0;
     }
     steps * digit
-}
-
-/// Gathers moves, and counts the pieces of path that they are.
-struct Numbered<'a> {
-    gathered: Gathered<'a>,
-    row: u32,
-    /// Of each move of all batches its piece of path.
-    rows: Vec<u32>,
-}
-
-impl Numbered<'_> {
-    /// What tells whether a move was added.
-    fn size(&self) -> (usize, usize) {
-        let batches = &self.gathered.batches;
-        (batches.len(), batches.last().map_or(0, |batch| batch.moves.len()))
-    }
-}
-
-impl Watch for Numbered<'_> {
-    fn programmed(&mut self, command: &Command) {
-        self.gathered.programmed(command);
-    }
-
-    fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
-        self.gathered.path(path, &[]);
-        for segment in segments {
-            let before = self.size();
-            self.gathered.path(path, std::slice::from_ref(segment));
-            if self.size() != before {
-                self.rows.push(self.row);
-            }
-            self.row = self.row.saturating_add(1);
-        }
-    }
 }
 
 #[cfg(test)]

@@ -67,6 +67,9 @@ pub struct StockReport {
     pub target: Option<TargetReport>,
     /// The stock is hollow from below, which its columns do not show: meshes of it have a flat bottom.
     pub is_hollow: bool,
+    /// Ways that the part lies on the cuts, one for each angle of its rotary axes. Of several the columns of
+    /// `stock` are those of the first, without what is cut from other sides.
+    pub sides: usize,
     /// The stock as it is left.
     pub stock: Stock,
     /// The run, with the problems as diagnostics among the others.

@@ -8,7 +8,9 @@ use chordal_diagnostics::Code;
 use chordal_geometry::ParamCurve;
 use chordal_stock::columns::{Job as TileJob, Runner};
 use chordal_stock::shape::Shape;
-use chordal_stock::{Amount, Body, Check, Checked, Cutter, Move, StockError, Task, Undercut};
+use chordal_stock::{
+    Amount, Body, Check, Checked, Contact, Cutter, Move, StockError, Task, Undercut,
+};
 
 use super::fixtures::look_at_fixtures;
 use super::gather::{Batch, Gathered, Kind};
@@ -17,7 +19,7 @@ use super::pass::{Run, StockOptions};
 use super::problems::{Fixture, Problems};
 use super::report::{StockReport, StockVerdict, ToolRemoved};
 use super::setup::{Files, Named, SetupError, shift_between};
-use super::target::{TARGET_TOLERANCE, Target, look_at_target};
+use super::target::{TARGET_TOLERANCE, Target, TargetReport, look_at_target};
 use super::tools::{Piece, ToolBody, tools_of};
 use crate::job::Job;
 use crate::report::Report;
@@ -64,16 +66,58 @@ impl Job<'_> {
         runner: &Runner<'_>,
     ) -> Result<StockReport, StockRunError> {
         let tools = tools_of(self);
-        let control = self.control();
-        let mut gathered =
-            Gathered::new(&tools, control.table.work_names, control.parameters.rules.units);
+        let mut gathered = Gathered::new(self, &tools, true);
         let report = self.report_watched(&mut gathered);
+        let bodies = Bodies::of(self, &gathered, files)?;
+        let resolution = options.resolution_mm.unwrap_or_else(|| usual_resolution(&bodies.stock));
+        bodies.look_at_swings(self, &mut gathered);
+        // Each way that the part lies has columns of its own.
+        let budget = options.budget / gathered.turns.len() as u64;
+        let run = |turn: usize| Run {
+            job: self,
+            options: StockOptions { budget, ..*options },
+            resolution,
+            tools: &tools,
+            batches: gathered.batches.iter().filter(|batch| batch.turn == turn).collect(),
+            units: gathered.units,
+            runner,
+        };
+        let mut problems = Problems::default();
+        let (cut, target) = match &gathered.turns[..] {
+            [_] => bodies.look(&run(0), &mut problems)?,
+            turns => bodies.look_turned(turns, &run, &gathered.batches, &mut problems)?,
+        };
+        if self.is_interrupted() {
+            return Err(StockRunError::Interrupted);
+        }
+        problems.diagnostics.append(&mut gathered.diagnostics);
+        let is_proved = gathered.is_whole() && problems.undecided == 0;
+        let mut found = finish(report, cut, problems, is_proved, &gathered);
+        found.target = target;
+        Ok(found)
+    }
+}
+
+/// The bodies of a setup, where the part is not turned.
+pub(super) struct Bodies<'a> {
+    pub stock: Shape,
+    pub fixtures: Vec<(Fixture<'a>, Shape)>,
+    /// The part as it should be, and how near to it cuts must be, mm.
+    pub target: Option<(Shape, f64)>,
+}
+
+impl<'a> Bodies<'a> {
+    fn of(
+        job: &'a Job<'_>,
+        gathered: &Gathered<'_>,
+        files: Files<'_>,
+    ) -> Result<Bodies<'a>, StockRunError> {
         let shape_of = |name: &str, body, may_be_open| {
             let named = Named { name, body };
-            let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
+            let shift = shift_between(job.machine(), &named, gathered.work.as_deref())?;
             named.shape(shift, files, may_be_open)
         };
-        let setup = &self.machine().setup;
+        let setup = &job.machine().setup;
         let body = setup.stock.as_ref().ok_or(StockRunError::NoStock)?;
         let stock = shape_of("stock", body, false)?;
         let mut fixtures = Vec::new();
@@ -85,36 +129,36 @@ impl Job<'_> {
         let target = match &setup.target {
             Some(body) => {
                 let shape = shape_of("target", body, false)?;
-                Some(Target { shape, tolerance: body.tolerance_mm.unwrap_or(TARGET_TOLERANCE) })
+                Some((shape, body.tolerance_mm.unwrap_or(TARGET_TOLERANCE)))
             }
             None => None,
         };
-        let run = Run {
-            job: self,
-            options: *options,
-            resolution: options.resolution_mm.unwrap_or_else(|| usual_resolution(&stock)),
-            tools: &tools,
-            batches: &gathered.batches,
-            units: gathered.units,
-            runner,
-        };
-        let mut problems = Problems::default();
-        let cut = run.cut(&stock, &mut problems)?;
-        for (fixture, shape) in &fixtures {
-            look_at_fixtures(&run, fixture, shape, &mut problems);
+        Ok(Bodies { stock, fixtures, target })
+    }
+
+    /// Cuts a part that is not turned, and looks at all that is touched.
+    fn look(
+        &self,
+        run: &Run<'_>,
+        problems: &mut Problems,
+    ) -> Result<(Cut, Option<TargetReport>), StockError> {
+        let asked = run.all_asked();
+        let cut = run.cut([&self.stock, &self.stock], &asked)?;
+        for (asked, contacts) in asked.iter().zip(&cut.checked.contacts) {
+            run.report(asked, contacts, &|_, contact| contact, problems);
         }
-        let target = match &target {
-            Some(target) => Some(look_at_target(&run, target, &cut.checked.stock, &mut problems)?),
+        for (fixture, shape) in &self.fixtures {
+            look_at_fixtures(run, fixture, shape, problems);
+        }
+        let target = match &self.target {
+            Some((shape, tolerance)) => {
+                let shapes = [shape.clone(), shape.clone()];
+                let target = Target { shapes, tolerance: *tolerance };
+                look_at_target(run, &target, Some(&cut.checked.stock), problems)?
+            }
             None => None,
         };
-        if self.is_interrupted() {
-            return Err(StockRunError::Interrupted);
-        }
-        problems.diagnostics.append(&mut gathered.diagnostics);
-        let is_proved = gathered.is_whole() && problems.undecided == 0;
-        let mut found = finish(report, cut, problems, is_proved, &gathered);
-        found.target = target;
-        Ok(found)
+        Ok((Cut { removed_by_tag: cut.checked.stock.removed_by_tag(), ..cut }, target))
     }
 }
 
@@ -128,29 +172,40 @@ pub(super) fn usual_resolution(stock: &Shape) -> f64 {
 }
 
 /// Stock that is cut.
-struct Cut {
-    checked: Checked,
-    /// What is removed and left, mm³, of stock that is hollow from below.
-    hollow: Option<[Amount; 2]>,
+pub(super) struct Cut {
+    pub checked: Checked,
+    /// What is removed and left, mm³, where the columns alone do not know it.
+    pub volumes: Option<[Amount; 2]>,
+    pub is_hollow: bool,
+    /// By tool.
+    pub removed_by_tag: Vec<(u32, Amount)>,
+    /// Ways that the part lies on the cuts; the columns are those of the first.
+    pub sides: usize,
 }
 
 /// A task with what its contacts mean.
-struct Asked<'a> {
+pub(super) struct Asked<'a> {
     cutter: Option<&'a Cutter>,
     undercuts: &'a [(f64, Undercut)],
     /// What each body means that touches.
     codes: Vec<Code>,
     bodies: Vec<Body>,
-    moves: Cow<'a, [Move]>,
+    pub moves: Cow<'a, [Move]>,
     origins: Cow<'a, [Origin]>,
-    tool: u32,
+    pub tool: u32,
+    /// The batch, by its place in the run.
+    pub batch: usize,
 }
 
-impl Run<'_> {
-    /// Cuts the stock and looks at what touches it.
-    fn cut(&self, stock: &Shape, problems: &mut Problems) -> Result<Cut, StockError> {
-        let asked: Vec<Asked<'_>> =
-            self.batches.iter().flat_map(|batch| self.asked(batch)).collect();
+impl<'a> Run<'a> {
+    /// What is asked on all batches.
+    pub fn all_asked(&self) -> Vec<Asked<'a>> {
+        let batches = self.batches.iter().enumerate();
+        batches.flat_map(|(number, batch)| self.asked(number, batch)).collect()
+    }
+
+    /// Cuts a stock that lies between two shapes, and looks at what touches it.
+    pub fn cut(&self, stock: [&Shape; 2], asked: &[Asked<'_>]) -> Result<Cut, StockError> {
         let tasks: Vec<Task<'_>> = asked
             .iter()
             .map(|asked| Task {
@@ -162,10 +217,10 @@ impl Run<'_> {
                 ..Task::default()
             })
             .collect();
-        let shape = Heights::new(stock, self.resolution);
+        let shape = Heights::between(stock, self.resolution);
         let heights = |low: [f64; 2], high: [f64; 2]| shape.of(low, high);
         let check = Check {
-            bounds: stock.bounds(),
+            bounds: shape.bounds(),
             options: self.columns(),
             heights: &heights,
             tasks: &tasks,
@@ -173,20 +228,29 @@ impl Run<'_> {
             finest: self.finest(),
         };
         let checked = check.run_by(&|tiles| self.tiles(tiles))?;
-        for (asked, contacts) in asked.iter().zip(&checked.contacts) {
-            for (index, origin) in asked.origins.iter().enumerate() {
-                let place = self.place(*origin, asked.tool);
-                let touches = asked.codes.iter().zip(contacts);
-                let touches = touches.map(|(code, of_moves)| (*code, of_moves[index]));
-                problems.touches(touches, self.options.tolerance_mm, &place);
-            }
+        let volumes = shape.volumes(&checked.stock);
+        let removed_by_tag = Vec::new();
+        Ok(Cut { is_hollow: volumes.is_some(), checked, volumes, removed_by_tag, sides: 1 })
+    }
+
+    /// Takes the contacts of a task; `sure` says again what of a contact is sure, by the number of its move.
+    pub fn report(
+        &self,
+        asked: &Asked<'_>,
+        contacts: &[Vec<Contact>],
+        sure: &dyn Fn(usize, Contact) -> Contact,
+        problems: &mut Problems,
+    ) {
+        for (index, origin) in asked.origins.iter().enumerate() {
+            let place = self.place(*origin, asked.tool);
+            let touches = asked.codes.iter().zip(contacts);
+            let touches = touches.map(|(code, of_moves)| (*code, sure(index, of_moves[index])));
+            problems.touches(touches, self.options.tolerance_mm, &place);
         }
-        let hollow = shape.volumes(&checked.stock);
-        Ok(Cut { checked, hollow })
     }
 
     /// What is asked on the moves of a batch, in order.
-    fn asked<'r>(&'r self, batch: &'r Batch) -> Vec<Asked<'r>> {
+    fn asked(&self, number: usize, batch: &'a Batch) -> Vec<Asked<'a>> {
         let Some(tool) = self.tool(batch.tool) else { return Vec::new() };
         let own = |code| match &tool.undercuts[..] {
             [] => (code, Body::of_cutter(&tool.cutter)),
@@ -203,24 +267,29 @@ impl Run<'_> {
                 moves: Cow::Borrowed(&batch.moves),
                 origins: Cow::Borrowed(&batch.origins),
                 tool: batch.tool,
+                batch: number,
             }
         };
         match batch.kind {
             Kind::Cut => vec![cuts(above)],
             Kind::Rapid => {
                 let own = own(Code::RapidThroughStock);
-                vec![watched(batch, std::iter::once(own).chain(above))]
+                vec![watched(number, batch, std::iter::once(own).chain(above))]
             }
             Kind::Still => {
                 let own = own(Code::CutsWithoutSpindle);
-                vec![watched(batch, std::iter::once(own)), cuts(above)]
+                vec![watched(number, batch, std::iter::once(own)), cuts(above)]
             }
         }
     }
 }
 
 /// The moves of a batch that only ask. Straight up nothing is touched that was not touched where the move begins.
-fn watched<'r>(batch: &Batch, bodies: impl Iterator<Item = (Code, Body)>) -> Asked<'r> {
+fn watched<'r>(
+    number: usize,
+    batch: &Batch,
+    bodies: impl Iterator<Item = (Code, Body)>,
+) -> Asked<'r> {
     let lifts = |path: &Move| {
         let (from, to) = (path.curve.start(), path.curve.end());
         from.x == to.x && from.y == to.y && to.z >= from.z
@@ -230,7 +299,8 @@ fn watched<'r>(batch: &Batch, bodies: impl Iterator<Item = (Code, Body)>) -> Ask
         kept.map(|(path, from)| (*path, *from)).unzip();
     let (codes, bodies) = bodies.unzip();
     let (moves, origins) = (Cow::Owned(moves), Cow::Owned(origins));
-    Asked { cutter: None, undercuts: &[], codes, bodies, moves, origins, tool: batch.tool }
+    let tool = batch.tool;
+    Asked { cutter: None, undercuts: &[], codes, bodies, moves, origins, tool, batch: number }
 }
 
 /// What is above the edges of a tool and must not touch.
@@ -263,13 +333,13 @@ fn finish(
     let has_problems = problems.hits > 0 || report.counts.errors > 0;
     let is_proved = is_proved && report.verified();
     report.add(problems.diagnostics);
-    let Cut { checked: Checked { stock, refined, .. }, hollow } = cut;
-    let [removed_mm3, left_mm3] = hollow.unwrap_or_else(|| [stock.removed(), stock.left()]);
-    let by_tag: BTreeMap<u32, Amount> = stock.removed_by_tag().into_iter().collect();
+    let Cut { checked: Checked { stock, refined, .. }, volumes, is_hollow, .. } = cut;
+    let [removed_mm3, left_mm3] = volumes.unwrap_or_else(|| [stock.removed(), stock.left()]);
+    let by_tag: BTreeMap<u32, Amount> = cut.removed_by_tag.into_iter().collect();
     let tools = gathered.order.iter().map(|number| {
         let (moves, lowest_mm) = gathered.counts[number];
         let mut removed_mm3 = by_tag.get(number).copied().unwrap_or_default();
-        if hollow.is_some() {
+        if is_hollow {
             // The columns count what is hollow as removed.
             removed_mm3.least = 0.0;
         }
@@ -289,7 +359,8 @@ fn finish(
         more_problems: problems.more,
         tools: tools.collect(),
         target: None,
-        is_hollow: hollow.is_some(),
+        is_hollow,
+        sides: cut.sides,
         stock,
         report,
     }

@@ -20,7 +20,8 @@ pub(super) const TARGET_TOLERANCE: f64 = 0.05;
 
 /// A part with how near to it the cuts must be, mm.
 pub(super) struct Target {
-    pub shape: Shape,
+    /// One that holds it, and one that lies in it.
+    pub shapes: [Shape; 2],
     pub tolerance: f64,
 }
 
@@ -35,16 +36,17 @@ pub struct TargetReport {
     pub at: Vec3,
 }
 
-/// Looks for cuts into the part, and at what is left on it.
+/// Looks for cuts into the part, and at what is left on it of a stock that was cut from this side alone.
 pub(super) fn look_at_target(
     run: &Run<'_>,
     target: &Target,
-    stock: &Stock,
+    stock: Option<&Stock>,
     problems: &mut Problems,
-) -> Result<TargetReport, StockError> {
-    let heights = Heights::new(&target.shape, run.resolution);
+) -> Result<Option<TargetReport>, StockError> {
+    let [outer, inner] = &target.shapes;
+    let heights = Heights::between([outer, inner], run.resolution);
     look_for_gouges(run, target, &heights, problems)?;
-    Ok(left_over(target, &heights, stock))
+    Ok(stock.map(|stock| left_over(&heights, stock)))
 }
 
 /// A cutter that lies the tolerance inside of the true one touches the part exactly where the true one is deeper
@@ -55,6 +57,7 @@ fn look_for_gouges(
     heights: &Heights<'_>,
     problems: &mut Problems,
 ) -> Result<(), StockError> {
+    let bounds = heights.bounds();
     let mut asked: Vec<(&Batch, [Body; 1], Vec<Move>)> = Vec::new();
     for batch in run.batches.iter().filter(|batch| batch.kind != Kind::Rapid) {
         let Some(tool) = run.tool(batch.tool) else { continue };
@@ -65,7 +68,7 @@ fn look_for_gouges(
         let up = Transform::translation(Vec3::new(0.0, 0.0, lift));
         let moves =
             batch.moves.iter().map(|path| Move { curve: path.curve.transformed(&up), ..*path });
-        asked.push((batch, [Body::of_cutter(&cutter)], moves.collect()));
+        asked.push((*batch, [Body::of_cutter(&cutter)], moves.collect()));
     }
     let tasks: Vec<Task<'_>> = asked
         .iter()
@@ -73,7 +76,7 @@ fn look_for_gouges(
         .collect();
     let heights = |low: [f64; 2], high: [f64; 2]| heights.of(low, high);
     let check = Check {
-        bounds: target.shape.bounds(),
+        bounds,
         options: run.columns(),
         heights: &heights,
         tasks: &tasks,
@@ -98,11 +101,11 @@ fn look_for_gouges(
     Ok(())
 }
 
-fn left_over(target: &Target, heights: &Heights<'_>, stock: &Stock) -> TargetReport {
+fn left_over(heights: &Heights<'_>, stock: &Stock) -> TargetReport {
     let grid = stock.grid();
     let [columns, rows] = grid.cells();
     let pairs = stock.height_pairs();
-    let bottom = target.shape.bounds().min.z.min(grid.bounds().min.z);
+    let bottom = heights.bounds().min.z.min(grid.bounds().min.z);
     let mut left = Amount::default();
     let mut highest = Amount::default();
     let mut at = Vec3::ZERO;

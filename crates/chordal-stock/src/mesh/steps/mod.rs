@@ -136,7 +136,7 @@ impl HeightField<'_> {
         f64::from(self.heights[row * self.columns + column].max(self.floor))
     }
 
-    fn check(&self, tolerance: f64) -> Result<(), HeightFieldError> {
+    pub(super) fn check(&self, tolerance: f64) -> Result<(), HeightFieldError> {
         let HeightField { columns, rows, .. } = *self;
         let found = self.heights.len();
         if columns.checked_mul(rows) != Some(found) {

@@ -72,6 +72,11 @@ impl Limits<'_> {
         found
     }
 
+    /// The first limit that a move breaks.
+    pub fn worst(&self, each: &MoveEngagement) -> Option<Code> {
+        self.broken(each).first().map(|(code, ..)| *code)
+    }
+
     /// The limits that a move breaks.
     fn broken(&self, each: &MoveEngagement) -> Vec<(Code, Between, f64)> {
         let tool = self.tools.get(&each.tool);

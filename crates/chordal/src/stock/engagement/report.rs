@@ -36,6 +36,8 @@ pub struct MoveEngagement {
     pub origin: Origin,
     /// The tool.
     pub tool: u32,
+    /// Its number among all pieces of path of the run.
+    pub row: u32,
     /// Programmed, mm/s; zero where none is known.
     pub feed_mm_per_s: f64,
     /// Of the spindle, revolutions per minute; zero where it stands.
@@ -66,6 +68,8 @@ pub struct MoveEngagement {
     pub most_rate_mm3_per_s: f64,
     /// `None` without a material or a chip.
     pub effort: Option<Effort>,
+    /// What is too much or too little on it.
+    pub problem: Option<Code>,
 }
 
 impl MoveEngagement {

@@ -2,13 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use chordal_command::Origin;
 use chordal_geometry::ParamCurve;
 use chordal_machine::{Tool, ToolShape};
 use chordal_stock::engagement::{Between, Measuring, Meter, Slice};
 use chordal_stock::{Move, Options, Stock};
 
-use super::super::gather::{Batch, Gathered, Kind, Rate};
+use super::super::gather::{Batch, Gathered, Kind};
 use super::super::heights::Heights;
 use super::super::pass::StockOptions;
 use super::super::run::{StockRunError, usual_resolution};
@@ -53,9 +52,7 @@ impl Job<'_> {
         see: &mut dyn FnMut(usize, &Slice),
     ) -> Result<EngagementReport, StockRunError> {
         let bodies = tools_of(self);
-        let control = self.control();
-        let mut gathered =
-            Gathered::new(&bodies, control.table.work_names, control.parameters.rules.units);
+        let mut gathered = Gathered::new(self, &bodies, false);
         let mut report = self.report_watched(&mut gathered);
         let body = self.machine().setup.stock.as_ref().ok_or(StockRunError::NoStock)?;
         let named = Named { name: "stock", body };
@@ -88,6 +85,9 @@ impl Job<'_> {
             let cut =
                 Cut { batch, meter: &meter, teeth: teeth.get(&batch.tool).copied(), material };
             for index in 0..batch.moves.len() {
+                if self.is_interrupted() {
+                    return Err(StockRunError::Interrupted);
+                }
                 let number = moves.len();
                 let mut see = |slice: &Slice| see(number, slice);
                 moves.push(cut.engagement(&mut stock, index, &mut see));
@@ -100,6 +100,9 @@ impl Job<'_> {
             units: gathered.units,
             sources: self.sources(),
         };
+        for each in &mut moves {
+            each.problem = limits.worst(each);
+        }
         let mut found = limits.problems(&moves);
         let (is_whole, units) =
             (gathered.is_whole() && !has_undercuts && report.verified(), gathered.units);
@@ -146,8 +149,7 @@ impl Cut<'_> {
         see: &mut dyn FnMut(&Slice),
     ) -> MoveEngagement {
         let path: &Move = &self.batch.moves[index];
-        let rate = self.batch.rates[index];
-        let mut worst = Worst::new(self.batch.origins[index], self.batch.tool, rate, path);
+        let mut worst = Worst::new(self.batch, index, path);
         let feed_per_tooth = self.teeth.and_then(|teeth| worst.total.feed_per_tooth(teeth));
         let removed = stock.cut_measuring(self.meter, path, &mut |slice| {
             worst.slice(slice, feed_per_tooth, self.material);
@@ -168,12 +170,14 @@ struct Worst {
 }
 
 impl Worst {
-    fn new(origin: Origin, tool: u32, rate: Rate, path: &Move) -> Worst {
+    fn new(batch: &Batch, index: usize, path: &Move) -> Worst {
         let none = Between::default();
+        let rate = batch.rates[index];
         Worst {
             total: MoveEngagement {
-                origin,
-                tool,
+                origin: batch.origins[index],
+                tool: batch.tool,
+                row: batch.rows[index],
                 feed_mm_per_s: rate.feed,
                 rpm: rate.rpm,
                 by_time: rate.by_time,
@@ -189,6 +193,7 @@ impl Worst {
                 rate_mm3_per_s: 0.0,
                 most_rate_mm3_per_s: 0.0,
                 effort: None,
+                problem: None,
             },
             mean: 0.0,
         }

@@ -1,0 +1,70 @@
+//! What is left of the stock.
+
+use chordal_export::numbers::duration;
+use chordal_export::stock_volume;
+use maud::{Markup, PreEscaped, html};
+
+use super::{Show, left_out, scrolling, tool_name, upper_first};
+use crate::data::{Document, Stock, Volume};
+
+/// The picture of what is left, the volumes and the verdict; nothing without a stock.
+pub fn stock(document: &Document, show: &Show) -> Markup {
+    let Some(stock) = &document.stock else { return html! {} };
+    html! {
+        section aria-labelledby="stock" {
+            h2 #stock { "Stock" }
+            div.pictures {
+                @if let Some(picture) = &document.pictures.stock {
+                    figure {
+                        (PreEscaped(&picture.svg))
+                        figcaption { "What is left, " (picture.caption) }
+                    }
+                }
+                div {
+                    p { strong { (upper_first(stock.sentence)) "." } }
+                    (volumes(stock, show))
+                    (left_out(&stock.tools, stock.tools.rows.len(), "tools"))
+                    @if stock.gaps_not_drawn {
+                        p.faint { "Gaps of undercuts are in the volumes. The pictures are seen from above, without them." }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn volumes(stock: &Stock, show: &Show) -> Markup {
+    let volume = |of: Volume| stock_volume([of.least, of.most], show.is_inch());
+    html! {
+        (scrolling("Volumes", stock.tools.rows.len() + 3, html! { table {
+            thead {
+                tr {
+                    th scope="col" { "" }
+                    th.n scope="col" { "Volume" }
+                    th.n scope="col" { "Lowest tip" }
+                    th.n scope="col" { "Time" }
+                }
+            }
+            tbody {
+                tr { th scope="row" { "Left" } td.n { (volume(stock.left_mm3)) } td {} td {} }
+                tr { th scope="row" { "Removed" } td.n { (volume(stock.removed_mm3)) } td {} td {} }
+                @for tool in &stock.tools.rows {
+                    tr {
+                        th scope="row" { "by " (tool_name(tool.number)) }
+                        td.n { (volume(tool.removed_mm3)) }
+                        td.n {
+                            @if let Some(z) = tool.lowest_mm {
+                                (show.units.coordinate(z)) " " (show.units.length_unit())
+                            }
+                        }
+                        td.n { @if let Some(time) = tool.time_s { (duration(time)) } }
+                    }
+                }
+            }
+        } }))
+        p.faint {
+            "Volumes are between these bounds, with columns of "
+            (show.units.coordinate(stock.resolution_mm)) " " (show.units.length_unit()) "."
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! How hard the cuts of a run are, as columns: for the time line.
+
+use chordal::diagnostics::Code;
+use chordal::stock::{EngagementOptions, EngagementReport, MoveEngagement};
+use serde_json::json;
+
+use crate::frame::Frame;
+
+/// Pieces of path of a run of which it is asked: of more it takes minutes.
+pub const MOST_ROWS: u64 = 300_000;
+
+/// The options of a page: those of the command.
+pub fn options() -> EngagementOptions {
+    EngagementOptions::default()
+}
+
+/// A number of the columns: no problem, a chip too thick, a tool that rubs, a spindle without the power.
+fn problem(code: Option<Code>) -> u8 {
+    match code {
+        None => 0,
+        Some(Code::ToolRubs) => 2,
+        Some(Code::SpindleOverloaded) => 3,
+        Some(_) => 1,
+    }
+}
+
+/// The moves that cut; what is not known is below zero.
+pub fn frame(run: u64, found: &EngagementReport) -> Vec<u8> {
+    let cuts: Vec<&MoveEngagement> =
+        found.moves.iter().filter(|each| each.across_mm.most > 0.0).collect();
+    let column = |of: &dyn Fn(&MoveEngagement) -> f64| -> Vec<f32> {
+        cuts.iter().map(|each| of(each) as f32).collect()
+    };
+    let mut frame = Frame::default();
+    let rows: Vec<u32> = cuts.iter().map(|each| each.row).collect();
+    let problems: Vec<u8> = cuts.iter().map(|each| problem(each.problem)).collect();
+    frame.column("row", &rows);
+    frame.column("radial", &column(&|each| each.across_mm.most));
+    frame.column("chip", &column(&|each| each.chip.map_or(-1.0, |chip| chip.peak_mm.most)));
+    frame.column("power", &column(&|each| each.effort.map_or(-1.0, |effort| effort.power_kw)));
+    frame.column("problem", &problems);
+    frame.finish(json!({
+        "type": "engagement",
+        "run": run,
+        "resolution_mm": found.resolution_mm,
+        "whole": found.is_whole,
+    }))
+}

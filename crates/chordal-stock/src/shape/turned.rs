@@ -1,0 +1,172 @@
+//! Shapes that are turned in space, and shapes as triangles.
+
+use std::f64::consts::{PI, TAU};
+
+use chordal_geometry::{Aabb, Transform, Vec3};
+
+use super::round::Round;
+use super::{Axis, Bound, Kind, Shape};
+use crate::mesh::Mesh;
+
+/// A direction that differs from an axis by less is that axis: the end of the longest part is then off by far
+/// less than its heights are rounded.
+const ALONG: f64 = 1e-12;
+/// Sides of a cylinder as triangles: at least, at most.
+const SIDES: [f64; 2] = [12.0, 2048.0];
+
+impl Axis {
+    const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+    /// The direction, and the two across it, as a right hand has them.
+    fn frame(self) -> [Vec3; 3] {
+        match self {
+            Axis::X => [Vec3::X, Vec3::Y, Vec3::Z],
+            Axis::Y => [Vec3::Y, Vec3::Z, Vec3::X],
+            Axis::Z => [Vec3::Z, Vec3::X, Vec3::Y],
+        }
+    }
+}
+
+impl Shape {
+    /// The shape elsewhere, turned: one that holds it, and one that lies in it. The two differ by no more than
+    /// `sag` (mm), and only where a cylinder lies askew.
+    ///
+    /// # Errors
+    /// `None` where numbers become too large.
+    pub fn turned(&self, by: &Transform, sag: f64) -> Option<[Shape; 2]> {
+        if let Kind::Round(round) = &self.0
+            && let Some(same) = turned_round(round, by)
+        {
+            let same = Shape(Kind::Round(same));
+            return Some([same.clone(), same]);
+        }
+        let shape = |bound| {
+            let mesh = self.triangles(sag, bound);
+            let vertices = mesh.vertices().iter().map(|at| by.apply_point(*at)).collect();
+            Shape::surface(Mesh::new(vertices, mesh.triangles().to_vec()).ok()?).ok()
+        };
+        Some([shape(Bound::Outer)?, shape(Bound::Inner)?])
+    }
+
+    /// The shape as triangles, which hold it or lie in it, no more than `sag` (mm) from its surface.
+    pub fn triangles(&self, sag: f64, bound: Bound) -> Mesh {
+        match &self.0 {
+            Kind::Cuboid(around) => cuboid(around),
+            Kind::Round(round) => prism(round, sag, bound),
+            Kind::Meshed(meshed) => meshed.mesh.clone(),
+        }
+    }
+}
+
+/// A cylinder whose axis is one of the three again.
+fn turned_round(round: &Round, by: &Transform) -> Option<Round> {
+    let [along, ..] = round.axis.frame();
+    let way = by.apply_direction(along);
+    let axis = Axis::ALL.into_iter().find(|axis| way.dot(axis.frame()[0]).abs() > 1.0 - ALONG)?;
+    let own = round.middle - along * along.dot(round.middle);
+    let ends = [round.from, round.to].map(|at| by.apply_point(own + along * at));
+    let [a, b] = ends.map(|end| end.dot(axis.frame()[0]));
+    Some(Round { axis, middle: ends[0], from: a.min(b), to: a.max(b), ..*round })
+}
+
+fn cuboid(Aabb { min, max }: &Aabb) -> Mesh {
+    let corner = |bits: u32| {
+        let pick = |bit: u32, low: f64, high: f64| if bits & bit == 0 { low } else { high };
+        Vec3::new(pick(1, min.x, max.x), pick(2, min.y, max.y), pick(4, min.z, max.z))
+    };
+    // Each face counter-clockwise from outside.
+    const FACES: [[u32; 4]; 6] =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let triangles = FACES.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    // The corners of a shape are numbers that a mesh can have.
+    Mesh::new((0..8).map(corner).collect(), triangles).unwrap_or_default()
+}
+
+fn prism(round: &Round, sag: f64, bound: Bound) -> Mesh {
+    let [along, u, v] = round.axis.frame();
+    let own = round.middle - along * along.dot(round.middle);
+    let part = (sag.max(0.0) / round.outer).min(1.0);
+    // How far chords are from their circle, whether inside or around it.
+    let sides = (PI / libm::acos(1.0 - part).max(1e-9)).ceil().clamp(SIDES[0], SIDES[1]);
+    let wide = 1.0 / libm::cos(PI / sides);
+    let [outer, inner] = match bound {
+        Bound::Outer => [round.outer * wide, round.inner],
+        Bound::Inner => [round.outer, round.inner * wide],
+    };
+    let count = sides as u32;
+    let ring = |radius: f64, end: f64| {
+        (0..count).map(move |at| {
+            let (sin, cos) = libm::sincos(TAU * f64::from(at) / sides);
+            own + along * end + u * (radius * cos) + v * (radius * sin)
+        })
+    };
+    let mut vertices: Vec<Vec3> = Vec::new();
+    for (radius, end) in [(outer, round.from), (outer, round.to)] {
+        vertices.extend(ring(radius, end));
+    }
+    let is_tube = round.inner > 0.0;
+    if is_tube {
+        vertices.extend(ring(inner, round.from).chain(ring(inner, round.to)));
+    } else {
+        vertices.extend([own + along * round.from, own + along * round.to]);
+    }
+    let mut triangles = Vec::new();
+    for at in 0..count {
+        let next = (at + 1) % count;
+        let quad = |[a, b, c, d]: [u32; 4]| [[a, b, c], [a, c, d]];
+        triangles.extend(quad([at, next, count + next, count + at]));
+        if is_tube {
+            let (low, high) = (2 * count, 3 * count);
+            triangles.extend(quad([low + next, low + at, high + at, high + next]));
+            triangles.extend(quad([next, at, low + at, low + next]));
+            triangles.extend(quad([count + at, count + next, high + next, high + at]));
+        } else {
+            triangles.extend([[next, at, 2 * count], [count + at, count + next, 2 * count + 1]]);
+        }
+    }
+    Mesh::new(vertices, triangles).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shapes() -> [Shape; 4] {
+        let corner = Vec3::new(10.0, 6.0, 4.0);
+        [
+            Shape::cuboid(Vec3::ZERO, corner).expect("a box"),
+            Shape::cylinder(Axis::X, corner, 10.0, 0.0, 30.0).expect("a bar"),
+            Shape::cylinder(Axis::Y, corner, 10.0, -5.0, 3.0).expect("a disc"),
+            Shape::tube(Axis::Z, corner, [10.0, 6.0], 0.0, 30.0).expect("a tube"),
+        ]
+    }
+
+    #[test]
+    fn triangles_are_closed_and_hold_the_shape_or_lie_in_it() {
+        for shape in shapes() {
+            let [outer, inner] =
+                [Bound::Outer, Bound::Inner].map(|bound| shape.triangles(1e-3, bound));
+            assert!(outer.edges().are_closed() && inner.edges().are_closed());
+            let volume = shape.volume();
+            assert!(inner.volume() <= volume * (1.0 + 1e-12) && inner.volume() > 0.998 * volume);
+            assert!(outer.volume() >= volume * (1.0 - 1e-12) && outer.volume() < 1.002 * volume);
+        }
+    }
+
+    #[test]
+    fn a_quarter_turn_is_exact_and_another_angle_is_enclosed() {
+        let about = |angle: f64| Transform::rotation_about(Vec3::ZERO, Vec3::X, angle);
+        for shape in shapes() {
+            let [a, b] = shape.turned(&about(PI / 2.0), 1e-3).expect("a shape");
+            assert!((a.volume() - shape.volume()).abs() < 1e-6, "{shape:?}");
+            assert_eq!(a.bounds(), b.bounds());
+            let (own, there) = (shape.bounds(), a.bounds());
+            assert!(
+                (there.max.z - own.max.y).abs() < 1e-9 && (there.min.y + own.max.z).abs() < 1e-9
+            );
+            let [outer, inner] = shape.turned(&about(0.7), 1e-3).expect("a shape");
+            assert!(outer.volume() >= shape.volume() - 1e-6);
+            assert!(inner.volume() <= shape.volume() + 1e-6);
+        }
+    }
+}

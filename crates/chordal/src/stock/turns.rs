@@ -1,0 +1,169 @@
+//! Parts that are turned by rotary axes: how the part lies while they stand at an angle, and whether the tool is
+//! clear of it while they turn.
+
+use std::f64::consts::TAU;
+
+use chordal_geometry::{Aabb, Transform, Vec3};
+use chordal_machine::{Rotary, Turns};
+use chordal_stock::shape::Shape;
+
+/// Angles that differ by less are the same, rad.
+const SAME_ANGLE: f64 = 1e-9;
+/// A cylinder that lies askew is triangles within this, mm.
+const SAG: f64 = 1e-3;
+const LETTERS: [char; 3] = ['A', 'B', 'C'];
+const AXES: [Vec3; 3] = [Vec3::X, Vec3::Y, Vec3::Z];
+
+/// The rotary axes of a machine at an angle, and the part with them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Turn {
+    /// A, B and C, rad, each within half a turn of zero.
+    pub angles: [f64; 3],
+    /// From coordinates of the part, which are those of the program while all of them are at zero, to those of the
+    /// program.
+    pub to_program: Transform,
+}
+
+impl Turn {
+    /// The part as its coordinates say.
+    pub const NONE: Turn = Turn { angles: [0.0; 3], to_program: Transform::identity() };
+
+    /// At some angles; why it is not known how the part lies then.
+    pub fn of(rotary: &[Rotary; 3], angles: [f64; 3]) -> Result<Turn, String> {
+        let angles = angles.map(within_half_a_turn);
+        let mut to_part = Transform::identity();
+        for (axis, angle) in angles.into_iter().enumerate().filter(|(_, angle)| *angle != 0.0) {
+            let letter = LETTERS[axis];
+            let degrees = angle.to_degrees();
+            match rotary[axis].turns {
+                Some(Turns::Table) => {}
+                Some(Turns::Head) => {
+                    return Err(format!(
+                        "{letter} turns the tool to {degrees:.3}°, and tools are followed upright only"
+                    ));
+                }
+                None => {
+                    return Err(format!(
+                        "{letter} is at {degrees:.3}°, and what it turns is not known: give [rotary.{letter}]"
+                    ));
+                }
+            }
+            let signed = if rotary[axis].reversed { -angle } else { angle };
+            to_part =
+                to_part.then(&Transform::rotation_about(center(&rotary[axis]), AXES[axis], signed));
+        }
+        Ok(Turn { angles, to_program: to_part.inverse() })
+    }
+
+    pub fn is_none(&self) -> bool {
+        self.angles == [0.0; 3]
+    }
+
+    pub fn is_at(&self, angles: [f64; 3]) -> bool {
+        let same = |(a, b): (&f64, f64)| within_half_a_turn(a - b) == 0.0;
+        self.angles.iter().zip(angles).all(same)
+    }
+
+    /// A shape of the part as it lies: one that holds it and one in it. `None` where it cannot be turned.
+    pub fn shapes(&self, shape: &Shape) -> Option<[Shape; 2]> {
+        if self.is_none() {
+            return Some([shape.clone(), shape.clone()]);
+        }
+        shape.turned(&self.to_program, SAG)
+    }
+
+    /// `A90`.
+    pub fn name(&self) -> String {
+        let named = LETTERS.iter().zip(self.angles).filter(|(_, angle)| *angle != 0.0);
+        let parts: Vec<String> = named
+            .map(|(letter, angle)| {
+                let text = format!("{:.3}", angle.to_degrees());
+                format!("{letter}{}", text.trim_end_matches('0').trim_end_matches('.'))
+            })
+            .collect();
+        if parts.is_empty() { "all at zero".to_string() } else { parts.join(" ") }
+    }
+}
+
+/// Whether rotary axes stand, rad: a whole turn is a turn.
+pub(super) fn are_same(a: [f64; 3], b: [f64; 3]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME_ANGLE)
+}
+
+fn within_half_a_turn(angle: f64) -> f64 {
+    let rest = angle - TAU * (angle / TAU).round();
+    if rest.abs() < SAME_ANGLE { 0.0 } else { rest }
+}
+
+fn center(rotary: &Rotary) -> Vec3 {
+    let [x, y, z] = rotary.center_mm.map(|mm| mm.unwrap_or(0.0));
+    Vec3::new(x, y, z)
+}
+
+/// The box of everything that a body with this box passes while one axis of the table turns it, whatever the angle;
+/// `None` where more than that turns, or it is not known what.
+pub(super) fn swept(
+    rotary: &[Rotary; 3],
+    from: [f64; 3],
+    to: [f64; 3],
+    body: &Aabb,
+) -> Option<Aabb> {
+    let mut turning = (0..3).filter(|axis| (from[*axis] - to[*axis]).abs() >= SAME_ANGLE);
+    let (axis, None) = (turning.next()?, turning.next()) else { return None };
+    if rotary[axis].turns != Some(Turns::Table) {
+        return None;
+    }
+    let middle = center(&rotary[axis]);
+    let others_stand_at_zero =
+        (0..3).all(|other| other == axis || within_half_a_turn(from[other]) == 0.0);
+    let corners = (0..8u32).map(|bits| {
+        let pick = |bit: u32, low: f64, high: f64| if bits & bit == 0 { low } else { high };
+        let Aabb { min, max } = body;
+        Vec3::new(pick(1, min.x, max.x), pick(2, min.y, max.y), pick(4, min.z, max.z)) - middle
+    });
+    let along = AXES[axis];
+    // About an axis that is turned itself, only the distance from its point is known.
+    let distance = |arm: Vec3| {
+        if others_stand_at_zero { (arm - along * along.dot(arm)).length() } else { arm.length() }
+    };
+    let reach = corners.map(distance).fold(0.0, f64::max);
+    let around = Vec3::new(reach, reach, reach);
+    let mut swept = Aabb { min: middle - around, max: middle + around };
+    if others_stand_at_zero {
+        let keep = |own: Vec3, of: Vec3| own - along * along.dot(own) + along * along.dot(of);
+        swept = Aabb { min: keep(swept.min, body.min), max: keep(swept.max, body.max) };
+    }
+    Some(swept)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table() -> [Rotary; 3] {
+        let a = Rotary { turns: Some(Turns::Table), ..Rotary::default() };
+        [a, Rotary::default(), Rotary { turns: Some(Turns::Head), ..Rotary::default() }]
+    }
+
+    #[test]
+    fn a_part_at_an_angle_lies_where_the_tool_finds_it() {
+        let turn = Turn::of(&table(), [TAU / 4.0, 0.0, 0.0]).expect("a table");
+        // With A at 90 degrees a tool that comes down at Y0 Z10 is at Y-10 of the part: the tool turns about it
+        // as a right-hand screw goes along X.
+        let seen = turn.to_program.apply_point(Vec3::new(3.0, -10.0, 0.0));
+        assert!((seen - Vec3::new(3.0, 0.0, 10.0)).length() < 1e-9, "{seen:?}");
+        assert_eq!(turn.name(), "A90");
+        assert!(turn.is_at([TAU / 4.0 + TAU, 0.0, 0.0]) && !turn.is_at([0.0; 3]));
+        assert!(Turn::of(&table(), [0.0, 1.0, 0.0]).is_err_and(|why| why.contains("[rotary.B]")));
+        assert!(Turn::of(&table(), [0.0, 0.0, 1.0]).is_err_and(|why| why.contains("upright")));
+        assert_eq!(Turn::of(&table(), [TAU, 0.0, -TAU]), Ok(Turn::NONE));
+    }
+
+    #[test]
+    fn what_turns_stays_within_its_radius() {
+        let body = Aabb { min: Vec3::new(0.0, -3.0, -4.0), max: Vec3::new(50.0, 3.0, 4.0) };
+        let swept = swept(&table(), [0.0; 3], [1.0, 0.0, 0.0], &body).expect("a table");
+        assert_eq!(swept.min.to_array(), [0.0, -5.0, -5.0]);
+        assert_eq!(swept.max.to_array(), [50.0, 5.0, 5.0]);
+    }
+}
