@@ -7,7 +7,7 @@ use chordal::control::EndReason;
 use chordal::diagnostics::{Diagnostic, FileId, line_ends};
 use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::motion::MotionOptions;
-use chordal::stock::{Amount, StockOptions, StockReport};
+use chordal::stock::{Amount, StockLeft, StockOptions, TileJob};
 use chordal::{Job, Machine, Report, RunOptions, Source, SourceMap, TextProgram, Watch};
 use chordal_export::sha256_hex;
 
@@ -347,16 +347,17 @@ fn run(
         Some(Err(why)) => message.or(Some(why)),
         Some(Ok(found)) => {
             // Its problems are those of the run and of the stock.
-            let counts = found.report.counts;
-            (ran.codes, ran.problems) = problems(&job, &found.report);
+            let counts = found.report().counts;
+            (ran.codes, ran.problems) = problems(&job, found.report());
             ran.counts = [counts.errors, counts.warnings, counts.notes];
             let bounds = |amount: Amount| [amount.least, amount.most];
+            let [removed, left] = found.volumes_mm3();
             ran.stock = Some(RanStock {
-                verdict: found.verdict.as_str().into(),
-                problems: found.problems.len() as u64 + found.more_problems,
-                removed_mm3: bounds(found.removed_mm3),
-                left_mm3: bounds(found.left_mm3),
-                resolution_mm: found.resolution_mm,
+                verdict: found.verdict().as_str().into(),
+                problems: found.problems(),
+                removed_mm3: bounds(removed),
+                left_mm3: bounds(left),
+                resolution_mm: found.resolution_mm(),
             });
             message
         }
@@ -365,12 +366,14 @@ fn run(
 }
 
 /// What a program leaves of the stock of its setup.
-fn cut(job: &Job<'_>, prepared: &Prepared) -> Result<StockReport, String> {
+fn cut(job: &Job<'_>, prepared: &Prepared) -> Result<StockLeft, String> {
     let files = |name: &str| {
         let own = prepared.meshes.iter().find(|(known, _)| known == name);
         own.map_or_else(|| Err(format!("there is no file {name}")), |(_, mesh)| mesh.clone())
     };
-    job.stock(&StockOptions::default(), &files).map_err(|error| error.to_string())
+    // Programs have threads of their own.
+    let one_by_one = |tiles: Vec<TileJob>| tiles.into_iter().map(TileJob::run).collect();
+    job.stock_left(&StockOptions::default(), &files, &one_by_one).map_err(|error| error.to_string())
 }
 
 fn run_job(

@@ -313,7 +313,7 @@ fn said<'a>(column: &str, path: &'a str, file: &'a FileRecord, row: &'a Row) -> 
         "removed_most_mm3" => Said::Number(stock.map(|stock| stock.removed_mm3[1])),
         "left_least_mm3" => Said::Number(stock.map(|stock| stock.left_mm3[0])),
         "left_most_mm3" => Said::Number(stock.map(|stock| stock.left_mm3[1])),
-        "columns_mm" => Said::Number(stock.map(|stock| stock.resolution_mm)),
+        "columns_mm" => Said::Number(stock.and_then(|stock| stock.resolution_mm)),
         "errors" => count(|ran| ran.counts[0]),
         "warnings" => count(|ran| ran.counts[1]),
         "notes" => count(|ran| ran.counts[2]),

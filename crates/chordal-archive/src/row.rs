@@ -63,8 +63,8 @@ pub struct RanStock {
     pub removed_mm3: [f64; 2],
     /// At least and at most so much is left.
     pub left_mm3: [f64; 2],
-    /// The side of a column, mm.
-    pub resolution_mm: f64,
+    /// The side of a column, mm; without one where the stock is exact.
+    pub resolution_mm: Option<f64>,
 }
 
 /// A row of the table: a program, or a file that holds none.

@@ -111,8 +111,8 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let mut handle = |programs: &Programs, loaded: &Loaded| {
         let job = loaded.job()?;
         let (report, is_proved) = if stock {
-            let found = stock::cut(&job, &options, setup.as_deref())?;
-            (found.report, found.verdict == StockVerdict::Clean)
+            let found = stock::left(&job, &options, setup.as_deref())?;
+            (found.report().clone(), found.verdict() == StockVerdict::Clean)
         } else {
             (job.check_keeping(kept), true)
         };

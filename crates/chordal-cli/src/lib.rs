@@ -45,6 +45,7 @@ mod restart;
 mod rows;
 mod run;
 mod sample;
+mod setup_files;
 mod sheet;
 mod stock;
 mod stock_failure;
@@ -53,6 +54,7 @@ mod terminal;
 mod tiles;
 mod time;
 mod transform;
+mod turned;
 mod unified;
 mod view;
 

@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use chordal::stock::StockReport;
+use chordal::stock::StockLeft;
 use chordal::{Command, CommandKind, Job, PathCommand, Report, Segment, Watch};
 use chordal_export::{Canon, CommandCsv, CommandJsonLines, Dxf, Plot, PlotOptions};
 use chordal_load::Input;
@@ -215,7 +215,7 @@ impl<'a> Outputs<'a> {
     pub fn finish(
         self,
         report: &Report,
-        stock: Option<&StockReport>,
+        stock: Option<&StockLeft>,
         options: &PlotOptions,
     ) -> Result<Vec<PathBuf>, Failure> {
         if let Some(failure) = self.failed {
@@ -224,8 +224,10 @@ impl<'a> Outputs<'a> {
         let mut plot = self.plot;
         if let Some(plot) = &mut plot {
             plot.set_inch(report.summary.inch);
-            if let Some(found) = stock {
-                plot.set_stock(found);
+            match stock {
+                Some(StockLeft::Columns(found)) => plot.set_stock(found),
+                Some(StockLeft::Section(found)) => plot.set_section(found),
+                None => {}
             }
         }
         let mut written = Vec::new();

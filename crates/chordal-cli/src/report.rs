@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use chordal::stock::{StockOptions, StockReport, StockVerdict};
+use chordal::stock::{StockLeft, StockOptions, StockVerdict};
 use chordal_export::columns::ColumnFormat;
 use chordal_report::{About, gather, html, json};
 use clap::ValueEnum;
@@ -82,7 +82,7 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let job = loaded.job()?;
     let recognized = loaded.chosen.why(job.control().table.title);
     let stock = match &args.setup {
-        Some(setup) => Some(stock::cut(&job, &StockOptions::default(), Some(setup))?),
+        Some(setup) => Some(stock::left(&job, &StockOptions::default(), Some(setup))?),
         None => None,
     };
     let about = About {
@@ -100,6 +100,6 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
     out.write_all(text.as_bytes()).map_err(|error| trouble(path, error))?;
     out.put()?;
     let verdict = tell(&gathered.report, &loaded, &job, terminal);
-    let is_clean = |found: &StockReport| found.verdict == StockVerdict::Clean;
+    let is_clean = |found: &StockLeft| found.verdict() == StockVerdict::Clean;
     Ok(if stock.as_ref().is_none_or(is_clean) { verdict } else { Verdict::Problems })
 }

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use chordal::motion::MotionOptions;
-use chordal::stock::{StockOptions, StockReport, StockVerdict};
+use chordal::stock::{StockLeft, StockOptions, StockVerdict};
 use chordal::time::Timed;
 use chordal::{Job, Report, Severity};
-use chordal_export::{PlotOptions, report, stock_text};
+use chordal_export::{PlotOptions, report, stock_left_text};
 use chordal_load::Loaded;
 use clap::ValueEnum;
 
@@ -107,7 +107,7 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
                 objects.push(object);
             }
         }
-        let is_clean = |stock: &StockReport| stock.verdict == StockVerdict::Clean;
+        let is_clean = |stock: &StockLeft| stock.verdict() == StockVerdict::Clean;
         let failed = done.report.worst() == Some(Severity::Error)
             || !done.stock.as_ref().is_none_or(is_clean);
         Ok(if failed { Verdict::Problems } else { Verdict::Clean })
@@ -123,7 +123,7 @@ struct Done {
     /// With the problems of the stock.
     report: Report,
     timed: Option<Timed>,
-    stock: Option<StockReport>,
+    stock: Option<StockLeft>,
     written: Vec<PathBuf>,
 }
 
@@ -145,13 +145,13 @@ fn carry_out(
         ..PlotOptions::default()
     };
     let mut stock = match setup {
-        Some(_) => Some(stock::cut(job, &StockOptions::default(), setup)?),
+        Some(_) => Some(stock::left(job, &StockOptions::default(), setup)?),
         None => None,
     };
     let written = outputs.finish(&report, stock.as_ref(), &options)?;
     let mut report = report;
     if let Some(found) = &mut stock {
-        report = found.report.clone();
+        report = found.report().clone();
         if let Some(timed) = &timed {
             found.take_times(&timed.time.tools);
         }
@@ -164,7 +164,7 @@ fn text(loaded: &Loaded, job: &Job, done: &Done, showing: Showing, terminal: Ter
     let mut text = summary::text(loaded, job, report, timed.as_ref(), terminal.out);
     if let Some(found) = stock {
         text.push('\n');
-        text.push_str(&indented(&stock_text(found)));
+        text.push_str(&indented(&stock_left_text(found)));
     }
     for path in written {
         let row = style(terminal.out, BOLD, "written   ");

@@ -1,24 +1,24 @@
 //! `chordal stock`: what is left of the stock, and what is touched.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use chordal::Job;
 use chordal::motion::MotionOptions;
-use chordal::stock::{EngagementOptions, StockOptions, StockReport, StockVerdict};
+use chordal::stock::{EngagementOptions, StockLeft, StockOptions, StockReport, StockVerdict};
 use chordal_export::report::{self, Sarif};
 use chordal_export::{MeshFormat, MeshSurface, stock_json, stock_mesh, stock_png, stock_text};
-use chordal_load::reason;
-use clap::{ArgAction, ValueEnum};
+use clap::ArgAction;
 
 use crate::engagement;
 use crate::failure::{Failure, Verdict};
 use crate::options::{AnswerFormat, Common, Showing, length};
 use crate::output::write_whole;
 use crate::programs::{load_one, recognized};
+use crate::setup_files::{Format, files};
 use crate::stock_failure::failure_of;
 use crate::terminal::{Terminal, say};
 use crate::tiles::on_threads;
+use crate::turned;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -43,7 +43,15 @@ The setup file names the machine, the stock and the tools:
   flute_length = \"25 mm\"
 
 Every answer lies between two bounds. Exit code 0: clean, which is proved; 1: problems, or not proved
-at this resolution; 2: wrong use.";
+at this resolution; 2: wrong use.
+
+Of a lathe the half section is exact: -o part.svg, .png, .dxf, .stl, .3mf or .glb.
+
+  [stock]
+  shape = \"cylinder\"
+  diameter = \"60 mm\"
+  from = \"-100 mm\"
+  to = \"1 mm\"";
 
 /// Reports what a program removes, what is left, and what rapids, shank and holder touch
 #[derive(clap::Args)]
@@ -99,16 +107,6 @@ pub struct Args {
     common: Common,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
-    /// Text for the reader
-    Text,
-    /// One JSON object
-    Json,
-    /// The problems as SARIF 2.1.0, for code scanning
-    Sarif,
-}
-
 /// What a file of the stock holds.
 #[derive(Clone, Copy)]
 enum Form {
@@ -130,18 +128,13 @@ fn form(path: &Path) -> Result<Form, Failure> {
     })
 }
 
-/// The files that a setup names.
-fn files(name: &str) -> Result<Vec<u8>, String> {
-    fs::read(name).map_err(|error| reason(&error))
-}
-
-/// Cuts the stock of the setup with a program, on threads.
-pub fn cut(
+/// What a program leaves of the stock of the setup; columns are cut on threads.
+pub fn left(
     job: &Job<'_>,
     options: &StockOptions,
     setup: Option<&Path>,
-) -> Result<StockReport, Failure> {
-    job.stock_by(options, &files, &on_threads).map_err(|error| failure_of(error, setup))
+) -> Result<StockLeft, Failure> {
+    job.stock_left(options, &files, &on_threads).map_err(|error| failure_of(error, setup))
 }
 
 pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
@@ -153,6 +146,19 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         budget: args.memory.saturating_mul(1 << 20),
     };
     let loaded = load_one(&args.file, &args.common)?;
+    let job = loaded.job()?;
+    if job.turns() {
+        let answer = turned::Answer {
+            output: &args.output,
+            format: args.format,
+            detail: args.showing.detail(),
+            engagement: args.engagement,
+            tolerance_mm: args.tolerance,
+            has_columns: args.resolution.or(args.finest).or(args.chip).is_some(),
+            setup: args.setup.as_deref(),
+        };
+        return turned::run(&answer, &loaded, &job, terminal);
+    }
     if args.engagement {
         let options = EngagementOptions { stock: options, max_chip_mm: args.chip };
         let format = match args.format {
@@ -175,8 +181,9 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         return engagement::run(&answer, &options, &loaded, terminal);
     }
     let forms: Vec<Form> = args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
-    let job = loaded.job()?;
-    let mut found = cut(&job, &options, args.setup.as_deref())?;
+    let mut found = job
+        .stock_by(&options, &files, &on_threads)
+        .map_err(|error| failure_of(error, args.setup.as_deref()))?;
     // Where the limits of the axes are wrong there are no times; `chordal time` says why.
     if let Ok(timed) = job.time(&MotionOptions::default()) {
         found.take_times(&timed.time.tools);

@@ -28,6 +28,10 @@ pub fn failure_of(error: StockRunError, setup: Option<&Path>) -> Failure {
             };
             Failure::wrong("there is no stock to cut", where_to)
         }
+        StockRunError::Turns => Failure::wrong(
+            error.to_string(),
+            "run `chordal stock` on it: this command answers for mills",
+        ),
         other => {
             Failure::wrong(other.to_string(), "choose a larger --resolution, or more --memory")
         }

@@ -226,3 +226,129 @@ fn folders_are_checked_on_their_stock() {
     let done = folder.run(&[&["check", "nc/in.nc"][..], &coarse].concat());
     done.ends(1).says(&["CH629"]);
 }
+
+const LATHE: &str = "machine = 'fanuc-lathe'
+[stock]
+shape = 'cylinder'
+axis = 'Z'
+diameter = '60 mm'
+from = '-100 mm'
+to = '0 mm'
+[tools.1]
+shape = 'insert'
+insert = 'C'
+approach_angle = '95 deg'
+flute_length = '12 mm'
+nose_radius = '0.8 mm'
+tip = 3
+";
+
+const TURNED: &str =
+    "O1\nG21 G18 G40 G97 G99\nT0101\nS800 M3\nG0 X50. Z2.\nG1 Z-40. F.2\nX62.\nG0 Z2.\nM30\n";
+
+fn lathe() -> Folder {
+    let folder = Folder::new();
+    folder
+        .write("shaft.toml", LATHE)
+        .write("shaft.nc", TURNED)
+        .write("hit.nc", TURNED.replace("G1 Z-40. F.2", "G0 Z-40."));
+    folder
+}
+
+#[test]
+fn a_lathe_has_exact_volumes() {
+    let folder = lathe();
+    folder.run(&["stock", "shaft.nc", "--setup", "shaft.toml"]).ends(0).says(&[
+        "tool 1",
+        "depth of cut up to 5.000 mm in line 6",
+        "clean: no rapid",
+        "the half section is exact",
+    ]);
+    let done =
+        folder.run(&["stock", "shaft.nc", "--setup", "shaft.toml", "--format", "json"]).ends(0);
+    let found: serde_json::Value = serde_json::from_str(&done.out).expect("JSON");
+    assert_eq!(found["schema"], "chordal.stock/1");
+    assert_eq!(found["exact"], true);
+    let removed = &found["removed_mm3"];
+    assert_eq!(removed["least"], removed["most"]);
+    // A ring, without what the nose leaves in the shoulder.
+    let pi = std::f64::consts::PI;
+    let centroid = 25.0 + (10.0 - 3.0 * pi) / (12.0 - 3.0 * pi) * 0.8;
+    let fillet = 2.0 * pi * centroid * (1.0 - pi / 4.0) * 0.64;
+    let wanted = pi * (900.0 - 625.0) * 40.0 - fillet;
+    assert!(removed["least"].as_f64().is_some_and(|mm3| (mm3 - wanted).abs() < 1e-6), "{removed}");
+    folder.run(&["stock", "hit.nc", "--setup", "shaft.toml"]).ends(1).says(&[
+        "error[CH620]: a rapid goes 5 mm deep through material",
+        "hit.nc:6",
+        "X55 mm",
+    ]);
+    folder.run(&["check", "hit.nc", "--stock", "--setup", "shaft.toml"]).ends(1).says(&["CH620"]);
+    folder.run(&["check", "shaft.nc", "--stock", "--setup", "shaft.toml"]).ends(0);
+}
+
+#[test]
+fn a_lathe_writes_its_half_section() {
+    let folder = lathe();
+    let outputs = ["left.svg", "left.png", "left.dxf", "left.stl", "left.glb", "left.3mf"];
+    let mut args = vec!["stock", "shaft.nc", "--setup", "shaft.toml"];
+    outputs.iter().for_each(|name| args.extend(["-o", name]));
+    folder.run(&args).ends(0).says(&["written: left.dxf"]);
+    let drawing = folder.read("left.svg");
+    assert!(drawing.contains("Ø50") && drawing.contains("Z−40") && drawing.contains("R0.8"));
+    // What is left is the stock of the next operation, exactly.
+    let next = LATHE.replace(
+        "shape = 'cylinder'\naxis = 'Z'\ndiameter = '60 mm'\nfrom = '-100 mm'\nto = '0 mm'",
+        "shape = 'dxf'\nfile = 'left.dxf'",
+    );
+    folder.write("next.toml", next).write("no.nc", "G21 G18 G99\nT0101\nG0 X62. Z2.\nM30\n");
+    let volume = |args: &[&str]| {
+        let done = folder.run(args).ends(0);
+        let found: serde_json::Value = serde_json::from_str(&done.out).expect("JSON");
+        found["left_mm3"]["most"].as_f64().expect("a volume")
+    };
+    let left = volume(&["stock", "shaft.nc", "--setup", "shaft.toml", "--format", "json"]);
+    let again = volume(&["stock", "no.nc", "--setup", "next.toml", "--format", "json"]);
+    assert!((left - again).abs() < 1e-4, "{left} and {again}");
+    folder
+        .run(&["stock", "shaft.nc", "--setup", "shaft.toml", "-o", "left.xyz"])
+        .ends(2)
+        .complains(&[".svg, .png, .dxf"]);
+    folder
+        .run(&["stock", "shaft.nc", "--setup", "shaft.toml", "--engagement", "-o", "cuts.csv"])
+        .ends(0)
+        .says(&["chip area", "1.000 mm²"]);
+    let cuts = folder.read("cuts.csv");
+    assert!(cuts.starts_with("line,file,tool,length_mm"), "{cuts}");
+    assert_eq!(cuts.lines().count(), 3);
+    folder.run(&["run", "shaft.nc", "--machine", "shaft.toml", "-o", "path.svg"]).ends(0);
+    assert!(folder.read("path.svg").contains("Z and X, diameters"));
+}
+
+#[test]
+fn wrong_setups_of_a_lathe_are_named() {
+    let folder = lathe();
+    let with = |from: &str, to: &str| LATHE.replace(from, to);
+    let cases = [
+        (with("shape = 'cylinder'", "shape = 'box'"), "is not a body that turns"),
+        (with("axis = 'Z'", "axis = 'X'"), "does not lie along Z"),
+        (with("diameter = '60 mm'\n", ""), "has no `diameter`"),
+        (with("shape = 'cylinder'", "shape = 'contour'"), "has no `contour`"),
+        (with("shape = 'cylinder'", "shape = 'dxf'\nfile = 'no.dxf'"), "cannot read no.dxf"),
+    ];
+    for (setup, words) in cases {
+        folder.write("wrong.toml", setup);
+        folder.run(&["stock", "shaft.nc", "--setup", "wrong.toml"]).ends(2).complains(&[words]);
+    }
+    // A tool that lacks a dimension cuts nothing, and that is said.
+    folder.write("lacks.toml", with("approach_angle = '95 deg'\n", ""));
+    folder.run(&["stock", "shaft.nc", "--setup", "lacks.toml"]).ends(1).says(&[
+        "CH628",
+        "`approach_angle`",
+        "not proved",
+    ]);
+    folder.write("crossed.toml", with("shape = 'cylinder'", "shape = 'contour'\ncontour = [['10 mm', '0 mm'], ['10 mm', '-20 mm'], ['20 mm', '0 mm'], ['20 mm', '-20 mm']]"));
+    folder
+        .run(&["stock", "shaft.nc", "--setup", "crossed.toml"])
+        .ends(2)
+        .complains(&["crosses itself"]);
+}

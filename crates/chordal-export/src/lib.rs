@@ -12,6 +12,7 @@
 //! | time | JSON | [`time_json`] |
 //! | comparisons | text, JSON | [`comparison_text`], [`comparison_json`] |
 //! | stock | text, JSON, PNG, STL, 3MF, GLB | [`stock_text`], [`stock_json`], [`stock_png`], [`stock_mesh`] |
+//! | turned stock | text, JSON, SVG, PNG, DXF, STL, 3MF, GLB | [`turned_text`], [`turned_json`], [`section_svg`], [`section_dxf`], [`turned_mesh`] |
 //! | engagement of cuts | text, JSON, CSV, columns | [`engagement_text`], [`engagement_json`], [`columns`] |
 //! | new feeds | text, JSON | [`optimized_text`], [`optimized_json`] |
 //! | problems | text, JSON, GitHub, SARIF | [`report`] |
@@ -82,13 +83,15 @@ pub use machine_error::machine_error_text;
 pub use optimized::{optimized_json, optimized_text};
 pub use plot::{
     MotionPlot, PageTool, PageView, Plot, PlotError, PlotOptions, Viewpoint, figure_png,
-    figure_svg, palette_typescript,
+    figure_svg, palette_typescript, section_png, section_svg,
 };
 pub use samples::{SampleFormat, SampleWriter};
 pub use setpoints::{SAMPLE_SCHEMA, SampleHead};
 pub use stock::{
-    MeshFormat, MeshSurface, StockMeshError, engagement_json, engagement_text, stock_json,
-    stock_mesh, stock_png, stock_surface, stock_text, stock_verdict_text, stock_volume,
+    MeshFormat, MeshSurface, StockMeshError, engagement_json, engagement_text, section_dxf,
+    stock_json, stock_left_text, stock_mesh, stock_png, stock_surface, stock_text,
+    stock_verdict_text, stock_volume, turned_json, turned_mesh, turned_text, turning_json,
+    turning_text,
 };
 pub use time::{TimeDocument, comment_text, level_word, short_blocks_text, time_json};
 pub use transformed::{refusal_json, restart_json, split_json, transformed_json};

@@ -243,6 +243,8 @@ impl Value<'_> {
             }
             Slot::Solids(place) => *place(machine, keys) = self.solids()?,
             Slot::Profile(place) => *place(machine, keys) = self.profile()?,
+            Slot::Outline(place) => *place(machine, keys) = self.outline()?,
+            Slot::Contour(place) => *place(machine, keys) = self.contour()?,
             Slot::Kind => self.take_kind(machine)?,
             Slot::Programmed => self.take_programmed(machine)?,
             Slot::Text(place) => *place(machine, keys) = self.text(self.value)?,

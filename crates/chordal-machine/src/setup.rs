@@ -58,6 +58,8 @@ pub struct Body {
     pub clearance_mm: Option<f64>,
     /// How much of the part may be missing, or too much, mm.
     pub tolerance_mm: Option<f64>,
+    /// The outline of a half section.
+    pub contour: Vec<ContourPoint>,
     /// What it is made of.
     pub material: Option<String>,
     /// Where it was written.
@@ -80,8 +82,8 @@ impl PartialEq for Body {
                 other.bore_mm,
             )
             && (one.file, one.unit, one.turned_over) == (other.file, other.unit, other.turned_over)
-            && (one.clearance_mm, one.tolerance_mm, one.material)
-                == (other.clearance_mm, other.tolerance_mm, other.material)
+            && (one.clearance_mm, one.tolerance_mm, one.material, one.contour)
+                == (other.clearance_mm, other.tolerance_mm, other.material, other.contour)
     }
 }
 
@@ -96,12 +98,33 @@ pub enum BodyShape {
     Tube,
     /// A closed mesh of a file.
     Stl,
+    /// What turns about Z, by the outline of its half section.
+    Contour,
+    /// The same by the lines and arcs of a drawing.
+    Dxf,
+}
+
+/// A corner of a half section.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContourPoint {
+    /// Distance from the axis, mm.
+    pub radius_mm: f64,
+    /// Along the axis, mm.
+    pub z_mm: f64,
+    /// The radius of the arc that leads to it, mm: positive as G3, negative as G2. `None`: a line.
+    pub arc_mm: Option<f64>,
 }
 
 impl BodyShape {
     /// Every shape.
-    pub const ALL: [BodyShape; 4] =
-        [BodyShape::Box, BodyShape::Cylinder, BodyShape::Tube, BodyShape::Stl];
+    pub const ALL: [BodyShape; 6] = [
+        BodyShape::Box,
+        BodyShape::Cylinder,
+        BodyShape::Tube,
+        BodyShape::Stl,
+        BodyShape::Contour,
+        BodyShape::Dxf,
+    ];
 
     /// The word of a machine file.
     pub const fn as_str(self) -> &'static str {
@@ -110,6 +133,8 @@ impl BodyShape {
             BodyShape::Cylinder => "cylinder",
             BodyShape::Tube => "tube",
             BodyShape::Stl => "stl",
+            BodyShape::Contour => "contour",
+            BodyShape::Dxf => "dxf",
         }
     }
 }

@@ -1,6 +1,7 @@
 //! A tool: its offsets, its shape, and the solids above its edges.
 
 use crate::axis::{Axis, PerAxis};
+use crate::turning::TurningTool;
 
 /// A tool, its offsets and its shape.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -44,6 +45,8 @@ pub struct Tool {
     pub shank: Vec<Solid>,
     /// The holder, from the shank up.
     pub holder: Vec<Solid>,
+    /// The insert, blade and holder of a turning tool.
+    pub turning: TurningTool,
     /// A name for people, as `roughing end mill`.
     pub description: Option<String>,
     /// Free text.
@@ -114,6 +117,9 @@ impl Tool {
             ToolShape::Insert => {
                 Cutter::Insert { nose_radius_mm: self.nose_radius_mm?, tip: self.tip? }
             }
+            ToolShape::Groove => {
+                Cutter::Groove { width_mm: self.turning.width_mm?, tip: self.tip? }
+            }
         })
     }
 
@@ -166,11 +172,13 @@ pub enum ToolShape {
     Form,
     /// A turning insert.
     Insert,
+    /// A blade for grooves or for parting off.
+    Groove,
 }
 
 impl ToolShape {
     /// Every shape.
-    pub const ALL: [ToolShape; 11] = [
+    pub const ALL: [ToolShape; 12] = [
         ToolShape::Flat,
         ToolShape::Ball,
         ToolShape::Bull,
@@ -182,6 +190,7 @@ impl ToolShape {
         ToolShape::Lollipop,
         ToolShape::Form,
         ToolShape::Insert,
+        ToolShape::Groove,
     ];
 
     /// The word of a machine file.
@@ -198,6 +207,7 @@ impl ToolShape {
             ToolShape::Lollipop => "lollipop",
             ToolShape::Form => "form",
             ToolShape::Insert => "insert",
+            ToolShape::Groove => "groove",
         }
     }
 
@@ -231,6 +241,7 @@ impl ToolShape {
                 ToolShape::ThreadMill
             }
             () if either(&["INSERT", "TURNING"]) => ToolShape::Insert,
+            () if either(&["GROOVING", "PARTING", "CUTOFF"]) => ToolShape::Groove,
             // `#7 TAP DRILL`, `F DRILL FOR 5/16-18 TAP`.
             () if pair("TAP", "DRILL") || has("DRILL") && place("DRILL") < place("TAP") => {
                 ToolShape::Drill
@@ -303,6 +314,8 @@ pub enum Cutter<'t> {
     Form { profile: &'t [[f64; 2]] },
     /// A nose and where the programmed point lies.
     Insert { nose_radius_mm: f64, tip: u32 },
+    /// A blade of a width and where its programmed point lies.
+    Groove { width_mm: f64, tip: u32 },
 }
 
 /// A piece of a shank or holder: a cylinder, or a cone where the diameters differ.

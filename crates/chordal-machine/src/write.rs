@@ -8,6 +8,7 @@ use crate::machine::{Machine, ProbeHit, Programmed, Rotary};
 use crate::quantity::Dimension;
 use crate::setup::{Body, BodyShape, MeshUnit};
 use crate::tool::Tool;
+use crate::turning::{InsertLetter, ToolFacing, TurningTool};
 use crate::value::SettingValue;
 
 impl Machine {
@@ -242,6 +243,13 @@ fn write_body(out: &mut Out, name: &str, body: &Body) {
             out.quantity(&format!("{end}.{axis}"), *value, Dimension::Length);
         }
     }
+    out.lengths(
+        "contour",
+        body.contour.iter().map(|point| {
+            let corner = [2.0 * point.radius_mm, point.z_mm];
+            corner.into_iter().chain(point.arc_mm).collect()
+        }),
+    );
     out.quantity("diameter", body.diameter_mm, Dimension::Length);
     out.quantity("bore", body.bore_mm, Dimension::Length);
     out.quantity("clearance", body.clearance_mm, Dimension::Length);
@@ -286,11 +294,31 @@ fn write_tool(out: &mut Out, tool: &Tool, factors: &PerAxis<f64>) {
     for (key, solids) in [("shank", &tool.shank), ("holder", &tool.holder)] {
         out.lengths(key, solids.iter().map(|s| vec![s.height_mm, s.lower_mm, s.upper_mm]));
     }
+    write_turning(out, &tool.turning);
     for (key, text) in [("description", &tool.description), ("comment", &tool.comment)] {
         if let Some(text) = text {
             out.line(key, &string_text(text));
         }
     }
+}
+
+/// The keys of a turning tool.
+fn write_turning(out: &mut Out, tool: &TurningTool) {
+    let words = [
+        ("insert", tool.insert.map(InsertLetter::as_str)),
+        ("facing", tool.facing.map(ToolFacing::as_str)),
+    ];
+    for (key, word) in words {
+        if let Some(word) = word {
+            out.line(key, &string_text(word));
+        }
+    }
+    out.quantity("insert_angle", tool.insert_angle_rad, Dimension::Angle);
+    out.quantity("approach_angle", tool.approach_angle_rad, Dimension::Angle);
+    out.quantity("width", tool.width_mm, Dimension::Length);
+    out.quantity("lead_angle", tool.lead_angle_rad, Dimension::Angle);
+    out.quantity("bar_offset", tool.bar_offset_mm, Dimension::Length);
+    out.lengths("holder_outline", tool.holder_outline.iter().map(|corner| corner.to_vec()));
 }
 
 /// A place as the file has it: a diameter on an axis that is programmed in diameters.

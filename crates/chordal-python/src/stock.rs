@@ -109,6 +109,7 @@ pub fn refused(py: Python<'_>, wrong: &StockRunError) -> PyErr {
         StockRunError::NoStock => "give `[stock]` in the setup or machine",
         StockRunError::Setup(setup) => setup.help.as_str(),
         StockRunError::Stock(_) => "choose a larger resolution_mm, or more memory",
+        StockRunError::Turns => "`chordal stock` answers for lathes",
         StockRunError::Interrupted => "run it again",
     };
     let message = match wrong {

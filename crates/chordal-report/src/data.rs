@@ -417,8 +417,8 @@ pub struct StockTool {
 /// What is left of the stock.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stock {
-    /// The side of a column, mm.
-    pub resolution_mm: f64,
+    /// The side of a column, mm; without one where the stock is exact.
+    pub resolution_mm: Option<f64>,
     /// What is removed.
     pub removed_mm3: Volume,
     /// What is left.

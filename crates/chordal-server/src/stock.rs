@@ -64,7 +64,10 @@ impl<'a> Cutting<'a> {
         };
         let help = match &failed {
             StockRunError::Setup(setup) => Some(setup.help.clone()),
-            StockRunError::NoStock | StockRunError::Stock(_) | StockRunError::Interrupted => None,
+            StockRunError::NoStock
+            | StockRunError::Stock(_)
+            | StockRunError::Turns
+            | StockRunError::Interrupted => None,
         };
         // A machine without stock is nothing to speak of.
         let message = (failed != StockRunError::NoStock).then(|| failed.to_string());

@@ -4,6 +4,8 @@
 
 #![allow(clippy::disallowed_methods, reason = "a test reads how many rounds it is to run")]
 
+mod turned;
+
 use std::f64::consts::PI;
 
 use chordal::stock::{Runner, StockOptions, StockReport, StockVerdict, TileJob};

@@ -6,7 +6,7 @@ G21 G18 G40 G99 G97 S800 M3
 T0101
 G0 X52. Z2.
 G71 U4. R.5
-G71 P110 Q150 U0 W0 F.2 (= rapid to X44 Z2 | line to X44 Z-40 | line to X52 Z-40 | rapid to X53 Z-40 | rapid to X53 Z2 | rapid to X36 Z2 | line to X36 Z-40 | line to X44 Z-40 | rapid to X45 Z-40 | rapid to X45 Z2 | rapid to X30 Z2 | line to X30 Z-10 | line to X28 Z-11 | line to X28 Z-29 | line to X30 Z-30 | line to X30 Z-40 | line to X36 Z-40 | rapid to X37 Z-40 | rapid to X37 Z-11 | rapid to X28 Z-11 | line to X20 Z-15 | line to X20 Z-25 | line to X28 Z-29 | rapid to X29 Z-29 | rapid to X29 Z2 | rapid to X30 Z2 | rapid to X52 Z2)
+G71 P110 Q150 U0 W0 F.2 (= rapid to X44 Z2 | line to X44 Z-40 | line to X52 Z-40 | rapid to X53 Z-40 | rapid to X53 Z2 | rapid to X36 Z2 | line to X36 Z-40 | line to X44 Z-40 | rapid to X45 Z-40 | rapid to X45 Z2 | rapid to X30 Z2 | line to X30 Z-10 | line to X28 Z-11 | line to X28 Z-29 | line to X30 Z-30 | line to X30 Z-40 | line to X36 Z-40 | rapid to X37 Z-40 | rapid to X37 Z-11 | rapid to X28 Z-11 | line to X20 Z-15 | line to X20 Z-25 | line to X28 Z-29 | rapid to X29 Z-29 | rapid to X31 Z-29 | rapid to X31 Z2 | rapid to X30 Z2 | rapid to X52 Z2)
 N110 G0 X30. W0
 G1 Z-10. (= line to X30 Z-10)
 X20. Z-15. (= line to X20 Z-15)

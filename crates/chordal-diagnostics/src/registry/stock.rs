@@ -72,4 +72,31 @@ F in this block, or let `chordal optimize` do it."#;
     "the chip is too thin to be cut";
     r#"The thickest chip of this cut is below `min_chip` of the tool: its edges rub instead of cutting, get hot and wear.
 Feed faster, or leave more material for this pass."#;
+
+    GrooveRidge = 640, "groove-ridge", Warning;
+    "a ridge is left between two grooving plunges";
+    r#"On a lathe: the step between two plunges is larger than the tool is wide, so a ridge stays between them. The message
+gives its width and height. Use a smaller step (Q of G75), a wider tool, or enter the true `width` of the tool."#;
+
+    PartOffPip = 641, "part-off-pip", Warning;
+    "the part-off leaves a pip";
+    r#"On a lathe: a parting tool ends before the part is cut off, or the cut leaves a pip on the part. Feed past the axis
+by the corner radius of the tool, or with a bore into the bore."#;
+
+    FlankGouge = 642, "flank-gouge", Error;
+    "the flank of the insert cuts into the contour";
+    r#"On a lathe: the move goes down more steeply than the insert is free behind its nose, so its flank cuts into a
+surface that the program has just made. The message gives the depth. Use an insert with a smaller corner angle, another
+holder, or cut this slope from the other side."#;
+
+    NoseGouge = 643, "nose-gouge", Error;
+    "without compensation the nose cuts into the programmed contour";
+    r#"On a lathe: the programmed point is not on the nose, and without G41 or G42 the nose cuts deeper than the
+programmed contour on slopes and arcs that go down. Switch nose radius compensation on, with `nose_radius` and `tip` of
+the tool."#;
+
+    NoseLeaves = 644, "nose-leaves", Warning;
+    "without compensation the nose leaves material on the contour";
+    r#"On a lathe: the nose does not reach the programmed contour on slopes and arcs. On a slope of angle α the radius r
+leaves r·(cos α + sin α − 1). Switch nose radius compensation on, with `nose_radius` and `tip` of the tool."#;
 }

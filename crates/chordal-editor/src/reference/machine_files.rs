@@ -212,6 +212,11 @@ tip_diameter = \"0.2 mm\"
 shape = \"insert\"
 nose_radius = \"0.4 mm\"
 tip = 3
+insert = \"C\"
+insert_angle = \"80 deg\"
+approach_angle = \"95 deg\"
+holder_outline = [[\"8 mm\", \"10 mm\"], [\"120 mm\", \"10 mm\"], [\"120 mm\", \"35 mm\"], [\"8 mm\", \"35 mm\"]]
+bar_offset = \"9 mm\"
 [tools.5.offset]
 X = \"-31.2 mm\"
 Z = \"12.5 mm\"
@@ -219,7 +224,12 @@ Z = \"12.5 mm\"
 X = \"0.02 mm\"
 [tools.6]
 shape = \"form\"
-profile = [[\"0 mm\", \"3 mm\"], [\"5 mm\", \"8 mm\"]]",
+profile = [[\"0 mm\", \"3 mm\"], [\"5 mm\", \"8 mm\"]]
+[tools.7]
+shape = \"groove\"
+width = \"3 mm\"
+lead_angle = \"6 deg\"
+facing = \"outside\"",
     },
     Section {
         table: "work_offsets",
@@ -328,6 +338,7 @@ bore = \"20 mm\"
 from = { X = \"50 mm\", Y = \"50 mm\", Z = \"-40 mm\" }
 to = \"0 mm\"
 file = \"left.stl\"
+contour = [[\"20 mm\", \"0 mm\"], [\"24 mm\", \"-2 mm\", \"2 mm\"], [\"24 mm\", \"-50 mm\"]]
 unit = \"mm\"
 turned_over = \"X\"
 material = \"aluminium\"

@@ -11,10 +11,12 @@ mod commands;
 mod engagement;
 mod field;
 mod file;
+mod moves;
 mod parquet;
 mod path;
 mod reference;
 mod samples;
+mod turning;
 
 pub use chords::{CHORD_COLUMNS, ChordColumns};
 pub use commands::{COMMAND_COLUMNS, CommandColumns, TOOL_PATH_COLUMNS};
@@ -23,3 +25,4 @@ pub use file::{ColumnFile, ColumnFormat, Rows};
 pub use path::{PATH_COLUMNS, PathColumns};
 pub use reference::column_reference;
 pub use samples::SampleColumns;
+pub use turning::{TURNING_COLUMNS, TurningColumns, turning_csv};

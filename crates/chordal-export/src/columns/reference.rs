@@ -6,8 +6,8 @@ use chordal::control::AxisMask;
 
 use super::field::{Cell, Column};
 use super::{
-    CHORD_COLUMNS, COMMAND_COLUMNS, ENGAGEMENT_COLUMNS, PATH_COLUMNS, TOOL_PATH_COLUMNS, chords,
-    commands, engagement, path,
+    CHORD_COLUMNS, COMMAND_COLUMNS, ENGAGEMENT_COLUMNS, PATH_COLUMNS, TOOL_PATH_COLUMNS,
+    TURNING_COLUMNS, chords, commands, engagement, path, turning,
 };
 use crate::setpoints::{SAMPLE_SCHEMA, sample_columns};
 
@@ -31,7 +31,7 @@ Rotary axes A, B and C have columns only if the machine has them. A gap is null 
 | `chordal path part.nc -o part.parquet` | commands of the tool centre |
 | `chordal chords part.nc -o part.parquet` | chords |
 | `chordal sample part.nc -o part.parquet` | setpoints |
-| `chordal stock part.nc --setup op1.toml --engagement -o part.parquet` | how hard each cut is |
+| `chordal stock part.nc --setup op1.toml --engagement -o part.parquet` | how hard each cut is; on a lathe the table of cuts of a lathe |
 
 The ending may also be `.arrow`. Rows are written as they come: a Parquet file in groups of 131,072 rows, an Arrow file in
 batches of 8,192, so that memory does not grow with the program. The exact path is available in Python only.
@@ -46,6 +46,7 @@ pub fn column_reference() -> String {
         ("Exact path", PATH_COLUMNS, path::columns(AxisMask::ALL)),
         ("Chords", CHORD_COLUMNS, chords::columns()),
         ("Engagement of cuts", ENGAGEMENT_COLUMNS, engagement::columns()),
+        ("Cuts of a lathe", TURNING_COLUMNS, turning::columns()),
     ];
     for (title, name, columns) in tables {
         table(&mut page, title, name, &columns);

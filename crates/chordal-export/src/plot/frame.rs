@@ -123,8 +123,9 @@ fn numbers(out: &mut String, panel: &Panel, grid: &Grid, unit: f64, colors: &Pal
     out.push_str("</g>\n");
     out.push_str(&format!("<g font-size=\"{size}\" fill=\"{fill}\" text-anchor=\"end\">\n"));
     let left = px(rect.x - 7.0 * unit);
+    let factor = if panel.view.doubled { 2.0 } else { 1.0 };
     for (mm, at) in down(panel, grid) {
-        let text = grid.number(mm);
+        let text = grid.number(factor * mm);
         out.push_str(&format!("<text x=\"{left}\" y=\"{}\">{text}</text>\n", px(at + 4.5 * unit)));
     }
     out.push_str("</g>\n");

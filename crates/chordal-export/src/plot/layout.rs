@@ -2,7 +2,7 @@
 
 use chordal::geometry::{Aabb, Vec3};
 
-use super::view::{FRONT, ISOMETRIC, Panel, Rect, SIDE, TOP, View};
+use super::view::{FRONT, ISOMETRIC, Panel, Rect, SIDE, TOP, TURNED, View};
 
 /// Measures in units: a unit is a pixel on a sheet of 1600 by 1131.
 pub(super) const MARGIN: f64 = 30.0;
@@ -31,8 +31,8 @@ pub(super) struct Layout {
     pub height: f64,
     /// px for each unit.
     pub unit: f64,
-    /// Top, front, right and isometric.
-    pub panels: [Panel; 4],
+    /// Top, front, right and isometric; of a lathe one.
+    pub panels: Vec<Panel>,
 }
 
 impl Layout {
@@ -62,12 +62,28 @@ impl Layout {
         let y = (MARGIN + HEADER + TITLE) * unit;
         let y2 = y + upper + (TICKS_BELOW + TITLE + BETWEEN) * unit;
         let rect = |x, y, width, height| Rect { x, y, width, height };
-        let panels = [
+        let panels = vec![
             panel(TOP, rect(x, y, left, upper), scale, bounds),
             panel(FRONT, rect(x, y2, left, lower), scale, bounds),
             panel(SIDE, rect(x2, y2, right, lower), scale, bounds),
             filling(ISOMETRIC, rect(x2, y, right, upper), bounds, inside),
         ];
+        Layout { width, height, unit, panels }
+    }
+}
+
+impl Layout {
+    /// One view for what turns.
+    pub fn turned(width: f64, height: f64, bounds: &Aabb, legend: f64) -> Layout {
+        let unit = Layout::unit(width, height);
+        let (x, y) = ((MARGIN + TICKS_LEFT) * unit, (MARGIN + HEADER + TITLE) * unit);
+        let rect = Rect {
+            x,
+            y,
+            width: (width - x - MARGIN * unit).max(20.0),
+            height: (height - y - (MARGIN + TICKS_BELOW + legend) * unit).max(20.0),
+        };
+        let panels = vec![filling(TURNED, rect, bounds, 2.0 * INSIDE * unit)];
         Layout { width, height, unit, panels }
     }
 }

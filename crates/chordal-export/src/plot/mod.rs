@@ -9,15 +9,17 @@ mod page;
 mod palette;
 mod pen;
 mod relief;
+mod section;
 mod sheet;
 mod store;
 mod text;
+mod turned;
 mod view;
 
 use std::sync::Arc;
 
 use chordal::control::Units;
-use chordal::stock::StockReport;
+use chordal::stock::{StockReport, TurnedReport};
 use chordal::{Job, Segment};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
@@ -26,6 +28,7 @@ pub use figure::{figure_png, figure_svg};
 pub use motion::MotionPlot;
 pub use page::{PageTool, PageView, Viewpoint};
 use relief::Relief;
+pub use section::{section_png, section_svg};
 use store::Store;
 
 /// What stands on the sheet in addition to the path, and how large it is.
@@ -82,13 +85,16 @@ const MOST_PIXELS: u64 = 128 << 20;
 pub struct Plot {
     store: Store,
     inch: bool,
+    /// Of a lathe: one view, with the half section of what is left where it is known.
+    turned: Option<turned::Turned>,
 }
 
 impl Plot {
     /// An empty drawing for a job, numbered in the units of the job's control.
     pub fn new(job: &Job) -> Plot {
         let inch = job.control().parameters.rules.units == Units::Inch;
-        Plot { store: Store::default(), inch }
+        let turned = job.turns().then(turned::Turned::default);
+        Plot { store: Store::default(), inch, turned }
     }
 
     /// Two runs in one picture: the first as a band, the second as a line in it. Where they go
@@ -118,6 +124,16 @@ impl Plot {
         self.store.stock = Some(Relief::of(found));
     }
 
+    /// Draws what is left of turned stock under the path of a lathe.
+    pub fn set_section(&mut self, found: &TurnedReport) {
+        self.turned = Some(turned::Turned::of(found));
+    }
+
+    /// Whether this is the picture of a lathe: one view, Z to the right and X up.
+    pub fn is_turned(&self) -> bool {
+        self.turned.is_some()
+    }
+
     /// Adds a segment.
     pub fn segment(&mut self, segment: &Segment) {
         self.store.push(segment);
@@ -125,7 +141,7 @@ impl Plot {
 
     /// The sheet as SVG. Sides below 200 px are drawn as 200.
     pub fn svg(&self, options: &PlotOptions) -> String {
-        sheet::layers(&self.store, self.inch, options).svg()
+        sheet::layers(&self.store, self.turned.as_ref(), self.inch, options).svg()
     }
 
     /// The sheet as PNG.
@@ -135,7 +151,7 @@ impl Plot {
     pub fn png(&self, options: &PlotOptions) -> Result<Vec<u8>, PlotError> {
         let (width, height) = (options.width_px, options.height_px);
         may_be(width, height)?;
-        sheet::layers(&self.store, self.inch, options).pixels(width, height)
+        sheet::layers(&self.store, self.turned.as_ref(), self.inch, options).pixels(width, height)
     }
 }
 

@@ -6,9 +6,9 @@ use super::Plot;
 use super::frame::{self, Grid};
 use super::layout::single;
 use super::palette::Palette;
-use super::sheet::{clip, ground, tool_dash, view};
+use super::sheet::{clip, ground, tool_dash, under_path, view};
 use super::text::px;
-use super::view::{FRONT, ISOMETRIC, Panel, SIDE, TOP, View};
+use super::view::{FRONT, ISOMETRIC, Panel, SIDE, TOP, TURNED, View};
 
 /// Bytes of path data of a view beyond which it is drawn coarser: a page is mailed and printed.
 const MOST_BYTES: usize = 1 << 20;
@@ -26,6 +26,8 @@ pub enum Viewpoint {
     Right,
     /// From the front, the right and above.
     Isometric,
+    /// Of a lathe: the axis of the part to the right, X up.
+    Turned,
 }
 
 impl Viewpoint {
@@ -35,6 +37,7 @@ impl Viewpoint {
             Viewpoint::Front => FRONT,
             Viewpoint::Right => SIDE,
             Viewpoint::Isometric => ISOMETRIC,
+            Viewpoint::Turned => TURNED,
         }
     }
 }
@@ -71,9 +74,14 @@ impl Plot {
     /// One view as SVG for a page; `None` where there is nothing to draw. Sides below 200 px are
     /// drawn as 200.
     pub fn page_view(&self, from: Viewpoint, width_px: u32, height_px: u32) -> Option<PageView> {
+        let turned = self.turned.as_ref().filter(|_| from == Viewpoint::Turned);
         let (bounds, index) = (self.store.extent()?, from as usize);
+        let bounds = turned.map_or(bounds, |turned| turned.around(bounds));
         let Opened { mut svg, panel, grid, unit } =
             self.opened(from, [width_px, height_px], &bounds, (index, "Path of the tool"));
+        if let Some(turned) = turned {
+            under_path(&mut svg, &turned.svg(&panel, unit, Palette::page()), index);
+        }
         view(&mut svg, &self.store, &panel, index, unit, MOST_BYTES, Palette::page());
         svg.push_str("</svg>\n");
         Some(PageView { svg, grid })

@@ -10,6 +10,7 @@ use super::pen::Paths;
 use super::relief::Drawn;
 use super::store::Store;
 use super::text::{escape, label, px};
+use super::turned::Turned;
 use super::view::{Panel, Rect};
 use super::{PlotError, PlotOptions, draw_onto, png_of, usvg_options};
 
@@ -58,15 +59,26 @@ impl Layers {
 }
 
 /// The whole sheet.
-pub(super) fn layers(store: &Store, inch: bool, options: &PlotOptions) -> Layers {
+pub(super) fn layers(
+    store: &Store,
+    turned: Option<&Turned>,
+    inch: bool,
+    options: &PlotOptions,
+) -> Layers {
     let colors = Palette::of(options.dark);
     let (width, height) =
         (f64::from(options.width_px.max(200)), f64::from(options.height_px.max(200)));
     let unit = Layout::unit(width, height);
     let legend = Legend::new(store, inch, width, unit);
-    let bounds = store.extent();
+    let bounds = match (store.extent(), turned) {
+        (Some(bounds), Some(turned)) => Some(turned.around(bounds)),
+        (bounds, _) => bounds,
+    };
     let drawn = bounds.unwrap_or(Aabb { min: Vec3::ZERO, max: Vec3::ZERO });
-    let layout = Layout::new(width, height, &drawn, legend.height());
+    let layout = match turned {
+        Some(_) => Layout::turned(width, height, &drawn, legend.height()),
+        None => Layout::new(width, height, &drawn, legend.height()),
+    };
     let grid = Grid::new(&layout.panels[0], unit, inch, &drawn);
 
     let (mut head, mut under, mut over) = (String::new(), String::new(), String::new());
@@ -78,6 +90,9 @@ pub(super) fn layers(store: &Store, inch: bool, options: &PlotOptions) -> Layers
         Some(bounds) => {
             for (index, panel) in layout.panels.iter().enumerate() {
                 ground(&mut under, panel, index, &grid, &bounds, unit, colors);
+                if let Some(turned) = turned {
+                    under_path(&mut under, &turned.svg(panel, unit, colors), index);
+                }
                 stock.extend(store.stock.as_ref().and_then(|of| of.draw(panel, options.dark)));
                 view(&mut over, store, panel, index, unit, MOST_BYTES, colors);
             }
@@ -137,7 +152,8 @@ fn caption(
     let unit = layout.unit;
     let (left, right) = (MARGIN * unit, layout.width - MARGIN * unit);
     let room = layout.width / unit - 2.0 * MARGIN;
-    let lines = extents(store, grid, inch);
+    let is_turned = layout.panels[0].view.doubled;
+    let lines = extents(store, is_turned, grid, inch);
     let side = lines.iter().map(|line| text_width(line, 14.0)).fold(0.0, f64::max) + 30.0;
     let title = shorten(&options.title, 27.0, room - side);
     let subtitle = shorten(&options.subtitle, 16.0, room - side);
@@ -162,7 +178,7 @@ fn caption(
 }
 
 /// The extents of the cuts and the step of the grid.
-fn extents(store: &Store, grid: &Grid, inch: bool) -> Vec<String> {
+fn extents(store: &Store, is_turned: bool, grid: &Grid, inch: bool) -> Vec<String> {
     let mut lines = Vec::new();
     let (factor, word, decimals) = if inch { (INCH, "in", 4) } else { (1.0, "mm", 3) };
     if let Some(cuts) = store.cut_extent() {
@@ -170,8 +186,11 @@ fn extents(store: &Store, grid: &Grid, inch: bool) -> Vec<String> {
         let axes: Vec<String> = ["X", "Y", "Z"]
             .iter()
             .enumerate()
+            .filter(|(axis, _)| !is_turned || *axis != 1)
             .map(|(axis, letter)| {
-                let number = |value: f64| trimmed(value / factor, decimals);
+                // X of a lathe is a diameter.
+                let written = if is_turned && axis == 0 { 2.0 } else { 1.0 };
+                let number = |value: f64| trimmed(written * value / factor, decimals);
                 format!("{letter} {} to {}", number(low[axis]), number(high[axis]))
             })
             .collect();
@@ -202,6 +221,11 @@ pub(super) fn ground(
         frame::floor(out, panel, grid, bounds, unit, colors);
         out.push_str("</g>\n");
     }
+}
+
+/// A drawing between the ground and the path of a view.
+pub(super) fn under_path(out: &mut String, drawn: &str, index: usize) {
+    out.push_str(&format!("<g clip-path=\"url(#view{index})\" fill=\"none\">\n{drawn}</g>\n"));
 }
 
 /// A view with everything in it that lies over the ground and the stock.

@@ -12,16 +12,27 @@ pub(super) struct View {
     pub up: Vec3,
     /// The view is along an axis, so that the other two can be read from a grid.
     pub along_axes: bool,
+    /// What goes up is programmed as a diameter, and its numbers are diameters.
+    pub doubled: bool,
 }
 
 /// From above.
-pub(super) const TOP: View = View { title: "Top", right: Vec3::X, up: Vec3::Y, along_axes: true };
+pub(super) const TOP: View =
+    View { title: "Top", right: Vec3::X, up: Vec3::Y, along_axes: true, doubled: false };
 /// From the operator's place.
 pub(super) const FRONT: View =
-    View { title: "Front", right: Vec3::X, up: Vec3::Z, along_axes: true };
+    View { title: "Front", right: Vec3::X, up: Vec3::Z, along_axes: true, doubled: false };
 /// From the right.
 pub(super) const SIDE: View =
-    View { title: "Right", right: Vec3::Y, up: Vec3::Z, along_axes: true };
+    View { title: "Right", right: Vec3::Y, up: Vec3::Z, along_axes: true, doubled: false };
+/// Of a lathe: the axis of the part to the right, away from it up.
+pub(super) const TURNED: View = View {
+    title: "Z and X, diameters",
+    right: Vec3::Z,
+    up: Vec3::X,
+    along_axes: true,
+    doubled: true,
+};
 
 /// Square root of a half, a sixth and two thirds: from the front right above.
 const HALF: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -34,6 +45,7 @@ pub(super) const ISOMETRIC: View = View {
     right: Vec3::new(HALF, HALF, 0.0),
     up: Vec3::new(-SIXTH, SIXTH, TWO_THIRDS),
     along_axes: false,
+    doubled: false,
 };
 
 impl View {

@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 
 use chordal::control::EndReason;
 use chordal::machine::ToolShape;
-use chordal::stock::StockReport;
+use chordal::stock::StockLeft;
 use chordal::time::Timed;
 use chordal::tool_comments::{KnownTool, known_tools};
 use chordal::{AxisTravel, Job, Report, ToolUse};
 use serde_json::{Value, json};
 
 use super::json::{Reading, problems};
-use crate::stock::stock_members;
+use crate::stock::left_members;
 
 /// What a run came to.
 pub struct RunOf<'a> {
@@ -20,7 +20,7 @@ pub struct RunOf<'a> {
     /// Its times, where it was planned.
     pub timed: Option<&'a Timed>,
     /// What it leaves of a stock, where one is given.
-    pub stock: Option<&'a StockReport>,
+    pub stock: Option<&'a StockLeft>,
 }
 
 /// A run with its problems as one JSON object, schema `chordal.summary/1`: the members of
@@ -31,7 +31,7 @@ pub fn summary_json(run: &RunOf<'_>, job: &Job, file: &str, reading: &Reading<'_
     let mut object = problems("chordal.summary/1", report, job.sources(), file, reading);
     object.insert("summary".into(), summary(report, job, timed));
     if let Some(found) = stock {
-        object.insert("stock".into(), Value::Object(stock_members(found)));
+        object.insert("stock".into(), Value::Object(left_members(found)));
     }
     format!("{:#}\n", Value::Object(object))
 }

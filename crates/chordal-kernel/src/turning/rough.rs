@@ -152,6 +152,13 @@ impl Kernel<'_> {
             above = level;
             pass += 1.0;
         }
+        // Out of the last pocket first, over what stands between it and the start.
+        let here = view.seen(self.turned_place())[0];
+        let over = highest_between(job.edges, here, job.begin[0]) + job.retract;
+        if over > height + SAME_MM && over <= job.begin[1] {
+            height = over;
+            self.turn_rapid(view.place([here, height]));
+        }
         self.turn_rapid(view.place([job.begin[0], height]));
     }
 

@@ -11,6 +11,7 @@ use crate::error::MachineError;
 use crate::machine::{AxisLimits, Machine, Programmed};
 use crate::quantity::Dimension;
 use crate::schema::{self, Sign};
+use crate::setup::ContourPoint;
 use crate::suggest;
 use crate::tool::{Solid, ToolShape};
 
@@ -65,6 +66,7 @@ impl Value<'_> {
     fn lengths(
         &self,
         counts: RangeInclusive<usize>,
+        sign: Sign,
         form: &str,
     ) -> Result<Vec<Vec<f64>>, MachineError> {
         let help = Some(format!("write it as `{form}`"));
@@ -72,10 +74,9 @@ impl Value<'_> {
             return Err(self.takes("a list of lists of lengths", help));
         };
         let row = |row: &Spanned<DeValue<'_>>| match row.get_ref() {
-            DeValue::Array(items) if counts.contains(&items.len()) => items
-                .iter()
-                .map(|item| self.quantity(item, Dimension::Length, Sign::NotNegative))
-                .collect(),
+            DeValue::Array(items) if counts.contains(&items.len()) => {
+                items.iter().map(|item| self.quantity(item, Dimension::Length, sign)).collect()
+            }
             _ => {
                 let message = format!("`{}` takes a list of lists of lengths", self.name());
                 Err(self.source.error(Some(row.span()), message, help.clone()))
@@ -86,7 +87,7 @@ impl Value<'_> {
 
     pub(super) fn solids(&self) -> Result<Vec<Solid>, MachineError> {
         let form = "[[\"30 mm\", \"12 mm\"], [\"20 mm\", \"12 mm\", \"40 mm\"]]";
-        let rows = self.lengths(2..=3, form)?;
+        let rows = self.lengths(2..=3, Sign::NotNegative, form)?;
         let solid = |row: Vec<f64>| Solid {
             height_mm: row[0],
             lower_mm: row[1],
@@ -95,8 +96,30 @@ impl Value<'_> {
         Ok(rows.into_iter().map(solid).collect())
     }
 
+    pub(super) fn outline(&self) -> Result<Vec<[f64; 2]>, MachineError> {
+        let form = "[[\"2 mm\", \"3 mm\"], [\"22 mm\", \"3 mm\"], [\"22 mm\", \"80 mm\"]]";
+        let rows = self.lengths(2..=2, Sign::Any, form)?;
+        if rows.len() < 3 {
+            let message = format!("`{}` needs three corners or more", self.name());
+            return Err(self.error(message, Some(format!("write it as `{form}`"))));
+        }
+        Ok(rows.into_iter().map(|row| [row[0], row[1]]).collect())
+    }
+
+    pub(super) fn contour(&self) -> Result<Vec<ContourPoint>, MachineError> {
+        let form = "[[\"20 mm\", \"0 mm\"], [\"24 mm\", \"-2 mm\", \"2 mm\"]]";
+        let rows = self.lengths(2..=3, Sign::Any, form)?;
+        let point = |row: Vec<f64>| ContourPoint {
+            radius_mm: 0.5 * row[0],
+            z_mm: row[1],
+            arc_mm: row.get(2).copied(),
+        };
+        Ok(rows.into_iter().map(point).collect())
+    }
+
     pub(super) fn profile(&self) -> Result<Vec<[f64; 2]>, MachineError> {
-        let rows = self.lengths(2..=2, "[[\"0 mm\", \"3 mm\"], [\"5 mm\", \"8 mm\"]]")?;
+        let rows =
+            self.lengths(2..=2, Sign::NotNegative, "[[\"0 mm\", \"3 mm\"], [\"5 mm\", \"8 mm\"]]")?;
         if let Some(at) = rows.windows(2).position(|pair| pair[1][0] < pair[0][0]) {
             let message = format!("`{}` goes down after its point {}", self.name(), at + 1);
             return Err(self.error(message, Some("begin at the end and go up".to_string())));

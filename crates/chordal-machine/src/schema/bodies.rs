@@ -39,7 +39,7 @@ fn end_on_axis(
 /// The rows of one table.
 macro_rules! body_rows {
     ($name:ident, $table:literal, $body:ident, $doc:literal) => {
-        pub(super) static $name: [Row; 14] = [
+        pub(super) static $name: [Row; 15] = [
             Row { path: $table, slot: Slot::Body($body), doc: $doc },
             Row {
                 path: concat!($table, ".shape"),
@@ -51,7 +51,7 @@ macro_rules! body_rows {
                             BodyShape::ALL.into_iter().find(|shape| shape.as_str() == word);
                     },
                 },
-                doc: "what it is. A `box` needs `from` and `to`, a `cylinder` also the diameter, a `tube` also the bore, an `stl` the file",
+                doc: "what it is. A `box` needs `from` and `to`, a `cylinder` also the diameter, a `tube` also the bore, an `stl` or `dxf` the file, a `contour` its points. On a lathe a half section is a `cylinder`, `tube`, `contour` or `dxf`",
             },
             Row {
                 path: concat!($table, ".work_offset"),
@@ -114,7 +114,12 @@ macro_rules! body_rows {
             Row {
                 path: concat!($table, ".file"),
                 slot: Slot::File(|m, k| &mut $body(m, k).file),
-                doc: "the STL file, relative to this file",
+                doc: "the STL or DXF file, relative to this file",
+            },
+            Row {
+                path: concat!($table, ".contour"),
+                slot: Slot::Contour(|m, k| &mut $body(m, k).contour),
+                doc: "the outline of a half section: X as a diameter and Z of each corner; with a radius an arc leads to it, as G3 with a positive radius and as G2 with a negative one. An outline that does not end where it begins is closed along the axis",
             },
             Row {
                 path: concat!($table, ".unit"),
@@ -126,7 +131,7 @@ macro_rules! body_rows {
                             MeshUnit::ALL.into_iter().find(|unit| unit.as_str() == word);
                     },
                 },
-                doc: "the unit of the STL file, which the file does not name; otherwise mm",
+                doc: "the unit of the file, which the file does not name; otherwise mm",
             },
             Row {
                 path: concat!($table, ".turned_over"),

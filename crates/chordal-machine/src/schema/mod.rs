@@ -3,6 +3,7 @@
 
 mod bodies;
 mod rows;
+mod turning;
 
 pub(crate) use self::rows::{ROWS, tool};
 
@@ -10,7 +11,7 @@ use crate::axis::Axis;
 use crate::machine::{Machine, Programmed, ShopCode};
 use crate::offset::work_offset_name;
 use crate::quantity::Dimension;
-use crate::setup::Body;
+use crate::setup::{Body, ContourPoint};
 use crate::tool::Solid;
 
 /// The field of a machine that a key fills.
@@ -59,6 +60,10 @@ pub(crate) enum Slot {
     Solids(Place<Vec<Solid>>),
     /// Points: height and radius.
     Profile(Place<Vec<[f64; 2]>>),
+    /// Corners of a holder: distances along X and Z, of either sign.
+    Outline(Place<Vec<[f64; 2]>>),
+    /// Points of a contour: X as a diameter, Z, and the radius of an arc to the point.
+    Contour(Place<Vec<ContourPoint>>),
     /// What a tool is, in words of old files.
     Kind,
     /// Whether the words of an axis are radii or diameters.
@@ -148,7 +153,8 @@ pub(crate) enum Sign {
 /// Every row, in the order of the reference.
 pub(crate) fn rows() -> impl Iterator<Item = &'static Row> {
     let bodies = [&bodies::STOCK[..], &bodies::FIXTURE, &bodies::TARGET, &bodies::OWN];
-    ROWS.iter().chain(bodies.into_iter().flatten())
+    let (tools, others) = ROWS.split_at(rows::AFTER_TOOLS);
+    tools.iter().chain(&turning::ROWS).chain(others).chain(bodies.into_iter().flatten())
 }
 
 /// The row of a path, placeholders and all.
@@ -319,6 +325,8 @@ impl Row {
             Slot::Count { from, to, .. } => format!("a whole number from {from} to {to}"),
             Slot::Solids(_) => "a list of `[\"height\", \"diameter\"]`, of a cone `[\"height\", \"lower diameter\", \"upper diameter\"]`".into(),
             Slot::Profile(_) => "a list of `[\"height\", \"radius\"]`, from the end up".into(),
+            Slot::Outline(_) => "a list of `[\"X\", \"Z\"]`".into(),
+            Slot::Contour(_) => "a list of `[\"X\", \"Z\"]`, of an arc `[\"X\", \"Z\", \"radius\"]`".into(),
             Slot::Kind => "a text".into(),
             Slot::Programmed => {
                 let [radius, diameter] = [Programmed::Radius, Programmed::Diameter];

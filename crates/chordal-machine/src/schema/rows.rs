@@ -39,6 +39,15 @@ const SHAPES: &[&str] = &words!(ToolShape);
 
 const CONTROLS: &[&str] = &words!(ControlName);
 
+/// Where the rows of tools end.
+pub(super) const AFTER_TOOLS: usize = {
+    let mut at = 0;
+    while at < ROWS.len() && ROWS[at].path.as_bytes()[0] != b'w' {
+        at += 1;
+    }
+    at
+};
+
 pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "inherits",
@@ -233,7 +242,7 @@ pub(crate) const ROWS: &[Row] = &[
                 tool(m, k).shape = ToolShape::ALL.into_iter().find(|shape| shape.as_str() == word);
             },
         },
-        doc: "what it is. A shape needs its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `t-slot` the flute length (its thickness) and the shank diameter (its neck), `lollipop` the shank diameter, `form` the profile, `insert` nose radius and tip. Nothing is guessed for one that is missing",
+        doc: "what it is. A shape needs its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `t-slot` the flute length (its thickness) and the shank diameter (its neck), `lollipop` the shank diameter, `form` the profile, `insert` nose radius and tip (on its stock also the insert and its approach angle), `groove` width and tip. Nothing is guessed for one that is missing",
     },
     quantity(
         "tools.<tool>.shank_diameter",

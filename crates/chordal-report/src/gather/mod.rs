@@ -12,7 +12,7 @@ use chordal::control::{Command, CommandKind, EndReason};
 use chordal::diagnostics::FileId;
 use chordal::geometry::Plane;
 use chordal::motion::{MotionOptions, OperationStart};
-use chordal::stock::StockReport;
+use chordal::stock::StockLeft;
 use chordal::{Job, PathCommand, Report, Segment, SegmentKind, Watch};
 use chordal_export::{Plot, Viewpoint, sha256_hex};
 
@@ -41,7 +41,7 @@ pub struct About<'a> {
     /// A date to print. A report reads no clock: the same input gives the same bytes.
     pub date: Option<&'a str>,
     /// What the program leaves of a stock, where one is given.
-    pub stock: Option<&'a StockReport>,
+    pub stock: Option<&'a StockLeft>,
 }
 
 /// A report, and what else the run found.
@@ -63,8 +63,10 @@ pub fn gather(job: &Job, about: &About) -> Gathered {
     let timed = timed.ok().flatten();
     let Seen { tools, travels, stops, programs, mut plot, plane_mm, .. } = seen;
     plot.set_inch(report.summary.inch);
-    if let Some(found) = about.stock {
-        plot.set_stock(found);
+    match about.stock {
+        Some(StockLeft::Columns(found)) => plot.set_stock(found),
+        Some(StockLeft::Section(found)) => plot.set_section(found),
+        None => {}
     }
 
     let comments = Comments::new(job, programs.first_main(about.program));
@@ -73,7 +75,7 @@ pub fn gather(job: &Job, about: &About) -> Gathered {
     let times =
         timed.as_ref().map(|timed| time::time(timed, &tools_told.rows, &comments.head(), job));
     // The run on stock has found the same and more.
-    let report = about.stock.map_or(report, |found| found.report.clone());
+    let report = about.stock.map_or(report, |found| found.report().clone());
     let printed = report.output.iter().take(MOST_PRINTED).map(|line| clean(line, 200));
     let document = Document {
         schema: "chordal.report/1",
@@ -254,14 +256,18 @@ fn pictures(plot: &Plot, plane_mm: &[f64; 3]) -> Pictures {
         }
     }
     let (width, height) = PICTURE_PX;
-    let views = [(Viewpoint::Isometric, "from the front, right and above"), (main.0, main.1)];
-    let view = |(from, what): (Viewpoint, &str)| {
-        let drawn = plot.page_view(from, width, height)?;
+    // The one view of a lathe has the room of two.
+    let width = if plot.is_turned() { 2 * width } else { width };
+    let turned = [(Viewpoint::Turned, "Z to the right and X up, X as a diameter")];
+    let milled = [(Viewpoint::Isometric, "from the front, right and above"), (main.0, main.1)];
+    let views: &[(Viewpoint, &str)] = if plot.is_turned() { &turned } else { &milled };
+    let view = |(from, what): &(Viewpoint, &str)| {
+        let drawn = plot.page_view(*from, width, height)?;
         Some(Picture { caption: format!("{what}; grid {}", drawn.grid), svg: drawn.svg })
     };
     let sign = |tool: chordal_export::PageTool| ToolSign { number: tool.number, svg: tool.sign };
     Pictures {
-        views: views.into_iter().filter_map(view).collect(),
+        views: views.iter().filter_map(view).collect(),
         stock: plot.page_stock(Viewpoint::Isometric, width, height).map(|drawn| Picture {
             caption: format!("from the front, right and above; grid {}", drawn.grid),
             svg: drawn.svg,

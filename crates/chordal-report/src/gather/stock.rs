@@ -1,6 +1,6 @@
 //! What is left of the stock, as data.
 
-use chordal::stock::{Amount, StockReport};
+use chordal::stock::{Amount, StockLeft};
 use chordal::time::TimeReport;
 use chordal_export::stock_verdict_text;
 
@@ -10,28 +10,30 @@ use crate::data::{Rows, Stock, StockTool, Volume};
 const MOST_TOOLS: usize = 100;
 
 /// What a run on stock answers, with the times of the tools where the run was planned.
-pub fn stock(found: &StockReport, time: Option<&TimeReport>) -> Stock {
+pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> Stock {
     let volume = |amount: Amount| Volume { least: amount.least, most: amount.most };
     let time_of = |number: u32| {
         let own = time?.tools.iter().find(|tool| tool.number == number)?;
         Some(own.times.total_s())
     };
-    let tools = found.tools.iter().take(MOST_TOOLS).map(|tool| StockTool {
+    let [removed, left] = found.volumes_mm3();
+    let all = found.tools();
+    let tools = all.iter().take(MOST_TOOLS).map(|tool| StockTool {
         number: tool.number,
         removed_mm3: volume(tool.removed_mm3),
-        lowest_mm: tool.lowest_mm.is_finite().then_some(tool.lowest_mm),
+        lowest_mm: tool.lowest_mm,
         time_s: time_of(tool.number),
     });
     Stock {
-        resolution_mm: found.resolution_mm,
-        removed_mm3: volume(found.removed_mm3),
-        left_mm3: volume(found.left_mm3),
-        verdict: found.verdict.as_str(),
-        sentence: stock_verdict_text(found.verdict),
-        gaps_not_drawn: found.stock.has_gaps(),
+        resolution_mm: found.resolution_mm(),
+        removed_mm3: volume(removed),
+        left_mm3: volume(left),
+        verdict: found.verdict().as_str(),
+        sentence: stock_verdict_text(found.verdict()),
+        gaps_not_drawn: matches!(found, StockLeft::Columns(found) if found.stock.has_gaps()),
         tools: Rows {
             rows: tools.collect(),
-            left_out: found.tools.len().saturating_sub(MOST_TOOLS) as u64,
+            left_out: all.len().saturating_sub(MOST_TOOLS) as u64,
         },
     }
 }

@@ -63,8 +63,13 @@ fn volumes(stock: &Stock, show: &Show) -> Markup {
             }
         } }))
         p.faint {
-            "Volumes are between these bounds, with columns of "
-            (show.units.coordinate(stock.resolution_mm)) " " (show.units.length_unit()) "."
+            @match stock.resolution_mm {
+                Some(side) => {
+                    "Volumes are between these bounds, with columns of "
+                    (show.units.coordinate(side)) " " (show.units.length_unit()) "."
+                }
+                None => "The half section is exact; threads count as between nothing and all of them.",
+            }
         }
     }
 }

@@ -26,6 +26,7 @@
 //! | what is in the cut at a place, what is the chip of one revolution? | the same without a move, or moved on by the feed: [`Pass::area`] |
 //! | is a wall left between grooves, is a groove wider than its blade? | [`Region::spans_at`] below the surface |
 //! | is the part off, or does a pip hold it? | [`Region::neck`] over the blade's stretch, [`Region::bodies`] |
+//! | is the half section in a drawing? | [`read_dxf`] |
 //! | what is left, what is gouged? | [`Region::difference`] with the target, both ways |
 //!
 //! Threads and driven tools do not turn the same all round: this is not for them.
@@ -46,6 +47,7 @@
 mod arrange;
 mod convex;
 mod crossing;
+mod dxf;
 mod edge;
 mod hull;
 mod loops;
@@ -60,6 +62,7 @@ mod sweep;
 mod tool;
 mod weld;
 
+pub use dxf::{DxfError, read_dxf};
 pub use overlay::Unresolved;
 pub use questions::Towards;
 pub use region::{Combined, Region, RegionError};

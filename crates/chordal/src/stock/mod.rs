@@ -7,12 +7,14 @@ mod engagement;
 mod fixtures;
 mod gather;
 mod heights;
+mod left;
 mod pass;
 mod problems;
 mod replay;
 mod report;
 mod run;
 mod setup;
+mod sides;
 mod target;
 mod tools;
 mod turned;
@@ -25,6 +27,7 @@ pub use engagement::{
     Between, Chip, Effort, EngagementOptions, EngagementProblem, EngagementReport, MATERIALS,
     Material, MoveEngagement, POWER_SHARE, Peak, Slice, ToolEngagement, engagement_angle,
 };
+pub use left::{StockLeft, ToolRemoves};
 pub use pass::StockOptions;
 pub use problems::StockProblem;
 pub use replay::{Drop, FixtureMesh, Missing, Replay, ReplayOptions, StockBefore};
@@ -32,3 +35,10 @@ pub use report::{StockReport, StockVerdict, ToolRemoved};
 pub use run::StockRunError;
 pub use setup::{Files, SetupError};
 pub use target::TargetReport;
+pub use turned::{
+    Loose, Thread, TurnedMove, TurnedOptions, TurnedReport, TurnedTarget, TurnedToolRemoved,
+};
+/// Half sections: what lathes turn.
+pub mod section {
+    pub use chordal_stock::turned::{Bend, Region, Segment};
+}

@@ -104,6 +104,9 @@ impl Job<'_> {
         files: Files<'_>,
         replay: &mut dyn Replay,
     ) -> Result<Option<Stock>, StockRunError> {
+        if self.turns() {
+            return Err(StockRunError::Turns);
+        }
         let setup = &self.machine().setup;
         let body = setup.stock.as_ref().ok_or(StockRunError::NoStock)?;
         let tools = tools_of(self);

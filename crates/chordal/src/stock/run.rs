@@ -36,6 +36,9 @@ pub enum StockRunError {
     /// There are no columns for the stock.
     #[error(transparent)]
     Stock(#[from] StockError),
+    /// The machine is a lathe: its stock is a half section.
+    #[error("this machine turns its parts: its stock is a half section, not columns")]
+    Turns,
     /// It was to end early.
     #[error("the run on stock was ended early")]
     Interrupted,
@@ -65,6 +68,9 @@ impl Job<'_> {
         files: Files<'_>,
         runner: &Runner<'_>,
     ) -> Result<StockReport, StockRunError> {
+        if self.turns() {
+            return Err(StockRunError::Turns);
+        }
         let tools = tools_of(self);
         let mut gathered = Gathered::new(self, &tools, true);
         let report = self.report_watched(&mut gathered);

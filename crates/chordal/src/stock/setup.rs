@@ -33,7 +33,7 @@ pub(super) struct Named<'a> {
 }
 
 impl Named<'_> {
-    fn error(&self, message: String, help: &str) -> SetupError {
+    pub(super) fn error(&self, message: String, help: &str) -> SetupError {
         SetupError { message, help: help.to_string(), location: self.body.location.clone() }
     }
 
@@ -59,6 +59,10 @@ impl Named<'_> {
             Some(BodyShape::Box) => self.cuboid(shift),
             Some(BodyShape::Cylinder | BodyShape::Tube) => self.round(shift),
             Some(BodyShape::Stl) => self.mesh(shift, files, may_be_open),
+            Some(BodyShape::Contour | BodyShape::Dxf) => {
+                let help = "write `shape = \"box\"`, `cylinder`, `tube` or `stl`";
+                Err(self.error(format!("`{name}` is a half section, which only lathes have"), help))
+            }
         }
     }
 

@@ -220,7 +220,7 @@ fn edges_of(shape: Shape<'_>) -> Result<Edges, NoBody> {
             ball.and_then(|ball| Ok(below(Cutter::ball(diameter_mm)?, ball)))
         }
         Shape::Form { profile } => Cutter::outline(profile).map(other),
-        Shape::Insert { .. } => return Err(NoBody::Turning),
+        Shape::Insert { .. } | Shape::Groove { .. } => return Err(NoBody::Turning),
     };
     found.map_err(NoBody::Wrong)
 }

@@ -51,6 +51,9 @@ impl Job<'_> {
         files: Files<'_>,
         see: &mut dyn FnMut(usize, &Slice),
     ) -> Result<EngagementReport, StockRunError> {
+        if self.turns() {
+            return Err(StockRunError::Turns);
+        }
         let bodies = tools_of(self);
         let mut gathered = Gathered::new(self, &bodies, false);
         let mut report = self.report_watched(&mut gathered);
@@ -128,7 +131,7 @@ impl Job<'_> {
 /// Teeth around a tool. Those of a thread mill are along its axis, and a tap has its own feed.
 fn teeth_of(tool: &Tool) -> Option<u32> {
     match tool.shape? {
-        ToolShape::Tap | ToolShape::ThreadMill | ToolShape::Insert => None,
+        ToolShape::Tap | ToolShape::ThreadMill | ToolShape::Insert | ToolShape::Groove => None,
         _ => tool.teeth,
     }
 }

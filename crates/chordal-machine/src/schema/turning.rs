@@ -1,0 +1,76 @@
+//! The rows of turning tools.
+
+use super::rows::{quantity, tool, words};
+use super::{Row, Sign, Slot};
+use crate::quantity::Dimension;
+use crate::turning::{InsertLetter, ToolFacing};
+
+const LETTERS: &[&str] = &words!(InsertLetter);
+const FACINGS: &[&str] = &words!(ToolFacing);
+
+pub(super) static ROWS: [Row; 8] = [
+    Row {
+        path: "tools.<tool>.insert",
+        slot: Slot::Word {
+            what: "insert letter",
+            words: LETTERS,
+            set: |m, k, word| {
+                tool(m, k).turning.insert =
+                    InsertLetter::ALL.into_iter().find(|letter| letter.as_str() == word);
+            },
+        },
+        doc: "the first letter of the ISO code of an insert: its corner angle. C and W 80°, D and K 55°, E 75°, S 90°, T 60°, V 35°, R round. The length of its edges is `flute_length`",
+    },
+    quantity(
+        "tools.<tool>.insert_angle",
+        Dimension::Angle,
+        Sign::Positive,
+        |m, k| &mut tool(m, k).turning.insert_angle_rad,
+        "the corner angle of an insert; otherwise the one of its letter",
+    ),
+    quantity(
+        "tools.<tool>.approach_angle",
+        Dimension::Angle,
+        Sign::Positive,
+        |m, k| &mut tool(m, k).turning.approach_angle_rad,
+        "the angle between the main cutting edge of an insert and the feed along Z: 95° of a PCLNL holder, 93° of an SDJCL. Needed for the tips 1 to 4; an insert with tip 5 to 8 stands symmetrically",
+    ),
+    quantity(
+        "tools.<tool>.width",
+        Dimension::Length,
+        Sign::Positive,
+        |m, k| &mut tool(m, k).turning.width_mm,
+        "the width of a grooving or parting tool",
+    ),
+    quantity(
+        "tools.<tool>.lead_angle",
+        Dimension::Angle,
+        Sign::Any,
+        |m, k| &mut tool(m, k).turning.lead_angle_rad,
+        "the slope of the front edge of a grooving or parting tool: positive if the corner at the greater Z stands back; otherwise 0",
+    ),
+    Row {
+        path: "tools.<tool>.facing",
+        slot: Slot::Word {
+            what: "facing",
+            words: FACINGS,
+            set: |m, k, word| {
+                tool(m, k).turning.facing =
+                    ToolFacing::ALL.into_iter().find(|facing| facing.as_str() == word);
+            },
+        },
+        doc: "where a grooving tool cuts; otherwise by its tip: 3, 4, 8 outside, 1, 2, 6 inside, 7 a face, 5 a back face",
+    },
+    quantity(
+        "tools.<tool>.bar_offset",
+        Dimension::Length,
+        Sign::Positive,
+        |m, k| &mut tool(m, k).turning.bar_offset_mm,
+        "the distance along X from the programmed point of a boring bar to the middle of its round shank; otherwise half of `shank_diameter`",
+    ),
+    Row {
+        path: "tools.<tool>.holder_outline",
+        slot: Slot::Outline(|m, k| &mut tool(m, k).turning.holder_outline),
+        doc: "the corners of the holder of a turning tool in the plane of Z and X, as distances along X and Z from the programmed point (X is not doubled)",
+    },
+];

@@ -1,0 +1,122 @@
+//! What a turning tool has that a mill has not: its insert, how it is held, and the outline of its holder.
+
+/// The shape of a turning tool. Angles are rad, lengths mm, distances along X are radii.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TurningTool {
+    /// The first letter of the insert's ISO code: its corner angle.
+    pub insert: Option<InsertLetter>,
+    /// The corner angle where no letter says it.
+    pub insert_angle_rad: Option<f64>,
+    /// Between the main cutting edge and the feed along Z.
+    pub approach_angle_rad: Option<f64>,
+    /// The width of a grooving or parting tool.
+    pub width_mm: Option<f64>,
+    /// The slope of its front edge.
+    pub lead_angle_rad: Option<f64>,
+    /// Where it cuts, if its tip number does not say it.
+    pub facing: Option<ToolFacing>,
+    /// From the programmed point to the middle of the round shank, along X.
+    pub bar_offset_mm: Option<f64>,
+    /// Corners of the holder as seen from the programmed point: X, Z.
+    pub holder_outline: Vec<[f64; 2]>,
+}
+
+impl TurningTool {
+    /// The corner angle of the insert, rad; `None` where it is not known, or round.
+    pub fn corner_rad(&self) -> Option<f64> {
+        let of_letter = self.insert.and_then(InsertLetter::corner_degrees).map(f64::to_radians);
+        self.insert_angle_rad.or(of_letter)
+    }
+}
+
+/// The letters of inserts (ISO 1832).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "the letters are their names")]
+pub enum InsertLetter {
+    C,
+    D,
+    E,
+    K,
+    R,
+    S,
+    T,
+    V,
+    W,
+}
+
+impl InsertLetter {
+    /// Every letter.
+    pub const ALL: [InsertLetter; 9] = [
+        InsertLetter::C,
+        InsertLetter::D,
+        InsertLetter::E,
+        InsertLetter::K,
+        InsertLetter::R,
+        InsertLetter::S,
+        InsertLetter::T,
+        InsertLetter::V,
+        InsertLetter::W,
+    ];
+
+    /// The letter.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            InsertLetter::C => "C",
+            InsertLetter::D => "D",
+            InsertLetter::E => "E",
+            InsertLetter::K => "K",
+            InsertLetter::R => "R",
+            InsertLetter::S => "S",
+            InsertLetter::T => "T",
+            InsertLetter::V => "V",
+            InsertLetter::W => "W",
+        }
+    }
+
+    /// The angle of the corner, degrees; `None` of a round insert.
+    pub const fn corner_degrees(self) -> Option<f64> {
+        Some(match self {
+            InsertLetter::C | InsertLetter::W => 80.0,
+            InsertLetter::D | InsertLetter::K => 55.0,
+            InsertLetter::E => 75.0,
+            InsertLetter::S => 90.0,
+            InsertLetter::T => 60.0,
+            InsertLetter::V => 35.0,
+            InsertLetter::R => return None,
+        })
+    }
+
+    /// Three edges instead of four.
+    pub const fn is_triangle(self) -> bool {
+        matches!(self, InsertLetter::T)
+    }
+}
+
+/// Where a grooving tool cuts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ToolFacing {
+    /// From outside towards the axis.
+    Outside,
+    /// In a bore, away from the axis.
+    Inside,
+    /// Into a face towards −Z.
+    Face,
+    /// Into a back face towards +Z.
+    BackFace,
+}
+
+impl ToolFacing {
+    /// All of them.
+    pub const ALL: [ToolFacing; 4] =
+        [ToolFacing::Outside, ToolFacing::Inside, ToolFacing::Face, ToolFacing::BackFace];
+
+    /// The word of a machine file.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            ToolFacing::Outside => "outside",
+            ToolFacing::Inside => "inside",
+            ToolFacing::Face => "face",
+            ToolFacing::BackFace => "back face",
+        }
+    }
+}

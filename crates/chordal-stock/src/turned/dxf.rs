@@ -1,0 +1,262 @@
+//! Half sections from drawings: the lines, arcs and polylines of a DXF file, joined to closed loops.
+//!
+//! X of the drawing is z, Y is r. What is drawn open from the axis to the axis is closed along it; lines on the
+//! axis itself are not needed.
+
+use core::f64::consts::TAU;
+
+use chordal_geometry::Vec2;
+
+use super::region::RegionError;
+use super::segment::Segment;
+
+/// The most segments that a drawing may have.
+const MOST: usize = 10_000;
+/// Ends this near (mm) are one point.
+const GAP: f64 = 1e-4;
+
+/// What is wrong with a drawing.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum DxfError {
+    /// It is not text, or binary DXF.
+    #[error("it is not a DXF file in text form")]
+    NotText,
+    /// A group code without a number, or a number that is none.
+    #[error("line {line} is not what a DXF file has there: `{found}`")]
+    Broken {
+        /// The line, from 1.
+        line: usize,
+        /// What is there.
+        found: String,
+    },
+    /// Nothing is drawn.
+    #[error("it has no lines, arcs or polylines")]
+    Empty,
+    /// More is drawn than a half section has.
+    #[error("it has more than {MOST} lines and arcs")]
+    TooMany,
+    /// A curve that is neither a line nor an arc.
+    #[error("it has a curve of the kind {kind}: a half section consists of lines and arcs")]
+    Curve {
+        /// Its kind.
+        kind: String,
+    },
+    /// A chain of lines ends away from the axis.
+    #[error("its outline is open at z {z} mm, radius {r} mm")]
+    Open {
+        /// Where, mm.
+        z: f64,
+        /// Where, mm.
+        r: f64,
+    },
+    /// The loops enclose nothing that can turn.
+    #[error(transparent)]
+    Region(#[from] RegionError),
+}
+
+/// The closed loops of a drawing; its unit is so many mm.
+pub fn read_dxf(bytes: &[u8], unit_mm: f64) -> Result<Vec<Vec<Segment>>, DxfError> {
+    let text = core::str::from_utf8(bytes).map_err(|_| DxfError::NotText)?;
+    if text.starts_with("AutoCAD Binary") {
+        return Err(DxfError::NotText);
+    }
+    let mut segments = Vec::new();
+    let mut entity = Entity::default();
+    let mut section = String::new();
+    let mut lines = text.lines().enumerate();
+    while let (Some((at, code)), Some((_, value))) = (lines.next(), lines.next()) {
+        let broken = |line: usize, found: &str| DxfError::Broken { line, found: found.to_string() };
+        let code: i32 = code.trim().parse().map_err(|_| broken(at + 1, code))?;
+        let value = value.trim();
+        match code {
+            0 => {
+                let is_drawn = section == "ENTITIES";
+                let next = if is_drawn { value } else { "" };
+                entity.finish(next, unit_mm, &mut segments)?;
+                if segments.len() > MOST {
+                    return Err(DxfError::TooMany);
+                }
+                entity.begin(next);
+                if value == "ENDSEC" {
+                    section.clear();
+                }
+                if value == "EOF" {
+                    break;
+                }
+            }
+            2 if section.is_empty() => section = value.to_string(),
+            10..=59 | 70 if section == "ENTITIES" => {
+                let number: f64 = value.parse().map_err(|_| broken(at + 2, value))?;
+                entity.take(code, number);
+            }
+            _ => {}
+        }
+    }
+    entity.finish("", unit_mm, &mut segments)?;
+    loops(segments)
+}
+
+/// What is being read.
+#[derive(Default)]
+struct Entity {
+    kind: String,
+    /// Corners of a polyline, with the bulge after each.
+    corners: Vec<[f64; 3]>,
+    ends: [f64; 4],
+    radius: f64,
+    angles: [f64; 2],
+    closed: bool,
+    /// An old polyline goes on through its vertices.
+    in_polyline: bool,
+}
+
+impl Entity {
+    fn begin(&mut self, kind: &str) {
+        if self.in_polyline && kind == "VERTEX" {
+            self.corners.push([0.0; 3]);
+            return;
+        }
+        let in_polyline = kind == "POLYLINE";
+        *self = Entity { kind: kind.to_string(), in_polyline, ..Entity::default() };
+    }
+
+    fn take(&mut self, code: i32, number: f64) {
+        let is_polyline = self.kind == "LWPOLYLINE" || self.in_polyline;
+        match code {
+            10 if self.kind == "LWPOLYLINE" => self.corners.push([number, 0.0, 0.0]),
+            10 | 20 | 42 if is_polyline => {
+                let place = [10, 20, 42].iter().position(|known| *known == code).unwrap_or(0);
+                if let Some(corner) = self.corners.last_mut() {
+                    corner[place] = number;
+                }
+            }
+            10 => self.ends[0] = number,
+            20 => self.ends[1] = number,
+            11 => self.ends[2] = number,
+            21 => self.ends[3] = number,
+            40 => self.radius = number,
+            50 => self.angles[0] = number,
+            51 => self.angles[1] = number,
+            70 if is_polyline && self.corners.is_empty() => {
+                self.closed = (number as i64) & 1 == 1;
+            }
+            70 if self.kind == "LWPOLYLINE" => self.closed = (number as i64) & 1 == 1,
+            _ => {}
+        }
+    }
+
+    fn finish(
+        &mut self,
+        next: &str,
+        unit: f64,
+        segments: &mut Vec<Segment>,
+    ) -> Result<(), DxfError> {
+        if self.in_polyline && next == "VERTEX" {
+            return Ok(());
+        }
+        let [x, y, to_x, to_y] = self.ends.map(|value| value * unit);
+        match self.kind.as_str() {
+            "LINE" => segments.push(Segment::line(Vec2::new(x, y), Vec2::new(to_x, to_y))),
+            "ARC" => {
+                let (center, radius) = (Vec2::new(x, y), self.radius * unit);
+                let [from, to] = self.angles.map(|angle| on_circle(center, radius, angle));
+                segments.push(Segment::arc(from, to, center, true));
+            }
+            "CIRCLE" => {
+                let right = Vec2::new(x + self.radius * unit, y);
+                segments.push(Segment::arc(right, right, Vec2::new(x, y), true));
+            }
+            "LWPOLYLINE" | "POLYLINE" => self.polyline(unit, segments),
+            "SPLINE" | "ELLIPSE" => {
+                return Err(DxfError::Curve { kind: self.kind.to_ascii_lowercase() });
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn polyline(&mut self, unit: f64, segments: &mut Vec<Segment>) {
+        let count = self.corners.len();
+        let sides = if self.closed { count } else { count.saturating_sub(1) };
+        for at in 0..sides {
+            let [from, to] = [self.corners[at], self.corners[(at + 1) % count]];
+            let [start, end] = [from, to].map(|corner| Vec2::new(corner[0], corner[1]) * unit);
+            segments.push(bulged(start, end, from[2]));
+        }
+    }
+}
+
+/// A side of a polyline: its bulge is the tangent of a quarter of its angle.
+fn bulged(start: Vec2, end: Vec2, bulge: f64) -> Segment {
+    if bulge == 0.0 || start == end {
+        return Segment::line(start, end);
+    }
+    let chord = end - start;
+    // The centre is to the left of the chord by half of it times (1 − b²)/2b.
+    let off = (1.0 - bulge * bulge) / (4.0 * bulge);
+    let center = (start + end) * 0.5 + chord.turned_left() * off;
+    Segment::arc(start, end, center, bulge > 0.0)
+}
+
+fn on_circle(center: Vec2, radius: f64, degrees: f64) -> Vec2 {
+    let (sine, cosine) = libm::sincos((degrees / 360.0).rem_euclid(1.0) * TAU);
+    center + Vec2::new(cosine, sine) * radius
+}
+
+fn reversed(segment: &Segment) -> Segment {
+    match segment.bend {
+        None => Segment::line(segment.end, segment.start),
+        Some(bend) => Segment::arc(segment.end, segment.start, bend.center, !bend.counterclockwise),
+    }
+}
+
+/// Joins segments end to end.
+fn loops(mut open: Vec<Segment>) -> Result<Vec<Vec<Segment>>, DxfError> {
+    let on_axis = |p: Vec2| p.b.abs() <= GAP;
+    let lies_on_axis = |segment: &Segment| {
+        segment.bend.is_none() && on_axis(segment.start) && on_axis(segment.end)
+    };
+    open.retain(|segment| {
+        let is_point = segment.bend.is_none() && segment.start.distance(segment.end) <= GAP;
+        !is_point && !lies_on_axis(segment)
+    });
+    let mut loops = Vec::new();
+    while let Some(first) = open.pop() {
+        let mut chain = vec![first];
+        grow(&mut chain, &mut open);
+        let ends = |chain: &[Segment]| (chain[0].start, chain[chain.len() - 1].end);
+        let (start, end) = ends(&chain);
+        if start.distance(end) > GAP {
+            // The other end.
+            chain = chain.iter().rev().map(reversed).collect();
+            grow(&mut chain, &mut open);
+            let (start, end) = ends(&chain);
+            if start.distance(end) > GAP {
+                let loose = if on_axis(start) { end } else { start };
+                if !on_axis(loose) {
+                    return Err(DxfError::Open { z: loose.a, r: loose.b });
+                }
+                chain.push(Segment::line(end, start));
+            }
+        }
+        loops.push(chain);
+    }
+    if loops.is_empty() { Err(DxfError::Empty) } else { Ok(loops) }
+}
+
+/// Appends what begins where the chain ends, until it is closed or nothing fits.
+fn grow(chain: &mut Vec<Segment>, open: &mut Vec<Segment>) {
+    loop {
+        let (start, end) = (chain[0].start, chain[chain.len() - 1].end);
+        let is_closed = start.distance(end) <= GAP && (chain.len() > 1 || chain[0].bend.is_some());
+        if is_closed {
+            return;
+        }
+        let fits = |segment: &Segment| {
+            segment.start.distance(end) <= GAP || segment.end.distance(end) <= GAP
+        };
+        let Some(at) = open.iter().position(fits) else { return };
+        let next = open.swap_remove(at);
+        chain.push(if next.start.distance(end) <= GAP { next } else { reversed(&next) });
+    }
+}

@@ -1,0 +1,125 @@
+//! What a program leaves, of a mill or of a lathe.
+
+use chordal_stock::Amount;
+use chordal_stock::columns::Runner;
+
+use super::pass::StockOptions;
+use super::report::{StockReport, StockVerdict};
+use super::run::StockRunError;
+use super::setup::Files;
+use super::turned::{TurnedOptions, TurnedReport};
+use crate::job::Job;
+use crate::report::Report;
+use crate::time::ToolTime;
+
+/// The answers of a run on stock.
+#[derive(Debug)]
+pub enum StockLeft {
+    /// Of a mill, between bounds.
+    Columns(Box<StockReport>),
+    /// Of a lathe, exact.
+    Section(Box<TurnedReport>),
+}
+
+/// What a tool removes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToolRemoves {
+    /// Its number.
+    pub number: u32,
+    /// mm³.
+    pub removed_mm3: Amount,
+    /// The lowest place of its tip at feed, mm, where there is one.
+    pub lowest_mm: Option<f64>,
+}
+
+impl Job<'_> {
+    /// Runs the program on the stock of its machine's setup: as [`Job::stock_by`], or on a lathe as
+    /// [`Job::turned_stock`].
+    ///
+    /// # Errors
+    /// As these.
+    pub fn stock_left(
+        &self,
+        options: &StockOptions,
+        files: Files<'_>,
+        runner: &Runner<'_>,
+    ) -> Result<StockLeft, StockRunError> {
+        if self.turns() {
+            let options = TurnedOptions { tolerance_mm: options.tolerance_mm };
+            return Ok(StockLeft::Section(Box::new(self.turned_stock(&options, files)?)));
+        }
+        Ok(StockLeft::Columns(Box::new(self.stock_by(options, files, runner)?)))
+    }
+}
+
+impl StockLeft {
+    /// The run, with the problems of the stock among the others.
+    pub fn report(&self) -> &Report {
+        match self {
+            StockLeft::Columns(found) => &found.report,
+            StockLeft::Section(found) => &found.report,
+        }
+    }
+
+    /// What can be said.
+    pub fn verdict(&self) -> StockVerdict {
+        match self {
+            StockLeft::Columns(found) => found.verdict,
+            StockLeft::Section(found) => found.verdict,
+        }
+    }
+
+    /// How many problems there are.
+    pub fn problems(&self) -> u64 {
+        match self {
+            StockLeft::Columns(found) => found.problems.len() as u64 + found.more_problems,
+            StockLeft::Section(found) => found.problems.len() as u64 + found.more_problems,
+        }
+    }
+
+    /// What is removed, and what is left, mm³.
+    pub fn volumes_mm3(&self) -> [Amount; 2] {
+        match self {
+            StockLeft::Columns(found) => [found.removed_mm3, found.left_mm3],
+            StockLeft::Section(found) => [found.removed_mm3, found.left_mm3],
+        }
+    }
+
+    /// The side of a column, mm; `None` where the stock is exact.
+    pub fn resolution_mm(&self) -> Option<f64> {
+        match self {
+            StockLeft::Columns(found) => Some(found.resolution_mm),
+            StockLeft::Section(_) => None,
+        }
+    }
+
+    /// By tool, in the order of their first cut.
+    pub fn tools(&self) -> Vec<ToolRemoves> {
+        match self {
+            StockLeft::Columns(found) => {
+                let of = |tool: &super::ToolRemoved| ToolRemoves {
+                    number: tool.number,
+                    removed_mm3: tool.removed_mm3,
+                    lowest_mm: tool.lowest_mm.is_finite().then_some(tool.lowest_mm),
+                };
+                found.tools.iter().map(of).collect()
+            }
+            StockLeft::Section(found) => {
+                let of = |tool: &super::TurnedToolRemoved| ToolRemoves {
+                    number: tool.number,
+                    removed_mm3: tool.removed_mm3,
+                    lowest_mm: tool.lowest.a.is_finite().then_some(tool.lowest.a),
+                };
+                found.tools.iter().map(of).collect()
+            }
+        }
+    }
+
+    /// Takes the times of the tools, as the planner has them.
+    pub fn take_times(&mut self, times: &[ToolTime]) {
+        match self {
+            StockLeft::Columns(found) => found.take_times(times),
+            StockLeft::Section(found) => found.take_times(times),
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! The contour that moves at feed draw, one after the other, and flanks that cut into it.
+//!
+//! A move that goes down more steeply than the insert is free behind its nose cuts with the flank behind it,
+//! into the surface before.
+
+use chordal_geometry::Vec2;
+use chordal_stock::turned::{Region, Segment};
+
+use super::gather::{MoveKind, TurnMove};
+use super::tools::LatheTool;
+
+/// Walls that are remembered: a flank is not longer than some moves.
+const WALLS: usize = 24;
+/// Ends this near are one point, mm.
+const SAME: f64 = 1e-6;
+/// Directions nearer to parallel than this have no side.
+const PARALLEL: f64 = 0.05;
+/// A flank that leads by less than this does not cut.
+const LEADS: f64 = 1e-3;
+
+/// Moves at feed of one tool without a break, with the part on one side of travel.
+#[derive(Debug, Default)]
+pub(super) struct Chain {
+    walls: Vec<Segment>,
+    /// The part is to the left of travel.
+    left: bool,
+    end: Vec2,
+    tool: u32,
+}
+
+impl Chain {
+    /// A break: a rapid, another tool.
+    pub fn clear(&mut self) {
+        self.walls.clear();
+    }
+
+    /// Whether the flank behind the nose cuts on this move, which is to be added afterwards.
+    pub fn flank_leads(&mut self, tool: &LatheTool, move_: &TurnMove) -> bool {
+        let Some(along) = self.side(tool, move_) else { return false };
+        let Some(before) = self.walls.last().map(end_tangent) else { return false };
+        let Some(normals) = tool.flank_normals() else { return false };
+        let behind =
+            normals.into_iter().max_by(|a, b| (-*a).dot(before).total_cmp(&(-*b).dot(before)));
+        behind.is_some_and(|normal| normal.dot(along) > LEADS)
+    }
+
+    /// Finds out on which side the part is; a chain that does not go on begins again.
+    fn side(&mut self, tool: &LatheTool, move_: &TurnMove) -> Option<Vec2> {
+        let path = &move_.path;
+        let goes_on = self.tool == move_.tool && self.end.distance(path.start) <= SAME;
+        if move_.kind != MoveKind::Cut || !goes_on {
+            self.walls.clear();
+        }
+        (self.tool, self.end) = (move_.tool, path.end);
+        let along = (path.end - path.start).normalized()?;
+        let to_body = along.turned_left().dot(tool.body);
+        if to_body.abs() < PARALLEL {
+            self.walls.clear();
+            return None;
+        }
+        let left = to_body < 0.0;
+        if left != self.left {
+            // Down into a pocket the part stays on its side; a way down before a pass is no wall.
+            let is_down = along.b * tool.body.b < 0.0;
+            if !is_down || self.walls.is_empty() {
+                self.walls.clear();
+                self.left = left;
+            }
+        }
+        Some(along)
+    }
+
+    /// Adds the contour of a move.
+    pub fn add(&mut self, move_: &TurnMove) {
+        if move_.kind != MoveKind::Cut {
+            return;
+        }
+        if self.walls.len() == WALLS {
+            self.walls.remove(0);
+        }
+        self.walls.push(move_.contour.unwrap_or(move_.path));
+    }
+
+    /// How deep what was removed goes into the walls before, and where.
+    pub fn gouge(&self, removed: &Region, reach: f64) -> Option<(f64, Vec2)> {
+        let mut deepest: Option<(f64, Vec2)> = None;
+        for wall in &self.walls {
+            let Some((low, high)) = removed.bounds() else { break };
+            let Some(inside) = behind(wall, self.left, 2.0 * reach) else { continue };
+            let Some(bounds) = inside.bounds() else { continue };
+            if low.a > bounds.1.a
+                || high.a < bounds.0.a
+                || low.b > bounds.1.b
+                || high.b < bounds.0.b
+            {
+                continue;
+            }
+            let Ok(common) = removed.intersection(&inside) else { continue };
+            for corner in common.region.shape().iter().flatten().map(|segment| segment.start) {
+                let depth = depth_in(wall, self.left, corner);
+                if deepest.is_none_or(|(known, _)| depth > known) {
+                    deepest = Some((depth, corner));
+                }
+            }
+        }
+        deepest
+    }
+}
+
+/// The direction at the end of a segment.
+fn end_tangent(segment: &Segment) -> Vec2 {
+    let along = match segment.bend {
+        None => segment.end - segment.start,
+        Some(bend) => {
+            let left = (segment.end - bend.center).turned_left();
+            if bend.counterclockwise { left } else { -left }
+        }
+    };
+    along.normalized().unwrap_or(Vec2::new(1.0, 0.0))
+}
+
+/// How far a point is on the part's side of a wall, mm.
+fn depth_in(wall: &Segment, left: bool, point: Vec2) -> f64 {
+    let to_left = match wall.bend {
+        None => {
+            let along = (wall.end - wall.start).normalized().unwrap_or(Vec2::new(1.0, 0.0));
+            (point - wall.start).dot(along.turned_left())
+        }
+        Some(bend) => {
+            let inward = bend.radius - point.distance(bend.center);
+            if bend.counterclockwise { inward } else { -inward }
+        }
+    };
+    if left { to_left } else { -to_left }
+}
+
+/// What is within `reach` (mm) on the part's side of a wall, square to it.
+fn behind(wall: &Segment, left: bool, reach: f64) -> Option<Region> {
+    let side = if left { 1.0 } else { -1.0 };
+    let outline = match wall.bend {
+        None => {
+            let normal = (wall.end - wall.start).normalized()?.turned_left() * side;
+            // Not past the axis.
+            let room = wall.start.b.min(wall.end.b);
+            let reach = if normal.b < 0.0 { reach.min(room / -normal.b) } else { reach };
+            let (far_end, far_start) = (wall.end + normal * reach, wall.start + normal * reach);
+            vec![
+                Segment::line(wall.start, wall.end),
+                Segment::line(wall.end, far_end),
+                Segment::line(far_end, far_start),
+                Segment::line(far_start, wall.start),
+            ]
+        }
+        Some(bend) => {
+            let inward = bend.counterclockwise == left;
+            let radius = if inward { (bend.radius - reach).max(0.0) } else { bend.radius + reach };
+            let at = |p: Vec2| bend.center + (p - bend.center) * (radius / bend.radius);
+            let (far_end, far_start) = (at(wall.end), at(wall.start));
+            let mut outline = vec![*wall];
+            if radius > 0.0 {
+                outline.push(Segment::line(wall.end, far_end));
+                outline.push(Segment::arc(far_end, far_start, bend.center, !bend.counterclockwise));
+                outline.push(Segment::line(far_start, wall.start));
+            } else {
+                outline.push(Segment::line(wall.end, bend.center));
+                outline.push(Segment::line(bend.center, wall.start));
+            }
+            outline
+        }
+    };
+    Region::contour(&[outline]).ok()
+}

@@ -1,0 +1,326 @@
+//! The moves of a run, cut from the stock one after the other.
+
+use std::collections::BTreeMap;
+
+use chordal_diagnostics::Code;
+use chordal_geometry::Vec2;
+use chordal_stock::turned::{Pass, PassError, Region, Tool as Outline, Turned};
+
+use super::contour::Chain;
+use super::gather::{MoveKind, TurnMove};
+use super::grooves::Grooves;
+use super::report::{Loose, Thread, TurnedMove, TurnedToolRemoved};
+use super::said::{At, Found, More};
+use super::target::Target;
+use super::tools::{Kind, LatheTool, NoOutline};
+
+/// A fixture: its name, clearance and half section, grown by the clearance.
+pub(super) struct Fixture<'a> {
+    pub name: &'a str,
+    pub clearance: f64,
+    pub body: Turned,
+}
+
+/// A run on stock under way.
+pub(super) struct Cutting<'a> {
+    pub tools: &'a BTreeMap<u32, Result<LatheTool, NoOutline>>,
+    pub tolerance: f64,
+    pub stock: Turned,
+    pub fixtures: Vec<Fixture<'a>>,
+    pub target: Option<Target>,
+    pub found: Found<'a>,
+    pub grooves: Grooves,
+    pub loose: Vec<Loose>,
+    pub threads: Vec<Thread>,
+    pub moves: Vec<TurnedMove>,
+    pub bound: f64,
+    sums: BTreeMap<u32, TurnedToolRemoved>,
+    order: Vec<u32>,
+    chain: Chain,
+    /// The move before was a thread: its tool stands in the groove.
+    in_thread: bool,
+}
+
+impl<'a> Cutting<'a> {
+    pub fn new(
+        tools: &'a BTreeMap<u32, Result<LatheTool, NoOutline>>,
+        tolerance: f64,
+        stock: &Region,
+        found: Found<'a>,
+    ) -> Cutting<'a> {
+        Cutting {
+            tools,
+            tolerance,
+            stock: Turned::new(stock),
+            fixtures: Vec::new(),
+            target: None,
+            found,
+            grooves: Grooves::new(stock),
+            loose: Vec::new(),
+            threads: Vec::new(),
+            moves: Vec::new(),
+            bound: 0.0,
+            sums: BTreeMap::new(),
+            order: Vec::new(),
+            chain: Chain::default(),
+            in_thread: false,
+        }
+    }
+
+    /// The tools in the order of their first cut.
+    pub fn tools_in_order(&mut self) -> Vec<TurnedToolRemoved> {
+        self.order.iter().filter_map(|number| self.sums.remove(number)).collect()
+    }
+
+    /// Carries out a move: its number among all, and the move.
+    pub fn step(&mut self, number: usize, moves: &[TurnMove]) {
+        let move_ = &moves[number];
+        let Some(Ok(tool)) = self.tools.get(&move_.tool) else { return };
+        match move_.kind {
+            MoveKind::Rapid => {
+                self.chain.clear();
+                self.rapid(move_, tool);
+                self.in_thread = false;
+            }
+            MoveKind::Thread => {
+                self.chain.clear();
+                self.thread(move_, tool);
+                self.in_thread = true;
+            }
+            MoveKind::Cut | MoveKind::Still => {
+                self.cut(number, move_, tool);
+                self.in_thread = false;
+                if self.grooves.cut(number, move_, tool) {
+                    let held = self.grooves.part_off(
+                        &self.stock,
+                        moves,
+                        self.tolerance,
+                        &mut self.loose,
+                        &mut self.found,
+                    );
+                    if let Some(held) = held {
+                        self.stock = held;
+                    }
+                }
+            }
+        }
+        self.fixtures(move_, tool);
+    }
+
+    fn rapid(&mut self, move_: &TurnMove, tool: &LatheTool) {
+        if !self.in_thread && self.touches(Code::RapidThroughStock, move_, &tool.edges, tool.body) {
+            return;
+        }
+        self.bodies(move_, tool);
+    }
+
+    fn cut(&mut self, number: usize, move_: &TurnMove, tool: &LatheTool) {
+        let tag = u32::try_from(number + 1).unwrap_or(u32::MAX);
+        let path = move_.path.tagged(tag);
+        let flank = self.chain.flank_leads(tool, move_);
+        let cut = if flank {
+            let cut = self.stock.cut_out(&tool.edges, &path);
+            cut.map(|(pass, removed)| (pass, Some(removed)))
+        } else {
+            self.stock.cut(&tool.edges, &path).map(|pass| (pass, None))
+        };
+        let (pass, removed) = match cut {
+            Ok(found) => found,
+            Err(error) => return self.not_cut(move_, &error),
+        };
+        self.bound = self.bound.max(pass.bound);
+        self.count(move_, tool, &pass);
+        let is_deep = pass.touched && pass.depth() > self.tolerance;
+        if is_deep && move_.kind == MoveKind::Still {
+            self.say(Code::CutsWithoutSpindle, pass.depth(), move_, middle(&pass));
+        }
+        if is_deep && matches!(tool.kind, Kind::Insert { .. }) && pass.across > tool.reach {
+            let deeper = pass.across - tool.reach;
+            self.say(Code::DeeperThanFlutes, deeper, move_, middle(&pass));
+        }
+        if let Some(removed) = removed
+            && let Some((depth, place)) = self.chain.gouge(&removed, tool.reach)
+            && depth > self.tolerance
+        {
+            self.say(Code::FlankGouge, depth, move_, place);
+        }
+        self.chain.add(move_);
+        self.gouge(move_, tool);
+        self.bodies(move_, tool);
+    }
+
+    /// A thread takes a groove and leaves the rest: the stock stays, and where grooves are is kept.
+    fn thread(&mut self, move_: &TurnMove, tool: &LatheTool) {
+        let (pass, taken) = match self.stock.touch(&tool.edges, &move_.path) {
+            Ok(found) => found,
+            Err(error) => return self.not_cut(move_, &error),
+        };
+        self.count(move_, tool, &pass);
+        if !taken.is_empty() {
+            let line = move_.origin.line;
+            match self.threads.last_mut() {
+                Some(thread) if thread.line == line || meets(&thread.section, &taken) => {
+                    if let Ok(both) = thread.section.union(&taken) {
+                        *thread = Thread { section: both.region, line };
+                    }
+                }
+                _ => self.threads.push(Thread { section: taken, line }),
+            }
+        }
+        self.bodies(move_, tool);
+    }
+
+    fn not_cut(&mut self, move_: &TurnMove, error: &PassError) {
+        let at = At { origin: move_.origin, tool: move_.tool, place: move_.path.end };
+        self.found.push(Code::NotProved, 0.0, &at, More::Why(&error.to_string()));
+    }
+
+    /// What carries the edges must not touch on any move; of several the first is said.
+    fn bodies(&mut self, move_: &TurnMove, tool: &LatheTool) {
+        let bodies = [
+            (Code::HolderInStock, &tool.holder),
+            (Code::ShankInStock, &tool.shank),
+            (Code::DeeperThanFlutes, &tool.above),
+        ];
+        for (code, body) in bodies {
+            if let Some(body) = body
+                && self.touches(code, move_, body, tool.body)
+            {
+                return;
+            }
+        }
+    }
+
+    /// Whether a body touches the stock along a move; it is said.
+    fn touches(&mut self, code: Code, move_: &TurnMove, body: &Outline, tool_body: Vec2) -> bool {
+        match self.stock.touch(body, &move_.path) {
+            Ok((pass, _)) if pass.touched && pass.depth() > self.tolerance => {
+                let depth = match code {
+                    // Of a blade it is how far its block is below the surface.
+                    Code::DeeperThanFlutes => into(tool_body, move_, &pass),
+                    _ => pass.depth(),
+                };
+                self.say(code, depth, move_, middle(&pass));
+                true
+            }
+            Ok(_) => false,
+            Err(error) => {
+                self.not_cut(move_, &error);
+                false
+            }
+        }
+    }
+
+    fn fixtures(&mut self, move_: &TurnMove, tool: &LatheTool) {
+        let bodies =
+            [Some(&tool.edges), tool.holder.as_ref(), tool.shank.as_ref(), tool.above.as_ref()];
+        for fixture in &self.fixtures {
+            let touches = bodies.iter().flatten().filter_map(|body| {
+                let (pass, _) = fixture.body.touch(body, &move_.path).ok()?;
+                (pass.touched && pass.depth() > self.tolerance).then_some(pass)
+            });
+            let deepest = touches.max_by(|x, y| x.depth().total_cmp(&y.depth()));
+            let Some(pass) = deepest else { continue };
+            let at = At { origin: move_.origin, tool: move_.tool, place: middle(&pass) };
+            let more = More::Fixture(fixture.name, fixture.clearance);
+            self.found.push(Code::FixtureHit, pass.depth(), &at, more);
+        }
+    }
+
+    fn gouge(&mut self, move_: &TurnMove, tool: &LatheTool) {
+        let Some(target) = &mut self.target else { return };
+        let Ok((pass, removed)) = target.core.cut_out(&tool.edges, &move_.path) else { return };
+        if !pass.touched {
+            return;
+        }
+        if let Some((depth, place)) = target.depth(&removed)
+            && depth > target.tolerance
+        {
+            self.say(Code::Gouge, depth, move_, place);
+        }
+    }
+
+    fn say(&mut self, code: Code, depth: f64, move_: &TurnMove, place: Vec2) {
+        let at = At { origin: move_.origin, tool: move_.tool, place };
+        self.found.push(code, depth, &at, More::Nothing);
+    }
+
+    /// Counts what a move takes.
+    fn count(&mut self, move_: &TurnMove, tool: &LatheTool, pass: &Pass) {
+        let is_thread = move_.kind == MoveKind::Thread;
+        let path = &move_.path;
+        let length = match path.bend {
+            None => path.start.distance(path.end),
+            Some(bend) => path.sweep().abs() * bend.radius,
+        };
+        let by_turn = (move_.rev_per_s > 0.0).then(|| move_.feed / move_.rev_per_s);
+        let mean_depth = if pass.along > 0.0 { pass.area / pass.along } else { 0.0 };
+        let squarely = match tool.kind {
+            Kind::Insert { approach: Some(angle), .. } => libm::sin(angle),
+            Kind::Insert { .. } | Kind::Round | Kind::Blade { .. } | Kind::Drill => 1.0,
+        };
+        let in_cut = if move_.feed > 0.0 { pass.along.min(length) / move_.feed } else { 0.0 };
+        let cut = TurnedMove {
+            origin: move_.origin,
+            tool: move_.tool,
+            is_thread,
+            feed_mm_per_s: move_.feed,
+            rpm: 60.0 * move_.rev_per_s,
+            length_mm: length,
+            engaged_mm: pass.along,
+            depth_mm: pass.across,
+            area_mm2: pass.area,
+            removed_mm3: pass.volume,
+            chip_mm2: by_turn.filter(|_| !is_thread).map(|feed| feed * mean_depth),
+            chip_mm: by_turn.filter(|_| !is_thread).map(|feed| feed * squarely),
+            rate_mm3_per_s: if in_cut > 0.0 && !is_thread { pass.volume / in_cut } else { 0.0 },
+            power_kw: None,
+        };
+        if !self.sums.contains_key(&move_.tool) {
+            self.order.push(move_.tool);
+        }
+        let sum = self.sums.entry(move_.tool).or_insert_with(|| TurnedToolRemoved {
+            number: move_.tool,
+            moves: 0,
+            removed_mm3: Default::default(),
+            lowest: Vec2::new(f64::INFINITY, f64::INFINITY),
+            deepest: (0.0, 0),
+            largest_chip: (0.0, 0),
+            power: None,
+            time_s: None,
+        });
+        sum.moves += 1;
+        sum.removed_mm3.most += pass.volume;
+        if !is_thread {
+            sum.removed_mm3.least += pass.volume;
+            if pass.touched && pass.across > sum.deepest.0 {
+                sum.deepest = (pass.across, move_.origin.line);
+            }
+            if let Some(chip) = cut.chip_mm2.filter(|chip| *chip > sum.largest_chip.0) {
+                sum.largest_chip = (chip, move_.origin.line);
+            }
+        }
+        let ends = [path.start, path.end];
+        for end in ends {
+            sum.lowest = Vec2::new(sum.lowest.a.min(end.a), sum.lowest.b.min(end.b));
+        }
+        self.moves.push(cut);
+    }
+}
+
+/// How far what was touched extends into the tool.
+fn into(body: Vec2, move_: &TurnMove, pass: &Pass) -> f64 {
+    let along = (move_.path.end - move_.path.start).normalized().unwrap_or(Vec2::new(1.0, 0.0));
+    if along.dot(body).abs() > 0.7 { pass.along } else { pass.across }
+}
+
+/// The middle of what was touched.
+fn middle(pass: &Pass) -> Vec2 {
+    pass.place.map_or(Vec2::ZERO, |(low, high)| (low + high) * 0.5)
+}
+
+/// Whether the boxes of two regions meet.
+fn meets(a: &Region, b: &Region) -> bool {
+    let (Some((low, high)), Some((from, to))) = (a.bounds(), b.bounds()) else { return false };
+    low.a <= to.a && from.a <= high.a && low.b <= to.b && from.b <= high.b
+}

@@ -1,0 +1,283 @@
+//! A run of a lathe as moves in the half plane.
+
+use std::collections::BTreeMap;
+
+use chordal_command::{
+    Command, CommandKind, Feed, FeedMode, Origin, Side, SpindleState, Units, WorkNaming,
+};
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_geometry::{Curve, Vec2};
+use chordal_path::{PathCommand, Segment as PathSegment};
+use chordal_stock::turned::Segment;
+
+use super::tools::{Kind, LatheTool, NoOutline};
+use crate::report::Watch;
+
+/// Angles of rotary axes that differ by less are the same, rad; places, mm.
+const SAME: f64 = 1e-9;
+/// A drill farther from the axis than this is not on it, mm.
+const ON_AXIS: f64 = 1e-4;
+
+/// What a move is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum MoveKind {
+    /// At rapid speed: nothing may be cut.
+    Rapid,
+    /// At feed.
+    Cut,
+    /// At feed with the spindle stopped.
+    Still,
+    /// A thread: what it takes is not the same all round.
+    Thread,
+}
+
+/// A move in the half plane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TurnMove {
+    /// The path of the programmed point.
+    pub path: Segment,
+    pub kind: MoveKind,
+    pub tool: u32,
+    pub origin: Origin,
+    /// Along the path, mm/s; zero where none is known.
+    pub feed: f64,
+    /// Revolutions by second in the middle of the move.
+    pub rev_per_s: f64,
+    /// Nose radius compensation is on.
+    pub is_compensated: bool,
+    /// Then the contour as programmed, where it is known.
+    pub contour: Option<Segment>,
+}
+
+/// Gathers what a run moves.
+pub(super) struct Gathered<'a> {
+    tools: &'a BTreeMap<u32, Result<LatheTool, NoOutline>>,
+    pub moves: Vec<TurnMove>,
+    /// The work offset of the first cut, which is the frame of the run.
+    pub work: Option<String>,
+    work_now: Option<String>,
+    naming: WorkNaming,
+    has_cut: bool,
+    pub units: Units,
+    spindle_turns: bool,
+    rpm: f64,
+    threading: bool,
+    rotary: Option<[f64; 3]>,
+    /// Programmed moves that compensation holds back.
+    programmed: Vec<(Origin, Segment)>,
+    told: Vec<(Code, u32)>,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl<'a> Gathered<'a> {
+    pub fn new(
+        tools: &'a BTreeMap<u32, Result<LatheTool, NoOutline>>,
+        naming: WorkNaming,
+        units: Units,
+    ) -> Gathered<'a> {
+        Gathered {
+            tools,
+            moves: Vec::new(),
+            work: None,
+            work_now: None,
+            naming,
+            has_cut: false,
+            units,
+            spindle_turns: false,
+            rpm: 0.0,
+            threading: false,
+            rotary: None,
+            programmed: Vec::new(),
+            told: Vec::new(),
+            diagnostics: Vec::new(),
+        }
+    }
+
+    /// Whether every move that may cut is here.
+    pub fn is_whole(&self) -> bool {
+        self.told.is_empty()
+    }
+
+    fn segment(&mut self, path: &PathCommand<'_>, segment: &PathSegment, kind: MoveKind) {
+        let tool = match self.tools.get(&segment.tool) {
+            Some(Ok(tool)) => tool,
+            Some(Err(why)) => return self.no_tool(segment, kind, &why.0.clone()),
+            None => return self.no_tool(segment, kind, "its shape is not known"),
+        };
+        let angles = *self.rotary.get_or_insert(segment.rotary_from);
+        let same = |a: &[f64; 3]| a.iter().zip(&angles).all(|(a, b)| (a - b).abs() < SAME);
+        if !same(&segment.rotary_from) || !same(&segment.rotary_to) {
+            self.rotary = Some(segment.rotary_to);
+            if kind == MoveKind::Rapid {
+                return;
+            }
+            return self.tell(Code::StockNotFollowed, segment, "a rotary axis moves with it");
+        }
+        if !segment.known {
+            if kind != MoveKind::Rapid {
+                let why = "where the tool is relative to the part is not known";
+                self.tell(Code::StockNotFollowed, segment, why);
+            }
+            return;
+        }
+        let Some(curve) = flat(&segment.curve) else {
+            if kind != MoveKind::Rapid {
+                let why = "it is not a line or an arc in the plane of Z and X at Y0";
+                self.tell(Code::StockNotFollowed, segment, why);
+            }
+            return;
+        };
+        let cuts = kind != MoveKind::Rapid;
+        let is_off = |p: Vec2| p.b.abs() > ON_AXIS;
+        if cuts && tool.kind == Kind::Drill && (is_off(curve.start) || is_off(curve.end)) {
+            let why = "a drill that is not on the axis does not turn the part";
+            return self.tell(Code::StockNotFollowed, segment, why);
+        }
+        let is_compensated = path.side != Side::Off;
+        let contour = (cuts && is_compensated && !path.inserted)
+            .then(|| self.contour_of(path.command))
+            .flatten();
+        let feed = path.command.kind.feed();
+        let middle = 0.5 * (curve.start.b + curve.end.b);
+        let is_thread = kind == MoveKind::Cut && (self.threading || tool.threads);
+        self.moves.push(TurnMove {
+            path: curve,
+            kind: if is_thread { MoveKind::Thread } else { kind },
+            tool: segment.tool,
+            origin: segment.origin,
+            feed: if segment.duration_s > 0.0 {
+                segment.length_mm / segment.duration_s
+            } else {
+                0.0
+            },
+            rev_per_s: feed.map_or(0.0, |feed| self.revolutions(feed, middle)),
+            is_compensated,
+            contour,
+        });
+    }
+
+    fn revolutions(&self, feed: &Feed, radius: f64) -> f64 {
+        if !self.spindle_turns {
+            return 0.0;
+        }
+        match feed.surface {
+            Some(surface) => surface.rev_per_s(radius),
+            None if feed.mode == FeedMode::PerRevolution => feed.spindle_rev_per_s,
+            None => self.rpm / 60.0,
+        }
+    }
+
+    /// The programmed move behind a move of the tool.
+    fn contour_of(&mut self, command: &Command) -> Option<Segment> {
+        let at = self.programmed.iter().position(|(origin, _)| *origin == command.origin)?;
+        let found = self.programmed[at].1;
+        // It and those before it have had their turn.
+        self.programmed.drain(..=at);
+        Some(found)
+    }
+
+    fn no_tool(&mut self, segment: &PathSegment, kind: MoveKind, why: &str) {
+        if kind != MoveKind::Rapid {
+            self.tell(Code::ToolWithoutShape, segment, why);
+        }
+    }
+
+    /// Says once of a tool why its moves remove nothing.
+    fn tell(&mut self, code: Code, segment: &PathSegment, why: &str) {
+        if self.told.contains(&(code, segment.tool)) {
+            return;
+        }
+        self.told.push((code, segment.tool));
+        let tool = segment.tool;
+        let (message, help) = if code == Code::ToolWithoutShape {
+            (
+                format!("what tool {tool} removes is not known: {why}"),
+                "give its shape with all dimensions in the setup or machine file",
+            )
+        } else {
+            (
+                format!("this move of tool {tool} is not cut from the stock: {why}"),
+                "nothing after it is proved",
+            )
+        };
+        let diagnostic = Diagnostic::new(code, segment.origin.span, message);
+        self.diagnostics.push(diagnostic.help(help));
+    }
+}
+
+impl Watch for Gathered<'_> {
+    fn programmed(&mut self, command: &Command) {
+        match &command.kind {
+            // What is held back of a compensation that ends is still asked for.
+            CommandKind::Compensation { side, .. } if *side != Side::Off => self.programmed.clear(),
+            kind if kind.feed().is_some() => {
+                let mut found = None;
+                chordal_path::curves_of(kind, |curve| found = flat(&curve));
+                if let Some(path) = found {
+                    self.programmed.push((command.origin, path));
+                    // Compensation looks a few moves ahead; without it nothing takes them.
+                    if self.programmed.len() > 4096 {
+                        self.programmed.drain(..2048);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn path(&mut self, path: PathCommand<'_>, segments: &[PathSegment]) {
+        let kind = &path.command.kind;
+        match kind {
+            CommandKind::Spindle { state, rpm } => {
+                self.spindle_turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
+                self.rpm = *rpm;
+            }
+            // A thread fixes the feed and leaves the rapids alone.
+            CommandKind::Overrides(overrides) => {
+                self.threading = !overrides.feed && overrides.rapid;
+            }
+            CommandKind::Units(units) => self.units = *units,
+            CommandKind::WorkOffset { name, .. } => {
+                self.work_now = Some(name.table_key(self.naming));
+            }
+            _ if !self.has_cut && kind.feed().is_some() => {
+                self.has_cut = true;
+                self.work = self.work_now.clone();
+            }
+            _ => {}
+        }
+        let kind = match kind.feed() {
+            None => MoveKind::Rapid,
+            Some(_) if self.spindle_turns => MoveKind::Cut,
+            Some(_) => MoveKind::Still,
+        };
+        for segment in segments {
+            self.segment(&path, segment, kind);
+        }
+    }
+}
+
+/// A curve in the plane of Z and X: z and the radius; `None` of another one.
+fn flat(curve: &Curve) -> Option<Segment> {
+    let in_plane = |p: chordal_geometry::Vec3| p.y.abs() <= SAME;
+    let place = |p: chordal_geometry::Vec3| Vec2::new(p.z, p.x);
+    match curve {
+        Curve::Line(line) if in_plane(line.start) && in_plane(line.end) => {
+            Some(Segment::line(place(line.start), place(line.end)))
+        }
+        Curve::Arc(arc) if arc.w.y.abs() > 1.0 - SAME && arc.rise.abs() <= SAME => {
+            if !in_plane(arc.start) {
+                return None;
+            }
+            // About +Y it turns from Z to X.
+            let counterclockwise = arc.sweep * arc.w.y > 0.0;
+            Some(Segment::arc(
+                place(arc.start),
+                place(arc.end),
+                place(arc.center),
+                counterclockwise,
+            ))
+        }
+        Curve::Line(_) | Curve::Arc(_) | Curve::Spiral(_) | Curve::Spline(_) => None,
+    }
+}

@@ -1,0 +1,20 @@
+//! Programs of lathes on stock: the exact half section after every pass.
+//!
+//! [`Job::turned_stock`](crate::Job::turned_stock) answers what [`Job::stock`](crate::Job::stock) answers for
+//! mills. What a tool leaves is a region of lines and arcs, so volumes have no bounds but where threads are cut.
+
+mod bodies;
+mod contour;
+mod cut;
+mod gather;
+mod grooves;
+mod load;
+mod nose;
+mod report;
+mod run;
+mod said;
+mod target;
+mod tools;
+
+pub use report::{Loose, Thread, TurnedMove, TurnedReport, TurnedTarget, TurnedToolRemoved};
+pub use run::TurnedOptions;

@@ -1,0 +1,102 @@
+//! What the nose leaves on the programmed contour, or cuts below it, where no compensation is on.
+//!
+//! The outline of what is left knows the move that made each part of it. Such a part is parallel to its move, at
+//! the distance by which the nose misses it.
+
+use chordal_diagnostics::Code;
+use chordal_geometry::Vec2;
+use chordal_stock::turned::{Region, Segment};
+
+use super::gather::{MoveKind, TurnMove};
+use super::said::{At, Found, More};
+use super::tools::{Kind, LatheTool};
+
+/// Parts of the outline shorter than this are rounding, mm.
+const SHORT: f64 = 0.01;
+/// Lines are parallel, and radii differ by the nose, within this.
+const SAME: f64 = 1e-6;
+
+/// Compares an outline with the moves that made it.
+pub(super) fn look_at_surface<'t>(
+    region: &Region,
+    moves: &[TurnMove],
+    tool_of: impl Fn(u32) -> Option<&'t LatheTool>,
+    tolerance: f64,
+    found: &mut Found<'_>,
+) {
+    let mut misses: Vec<(usize, f64, Vec2)> = Vec::new();
+    for segment in region.outline().iter().flatten() {
+        let Some(number) = (segment.tag as usize).checked_sub(1) else { continue };
+        let Some(move_) = moves.get(number) else { continue };
+        if move_.kind != MoveKind::Cut || move_.is_compensated {
+            continue;
+        }
+        let Some(Kind::Insert { nose, centered: false, .. }) =
+            tool_of(move_.tool).map(|tool| tool.kind)
+        else {
+            continue;
+        };
+        if segment.start.distance(segment.end) < SHORT {
+            continue;
+        }
+        if let Some((off, place)) = miss(segment, &move_.path, nose)
+            && off.abs() > tolerance
+        {
+            misses.push((number, off, place));
+        }
+    }
+    // In the order of the run, the worst place of each move.
+    misses.sort_by(|x, y| {
+        (x.0, -x.1.abs()).partial_cmp(&(y.0, -y.1.abs())).unwrap_or(core::cmp::Ordering::Equal)
+    });
+    for (number, off, place) in misses {
+        let move_ = &moves[number];
+        let code = if off > 0.0 { Code::NoseLeaves } else { Code::NoseGouge };
+        let at = At { origin: move_.origin, tool: move_.tool, place };
+        found.push(code, off.abs(), &at, More::Nothing);
+    }
+}
+
+/// How far a part of the outline is outside of the move that made it (below zero: inside), and where; `None`
+/// where it is not parallel to it.
+fn miss(segment: &Segment, path: &Segment, nose: f64) -> Option<(f64, Vec2)> {
+    match (segment.bend, path.bend) {
+        (None, None) => {
+            let along = (segment.end - segment.start).normalized()?;
+            let way = (path.end - path.start).normalized()?;
+            if along.cross(way).abs() > SAME {
+                return None;
+            }
+            // The region is to the left of its outline.
+            let off = (segment.start - path.start).dot(-along.turned_left());
+            (off.abs() <= 2.0 * nose).then_some((off, (segment.start + segment.end) * 0.5))
+        }
+        (Some(bend), Some(arc)) => {
+            let by_nose =
+                ((bend.radius - arc.radius).abs() - nose).abs() <= SAME.max(1e-6 * bend.radius);
+            if !by_nose {
+                return None;
+            }
+            let outward = if bend.counterclockwise { 1.0 } else { -1.0 };
+            let off = |p: Vec2| outward * (p.distance(arc.center) - arc.radius);
+            let shift = bend.center - arc.center;
+            let extremes = shift
+                .normalized()
+                .into_iter()
+                .flat_map(|to| [bend.center + to * bend.radius, bend.center - to * bend.radius]);
+            let on_arc = extremes.filter(|p| is_on(segment, *p));
+            let places = [segment.start, segment.end].into_iter().chain(on_arc);
+            let worst =
+                places.map(|p| (off(p), p)).max_by(|x, y| x.0.abs().total_cmp(&y.0.abs()))?;
+            (worst.0.abs() <= 2.0 * nose).then_some(worst)
+        }
+        _ => None,
+    }
+}
+
+/// Whether a point of a circle lies on its arc.
+fn is_on(arc: &Segment, p: Vec2) -> bool {
+    let Some(bend) = arc.bend else { return false };
+    let part = Segment::arc(arc.start, p, bend.center, bend.counterclockwise);
+    part.sweep().abs() <= arc.sweep().abs()
+}

@@ -1,0 +1,167 @@
+//! A run of a lathe on stock.
+
+use chordal_diagnostics::Code;
+use chordal_machine::Body;
+use chordal_stock::Amount;
+use chordal_stock::turned::Region;
+
+use super::super::engagement::Material;
+use super::super::report::StockVerdict;
+use super::super::run::StockRunError;
+use super::super::setup::{Files, Named, SetupError, shift_between};
+use super::super::target::TARGET_TOLERANCE;
+use super::bodies::grown;
+use super::cut::{Cutting, Fixture};
+use super::gather::Gathered;
+use super::load::{give_power, overloads};
+use super::nose::look_at_surface;
+use super::report::TurnedReport;
+use super::said::{At, Found, More};
+use super::target::Target;
+use super::tools::{LatheTool, tools_of};
+use crate::job::Job;
+use crate::report::Report;
+
+/// Moves between two looks at whether to end early.
+const AT_ONCE: usize = 256;
+
+/// How a run on turned stock is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TurnedOptions {
+    /// Touches that are no deeper are none, mm.
+    pub tolerance_mm: f64,
+}
+
+impl Default for TurnedOptions {
+    /// Touches from 0.01 mm on.
+    fn default() -> TurnedOptions {
+        TurnedOptions { tolerance_mm: 0.01 }
+    }
+}
+
+impl Job<'_> {
+    /// Whether the machine turns its parts: then [`Job::turned_stock`] answers for them.
+    pub fn turns(&self) -> bool {
+        self.machine().turns()
+    }
+
+    /// Runs a lathe program on the stock of its machine's setup; `files` gives the drawings that it names.
+    ///
+    /// # Errors
+    /// Without stock, or with a setup that is incomplete.
+    pub fn turned_stock(
+        &self,
+        options: &TurnedOptions,
+        files: Files<'_>,
+    ) -> Result<TurnedReport, StockRunError> {
+        let tools = tools_of(self);
+        let control = self.control();
+        let mut gathered =
+            Gathered::new(&tools, control.table.work_names, control.parameters.rules.units);
+        let report = self.report_watched(&mut gathered);
+        let section_of = |name: &str, body: &Body| -> Result<Region, SetupError> {
+            let named = Named { name, body };
+            let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
+            named.section(shift, files)
+        };
+        let setup = &self.machine().setup;
+        let stock = section_of("stock", setup.stock.as_ref().ok_or(StockRunError::NoStock)?)?;
+        let found = Found::new(gathered.units, self.sources());
+        let mut cutting = Cutting::new(&tools, options.tolerance_mm, &stock, found);
+        for (name, body) in &setup.fixtures {
+            let section = section_of(&format!("fixtures.{name}"), body)?;
+            let clearance = body.clearance_mm.unwrap_or(0.0);
+            let body = chordal_stock::turned::Turned::new(&grown(&section, clearance));
+            cutting.fixtures.push(Fixture { name, clearance, body });
+        }
+        if let Some(body) = &setup.target {
+            let tolerance = body.tolerance_mm.unwrap_or(TARGET_TOLERANCE);
+            cutting.target = Some(Target::new(section_of("target", body)?, tolerance));
+        }
+        for number in 0..gathered.moves.len() {
+            if number % AT_ONCE == 0 && self.is_interrupted() {
+                return Err(StockRunError::Interrupted);
+            }
+            cutting.step(number, &gathered.moves);
+        }
+        Ok(self.finish(report, &stock, cutting, gathered, options))
+    }
+
+    fn finish(
+        &self,
+        mut report: Report,
+        before: &Region,
+        mut cutting: Cutting<'_>,
+        gathered: Gathered<'_>,
+        options: &TurnedOptions,
+    ) -> TurnedReport {
+        let section = cutting.stock.region();
+        let loose = std::mem::take(&mut cutting.loose);
+        let sections: Vec<&Region> =
+            std::iter::once(&section).chain(loose.iter().map(|part| &part.section)).collect();
+        let tolerance = options.tolerance_mm;
+        cutting.grooves.look(&sections, &gathered.moves, tolerance, &mut cutting.found);
+        let tool_of = |number: u32| -> Option<&LatheTool> {
+            cutting.tools.get(&number).and_then(|tool| tool.as_ref().ok())
+        };
+        for section in &sections {
+            look_at_surface(section, &gathered.moves, tool_of, tolerance, &mut cutting.found);
+        }
+        let target = cutting.target.as_ref().map(|target| target.compare(&sections));
+        if let (Some(found), Some(target), Some(last)) =
+            (&target, &cutting.target, gathered.moves.last())
+            && found.highest_mm > target.tolerance
+        {
+            let at = At { origin: last.origin, tool: last.tool, place: found.at };
+            cutting.found.push(Code::MaterialLeft, found.highest_mm, &at, More::Nothing);
+        }
+        // What a thread takes lies within what is left.
+        let of_threads: f64 =
+            cutting.threads.iter().map(|thread| inside(&thread.section, &sections)).sum();
+        let left: f64 = sections.iter().map(|section| section.volume()).sum();
+        let before_mm3 = before.volume();
+        let mut moves = std::mem::take(&mut cutting.moves);
+        let mut tools = cutting.tools_in_order();
+        let material =
+            self.machine().setup.stock.as_ref().and_then(|stock| stock.material.as_deref());
+        if let Some(material) = material.and_then(Material::named) {
+            give_power(&mut moves, &mut tools, material);
+        }
+        let mut too_hard = overloads(self, &moves, gathered.units);
+        let Cutting { found, threads, target: wanted, bound, .. } = cutting;
+        let has_problems = found.hits > 0 || !too_hard.is_empty() || report.counts.errors > 0;
+        let is_proved = gathered.is_whole() && found.undecided == 0 && report.verified();
+        let mut diagnostics = found.diagnostics;
+        diagnostics.extend(gathered.diagnostics);
+        diagnostics.append(&mut too_hard);
+        report.add(diagnostics);
+        TurnedReport {
+            before_mm3,
+            removed_mm3: Amount { least: before_mm3 - left, most: before_mm3 - left + of_threads },
+            left_mm3: Amount { least: left - of_threads, most: left },
+            bound_mm: bound,
+            verdict: match (has_problems, is_proved) {
+                (true, _) => StockVerdict::Problems,
+                (false, true) => StockVerdict::Clean,
+                (false, false) => StockVerdict::NotProved,
+            },
+            problems: found.list,
+            more_problems: found.more,
+            tools,
+            moves,
+            before: before.clone(),
+            section,
+            loose,
+            threads,
+            target_section: wanted.map(|target| target.section),
+            target,
+            report,
+        }
+    }
+}
+
+/// The volume of a region that lies within sections, mm³.
+fn inside(region: &Region, sections: &[&Region]) -> f64 {
+    let common = sections.iter().filter_map(|section| region.intersection(section).ok());
+    common.map(|common| common.region.volume()).sum()
+}
