@@ -170,7 +170,7 @@ impl Canvas {
 
     fn triangle(&mut self, [a, b, c]: [&Corner; 3], shade: &impl Fn(Vec3, f64) -> Vec3) {
         let area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-        if !(area.abs() > 1e-9) {
+        if area.is_nan() || area.abs() <= 1e-9 {
             return;
         }
         let least = |of: fn(&Corner) -> f64| of(a).min(of(b)).min(of(c));
