@@ -147,7 +147,7 @@ fn kinds_of_old_files_are_read() {
         notice.help.as_deref(),
         Some(
             "a shape is `shape = …` with \"flat\", \"ball\", \"bull\", \"chamfer\", \"drill\", \"tap\", \
-             \"thread mill\", \"t-slot\", \"lollipop\", \"form\" or \"insert\""
+             \"thread mill\", \"t-slot\", \"lollipop\", \"form\", \"insert\" or \"groove\""
         )
     );
 }
@@ -259,4 +259,50 @@ shank_diameter = "10 mm"
     assert!(shape.contains("`bock` is not a body shape"), "{shape}");
     let unit = wrong("machine = 'haas-vf2'\n[stock]\ndiameter = 20\n");
     assert!(unit.contains("no unit"), "{unit}");
+}
+
+#[test]
+fn a_lathe_tool_and_a_half_section_are_read_and_written() {
+    let text = r#"
+machine = "fanuc-lathe"
+[stock]
+shape = "contour"
+contour = [["20 mm", "0 mm"], ["24 mm", "-2 mm", "-2 mm"], ["1 in", "-50 mm"]]
+[tools.1]
+shape = "insert"
+insert = "D"
+approach_angle = "93 deg"
+flute_length = "11 mm"
+nose_radius = "0.4 mm"
+tip = 3
+holder_outline = [["8 mm", "10 mm"], ["120 mm", "10 mm"], ["8 mm", "-35 mm"]]
+[tools.2]
+shape = "groove"
+width = "3 mm"
+lead_angle = "-6 deg"
+facing = "back face"
+tip = 4
+bar_offset = "9 mm"
+"#;
+    let none = |name: &str| Err(format!("no file {name}"));
+    let machine = Machine::from_toml("shaft.toml", text, &none).unwrap();
+    let stock = machine.setup.stock.as_ref().unwrap();
+    // X as a diameter, whatever the machine.
+    let points: Vec<_> =
+        stock.contour.iter().map(|at| (at.radius_mm, at.z_mm, at.arc_mm)).collect();
+    assert_eq!(points, [(10.0, 0.0, None), (12.0, -2.0, Some(-2.0)), (12.7, -50.0, None)]);
+    let turning = &machine.tools[&1].turning;
+    assert!(turning.corner_rad().is_some_and(|angle| (angle.to_degrees() - 55.0).abs() < 1e-9));
+    assert_eq!(turning.holder_outline[2], [8.0, -35.0]);
+    assert_eq!(machine.tools[&2].turning.width_mm, Some(3.0));
+
+    let again = Machine::from_toml("again.toml", &machine.to_toml(), &none).unwrap();
+    assert_eq!(again.setup, machine.setup);
+    assert_eq!(again.tools, machine.tools);
+
+    let wrong = |text: &str| Machine::from_toml("op.toml", text, &none).unwrap_err()[0].to_string();
+    let two = wrong("machine = 'fanuc-lathe'\n[tools.1]\nholder_outline = [['1 mm', '2 mm']]\n");
+    assert!(two.contains("three corners"), "{two}");
+    let letter = wrong("machine = 'fanuc-lathe'\n[tools.1]\ninsert = 'X'\n");
+    assert!(letter.contains("`X` is not a letter of an insert"), "{letter}");
 }

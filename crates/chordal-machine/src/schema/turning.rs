@@ -12,7 +12,7 @@ pub(super) static ROWS: [Row; 8] = [
     Row {
         path: "tools.<tool>.insert",
         slot: Slot::Word {
-            what: "insert letter",
+            what: "letter of an insert",
             words: LETTERS,
             set: |m, k, word| {
                 tool(m, k).turning.insert =
