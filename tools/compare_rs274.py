@@ -37,6 +37,9 @@ SPINDLE = {
 }
 # In a program whose tool path is compared, not its programmed one.
 TOOL_PATH = "(tool path)"
+# A program for the lathe; its tools 1 to 9 have a nose of 0.4 mm and the tip of their number.
+LATHE = "(lathe)"
+LATHE_TOOLS = [(number, 0.4 + 0.1 * number) for number in range(1, 10)]
 CHANGES = {"SET_G5X_OFFSET": "work", "SET_G92_OFFSET": "preset", "USE_TOOL_LENGTH_OFFSET": "tool"}
 CALL = re.compile(r"^\s*\d+\s+N\S+\s+(\w+)\((.*)\)")
 
@@ -89,7 +92,12 @@ def reference(program):
     """Motions of rs274 in mm and degrees: (kind, end, arc or None, scale of tolerance, start); printed lines."""
     with tempfile.TemporaryDirectory() as folder:
         tools = pathlib.Path(folder, "tool.tbl")
-        tools.write_text("T1 P1 Z0 D0\nT2 P2 Z0 D0\nT3 P3 Z2 D4\n")
+        rows = "T1 P1 Z0 D0\nT2 P2 Z0 D0\nT3 P3 Z2 D4\n"
+        if LATHE in program.read_text():
+            # In inches, as rs274 starts.
+            numbers = [(number, diameter / 25.4) for number, diameter in LATHE_TOOLS]
+            rows = "".join(f"T{n} P{n} X0 Z0 D{d:.9f} Q{n}\n" for n, d in numbers)
+        tools.write_text(rows)
         command = ["rs274", "-g", "-t", str(tools), "-v", str(pathlib.Path(folder, "rs274.var"))]
         done = subprocess.run([*command, str(program)], capture_output=True, text=True)
     unit, plane, place, motions, printed = 1.0, "XY", [0.0] * 6, [], []
@@ -176,8 +184,13 @@ def moving(motions):
 
 def ours(chordal, program, what="commands"):
     """Motions of Chordal in mm and degrees; printed lines; whether it reports errors."""
-    command = [chordal, what, str(program), "--machine", "linuxcnc-mill", "--format", "jsonl"]
-    for tool, length, diameter in ((1, 0, 0), (2, 0, 0), (3, 2, 4)):
+    lathe = LATHE in program.read_text()
+    machine = "linuxcnc-lathe" if lathe else "linuxcnc-mill"
+    command = [chordal, what, str(program), "--machine", machine, "--format", "jsonl"]
+    for tool, diameter in LATHE_TOOLS if lathe else ():
+        command += ["--set", f"tools.{tool}.offset.X=0 mm", "--set", f"tools.{tool}.offset.Z=0 mm"]
+        command += ["--set", f"tools.{tool}.diameter={diameter} mm", "--set", f"tools.{tool}.tip={tool}"]
+    for tool, length, diameter in () if lathe else ((1, 0, 0), (2, 0, 0), (3, 2, 4)):
         command += ["--set", f"tools.{tool}.length={length} in"]
         command += ["--set", f"tools.{tool}.diameter={diameter} in"]
     done = subprocess.run(command, capture_output=True, text=True)
@@ -198,10 +211,15 @@ def ours(chordal, program, what="commands"):
             continue
         end = [command["to"].get(axis, 0.0) for axis in AXES]
         start = [command["from"].get(axis, 0.0) for axis in AXES]
+        # Positions of a lathe are written as diameters.
+        half = 0.5 if lathe else 1.0
+        end[0], start[0] = end[0] * half, start[0] * half
         arc = None
         if kind in ("arc", "spiral"):
             a, b, _ = NAMES[command["plane"]]
-            center = command["center"]
+            center = dict(command["center"])
+            if "X" in center:
+                center["X"] *= half
             sign = 1 if command["direction"] == "ccw" else -1
             turns = sign * max(1, math.ceil(command["sweep_deg"] / 360 - 1e-6))
             plane = {"xy": "XY", "zx": "XZ", "yz": "YZ"}[command["plane"]]

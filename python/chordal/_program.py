@@ -24,7 +24,17 @@ if TYPE_CHECKING:
     from ._chordal import _Options
 
     #: The controls that can run a program.
-    _ControlName = Literal["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc"]
+    _ControlName = Literal[
+        "fadal",
+        "haas",
+        "fanuc",
+        "mitsubishi",
+        "linuxcnc",
+        "fanuc-lathe",
+        "haas-lathe",
+        "mitsubishi-lathe",
+        "linuxcnc-lathe",
+    ]
 
 __all__ = ["Program", "load", "loads"]
 

@@ -183,10 +183,17 @@ fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -
         }
         (true, _) => format!("{changes}; the motion is the same{but}\n"),
         (false, true) => format!("{changes}; the motion is not the same\n"),
+        (false, false) if found.refusals.iter().all(|refusal| refusal.line == 0) => {
+            "the program cannot be converted\n".to_string()
+        }
         (false, false) => format!("{refused} cannot be converted\n"),
     };
     for refusal in &found.refusals {
-        text += &format!("\nline {}  {}\n  {}\n", refusal.line, refusal.words, refusal.reason);
+        text += &match refusal.line {
+            // It is about the program as a whole.
+            0 => format!("\n{}\n", refusal.reason),
+            line => format!("\nline {line}  {}\n  {}\n", refusal.words, refusal.reason),
+        };
     }
     if !found.changes.is_empty() {
         text += "\nchanges\n";

@@ -57,6 +57,10 @@ pub enum ReadingCode {
     SurfaceSpeed,
     /// S is a spindle speed (G97).
     SpindleRpm,
+    /// X is a diameter (LinuxCNC G7), in this block too.
+    Diameters,
+    /// X is a radius (LinuxCNC G8).
+    Radii,
 }
 
 /// What acts before the motion of its block.
@@ -131,6 +135,10 @@ pub enum ModeCode {
     /// Fadal G66: calls a subroutine after every move.
     ModalSubroutine,
     ModalCallOff,
+    /// Threads of cycles end with their exit at 45 degrees, or without (Haas M23, M24).
+    ThreadExit {
+        on: bool,
+    },
     /// G11: the lines after this block are blocks again, no data.
     DataLinesOff,
 }

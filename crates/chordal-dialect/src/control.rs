@@ -56,7 +56,7 @@ impl Control {
             table,
             parameters,
             macros,
-            g_rows: by_number(table.g_codes),
+            g_rows: rows_of_system(table, parameters.code_system),
             m_rows: by_number(table.m_codes),
             axes,
         };
@@ -146,6 +146,24 @@ fn codes_with_two_times(machine: &Machine) -> impl Iterator<Item = SettingError>
 
 /// The program of the first M code that calls a subprogram (Fanuc No. 6071).
 pub const FIRST_ALIAS_SUBPROGRAM: u32 = 9001;
+
+/// The rows of the G codes in one of the systems of a table.
+fn rows_of_system(table: &'static ControlTable, system: u8) -> Vec<Option<&'static CodeRow>> {
+    let mut rows = by_number(table.g_codes);
+    let others = usize::from(system).checked_sub(1);
+    let Some(system) = others.and_then(|index| table.systems.get(index)) else { return rows };
+    for code in system.without {
+        rows[*code as usize] = None;
+    }
+    for row in system.codes {
+        let at = row.code as usize;
+        if rows.len() <= at {
+            rows.resize(at + 1, None);
+        }
+        rows[at] = Some(row);
+    }
+    rows
+}
 
 fn by_number(codes: &'static [CodeRow]) -> Vec<Option<&'static CodeRow>> {
     let size = codes.iter().map(|row| row.code as usize + 1).max().unwrap_or(0);

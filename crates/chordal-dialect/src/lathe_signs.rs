@@ -9,6 +9,30 @@ const NEEDED: i32 = 5;
 /// A lathe.
 pub(crate) const LATHE: MachineKind = MachineKind { signs: SIGNS, needed: NEEDED };
 
+/// A lathe with LinuxCNC, whose programs share with mills what others have for mills alone: M6, G43, G17.
+pub(crate) const LINUXCNC_LATHE: MachineKind = MachineKind { signs: LINUXCNC_SIGNS, needed: 6 };
+
+const LINUXCNC_SIGNS: &[Evidence] = &[
+    evidence(Sign::Letters { used: "XZ", unused: "Y", least: 2 }, 4, "X and Z, and never Y"),
+    evidence(Sign::Block("G76 P I J K"), 5, "G76 with P, I, J and K cuts a thread"),
+    evidence(Sign::Block("G70..72 Q !P !X"), 5, "G70 to G72 with Q"),
+    evidence(Sign::Block("G71.1|G71.2|G72.1|G72.2 Q"), 5, "G71.1 roughs"),
+    evidence(Sign::Block("G7 !X !Y"), 4, "G7 programs diameters"),
+    evidence(Sign::Block("G33 Z K"), 3, "G33 cuts a thread"),
+    evidence(Sign::Block("G96 D S"), 3, "G96 D limits the spindle speed"),
+    evidence(Sign::Block("G8 !X !Y"), 2, "G8 programs radii"),
+    evidence(Sign::Block("G95"), 1, "G95 is feed per revolution"),
+    evidence(Sign::Block("G18"), 1, "G18 is the plane of a lathe"),
+    evidence(Sign::Comment(INSERTS), 2, "a comment names turning tools"),
+    evidence(Sign::Comment(CUTTERS), -2, "a comment names milling cutters"),
+    evidence(Sign::Share { of: "X Y", among: "X", percent: (21, 100) }, -4, "moves in X and Y"),
+    // What LinuxCNC does not read.
+    evidence(Sign::Block("U|W !G65 !G66"), -20, "U and W are increments"),
+    evidence(Sign::Block("G50 S"), -20, "G50 S limits the spindle speed"),
+    evidence(Sign::Block("G71..73 P Q"), -20, "G71 with P and Q"),
+    evidence(Sign::Block("T:3-6 !M6"), -12, "T chooses tool and offset"),
+];
+
 pub(crate) const MODELS: &[&str] = &[
     "ST-10", "ST-15", "ST-20", "ST-25", "ST-30", "ST-35", "ST-20Y", "ST-10Y", "ST-30Y", "DS-30",
     "DS-30Y", "SL-10", "SL-20", "SL-30", "TL-1", "TL-2", "CL-1", "ST10", "ST20", "ST30", "SL20",

@@ -134,12 +134,18 @@ pub struct Parameters {
     pub aliases: Aliases,
     /// Letters that move an axis by an increment, and the letter of the axis (`U` of `X`).
     pub increments: &'static [(u8, u8)],
+    /// Words of X are radii at power-on, whatever the machine file has (LinuxCNC G8).
+    pub starts_with_radii: bool,
     /// What T says.
     pub tool_word: ToolWord,
     /// S in the block of the code that presets coordinates limits the spindle speed.
     pub preset_limits_speed: bool,
     /// A block with G2 or G3 in force, and no word of a centre, is a straight line.
     pub arc_without_center_is_line: bool,
+    /// Which of the systems of G codes of the table it has: 0 the table itself, 1 the first of the others.
+    pub code_system: u8,
+    /// I, K and R of a straight cut are a chamfer or a rounding at its end, and `,A` is its angle from Z (lathes).
+    pub corners_of_lines: bool,
     /// The letter of the lead of a thread in one pass.
     pub thread_lead: u8,
     /// What the machine does, whatever the language.
@@ -212,9 +218,12 @@ impl Parameters {
         macro_angles_full_circle: false,
         aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
         increments: &[],
+        starts_with_radii: false,
         tool_word: ToolWord::Tool,
         preset_limits_speed: false,
         arc_without_center_is_line: false,
+        code_system: 0,
+        corners_of_lines: false,
         thread_lead: b'K',
         rules: Rules::COMMON,
     };

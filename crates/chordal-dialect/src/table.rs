@@ -38,6 +38,7 @@ pub enum Group {
     ModalCall,
     FeedRamp,
     SpindleMode,
+    Diameter,
     /// M codes.
     Stopping,
     Spindle,
@@ -187,6 +188,11 @@ pub enum DataTarget {
     Tool(ToolValue),
     /// Length and radius by the letters Z and R (LinuxCNC).
     ToolTable,
+    /// Geometry or wear of a turning tool, by the letters of the axes, R and Q (Haas lathes).
+    TurningTool {
+        /// Its wear.
+        wear: bool,
+    },
     /// Offsets of a tool, so that the present position gets these work coordinates.
     ToolFromPosition,
     /// The same in the ninth work offset, that of the fixture.
@@ -282,6 +288,12 @@ pub struct ControlTable {
     pub call_start_label: Option<u8>,
     /// Its macro language.
     pub macros: &'static MacroRules,
+    /// What it shows where a cycle of a lathe is refused.
+    pub turning_alarms: &'static [(TurnFault, &'static str)],
+    /// Its other systems of G codes by name, each as what it has otherwise.
+    pub systems: &'static [CodeSystem],
+    /// Cycles that drill along X, ten times the number.
+    pub radial_cycles: &'static [u16],
     /// The kind of machine that its programs must be for, where it is not a mill.
     pub kind: Option<&'static MachineKind>,
     /// Signs by which its programs are recognized.
@@ -290,6 +302,50 @@ pub struct ControlTable {
     pub post: &'static Post,
     /// The built-in machine that a program is run on when only its control is known.
     pub default_machine: &'static str,
+}
+
+/// A system of G codes beside that of the table (Fanuc lathes B and C).
+#[derive(Clone, Copy, Debug)]
+pub struct CodeSystem {
+    /// Its name.
+    pub name: &'static str,
+    /// The codes that it has otherwise.
+    pub codes: &'static [CodeRow],
+    /// The codes of the table that it does not have, ten times the number.
+    pub without: &'static [u16],
+}
+
+/// Why a cycle of a lathe is refused.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum TurnFault {
+    /// No depth of a pass.
+    Depth,
+    /// P or Q is missing.
+    NoContour,
+    /// A label of P or Q is not there.
+    NoLabel,
+    /// The contour turns back along Z, or along X in G72.
+    TurnsBack,
+    /// X turns back in a contour of type I.
+    NotMonotone,
+    /// The contour has no moves, or its first block is none.
+    FirstBlock,
+    /// A code that may not be in a contour.
+    CodeInContour,
+    /// The passes of a repeated contour.
+    Passes,
+    /// The distance of the plunges.
+    Step,
+    /// Depth or height of a thread.
+    ThreadDepth,
+    /// The least depth of a thread pass is more than its height.
+    ThreadLeast,
+    /// The angle of a thread.
+    ThreadAngle,
+    /// A lead that falls to nothing before the end of a thread (G34).
+    Lead,
+    /// An axis that the pass of one block does not have.
+    PassAxis,
 }
 
 /// How programs are numbered.

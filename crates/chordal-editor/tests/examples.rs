@@ -6,7 +6,12 @@ use chordal::{Job, Machine, Severity, SourceMap};
 use chordal_editor::meaning::{View, codes, example};
 
 /// The example after the head of a usual program, with what it may call.
-fn program(example: &str, spindle: &str, turns: bool) -> String {
+fn program(example: &str, spindle: &str, turns: bool, stations: bool) -> String {
+    if turns && !stations {
+        return format!(
+            "%\nO1\nG21 G7 G18 G40 G94\nT1 M6\nG43\nS500 {spindle}\nG0 X66. Z10.\nG1 Z5. F200.\n{example}\nM2\nO1000\nM99\n%\n"
+        );
+    }
     if turns {
         return format!(
             "%\nO1\nG21 G18 G40 G98\nT0101\nS500 {spindle}\nG0 X66. Z10.\nG1 Z5. F200.\n{example}\nM30\nN100 M99\nO1000\nM99\n%\n"
@@ -31,7 +36,9 @@ fn every_example_runs_without_an_error() {
                 // A left-hand tap turns the other way.
                 let left = row.action == Action::Cycle(CycleKind::LeftTap);
                 let turns = machine.turns();
-                let text = program(&example, if left { "M4" } else { "M3" }, turns);
+                // Others than LinuxCNC have T0101.
+                let stations = !view.parameters.increments.is_empty();
+                let text = program(&example, if left { "M4" } else { "M3" }, turns, stations);
                 let mut sources = SourceMap::new();
                 sources.add(Source::new("example.nc", text.into_bytes()));
                 let report = Job::new(sources, machine).unwrap().report();

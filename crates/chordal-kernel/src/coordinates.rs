@@ -60,6 +60,9 @@ impl Kernel<'_> {
         let length_mm = self.state.offsets.length_in_force();
         if let (Some(number), None) = (length.number, length_mm) {
             let span = at.words(What::LengthOffset);
+            if self.machine.turns() || self.rules.starts_in == Plane::Zx {
+                return self.report_no_geometry(span, number);
+            }
             self.report_unset(
                 span,
                 "length".into(),
@@ -67,6 +70,17 @@ impl Kernel<'_> {
                 format!("set it with --set tools.{number}.length=\"…\""),
             );
         }
+        self.emit_tool_length();
+    }
+
+    /// A turning tool without X and Z.
+    fn report_no_geometry(&mut self, span: Span, number: u32) {
+        self.report_unset(
+            span,
+            format!("geometry {number}"),
+            format!("the machine file gives no geometry for offset {number}: X and Z of the tool are not known"),
+            format!("set it with --set tools.{number}.offset.X=\"…\" and tools.{number}.offset.Z"),
+        );
         self.emit_tool_length();
     }
 
@@ -145,6 +159,11 @@ impl Kernel<'_> {
     /// of the plane: by the tip number of Fanuc and Haas (3 for turning outside towards the chuck).
     fn tip(&self, number: u32) -> [f64; 2] {
         let tip = self.state.offsets.tool(number).and_then(|tool| tool.tip);
+        self.direction_of_tip(tip)
+    }
+
+    /// The same by a tip number.
+    pub fn direction_of_tip(&self, tip: Option<u32>) -> [f64; 2] {
         // From the programmed point to the centre, along X and along Z.
         let (x, z) = match tip {
             _ if self.state.plane != Plane::Zx => (0.0, 0.0),
@@ -158,6 +177,7 @@ impl Kernel<'_> {
             Some(8) => (1.0, 0.0),
             _ => (0.0, 0.0),
         };
+        let x = if self.rules.turning.tips_mirrored { -x } else { x };
         // Not −0: it would be written.
         [0.0 - z, 0.0 - x]
     }

@@ -56,4 +56,6 @@ pub use state::{
     CycleState, Motion, OverrideState, SplineForm, State, ThreadMemory, TurnPass, TurningMemory,
 };
 pub use statement::{Statement, What};
-pub use turning::{PeckWords, Profile, RoughWords, ThreadWords};
+pub use turning::{
+    DescentFault, DescentWords, Edge, LineThreadWords, PeckWords, Profile, RoughWords, ThreadWords,
+};

@@ -65,6 +65,8 @@ pub struct TurningMemory {
     pub pattern_passes: u32,
     /// How far a peck backs off.
     pub peck_retract: f64,
+    /// Threads end without their exit.
+    pub without_exit: bool,
     /// What the first block of a thread has said.
     pub thread: ThreadMemory,
 }
@@ -96,6 +98,7 @@ impl TurningMemory {
             pattern: [0.0; 2],
             pattern_passes: 1,
             peck_retract: rules.peck_retract_mm,
+            without_exit: false,
             thread: ThreadMemory {
                 finish_passes: rules.thread_finish_passes,
                 exit_leads: rules.thread_exit_leads,

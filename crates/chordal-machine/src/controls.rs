@@ -13,6 +13,9 @@ macro_rules! controls {
             Mitsubishi mitsubishi "mitsubishi",
             Linuxcnc linuxcnc "linuxcnc",
             FanucLathe fanuc_lathe "fanuc-lathe",
+            LinuxcncLathe linuxcnc_lathe "linuxcnc-lathe",
+            HaasLathe haas_lathe "haas-lathe",
+            MitsubishiLathe mitsubishi_lathe "mitsubishi-lathe",
         }
     };
 }

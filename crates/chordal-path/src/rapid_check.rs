@@ -114,9 +114,10 @@ impl RapidLog {
     /// With the stretch after.
     pub fn and(&mut self, next: &RapidLog) {
         match next.begins {
-            None => return,
+            // A rapid that a cut at an unknown place has ended may still be in it.
+            None if next.events.is_empty() => return,
             Some(true) => self.end_cut(),
-            Some(false) => {}
+            None | Some(false) => {}
         }
         if self.begins.is_none() {
             self.begins = next.begins;
@@ -287,5 +288,18 @@ mod tests {
         first.and(&third);
         let whole = log(rapid(Way::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0)));
         assert_eq!(format!("{first:?}"), format!("{whole:?}"));
+    }
+
+    #[test]
+    fn a_stretch_with_nothing_but_a_rapid_counts() {
+        // The rapid led to a cut at an unknown place, which is in no region.
+        let way = rapid(Way::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0));
+        let mut second = RapidLog::default();
+        second.rapid(way);
+        let mut first = RapidLog::default();
+        first.cut(|open| open.include(v(0.0, 0.0, 0.0)).include(v(50.0, 10.0, -5.0)));
+        first.end_cut();
+        first.and(&second);
+        assert_eq!(first.rapids, 1);
     }
 }

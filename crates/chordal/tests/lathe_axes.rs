@@ -143,3 +143,63 @@ fn the_summary_shows_diameters_and_the_slides_way() {
     let c = report.summary.axes.iter().find(|axis| axis.letter == 'C').expect("C turns");
     assert_eq!(c.range.1, std::f64::consts::FRAC_PI_2);
 }
+
+/// Seconds that a program cuts on a built-in machine.
+fn cutting_seconds(machine: &str, text: &str) -> f64 {
+    let mut machine = Machine::from_builtin(machine).expect("a built-in machine");
+    for tool in ["tools.1.offset.X=0 mm", "tools.1.offset.Z=0 mm"] {
+        machine.set(tool).expect("a tool");
+    }
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", text.as_bytes().to_vec()));
+    let report = Job::new(sources, machine).expect("good settings").report();
+    assert_eq!(report.counts.errors, 0, "{:?}", messages(&report));
+    report.summary.feed_time_s
+}
+
+/// The integral of ds / (F n) along straight cuts between (diameter, Z), by a hundred thousand steps: n is `cutting`, in
+/// the unit of X each minute, over the circumference, and at most `limit`.
+fn seconds_by_hand(places: &[[f64; 2]], cutting: f64, limit: f64, per_rev: f64) -> f64 {
+    const STEPS: u32 = 100_000;
+    let legs = places.windows(2).map(|leg| {
+        let [from, to] = [leg[0], leg[1]];
+        let length = f64::hypot((to[0] - from[0]) / 2.0, to[1] - from[1]);
+        let step = |index: u32| {
+            let share = (f64::from(index) + 0.5) / f64::from(STEPS);
+            let diameter = from[0] + (to[0] - from[0]) * share;
+            let rpm = (cutting / (std::f64::consts::PI * diameter.abs())).min(limit);
+            length / f64::from(STEPS) / (per_rev * rpm) * 60.0
+        };
+        (0..STEPS).map(step).sum::<f64>()
+    });
+    legs.sum()
+}
+
+#[test]
+fn times_at_a_cutting_speed_are_integrals() {
+    let near = |what: &str, time: f64, by_hand: f64| {
+        assert!((time - by_hand).abs() < by_hand * 1e-3, "{what}: {time} s, by hand {by_hand} s");
+    };
+    // A face to the axis: below a diameter of 21.2 the spindle turns at its limit.
+    let face = "G21 G18 G40 G99\nT0101\nG50 S3000\nG96 S200 M3\nG0 X60. Z0\nG1 X0 F.2\nM30\n";
+    let by_hand = seconds_by_hand(&[[60.0, 0.0], [0.0, 0.0]], 200e3, 3000.0, 0.2);
+    assert!((by_hand - 4.7717).abs() < 1e-3, "{by_hand}");
+    near("face", cutting_seconds("fanuc-lathe", face), by_hand);
+    // A contour with cylinders, a cone and a shoulder, and a feed that changes on it.
+    let contour = "G21 G18 G40 G99\nT101\nG50 S3500\nG96 S180 M3\nG0 X20. Z0\n\
+                   G1 Z-20. F.25\nX40. Z-35.\nZ-50.\nG1 X58. F.1\nM30\n";
+    let first = [[20.0, 0.0], [20.0, -20.0], [40.0, -35.0], [40.0, -50.0]];
+    let by_hand = seconds_by_hand(&first, 180e3, 3500.0, 0.25)
+        + seconds_by_hand(&[[40.0, -50.0], [58.0, -50.0]], 180e3, 3500.0, 0.1);
+    near("contour", cutting_seconds("haas-lathe", contour), by_hand);
+    // Inches: feet per minute, and inches per revolution.
+    let inches = "G20 G18 G40 G99\nT0101\nG50 S2500\nG96 S600 M3\nG0 X3. Z0\nG1 X.25 F.01\nZ-.75\nX1.25 Z-2.\nM30\n";
+    let places = [[3.0, 0.0], [0.25, 0.0], [0.25, -0.75], [1.25, -2.0]];
+    let by_hand = seconds_by_hand(&places, 600.0 * 12.0, 2500.0, 0.01);
+    near("inches", cutting_seconds("mitsubishi-lathe", inches), by_hand);
+    // LinuxCNC: D is the limit; the machine's own is 3000 rpm.
+    let linuxcnc = "G21 G7 G18 G40 G90\nT1 M6 G43\nG96 D1200 S150 M3\nG95 F0.15\nG0 X80 Z0\nG1 X10\nZ-12\nX50 Z-30\nM2\n";
+    let places = [[80.0, 0.0], [10.0, 0.0], [10.0, -12.0], [50.0, -30.0]];
+    let by_hand = seconds_by_hand(&places, 150e3, 1200.0, 0.15);
+    near("LinuxCNC", cutting_seconds("linuxcnc-lathe", linuxcnc), by_hand);
+}

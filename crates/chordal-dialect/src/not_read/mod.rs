@@ -3,7 +3,6 @@
 
 mod grbl;
 mod heidenhain;
-mod lathe;
 mod marlin;
 mod okuma;
 mod sinumerik;
@@ -32,14 +31,8 @@ pub struct NotRead {
 }
 
 /// All of them. Of two that weigh alike the first counts.
-pub const ALL: &[&NotRead] = &[
-    &heidenhain::HEIDENHAIN,
-    &sinumerik::SINUMERIK,
-    &okuma::OKUMA,
-    &lathe::HAAS_LATHE,
-    &marlin::MARLIN,
-    &grbl::GRBL,
-];
+pub const ALL: &[&NotRead] =
+    &[&heidenhain::HEIDENHAIN, &sinumerik::SINUMERIK, &okuma::OKUMA, &marlin::MARLIN, &grbl::GRBL];
 
 #[cfg(test)]
 mod tests {

@@ -14,6 +14,8 @@ pub enum CycleField {
     FiresOn,
     Definition,
     MissingR,
+    RFromInitial,
+    FullReturn,
     RepeatLetter,
     ZeroRepeats,
     Lifts,
@@ -38,8 +40,11 @@ pub enum CycleField {
     Format,
 }
 
-const AXES: Choices<DrillingAxis> =
-    &[("z", DrillingAxis::AlwaysZ), ("plane-normal", DrillingAxis::PlaneNormal)];
+const AXES: Choices<DrillingAxis> = &[
+    ("z", DrillingAxis::AlwaysZ),
+    ("plane-normal", DrillingAxis::PlaneNormal),
+    ("of-code", DrillingAxis::OfCode),
+];
 
 const FIRING: Choices<FiringWords> = &[
     ("place", FiringWords::Place),
@@ -55,6 +60,8 @@ const DEFINITIONS: Choices<DefinitionFires> = &[
 
 const MISSING: Choices<MissingLevel> =
     &[("refused", MissingLevel::Refused), ("current", MissingLevel::Current)];
+
+const R_LEVELS: Choices<bool> = &[("from-initial", true), ("absolute", false)];
 
 const ZERO_REPEATS: Choices<ZeroRepeats> = &[
     ("refused", ZeroRepeats::Refused),
@@ -105,6 +112,8 @@ pub(crate) fn set(
         CycleField::FiresOn => rules.fires_on = choose(word, FIRING)?,
         CycleField::Definition => rules.definition = choose(word, DEFINITIONS)?,
         CycleField::MissingR => rules.missing_r = choose(word, MISSING)?,
+        CycleField::RFromInitial => rules.r_from_initial = choose(word, R_LEVELS)?,
+        CycleField::FullReturn => rules.peck.full_return = choose(word, SWITCH)?,
         CycleField::RepeatLetter => rules.repeat_letter = choose(word, LETTERS)?,
         CycleField::ZeroRepeats => rules.zero_repeats = choose(word, ZERO_REPEATS)?,
         CycleField::Lifts => {
@@ -145,6 +154,8 @@ pub(crate) fn value_text(p: &Parameters, field: CycleField) -> String {
         CycleField::FiresOn => name_of(rules.fires_on, FIRING),
         CycleField::Definition => name_of(rules.definition, DEFINITIONS),
         CycleField::MissingR => name_of(rules.missing_r, MISSING),
+        CycleField::RFromInitial => name_of(rules.r_from_initial, R_LEVELS),
+        CycleField::FullReturn => name_of(rules.peck.full_return, SWITCH),
         CycleField::RepeatLetter => name_of(rules.repeat_letter, LETTERS),
         CycleField::ZeroRepeats => name_of(rules.zero_repeats, ZERO_REPEATS),
         CycleField::Lifts => mm_text(p.rules.chip_break_mm),

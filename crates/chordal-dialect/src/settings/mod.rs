@@ -81,6 +81,10 @@ pub enum Field {
     Path(PathField),
     Frame(FrameField),
     Turning(TurningField),
+    /// What words of X are at power-on (LinuxCNC G7, G8).
+    StartRadii,
+    /// Which system of G codes (Fanuc lathes No. 3401).
+    CodeSystem,
     MacroAngles,
     /// A G code that calls a macro, by its place.
     AliasG(u8),
@@ -442,6 +446,12 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::Path(rule) => path_mode::set(p, rule, word, value)?,
         Field::Frame(rule) => frame::set(p, rule, word, value)?,
         Field::Turning(rule) => turning::set(p, rule, word, value)?,
+        Field::StartRadii => p.starts_with_radii = choose(word, X_WORDS)?,
+        Field::CodeSystem => {
+            p.code_system = choose(word, CODE_SYSTEMS)?;
+            // Inch and millimetres are G70 and G71 in C.
+            p.unit_codes = if p.code_system == 2 { UnitCodes::G70 } else { UnitCodes::G20 };
+        }
         Field::MacroAngles => {
             p.macro_angles_full_circle = choose(word, MACRO_ANGLES)?;
         }
@@ -530,12 +540,18 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::Path(rule) => path_mode::value_text(p, rule),
         Field::Frame(rule) => frame::value_text(p, rule),
         Field::Turning(rule) => turning::value_text(p, rule),
+        Field::StartRadii => name_of(p.starts_with_radii, X_WORDS),
+        Field::CodeSystem => name_of(p.code_system, CODE_SYSTEMS),
         Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
         Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
         Field::AliasM(at) => p.aliases.m[at as usize].to_string(),
         Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize].to_string(),
     }
 }
+
+const X_WORDS: &[(&str, bool)] = &[("radii", true), ("diameters", false)];
+
+const CODE_SYSTEMS: &[(&str, u8)] = &[("A", 0), ("B", 1), ("C", 2)];
 
 const ROUTINE_COUNTS: &[(&str, FixedRoutineCount)] =
     &[("repeat", FixedRoutineCount::Repeat), ("once", FixedRoutineCount::Once)];

@@ -19,10 +19,13 @@ pub enum TurningField {
     ThreadFinish,
     ThreadFinishPasses,
     ThreadAngle,
+    PocketsByR,
 }
 
 const FIRST_LEVELS: &[(&str, FirstLevel)] =
     &[("allowance", FirstLevel::Allowance), ("start", FirstLevel::Start)];
+
+const STYLES: &[(&str, Option<u8>)] = &[("fanuc", None), ("yasnac", Some(b'R'))];
 
 /// Sets one of them; the error says what it takes.
 pub(super) fn set(
@@ -49,6 +52,7 @@ pub(super) fn set(
         TurningField::ThreadFinish => rules.thread_finish_mm = length()?,
         TurningField::ThreadFinishPasses => rules.thread_finish_passes = whole(99)?,
         TurningField::ThreadAngle => rules.thread_angle_deg = f64::from(whole(120)?),
+        TurningField::PocketsByR => rules.pockets_by = choose(word, STYLES)?,
     }
     Ok(())
 }
@@ -66,5 +70,6 @@ pub(super) fn value_text(p: &Parameters, field: TurningField) -> String {
         TurningField::ThreadFinish => mm_text(rules.thread_finish_mm),
         TurningField::ThreadFinishPasses => rules.thread_finish_passes.to_string(),
         TurningField::ThreadAngle => rules.thread_angle_deg.to_string(),
+        TurningField::PocketsByR => name_of(rules.pockets_by, STYLES),
     }
 }

@@ -208,6 +208,8 @@ pub(crate) fn target_name(target: DataTarget) -> &'static str {
         DataTarget::Tool(ToolValue::LengthWear) => "wear of the length of tool P",
         DataTarget::Tool(ToolValue::Radius) => "radius or diameter of tool P",
         DataTarget::Tool(ToolValue::RadiusWear) => "wear of the radius or diameter of tool P",
+        DataTarget::TurningTool { wear: false } => "geometry of turning tool P",
+        DataTarget::TurningTool { wear: true } => "wear of turning tool P",
         DataTarget::ToolTable => "length and radius of tool P",
         DataTarget::ToolFromPosition => {
             "offsets of tool P, so that the current position becomes these numbers"
@@ -256,6 +258,8 @@ fn fields_of(action: Action) -> &'static [Field] {
             | ReadingCode::FeedPerTime
             | ReadingCode::FeedInverseTime
             | ReadingCode::FeedPerRevolution
+            | ReadingCode::Diameters
+            | ReadingCode::Radii
             | ReadingCode::SurfaceSpeed
             | ReadingCode::SpindleRpm => &[],
         },
@@ -285,7 +289,12 @@ fn fields_of(action: Action) -> &'static [Field] {
 fn settings_of_turning(cycle: TurnCycle) -> &'static [Field] {
     use TurningField as T;
     match cycle {
-        TurnCycle::Finish | TurnCycle::Pattern => &[],
+        TurnCycle::Finish
+        | TurnCycle::Pattern
+        | TurnCycle::FinishSubroutine
+        | TurnCycle::RoughSubroutine(_)
+        | TurnCycle::RoughFaceSubroutine(_)
+        | TurnCycle::LineThread => &[],
         TurnCycle::Rough | TurnCycle::RoughFace => &[
             Field::Turning(T::RoughDepth),
             Field::Turning(T::RoughRetract),
@@ -329,6 +338,7 @@ fn settings_of_mode(code: ModeCode) -> &'static [Field] {
         | ModeCode::ModalSubroutine
         | ModeCode::ModalCallOff
         | ModeCode::DataLinesOff => &[],
+        ModeCode::ThreadExit { .. } => &[Field::Turning(TurningField::ThreadExit)],
     }
 }
 

@@ -2,9 +2,10 @@
 
 use chordal::control::table::{CodeRow, DataTarget, code_name};
 use chordal::control::{
-    Action, BackBore, BeforeCode, CallCode, CycleKind, LengthCode, ModeCode, MotionCode, OnceCode,
-    TapFeed, TurnCycle, TurnPass,
+    Action, BackBore, BeforeCode, CallCode, CycleKind, DrillingAxis, LengthCode, ModeCode,
+    MotionCode, OnceCode, TapFeed, TurnCycle, TurnPass,
 };
+use chordal::geometry::Plane;
 
 use crate::meaning::{View, word_meaning};
 
@@ -13,7 +14,19 @@ use crate::meaning::{View, word_meaning};
 pub fn example(letter: u8, row: &CodeRow, view: &View) -> Option<String> {
     let code = code_name(letter, row.code);
     let turns = !view.parameters.increments.is_empty();
-    if let Some(words) = of_lathe(row.action).filter(|_| turns) {
+    // A lathe whose words are those of its mills, but for the plane.
+    let in_zx = view.parameters.rules.starts_in == Plane::Zx;
+    let drills = row.action.cycle().is_some();
+    if in_zx && !turns && drills {
+        return None;
+    }
+    let plain = |action: Action| {
+        action.is_plain_motion()
+            || action == Action::Once(OnceCode::SetData)
+            || action == Action::Once(OnceCode::LocalShift)
+    };
+    let fits = turns || in_zx && plain(row.action);
+    if let Some(words) = of_lathe(row.action).filter(|_| fits) {
         return Some(format!("{code} {words}"));
     }
     let (before, after) = match row.action {
@@ -101,6 +114,7 @@ fn of_mode(mode: ModeCode) -> Option<(Option<&'static str>, &'static str)> {
         | ModeCode::Polar { .. }
         | ModeCode::ModalSubroutine
         | ModeCode::ModalCallOff
+        | ModeCode::ThreadExit { .. }
         | ModeCode::DataLinesOff => None,
     }
 }
@@ -132,7 +146,8 @@ fn of_once(once: OnceCode, view: &View) -> Option<String> {
         OnceCode::Turning(TurnCycle::PeckZ) => "Z-40. Q12000 F0.15".into(),
         OnceCode::Turning(TurnCycle::PeckX) => "X40. Z-30. P3000 Q2500 F0.1".into(),
         OnceCode::Turning(TurnCycle::Thread) => "X20.376 Z-25. P1812 Q500 F3.".into(),
-        // The contour stands in blocks after it.
+        OnceCode::Turning(TurnCycle::LineThread) => "P1.5 Z-20. I-1. J0.2 K0.92".into(),
+        // The contour stands in blocks of its own.
         OnceCode::Turning(_) => return None,
         OnceCode::Rotation => "X0 Y0 R30.".into(),
         OnceCode::ReturnToReference { second: false } => "Z30.".into(),
@@ -156,7 +171,16 @@ fn of_once(once: OnceCode, view: &View) -> Option<String> {
 fn of_cycle(kind: CycleKind, row: &CodeRow, view: &View) -> String {
     let cycles = view.parameters.rules.cycles;
     let level = if view.table.lexicon.registers { "R0+2." } else { "R2." };
-    let mut words = format!("X10. Y10. Z-12. {level}");
+    let radial = view.table.radial_cycles.contains(&row.code);
+    let mut words = match (cycles.axis, radial, cycles.r_from_initial) {
+        (DrillingAxis::OfCode, false, true) => "Z-12. R-2.".to_string(),
+        (DrillingAxis::OfCode, false, false) => "Z-12. R2.".to_string(),
+        (DrillingAxis::OfCode, true, true) => "X20. R-2.".to_string(),
+        (DrillingAxis::OfCode, true, false) => "X20. R32.".to_string(),
+        (DrillingAxis::AlwaysZ | DrillingAxis::PlaneNormal, _, _) => {
+            format!("X10. Y10. Z-12. {level}")
+        }
+    };
     let upward = kind == CycleKind::BackBore && cycles.bore.back == BackBore::UpAndDown;
     for (needed, letter, word) in [
         (kind.is_peck(), 'Q', " Q5."),

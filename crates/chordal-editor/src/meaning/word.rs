@@ -2,10 +2,12 @@
 
 use chordal::control::table::{ArcTurns, CodeRow, DataTarget, DwellWord};
 use chordal::control::{
-    Action, BeforeCode, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, PathCode,
+    Action, BeforeCode, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, PathCode, ReadingCode,
 };
 use chordal::control::{ArcCenter, CycleKind, HolePattern, SplineForm, TurnCycle, TurnPass};
-use chordal::control::{BackBore, CycleRules, PeckDwell, ShiftWords, SpiralForm, TapFeed};
+use chordal::control::{
+    BackBore, CycleRules, DrillingAxis, PeckDwell, ShiftWords, SpiralForm, TapFeed,
+};
 
 use chordal::machine::AXIS_LETTERS;
 
@@ -21,6 +23,9 @@ pub fn word_meaning(row: &CodeRow, letter: u8, view: &View) -> Option<String> {
         Action::Call(code) => called(code, letter, view),
         Action::Before(code) => before(code, letter).map(str::to_string),
         Action::Cycle(kind) => cycle(kind, letter, view),
+        Action::Reading(ReadingCode::SurfaceSpeed) if letter == b'D' => {
+            Some("limit of the spindle speed, rev/min".into())
+        }
         Action::Reading(_)
         | Action::After(_)
         | Action::NoEffect
@@ -31,7 +36,18 @@ pub fn word_meaning(row: &CodeRow, letter: u8, view: &View) -> Option<String> {
 
 fn motion(code: MotionCode, letter: u8, view: &View) -> Option<String> {
     match code {
-        MotionCode::Rapid | MotionCode::Linear => None,
+        MotionCode::Rapid => None,
+        MotionCode::Linear if !view.parameters.corners_of_lines => None,
+        MotionCode::Linear => match letter {
+            b'I' | b'K' => Some("chamfer between this cut and the next, from the corner".into()),
+            b'R' => Some("radius of a rounding between this cut and the next".into()),
+            _ => None,
+        },
+        MotionCode::Thread if view.parameters.thread_lead == b'F' => match letter {
+            b'K' => Some("change of the lead in each revolution".into()),
+            b'Q' => Some("angle at which the thread starts".into()),
+            _ => None,
+        },
         MotionCode::ArcCw | MotionCode::ArcCcw => arc(letter, view),
         MotionCode::Thread | MotionCode::RigidTap => match letter {
             b'K' => Some("advance along the path per revolution of the spindle".into()),
@@ -77,6 +93,10 @@ fn turning(cycle: TurnCycle, letter: u8) -> Option<&'static str> {
         (T::Thread, b'D') => "depth of the first pass, in one block",
         (T::Thread, b'A') => "angle of the thread, in one block",
         (T::Thread, b'I') => "taper on the radius, in one block",
+        (T::LineThread, letter) => return line_thread(letter),
+        (T::FinishSubroutine | T::RoughSubroutine(_) | T::RoughFaceSubroutine(_), letter) => {
+            return by_subroutine(letter);
+        }
         (_, b'P') => "number of the first block of the contour",
         (_, b'Q') => "number of the last block of the contour",
         (T::Rough, b'U') => {
@@ -94,6 +114,33 @@ fn turning(cycle: TurnCycle, letter: u8) -> Option<&'static str> {
         (T::RoughFace, b'U') => "finishing allowance on the diameter",
         (_, b'F') => "feed of the cycle",
         (_, b'S') => "spindle speed of the cycle",
+        _ => return None,
+    })
+}
+
+fn line_thread(letter: u8) -> Option<&'static str> {
+    Some(match letter {
+        b'P' => "lead of the thread",
+        b'I' => "from the start to the crest; below zero outside, above zero in a bore",
+        b'J' => "depth of the first pass",
+        b'K' => "height of the thread",
+        b'R' => "how the depth of the passes falls: 1 equal steps, 2 equal areas",
+        b'Q' => "angle of the infeed, degrees",
+        b'H' => "further passes at the whole height",
+        b'E' => "length of the tapered ends along Z",
+        b'L' => "tapered ends: 0 none, 1 at the start, 2 at the end, 3 both",
+        _ => return None,
+    })
+}
+
+fn by_subroutine(letter: u8) -> Option<&'static str> {
+    Some(match letter {
+        b'Q' => "number of the subroutine that holds the contour",
+        b'D' => "what is left on the contour; of G70 the distance before the first pass",
+        b'E' => "distance of the last pass",
+        b'P' => "number of passes",
+        b'I' => "depth of a pass, on the radius",
+        b'R' => "how far a pass backs off",
         _ => return None,
     })
 }
@@ -118,6 +165,10 @@ fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
         OnceCode::SetData => return set_data(letter, view),
         OnceCode::Pattern(pattern) => return holes(pattern, letter),
         OnceCode::Turning(cycle) => return turning(cycle, letter).map(str::to_string),
+        OnceCode::PresetPosition if view.parameters.preset_limits_speed => match letter {
+            b'S' => "limit of the spindle speed, rev/min",
+            _ => return None,
+        },
         OnceCode::ReturnToReference { second } => match letter {
             b'P' if second => "number of the reference point: 2, 3 or 4; without P the second",
             _ => return None,
@@ -219,6 +270,7 @@ fn mode(code: ModeCode, letter: u8) -> Option<String> {
         | ModeCode::ScalingOff
         | ModeCode::Polar { .. }
         | ModeCode::ModalCallOff
+        | ModeCode::ThreadExit { .. }
         | ModeCode::DataLinesOff => return None,
     };
     Some(text.into())
@@ -411,6 +463,8 @@ fn cycle(kind: CycleKind, letter: u8, view: &View) -> Option<String> {
     let rules = &view.parameters.rules.cycles;
     let text = match letter {
         b'R' if view.table.lexicon.registers => "R level, written R0+…: where feeding begins",
+        b'R' if rules.r_from_initial => "distance from where the tool is to where feeding begins",
+        b'R' if rules.axis == DrillingAxis::OfCode => "R level: where feeding begins",
         b'R' => "R level: where feeding begins, and to where G99 returns",
         _ if letter == rules.repeat_letter => "number of holes; in G91 each is one step further",
         b'E' if throws_chips(kind) => {

@@ -62,6 +62,12 @@ impl Interpreter<'_> {
                 Some((row, motion))
             }
         };
+        if self.control.parameters.corners_of_lines
+            && letters.meets(Letters::of("IKR"))
+            && self.cuts_line(block)
+        {
+            return false;
+        }
         if !letters.within(ALWAYS) {
             let words = match explicit {
                 Some((row, _)) => self.words_of(row),
@@ -143,7 +149,7 @@ impl Interpreter<'_> {
             }
             return self.take_after_motion(block, codes);
         }
-        let claims = self.claims(codes);
+        let claims = self.claims(block, codes);
         if let Some(flow) = self.repeat_or_call_by_l(block, codes, claims) {
             return flow;
         }
@@ -217,7 +223,11 @@ impl Interpreter<'_> {
             }
             None => {
                 let motion = codes.iter().rev().find_map(|(row, _)| row.action.motion());
-                let cycle = codes.iter().rev().find_map(|(row, _)| row.action.cycle());
+                let radial = self.control.table.radial_cycles;
+                let cycle = codes
+                    .iter()
+                    .rev()
+                    .find_map(|(row, _)| Some((row.action.cycle()?, radial.contains(&row.code))));
                 self.take_corner(block);
                 self.motion_or_cycle(block, motion, cycle);
             }

@@ -24,6 +24,7 @@ const MOST_CALL_PATHS: usize = 1000;
 struct BlockMemory {
     kernel: KernelMemory,
     scale: Scale,
+    per_word: PerAxis<f64>,
     registers: [Decimal; 10],
     subroutines: BTreeMap<u32, TextPosition>,
     missing: Vec<u32>,
@@ -87,6 +88,7 @@ impl Interpreter<'_> {
         let memory = BlockMemory {
             kernel: self.kernel.memory(),
             scale: self.scale,
+            per_word: self.per_word,
             registers: self.registers,
             subroutines: self.subroutines.clone(),
             missing: self.missing.clone(),
@@ -113,6 +115,7 @@ impl Interpreter<'_> {
         self.blocks = checkpoint.blocks();
         self.kernel.recall(memory.kernel);
         self.scale = memory.scale;
+        self.per_word = memory.per_word;
         self.registers = memory.registers;
         self.subroutines = memory.subroutines;
         self.missing = memory.missing;

@@ -6,7 +6,7 @@ use chordal_dialect::table::MotionModality;
 use chordal_dialect::{Action, ModeCode, MotionCode, OnceCode};
 use chordal_dialect::{CodeRow, Group};
 use chordal_kernel::Motion;
-use chordal_kernel::rules::SpiralForm;
+use chordal_kernel::rules::{SpiralForm, TurnCycle};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
@@ -129,8 +129,12 @@ impl Interpreter<'_> {
     }
 
     /// Letters that the block's codes and modes take.
-    pub(super) fn claims(&self, codes: &[(&'static CodeRow, usize)]) -> Letters {
-        let mut claims = ALWAYS.without(self.control.parameters.words_of_codes);
+    pub(super) fn claims(&self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> Letters {
+        let parameters = &self.control.parameters;
+        let mut claims = ALWAYS.without(parameters.words_of_codes);
+        for (letter, _) in parameters.increments {
+            claims = claims.without(Letters(1 << (letter - b'A')));
+        }
         // Codes that take the axis words for themselves name the increments that they take.
         let by_increments = |row: &CodeRow| {
             !row.takes_axes()
@@ -150,6 +154,14 @@ impl Interpreter<'_> {
         }
         for (row, _) in codes {
             claims = claims.union(self.words_of(row));
+            let rough = OnceCode::Turning(TurnCycle::Rough);
+            let face = OnceCode::Turning(TurnCycle::RoughFace);
+            if (row.action == Action::Once(rough) || row.action == Action::Once(face))
+                && block.letters().meets(Letters::of("PQ"))
+                && let Some(letter) = parameters.rules.turning.pockets_by
+            {
+                claims.insert(letter);
+            }
         }
         let table = self.control.table;
         if table.work_names.by_e {
@@ -171,7 +183,12 @@ impl Interpreter<'_> {
             row.takes_axes() && !leaves || row.action.cycle().is_some()
         };
         let drills = drills || codes.iter().any(|(row, _)| takes(row));
-        if !drills && let Some(words) = self.modal_arc_words() {
+        let own = self.control.parameters.corners_of_lines
+            && codes.iter().any(|(row, _)| row.action.motion().is_some());
+        if !drills
+            && !own
+            && let Some(words) = self.modal_arc_words()
+        {
             claims = claims.union(words);
         }
         claims
@@ -181,6 +198,7 @@ impl Interpreter<'_> {
     pub(super) fn modal_arc_words(&self) -> Option<Letters> {
         let code = match self.kernel.state.motion {
             Motion::Arc(_) => 20,
+            Motion::Linear if self.control.parameters.corners_of_lines => 10,
             Motion::Spiral(_) => 21,
             Motion::Turn(_) | Motion::Thread if !self.control.parameters.increments.is_empty() => {
                 return self.motion_in_force_words();
@@ -243,6 +261,9 @@ impl Interpreter<'_> {
     pub(super) fn check_comma_words(&mut self, block: &Block) {
         for word in block.words.iter().filter(|word| word.comma) {
             if word.letter == b'R' && self.tap_stands_in(block) {
+                continue;
+            }
+            if word.letter == b'A' && self.control.parameters.corners_of_lines {
                 continue;
             }
             if self.is_corner_word(word) {

@@ -25,6 +25,8 @@ pub(super) struct KeptModes {
 #[derive(Clone, Debug, PartialEq)]
 struct Modes {
     units: Units,
+    /// What a word of X is multiplied by.
+    per_x: f64,
     plane: Plane,
     side: Side,
     incremental: bool,
@@ -81,6 +83,7 @@ impl Interpreter<'_> {
         let tool = state.offsets.tool_in_force();
         Modes {
             units: state.units,
+            per_x: self.per_word[0],
             plane: state.plane,
             side: state.side,
             incremental: state.incremental,
@@ -121,6 +124,7 @@ impl Interpreter<'_> {
     fn bring_back(&mut self, block: &Block, modes: Modes) {
         let span = self.span(block.range);
         self.set_units(modes.units);
+        self.per_word[0] = modes.per_x;
         if self.kernel.state.side != modes.side {
             self.kernel.state.side = modes.side;
             let number = (modes.side != Side::Off).then_some(self.kernel.state.tool);

@@ -1,9 +1,13 @@
 //! `,R` and `,C`: a rounding or a chamfer between the end of this block and the next move.
 
+use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_dialect::MotionCode;
+use chordal_kernel::Motion;
 use chordal_kernel::rules::CornerMoves;
 use chordal_kernel::{Corner, CornerForm};
-use chordal_syntax::{Block, Word};
+use chordal_machine::Axis;
+use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
 
@@ -18,7 +22,10 @@ impl Interpreter<'_> {
     /// Before the motion of a block: the corner at its end.
     pub(super) fn take_corner(&mut self, block: &Block) {
         self.open_corner = false;
-        if !block.commas || self.tap_stands_in(block) {
+        if !block.commas {
+            return self.take_corner_of_line(block);
+        }
+        if self.tap_stands_in(block) {
             return;
         }
         let mut words = block.words.iter().filter(|word| self.is_corner_word(word)).copied();
@@ -49,6 +56,73 @@ impl Interpreter<'_> {
         } else if size_mm > 0.0 {
             self.kernel.ask_corner(Corner { word, name, form, size_mm });
         }
+    }
+
+    /// A straight cut: by its own code, or by the one in force.
+    pub(super) fn cuts_line(&self, block: &Block) -> bool {
+        let own = block.all(b'G').find_map(|word| {
+            let row = self.control.row_of(word)?;
+            let takes = row.takes_axes() || row.action.cycle().is_some();
+            let cuts = row.action.motion().map(|code| code == MotionCode::Linear);
+            cuts.or(takes.then_some(false))
+        });
+        match own {
+            Some(cuts) => cuts,
+            None => self.kernel.state.motion == Motion::Linear && self.kernel.state.cycle.is_none(),
+        }
+    }
+
+    /// I, K and R of a straight cut, on lathes that have them without a comma.
+    fn take_corner_of_line(&mut self, block: &Block) {
+        let letters = block.letters();
+        if !self.control.parameters.corners_of_lines
+            || !letters.meets(Letters::of("IKR"))
+            || !self.cuts_line(block)
+        {
+            return;
+        }
+        let (name, letter, form) = match (letters.has(b'R'), letters.has(b'I')) {
+            (true, _) => ("R", b'R', CornerForm::Rounding),
+            (false, true) => ("I", b'I', CornerForm::Chamfer),
+            (false, false) => ("K", b'K', CornerForm::Chamfer),
+        };
+        let Some(word) = block.last(letter).copied() else { return };
+        // The sign says to which side the next block goes, which it does anyway.
+        let Some(size_mm) = self.length(&word).map(f64::abs).filter(|size| *size > 0.0) else {
+            return;
+        };
+        self.kernel.ask_corner(Corner { word: self.span(word.range), name, form, size_mm });
+    }
+
+    /// `,A`: a straight cut at an angle from +Z, of which the block names one end coordinate.
+    pub(super) fn line_by_angle(
+        &mut self,
+        block: &Block,
+        target: &mut Position,
+        named: &mut AxisMask,
+    ) {
+        let Some(word) = block.words.iter().find(|word| word.comma && word.letter == b'A') else {
+            return;
+        };
+        let word = *word;
+        let Some(degrees) = self.literal(&word).map(|number| number.to_f64()) else { return };
+        let (x, z) = (Axis::X as usize, Axis::Z as usize);
+        let tangent = libm::tan(degrees.to_radians());
+        let from = self.kernel.state.position;
+        match (named.has(x), named.has(z)) {
+            (false, true) => target[x] = from[x] + (target[z] - from[z]) * tangent,
+            (true, false) if tangent.abs() > 1e-9 => {
+                target[z] = from[z] + (target[x] - from[x]) / tangent;
+            }
+            (true, true) => return,
+            (false, false) | (true, false) => {
+                let message =
+                    "`,A` without X or Z ends where the next block says, which is not followed";
+                return self.lose_path(word.range, message.to_string());
+            }
+        }
+        named.insert(x);
+        named.insert(z);
     }
 
     /// After a block with such words, or after one that stands between a corner and its next move.

@@ -33,6 +33,9 @@ mod spline;
 mod statement;
 mod thread;
 mod turning;
+mod turning_contour;
+mod turning_subroutine;
+mod turning_tool;
 
 pub use self::calls::subroutine_head;
 
@@ -275,6 +278,10 @@ impl<'a> Interpreter<'a> {
         let mut kernel =
             Kernel::new(rules, machine, control.alarms(), State::new(rules, offsets, home), sink);
         kernel.max_repeated = options.max_repeated_blocks;
+        let mut per_word = machine.written_factors().map(f64::recip);
+        if control.parameters.starts_with_radii {
+            per_word[0] = 1.0;
+        }
         Interpreter {
             library,
             control,
@@ -282,7 +289,7 @@ impl<'a> Interpreter<'a> {
             options,
             kernel,
             scale: Scale::new(control.parameters.rules.units, &control.parameters),
-            per_word: machine.written_factors().map(f64::recip),
+            per_word,
             registers: [Decimal::integer(0); 10],
             reader: library.reader(library.programs()[program], control.table.lexicon),
             program,

@@ -37,6 +37,8 @@ impl Interpreter<'_> {
             ReadingCode::FeedPerRevolution => self.kernel.set_feed_mode(FeedMode::PerRevolution),
             ReadingCode::SurfaceSpeed => self.kernel.keep_surface_speed(),
             ReadingCode::SpindleRpm => self.kernel.keep_spindle_speed(),
+            ReadingCode::Diameters => self.per_word[0] = 0.5,
+            ReadingCode::Radii => self.per_word[0] = 1.0,
         }
     }
 
@@ -50,6 +52,12 @@ impl Interpreter<'_> {
         let letters = block.letters();
         if letters.has(b'F') && !self.feed_is_tap_speed(codes) {
             self.take_feed(block);
+        }
+        let surface = codes.iter().find(|(row, _)| {
+            row.action == Action::Reading(ReadingCode::SurfaceSpeed) && row.words.has(b'D')
+        });
+        if let Some((_, at)) = surface {
+            self.limit_of_surface_speed(block, *at);
         }
         let limits = self.control.parameters.preset_limits_speed
             && codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::PresetPosition));
@@ -70,6 +78,7 @@ impl Interpreter<'_> {
         };
         let turns = |row: &CodeRow| matches!(row.action, Action::Once(OnceCode::Turning(_)));
         if letters.has(b'D')
+            && surface.is_none()
             && !codes.iter().any(|(row, _)| turns(row))
             && !codes.iter().any(|(row, _)| by_diameter(row))
             && let Some(number) = self.count_of(block, b'D')
@@ -169,6 +178,7 @@ impl Interpreter<'_> {
             ModeCode::ModalSubroutine => self.begin_modal_subroutine(block, at),
             ModeCode::ModalCallOff => self.end_modal_call(),
             ModeCode::DataLinesOff => self.data_lines = false,
+            ModeCode::ThreadExit { on } => self.kernel.state.turning.without_exit = !on,
         }
     }
 
@@ -222,7 +232,9 @@ impl Interpreter<'_> {
     pub(super) fn take_length(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         let length_code = codes.iter().rev().find(|(row, _)| row.group == Group::ToolLength);
         let by_code = length_code.map(|(row, _)| row.action);
-        if by_code.is_none() && !block.letters().has(b'H') {
+        // On lathes H moves C by an increment.
+        let moves = self.control.parameters.increments.iter().any(|(letter, _)| *letter == b'H');
+        if by_code.is_none() && (moves || !block.letters().has(b'H')) {
             return;
         }
         let writes = codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::SetData));

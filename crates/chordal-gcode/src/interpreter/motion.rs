@@ -116,14 +116,14 @@ impl Interpreter<'_> {
         &mut self,
         block: &Block,
         explicit: Option<MotionCode>,
-        cycle: Option<CycleKind>,
+        cycle: Option<(CycleKind, bool)>,
     ) {
         self.kernel.end_cycle_if(
             explicit.is_some() && self.control.parameters.rules.cycles.cancel.by_motion,
         );
         let arc = matches!(explicit, Some(MotionCode::ArcCw | MotionCode::ArcCcw));
         match cycle {
-            Some(kind) => self.start_cycle(block, kind),
+            Some((kind, radial)) => self.start_cycle(block, kind, radial),
             _ if self.kernel.state.cycle.is_some() && !arc => self.next_hole(block),
             _ => self.motion_block(block, explicit),
         }
@@ -180,7 +180,10 @@ impl Interpreter<'_> {
 
     fn exclusive_motion(&mut self, block: &Block, explicit: bool) {
         let arc_words = self.has_arc_words(block);
-        let (target, named) = self.target(block);
+        let (mut target, mut named) = self.target(block);
+        if block.commas && self.control.parameters.corners_of_lines {
+            self.line_by_angle(block, &mut target, &mut named);
+        }
         if named == AxisMask::NONE
             && (!arc_words || matches!(self.kernel.state.motion, Motion::Turn(_)))
         {

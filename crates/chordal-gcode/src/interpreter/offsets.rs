@@ -167,7 +167,9 @@ impl Interpreter<'_> {
         }
         self.kernel.state.side = side;
         let radius_mm = Some(diameter.abs() / 2.0);
-        let (number, toward, tip) = (None, None, [0.0; 2]);
+        let (number, toward) = (None, None);
+        let tip = if block.letters().has(b'L') { self.count_of(block, b'L') } else { None };
+        let tip = self.kernel.direction_of_tip(tip);
         self.kernel.emit(CommandKind::Compensation { side, number, radius_mm, toward, tip });
     }
 
@@ -333,7 +335,7 @@ impl Interpreter<'_> {
         });
         let stations = self.control.parameters.tool_word != ToolWord::Tool;
         if l.is_none() && stations {
-            return self.write_turning_tool(block);
+            return self.write_turning_tool(block, None);
         }
         let span = self.span(block.words[at].range);
         match target {
@@ -343,6 +345,7 @@ impl Interpreter<'_> {
             Some(DataTarget::Register) => self.write_register(block, l.unwrap_or(100) - 100),
             Some(DataTarget::Reload) => {}
             Some(DataTarget::ToolTable) => self.write_tool_table(block, ToolFrom::Words),
+            Some(DataTarget::TurningTool { wear }) => self.write_turning_tool(block, Some(wear)),
             Some(DataTarget::ToolFromPosition) => {
                 self.write_tool_table(block, ToolFrom::WorkPosition);
             }
@@ -518,8 +521,10 @@ impl Interpreter<'_> {
             });
         }
         let radius = self.length_of(block, b'R');
+        let tip = if block.letters().has(b'Q') { self.count_of(block, b'Q') } else { None };
         self.kernel.state.shift_coordinates(|offsets| {
             let tool = offsets.tool_mut(number);
+            tool.tip = tip.or(tool.tip);
             for (offset, word) in tool.offset.iter_mut().zip(words) {
                 *offset = word.or(*offset);
             }

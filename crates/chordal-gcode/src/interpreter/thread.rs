@@ -2,6 +2,7 @@
 
 use chordal_command::{AxisMask, Position, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_dialect::table::TurnFault;
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
@@ -77,12 +78,33 @@ impl Interpreter<'_> {
         }
     }
 
+    /// G34: K changes the lead by the revolution; the pass takes as long as with the lead between.
+    fn mean_lead(&mut self, block: &Block, target: Position, lead: f64) -> Option<f64> {
+        if !block.letters().has(b'K') {
+            return Some(lead);
+        }
+        let change = self.length_of(block, b'K')?;
+        let from = self.kernel.state.position;
+        let length = (target[0] - from[0]).abs().max((target[2] - from[2]).abs());
+        // Advance after n turns: lead n + change n² / 2.
+        let last = lead * lead + 2.0 * change * length;
+        if last <= 0.0 {
+            let span = self.words_span(block, Letters::of("K"));
+            let text = self.kernel.length_text(-lead * lead / (2.0 * change));
+            let message = format!("the lead falls to nothing after {text} of this thread");
+            self.refuse_cycle(span, message, "make K smaller", TurnFault::Lead);
+            return None;
+        }
+        Some((lead + last.sqrt()) / 2.0)
+    }
+
     /// A thread in one pass whose lead is F, along the axis that moves more.
     fn thread_by_feed(&mut self, block: &Block, target: Position, named: AxisMask) {
         if named == AxisMask::NONE {
             return;
         }
         let Some(lead) = self.lead_by_feed(block) else { return };
+        let Some(lead) = self.mean_lead(block, target, lead) else { return };
         self.kernel.turned_thread(&self.at(block), target, lead);
     }
 }

@@ -34,6 +34,7 @@ impl Kernel<'_> {
     /// The index of the axis that cycles drill along.
     pub fn drilling_axis(&self) -> usize {
         match (self.rules.cycles.axis, self.state.plane) {
+            (DrillingAxis::OfCode, _) => self.state.cycle.map_or(2, |cycle| cycle.axis),
             (DrillingAxis::AlwaysZ, _) | (_, Plane::Xy) => 2,
             (_, Plane::Zx) => 1,
             (_, Plane::Yz) => 0,
@@ -42,7 +43,13 @@ impl Kernel<'_> {
 
     /// The hole that the words in force make, or why the control makes none.
     pub fn resolve_hole(&mut self, at: &dyn Statement) -> Option<Hole> {
-        let words = self.state.cycle?;
+        let mut words = self.state.cycle?;
+        let peck = self.rules.cycles.peck;
+        words.kind = match words.kind {
+            CycleKind::Peck if peck.q_optional && words.q.is_none() => CycleKind::DrillDwell,
+            CycleKind::Peck if !peck.full_return => CycleKind::ChipBreak,
+            kind => kind,
+        };
         if !self.may_drill(at) || !self.has_its_words(at, &words) {
             return None;
         }

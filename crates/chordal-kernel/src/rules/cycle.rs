@@ -83,6 +83,8 @@ pub enum DrillingAxis {
     AlwaysZ,
     /// The normal of the plane (LinuxCNC; Fanuc 5101#0 = 1).
     PlaneNormal,
+    /// Z, or X by the code of the cycle (lathes).
+    OfCode,
 }
 
 /// Which words of a block set off a hole while a cycle is in force.
@@ -215,6 +217,10 @@ pub enum BackBore {
 /// Pecks.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PeckRules {
+    /// Without Q it is one cut (lathes).
+    pub q_optional: bool,
+    /// Pecks of G83 return to R, not by the lift alone (Fanuc lathes, No. 5101#2).
+    pub full_return: bool,
     /// Q must be above zero; elsewhere its sign is ignored.
     pub positive_only: bool,
     /// I, J, K: first peck, decrease, smallest peck (Haas, Fadal).
@@ -307,6 +313,8 @@ pub struct CycleRules {
     pub definition: DefinitionFires,
     /// R and Z in G91.
     pub incremental: IncrementalLevels,
+    /// R is the distance from the initial level (Fanuc lathes, No. 5102#6 = 0).
+    pub r_from_initial: bool,
     /// R not given.
     pub missing_r: MissingLevel,
     /// The order of the levels.
@@ -351,6 +359,7 @@ impl CycleRules {
         fires_on: FiringWords::AxisOrLevel,
         definition: DefinitionFires::Always,
         incremental: IncrementalLevels::WhenGiven,
+        r_from_initial: false,
         missing_r: MissingLevel::Refused,
         order: LevelOrder::Free,
         keeps_words: true,
@@ -371,6 +380,8 @@ impl CycleRules {
         starts_at_r: false,
         bolt_circle: [1, 2],
         peck: PeckRules {
+            q_optional: false,
+            full_return: true,
             positive_only: false,
             decreasing: false,
             return_after_k: false,

@@ -17,6 +17,25 @@ pub enum TurnCycle {
     PeckX,
     /// A thread in many passes (G76).
     Thread,
+    /// The contour of a subroutine, in passes at decreasing distances (LinuxCNC G70).
+    FinishSubroutine,
+    /// Passes along Z, down to the contour of a subroutine (LinuxCNC G71).
+    RoughSubroutine(Pockets),
+    /// Passes along X (LinuxCNC G72).
+    RoughFaceSubroutine(Pockets),
+    /// A thread measured from the line that the tool drives along (LinuxCNC G76).
+    LineThread,
+}
+
+/// What becomes of the pockets of a contour.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum Pockets {
+    /// They are cut.
+    Cut,
+    /// They are left (LinuxCNC G71.1).
+    Left,
+    /// They alone are cut, where the cycle without them ended (LinuxCNC G71.2).
+    Only,
 }
 
 /// Where the levels of roughing begin.
@@ -49,6 +68,15 @@ pub struct TurningRules {
     pub thread_least_mm: f64,
     /// Depth of the finishing pass, mm (No. 5141).
     pub thread_finish_mm: f64,
+    /// The letter of G71 and G72 that says whether pockets are cut (Yasnac R, Mitsubishi H); without one it is said by the axes
+    /// of the contour's first block.
+    pub pockets_by: Option<u8>,
+    /// A names the program that holds the contour (Mitsubishi).
+    pub contour_program: bool,
+    /// A first block without P and Q gives depth and retract; else all is in one block (Haas).
+    pub two_blocks: bool,
+    /// Tip numbers count with X turned round: 2 is the tool for turning outside, not 3 (LinuxCNC).
+    pub tips_mirrored: bool,
 }
 
 impl TurningRules {
@@ -63,5 +91,9 @@ impl TurningRules {
         thread_angle_deg: 60.0,
         thread_least_mm: 0.0,
         thread_finish_mm: 0.0,
+        pockets_by: None,
+        contour_program: false,
+        two_blocks: true,
+        tips_mirrored: false,
     };
 }

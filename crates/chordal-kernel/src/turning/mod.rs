@@ -3,6 +3,9 @@
 //! Lengths are millimetres, X is a radius. `profile` is the contour that a cycle cuts, `rough` cuts down to it in
 //! levels, `pattern` repeats it, `passes` are the cycles of one block, `peck` and `thread` what they say.
 
+mod descent;
+mod line_thread;
+mod offset;
 mod passes;
 mod pattern;
 mod peck;
@@ -16,8 +19,10 @@ use chordal_machine::Axis;
 use crate::kernel::Kernel;
 use crate::statement::Statement;
 
+pub use descent::{DescentFault, DescentWords};
+pub use line_thread::LineThreadWords;
 pub use peck::PeckWords;
-pub use profile::Profile;
+pub use profile::{Edge, Profile};
 pub use rough::RoughWords;
 pub use thread::ThreadWords;
 

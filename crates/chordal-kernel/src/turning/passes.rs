@@ -42,7 +42,11 @@ impl Kernel<'_> {
         lead: f64,
     ) {
         self.require_spindle(at);
-        let full = self.state.turning.thread.exit_leads * lead;
+        let leads = match self.state.turning.without_exit {
+            true => 0.0,
+            false => self.state.turning.thread.exit_leads,
+        };
+        let full = leads * lead;
         let [start_x, start_z] = self.turned_place();
         let length = (start_z - z).abs();
         let back = if start_z >= z { 1.0 } else { -1.0 };

@@ -46,6 +46,11 @@ impl Profile {
         })
     }
 
+    /// All moves of commands, the first included.
+    pub fn moves(commands: &[Command]) -> Vec<Edge> {
+        commands.iter().filter_map(Edge::of).collect()
+    }
+
     /// Where it ends.
     pub fn end(&self) -> [f64; 2] {
         self.edges.last().map_or(self.start, |edge| edge.to)
@@ -176,6 +181,16 @@ impl View {
             sign(start[cross] - first[cross])
         };
         View { along_x, along, across }
+    }
+
+    /// By the signs of the two.
+    pub fn by_signs(along_x: bool, along: f64, across: f64) -> View {
+        View { along_x, along, across }
+    }
+
+    /// An edge of X and Z as this view has it.
+    pub fn of(&self, edge: &Edge) -> Edge {
+        edge.mapped(|at| self.seen(at), self.turns())
     }
 
     /// (x, z) as (along, across).

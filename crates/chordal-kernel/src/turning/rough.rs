@@ -22,6 +22,8 @@ pub struct RoughWords {
     pub depth: f64,
     /// How far a pass backs off, mm.
     pub retract: f64,
+    /// What a contour pass before the last one leaves beyond that: on the radius, and along Z, mm.
+    pub rough_allowance: [f64; 2],
     /// Pockets are cut, too (type II).
     pub pockets: bool,
 }
@@ -43,8 +45,10 @@ impl Kernel<'_> {
     pub fn rough(&mut self, at: &dyn Statement, words: &RoughWords, profile: &Profile) {
         let start = self.turned_place();
         let view = View::new(words.along_x, start, profile);
-        let by = view.seen(words.allowance);
-        self.check_allowance(at, by);
+        let finish = view.seen(words.allowance);
+        self.check_allowance(at, finish);
+        let more = view.seen(words.rough_allowance);
+        let by = [finish[0] + more[0], finish[1] + more[1]];
         let edges = view.edges(profile, by);
         let seen = view.seen(start);
         let begin = [seen[0] + by[0], seen[1] + by[1]];
@@ -76,8 +80,33 @@ impl Kernel<'_> {
         self.infeed(at, &job, [begin[0], first[1]]);
         self.infeed(at, &job, first);
         self.turn_contour(at, edges.iter().map(|edge| view.placed(edge)));
+        if more != [0.0; 2] {
+            self.contour_nearer(at, &view, profile, start, finish);
+        }
         self.turn_rapid(start);
         self.origin.cycle = false;
+    }
+
+    /// A second pass along the contour, with what is left for finishing alone.
+    fn contour_nearer(
+        &mut self,
+        at: &dyn Statement,
+        view: &View,
+        profile: &Profile,
+        start: [f64; 2],
+        by: [f64; 2],
+    ) {
+        let moved = |place: [f64; 2]| {
+            let seen = view.seen(place);
+            view.place([seen[0] + by[0], seen[1] + by[1]])
+        };
+        self.turn_rapid(moved(start));
+        match profile.first_is_rapid {
+            true => self.turn_rapid(moved(profile.start)),
+            false => self.turn_cut(at, moved(profile.start)),
+        }
+        let edges = view.edges(profile, by);
+        self.turn_contour(at, edges.iter().map(|edge| view.placed(edge)));
     }
 
     fn infeed(&mut self, at: &dyn Statement, job: &Job<'_>, to: [f64; 2]) {

@@ -36,6 +36,13 @@ impl Kind {
     }
 }
 
+/// Their G73 to G76 are other cycles; `turning.rs` has their faults.
+const LATHES: &[&str] = &["fanuc-lathe", "haas-lathe", "linuxcnc-lathe", "mitsubishi-lathe"];
+
+/// The feed of a hole begins where the tool is.
+const NO_R: &[&str] =
+    &["fadal", "haas", "fanuc-lathe", "haas-lathe", "linuxcnc-lathe", "mitsubishi-lathe"];
+
 pub const KINDS: &[Kind] = &[
     // Slips of the fingers.
     kind("letter O for zero", letter_o, &["CH103"]),
@@ -44,13 +51,22 @@ pub const KINDS: &[Kind] = &[
     kind("two decimal points", two_points, &["CH101"]),
     kind("comma for the decimal point", comma, &["CH102", "CH105", "CH109"]),
     // With blanks in its numbers, `G0 15.` is G15 there.
-    kind("an axis letter lost", lost_letter, &["CH102"]).not_on(&["linuxcnc"]),
+    kind("an axis letter lost", lost_letter, &["CH102"]).not_on(&["linuxcnc", "linuxcnc-lathe"]),
     kind("comment not closed", open_comment, &["CH104"]).not_on(&["fadal"]),
-    kind("decimal point forgotten", lost_point, &["CH305"]).not_on(&["fadal", "linuxcnc"]),
+    kind("decimal point forgotten", lost_point, &["CH305"]).not_on(&[
+        "fadal",
+        "linuxcnc",
+        "linuxcnc-lathe",
+    ]),
     // Codes.
     kind("unknown G code", unknown_g, &["CH301"]),
     // Where M codes are the machine builder's, an unknown one is a note.
-    kind("unknown M code", unknown_m, &["CH301"]).not_on(&["fanuc", "fanuc-lathe", "mitsubishi"]),
+    kind("unknown M code", unknown_m, &["CH301"]).not_on(&[
+        "fanuc",
+        "fanuc-lathe",
+        "mitsubishi",
+        "mitsubishi-lathe",
+    ]),
     kind("G0 and G1 in one block", two_motions, &["CH302"]),
     kind("G54 and G55 in one block", two_offsets, &["CH302"]).not_on(&["fadal"]),
     // Arcs.
@@ -59,7 +75,8 @@ pub const KINDS: &[Kind] = &[
     kind("neither centre nor radius", no_centre, &["CH405"]),
     kind("centre letter of another plane", other_plane, &["CH404"]),
     // Cutter compensation.
-    kind("compensation starts in an arc", starts_in_arc, &["CH501"]).not_on(&["linuxcnc"]),
+    kind("compensation starts in an arc", starts_in_arc, &["CH501"])
+        .not_on(&["linuxcnc", "linuxcnc-lathe"]),
     kind("compensation without D", no_d, &["CH503"]).not_on(&["fadal", "linuxcnc"]),
     kind("G40 forgotten", no_g40, &["CH505", "CH522", "CH523"]).at(end_of_compensation),
     kind("length of another tool", other_length, &["CH604"]),
@@ -70,10 +87,11 @@ pub const KINDS: &[Kind] = &[
     kind("rapid instead of feed in a contour", rapid_cut, &["CH602"]),
     // Cycles.
     // There the feed begins where the tool is.
-    kind("cycle without R", cycle_no_r, &["CH800"]).not_on(&["fadal", "haas"]),
-    kind("cycle without Z", cycle_no_z, &["CH801"]),
-    kind("pecks without Q", cycle_no_q, &["CH802"]),
-    kind("R below Z", cycle_r_below, &["CH805"]),
+    kind("cycle without R", cycle_no_r, &["CH800"]).not_on(NO_R),
+    kind("cycle without Z", cycle_no_z, &["CH801"]).not_on(LATHES),
+    // Without Q a lathe drills in one cut.
+    kind("pecks without Q", cycle_no_q, &["CH802"]).not_on(LATHES),
+    kind("R below Z", cycle_r_below, &["CH805"]).not_on(LATHES),
     // Programs.
     kind("called program is not there", lost_program, &["CH201", "CH202"]),
     kind("call without its number", call_without_number, &["CH202", "CH308"]),

@@ -2,6 +2,7 @@
 
 pub mod kinds;
 mod rules;
+pub mod turning;
 
 use std::collections::BTreeMap;
 use std::ops::Range;

@@ -324,7 +324,8 @@ pub fn no_end(part: &Part, line: &Line) -> Planted {
     let word = line.m(&["2", "30"])?;
     let after = &part.lines[line.number..];
     // A percent sign may end a program there.
-    let by_percent = part.control == "linuxcnc" && after.iter().any(|line| line.text.contains('%'));
+    let by_percent =
+        part.control.starts_with("linuxcnc") && after.iter().any(|line| line.text.contains('%'));
     let more = after.iter().any(|line| !line.words.is_empty());
     (!more && !by_percent).then(|| line.without(word))
 }
@@ -369,7 +370,7 @@ pub fn division_by_zero(part: &Part, line: &Line) -> Planted {
     let divided = format!("{open}{}{close}/0", value.trim());
     Some(match part.control {
         // Operators stand in brackets there.
-        "linuxcnc" => format!("{target}=[{divided}]"),
+        "linuxcnc" | "linuxcnc-lathe" => format!("{target}=[{divided}]"),
         _ => format!("{target}={divided}"),
     })
 }

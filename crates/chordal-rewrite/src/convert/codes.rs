@@ -217,6 +217,8 @@ fn without_such_a_code(
             | ReadingCode::FeedPerTime
             | ReadingCode::FeedInverseTime
             | ReadingCode::FeedPerRevolution
+            | ReadingCode::Diameters
+            | ReadingCode::Radii
             | ReadingCode::SurfaceSpeed
             | ReadingCode::SpindleRpm => return Err(missing(own, to)),
         },
@@ -265,7 +267,10 @@ fn mode_without_a_code(
             Ok(())
         }
         // What stood among the data was refused before.
-        ModeCode::Overrides { .. } | ModeCode::OverridesByP | ModeCode::DataLinesOff => {
+        ModeCode::Overrides { .. }
+        | ModeCode::OverridesByP
+        | ModeCode::ThreadExit { .. }
+        | ModeCode::DataLinesOff => {
             leave_out(draft, at, own, to);
             Ok(())
         }
@@ -368,6 +373,7 @@ fn offset_code(
         | ModeCode::Polar { .. }
         | ModeCode::ModalSubroutine
         | ModeCode::ModalCallOff
+        | ModeCode::ThreadExit { .. }
         | ModeCode::DataLinesOff => {
             let number = whole(p.map(|p| &draft.block.words[p]));
             let number = number.and_then(|number| u16::try_from(number).ok());

@@ -130,7 +130,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
     let mut conversion = Conversion {
         text: String::new(),
         changes: Vec::new(),
-        refusals: own_problems(old, options),
+        refusals: lathe(old).map_or_else(|| own_problems(old, options), |refusal| vec![refusal]),
         certificate: None,
         pecks: Vec::new(),
         machine,
@@ -326,6 +326,16 @@ fn other_diameters(old: &Job, target: &Machine) -> Option<Refusal> {
         reason: format!(
             "{letter} is programmed as a diameter on one of the machines and as a radius on the other"
         ),
+    })
+}
+
+/// A program of a lathe: its offsets, cycles and reference moves have no form on another control yet.
+fn lathe(old: &Job) -> Option<Refusal> {
+    let table = old.control().table;
+    table.kind.is_some().then(|| Refusal {
+        line: 0,
+        words: String::new(),
+        reason: format!("programs for lathes are not converted: this one is for a {}", table.title),
     })
 }
 

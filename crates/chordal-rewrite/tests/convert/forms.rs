@@ -72,6 +72,15 @@ fn nothing_is_written_of_a_program_with_errors() {
 }
 
 #[test]
+fn programs_of_lathes_are_refused_in_one_sentence() {
+    let text = "G21 G18 G40 G99 S500 M3\nT0101\nG0 X50. Z2.\nG1 Z-20. F.2\nG28 U0 W0\nM30\n";
+    let found = converted(&job(text, machine("fanuc-lathe")), "haas-lathe");
+    assert!(found.text.is_empty() && !found.holds());
+    let reasons: Vec<&str> = found.refusals.iter().map(|refusal| refusal.reason.as_str()).collect();
+    assert_eq!(reasons, ["programs for lathes are not converted: this one is for a Fanuc lathe"]);
+}
+
+#[test]
 fn what_has_no_form_is_said_with_its_line() {
     // Tilted plane: the source control carries it out and Chordal does not.
     let text = "G21 G90 S100 M3\nG0 X0 Y0 Z0\nG68.2 X0 Y0 Z0 I0 J30. K0\nG1 X1. F100.\nM30\n";

@@ -5,11 +5,14 @@ use chordal_kernel::rules::TurnCycle;
 use chordal_kernel::TurnPass;
 
 /// Words of the cycles that rough, finish and cut threads.
-const CYCLE_WORDS: &str = "PQUWRIKDFSTA";
+pub(in crate::controls) const CYCLE_WORDS: &str = "PQUWRIKDFSTA";
 
-pub(super) const G_CODES: &[CodeRow] = &[
+/// Words of a hole: the level where the feed begins, dwell, peck, repeats, brake of C.
+const HOLE_WORDS: &str = "RPQK";
+
+pub(in crate::controls) const G_CODES: &[CodeRow] = &[
     row(0, Group::Motion, Motion(Rapid), "", "rapid positioning"),
-    row(10, Group::Motion, Motion(Linear), "", "straight cut at feed"),
+    row(10, Group::Motion, Motion(Linear), "IKR", "straight cut at feed; I, K: chamfer, R: rounding at its end"),
     row(20, Group::Motion, Motion(ArcCw), "IJKR", "arc clockwise"),
     row(30, Group::Motion, Motion(ArcCcw), "IJKR", "arc counter-clockwise"),
     row(40, Group::OneShot, Once(Dwell), "PXU", "dwell"),
@@ -45,7 +48,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     ),
     row(310, Group::OneShot, Once(Probe { must_hit: false }), "PQ", "skip move"),
     row(320, Group::Motion, Motion(Thread), "Q", "thread in one pass, F is its lead"),
-    row(340, Group::Auxiliary, NotFollowed, ANY_WORDS, "thread with a variable lead"),
+    row(340, Group::Motion, Motion(Thread), "QK", "thread in one pass, K changes its lead F by the revolution"),
     row(400, Group::Compensation, Mode(CompensationOff), "IK", "nose radius compensation off"),
     row(410, Group::Compensation, Mode(CompensationLeft), "IK", "nose left of the contour"),
     row(420, Group::Compensation, Mode(CompensationRight), "IK", "nose right of the contour"),
@@ -92,12 +95,12 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(750, Group::OneShot, Once(Turning(TurnCycle::PeckX)), CYCLE_WORDS, "pecks along X"),
     row(760, Group::OneShot, Once(Turning(TurnCycle::Thread)), CYCLE_WORDS, "thread in many passes"),
     row(800, Group::Cycle, Mode(CancelCycle), "", "cycle off"),
-    row(830, Group::Auxiliary, NotFollowed, ANY_WORDS, "drilling along Z"),
-    row(840, Group::Auxiliary, NotFollowed, ANY_WORDS, "tapping along Z"),
-    row(850, Group::Auxiliary, NotFollowed, ANY_WORDS, "boring along Z"),
-    row(870, Group::Auxiliary, NotFollowed, ANY_WORDS, "drilling along X"),
-    row(880, Group::Auxiliary, NotFollowed, ANY_WORDS, "tapping along X"),
-    row(890, Group::Auxiliary, NotFollowed, ANY_WORDS, "boring along X"),
+    row(830, Group::Cycle, Cycle(CycleKind::Peck), HOLE_WORDS, "drilling along Z"),
+    row(840, Group::Cycle, Cycle(CycleKind::Tap), HOLE_WORDS, "tapping along Z"),
+    row(850, Group::Cycle, Cycle(CycleKind::BoreDwell), HOLE_WORDS, "boring along Z, feed out"),
+    row(870, Group::Cycle, Cycle(CycleKind::Peck), HOLE_WORDS, "drilling along X"),
+    row(880, Group::Cycle, Cycle(CycleKind::Tap), HOLE_WORDS, "tapping along X"),
+    row(890, Group::Cycle, Cycle(CycleKind::BoreDwell), HOLE_WORDS, "boring along X, feed out"),
     row(900, Group::Motion, Motion(Turn(TurnPass::Turning)), "RI", "one pass along Z, and back"),
     row(920, Group::Motion, Motion(Turn(TurnPass::Thread)), "RIQ", "one thread pass, and back"),
     row(940, Group::Motion, Motion(Turn(TurnPass::Facing)), "RK", "one pass along X, and back"),
@@ -107,7 +110,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(990, Group::FeedMode, Reading(FeedPerRevolution), "", "feed per revolution"),
 ];
 
-pub(super) const M_CODES: &[CodeRow] = &[
+pub(in crate::controls) const M_CODES: &[CodeRow] = &[
     row(0, Group::Stopping, After(ProgramStop), "", "program stop"),
     row(10, Group::Stopping, After(OptionalStop), "", "optional stop"),
     row(20, Group::Stopping, After(ProgramEnd { rewind: false }), "", "program end"),

@@ -1,22 +1,30 @@
 //! Fanuc 0i-T, 18i-T, 31i-T and what reads as one: lathes with X as a diameter.
 
+mod alarms;
 mod codes;
 mod post;
 mod recognition;
 mod rules;
 mod settings;
+mod systems;
+
+pub(in crate::controls) use self::codes::CYCLE_WORDS;
+pub(in crate::controls) use self::rules::PARAMETERS;
 
 use crate::vocabulary::*;
 
 /// Fanuc 0i-T, 18i-T, 31i-T, G code system A.
-pub static TABLE: ControlTable = ControlTable {
+pub static TABLE: ControlTable = FANUC;
+
+/// What its like read, too.
+pub(in crate::controls) const FANUC: ControlTable = ControlTable {
     name: "fanuc-lathe",
     title: "Fanuc lathe",
     source: "Fanuc manuals for lathes B-62754EN, B-63604EN, B-63944EN",
     lexicon: Lexicon::FANUC_STYLE,
     g_codes: codes::G_CODES,
     m_codes: codes::M_CODES,
-    parameters: rules::PARAMETERS,
+    parameters: PARAMETERS,
     settings: settings::SETTINGS,
     alarms: super::fanuc::ALARMS,
     scale_unit: 0.001,
@@ -41,6 +49,9 @@ pub static TABLE: ControlTable = ControlTable {
     program_numbers: ProgramNumbers { largest: 9999, digits: 4, required: true },
     call_start_label: Some(b'Q'),
     macros: &super::fanuc::MACROS,
+    turning_alarms: alarms::TURNING,
+    systems: systems::SYSTEMS,
+    radial_cycles: &[870, 880, 890],
     kind: Some(&crate::lathe_signs::LATHE),
     evidence: recognition::EVIDENCE,
     post: &post::POST,

@@ -2,7 +2,7 @@
 
 use crate::vocabulary::*;
 
-pub(super) const PARAMETERS: Parameters = Parameters {
+pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     excess_decimals: ExcessDecimals::Cut,
     most_digits: 8,
     nesting: 10,
@@ -12,6 +12,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     tool_word: ToolWord::StationAndOffset { digits: 2 },
     preset_limits_speed: true,
     arc_without_center_is_line: true,
+    corners_of_lines: true,
     thread_lead: b'F',
     rules: Rules {
         starts_in: Plane::Zx,
@@ -19,6 +20,9 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         machine_move_is_rapid: true,
         radius_offsets: OffsetKind::Radius,
         bare_home_moves_all: true,
+        chip_break_mm: 1.0,
+        peck_clearance_mm: 1.0,
+        cycles: CYCLES,
         compensation: COMPENSATION,
         corner: CORNER,
         arc: ArcRules {
@@ -29,6 +33,16 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         ..Rules::COMMON
     },
     ..Parameters::COMMON
+};
+
+/// A hole begins at R, counted from where the tool is; Q, the depth of a peck, may be left out.
+const CYCLES: CycleRules = CycleRules {
+    axis: DrillingAxis::OfCode,
+    repeat_letter: b'K',
+    r_from_initial: true,
+    missing_r: MissingLevel::Current,
+    peck: PeckRules { q_optional: true, dwell: PeckDwell::Bottom, ..CycleRules::COMMON.peck },
+    ..CycleRules::COMMON
 };
 
 /// Two blocks are read ahead (B-63604EN): one without motion may stand between.

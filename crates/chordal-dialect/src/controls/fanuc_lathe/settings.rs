@@ -5,6 +5,38 @@ use crate::vocabulary::*;
 pub(super) const SETTINGS: &[Setting] = &[
     CORNER_ROUNDING,
     setting(
+        "No. 3401",
+        Field::CodeSystem,
+        &[],
+        "system of G codes: A, B or C (bits GSB and GSC)",
+        Certainty::Documented,
+        "18i-T, No. 3401#6, #7",
+    ),
+    setting(
+        "No. 5102#6",
+        Field::Cycle(CycleField::RFromInitial),
+        &[("0", "from-initial"), ("1", "absolute")],
+        "R of G83 to G89 is the distance from the initial level, or a level",
+        Certainty::Trade,
+        "18i-T",
+    ),
+    setting(
+        "No. 5101#2",
+        Field::Cycle(CycleField::FullReturn),
+        &[("0", "off"), ("1", "on")],
+        "pecks of G83 and G87 return to R (1), or by No. 5114 alone (0)",
+        Certainty::Trade,
+        "18i-T",
+    ),
+    setting(
+        "No. 5114",
+        Field::Cycle(CycleField::Lifts),
+        &[],
+        "return and clearance of the pecks of G83 and G87",
+        Certainty::Trade,
+        "18i-T",
+    ),
+    setting(
         "No. 5132",
         Field::Turning(TurningField::RoughDepth),
         &[],

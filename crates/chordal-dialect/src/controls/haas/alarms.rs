@@ -2,7 +2,7 @@
 
 use crate::vocabulary::*;
 
-pub(super) const ALARMS: &[(Code, &str)] = &[
+pub(in crate::controls) const ALARMS: &[(Code, &str)] = &[
     (Code::InsideArcTooSmall, "alarm 342 CUTTER COMP PATH TOO SMALL"),
     (Code::CompensationInterference, "alarm 342 CUTTER COMP PATH TOO SMALL"),
     (Code::NoOffsetIntersection, "alarm 342 CUTTER COMP PATH TOO SMALL"),

@@ -8,6 +8,8 @@ pub(crate) mod recognition;
 mod rules;
 mod settings;
 
+pub(in crate::controls) use self::alarms::ALARMS as LATHE_ALARMS;
+
 use crate::vocabulary::*;
 use chordal_machine::AXIS_LETTERS;
 
@@ -44,11 +46,17 @@ pub static TABLE: ControlTable = ControlTable {
     program_numbers: ProgramNumbers { largest: 99999, digits: 5, required: true },
     call_start_label: None,
     macros: &macros::MACROS,
+    turning_alarms: &[],
+    systems: &[],
+    radial_cycles: &[],
     kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,
     default_machine: "haas-vf2",
 };
+
+/// The macro language of its lathes, too.
+pub(in crate::controls) const LATHE_MACROS: &MacroRules = &macros::MACROS;
 
 const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::HAAS, ..Lexicon::FANUC_STYLE };
 

@@ -1,6 +1,7 @@
 //! The G and M codes of LinuxCNC (RS274/NGC).
 
 use crate::vocabulary::codes::*;
+use chordal_kernel::rules::{Pockets, TurnCycle};
 use chordal_machine::AXIS_LETTERS;
 
 pub(super) const G_CODES: &[CodeRow] = &[
@@ -13,8 +14,8 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(51, Group::Motion, Motion(Spline(SplineForm::Quadratic)), "IJ", "quadratic spline"),
     row(52, Group::Motion, Motion(Spline(SplineForm::Points)), "PL", "control points of a NURBS"),
     row(53, Group::Motion, Motion(SplineEnd), "", "end of the NURBS: the tool moves"),
-    row(70, Group::Auxiliary, NotFollowed, "", "lathe diameters"),
-    row(80, Group::Auxiliary, NoEffect, "", "lathe radii"),
+    row(70, Group::Diameter, Reading(Diameters), "", "X is a diameter"),
+    row(80, Group::Diameter, Reading(Radii), "", "X is a radius"),
     row(100, Group::OneShot, Once(SetData), "LPRXYZABCIJKHDQEST", "write offsets and data"),
     row(170, Group::Plane, Mode(PlaneXy), "", "arcs and compensation in XY"),
     row(180, Group::Plane, Mode(PlaneZx), "", "arcs and compensation in ZX"),
@@ -91,9 +92,64 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(610, Group::PathMode, Mode(Path(PathCode::Exact)), "", "exact path"),
     row(611, Group::PathMode, Mode(Path(PathCode::ExactStop)), "", "exact stop"),
     row(640, Group::PathMode, Mode(Path(PathCode::Continuous)), "PQ", "blending within P"),
+    row(
+        700,
+        Group::Cycle,
+        Once(Turning(TurnCycle::FinishSubroutine)),
+        "QDEP",
+        "finishing passes along the contour of a subroutine",
+    ),
+    row(
+        710,
+        Group::Cycle,
+        Once(Turning(TurnCycle::RoughSubroutine(Pockets::Cut))),
+        "QDIR",
+        "roughing along Z down to the contour of a subroutine",
+    ),
+    row(
+        711,
+        Group::Cycle,
+        Once(Turning(TurnCycle::RoughSubroutine(Pockets::Left))),
+        "QDIR",
+        "roughing along Z, pockets left",
+    ),
+    row(
+        712,
+        Group::Cycle,
+        Once(Turning(TurnCycle::RoughSubroutine(Pockets::Only))),
+        "QDIR",
+        "roughing along Z of the pockets alone",
+    ),
+    row(
+        720,
+        Group::Cycle,
+        Once(Turning(TurnCycle::RoughFaceSubroutine(Pockets::Cut))),
+        "QDIR",
+        "roughing along X down to the contour of a subroutine",
+    ),
+    row(
+        721,
+        Group::Cycle,
+        Once(Turning(TurnCycle::RoughFaceSubroutine(Pockets::Left))),
+        "QDIR",
+        "roughing along X, pockets left",
+    ),
+    row(
+        722,
+        Group::Cycle,
+        Once(Turning(TurnCycle::RoughFaceSubroutine(Pockets::Only))),
+        "QDIR",
+        "roughing along X of the pockets alone",
+    ),
     row(730, Group::Cycle, Cycle(CycleKind::ChipBreak), "RPQL", "drilling with chip breaking"),
     row(740, Group::Cycle, Cycle(CycleKind::LeftTap), "RPQL", "left-hand tapping"),
-    row(760, Group::Auxiliary, NotFollowed, ANY_WORDS, "threading"),
+    row(
+        760,
+        Group::Cycle,
+        Once(Turning(TurnCycle::LineThread)),
+        "PIJKRQHEL",
+        "thread in many passes",
+    ),
     row(800, Group::Cycle, Mode(CancelCycle), "", "cycle off"),
     row(810, Group::Cycle, Cycle(CycleKind::Drill), "RL", "drilling"),
     row(820, Group::Cycle, Cycle(CycleKind::DrillDwell), "RPQL", "drilling with dwell"),
@@ -127,8 +183,8 @@ pub(super) const G_CODES: &[CodeRow] = &[
     ),
     row(940, Group::FeedMode, Reading(FeedPerTime), "", "feed per minute"),
     row(950, Group::FeedMode, Reading(FeedPerRevolution), "", "feed per revolution"),
-    row(960, Group::Auxiliary, NotSimulated, "D", "constant surface speed"),
-    row(970, Group::Auxiliary, NoEffect, "S", "spindle speed in rpm"),
+    row(960, Group::SpindleMode, Reading(SurfaceSpeed), "D", "constant surface speed; D limits the speed"),
+    row(970, Group::SpindleMode, Reading(SpindleRpm), "", "spindle speed in rpm"),
     row(980, Group::ReturnLevel, Mode(ReturnInitial), "", "cycles return to the initial level"),
     row(990, Group::ReturnLevel, Mode(ReturnToR), "", "cycles return to the R level"),
 ];

@@ -9,18 +9,23 @@ mod rules;
 mod settings;
 mod words;
 
+pub(in crate::controls) use rules::PARAMETERS;
+
 use crate::vocabulary::*;
 use chordal_machine::AXIS_LETTERS;
 
 /// LinuxCNC (RS274/NGC), version 2.9.
-pub static TABLE: ControlTable = ControlTable {
+pub static TABLE: ControlTable = MILL;
+
+/// Its machines have one interpreter: that of a lathe differs in what acts at power-on.
+pub(in crate::controls) const MILL: ControlTable = ControlTable {
     name: "linuxcnc",
     title: "LinuxCNC",
     source: "LinuxCNC G-code reference, version 2.9",
     lexicon: LEXICON,
     g_codes: codes::G_CODES,
     m_codes: codes::M_CODES,
-    parameters: rules::PARAMETERS,
+    parameters: PARAMETERS,
     settings: settings::SETTINGS,
     alarms: alarms::ALARMS,
     scale_unit: 1.0,
@@ -45,6 +50,9 @@ pub static TABLE: ControlTable = ControlTable {
     program_numbers: ProgramNumbers { largest: 99999, digits: 1, required: false },
     call_start_label: None,
     macros: &macros::MACROS,
+    turning_alarms: &[],
+    systems: &[],
+    radial_cycles: &[],
     kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,

@@ -3,7 +3,7 @@
 use crate::vocabulary::*;
 use chordal_syntax::Letters;
 
-pub(super) const PARAMETERS: Parameters = Parameters {
+pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     excess_decimals: ExcessDecimals::Exact,
     decimal_point: DecimalPoint::Calculator,
     center_and_radius: CenterAndRadius::Refused,
@@ -17,6 +17,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     nesting: 9,
     rules: Rules {
         frames: FRAMES,
+        turning: TurningRules { tips_mirrored: true, ..TurningRules::COMMON },
         rapid: RapidPath::Straight,
         radius_offsets: OffsetKind::Diameter,
         starts_without_motion: true,

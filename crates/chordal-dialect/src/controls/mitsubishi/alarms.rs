@@ -2,7 +2,7 @@
 
 use crate::vocabulary::*;
 
-pub(super) const ALARMS: &[(Code, &str)] = &[
+pub(in crate::controls) const ALARMS: &[(Code, &str)] = &[
     (Code::InsideArcTooSmall, "P153 Compensation interference"),
     (Code::CompensationInterference, "P153 Compensation interference"),
     (Code::NoOffsetIntersection, "P152 No intersection"),

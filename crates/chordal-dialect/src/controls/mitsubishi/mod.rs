@@ -4,9 +4,11 @@ mod alarms;
 mod codes;
 mod macros;
 mod post;
-mod recognition;
+pub(in crate::controls) mod recognition;
 mod rules;
 mod settings;
+
+pub(in crate::controls) use self::alarms::ALARMS as LATHE_ALARMS;
 
 use crate::vocabulary::*;
 use chordal_machine::AXIS_LETTERS;
@@ -44,13 +46,19 @@ pub static TABLE: ControlTable = ControlTable {
     program_numbers: ProgramNumbers { largest: 99999999, digits: 4, required: true },
     call_start_label: Some(b'H'),
     macros: &macros::MACROS,
+    turning_alarms: &[],
+    systems: &[],
+    radial_cycles: &[],
     kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,
     default_machine: "mitsubishi-m700",
 };
 
-const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::MITSUBISHI, ..Lexicon::FANUC_STYLE };
+/// The macro language of its lathes, too.
+pub(in crate::controls) const LATHE_MACROS: &MacroRules = &macros::MACROS;
+
+pub(in crate::controls) const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::MITSUBISHI, ..Lexicon::FANUC_STYLE };
 
 const SET_DATA: &[(u16, DataTarget)] = &[
     (2, DataTarget::WorkOffset),

@@ -3,11 +3,11 @@
 
 use crate::vocabulary::*;
 
-const NAMES: &[&str] = &[
+pub(in crate::controls) const NAMES: &[&str] = &[
     "MITSUBISHI", "MELDAS", "M70", "M700", "M80", "M800", "M700V", "M70V", "M64", "M520", "M80W",
 ];
 
-const MAZAK: &[&str] = &[
+pub(in crate::controls) const MAZAK: &[&str] = &[
     "MAZAK", "MAZATROL", "VARIAXIS", "INTEGREX", "NEXUS", "VTC-200", "VCN-510", "VCN-530", "SMOOTHX", "SMOOTHG",
     "MATRIX", "FJV",
 ];

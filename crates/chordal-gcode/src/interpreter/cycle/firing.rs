@@ -3,15 +3,19 @@
 use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_kernel::CycleState;
-use chordal_kernel::rules::{CycleKind, DefinitionFires, FiringWords, ZeroRepeats};
+use chordal_kernel::rules::{CycleKind, DefinitionFires, DrillingAxis, FiringWords, ZeroRepeats};
 use chordal_syntax::Block;
 
 use super::super::Interpreter;
 
 impl Interpreter<'_> {
-    /// A block with a cycle code.
-    pub(in super::super) fn start_cycle(&mut self, block: &Block, kind: CycleKind) {
-        let axis = self.kernel.drilling_axis();
+    /// A block with a cycle code; `radial`: one that drills along X.
+    pub(in super::super) fn start_cycle(&mut self, block: &Block, kind: CycleKind, radial: bool) {
+        let axis = match self.control.parameters.rules.cycles.axis {
+            DrillingAxis::OfCode if radial => 0,
+            DrillingAxis::OfCode => 2,
+            DrillingAxis::AlwaysZ | DrillingAxis::PlaneNormal => self.kernel.drilling_axis(),
+        };
         let before = self.kernel.state.cycle.filter(|cycle| cycle.axis == axis);
         // The initial level stays while one cycle follows another.
         let initial = before.map_or(self.kernel.state.position[axis], |cycle| cycle.initial);

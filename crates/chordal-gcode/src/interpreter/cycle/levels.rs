@@ -3,7 +3,7 @@
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::{Action, ReadingCode};
 use chordal_kernel::CycleState;
-use chordal_kernel::rules::{CycleKind, IncrementalLevels, TapFeed};
+use chordal_kernel::rules::{CycleKind, DrillingAxis, IncrementalLevels, TapFeed};
 use chordal_syntax::{Block, Letters};
 
 use super::super::Interpreter;
@@ -43,9 +43,12 @@ impl Interpreter<'_> {
         {
             let relative = rules.incremental == IncrementalLevels::WhenGiven
                 && self.incremental_at(block, b'R');
-            cycle.r = Some(value + from(relative, cycle.initial));
+            cycle.r = Some(match rules.r_from_initial {
+                true => cycle.initial + value,
+                false => value + from(relative, cycle.initial),
+            });
         }
-        let axis = self.kernel.drilling_axis();
+        let axis = cycle.axis;
         let letter = b"XYZ"[axis];
         if letters.has(letter)
             && let Some(value) = self.axis_value_of(block, axis)
@@ -59,8 +62,20 @@ impl Interpreter<'_> {
             let adds = relative && rules.incremental == IncrementalLevels::WhenGiven;
             cycle.z = Some(value + from(adds, base));
         }
+        let increments = self.control.parameters.increments;
+        if let Some((letter, _)) = increments.iter().find(|(_, of)| *of == letter)
+            && let Some(word) = block.last(*letter).copied()
+            && let Some(value) = self.axis_value(&word, axis)
+        {
+            cycle.z = Some(cycle.r.unwrap_or(cycle.initial) + value);
+        }
         if letters.has(b'Q') {
-            cycle.q = self.length_of(block, b'Q').or(cycle.q);
+            // On lathes it is usually written in least increments.
+            let step = match rules.axis {
+                DrillingAxis::OfCode => self.quiet_length(block, b'Q'),
+                DrillingAxis::AlwaysZ | DrillingAxis::PlaneNormal => self.length_of(block, b'Q'),
+            };
+            cycle.q = step.or(cycle.q);
         }
         self.take_vector(block, cycle);
         if letters.has(b'P') {

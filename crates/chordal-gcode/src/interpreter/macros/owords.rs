@@ -474,6 +474,17 @@ impl<'a> Interpreter<'a> {
         self.sub_of(other, label).map(|start| (other, start))
     }
 
+    /// The lines of a subroutine of this file: the first, and the one that ends it.
+    pub(in super::super) fn lines_of_sub(
+        &mut self,
+        label: &str,
+    ) -> Option<(TextPosition, TextPosition)> {
+        let index = self.index(self.program);
+        let line = &index.lines[*index.subs.get(label)?];
+        let end = index.lines.get(line.close)?;
+        Some((line.after, end.at))
+    }
+
     fn sub_of(&mut self, program: usize, label: &str) -> Option<TextPosition> {
         let index = self.index(program);
         let line = *index.subs.get(label)?;

@@ -1,0 +1,18 @@
+//! Signs that tell a Haas among lathes. That a program is for a lathe at all, `lathe_signs.rs` says.
+
+use crate::controls::haas::recognition::NAMES;
+use crate::lathe_signs::MODELS;
+use crate::vocabulary::*;
+
+pub(super) const EVIDENCE: &[Evidence] = &[
+    evidence(Sign::Header(NAMES), 8, "the header names a Haas"),
+    evidence(Sign::Comment(NAMES), 5, "a comment names a Haas"),
+    evidence(Sign::Comment(MODELS), 5, "a comment names a lathe of Haas"),
+    evidence(Sign::Block("G71|G72|G73 D P Q"), 4, "G71 in one block with D"),
+    evidence(Sign::Block("G28:bare !M"), 2, "G28 without an axis"),
+    evidence(Sign::Block("G53 X|Z"), 2, "G53 goes to the tool change position"),
+    evidence(Sign::Block("G154 P"), 4, "G154 chooses an extended work offset"),
+    evidence(Sign::Block("M97 P"), 4, "M97 calls within the program"),
+    evidence(Sign::Block("O:5"), 2, "a program number of five digits"),
+    evidence(Sign::Block("G76 D !P"), 1, "G76 with D"),
+];

@@ -1,0 +1,51 @@
+//! How Haas lathes move, cut and compensate.
+
+use crate::vocabulary::*;
+
+pub(super) const PARAMETERS: Parameters = Parameters {
+    excess_decimals: ExcessDecimals::Unknown,
+    most_digits: 0,
+    nesting: 9,
+    max_repeats: 99,
+    packed_calls: false,
+    macro_angles_full_circle: false,
+    return_label_in_callee: true,
+    arc_without_center_is_line: false,
+    corners_of_lines: true,
+    rules: Rules {
+        rapid: RapidPath::DogLeg,
+        chip_break_mm: 0.508,
+        peck_clearance_mm: 0.508,
+        cycles: CYCLES,
+        turning: TURNING,
+        corner: CornerRules {
+            moves: CornerMoves::Lines,
+            dwells_between: 1,
+            ..CornerRules::COMMON
+        },
+        ..FANUC.rules
+    },
+    ..FANUC
+};
+
+const FANUC: Parameters = crate::controls::fanuc_lathe::PARAMETERS;
+
+/// R and Z are levels; a hole is made where the tool is.
+const CYCLES: CycleRules = CycleRules {
+    repeat_letter: b'L',
+    r_from_initial: false,
+    missing_r: MissingLevel::Current,
+    dwell_point_s: 1.0,
+    ..FANUC.rules.cycles
+};
+
+/// All of a cycle is in one block. Levels begin where the tool is; a thread has no finishing pass of its own.
+const TURNING: TurningRules = TurningRules {
+    rough_retract_mm: 1.27,
+    first_level: FirstLevel::Start,
+    peck_retract_mm: 0.508,
+    thread_finish_passes: 0,
+    thread_angle_deg: 0.0,
+    two_blocks: false,
+    ..TurningRules::COMMON
+};

@@ -1,0 +1,41 @@
+//! Mitsubishi M700 and M800, L system: lathes with X as a diameter.
+
+mod alarms;
+mod recognition;
+mod settings;
+
+use super::fanuc_lathe::FANUC;
+use super::mitsubishi::{LATHE_ALARMS, LATHE_MACROS, LEXICON};
+use crate::vocabulary::*;
+
+/// Mitsubishi M700 and M800, L system, G code list 2.
+pub static TABLE: ControlTable = ControlTable {
+    name: "mitsubishi-lathe",
+    title: "Mitsubishi lathe",
+    source: "Mitsubishi M70 and M700 alarm lists; the cycles as on Fanuc lathes",
+    lexicon: LEXICON,
+    parameters: PARAMETERS,
+    settings: settings::SETTINGS,
+    alarms: LATHE_ALARMS,
+    turning_alarms: alarms::TURNING,
+    macros: LATHE_MACROS,
+    program_numbers: ProgramNumbers { largest: 99999999, digits: 4, required: true },
+    call_start_label: Some(b'H'),
+    evidence: recognition::EVIDENCE,
+    default_machine: "mitsubishi-lathe",
+    ..FANUC
+};
+
+/// G71 has H for pockets, and A for a contour in another program.
+const PARAMETERS: Parameters = Parameters {
+    nesting: 8,
+    rules: Rules {
+        turning: TurningRules {
+            pockets_by: Some(b'H'),
+            contour_program: true,
+            ..super::fanuc_lathe::PARAMETERS.rules.turning
+        },
+        ..super::fanuc_lathe::PARAMETERS.rules
+    },
+    ..super::fanuc_lathe::PARAMETERS
+};

@@ -1,0 +1,64 @@
+//! The settings of Mitsubishi lathes, by the numbers of their parameters. None comes from a manual that was at hand, but
+//! #8056.
+
+use crate::vocabulary::*;
+
+pub(super) const SETTINGS: &[Setting] = &[
+    CORNER_ROUNDING,
+    setting(
+        "#1037 cmdtyp",
+        Field::CodeSystem,
+        &[("2", "A"), ("3", "B"), ("4", "A"), ("5", "B"), ("6", "A"), ("7", "B")],
+        "list of G codes: even ones read as system A of Fanuc, odd ones as system B",
+        Certainty::Trade,
+        "M700, #1037",
+    ),
+    setting(
+        "#8051",
+        Field::Turning(TurningField::RoughDepth),
+        &[],
+        "depth of a pass of G71 and G72 before a program gives one",
+        Certainty::Trade,
+        "M700, #8051",
+    ),
+    setting(
+        "#8052",
+        Field::Turning(TurningField::RoughRetract),
+        &[],
+        "how far a pass of G71 and G72 backs off",
+        Certainty::Trade,
+        "M700, #8052",
+    ),
+    setting(
+        "first level",
+        Field::Turning(TurningField::FirstLevel),
+        &[],
+        "the levels of G71 and G72 begin at the start with the finishing `allowance`, or at the `start` itself",
+        Certainty::Unknown,
+        "G71",
+    ),
+    setting(
+        "#8056",
+        Field::Turning(TurningField::PeckRetract),
+        &[],
+        "how far a peck of G74 and G75 backs off",
+        Certainty::Documented,
+        "M70, #8056",
+    ),
+    setting(
+        "#8014",
+        Field::Turning(TurningField::ThreadExit),
+        &[],
+        "length of the exit of G92 and G76, in tenths of the lead",
+        Certainty::Trade,
+        "M700, #8014",
+    ),
+    setting(
+        "#8057",
+        Field::Turning(TurningField::ThreadFinish),
+        &[],
+        "depth of the finishing pass of G76",
+        Certainty::Trade,
+        "M700, #8057",
+    ),
+];

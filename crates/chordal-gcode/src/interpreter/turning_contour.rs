@@ -1,0 +1,218 @@
+//! The blocks between P and Q that a cycle of a lathe takes as its contour.
+
+use chordal_command::Side;
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_dialect::table::TurnFault;
+use chordal_dialect::{Action, OnceCode, code_number};
+use chordal_kernel::Profile;
+use chordal_syntax::{Block, Letters, Position as TextPosition};
+
+use super::{EndReason, Flow, Interpreter};
+
+const X: usize = 0;
+const Z: usize = 2;
+
+/// The blocks of a contour.
+pub(super) struct Contour {
+    /// The first one.
+    pub first: TextPosition,
+    /// It names both axes, be it by W0.
+    pub names_both: bool,
+    /// After the last block.
+    pub end: TextPosition,
+}
+
+impl Interpreter<'_> {
+    /// The contour goes on along the passes without turning back.
+    pub(super) fn contour_goes_on(
+        &mut self,
+        block: &Block,
+        profile: &Profile,
+        along_x: bool,
+    ) -> bool {
+        let axis = usize::from(!along_x);
+        let (first, last) = (profile.start[axis], profile.end()[axis]);
+        let forth = if last < first { -1.0 } else { 1.0 };
+        let back = profile.edges.iter().find(|edge| {
+            let by = (edge.to[axis] - edge.from[axis]) * forth;
+            by < -1e-6
+        });
+        let Some(edge) = back else { return true };
+        let letter = if along_x { 'X' } else { 'Z' };
+        let by = self.kernel.length_text((edge.to[axis] - edge.from[axis]).abs());
+        let span = edge.origin.span;
+        let cycle = self.span(block.range);
+        let diagnostic = Diagnostic::new(
+            Code::BadWordValue,
+            span,
+            format!("this contour turns back in {letter}, by {by}: a roughing cycle cannot cut it"),
+        )
+        .also(cycle, "the cycle; it is not carried out")
+        .help(format!("write the contour so that {letter} goes one way only"));
+        self.report_turn_fault(diagnostic, TurnFault::TurnsBack);
+        false
+    }
+
+    /// The blocks from N P to N Q.
+    pub(super) fn contour(&mut self, block: &Block, at: usize) -> Option<Contour> {
+        if self.control.parameters.rules.turning.contour_program
+            && let Some(word) = block.last(b'A').copied()
+        {
+            let message = "A, the program that holds the contour, is not followed".to_string();
+            self.lose_path(word.range, message);
+            return None;
+        }
+        let name = self.code_text(block, at);
+        let span = self.span(block.words[at].range);
+        let (p, q) = (self.count_of(block, b'P'), self.count_of(block, b'Q'));
+        let (Some(p), Some(q)) = (p, q) else {
+            let message = format!("{name} needs P and Q, the first and last block of its contour");
+            let help = match self.control.parameters.rules.turning.two_blocks {
+                true => "write the N numbers of these blocks with P and Q",
+                false => {
+                    "write the N numbers of these blocks with P and Q, and all else of the cycle, into this block"
+                }
+            };
+            let diagnostic = Diagnostic::new(Code::MissingWord, span, message).help(help);
+            self.report_turn_fault(diagnostic, TurnFault::NoContour);
+            return None;
+        };
+        let below = block.range.start;
+        let first = self.label_below(self.program, i64::from(p), below);
+        let first = match first {
+            Some(first) => first,
+            None => {
+                self.report_missing_label(block, b'P', &p.to_string());
+                return None;
+            }
+        };
+        let last = self.label_below(self.program, i64::from(q), first.offset.saturating_sub(1));
+        let Some(last) = last.filter(|last| last.offset >= first.offset) else {
+            self.report_missing_label(block, b'Q', &q.to_string());
+            return None;
+        };
+        let mut reader = self.reader_of(self.program);
+        reader.seek(last);
+        let mut found = Block::new();
+        reader.read(&mut found);
+        let end = reader.position();
+        reader.seek(first);
+        reader.read(&mut found);
+        let letters = found.letters();
+        let names_both = letters.meets(Letters::of("XU")) && letters.meets(Letters::of("ZW"));
+        Some(Contour { first, names_both, end })
+    }
+
+    /// Carries out the blocks of a contour for its moves alone: nothing else of them stays.
+    pub(super) fn read_contour(&mut self, block: &Block, at: usize) -> Option<(Contour, Profile)> {
+        let contour = self.contour(block, at)?;
+        let commands = self.collect_contour(&contour, block, None);
+        let profile = Profile::of(&commands);
+        if profile.as_ref().is_none_or(|profile| profile.edges.is_empty()) {
+            let span = self.span(block.range);
+            let message = "the contour of this cycle has no moves".to_string();
+            self.refuse_cycle(
+                span,
+                message,
+                "it needs a first move and a contour after it",
+                TurnFault::FirstBlock,
+            );
+            self.continue_after(&contour);
+            return None;
+        }
+        Some((contour, profile?))
+    }
+
+    /// The commands of a contour that begins at `start`, where that is not the tool's place; nothing of them is carried out.
+    pub(super) fn collect_contour(
+        &mut self,
+        contour: &Contour,
+        block: &Block,
+        start: Option<[f64; 2]>,
+    ) -> Vec<chordal_command::Command> {
+        let memory = self.kernel.memory();
+        self.kernel.collected = Some(Vec::new());
+        // Feed and spindle are those of the cycle's block.
+        self.kernel.reported.missing_feed = true;
+        self.kernel.reported.spindle_for_tool = Some(self.kernel.state.tool);
+        self.kernel.state.side = Side::Off;
+        if let Some([x, z]) = start {
+            (self.kernel.state.position[X], self.kernel.state.position[Z]) = (x, z);
+        }
+        self.run_contour(contour, block);
+        let commands = self.kernel.collected.take().unwrap_or_default();
+        let repeated = self.kernel.repeated;
+        self.kernel.recall(memory);
+        self.kernel.repeated = repeated;
+        self.set_units(self.kernel.state.units);
+        commands
+    }
+
+    /// A program continues after the contour, where that stands after the cycle.
+    pub(super) fn continue_after(&mut self, contour: &Contour) {
+        if contour.end.offset > self.reader.position().offset {
+            self.reader.seek(contour.end);
+        }
+    }
+
+    /// Carries out the blocks of a contour, and continues after the block of the cycle.
+    pub(super) fn run_contour(&mut self, contour: &Contour, cycle: &Block) {
+        let here = self.reader.position();
+        let origin = self.kernel.origin;
+        self.reader.seek(contour.first);
+        let mut block = Block::new();
+        let depth = self.frames.len();
+        while self.reader.position().offset < contour.end.offset && self.reader.read(&mut block) {
+            if !self.kernel.count_repeated() {
+                break;
+            }
+            if let Some(word) = self.forbidden_in_contour(&block) {
+                let range = block.words[word].range;
+                let name = self.code_text(&block, word);
+                let span = self.span(range);
+                self.kernel.report(
+                    Diagnostic::new(
+                        Code::CallNotAllowed,
+                        span,
+                        format!("{name} may not be in the contour of a cycle"),
+                    )
+                    .also(self.span(cycle.range), "the cycle")
+                    .label("this block is skipped")
+                    .help("a contour has moves, feeds and speeds only"),
+                );
+                continue;
+            }
+            if let Flow::End(EndReason::Budget) = self.execute(&mut block) {
+                break;
+            }
+            if block.commas || self.kernel.waits_at_corner() {
+                self.end_corner_block(&block);
+            }
+        }
+        while self.frames.len() > depth {
+            self.leave(None);
+        }
+        self.reader.seek(here);
+        self.kernel.origin = origin;
+    }
+
+    /// The place of a word that a contour cannot have: calls, ends, further cycles.
+    fn forbidden_in_contour(&self, block: &Block) -> Option<usize> {
+        block.words.iter().position(|word| {
+            let code = word.number().and_then(code_number);
+            let row = code.and_then(|code| match word.letter {
+                b'G' => self.control.g_code(code),
+                b'M' => self.control.m_code(code),
+                _ => None,
+            });
+            row.is_some_and(|row| {
+                matches!(
+                    row.action,
+                    Action::Call(_)
+                        | Action::Once(OnceCode::Turning(_))
+                        | Action::After(chordal_dialect::AfterCode::ProgramEnd { .. })
+                )
+            })
+        })
+    }
+}

@@ -1,0 +1,422 @@
+//! Roughing that goes down the contour itself (LinuxCNC G71, G72): it follows a falling piece to the next level, cuts along the
+//! level, and where the contour rises again follows it up to the next pocket.
+
+use chordal_command::Units;
+use chordal_diagnostics::{Code, Diagnostic};
+
+use crate::kernel::Kernel;
+use crate::rules::Pockets;
+use crate::statement::Statement;
+use crate::turning::offset::{Piece, offset};
+use crate::turning::profile::{Edge, View};
+
+/// Nearer levels and places are one, in units of the program.
+const SAME: f64 = 1e-6;
+
+/// Ends of arcs nearer than this are reached.
+const ARC_END: f64 = 1e-3;
+
+/// Most passes of one cycle.
+const MOST_PASSES: u32 = 100_000;
+
+/// Words of a roughing cycle by the contour of a subroutine, mm on the radius.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct DescentWords {
+    /// Passes along X (G72), not along Z.
+    pub along_x: bool,
+    /// Where it begins: X (a radius) and Z.
+    pub start: [f64; 2],
+    /// What is left on the contour, along its normal.
+    pub left: f64,
+    /// Depth of a pass.
+    pub depth: f64,
+    /// How far a pass backs off.
+    pub retract: f64,
+    /// What becomes of pockets.
+    pub pockets: Pockets,
+}
+
+/// Why a contour is not cut.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DescentFault {
+    /// It has no moves.
+    Empty,
+    /// It turns back.
+    TurnsBack(chordal_command::Origin),
+}
+
+/// A contour with the moves to it, and the levels down to it.
+struct Descent {
+    view: View,
+    pieces: Vec<Piece>,
+    /// The unit of the program, mm: what is near is measured in it.
+    unit: f64,
+    depth: f64,
+    retract: f64,
+    pockets: Pockets,
+}
+
+impl Kernel<'_> {
+    /// The unit of the program, mm.
+    fn unit_mm(&self) -> f64 {
+        match self.state.units {
+            Units::Inch => 25.4,
+            Units::Millimetre => 1.0,
+        }
+    }
+
+    /// Roughs down to a contour, and ends with it.
+    pub fn rough_descent(
+        &mut self,
+        at: &dyn Statement,
+        words: &DescentWords,
+        contour: &[Edge],
+    ) -> Result<(), DescentFault> {
+        let (view, mut pieces) = seen(words.along_x, words.start, contour)?;
+        // From the far side the contour is reached across its first point.
+        pieces[0].from[0] = pieces[0].from[0].max(pieces[0].to[0]);
+        let unit = self.unit_mm();
+        if let Some(back) = pieces.iter().skip(1).find(|piece| !piece.goes_on(unit)) {
+            return Err(DescentFault::TurnsBack(back.origin));
+        }
+        offset(&mut pieces, words.left, unit);
+        let first = pieces[0];
+        let top = first.from[1];
+        let end = pieces[pieces.len() - 1];
+        if end.to[1] < top {
+            let to = [end.to[0], top];
+            pieces.push(Piece { from: end.to, to, arc: None, origin: end.origin });
+        }
+        let &DescentWords { depth, retract, pockets, .. } = words;
+        let descent = Descent { view, pieces, unit, depth, retract, pockets };
+        self.origin.cycle = true;
+        self.turn_rapid(words.start);
+        self.turn_rapid(view.place(first.from));
+        if !self.descend(at, &descent) {
+            let message = format!("this cycle needs more than {MOST_PASSES} passes");
+            self.report(
+                Diagnostic::new(Code::BudgetReached, at.span(), message)
+                    .help("is I, the depth of a pass, meant so small?"),
+            );
+        }
+        self.origin.cycle = false;
+        Ok(())
+    }
+
+    /// Finishes a contour in passes, each at its distance, and ends with the last one.
+    pub fn finish_passes(
+        &mut self,
+        at: &dyn Statement,
+        start: [f64; 2],
+        distances: &[f64],
+        contour: &[Edge],
+    ) -> Result<(), DescentFault> {
+        let unit = self.unit_mm();
+        let beside = beside(start, contour);
+        let along_z = contour.iter().enumerate().all(|(index, edge)| {
+            let from = if index == 0 { beside } else { edge.from };
+            let flat = Edge { from: [from[1], from[0]], to: [edge.to[1], edge.to[0]], ..*edge };
+            let arc = edge.arc.map(|(center, sweep)| ([center[1], center[0]], -sweep));
+            Piece::of(&Edge { arc, ..flat }).goes_on(unit)
+        });
+        let start = if along_z { beside } else { start };
+        let (view, pieces) = seen(!along_z, start, contour)?;
+        self.origin.cycle = true;
+        for distance in distances {
+            let mut moved = pieces.clone();
+            offset(&mut moved, *distance, unit);
+            self.turn_rapid(view.place(moved[0].from));
+            self.turn_rapid(view.place(moved[0].to));
+            let edges: Vec<Edge> =
+                moved[1..].iter().map(|piece| view.placed(&piece.edge())).collect();
+            self.turn_contour(at, edges.into_iter());
+        }
+        self.origin.cycle = false;
+        Ok(())
+    }
+
+    /// Level by level; false where there are too many.
+    fn descend(&mut self, at: &dyn Statement, job: &Descent) -> bool {
+        let pieces = &job.pieces;
+        let top = pieces[0].from[1];
+        let (mut level, mut here, mut now) = (top, pieces[0].from, 0);
+        let mut pockets = job.pockets;
+        if pockets == Pockets::Only {
+            // Down to the bottom of the first descent, which the cycle without pockets has cut.
+            while now < pieces.len() && self.fall_along(at, job, now, &mut here, f64::NEG_INFINITY)
+            {
+                now += 1;
+            }
+            pockets = Pockets::Cut;
+            level = here[1];
+        }
+        let (mut passes, mut stands) = (0, false);
+        while now < pieces.len() {
+            if passes > MOST_PASSES {
+                return false;
+            }
+            passes += 1;
+            if level > here[1] {
+                level -= ((level - here[1]) / job.depth).floor().max(0.0) * job.depth;
+                while level > here[1] {
+                    level -= job.depth;
+                }
+            }
+            if !self.fall_along(at, job, now, &mut here, level) {
+                if pockets == Pockets::Left {
+                    for piece in &pieces[now..] {
+                        self.climb_from_level(at, job, piece, &mut here);
+                    }
+                    return true;
+                }
+                while now < pieces.len() && self.climb_piece(at, job, &pieces[now], &mut here) {
+                    now += 1;
+                }
+                // Pockets that alone are cut begin at their own edges.
+                level = if job.pockets == Pockets::Only { here[1] } else { top };
+                continue;
+            }
+            if here[1] > level || (here[1] - level).abs() > SAME * job.unit {
+                now += 1;
+                continue;
+            }
+            match self.cut_level(at, job, now, here) {
+                LevelCut::Done => (level, stands) = (level - job.depth, false),
+                LevelCut::NextPiece => now += 1,
+                // The piece may rise from here; what does not is left after a second look.
+                LevelCut::NotMet if stands => (now, stands) = (now + 1, false),
+                LevelCut::NotMet => stands = true,
+            }
+        }
+        true
+    }
+
+    /// Along the level to where the contour rises, and back.
+    fn cut_level(
+        &mut self,
+        at: &dyn Statement,
+        job: &Descent,
+        now: usize,
+        here: [f64; 2],
+    ) -> LevelCut {
+        for (index, piece) in job.pieces.iter().enumerate().skip(now) {
+            let met = along_at(piece, here[1], job.unit);
+            // A falling arc itself may be met again.
+            let Some(end) = (if index == now { met.last() } else { met.first() }) else { continue };
+            let length = (end - here[0]).abs();
+            if length < SAME * job.unit {
+                if index == now {
+                    continue;
+                }
+                return LevelCut::NextPiece;
+            }
+            let back = job.retract * (length / 2.0 / job.retract).min(1.0);
+            let back = if job.retract > 0.0 { back } else { 0.0 };
+            self.turn_cut(at, job.view.place([*end, here[1]]));
+            self.turn_rapid(job.view.place([end + back, here[1] + back]));
+            self.turn_rapid(job.view.place([here[0] - back, here[1] + back]));
+            self.approach_contour(at, job, now, here);
+            return LevelCut::Done;
+        }
+        LevelCut::NotMet
+    }
+
+    /// A straight move on a falling piece: the move to the contour is a rapid.
+    fn approach_contour(&mut self, at: &dyn Statement, job: &Descent, now: usize, to: [f64; 2]) {
+        match now {
+            0 => self.turn_rapid(job.view.place(to)),
+            _ => self.turn_cut(at, job.view.place(to)),
+        }
+    }
+
+    /// Down a piece to the level or its end; false where it does not fall.
+    fn fall_along(
+        &mut self,
+        at: &dyn Statement,
+        job: &Descent,
+        now: usize,
+        here: &mut [f64; 2],
+        level: f64,
+    ) -> bool {
+        let piece = &job.pieces[now];
+        let Some((center, ccw)) = piece.arc else {
+            if piece.from[1] <= piece.to[1] {
+                return false;
+            }
+            let to = if level < piece.to[1] {
+                piece.to
+            } else {
+                [along_at(piece, level, job.unit).first().copied().unwrap_or(piece.to[0]), level]
+            };
+            self.approach_contour(at, job, now, to);
+            *here = to;
+            return true;
+        };
+        if near(*here, piece.to, job.unit) {
+            return true;
+        }
+        let met = along_at(piece, level, job.unit);
+        let rising = if ccw { here[0] > center[0] } else { here[0] <= center[0] };
+        if rising {
+            return false;
+        }
+        let met = if ccw { met.last() } else { met.first() };
+        let falls_there =
+            |along: &&f64| if ccw { **along <= center[0] } else { **along >= center[0] };
+        let to = met.filter(falls_there).map_or(piece.to, |along| [*along, level]);
+        self.turn_round(at, job, piece, here, to);
+        true
+    }
+
+    /// Up a whole piece; false where it does not rise to its end.
+    fn climb_piece(
+        &mut self,
+        at: &dyn Statement,
+        job: &Descent,
+        piece: &Piece,
+        here: &mut [f64; 2],
+    ) -> bool {
+        let Some((center, ccw)) = piece.arc else {
+            if piece.to[1] < piece.from[1] {
+                return false;
+            }
+            self.turn_cut(at, job.view.place(piece.to));
+            *here = piece.to;
+            return true;
+        };
+        if !ccw {
+            if here[0] > center[0] {
+                return false;
+            }
+            self.turn_round(at, job, piece, here, piece.to);
+            return true;
+        }
+        if here[0] >= center[0] {
+            self.turn_round(at, job, piece, here, summit(piece, center));
+        }
+        false
+    }
+
+    /// Along the level to a rising piece, and up it.
+    fn climb_from_level(
+        &mut self,
+        at: &dyn Statement,
+        job: &Descent,
+        piece: &Piece,
+        here: &mut [f64; 2],
+    ) {
+        let met = along_at(piece, here[1], job.unit);
+        let Some((center, ccw)) = piece.arc else {
+            let Some(along) = met.first().filter(|_| piece.to[1] >= piece.from[1]) else { return };
+            self.turn_cut(at, job.view.place([*along, here[1]]));
+            self.turn_cut(at, job.view.place(piece.to));
+            *here = piece.to;
+            return;
+        };
+        let (along, to) = match ccw {
+            false => (met.last().filter(|along| **along <= center[0]), piece.to),
+            true => (met.first().filter(|along| **along >= center[0]), summit(piece, center)),
+        };
+        let Some(along) = along.copied() else { return };
+        here[0] = along;
+        self.turn_cut(at, job.view.place(*here));
+        self.turn_round(at, job, piece, here, to);
+    }
+
+    /// Along an arc to a place of it.
+    fn turn_round(
+        &mut self,
+        at: &dyn Statement,
+        job: &Descent,
+        piece: &Piece,
+        here: &mut [f64; 2],
+        to: [f64; 2],
+    ) {
+        if !near(*here, to, job.unit) {
+            let edge = Piece { from: *here, to, ..*piece }.edge();
+            self.turn_edge(at, &job.view.placed(&edge));
+        }
+        *here = to;
+    }
+}
+
+/// A start from which the contour begins towards +Z: it is reached across its first point.
+fn beside(start: [f64; 2], contour: &[Edge]) -> [f64; 2] {
+    [start[0], contour.first().map_or(start[1], |edge| start[1].max(edge.to[1]))]
+}
+
+/// What came of a level.
+enum LevelCut {
+    Done,
+    /// The contour goes on from here.
+    NextPiece,
+    /// Nothing of the contour is as high.
+    NotMet,
+}
+
+/// The contour as a cycle sees it, from the start on: it goes to smaller numbers along the passes, and rises.
+fn seen(
+    along_x: bool,
+    start: [f64; 2],
+    contour: &[Edge],
+) -> Result<(View, Vec<Piece>), DescentFault> {
+    let (Some(first), Some(last)) = (contour.first(), contour.last()) else {
+        return Err(DescentFault::Empty);
+    };
+    let (axis, cross) = if along_x { (0, 1) } else { (1, 0) };
+    let along = if first.to[axis] < last.to[axis] { -1.0 } else { 1.0 };
+    // Of a contour that ends as high as it begins passes along X see −Z as up.
+    let across = match first.to[cross] - last.to[cross] {
+        fall if fall > 0.0 => -1.0,
+        fall if fall == 0.0 && along_x => -1.0,
+        _ => 1.0,
+    };
+    let view = View::by_signs(along_x, along, across);
+    let mut pieces: Vec<Piece> = contour.iter().map(|edge| Piece::of(&view.of(edge))).collect();
+    pieces[0].from = view.seen(start);
+    Ok((view, pieces))
+}
+
+/// Where along a piece it has a height, in the order of LinuxCNC: of an arc the greater first.
+fn along_at(piece: &Piece, level: f64, unit: f64) -> Vec<f64> {
+    let same = SAME * unit;
+    let Some((center, ccw)) = piece.arc else {
+        let (low, high) = (piece.from[1].min(piece.to[1]), piece.from[1].max(piece.to[1]));
+        if low > level + same || high < level - same {
+            return Vec::new();
+        }
+        let rise = piece.to[1] - piece.from[1];
+        if rise.abs() < same {
+            return vec![piece.from[0], piece.to[0]];
+        }
+        let share = (level - piece.from[1]) / rise;
+        return vec![piece.from[0] + share * (piece.to[0] - piece.from[0])];
+    };
+    let radius = libm::hypot(piece.from[0] - center[0], piece.from[1] - center[1]);
+    let square = radius * radius - (level - center[1]) * (level - center[1]);
+    if square < -same {
+        return Vec::new();
+    }
+    let half = square.max(0.0).sqrt();
+    let side = if ccw { 1.0 } else { -1.0 };
+    let on = |along: &f64| {
+        let turn = |of: [f64; 2]| {
+            (of[0] - center[0]) * (level - center[1]) - (of[1] - center[1]) * (along - center[0])
+        };
+        turn(piece.from) * side >= -same && turn(piece.to) * side <= same
+    };
+    [center[0] + half, center[0] - half].into_iter().filter(on).collect()
+}
+
+/// The highest place of an arc that first rises.
+fn summit(piece: &Piece, center: [f64; 2]) -> [f64; 2] {
+    if piece.to[0] >= center[0] {
+        return piece.to;
+    }
+    let radius = libm::hypot(piece.from[0] - center[0], piece.from[1] - center[1]);
+    [center[0], center[1] + radius]
+}
+
+fn near(a: [f64; 2], b: [f64; 2], unit: f64) -> bool {
+    libm::hypot(a[0] - b[0], a[1] - b[1]) <= ARC_END * unit
+}

@@ -1,0 +1,107 @@
+//! A thread measured from its drive line (LinuxCNC G76): the line parallel to Z on which the tool starts.
+
+use chordal_diagnostics::{Code, Diagnostic};
+
+use crate::kernel::Kernel;
+use crate::statement::Statement;
+use crate::turning::XZ;
+
+/// Most passes of one thread.
+const MOST_PASSES: u32 = 10_000;
+
+/// Words of a thread from its drive line, mm on the radius.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct LineThreadWords {
+    /// Z at its end.
+    pub end_z: f64,
+    /// Advance per revolution.
+    pub lead: f64,
+    /// From the drive line to the crest; above zero for a bore.
+    pub crest: f64,
+    /// Depth of the first pass.
+    pub first: f64,
+    /// Height of the thread.
+    pub height: f64,
+    /// How the depth grows: the root of the pass number; 1 for equal steps.
+    pub root: f64,
+    /// Half angle of the infeed, degrees.
+    pub angle_deg: f64,
+    /// Passes at the whole height after the first one there.
+    pub spring: u32,
+    /// Length of a taper at the ends along Z.
+    pub taper: f64,
+    /// It is at the start, at the end.
+    pub tapered: (bool, bool),
+}
+
+impl Kernel<'_> {
+    /// Cuts the thread, and ends on the drive line at its end.
+    pub fn line_thread(&mut self, at: &dyn Statement, words: &LineThreadWords) {
+        let start = self.turned_place();
+        let forth = if words.end_z > start[1] { -1.0 } else { 1.0 };
+        let slope = libm::tan(words.angle_deg.to_radians()) * forth;
+        let root = words.root.max(1.0);
+        self.origin.cycle = true;
+        let mut number = 1;
+        let mut depth = words.first;
+        while depth < words.height {
+            self.line_thread_pass(words, start, depth, slope, forth);
+            number += 1;
+            if number > MOST_PASSES {
+                let message = format!("this thread needs more than {MOST_PASSES} passes");
+                self.report(
+                    Diagnostic::new(Code::BudgetReached, at.span(), message)
+                        .help("is J, the depth of the first pass, meant so small?"),
+                );
+                break;
+            }
+            depth = words.first * libm::pow(f64::from(number), 1.0 / root);
+        }
+        for _ in 0..=words.spring.min(MOST_PASSES) {
+            self.line_thread_pass(words, start, words.height, slope, forth);
+        }
+        self.turn_rapid([start[0], words.end_z]);
+        self.origin.cycle = false;
+    }
+
+    fn line_thread_pass(
+        &mut self,
+        words: &LineThreadWords,
+        start: [f64; 2],
+        depth: f64,
+        slope: f64,
+        forth: f64,
+    ) {
+        let inward = if words.crest > 0.0 { 1.0 } else { -1.0 };
+        let x = |depth: f64| start[0] + inward * (words.crest.abs() + depth);
+        // The deeper, the less the tool is out of the line while it comes and goes.
+        let clear = start[0] - inward * (words.height - depth);
+        let z = start[1] - depth * slope;
+        let end = words.end_z + (words.height - depth) * slope;
+        let (tapers_in, tapers_out) = words.tapered;
+        let taper = words.taper * forth;
+        let on_taper = words.lead * libm::hypot(words.taper, words.height) / words.taper;
+        self.turn_rapid([clear, z]);
+        if tapers_in && taper != 0.0 {
+            self.in_lead([x(depth - words.height), z], on_taper);
+            self.in_lead([x(depth), z - taper], on_taper);
+        } else {
+            self.turn_rapid([x(depth), z]);
+        }
+        if tapers_out && taper != 0.0 {
+            self.in_lead([x(depth), end + taper], words.lead);
+            self.in_lead([x(depth - words.height), end], on_taper);
+        } else {
+            self.in_lead([x(depth), end], words.lead);
+        }
+        self.turn_rapid([clear, end]);
+    }
+
+    /// A cut in step with the spindle, the lead along its path.
+    fn in_lead(&mut self, to: [f64; 2], lead: f64) {
+        let target = self.place_at(to);
+        if target != self.state.position {
+            self.thread(target, XZ, lead);
+        }
+    }
+}
