@@ -24,9 +24,7 @@ const NUMBERS: [Number<TurnedMove>; 11] = [
     number("feed_mm_per_min", "mm/min", "the programmed feed, if it is known", |each| {
         (each.feed_mm_per_s > 0.0).then_some(each.feed_mm_per_s * 60.0)
     }),
-    number("spindle_rpm", "rpm", "speed of the spindle in the middle of the move", |each| {
-        Some(each.rpm)
-    }),
+    number("spindle_rpm", "rpm", "mean speed of the spindle", |each| Some(each.rpm)),
     number("depth_mm", "mm", "depth of cut: how far the cut extends across the feed", |each| {
         Some(each.depth_mm)
     }),

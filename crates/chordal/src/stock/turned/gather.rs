@@ -41,7 +41,7 @@ pub(super) struct TurnMove {
     pub origin: Origin,
     /// Along the path, mm/s; zero where none is known.
     pub feed: f64,
-    /// Revolutions by second in the middle of the move.
+    /// Revolutions by second: of a feed per revolution the mean, else in the middle of the move.
     pub rev_per_s: f64,
     /// Nose radius compensation is on.
     pub is_compensated: bool,
@@ -140,29 +140,29 @@ impl<'a> Gathered<'a> {
         let feed = path.command.kind.feed();
         let middle = 0.5 * (curve.start.b + curve.end.b);
         let is_thread = kind == MoveKind::Cut && (self.threading || tool.threads);
+        let mean_feed =
+            if segment.duration_s > 0.0 { segment.length_mm / segment.duration_s } else { 0.0 };
         self.moves.push(TurnMove {
             path: curve,
             kind: if is_thread { MoveKind::Thread } else { kind },
             tool: segment.tool,
             origin: segment.origin,
-            feed: if segment.duration_s > 0.0 {
-                segment.length_mm / segment.duration_s
-            } else {
-                0.0
-            },
-            rev_per_s: feed.map_or(0.0, |feed| self.revolutions(feed, middle)),
+            feed: mean_feed,
+            rev_per_s: feed.map_or(0.0, |feed| self.revolutions(feed, mean_feed, middle)),
             is_compensated,
             contour,
         });
     }
 
-    fn revolutions(&self, feed: &Feed, radius: f64) -> f64 {
+    fn revolutions(&self, feed: &Feed, mean_feed: f64, radius: f64) -> f64 {
         if !self.spindle_turns {
             return 0.0;
         }
+        if feed.mode == FeedMode::PerRevolution && feed.value > 0.0 {
+            return mean_feed / feed.value;
+        }
         match feed.surface {
             Some(surface) => surface.rev_per_s(radius),
-            None if feed.mode == FeedMode::PerRevolution => feed.spindle_rev_per_s,
             None => self.rpm / 60.0,
         }
     }

@@ -42,7 +42,7 @@ pub struct TurnedMove {
     pub is_thread: bool,
     /// Programmed, mm/s; zero where none is known.
     pub feed_mm_per_s: f64,
-    /// Revolutions by minute in the middle of the move.
+    /// Revolutions by minute: of a feed per revolution the mean, else in the middle of the move.
     pub rpm: f64,
     /// Its length, mm.
     pub length_mm: f64,

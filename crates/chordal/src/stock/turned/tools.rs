@@ -62,17 +62,13 @@ impl From<ToolError> for NoOutline {
 
 /// The tools that a program may use, by number.
 pub(super) fn tools_of(job: &Job) -> BTreeMap<u32, Result<LatheTool, NoOutline>> {
-    let mirrored = tips_are_mirrored(job);
+    // Some controls count tip numbers with X turned round.
+    let mirrored = job.control().parameters.rules.turning.tips_mirrored;
     let outline = |mut tool: Tool| {
         tool.tip = tool.tip.map(|tip| if mirrored { across(tip) } else { tip });
         lathe_tool(&tool)
     };
     known_tools(job).into_iter().map(|(number, known)| (number, outline(known.tool))).collect()
-}
-
-/// Whether the control counts tip numbers with X turned round; none of those that turn here does.
-fn tips_are_mirrored(_: &Job) -> bool {
-    false
 }
 
 /// The tip number with X turned round.
