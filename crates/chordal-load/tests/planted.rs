@@ -83,6 +83,7 @@ fn turned_parts() -> Vec<Part> {
     for control in ["fanuc-lathe", "haas-lathe", "linuxcnc-lathe", "mitsubishi-lathe"] {
         let entries = fs::read_dir(folder.join(control)).expect("examples");
         let mut files: Vec<_> = entries.map(|entry| entry.expect("a file").path()).collect();
+        files.retain(|file| file.extension().is_some_and(|ending| ending != "toml"));
         files.sort();
         for file in files {
             let text = fs::read_to_string(&file).expect("a text");

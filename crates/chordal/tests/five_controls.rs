@@ -292,10 +292,10 @@ fn a_radius_above_the_largest() {
 
 #[test]
 fn codes_for_inches() {
-    // G70 is inch on a Fadal, a bolt circle on a Haas, which needs a cycle, and unknown elsewhere;
-    // an old Fanuc has a setting for it.
+    // G70 is inch on a Fadal, a bolt circle on a Haas, which needs a cycle, and a finishing cycle on LinuxCNC, which
+    // needs its contour; it is unknown elsewhere. An old Fanuc has a setting for it.
     let unknown = "line X1, CH301";
-    five("", "G70 X1.", ["line X25.4", "CH807", unknown, unknown, unknown]);
+    five("", "G70 X1.", ["line X25.4", "CH807", unknown, unknown, "CH308"]);
 }
 
 #[test]
