@@ -9,6 +9,7 @@ use chordal::stock::section::{Region, Segment};
 use chordal::stock::{Amount, StockVerdict, TurnedMove, TurnedReport};
 use serde_json::{Map, Value, json};
 
+use super::json::problem;
 use super::mesh::MeshFormat;
 use super::text::stock_volume;
 use crate::number::push_finite;
@@ -134,17 +135,10 @@ pub(super) fn turned_members(found: &TurnedReport) -> Map<String, Value> {
     let problems: Vec<Value> = found
         .problems
         .iter()
-        .map(|problem| {
-            let info = problem.code.info();
-            json!({
-                "code": info.id,
-                "name": info.name,
-                "file": problem.file,
-                "line": problem.line,
-                "tool": problem.tool,
-                "depth_mm": bounds(problem.depth_mm),
-                "at_mm": ([problem.at.x, problem.at.y, problem.at.z].map(rounded)),
-            })
+        .map(|found| {
+            let at = [found.at.x, found.at.y, found.at.z].map(rounded);
+            let more = [("depth_mm", bounds(found.depth_mm)), ("at_mm", json!(at))];
+            problem(found.code, (&found.file, found.line), found.tool, more)
         })
         .collect();
     let worst = |(value, line): (f64, u32)| {

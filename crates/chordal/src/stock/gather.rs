@@ -9,6 +9,7 @@ use chordal_machine::Rotary;
 use chordal_path::{PathCommand, Segment};
 use chordal_stock::Move;
 
+use super::problems::not_cut;
 use super::tools::{NoBody, ToolBody};
 use super::turns::{self, Turn};
 use crate::job::Job;
@@ -242,20 +243,7 @@ impl<'a> Gathered<'a> {
             return;
         }
         self.told.push((code, segment.tool));
-        let tool = segment.tool;
-        let (message, help) = if code == Code::ToolWithoutShape {
-            (
-                format!("what tool {tool} removes is not known: {why}"),
-                "give its shape with all dimensions in the setup or machine file",
-            )
-        } else {
-            (
-                format!("this move of tool {tool} is not cut from the stock: {why}"),
-                "nothing after it is proved",
-            )
-        };
-        let diagnostic = Diagnostic::new(code, segment.origin.span, message);
-        self.diagnostics.push(diagnostic.help(help));
+        self.diagnostics.push(not_cut(code, &segment.origin, segment.tool, why));
     }
 }
 

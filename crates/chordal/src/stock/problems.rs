@@ -22,6 +22,22 @@ pub struct StockProblem {
     pub at: Vec3,
 }
 
+/// Why moves of a tool remove nothing: its shape is not known, or what they do is not followed.
+pub(super) fn not_cut(code: Code, origin: &Origin, tool: u32, why: &str) -> Diagnostic {
+    let (message, help) = if code == Code::ToolWithoutShape {
+        (
+            format!("what tool {tool} removes is not known: {why}"),
+            "give its shape with all dimensions in the setup or machine file",
+        )
+    } else {
+        (
+            format!("this move of tool {tool} is not cut from the stock: {why}"),
+            "nothing after it is proved",
+        )
+    };
+    Diagnostic::new(code, origin.span, message).help(help)
+}
+
 /// Problems that are kept of a run.
 const MOST: usize = 1000;
 
