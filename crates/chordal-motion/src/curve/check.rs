@@ -15,7 +15,7 @@ use super::width::Widths;
 use chordal_geometry::AXES;
 
 use crate::Axes;
-use crate::piece::{SIXTH, ahead};
+use crate::piece::{Jet, SIXTH};
 
 /// Where it is too far, widths around fall to at least and at most these shares, by the root of the excess.
 const FALL: [f64; 2] = [0.6, 0.97];
@@ -83,35 +83,55 @@ impl Certificate {
     }
 
     fn look(&mut self, range: Range<usize>, chords: &Chords, spline: &Spline, measure: &Measure) {
+        if chords.is_linear {
+            self.look_at::<3>(range, chords, spline, measure);
+        } else {
+            self.look_at::<AXES>(range, chords, spline, measure);
+        }
+    }
+
+    /// The same where no axes but the first ones move.
+    fn look_at<const N: usize>(
+        &mut self,
+        range: Range<usize>,
+        chords: &Chords,
+        spline: &Spline,
+        measure: &Measure,
+    ) {
         let Standing { mut piece, mut from, away: mut before } =
             standing(range.start, chords, spline, measure);
         for chord in range {
             let end = chords.at[chord + 1];
             let mut off = 0.0_f64;
             while from < end {
-                let until = spline.at[piece + 1].min(end);
+                let (begin, next) = (spline.at[piece], spline.at[piece + 1]);
+                let until = next.min(end);
                 let jet = &spline.jets[piece];
-                let way = until - spline.at[piece];
-                let away = distance(chords, chord, until, jet, way);
+                let away = distance::<N>(chords, chord, until, jet, until - begin);
                 let after = (measure.of(&away), away);
-                let start = ahead(jet, from - spline.at[piece], 6)[2];
-                let bend = measure.of(&start).max(measure.of(&ahead(jet, way, 6)[2]));
+                let bend = |way: f64| {
+                    let mut bend = [0.0; N];
+                    for axis in 0..N {
+                        bend[axis] = jet[2][axis] + way * jet[3][axis];
+                    }
+                    measure.of_first(&bend)
+                };
+                let bend = bend(from - begin).max(bend(until - begin));
                 let part = until - from;
                 let own = before.0.max(after.0) + bend * part * part / 8.0;
                 off = off.max(own);
                 if own > 1.0 {
-                    let length = spline.at[piece + 1] - spline.at[piece];
                     let (farther, at) =
                         if before.0 > after.0 { (&before, from) } else { (&after, until) };
                     let back = -DAMPING * (own - AIM) / farther.0;
                     let by = farther.1.map(|away| away * back);
-                    let share = (at - spline.at[piece]) / length;
+                    let share = (at - begin) / (next - begin);
                     self.pulls.push(Pull { chord, piece, share, by });
                 }
                 (from, before) = (until, after);
-                if until >= spline.at[piece + 1] && piece + 1 < spline.jets.len() {
+                if until >= next && piece + 1 < spline.jets.len() {
                     piece += 1;
-                } else if until >= spline.at[piece + 1] {
+                } else if until >= next {
                     break;
                 }
             }
@@ -148,19 +168,29 @@ fn standing(chord: usize, chords: &Chords, spline: &Spline, measure: &Measure) -
     let ends = &spline.at[1..];
     let last = spline.jets.len() - 1;
     let piece = ends.partition_point(|end| *end < from).min(last);
-    let away = distance(chords, chord - 1, from, &spline.jets[piece], from - spline.at[piece]);
+    let way = from - spline.at[piece];
+    let away = distance::<AXES>(chords, chord - 1, from, &spline.jets[piece], way);
     let next = if ends[piece] <= from { (piece + 1).min(last) } else { piece };
     Standing { piece: next, from, away: (measure.of(&away), away) }
 }
 
-fn distance(chords: &Chords, chord: usize, at: f64, jet: &[Axes; 4], way: f64) -> Axes {
+/// How far the curve is from a chord, in the first axes.
+#[inline(always)]
+fn distance<const N: usize>(
+    chords: &Chords,
+    chord: usize,
+    at: f64,
+    [x, d1, d2, d3]: &Jet,
+    way: f64,
+) -> Axes {
     let (begin, end) = (chords.at[chord], chords.at[chord + 1]);
     let share = (at - begin) / (end - begin);
     let (from, to) = (&chords.places[chord], &chords.places[chord + 1]);
-    let [x, d1, d2, d3] = jet;
-    std::array::from_fn(|axis| {
+    let mut away = [0.0; AXES];
+    for axis in 0..N {
         let on_curve =
             x[axis] + way * (d1[axis] + way * (d2[axis] * 0.5 + way * (d3[axis] * SIXTH)));
-        on_curve - (from[axis] + share * (to[axis] - from[axis]))
-    })
+        away[axis] = on_curve - (from[axis] + share * (to[axis] - from[axis]));
+    }
+    away
 }

@@ -1,7 +1,5 @@
 //! A run of chords as a function of its length: places, means, and beyond its ends.
 
-use chordal_geometry::AXES;
-
 use crate::Axes;
 
 /// Straight lines from place to place. σ is the length along them.
@@ -11,6 +9,8 @@ pub(crate) struct Chords {
     pub places: Vec<Axes>,
     /// σ of each.
     pub at: Vec<f64>,
+    /// Only X, Y and Z move.
+    pub is_linear: bool,
 }
 
 /// A place of the list that was found last, from where the next is sought.
@@ -23,6 +23,7 @@ impl Chords {
         self.at.clear();
         self.places.push(place);
         self.at.push(0.0);
+        self.is_linear = true;
     }
 
     /// Goes on to a place that is `length` away; `in_line` with the last chord, which is longer then.
@@ -72,6 +73,7 @@ impl Chords {
     }
 
     fn add(&mut self, place: Axes, at: f64) {
+        self.is_linear &= place[3..] == self.places[0][3..];
         self.places.push(place);
         self.at.push(at);
     }
@@ -89,16 +91,7 @@ impl Chords {
     /// The chord that holds a place.
     #[inline]
     pub(super) fn chord_at(&self, sigma: f64, hint: &mut Hint) -> usize {
-        let begins = &self.at[..self.count()];
-        let mut index = (*hint).min(begins.len() - 1);
-        if begins[index] > sigma {
-            let before = begins[..index].iter().rev().take_while(|at| **at > sigma).count();
-            index = (index - before).saturating_sub(1);
-        } else {
-            index += begins[index + 1..].iter().take_while(|at| **at <= sigma).count();
-        }
-        *hint = index;
-        index
+        chord_at(&self.at, sigma, hint)
     }
 
     /// The place at σ; beyond an end the chords go on, turned about the end.
@@ -110,40 +103,18 @@ impl Chords {
     /// The first axes of the place at σ.
     #[inline(always)]
     pub(super) fn first_axes_at<const N: usize>(&self, sigma: f64, hint: &mut Hint) -> [f64; N] {
-        let length = self.length();
-        if sigma < 0.0 || sigma > length {
+        if sigma < 0.0 || sigma > self.length() {
             return self.beyond(sigma, hint);
         }
-        self.between(sigma, hint)
-    }
-
-    #[inline(always)]
-    fn between<const N: usize>(&self, inside: f64, hint: &mut Hint) -> [f64; N] {
-        let index = self.chord_at(inside, hint);
-        let [begin, end] = self.at[index..index + 2] else { unreachable!("a chord has two ends") };
-        let [from, to] = &self.places[index..index + 2] else {
-            unreachable!("a chord has two ends")
-        };
-        let share = (inside - begin) / (end - begin);
-        let mut place = [0.0; N];
-        for axis in 0..N {
-            place[axis] = from[axis] + share * (to[axis] - from[axis]);
-        }
-        place
+        between(&self.at, &self.places, sigma, hint)
     }
 
     /// Beyond an end.
     #[cold]
     fn beyond<const N: usize>(&self, sigma: f64, hint: &mut Hint) -> [f64; N] {
-        let place: [f64; N] = self.between(self.inside(sigma), hint);
+        let place: [f64; N] = between(&self.at, &self.places, self.inside(sigma), hint);
         let about = if sigma < 0.0 { &self.places[0] } else { &self.places[self.count()] };
         std::array::from_fn(|axis: usize| 2.0 * about[axis] - place[axis])
-    }
-
-    /// Whether only X, Y and Z move.
-    pub(super) fn is_linear(&self) -> bool {
-        let Some(first) = self.places.first() else { return true };
-        self.places.iter().all(|place| place[3..] == first[3..])
     }
 
     fn inside(&self, sigma: f64) -> f64 {
@@ -159,18 +130,18 @@ impl Chords {
     }
 
     /// The integral of the places between two on the chords, the first one's chord known.
-    fn integral(&self, first: usize, from: f64, to: f64) -> Axes {
-        let mut sum = [0.0; AXES];
-        let (mut index, mut at, mut before) = (first, from, self.on(first, from));
+    fn integral<const N: usize>(&self, first: usize, from: f64, to: f64) -> [f64; N] {
+        let mut sum = [0.0; N];
+        let (mut index, mut at, mut before) = (first, from, self.on::<N>(first, from));
         loop {
             let is_last = index + 1 == self.count() || self.at[index + 1] >= to;
             let (until, after) = if is_last {
                 (to, self.on(index, to))
             } else {
-                (self.at[index + 1], self.places[index + 1])
+                (self.at[index + 1], first_of(&self.places[index + 1]))
             };
             let half = 0.5 * (until - at);
-            for axis in 0..AXES {
+            for axis in 0..N {
                 sum[axis] += half * (before[axis] + after[axis]);
             }
             if is_last {
@@ -181,16 +152,31 @@ impl Chords {
     }
 
     /// The place at σ on a chord.
-    #[inline]
-    fn on(&self, chord: usize, sigma: f64) -> Axes {
+    #[inline(always)]
+    fn on<const N: usize>(&self, chord: usize, sigma: f64) -> [f64; N] {
         let share = (sigma - self.at[chord]) / (self.at[chord + 1] - self.at[chord]);
-        let (from, to) = (&self.places[chord], &self.places[chord + 1]);
-        std::array::from_fn(|axis| from[axis] + share * (to[axis] - from[axis]))
+        on_chord([&self.places[chord], &self.places[chord + 1]], share)
     }
 
     /// The mean of the places within `half` of σ, as exact as the places are: chord by chord, since a difference of
     /// integrals from the start would have the rounding of all that lies before.
     pub(super) fn mean(&self, sigma: f64, half: f64, hint: &mut Hint) -> Axes {
+        if !self.is_linear {
+            return self.first_axes_of_mean(sigma, half, hint);
+        }
+        // The others stay.
+        let mut mean = self.places[0];
+        let moving: [f64; 3] = self.first_axes_of_mean(sigma, half, hint);
+        mean[..3].copy_from_slice(&moving);
+        mean
+    }
+
+    fn first_axes_of_mean<const N: usize>(
+        &self,
+        sigma: f64,
+        half: f64,
+        hint: &mut Hint,
+    ) -> [f64; N] {
         let length = self.length();
         let (from, to) = (sigma - half, sigma + half);
         // What lies beyond an end is, with its mirror image, the place of the end.
@@ -201,14 +187,59 @@ impl Chords {
         let sign = if from <= to { 1.0 } else { -1.0 };
         let (low, high) = (from.min(to), from.max(to));
         let first = self.chord_at(low, hint);
-        let inner = self.integral(first, low, high);
+        let inner: [f64; N] = self.integral(first, low, high);
         let share = 1.0 / (2.0 * (beyond[0] + beyond[1]) + (to - from));
         let (begin, end) = (&self.places[0], &self.places[self.count()]);
-        std::array::from_fn(|axis| {
+        let mut mean = [0.0; N];
+        for axis in 0..N {
             let outer = 2.0 * (beyond[0] * begin[axis] + beyond[1] * end[axis]);
-            (outer + sign * inner[axis]) * share
-        })
+            mean[axis] = (outer + sign * inner[axis]) * share;
+        }
+        mean
     }
+}
+
+/// The chord that holds a place, by where all of them begin and the last ends.
+#[inline(always)]
+fn chord_at(at: &[f64], sigma: f64, hint: &mut Hint) -> usize {
+    // Where all but the last end.
+    let ends = &at[1..at.len() - 1];
+    let mut index = (*hint).min(ends.len());
+    while ends.get(index).is_some_and(|end| *end <= sigma) {
+        index += 1;
+    }
+    while index > 0 && ends[index - 1] > sigma {
+        index -= 1;
+    }
+    *hint = index;
+    index
+}
+
+/// The first axes of a place between the ends.
+#[inline(always)]
+fn between<const N: usize>(
+    at: &[f64],
+    places: &[Axes],
+    inside: f64,
+    hint: &mut Hint,
+) -> [f64; N] {
+    let index = chord_at(at, inside, hint);
+    let (begin, end) = (at[index], at[index + 1]);
+    on_chord([&places[index], &places[index + 1]], (inside - begin) / (end - begin))
+}
+
+/// The first axes of the place at a share of a chord.
+#[inline(always)]
+fn on_chord<const N: usize>([from, to]: [&Axes; 2], share: f64) -> [f64; N] {
+    let mut place = [0.0; N];
+    for axis in 0..N {
+        place[axis] = from[axis] + share * (to[axis] - from[axis]);
+    }
+    place
+}
+
+fn first_of<const N: usize>(place: &Axes) -> [f64; N] {
+    on_chord([place; 2], 0.0)
 }
 
 #[cfg(test)]

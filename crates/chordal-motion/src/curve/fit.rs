@@ -42,11 +42,14 @@ pub(super) struct Spline {
     pub at: Vec<f64>,
     /// The axes and their derivatives where each piece begins.
     pub jets: Vec<Jet>,
+    /// Only X, Y and Z move.
+    is_linear: bool,
 }
 
 impl Spline {
     /// Fits the spline to the chords.
     pub fn fit(&mut self, chords: &Chords, widths: &Widths, kernel: Kernel) {
+        self.is_linear = chords.is_linear;
         self.lay_knots(chords, widths);
         match kernel {
             Kernel::Plain => self.plain(chords, widths),
@@ -277,6 +280,15 @@ impl Spline {
 
     /// Pieces by the four control points around each.
     fn make_pieces(&mut self, pieces: Range<usize>) {
+        if self.is_linear {
+            self.make_pieces_of::<3>(pieces);
+        } else {
+            self.make_pieces_of::<AXES>(pieces);
+        }
+    }
+
+    /// The same where no axes but the first ones move.
+    fn make_pieces_of<const N: usize>(&mut self, pieces: Range<usize>) {
         for index in pieces {
             let t = &self.knots[index..index + 7];
             let c = &self.control[index..index + 4];
@@ -284,8 +296,8 @@ impl Spline {
             let bends = [2.0 / (t[4] - t[2]), 2.0 / (t[5] - t[3])];
             let (share, last) = ((t[3] - t[2]) / (t[4] - t[2]), 1.0 / (t[4] - t[3]));
             let (a, b) = ((t[3] - t[1]) / (t[4] - t[1]), (t[3] - t[2]) / (t[5] - t[2]));
-            let mut jet = [[0.0; AXES]; 4];
-            for axis in 0..AXES {
+            let mut jet = [c[1], [0.0; AXES], [0.0; AXES], [0.0; AXES]];
+            for axis in 0..N {
                 let p = [c[0][axis], c[1][axis], c[2][axis], c[3][axis]];
                 let d: [f64; 3] = std::array::from_fn(|k| (p[k + 1] - p[k]) * slopes[k]);
                 let e: [f64; 2] = std::array::from_fn(|k| (d[k + 1] - d[k]) * bends[k]);

@@ -137,7 +137,7 @@ impl Measure {
     }
 
     /// The same of the first axes, the others being zero.
-    #[inline]
+    #[inline(always)]
     fn of_first<const N: usize>(&self, places: &[f64; N]) -> f64 {
         let mut all = [0.0; AXES];
         all[..N].copy_from_slice(places);
