@@ -74,7 +74,7 @@ pub struct Args {
     #[arg(long)]
     despite_errors: bool,
 
-    /// Writes cycles out as moves where the new machine makes their pecks in other steps
+    /// Writes cycles out as moves where the new machine makes their pecks or passes in other steps
     #[arg(long)]
     exact_cycles: bool,
 
@@ -176,7 +176,12 @@ fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -
     let within = found.certificate.as_ref().is_some_and(|certificate| {
         certificate.comparison.verdict == chordal_compare::Verdict::Within
     });
-    let but = if found.pecks.is_empty() { "" } else { " except for pecks" };
+    let but = match (found.pecks.is_empty(), found.passes.is_empty()) {
+        (true, true) => "",
+        (false, true) => " except for pecks",
+        (true, false) => " except for the passes of cycles",
+        (false, false) => " except for pecks and the passes of cycles",
+    };
     text += &match (found.holds(), found.refusals.is_empty()) {
         (true, _) if within => {
             format!("{changes}; the motion is the same within the tolerance{but}\n")
@@ -205,6 +210,7 @@ fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -
         text += &proof(found, certificate, job);
         let units = Units::of(certificate.comparison.reports[0].summary.inch);
         text += &crate::pecks::text(&found.pecks, [from, to], units);
+        text += &crate::passes::text(&found.passes, [from, to], units);
     }
     let Some(path) = output.filter(|path| *path != Path::new("-")) else { return text };
     text += &match may_write {

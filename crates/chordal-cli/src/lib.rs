@@ -36,6 +36,7 @@ mod optimize;
 mod options;
 mod out;
 mod output;
+mod passes;
 mod path;
 mod pecks;
 mod programs;

@@ -104,6 +104,12 @@ fn text(done: &Restart, path: Option<&Path>) -> String {
     for line in &done.head {
         text += &format!("  + {line}\n");
     }
+    if !done.after_the_end.is_empty() {
+        text += "after the end of the program, for the cycles that take it\n";
+    }
+    for line in &done.after_the_end {
+        text += &format!("  + {line}\n");
+    }
     if done.approaches {
         text += "note: the program itself goes to its first place; retract the spindle before you start\n";
     }

@@ -34,6 +34,7 @@ mod difference;
 mod frechet;
 mod joined;
 mod machine_places;
+mod passes;
 mod pecks;
 mod problems;
 mod steps;
@@ -46,6 +47,7 @@ use chordal::{Job, Machine, Report};
 
 pub use difference::{Blocks, Category, Difference, Place, Value};
 pub use joined::{Kept, Part, compare_joined};
+pub use passes::{FreePasses, LastPass, Passes};
 pub use pecks::Pecks;
 
 /// Places nearer than this are the same, mm. Doubles leave up to a hundredth of it when a centre is
@@ -77,6 +79,9 @@ pub struct Options {
     /// Lines of either program whose canned cycles may drill in other steps: there a hole counts as one
     /// cut from R to its bottom, and how the steps differ is reported apart ([`Comparison::pecks`]).
     pub free_pecks: [BTreeSet<u32>; 2],
+    /// Lines of either program whose cycles of a lathe may cut in passes of their own: there the last pass counts, and
+    /// how the others differ is reported apart ([`Comparison::passes`]).
+    pub free_passes: [FreePasses; 2],
 }
 
 impl Default for Options {
@@ -91,6 +96,7 @@ impl Default for Options {
             kept: 1000,
             in_step: false,
             free_pecks: Default::default(),
+            free_passes: Default::default(),
         }
     }
 }
@@ -148,6 +154,8 @@ pub struct Comparison {
     pub moves: [u64; 2],
     /// Holes that the two drill in other steps, where they may.
     pub pecks: Vec<[Pecks; 2]>,
+    /// Cycles of lathes that the two cut in other passes, where they may.
+    pub passes: Vec<[Passes; 2]>,
     /// What the runs themselves found.
     pub reports: [Report; 2],
 }
@@ -187,7 +195,16 @@ pub fn compare_mapped(a: &Job, b: &Job, options: &Options, mapping: &Mapping) ->
     }
     let [lines_a, lines_b] = &options.free_pecks;
     let holes = [pecks::join(&mut a, lines_a), pecks::join(&mut b, lines_b)];
-    conclude(jobs, a, b, &holes, options)
+    let [lines_a, lines_b] = &options.free_passes;
+    let cycles = [passes::join(&mut a, lines_a), passes::join(&mut b, lines_b)];
+    conclude(jobs, a, b, &Apart { holes, cycles }, options)
+}
+
+/// What two runs may do otherwise.
+#[derive(Default)]
+struct Apart {
+    holes: [Vec<Pecks>; 2],
+    cycles: [Vec<Passes>; 2],
 }
 
 /// Walks along two runs.
@@ -195,7 +212,7 @@ fn conclude(
     jobs: [&Job; 2],
     a: course::Course,
     b: course::Course,
-    holes: &[Vec<Pecks>; 2],
+    apart: &Apart,
     options: &Options,
 ) -> Comparison {
     if [&a, &b].into_iter().any(course::Course::was_interrupted) {
@@ -209,7 +226,8 @@ fn conclude(
     walk.along(&in_step.unwrap_or_else(|| align::align(&a, &b, grid_mm)));
     let mut found = walk.finish();
     problems::compare(jobs, [&a.report, &b.report], &mut found);
-    let pecks = pecks::compare(holes, options.tolerance_mm, &mut found.differences);
+    let pecks = pecks::compare(&apart.holes, options.tolerance_mm, &mut found.differences);
+    let passes = passes::compare(&apart.cycles, options.tolerance_mm, &mut found.differences);
     found.differences.retain(|difference| !options.ignored.contains(&difference.category));
     let verified = a.report.verified() && b.report.verified();
     let has_path = found.max_distance_mm.is_some_and(|distance| distance > SAME_MM);
@@ -231,6 +249,7 @@ fn conclude(
         dropped,
         moves: [&a, &b].map(course::Course::move_count),
         pecks,
+        passes,
         reports: [a.report, b.report],
     }
 }
@@ -246,6 +265,7 @@ fn interrupted(courses: [course::Course; 2]) -> Comparison {
         dropped: 0,
         moves: courses.each_ref().map(course::Course::move_count),
         pecks: Vec::new(),
+        passes: Vec::new(),
         reports: courses.map(|course| course.report),
     }
 }

@@ -20,11 +20,16 @@ struct Names {
 pub(crate) struct MachinePlaces {
     names: HashMap<(u32, u32), Names>,
     at_machine: [bool; 3],
+    /// Axes that the machine has.
+    exists: [bool; 3],
 }
 
 impl MachinePlaces {
     pub(crate) fn of(job: &Job) -> MachinePlaces {
-        MachinePlaces { names: names(job), at_machine: [true; 3] }
+        let exists = [0, 1, 2].map(|axis| job.machine().axes[axis].is_some());
+        // A machine without any axis says nothing about them.
+        let exists = if exists == [false; 3] { [true; 3] } else { exists };
+        MachinePlaces { names: names(job), at_machine: exists, exists }
     }
 
     /// Whether a move of a block begins or ends at such a place; moves are reported in their order.
@@ -34,7 +39,7 @@ impl MachinePlaces {
         // G28 alone moves all axes.
         let all = block.is_machine && block.axes == [false; 3];
         for (axis, is_at_machine) in self.at_machine.iter_mut().enumerate() {
-            if block.axes[axis] || all {
+            if self.exists[axis] && (block.axes[axis] || all) {
                 *is_at_machine = block.is_machine;
             }
         }
@@ -49,7 +54,11 @@ fn names(job: &Job) -> HashMap<(u32, u32), Names> {
         let mut reader = BlockReader::new(source.text(), file, control.table.lexicon);
         let mut block = Block::new();
         while reader.read(&mut block) {
-            let axes = [b'X', b'Y', b'Z'].map(|letter| block.letters().has(letter));
+            let increments = control.parameters.increments;
+            let axes = [b'X', b'Y', b'Z'].map(|letter| {
+                let by = increments.iter().find(|(_, of)| *of == letter);
+                block.letters().has(letter) || by.is_some_and(|(own, _)| block.letters().has(*own))
+            });
             let is_machine = block.all(b'G').any(|word| {
                 let code = word.number().map(|number| (number.to_f64() * 10.0).round());
                 let row = code.and_then(|code| control.g_code(code as u16));

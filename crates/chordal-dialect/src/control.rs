@@ -69,6 +69,11 @@ impl Control {
         self.g_rows.get(code as usize).copied().flatten()
     }
 
+    /// Its G codes in order, in the system that it has.
+    pub fn g_codes(&self) -> impl DoubleEndedIterator<Item = &'static CodeRow> {
+        self.g_rows.iter().copied().flatten()
+    }
+
     /// The row of an M code (ten times its number).
     #[inline]
     pub fn m_code(&self, code: u16) -> Option<&'static CodeRow> {

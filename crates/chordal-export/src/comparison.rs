@@ -4,7 +4,7 @@ use chordal::Job;
 use chordal::control::PathMode;
 use chordal::diagnostics::{FileId, Span};
 use chordal_compare::{Blocks, Comparison, Difference, Place, Value as Had};
-use chordal_rewrite::convert::{Conversion, PeckChange, PeckReading};
+use chordal_rewrite::convert::{Conversion, PassChange, PassReading, PeckChange, PeckReading};
 use serde_json::{Value, json};
 
 use crate::motion::spindle_word;
@@ -46,6 +46,7 @@ pub fn conversion_json(found: &Conversion, old: &Job) -> String {
         "refusals": refusals.collect::<Vec<Value>>(),
         "changes": changes.collect::<Vec<Value>>(),
         "pecks": found.pecks.iter().map(peck_change).collect::<Vec<Value>>(),
+        "passes": found.passes.iter().map(pass_change).collect::<Vec<Value>>(),
         "proof": proof,
         "text": found.text,
     });
@@ -68,6 +69,23 @@ fn peck_change(change: &PeckChange) -> Value {
         "new_line": change.lines[1],
         "cycle": change.cycle,
         "holes": change.holes,
+        "old": reading(&change.readings[0]),
+        "new": reading(&change.readings[1]),
+    })
+}
+
+fn pass_change(change: &PassChange) -> Value {
+    let reading = |reading: &PassReading| {
+        json!({
+            "cuts": reading.cuts,
+            "length_mm": reading.length_mm,
+            "largest_step_mm": reading.largest_step_mm,
+        })
+    };
+    json!({
+        "line": change.lines[0],
+        "new_line": change.lines[1],
+        "cycle": change.cycle,
         "old": reading(&change.readings[0]),
         "new": reading(&change.readings[1]),
     })

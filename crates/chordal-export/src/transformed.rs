@@ -102,6 +102,7 @@ pub fn restart_json(done: Result<&Restart, &Refused>, file: &str, written: Optio
             "file": file,
             "line": done.line,
             "put_in": done.head,
+            "after_the_end": done.after_the_end,
             "moves": done.moves,
             "goes_to_first_place_itself": done.approaches,
             "from_the_start_of_the_whole": done.from_the_start,

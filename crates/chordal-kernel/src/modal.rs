@@ -67,6 +67,10 @@ pub struct Modal {
     pub spindle: SpindleState,
     /// Its speed, rev/min.
     pub rpm: f64,
+    /// The cutting speed that it keeps instead (G96), mm/s.
+    pub surface_speed: Option<f64>,
+    /// What limits its speed (G50 S), rev/min.
+    pub speed_limit: Option<f64>,
     /// Coolant valves.
     pub coolant: Coolant,
     /// The tool in the spindle; 0 for none.
@@ -114,6 +118,8 @@ impl Modal {
             feed: state.feed,
             spindle: state.spindle,
             rpm: state.rpm,
+            surface_speed: state.surface_speed,
+            speed_limit: state.speed_limit,
             coolant: state.coolant,
             tool: state.tool,
             selected_tool: state.selected_tool,

@@ -1,6 +1,6 @@
 //! The old text as blocks, and which part of it each belongs to.
 
-use chordal::control::{Action, AfterCode, BeforeCode, CallCode};
+use chordal::control::{Action, AfterCode, BeforeCode, CallCode, OnceCode, TurnCycle};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -262,6 +262,11 @@ impl<'a> Source<'a> {
 /// What a G or M word does on a control.
 pub(crate) fn code_action(word: &Word, control: &Control) -> Option<Action> {
     control.row_of(word).map(|row| row.action)
+}
+
+/// The cycle of a lathe that a code calls.
+pub(crate) fn turning_cycle(code: OnceCode) -> Option<TurnCycle> {
+    if let OnceCode::Turning(cycle) = code { Some(cycle) } else { None }
 }
 
 /// A whole number not below zero.

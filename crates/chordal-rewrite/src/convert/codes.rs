@@ -16,7 +16,7 @@ pub(crate) fn row(action: Action, control: &Control) -> Option<(&'static CodeRow
                 UnitCodes::G70 => row.code >= 700,
             }
     };
-    let mut g = control.table.g_codes.iter().filter(usable).filter(|row| same(row.action, action));
+    let mut g = control.g_codes().filter(usable).filter(|row| same(row.action, action));
     // Of several codes the first is the plain one; of path modes (G62, G64) the last.
     let g = match g.next() {
         Some(row) if row.group == Group::PathMode => g.next_back().or(Some(row)),

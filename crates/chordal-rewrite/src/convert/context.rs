@@ -1,7 +1,8 @@
 //! What the new form of a block depends on.
 
-use chordal::control::Control;
+use chordal::control::{Action, Control, OnceCode};
 
+use super::contours::Contours;
 use super::macros::Macros;
 use super::structure::Structure;
 use super::trace::{Exec, Trace};
@@ -21,6 +22,10 @@ pub(crate) struct Context<'a> {
     pub keeps_corners: bool,
     /// Cycles stay only where their pecks are the same too.
     pub exact_cycles: bool,
+    /// The contours that cycles of a lathe cut.
+    pub contours: &'a Contours,
+    /// What a place of X is multiplied by in a word of the new program.
+    pub x_factor: f64,
 }
 
 impl<'a> Context<'a> {
@@ -35,6 +40,12 @@ impl<'a> Context<'a> {
     /// True when the program stays on its control.
     pub fn same_control(&self) -> bool {
         std::ptr::eq(self.from.table, self.to.table)
+            && self.from.parameters.code_system == self.to.parameters.code_system
+    }
+
+    /// True when the program is for a lathe; then both controls are.
+    pub fn turns(&self) -> bool {
+        self.from.table.kind.is_some() && self.to.table.kind.is_some()
     }
 
     /// True when statements of the macro language mean the same on both.
@@ -45,6 +56,21 @@ impl<'a> Context<'a> {
     /// What the block's first run did, where it was carried out.
     pub fn run(&self, at: usize) -> Option<&'a Exec> {
         self.trace.first_run(at)
+    }
+
+    /// A block that waits: its words of axes are times.
+    pub fn waits(&self, at: usize) -> bool {
+        let dwell = Action::Once(OnceCode::Dwell);
+        self.source.has_action(at, self.from, |action| action == dwell)
+    }
+
+    /// A block of a subroutine that only cycles of the old control read.
+    pub fn is_contour(&self, at: usize) -> bool {
+        self.contours.list.iter().any(|contour| {
+            contour.blocks.contains(&at)
+                && contour.is_subroutine(self.source)
+                && contour.is_apart(self.source, &self.trace.facts)
+        })
     }
 
     pub fn in_cycle(&self, run: &Exec) -> bool {

@@ -14,11 +14,18 @@ use chordal::{Command, CommandKind};
 
 use super::Refusal;
 use super::codes;
+use super::context::Context;
 use super::numbers;
 use super::spiral;
 use super::tap::{self, Tap};
+use super::thread;
 use super::trace::Modes;
+use super::turning;
 use crate::source::Style;
+
+mod lathe;
+
+use self::lathe::{Lathe, reads_distances};
 
 /// Writes commands as blocks in absolute coordinates.
 #[derive(Clone)]
@@ -40,6 +47,9 @@ pub(crate) struct Emitter<'a> {
     pub printed: bool,
     /// Blocks that keep their words because they could not be written out.
     pub unwritten: Vec<Refusal>,
+    /// What a place of X is multiplied by in a word.
+    x_factor: f64,
+    lathe: Lathe,
 }
 
 /// Why commands cannot be written.
@@ -47,12 +57,12 @@ pub(crate) type Refused = String;
 
 impl<'a> Emitter<'a> {
     pub fn new(
-        to: &'a Control,
-        style: Style,
+        context: &Context<'a>,
         tolerance_mm: f64,
         digits: Option<usize>,
         before: &Modes,
     ) -> Emitter<'a> {
+        let (to, style) = (context.to, context.style());
         Emitter {
             to,
             style,
@@ -60,13 +70,15 @@ impl<'a> Emitter<'a> {
             units: before.units,
             digits,
             motion: None,
-            incremental: Some(before.incremental),
+            incremental: Some(before.incremental && reads_distances(to)),
             plane: before.plane,
             feed: None,
             pending: Vec::new(),
             lines: Vec::new(),
             printed: false,
             unwritten: Vec::new(),
+            x_factor: if context.same_control() { before.per_x.recip() } else { context.x_factor },
+            lathe: Lathe::of(context.turns(), before),
         }
     }
 
@@ -74,6 +86,13 @@ impl<'a> Emitter<'a> {
     pub fn block(&mut self, commands: &[Command]) -> Result<(), Refused> {
         let mut at = 0;
         while let Some(command) = commands.get(at) {
+            if self.lathe.is_one
+                && let Some((motion, lead)) = thread::first(&commands[at..])
+            {
+                self.thread(motion, lead)?;
+                at += thread::COMMANDS;
+                continue;
+            }
             let tap = tap::length(&commands[at..]);
             if tap > 0 {
                 self.tap(&Tap::of(&commands[at..at + tap])?)?;
@@ -93,7 +112,7 @@ impl<'a> Emitter<'a> {
         self.lines.extend(lines);
         self.motion = None;
         self.feed = None;
-        self.incremental = Some(after.incremental);
+        self.incremental = Some(after.incremental && reads_distances(self.to));
         self.plane = after.plane;
         self.units = after.units;
     }
@@ -105,7 +124,7 @@ impl<'a> Emitter<'a> {
             words.extend(self.code(plane_action(modes.plane)));
             self.plane = modes.plane;
         }
-        if self.incremental != Some(modes.incremental) {
+        if self.incremental != Some(modes.incremental) && reads_distances(self.to) {
             words.extend(self.code(distance_action(modes.incremental)));
             self.incremental = Some(modes.incremental);
         }
@@ -191,6 +210,14 @@ impl<'a> Emitter<'a> {
                 let word = numbers::dwell_word(*seconds, self.to.table);
                 let code = self.due(Action::Once(OnceCode::Dwell))?;
                 self.line(&[code, word.unwrap_or_default()]);
+            }
+            CommandKind::Tool { number } if self.has_stations() => {
+                self.flush();
+                self.lathe.tool = *number;
+            }
+            CommandKind::ToolLength { number, .. } if self.has_stations() => {
+                self.flush();
+                self.lines.extend(turning::station(self.to, self.lathe.tool, *number));
             }
             CommandKind::Tool { number } => {
                 self.flush();
@@ -279,6 +306,11 @@ impl<'a> Emitter<'a> {
         numbers::length(mm, self.units, digits, self.style)
     }
 
+    /// A place of an axis as the control reads it: X may be a diameter.
+    fn place(&self, axis: usize, mm: f64) -> String {
+        self.length(if axis == 0 { mm * self.x_factor } else { mm })
+    }
+
     /// The axis words of a move; an end that is not known relative to the part cannot be written.
     fn axes(&self, motion: &Move) -> Result<Vec<String>, Refused> {
         let mut words = Vec::new();
@@ -293,7 +325,7 @@ impl<'a> Emitter<'a> {
             }
             let letter = AXIS_LETTERS.as_bytes()[axis] as char;
             let value = if axis < 3 {
-                self.length(to)
+                self.place(axis, to)
             } else {
                 numbers::plain(to.to_degrees(), 3, self.style)
             };
@@ -379,7 +411,7 @@ impl<'a> Emitter<'a> {
         let in_plane =
             |word: &String| [a, b].iter().any(|axis| word.starts_with(LINEAR_AXES[*axis]));
         if !is_full && !words.iter().any(in_plane) {
-            words.push(format!("{}{}", LINEAR_AXES[a], self.length(motion.to[a])));
+            words.push(format!("{}{}", LINEAR_AXES[a], self.place(a, motion.to[a])));
         }
         let absolute =
             self.to.parameters.rules.arc.arc_center == chordal::control::ArcCenter::Absolute;
@@ -413,6 +445,9 @@ impl<'a> Emitter<'a> {
 
     /// A tap at the level where the tool stands, and the end of the cycle.
     fn tap(&mut self, tap: &Tap) -> Result<(), Refused> {
+        if self.lathe.is_one && self.plane != Plane::Xy && self.tap_in_step(tap)? {
+            return Ok(());
+        }
         if self.plane != Plane::Xy {
             return Err("a tap outside the XY plane".into());
         }
@@ -456,13 +491,18 @@ impl<'a> Emitter<'a> {
         };
         let code = self.due(action)?;
         self.pending.push(code);
-        if side != Side::Off {
+        if side != Side::Off && !self.lathe.is_one {
             self.pending.extend(number.map(|number| format!("D{number}")));
         }
         Ok(())
     }
 
     fn spindle(&mut self, state: SpindleState, rpm: f64) -> Result<(), Refused> {
+        let is_same = std::mem::replace(&mut self.lathe.spindle, state) == state;
+        let follows = self.lathe.is_one && self.lathe.keeps_surface_speed;
+        if follows && is_same {
+            return Ok(());
+        }
         self.flush();
         let action = match state {
             SpindleState::Off => Action::After(AfterCode::SpindleStop),
@@ -473,7 +513,7 @@ impl<'a> Emitter<'a> {
         let code = self.due(action)?;
         let turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
         let mut words = Vec::new();
-        if turns {
+        if turns && !follows {
             words.push(format!("S{rpm}"));
         }
         words.push(code);

@@ -1,7 +1,7 @@
 //! What holds at power-on on the old control and is not said by the program.
 
 use chordal::control::table::Group;
-use chordal::control::{Action, ModeCode, MotionCode, ReadingCode};
+use chordal::control::{Action, FeedMode, ModeCode, MotionCode, ReadingCode};
 use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::Letters;
 
@@ -67,6 +67,7 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
                 Action::Motion(MotionCode::Rapid)
             });
         }
+        words.extend(of_lathes(context, &runs));
         let style = context.style();
         let names = words.into_iter().filter_map(|action| codes::name(action, context.to, style));
         let names: Vec<String> = names.collect();
@@ -82,6 +83,26 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
         });
         rendered.lines[first].get_or_insert_default().insert(0, line);
     }
+}
+
+/// What a lathe of another control would begin with otherwise: radii, and the feed that F counts.
+fn of_lathes(context: &Context, runs: &[&Exec]) -> Vec<Action> {
+    let parameters = context.controls().map(|control| control.parameters);
+    let mut words = Vec::new();
+    if !context.turns() || context.same_control() {
+        return words;
+    }
+    if parameters[1].starts_with_radii && context.x_factor != 1.0 {
+        words.push(Action::Reading(ReadingCode::Diameters));
+    }
+    let starts = parameters.map(|one| one.rules.starts_per_revolution);
+    if starts[0] != starts[1] && is_silent(context, runs, Group::FeedMode, Letters::of("F")) {
+        words.push(match starts[0] {
+            true => Action::Reading(ReadingCode::FeedPerRevolution),
+            false => Action::Reading(ReadingCode::FeedPerTime),
+        });
+    }
+    words
 }
 
 /// The first line of a program that is written out as it runs, which says only what it changes: what is in
@@ -110,8 +131,20 @@ fn begin_flat(
         Action::Mode(ModeCode::CompensationOff),
         Action::Mode(ModeCode::CancelCycle),
     ];
-    let mut words: Vec<String> =
-        actions.into_iter().filter_map(|action| codes::name(action, context.to, style)).collect();
+    let mut lathes = of_lathes(context, runs);
+    if context.turns() {
+        lathes.retain(|action| *action == Action::Reading(ReadingCode::Diameters));
+        lathes.push(match first.before.feed_mode {
+            FeedMode::PerRevolution => Action::Reading(ReadingCode::FeedPerRevolution),
+            FeedMode::PerTime => Action::Reading(ReadingCode::FeedPerTime),
+            FeedMode::InverseTime => Action::Reading(ReadingCode::FeedInverseTime),
+        });
+    }
+    let mut words: Vec<String> = actions
+        .into_iter()
+        .chain(lathes)
+        .filter_map(|action| codes::name(action, context.to, style))
+        .collect();
     let says_work = main.clone().any(|at| {
         context.source.has_action(at, context.from, |action| {
             matches!(action, Action::Mode(ModeCode::WorkOffset(_)))

@@ -10,6 +10,7 @@ mod arcs;
 pub(crate) mod codes;
 mod comments;
 mod context;
+mod contours;
 mod corners;
 mod cycles;
 mod draft;
@@ -20,14 +21,17 @@ mod layout;
 mod macros;
 pub(crate) mod numbers;
 mod offsets;
+mod passes;
 mod pecks;
 mod plan;
 mod rendered;
 mod spiral;
 mod structure;
 mod tap;
+mod thread;
 mod trace;
 mod translate;
+mod turning;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -35,16 +39,19 @@ use chordal::control::{RapidPath, Side};
 use chordal::machine::{AXIS_LETTERS, RapidShape, WorkOffset, work_offset_name};
 
 use chordal::{Code, CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
-use chordal_compare::{Category, Difference, Value};
+use chordal_compare::{Blocks, Category, Difference, FreePasses, Value};
 
 use self::context::Context;
+pub(crate) use self::contours::{Contour, Contours};
 use self::layout::Layout;
 use self::macros::Macros;
+pub use self::passes::{PassChange, PassReading};
 pub use self::pecks::{PeckChange, PeckReading};
 use self::plan::Plan;
 use self::rendered::Rendered;
 use self::structure::Structure;
 use self::trace::Trace;
+pub(crate) use self::turning::station;
 use crate::source::Source;
 use crate::{Certificate, Change, prove, prove_contour};
 
@@ -92,6 +99,8 @@ pub struct Conversion {
     pub certificate: Option<Certificate>,
     /// Cycles that were kept although the new control makes their pecks in other steps.
     pub pecks: Vec<PeckChange>,
+    /// Cycles of lathes that were kept although the new control cuts them in other passes.
+    pub passes: Vec<PassChange>,
     /// The job of the new text: the target machine with the tools and work offsets of the old one.
     pub machine: Machine,
 }
@@ -130,9 +139,11 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
     let mut conversion = Conversion {
         text: String::new(),
         changes: Vec::new(),
-        refusals: lathe(old).map_or_else(|| own_problems(old, options), |refusal| vec![refusal]),
+        refusals: other_kind(old, target)
+            .map_or_else(|| own_problems(old, options), |refusal| vec![refusal]),
         certificate: None,
         pecks: Vec::new(),
+        passes: Vec::new(),
         machine,
     };
     let Some(empty) = job("", String::new(), &conversion.machine) else {
@@ -143,15 +154,22 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         });
         return conversion;
     };
-    conversion.refusals.extend(other_diameters(old, &conversion.machine));
+    if conversion.refusals.is_empty() {
+        conversion.refusals.extend(other_diameters(old, &conversion.machine));
+    }
     if !conversion.refusals.is_empty() {
         return conversion;
     }
     let source = Source::of(old);
     let trace = Trace::of(old, &source);
+    conversion.refusals.extend(missing_axes(old, &conversion.machine, &trace));
+    if !conversion.refusals.is_empty() {
+        return conversion;
+    }
     let (from, to) = (old.control(), empty.control());
     let structure = Structure::of(&source, from, to);
     let macros = Macros::of(&source, [from, to]);
+    let contours = Contours::of(&source, old);
     let context = Context {
         source: &source,
         trace: &trace,
@@ -159,6 +177,8 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         from,
         to,
         macros: &macros,
+        contours: &contours,
+        x_factor: conversion.machine.written_factor(0),
         keeps_rotations: frames::keeps_rotations(&source, from, to),
         keeps_corners: corners::keeps_corners(&source, &trace, from, to),
         exact_cycles: options.exact_cycles,
@@ -174,11 +194,14 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         let Rendered { lines, changes, refusals, printed, unwritten } = plan.render();
         let layout = layout::lay_out(&source, &structure, lines, [from, to]);
         let Some(new) = job("converted", layout.text.clone(), &conversion.machine) else { break };
-        let free_pecks = match options.exact_cycles {
-            true => Default::default(),
-            false => pecks::lines(&context, &plan, &layout),
+        let free = match options.exact_cycles {
+            true => Free::default(),
+            false => Free {
+                pecks: pecks::lines(&context, &plan, &layout),
+                passes: passes::lines(&context, &plan, &layout),
+            },
         };
-        let certificate = proof(old, &new, options, free_pecks, compensates, printed);
+        let certificate = proof(old, &new, options, free, compensates, printed);
         let holds = certificate.holds() && refusals.is_empty();
         let more = !holds
             && round + 1 < MOST_ROUNDS
@@ -193,6 +216,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
             conversion.changes = changes;
             conversion.refusals = refusals;
             conversion.pecks = pecks::changes(&context, &certificate);
+            conversion.passes = passes::changes(&context, &certificate);
             conversion.certificate = Some(certificate);
         }
         if !more {
@@ -220,11 +244,18 @@ fn explain(conversion: &mut Conversion, tried: BTreeMap<u32, Refusal>) {
     conversion.refusals = tried.into_values().filter(differs).collect();
 }
 
+/// The lines of both texts whose cycles may be made in other steps.
+#[derive(Default)]
+struct Free {
+    pecks: [BTreeSet<u32>; 2],
+    passes: [FreePasses; 2],
+}
+
 fn proof(
     old: &Job,
     new: &Job,
     options: &Options,
-    free_pecks: [BTreeSet<u32>; 2],
+    free: Free,
     compensates: bool,
     printed: bool,
 ) -> Certificate {
@@ -233,12 +264,16 @@ fn proof(
         feed_tolerance: 1e-5,
         // Both begin at the same place, and both machines have the same tables.
         assume_known: true,
-        free_pecks,
+        free_pecks: free.pecks,
+        free_passes: free.passes,
         kept: 100_000,
         ..chordal_compare::Options::default()
     };
+    let surface = [old, new].map(trace::surface_lines);
     let is_expected = |difference: &Difference| {
-        is_of_machine(difference) || (printed && difference.category == Category::Output)
+        is_of_machine(difference)
+            || (printed && difference.category == Category::Output)
+            || follows_the_diameter(difference, &surface)
     };
     if compensates {
         return prove_contour(old, new, &compare, is_expected);
@@ -246,6 +281,24 @@ fn proof(
     let mut certificate = prove(old, new, &compare, &[]);
     certificate.set_aside(is_expected);
     certificate
+}
+
+/// Revolutions of a spindle that keeps a cutting speed in both programs follow the diameter; at which point of a rapid they
+/// change makes no difference. What a cut makes of them is compared as its feed.
+fn follows_the_diameter(difference: &Difference, surface: &[BTreeSet<u32>; 2]) -> bool {
+    let same_way = matches!(
+        difference.values,
+        Some([Value::Spindle(one, _), Value::Spindle(other, _)]) if one == other
+    );
+    let is_surface = |(blocks, lines): (&Option<Blocks>, &BTreeSet<u32>)| {
+        blocks.is_some_and(|blocks| {
+            let (from, to) = blocks.lines();
+            (from..=to).any(|line| lines.contains(&line))
+        })
+    };
+    difference.category == Category::Spindle
+        && same_way
+        && difference.blocks.iter().zip(surface).all(is_surface)
 }
 
 /// Differences that belong to the machines, not to the text.
@@ -258,6 +311,8 @@ fn is_of_machine(difference: &Difference) -> bool {
             let id = text.split(':').next().unwrap_or_default();
             LIMITS.iter().any(|code| code.id() == id)
         }
+        // A turning tool's own radius has no number where T names a tool alone.
+        (Category::RadiusOffset, Some(values)) => values.contains(&Value::Nothing),
         // E0 of one control is G53 of the others.
         (Category::WorkOffset, Some(values)) => values.contains(&Value::Number(0)),
         // How wide a printed number is, is a setting.
@@ -329,14 +384,43 @@ fn other_diameters(old: &Job, target: &Machine) -> Option<Refusal> {
     })
 }
 
-/// A program of a lathe: its offsets, cycles and reference moves have no form on another control yet.
-fn lathe(old: &Job) -> Option<Refusal> {
-    let table = old.control().table;
-    table.kind.is_some().then(|| Refusal {
+/// Programs of lathes are for lathes, those of mills for mills.
+fn other_kind(old: &Job, target: &Machine) -> Option<Refusal> {
+    let tables = [old.control().table, chordal::control::table(target.control)];
+    let [from, to] = tables.map(|table| if table.kind.is_some() { "lathe" } else { "mill" });
+    (from != to).then(|| Refusal {
         line: 0,
         words: String::new(),
-        reason: format!("programs for lathes are not converted: this one is for a {}", table.title),
+        reason: format!(
+            "a program of a {from} ({}) is not converted for a {to} ({})",
+            tables[0].title, tables[1].title
+        ),
     })
+}
+
+/// Axes that a program of a lathe moves and the target does not have.
+fn missing_axes(old: &Job, target: &Machine, trace: &Trace) -> Vec<Refusal> {
+    if old.control().table.kind.is_none() {
+        return Vec::new();
+    }
+    let mut refusals = Vec::new();
+    for (axis, letter) in AXIS_LETTERS.chars().enumerate() {
+        let moves = trace.commands.iter().find(|command| {
+            let motion = command.kind.motion();
+            target.axes[axis].is_none()
+                && motion.is_some_and(|motion| motion.from[axis] != motion.to[axis])
+        });
+        let Some(command) = moves else { continue };
+        let source = old.sources().get(command.origin.span.file);
+        let words =
+            source.map(|source| String::from_utf8_lossy(source.line_text(command.origin.line)));
+        refusals.push(Refusal {
+            line: command.origin.line,
+            words: words.unwrap_or_default().trim().to_string(),
+            reason: format!("{} has no {letter} axis", target.name),
+        });
+    }
+    refusals
 }
 
 /// Errors of the program on its own control.
@@ -374,6 +458,22 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
         RapidPath::Straight => RapidShape::Straight,
     });
     machine.tools = old.tools.clone();
+    if job.control().table.kind.is_some() {
+        machine.spindle_max_rpm = old.spindle_max_rpm;
+        // A dog-leg bends where the faster axis arrives: X and Z of lathes have speeds of their own.
+        for (axis, limits) in machine.axes.iter_mut().enumerate() {
+            if let (Some(limits), Some(own)) = (limits, old.axes[axis]) {
+                limits.max_velocity = own.max_velocity;
+            }
+        }
+    }
+    let tips = [job.control().table, chordal::control::table(target.control)];
+    let [one, other] = tips.map(|table| table.parameters.rules.turning.tips_mirrored);
+    if one != other {
+        for tool in machine.tools.values_mut() {
+            tool.tip = tool.tip.map(mirrored_tip);
+        }
+    }
     machine.home = old.home;
     machine.reference_points = old.reference_points;
     machine.macros = old.macros.clone();
@@ -386,6 +486,19 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
         .map(|(name, offset)| (renamed(name, target), *offset))
         .collect::<BTreeMap<String, WorkOffset>>();
     machine
+}
+
+/// The number of a tip where X is counted the other way round.
+fn mirrored_tip(tip: u32) -> u32 {
+    match tip {
+        1 => 4,
+        2 => 3,
+        3 => 2,
+        4 => 1,
+        6 => 8,
+        8 => 6,
+        other => other,
+    }
 }
 
 /// The name under which the target has a work offset: E7 is G54.1 P1 and G154 P1.

@@ -204,7 +204,7 @@ impl Context<'_> {
                         | Action::Mode(ModeCode::CompensationRight)
                 )
             });
-            if is_on && own && !has_d && !self.same_control() {
+            if is_on && own && !has_d && !self.same_control() && !self.turns() {
                 draft.append(
                     format!("D{number}"),
                     format!("{} needs the offset number with G41 and G42", self.to.table.title),

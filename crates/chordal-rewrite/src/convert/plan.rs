@@ -1,6 +1,6 @@
 //! Which blocks keep their words and which are written out, and the lines of each.
 
-use chordal::control::{Action, CallCode, OnceCode};
+use chordal::control::{Action, CallCode, MotionCode, OnceCode};
 use chordal::control::{Mark, marks};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,11 +9,13 @@ use chordal::syntax::BlockKind;
 
 use super::comments;
 use super::context::Context;
+use super::contours::Contour;
 use super::draft::{Draft, Expand};
 use super::emit::Emitter;
 use super::initial;
 use super::rendered::Rendered;
 use super::trace::Exec;
+use super::turning;
 use super::{Options, Refusal};
 use crate::Change;
 
@@ -84,6 +86,29 @@ impl<'c, 'a> Plan<'c, 'a> {
         any
     }
 
+    /// A contour is run by itself where the cycle that skips it is written out: then all of its cycles are.
+    fn whole_contours(&mut self) {
+        for contour in &self.context.contours.list {
+            let skipping = contour.cycles.iter().filter(|(_, skips)| *skips);
+            let mut reasons = skipping.filter_map(|(at, _)| self.expand[*at].clone());
+            let Some(reason) = reasons.next() else { continue };
+            for (at, _) in &contour.cycles {
+                self.expand[*at].get_or_insert_with(|| reason.clone());
+            }
+        }
+    }
+
+    /// The contour that a block is part of, where no cycle is left that takes it.
+    fn contour_without_cycle(&self, at: usize) -> Option<&Contour> {
+        let contours = &self.context.contours.list;
+        let is_out = |block: usize| self.expand[block].is_some() || self.is_flat(block);
+        contours.iter().find(|contour| {
+            contour.blocks.contains(&at)
+                && contour.cycles.iter().all(|(cycle, _)| is_out(*cycle))
+                && contour.is_apart(self.context.source, &self.context.trace.facts)
+        })
+    }
+
     /// A block that keeps its words.
     pub fn is_kept(&self, at: usize) -> bool {
         self.expand[at].is_none() && !self.is_flat(at)
@@ -111,6 +136,7 @@ impl<'c, 'a> Plan<'c, 'a> {
         let mut at_the_end = false;
         loop {
             self.whole_cycles();
+            self.whole_contours();
             let covered = self.covered();
             if !at_the_end && let Some((at, reason)) = self.moving_statement(&covered) {
                 at_the_end = !self.escalate(at, &reason, &covered);
@@ -257,6 +283,7 @@ impl<'c, 'a> Plan<'c, 'a> {
         if lines.len() > 1 || !block.comments.is_empty() {
             let words = source.words(at).replace(['(', ')'], "");
             let text = words.trim_start_matches(['\'', '#', '*', ';', ' ']).trim_end();
+            let text = within_line(text, self.context.to.parameters.longest_line);
             let text = if text.is_empty() { String::new() } else { format!("({text})") };
             head.extend((!text.is_empty()).then_some(text));
         }
@@ -285,9 +312,8 @@ impl<'c, 'a> Plan<'c, 'a> {
     }
 
     fn emitter(&self, exec: &Exec) -> Emitter<'c> {
-        let context = self.context;
         let tolerance = self.options.tolerance_mm;
-        Emitter::new(context.to, context.style(), tolerance, self.options.digits, &exec.before)
+        Emitter::new(self.context, tolerance, self.options.digits, &exec.before)
     }
 
     fn emit_one(&self, exec: &Exec, emitter: &mut Emitter<'c>) -> Result<(), Refusal> {
@@ -299,17 +325,22 @@ impl<'c, 'a> Plan<'c, 'a> {
         };
         // What no command shows would be lost.
         let writes = has(Action::Once(OnceCode::SetData));
-        let is_hidden = writes || has(Action::NotSimulated) || has(Action::NotFollowed);
+        let is_hidden = writes
+            || has(Action::NotSimulated)
+            || has(Action::NotFollowed)
+            || exec.block.is_some_and(|at| turning::is_hidden(self.context, at));
         if commands.is_empty() && !is_hidden {
             return Ok(());
         }
         let mut tried = emitter.clone();
+        tried.enter(&exec.before, &exec.after);
         let reason = match tried.block(commands) {
             Ok(()) if !is_hidden => {
                 *emitter = tried;
                 return Ok(());
             }
             Ok(()) if writes => "data that the program sets".to_string(),
+            Ok(()) if self.context.turns() => "what no move shows".to_string(),
             Ok(()) => "a code that Chordal does not carry out".to_string(),
             Err(reason) => reason,
         };
@@ -369,6 +400,17 @@ impl<'c, 'a> Plan<'c, 'a> {
         for at in 0..self.drafts.len() {
             let gone = source.sub_of(at).is_some_and(|sub| drops[sub]);
             if rendered.lines[at].is_some() || gone || self.is_flat_body(at) {
+                continue;
+            }
+            if let Some(contour) = self.contour_without_cycle(at) {
+                if at == contour.blocks.start {
+                    rendered.changes.push(Change {
+                        line: source.blocks[at].line,
+                        before: source.words(at),
+                        after: String::new(),
+                        reason: "the contour is written out where cycles took it".into(),
+                    });
+                }
                 continue;
             }
             match &self.drafts[at] {
@@ -472,16 +514,27 @@ impl<'c, 'a> Plan<'c, 'a> {
     }
 }
 
+/// As much of a remark as a line of the control holds with its parentheses; 0 for any length.
+fn within_line(text: &str, longest: u32) -> &str {
+    let most = (longest as usize).saturating_sub(2);
+    if longest == 0 || text.len() <= most {
+        return text;
+    }
+    let end = (0..=most).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+    text[..end].trim_end()
+}
+
 /// The block that set up the active cycle, for each block that belongs to it.
 fn cycles_of(context: &Context) -> Vec<Option<usize>> {
     let mut cycles = vec![None; context.source.blocks.len()];
     let mut setup = None;
     for exec in &context.trace.execs {
         let Some(at) = exec.block else { continue };
-        let is = matches!(exec.after.motion, Some(Action::Cycle(_)));
-        let own = context
-            .source
-            .has_action(at, context.from, |action| matches!(action, Action::Cycle(_)));
+        let is_cycle = |action: Action| {
+            matches!(action, Action::Cycle(_) | Action::Motion(MotionCode::Turn(_)))
+        };
+        let is = exec.after.motion.is_some_and(is_cycle);
+        let own = context.source.has_action(at, context.from, is_cycle);
         if own {
             setup = Some(at);
         }

@@ -116,6 +116,17 @@ impl Tap {
         Some(words)
     }
 
+    /// The bottom along Z and the lead, mm, for a cut in step with the spindle there and back; nothing for a tap that waits
+    /// or turns the other way.
+    pub fn in_step(&self) -> Option<(f64, f64)> {
+        let plain = self.dwell_s == 0.0 && self.kind == CycleKind::Tap;
+        let lead = match self.feed.mode {
+            FeedMode::PerRevolution => self.feed.value,
+            _ => self.feed.value / self.feed.spindle_rev_per_s,
+        };
+        (plain && lead.is_finite() && lead > 0.0).then_some((self.depth, lead))
+    }
+
     pub fn action(&self) -> Action {
         Action::Cycle(self.kind)
     }

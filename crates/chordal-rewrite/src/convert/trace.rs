@@ -2,10 +2,12 @@
 
 use chordal::RunSink;
 use chordal::control::Action;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use chordal::control::{
-    CallPath, FeedMode, FrameKinds, Modal, Origin, Position, Side, Units, WorkName,
+    CallPath, Control, FeedMode, FrameKinds, Modal, Origin, Position, ReadingCode, Side,
+    SpindleState, Units, WorkName,
 };
 use chordal::geometry::Plane;
 use chordal::{Command, CommandKind, Diagnostic, Job, Sink, Span};
@@ -27,10 +29,19 @@ pub(crate) struct Modes {
     /// Of the tool tip in the work coordinate system.
     pub position: Position,
     pub frames: FrameKinds,
+    pub spindle: SpindleState,
+    /// The cutting speed that the spindle keeps (G96), mm/s.
+    pub surface_speed: Option<f64>,
+    /// What limits the spindle, rev/min.
+    pub speed_limit: Option<f64>,
+    pub tool: u32,
+    pub length_offset: Option<u32>,
+    /// Millimetres of the radius in one millimetre of a word X: a half where it is a diameter.
+    pub per_x: f64,
 }
 
-impl From<Modal> for Modes {
-    fn from(modal: Modal) -> Modes {
+impl Modes {
+    fn of(modal: Modal, per_x: f64) -> Modes {
         Modes {
             motion: modal.motion.map(Action::from),
             incremental: modal.incremental,
@@ -42,6 +53,12 @@ impl From<Modal> for Modes {
             work: modal.work,
             position: modal.work_position,
             frames: modal.frames,
+            spindle: modal.spindle,
+            surface_speed: modal.surface_speed,
+            speed_limit: modal.speed_limit,
+            tool: modal.tool,
+            length_offset: modal.length_offset,
+            per_x,
         }
     }
 }
@@ -88,6 +105,8 @@ struct Gather<'s, 'a> {
     open: usize,
     last_is_arc: bool,
     raw: Vec<CallPath>,
+    control: &'s Control,
+    per_x: f64,
 }
 
 impl Sink for Gather<'_, '_> {
@@ -104,8 +123,9 @@ impl RunSink for Gather<'_, '_> {
     }
 
     fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
-        let after = Modes::from(modal());
         let block = self.source.block_at(origin.span);
+        self.follow_x_words(block);
+        let after = Modes::of(modal(), self.per_x);
         let commands = self.open..self.trace.commands.len();
         self.open = commands.end;
         let index = self.trace.execs.len();
@@ -138,6 +158,21 @@ impl RunSink for Gather<'_, '_> {
     }
 }
 
+impl Gather<'_, '_> {
+    /// Whether words of X are diameters from a block on.
+    fn follow_x_words(&mut self, block: Option<usize>) {
+        let Some(block) = block else { return };
+        let has = |code: ReadingCode| {
+            self.source.has_action(block, self.control, |own| own == Action::Reading(code))
+        };
+        if has(ReadingCode::Diameters) {
+            self.per_x = 0.5;
+        } else if has(ReadingCode::Radii) {
+            self.per_x = 1.0;
+        }
+    }
+}
+
 impl Trace {
     pub fn of(job: &Job, source: &Source) -> Trace {
         let trace = Trace {
@@ -146,8 +181,21 @@ impl Trace {
             facts: vec![Facts::default(); source.blocks.len()],
             paths: vec![Vec::new()],
         };
-        let mut gather =
-            Gather { source, trace, last: None, open: 0, last_is_arc: false, raw: Vec::new() };
+        let control = job.control();
+        let per_x = match control.parameters.starts_with_radii {
+            true => 1.0,
+            false => job.machine().written_factor(0).recip(),
+        };
+        let mut gather = Gather {
+            source,
+            trace,
+            last: None,
+            open: 0,
+            last_is_arc: false,
+            raw: Vec::new(),
+            control,
+            per_x,
+        };
         let outcomes = job.run(&mut gather);
         let Gather { mut trace, raw, .. } = gather;
         trace.resolve(source, &raw, &outcomes);
@@ -200,6 +248,19 @@ impl Trace {
         let more = self.execs[index + 1..].iter().take_while(|exec| deeper(exec)).count();
         index..index + 1 + more
     }
+}
+
+/// The lines of a lathe's program on which the spindle keeps a cutting speed, before them or after.
+pub(crate) fn surface_lines(job: &Job) -> BTreeSet<u32> {
+    if job.control().table.kind.is_none() {
+        return BTreeSet::new();
+    }
+    let source = Source::of(job);
+    let trace = Trace::of(job, &source);
+    let keeps =
+        |exec: &&Exec| exec.before.surface_speed.is_some() || exec.after.surface_speed.is_some();
+    let blocks = trace.execs.iter().filter(keeps).filter_map(|exec| exec.block);
+    blocks.map(|at| source.blocks[at].line).collect()
 }
 
 /// The commands of a block that move.

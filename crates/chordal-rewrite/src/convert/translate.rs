@@ -15,6 +15,7 @@ use super::draft::{Draft, Expand};
 use super::numbers::{self, Kind};
 use super::structure::Places;
 use super::trace::moves;
+use super::turning;
 use crate::source::{code_action, whole};
 
 /// Letters of lengths on the axes of the plane and the third one.
@@ -30,6 +31,11 @@ impl<'a> Context<'a> {
             BlockKind::Percent => return Ok(draft),
             BlockKind::Folder => return Ok(draft),
             BlockKind::Macro(_) if self.keeps_macros() => {}
+            // The contour of a cycle that the new control does not have.
+            BlockKind::Macro(_) if self.is_contour(at) => {
+                draft.instead = Some(Vec::new());
+                return Ok(draft);
+            }
             BlockKind::Macro(range) => {
                 self.macros.statement(&mut draft, at, range)?;
                 return Ok(draft);
@@ -63,6 +69,7 @@ impl<'a> Context<'a> {
             let title = self.to.table.title;
             return Err(Expand(format!("{title} has no radius and angle in place of X and Y")));
         }
+        turning::translate(self, draft, at)?;
         codes::translate(draft, self.from, self.to, self.style())?;
         self.offsets(draft, at)?;
         cycles::translate(self, draft, at)?;

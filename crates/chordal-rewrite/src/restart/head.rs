@@ -37,6 +37,9 @@ pub(super) struct Head<'h, 'a> {
 impl Head<'_, '_> {
     /// The lines before a block that changes the tool: the tool's own words follow.
     pub(super) fn before_change(&self) -> Result<Vec<String>, Lack> {
+        if self.turns() {
+            return self.before_station();
+        }
         let mut lines = self.modes();
         lines.extend(self.work());
         // The spindle is not started before the change, but a later M3 may count on its speed.
@@ -50,6 +53,9 @@ impl Head<'_, '_> {
 
     /// The lines before a block where the place is not known: the program goes to one before it cuts.
     pub(super) fn before_approach(&self) -> Result<Vec<String>, Lack> {
+        if self.turns() {
+            return self.with_station();
+        }
         let mut lines = self.modes();
         lines.extend(self.tool());
         lines.extend(self.work());
@@ -64,6 +70,9 @@ impl Head<'_, '_> {
 
     /// The lines before any other block: they take the tool to where it stands.
     pub(super) fn all(&self) -> Result<Vec<String>, Lack> {
+        if self.turns() {
+            return self.at_the_part();
+        }
         let Before { said, highest, .. } = self.before;
         let mut lines = self.modes();
         lines.extend(self.tool());
@@ -82,21 +91,21 @@ impl Head<'_, '_> {
         Ok(lines)
     }
 
-    fn name(&self, action: Action) -> Option<String> {
+    pub(super) fn name(&self, action: Action) -> Option<String> {
         codes::name(action, self.control, self.source.style)
     }
 
-    fn needed(&self, action: Action, what: &str) -> Result<String, Lack> {
+    pub(super) fn needed(&self, action: Action, what: &str) -> Result<String, Lack> {
         self.name(action).ok_or_else(|| Lack(format!("this control has no code for {what}")))
     }
 
-    fn gap(&self) -> &'static str {
+    pub(super) fn gap(&self) -> &'static str {
         if self.source.style.spaced { " " } else { "" }
     }
 
     /// Units, plane, G90, G40, G49, G80, feed mode and what else lasts, in the words of the program where it
     /// has said them.
-    fn modes(&self) -> Vec<String> {
+    pub(super) fn modes(&self) -> Vec<String> {
         let Before { modal, said, .. } = self.before;
         let mut codes = said.codes.clone();
         // What was said in a called control's default is said here all the same.
@@ -141,7 +150,7 @@ impl Head<'_, '_> {
     fn safe_line(&self, codes: BTreeMap<Slot, String>) -> String {
         let mut words = Vec::new();
         for (slot, code) in codes {
-            if slot == Slot::Cycle {
+            if slot == Slot::Cycle && !self.turns() {
                 words.extend(self.name(Action::Length(LengthCode::Cancel)));
             }
             words.push(code);
@@ -161,7 +170,7 @@ impl Head<'_, '_> {
         })
     }
 
-    fn work(&self) -> Option<String> {
+    pub(super) fn work(&self) -> Option<String> {
         let Before { modal, said, .. } = self.before;
         codes::work_offset(modal.work, self.control, self.source.style).filter(|_| said.work)
     }
@@ -240,6 +249,9 @@ impl Head<'_, '_> {
 
     /// The radius offset, where compensation will use the one that was said before.
     fn radius(&self) -> Option<String> {
+        if self.turns() {
+            return None;
+        }
         let number = self.before.modal.radius_offset?;
         let starts = |action| {
             matches!(action, Action::Mode(ModeCode::CompensationLeft | ModeCode::CompensationRight))
@@ -254,7 +266,7 @@ impl Head<'_, '_> {
     }
 
     /// G91 and the motion code, so that words without a code mean the same.
-    fn ending(&self) -> Result<Vec<String>, Lack> {
+    pub(super) fn ending(&self) -> Result<Vec<String>, Lack> {
         let Before { modal, cycle, .. } = self.before;
         let mut lines: Vec<String> = self.radius().into_iter().collect();
         let increments = match modal.incremental {
@@ -286,6 +298,7 @@ impl Head<'_, '_> {
             Some(mode @ MotionMode::Arc(_)) => {
                 self.needed(mode.into(), "the motion in force").map(Some)
             }
+            Some(MotionMode::Turn(_) | MotionMode::Thread) if self.turns() => Ok(None),
             Some(_) => Err(Lack("a motion is in force that a head cannot begin".into())),
         }
     }
@@ -308,12 +321,13 @@ impl Head<'_, '_> {
     }
 
     /// The word of an axis, with as many digits as it takes.
-    fn place(&self, axis: usize, value: f64) -> Result<String, Lack> {
+    pub(super) fn place(&self, axis: usize, value: f64) -> Result<String, Lack> {
         let letter = char::from(AXIS_LETTERS.as_bytes()[axis]);
         let (modal, style) = (&self.before.modal, self.source.style);
         if axis > 2 {
             return Ok(format!("{letter}{}", plain(value.to_degrees(), MOST_DECIMALS, style)));
         }
+        let value = if axis == 0 { value * self.before.x_factor } else { value };
         let unit = match modal.units {
             Units::Inch => 25.4,
             Units::Millimetre => 1.0,

@@ -5,20 +5,24 @@
 
 mod cycle;
 mod head;
+mod head_turned;
 mod shift;
 mod trace;
+mod turned;
 mod watch;
 
 use std::ops::Range;
 
-use chordal::control::{Modal, Side};
+use chordal::control::{Action, AfterCode, Modal, MotionMode, OnceCode, Side};
 use chordal::diagnostics::FileId;
+use chordal::syntax::Letters;
 use chordal::{Job, Severity};
 
 use self::head::{Head, Lack};
 use self::trace::{Care, Places, Trace};
 use self::watch::{Before, Way, before};
 use crate::Refusal;
+use crate::convert::{Contour, Contours};
 use crate::source::Source;
 use crate::split::open::stretches;
 
@@ -92,6 +96,8 @@ pub struct Restart {
     pub line: u32,
     /// The lines that are put in.
     pub head: Vec<String>,
+    /// Lines after the end of the program: contours that stand before the line, and that cycles after it take.
+    pub after_the_end: Vec<String>,
     /// So many moves follow, the same in both programs.
     pub moves: u64,
     /// What follows goes to its first place by itself (after a tool change, or from a place that is not known):
@@ -115,11 +121,13 @@ pub fn restart(job: &Job, line: u32) -> Result<Restart, Refused> {
     asked.verified(at)?;
     let before = before(job, &source, ran)
         .ok_or_else(|| asked.refuse(Reason::Beginning, "the program begins there", RUN_IT))?;
-    asked.closed(&before)?;
+    asked.closed(&before, at)?;
     asked.apart(&main, at)?;
-    let changes = source.changes_tool(at, job.control());
-    let is_known = (0..3).all(|axis| before.modal.known.has(axis));
-    let head = Head { source: &source, control: job.control(), before: &before, at };
+    let control = job.control();
+    let changes = source.changes_tool(at, control) || asked.changes_station(at);
+    let axes = &job.machine().axes;
+    let is_known = (0..3).all(|axis| axes[axis].is_none() || before.modal.known.has(axis));
+    let head = Head { source: &source, control, before: &before, at };
     let lines = match (changes, is_known) {
         (true, _) => head.before_change(),
         (false, true) => head.all(),
@@ -203,6 +211,10 @@ impl Asked<'_, '_> {
                 format!("begin at line {caller}, which calls it"),
             ));
         }
+        if let Some(line) = self.cycle_that_reads(at).filter(|_| way.ran.is_none()) {
+            let what = format!("the line is in the contour of the cycle in line {line}");
+            return Err(self.refuse(Reason::Cycle, what, format!("begin at line {line}")));
+        }
         let Some(ran) = way.ran else {
             let what = "the run never comes to this line";
             return Err(self.refuse(Reason::NoBlock, what, "name a line that is carried out"));
@@ -217,6 +229,23 @@ impl Asked<'_, '_> {
             return Err(self.refuse(Reason::Repeated, what, help));
         }
         Ok((ran, first))
+    }
+
+    /// The line of the first cycle whose contour a block is part of.
+    fn cycle_that_reads(&self, at: usize) -> Option<u32> {
+        let contours = Contours::of(self.source, self.job);
+        let contour = contours.list.iter().find(|contour| contour.blocks.contains(&at))?;
+        contour.cycles.first().map(|(cycle, _)| self.source.blocks[*cycle].line)
+    }
+
+    /// The block takes a station of a turret.
+    fn changes_station(&self, at: usize) -> bool {
+        let control = self.job.control();
+        let is_other = self.source.has_action(at, control, |action| {
+            let once = action.once();
+            once.is_some_and(|code| matches!(code, OnceCode::SetData | OnceCode::Turning(_)))
+        });
+        turned::has_stations(control) && !is_other && self.source.blocks[at].word(b'T').is_some()
     }
 
     /// The program is followed, without an error, up to the block.
@@ -246,7 +275,7 @@ impl Asked<'_, '_> {
     }
 
     /// Nothing is open before the block that a head cannot say again.
-    fn closed(&self, before: &Before) -> Result<(), Refused> {
+    fn closed(&self, before: &Before, at: usize) -> Result<(), Refused> {
         let Before { modal, open, .. } = before;
         if modal.side != Side::Off {
             let what = "cutter compensation is on";
@@ -257,6 +286,13 @@ impl Asked<'_, '_> {
             && let Err(what) = before.cycle.lines(modal, control, "")
         {
             return Err(self.begun(Reason::Cycle, what, open.cycle));
+        }
+        if let Some(MotionMode::Turn(_)) = modal.motion
+            && !self.says_motion(at)
+            && self.source.blocks[at].letters().meets(Letters::of("XZUW"))
+        {
+            let what = "a cycle of one pass is active, and the line repeats it";
+            return Err(self.begun(Reason::Cycle, what, before.turned.pass));
         }
         if modal.frames.any() {
             let what = "the coordinates are rotated, scaled, mirrored or polar";
@@ -279,6 +315,12 @@ impl Asked<'_, '_> {
         Ok(())
     }
 
+    /// The block names a motion code.
+    fn says_motion(&self, at: usize) -> bool {
+        let is_motion = |action: Action| action.motion().is_some();
+        self.source.has_action(at, self.job.control(), is_motion)
+    }
+
     /// Refused for what a line began.
     fn begun(&self, reason: Reason, what: impl Into<String>, line: Option<u32>) -> Refused {
         let help = match line {
@@ -299,8 +341,9 @@ impl Asked<'_, '_> {
     }
 
     fn position(&self, modal: &Modal) -> Refused {
+        let axes = &self.job.machine().axes;
         let missing: String = (0..3)
-            .filter(|axis| !modal.known.has(*axis))
+            .filter(|axis| axes[*axis].is_some() && !modal.known.has(*axis))
             .map(|axis| "XYZ".as_bytes()[axis] as char)
             .collect();
         let what = format!("the position in {missing} is not known");
@@ -314,8 +357,10 @@ impl Asked<'_, '_> {
 
     /// The new text, if it does the same.
     fn prove(&self, draft: Draft) -> Result<Restart, Refused> {
-        let (text, from) = self.text(&draft);
-        let places = Places { kept: draft.first, from };
+        let (text, places) = self.text(&draft);
+        let after = self.contours_needed(&draft).1.into_iter().flatten();
+        let after_the_end = after.map(|block| self.source.words(block)).collect();
+        let from = places.from;
         let start = from[1] + self.source.start_of(draft.at) - from[0];
         let new = main_of(self.job.with_text(text), start);
         let source = Source::of(&new);
@@ -337,31 +382,86 @@ impl Asked<'_, '_> {
         }
         let old = Trace::of(self.job, draft.ran);
         let trace = Trace::of(&new, ran);
-        let care = Care { exact: !draft.approaches, settled: false };
-        if let Some(unlike) = old.unlike(&trace, places, care) {
+        let care = Care { exact: !draft.approaches, ..Care::default() };
+        if let Some(unlike) = old.unlike(&trace, &places, care) {
             let what = format!("line {} would not do the same: {}", unlike.line, unlike.what);
             return Err(unproved(what));
         }
         let text = source.text.to_vec();
         let Draft { lines: head, approaches, from_the_start, .. } = draft;
-        Ok(Restart { text, line: self.line, head, moves: old.moves, approaches, from_the_start })
+        let (line, moves) = (self.line, old.moves);
+        Ok(Restart { text, line, head, after_the_end, moves, approaches, from_the_start })
     }
 
-    /// The text, and where the old one goes on: in the old text and in the new one.
-    fn text(&self, draft: &Draft) -> (Vec<u8>, [u32; 2]) {
+    /// The text, and how places of the old one are places of it.
+    fn text(&self, draft: &Draft) -> (Vec<u8>, Places) {
         let old = self.source.text;
         let crlf = old.windows(2).any(|pair| pair == b"\r\n");
         let line_end = if crlf { "\r\n" } else { "\n" };
         let from = self.source.start_of(self.source.blocks_on(self.line, u32::MAX).start);
         let mut text = old[..draft.first as usize].to_vec();
         let told = format!("(BEGINS AT LINE {} OF {})", self.line, self.file());
-        for line in std::iter::once(&told).chain(&draft.lines) {
+        let put = |text: &mut Vec<u8>, line: &str| {
             text.extend_from_slice(line.as_bytes());
             text.extend_from_slice(line_end.as_bytes());
+        };
+        put(&mut text, &told);
+        let (above, after) = self.contours_needed(draft);
+        let mut contours = Vec::new();
+        for blocks in above {
+            self.copy(blocks, &mut text, &mut contours);
+        }
+        for line in &draft.lines {
+            put(&mut text, line);
         }
         let to = text.len() as u32;
-        text.extend_from_slice(&old[from as usize..]);
-        (text, [from, to])
+        let end = self.source.end_of(self.last_of(draft.at)) as usize;
+        text.extend_from_slice(&old[from as usize..end.max(from as usize)]);
+        if !after.is_empty() && !text.ends_with(b"\n") {
+            put(&mut text, "");
+        }
+        for blocks in after {
+            self.copy(blocks, &mut text, &mut contours);
+        }
+        text.extend_from_slice(&old[end.max(from as usize)..]);
+        (text, Places { kept: draft.first, from: [from, to], contours })
+    }
+
+    /// Copies blocks of the old text.
+    fn copy(
+        &self,
+        blocks: Range<usize>,
+        text: &mut Vec<u8>,
+        contours: &mut Vec<(Range<u32>, u32)>,
+    ) {
+        let old = self.source.start_of(blocks.start)..self.source.end_of(blocks.end - 1);
+        contours.push((old.clone(), text.len() as u32));
+        text.extend_from_slice(&self.source.text[old.start as usize..old.end as usize]);
+    }
+
+    /// Contours that stand before the line and that cycles after it take: subroutines, which must stand above, and blocks
+    /// between two numbers, which are found anywhere and must not be run.
+    fn contours_needed(&self, draft: &Draft) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
+        let contours = Contours::of(self.source, self.job).list;
+        let needed = contours.iter().filter(|contour| {
+            contour.blocks.end <= draft.at
+                && self.source.start_of(contour.blocks.start) >= draft.first
+                && contour.cycles.iter().any(|(cycle, _)| *cycle >= draft.at)
+        });
+        let (above, after): (Vec<_>, Vec<_>) =
+            needed.partition(|contour| contour.is_subroutine(self.source));
+        let blocks = |list: Vec<&Contour>| list.into_iter().map(|one| one.blocks.clone()).collect();
+        (blocks(above), blocks(after))
+    }
+
+    /// The block that ends the main program.
+    fn last_of(&self, at: usize) -> usize {
+        let ends = |at: &usize| {
+            self.source.has_action(*at, self.job.control(), |action| {
+                matches!(action, Action::After(AfterCode::ProgramEnd { .. }))
+            })
+        };
+        (at..self.source.blocks.len()).find(ends).unwrap_or(self.source.blocks.len() - 1)
     }
 
     /// The name of the file, without what a comment cannot have.

@@ -1,5 +1,7 @@
 //! What a run does from a block on, to hold it against another run.
 
+use std::ops::Range;
+
 use chordal::control::{
     ArcShape, AxisMask, CallPath, Feed, Modal, Move, Origin, Position, SpindleState,
 };
@@ -45,6 +47,8 @@ pub(super) struct Trace {
     steps: Vec<Step>,
     /// How many moves there are.
     pub(super) moves: u64,
+    /// The spindle keeps a cutting speed at its begin.
+    follows: bool,
 }
 
 /// How much must be the same.
@@ -54,6 +58,8 @@ pub(super) struct Care {
     pub(super) exact: bool,
     /// A cut or a move of Z has been made: from there on the length offset counts.
     pub(super) settled: bool,
+    /// The spindle keeps a cutting speed: its revolutions follow the diameter, which is another one until both have moved.
+    pub(super) follows: bool,
 }
 
 /// Where two runs are first not the same.
@@ -65,17 +71,25 @@ pub(super) struct Unlike {
 }
 
 /// How places of the old text are places of the new one.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Places {
     /// The text before this byte is at the same place in both.
     pub(super) kept: u32,
     /// The first byte that is carried out again, in the old text and in the new one.
     pub(super) from: [u32; 2],
+    /// Contours of cycles that are elsewhere in the new text: their bytes in the old one, and where they begin.
+    pub(super) contours: Vec<(Range<u32>, u32)>,
 }
 
 impl Places {
-    fn new_of(self, (file, at): (u32, u32)) -> (u32, u32) {
-        let is_moved = file == 0 && at >= self.kept;
+    fn new_of(&self, (file, at): (u32, u32)) -> (u32, u32) {
+        if file != 0 {
+            return (file, at);
+        }
+        if let Some((old, new)) = self.contours.iter().find(|(old, _)| old.contains(&at)) {
+            return (file, at - old.start + new);
+        }
+        let is_moved = at >= self.kept;
         (file, if is_moved { at.wrapping_sub(self.from[0]).wrapping_add(self.from[1]) } else { at })
     }
 }
@@ -90,8 +104,8 @@ impl Trace {
     }
 
     /// The first thing in which another run is not like this one.
-    pub(super) fn unlike(&self, new: &Trace, places: Places, care: Care) -> Option<Unlike> {
-        let mut care = care;
+    pub(super) fn unlike(&self, new: &Trace, places: &Places, care: Care) -> Option<Unlike> {
+        let mut care = Care { follows: self.follows && new.follows, ..care };
         for (one, other) in self.steps.iter().zip(&new.steps) {
             // An alarm comes before what its block does.
             let is_alarm = [one, other].iter().any(|step| matches!(step.what, What::Alarm(_)));
@@ -101,6 +115,9 @@ impl Trace {
                 Some("another block is carried out".into())
             };
             care.settled |= one.what.needs_height();
+            if let (What::Done(one), What::Done(other)) = (&one.what, &other.what) {
+                care.follows = one.surface_speed.is_some() && other.surface_speed.is_some();
+            }
             if let Some(what) = what {
                 return Some(Unlike { line: one.line, what });
             }
@@ -165,6 +182,8 @@ impl RunSink for Recorder {
         if self.ran >= self.after {
             self.stand(origin);
             self.keep(What::Done(Box::new(modal())));
+        } else if self.ran + 1 == self.after {
+            self.trace.follows = modal().surface_speed.is_some();
         }
         self.ran += 1;
     }
@@ -239,7 +258,7 @@ fn different_command(one: &CommandKind, other: &CommandKind, care: Care) -> Opti
         (Kind::Arc { shape: a, .. }, Kind::Arc { shape: b, .. })
         | (Kind::Spiral { shape: a, .. }, Kind::Spiral { shape: b, .. }) => same_shape(a, b),
         (Kind::Spindle { state: a, rpm: x }, Kind::Spindle { state: b, rpm: y }) => {
-            a == b && near(*x, *y)
+            a == b && (near(*x, *y) || care.follows && !care.exact && !care.settled)
         }
         (Kind::FeedRate { value: x, mode: a }, Kind::FeedRate { value: y, mode: b }) => {
             a == b && near(*x, *y)
@@ -289,6 +308,8 @@ fn different_modal(one: &Modal, other: &Modal, care: Care) -> Option<&'static st
     let known = one.known.and(other.known);
     let machine = one.machine_known.and(other.machine_known);
     let settled = care.exact || care.settled;
+    // With a cutting speed the revolutions follow the diameter, at rapids: they come by themselves.
+    let follows = one.surface_speed.is_some() && other.surface_speed.is_some();
     let spins = one.spindle != SpindleState::Off || other.spindle != SpindleState::Off;
     let checks = [
         (one.units == other.units, "the unit"),
@@ -301,7 +322,9 @@ fn different_modal(one: &Modal, other: &Modal, care: Care) -> Option<&'static st
         (one.feed_mode == other.feed_mode, "the feed mode"),
         (is_near(one.feed, other.feed), "the feed"),
         (one.spindle == other.spindle, "the spindle"),
-        (!spins || near(one.rpm, other.rpm), "the spindle speed"),
+        (!spins || follows || near(one.rpm, other.rpm), "the spindle speed"),
+        (is_near(one.surface_speed, other.surface_speed), "the cutting speed"),
+        (is_near(one.speed_limit, other.speed_limit), "the limit of the spindle"),
         (one.coolant == other.coolant, "the coolant"),
         (one.tool == other.tool, "the tool"),
         (one.selected_tool == other.selected_tool, "the tool made ready"),

@@ -2,12 +2,15 @@
 
 use std::ops::Range;
 
-use chordal::control::{Action, CallCode, CallPath, Modal, ModeCode, OnceCode, Origin};
+use chordal::control::{
+    Action, CallCode, CallPath, Modal, ModeCode, OnceCode, Origin, ReadingCode,
+};
 use chordal::syntax::Block;
 use chordal::{Command, CommandKind, Control, Diagnostic, Job, RunSink, Sink};
 
 use super::cycle::Cycle;
 use super::shift::Shift;
+use super::turned::{Turned, limits};
 use crate::source::Source;
 use crate::split::standing::Said;
 
@@ -22,6 +25,9 @@ pub(super) struct Before {
     pub(super) open: Open,
     pub(super) cycle: Cycle,
     pub(super) shift: Shift,
+    pub(super) turned: Turned,
+    /// What a place of X is multiplied by in a word.
+    pub(super) x_factor: f64,
 }
 
 /// Lines of blocks that opened something which a head cannot say again; nothing where it is closed.
@@ -120,6 +126,11 @@ pub(super) fn before(job: &Job, source: &Source, ran: u64) -> Option<Before> {
         open: Open::default(),
         cycle: Cycle::default(),
         shift: Shift::default(),
+        turned: Turned::default(),
+        x_factor: match job.control().parameters.starts_with_radii {
+            true => 1.0,
+            false => job.machine().written_factor(0),
+        },
         highest: None,
         is_machine: false,
         moved: false,
@@ -138,6 +149,8 @@ struct Walk<'s, 'a> {
     open: Open,
     cycle: Cycle,
     shift: Shift,
+    turned: Turned,
+    x_factor: f64,
     highest: Option<f64>,
     is_machine: bool,
     /// A move was made.
@@ -162,6 +175,8 @@ impl Walk<'_, '_> {
                 Action::NotSimulated | Action::NotFollowed if word.letter == b'G' => {
                     self.open.unknown = Some((row.name(word.letter), block.line));
                 }
+                Action::Reading(ReadingCode::Diameters) => self.x_factor = 2.0,
+                Action::Reading(ReadingCode::Radii) => self.x_factor = 1.0,
                 Action::Reading(_)
                 | Action::Before(_)
                 | Action::Length(_)
@@ -198,6 +213,7 @@ impl Walk<'_, '_> {
                     self.open.shift = Some(line);
                 }
             }
+            OnceCode::PresetPosition if limits(block, self.control) => {}
             OnceCode::PresetPosition => {
                 if self.moved || !self.shift.take_preset(self.source, block) {
                     self.open.shift = Some(line);
@@ -247,11 +263,17 @@ impl Sink for Walk<'_, '_> {
         match &command.kind {
             CommandKind::Tool { .. }
             | CommandKind::ToolLength { .. }
-            | CommandKind::WorkOffset { .. } => self.highest = None,
+            | CommandKind::WorkOffset { .. } => {
+                self.highest = None;
+                self.turned.approach = None;
+            }
             kind => {
                 let Some(motion) = kind.motion() else { return };
                 self.moved = true;
                 self.is_machine = self.is_to_machine(&command.origin);
+                if motion.to_known.has(0) && motion.to_known.has(2) && !self.is_machine {
+                    self.turned.approach.get_or_insert([motion.to[0], motion.to[2]]);
+                }
                 if motion.to_known.has(2) && !self.is_machine {
                     let height = self.highest.unwrap_or(f64::NEG_INFINITY);
                     self.highest = Some(height.max(motion.to[2]));
@@ -277,6 +299,7 @@ impl RunSink for Walk<'_, '_> {
             self.said.follow(self.source, self.control, block);
             self.follow(block);
             self.cycle.follow(self.source, self.control, block);
+            self.turned.follow(self.source, self.control, block);
         }
         self.ran += 1;
         if self.ran == self.until {
@@ -284,7 +307,10 @@ impl RunSink for Walk<'_, '_> {
             let highest = self.highest.unwrap_or(f64::NEG_INFINITY).max(modal.position[2]);
             let (said, open) = (self.said.clone(), self.open.clone());
             let (cycle, shift) = (std::mem::take(&mut self.cycle), std::mem::take(&mut self.shift));
-            self.before = Some(Before { modal, said, highest, open, cycle, shift });
+            let turned = std::mem::take(&mut self.turned);
+            let x_factor = self.x_factor;
+            self.before =
+                Some(Before { modal, said, highest, open, cycle, shift, turned, x_factor });
         }
     }
 }

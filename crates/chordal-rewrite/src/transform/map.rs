@@ -1,17 +1,17 @@
 //! Moving, turning, mirroring and scaling a program, word by word.
 
-use chordal::Job;
 use chordal::control::{Action, AfterCode, MotionCode, OnceCode};
 use chordal::control::{AxisMask, RapidPath};
 use chordal::diagnostics::FileId;
 use chordal::geometry::{Plane, Transform, Vec3};
 use chordal::syntax::{Block, BlockKind, BlockReader, Value, Word};
+use chordal::{Control, Job};
 use chordal_compare::{Category, Mapping};
 
 use super::Outcome;
 use super::edit::{Edit, Refusal};
 use super::record::{Context, Did, Record, Runs};
-use super::roles::{Role, actions, is_fixed, roles};
+use super::roles::{Role, Turned, actions, is_fixed, roles};
 use super::writer::Writer;
 
 /// A similarity that leaves Z an axis by itself, taken apart.
@@ -66,7 +66,8 @@ impl Map {
 
 /// The edits that take the path where a transform takes it.
 pub(super) fn map(job: &Job, transform: &Transform) -> Result<Outcome, Refusal> {
-    let record = Record::of(job);
+    refuse_other_part(job, &Map::of(transform))?;
+    let record = Record::with_contours(job);
     let mapper = Mapper { writer: Writer::new(job), map: Map::of(transform) };
     let writer = &mapper.writer;
     let mut outcome = Outcome {
@@ -104,6 +105,23 @@ pub(super) fn map(job: &Job, transform: &Transform) -> Result<Outcome, Refusal> 
     }
     outcome.tolerance_mm = writer.tolerance_mm();
     Ok(outcome)
+}
+
+/// X of a lathe is measured from the axis of the spindle: moved along it, or turned, a path makes another part.
+fn refuse_other_part(job: &Job, map: &Map) -> Result<(), Refusal> {
+    let turns = job.control().table.kind.is_some();
+    if !turns || (map.shift[..2] == [0.0; 2] && !map.turns && map.plane[1][1] == 1.0) {
+        return Ok(());
+    }
+    if !map.turns && map.scale != 1.0 && map.shift == [0.0; 3] {
+        return Ok(());
+    }
+    Err(Refusal::new(
+        crate::source::first_text(job),
+        &Block::new(),
+        "on a lathe X is measured from the axis of the spindle: this makes another part",
+        "a lathe program can be shifted along Z, mirrored in X, scaled, and written in the other unit",
+    ))
 }
 
 struct Mapper<'a> {
@@ -150,6 +168,31 @@ impl Mapper<'_> {
                 "scale the path without compensation",
             ));
         }
+        let is_turned = self.writer.control.table.kind.is_some();
+        if is_turned && map.scale != 1.0 {
+            let turned = Turned::of(block, context, self.writer.control);
+            if turned.is_thread() {
+                return Err(self.refuse(
+                    block,
+                    "a thread does not scale: its lead belongs to its diameter",
+                    "scale the rest, and write the thread for its new diameter",
+                ));
+            }
+            if context.keeps_surface_speed {
+                return Err(self.refuse(
+                    block,
+                    "a cutting speed (G96) makes other revolutions of another diameter",
+                    "scale the program with spindle speeds (G97)",
+                ));
+            }
+        }
+        if is_turned && map.is_mirrored(Plane::Zx) && has_compensation(block, self.writer.control) {
+            return Err(self.refuse(
+                block,
+                "mirrored in X, the tool of a compensated contour has another tip number",
+                "mirror the contour without compensation, or set the other tip number and write it by hand",
+            ));
+        }
         let mut edits = Vec::new();
         self.codes(block, context, &mut edits)?;
         let roles = roles(block, context, self.writer.control);
@@ -174,6 +217,12 @@ impl Mapper<'_> {
                 Role::Place(axis) | Role::Center(axis) => (map.factor(axis), map.shift[axis]),
                 Role::Way(axis) | Role::Spoke(axis) => (map.factor(axis), 0.0),
                 Role::Length => (map.scale, 0.0),
+                Role::Counted if map.scale != 1.0 => {
+                    let units = (context.units, context.units);
+                    let text = self.writer.counted(block, word, units, map.scale)?;
+                    edits.push(Edit::new(word.range, text, self.reason()));
+                    continue;
+                }
                 Role::Doubtful if !map.is_shift() => {
                     return Err(self.refuse(
                         block,
@@ -219,8 +268,8 @@ impl Mapper<'_> {
             else {
                 continue;
             };
-            let rows = self.writer.control.table.g_codes;
-            let Some(row) = rows.iter().find(|row| row.action == other) else {
+            let mut rows = self.writer.control.g_codes();
+            let Some(row) = rows.find(|row| row.action == other) else {
                 return Err(self.refuse(
                     block,
                     format!(
@@ -356,14 +405,17 @@ impl Mapper<'_> {
     }
 }
 
+/// G41 or G42.
+fn has_compensation(block: &Block, control: &Control) -> bool {
+    actions(block, control)
+        .any(|(_, action)| matches!(action, Action::Mode(code) if code.other_side().is_some()))
+}
+
 /// Moves whose directions no word says.
 fn makes_moves_of_its_own(action: Action) -> bool {
-    let once = |code: OnceCode| {
-        code.is_pocket() || matches!(code, OnceCode::Pattern(_) | OnceCode::Turning(_))
-    };
-    action.once().is_some_and(once)
-        || matches!(action, Action::Motion(MotionCode::Turn(_)))
-        || action == Action::After(AfterCode::RunCycleHere)
+    // Those of lathes have words whose directions are known.
+    let once = |code: OnceCode| code.is_pocket() || matches!(code, OnceCode::Pattern(_));
+    action.once().is_some_and(once) || action == Action::After(AfterCode::RunCycleHere)
 }
 
 /// The code that does the same in a mirror; `None` where it is the same code.
@@ -377,7 +429,7 @@ fn mirrored(action: Action) -> Option<Action> {
             MotionCode::Rapid | MotionCode::Linear => return None,
             // The thread stays as it is.
             MotionCode::Thread | MotionCode::RigidTap => return None,
-            // Programs with passes of a lathe are not transformed.
+            // It goes where its words say.
             MotionCode::Turn(_) => return None,
             // Programs with splines are not transformed.
             MotionCode::Spline(_) | MotionCode::SplineEnd => return None,

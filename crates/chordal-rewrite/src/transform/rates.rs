@@ -17,7 +17,7 @@ const FEED_DIGITS: u8 = 4;
 
 /// The edits that multiply feeds and spindle speeds.
 pub(super) fn rates(job: &Job, feed: f64, speed: f64) -> Result<Outcome, Refusal> {
-    let record = Record::of(job);
+    let record = Record::with_contours(job);
     let writer = Writer::new(job);
     let mut outcome = Outcome {
         mapping: Mapping { feed, speed, ..Mapping::default() },
@@ -81,6 +81,12 @@ pub(super) enum Rate {
     Speed,
 }
 
+/// Decimals of a feed for each revolution, or of a lead: six figures, eight decimals at most.
+fn digits_of_small(value: f64) -> u8 {
+    let before = value.abs().max(1e-3).log10().floor() as i32;
+    (5 - before).clamp(i32::from(FEED_DIGITS), 8) as u8
+}
+
 /// An F or S word with its value multiplied.
 pub(super) fn scaled(
     writer: &Writer,
@@ -109,7 +115,12 @@ pub(super) fn scaled(
                     if !number.has_point && (whole - whole.round()).abs() < 1e-9 * whole.abs() {
                         format!("{}", whole.round())
                     } else {
-                        writer.style.number(value, 0, FEED_DIGITS.max(number.scale), true)
+                        let least = if writer.control.table.kind.is_some() {
+                            digits_of_small(value)
+                        } else {
+                            FEED_DIGITS
+                        };
+                        writer.style.number(value, 0, least.max(number.scale), true)
                     }
                 }
             };

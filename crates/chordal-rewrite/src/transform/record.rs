@@ -3,13 +3,16 @@
 use chordal::RunSink;
 use std::collections::HashMap;
 
-use chordal::control::CycleKind;
+use chordal::control::{Action, CycleKind, MotionCode};
 use chordal::control::{
     ArcCenter, ArcShape, AxisMask, FeedMode, Modal, Origin, Position, Side, Units,
 };
 use chordal::diagnostics::FileId;
 use chordal::geometry::Plane;
 use chordal::{Command, CommandKind, Diagnostic, Job, Sink};
+
+use crate::convert::Contours;
+use crate::source::Source;
 
 /// What the words of a block are read by.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -25,6 +28,10 @@ pub(super) struct Context {
     pub(super) feed_mode: FeedMode,
     pub(super) side: Side,
     pub(super) did: Did,
+    /// What a block without a motion code does after it.
+    pub(super) motion: Option<Action>,
+    /// S is a cutting speed.
+    pub(super) keeps_surface_speed: bool,
 }
 
 /// What a block did.
@@ -97,6 +104,34 @@ struct Doing {
 }
 
 impl Record {
+    /// With the blocks of contours that only cycles of a lathe read, as if they ran where the cycle does.
+    pub(super) fn with_contours(job: &Job) -> Record {
+        let mut record = Record::of(job);
+        if job.control().table.kind.is_none() {
+            return record;
+        }
+        let source = Source::of(job);
+        for contour in &Contours::of(&source, job).list {
+            let runs = |at: usize| record.blocks.get(&source.blocks[at].range.start).cloned();
+            let Some(cycle) = contour.cycles.iter().find_map(|(at, _)| runs(*at)) else { continue };
+            let mut context = cycle.first.context;
+            for at in contour.blocks.clone() {
+                let arc =
+                    |code| source.has_action(at, job.control(), |own| own == Action::Motion(code));
+                if arc(MotionCode::ArcCw) || arc(MotionCode::ArcCcw) {
+                    context.did = Did::Arc;
+                } else if arc(MotionCode::Rapid) || arc(MotionCode::Linear) {
+                    context.did = Did::Line;
+                }
+                context.motion = None;
+                let first = Run { context, shape: None, moves: 0, ..cycle.first };
+                let runs = Runs { first, count: 1, contexts: vec![context], ..cycle.clone() };
+                record.blocks.entry(source.blocks[at].range.start).or_insert(runs);
+            }
+        }
+        record
+    }
+
     pub(super) fn of(job: &Job) -> Record {
         let mut record = Record::default();
         job.run(&mut record);
@@ -172,6 +207,8 @@ impl RunSink for Record {
             feed_mode: modal.feed_mode,
             side: modal.side,
             did: did.kind.unwrap_or(Did::Nothing),
+            motion: modal.motion.map(Action::from),
+            keeps_surface_speed: modal.surface_speed.is_some(),
         };
         let run = Run {
             context,

@@ -8,6 +8,10 @@ use chordal::syntax::{Block, Value, Word};
 
 use super::record::{Context, Did};
 
+mod turned;
+
+pub(super) use self::turned::Turned;
+
 /// What a number stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Role {
@@ -21,6 +25,8 @@ pub(super) enum Role {
     Spoke(usize),
     /// A length without a direction.
     Length,
+    /// The same, counted in least increments.
+    Counted,
     /// A length that belongs to the machine: where moving the path changes nothing.
     Machine,
     Feed,
@@ -125,8 +131,14 @@ pub(super) fn roles(block: &Block, context: &Context, control: &Control) -> Vec<
     let left_to_right = control.table.distance_left_to_right;
     let mut incremental =
         if left_to_right { context.incremental_before } else { context.incremental };
+    let turned = control.table.kind.map(|_| Turned::of(block, context, control));
     let mut roles = Vec::with_capacity(block.words.len());
     for word in &block.words {
+        let own = turned.filter(|_| sort == Sort::Move);
+        if let Some(role) = own.and_then(|turned| turned.role(word, block, context, control)) {
+            roles.push(role);
+            continue;
+        }
         if left_to_right && word.letter == b'G' {
             match control.row_of(word).map(|row| row.action) {
                 Some(Action::Reading(ReadingCode::Absolute)) => incremental = false,

@@ -1,10 +1,10 @@
 //! A program in the other unit of length.
 
-use chordal::Job;
-use chordal::control::{Action, ReadingCode};
+use chordal::control::{Action, OnceCode, ReadingCode};
 use chordal::control::{FeedMode, Units};
 use chordal::diagnostics::FileId;
-use chordal::syntax::{Block, BlockKind, BlockReader};
+use chordal::syntax::{Block, BlockKind, BlockReader, Word};
+use chordal::{Control, Job};
 
 use super::Outcome;
 use super::edit::{Edit, Refusal};
@@ -18,14 +18,14 @@ const REASON: &str = "lengths in the other unit";
 
 /// The edits that write every length in `to`.
 pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
-    let record = Record::of(job);
+    let record = Record::with_contours(job);
     let writer = Writer::new(job);
     let wanted = match to {
         Units::Inch => Action::Reading(ReadingCode::Inch),
         Units::Millimetre => Action::Reading(ReadingCode::Millimetre),
     };
     let mut outcome = Outcome { feed_tolerance: 1e-3, ..Outcome::default() };
-    let Some(code) = writer.control.table.g_codes.iter().find(|row| row.action == wanted) else {
+    let Some(code) = writer.control.g_codes().find(|row| row.action == wanted) else {
         return Err(Refusal::new(
             writer.text,
             &Block::new(),
@@ -113,6 +113,10 @@ fn lengths(
             | Role::Spoke(_)
             | Role::Length
             | Role::Machine => writer.scaled_length(block, word, units, 1.0, 0.0)?,
+            Role::Counted => writer.counted(block, word, units, 1.0)?,
+            Role::Speed if context.keeps_surface_speed && !limits(block, writer.control) => {
+                surface_speed(writer, block, word, units)?
+            }
             Role::Feed | Role::TapFeed | Role::Lead
                 if context.feed_mode != FeedMode::InverseTime =>
             {
@@ -132,4 +136,35 @@ fn lengths(
         edits.push(Edit::new(word.range, text, REASON));
     }
     Ok(edits)
+}
+
+/// S limits the spindle in this block.
+fn limits(block: &Block, control: &Control) -> bool {
+    actions(block, control).any(|(_, action)| action == Action::Once(OnceCode::PresetPosition))
+}
+
+/// A cutting speed: metres or feet in a minute.
+fn surface_speed(
+    writer: &Writer,
+    block: &Block,
+    word: &Word,
+    (from, to): (Units, Units),
+) -> Result<String, Refusal> {
+    let Some(number) = word.number() else {
+        return Err(Refusal::new(
+            writer.text,
+            block,
+            format!("`{}` is computed, and a cutting speed has another unit", writer.word(word)),
+            "write the cutting speed as a number",
+        ));
+    };
+    let per = |units: Units| if units == Units::Inch { 304.8 } else { 1000.0 };
+    let value = number.to_f64() * per(from) / per(to);
+    // A whole number, where that is near enough.
+    let digits = (0..3).find(|digits| {
+        let power = 10f64.powi(*digits);
+        ((value * power).round() / power - value).abs() <= 4e-4 * value.abs()
+    });
+    let digits = digits.unwrap_or(3) as usize;
+    Ok(format!("S{value:.digits$}"))
 }

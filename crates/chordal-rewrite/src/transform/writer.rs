@@ -28,7 +28,9 @@ impl<'a> Writer<'a> {
     /// How far paths may be apart for the digits that are written, mm: an arc has its end, its centre
     /// and its start, each rounded along two axes.
     pub(super) fn tolerance_mm(&self) -> f64 {
-        6.0 * self.rounded_mm.get()
+        // The levels of a roughing cycle add up what its depth was rounded by.
+        let ends = if self.control.table.kind.is_some() { 24.0 } else { 6.0 };
+        ends * self.rounded_mm.get()
     }
 
     /// The length of a literal, mm.
@@ -97,6 +99,33 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// A length that counts least increments, `factor` times as long: a whole number of those of the second unit.
+    pub(super) fn counted(
+        &self,
+        block: &Block,
+        word: &Word,
+        units: (Units, Units),
+        factor: f64,
+    ) -> Result<String, Refusal> {
+        let rules = &self.control.parameters.rules;
+        let Some(number) = word.number() else {
+            return Err(Refusal::new(
+                self.text,
+                block,
+                format!("`{}` is computed, and counts least increments", self.word(word)),
+                "write its value as a number",
+            ));
+        };
+        let least = rules.least_increment(units.1);
+        let mm = number.to_f64() * rules.least_increment(units.0) * factor;
+        let count = (mm / least).round();
+        let off = (count * least - mm).abs();
+        if off > 1e-10 {
+            self.rounded_mm.set(self.rounded_mm.get().max(off));
+        }
+        Ok(with_number(self.text, word, &format!("{count:.0}")))
+    }
+
     fn expression(&self, old: &str, factor: f64, plus: f64) -> String {
         let number = |value: f64| self.style.number(value, 0, 6, true);
         let one = if old.starts_with('-') { format!("[{old}]") } else { old.to_string() };
@@ -119,8 +148,7 @@ impl<'a> Writer<'a> {
 
     /// The G code that does something, as the control's own table names it.
     pub(super) fn g_code(&self, action: Action) -> Option<String> {
-        let rows = self.control.table.g_codes;
-        rows.iter().find(|row| row.action == action).map(|row| row.name(b'G'))
+        self.control.g_codes().find(|row| row.action == action).map(|row| row.name(b'G'))
     }
 
     /// A word as it is written.

@@ -72,12 +72,28 @@ fn nothing_is_written_of_a_program_with_errors() {
 }
 
 #[test]
-fn programs_of_lathes_are_refused_in_one_sentence() {
-    let text = "G21 G18 G40 G99 S500 M3\nT0101\nG0 X50. Z2.\nG1 Z-20. F.2\nG28 U0 W0\nM30\n";
-    let found = converted(&job(text, machine("fanuc-lathe")), "haas-lathe");
-    assert!(found.text.is_empty() && !found.holds());
-    let reasons: Vec<&str> = found.refusals.iter().map(|refusal| refusal.reason.as_str()).collect();
-    assert_eq!(reasons, ["programs for lathes are not converted: this one is for a Fanuc lathe"]);
+fn programs_of_lathes_and_mills_are_refused_for_each_other_in_one_sentence() {
+    let turned = "G21 G18 G40 G99 S500 M3\nT0101\nG0 X50. Z2.\nG1 Z-20. F.2\nG28 U0 W0\nM30\n";
+    let milled = "G21 G90 S500 M3\nG0 X50. Y2. Z2.\nG1 Z-2. F100.\nM30\n";
+    for (text, from, to, said) in [
+        (
+            turned,
+            "fanuc-lathe",
+            "haas-vf2",
+            "a program of a lathe (Fanuc lathe) is not converted for a mill (Haas NGC mill)",
+        ),
+        (
+            milled,
+            "haas-vf2",
+            "haas-lathe",
+            "a program of a mill (Haas NGC mill) is not converted for a lathe (Haas lathe)",
+        ),
+    ] {
+        let found = converted(&job(text, machine(from)), to);
+        assert!(found.text.is_empty() && !found.holds());
+        let reasons: Vec<&str> = found.refusals.iter().map(|one| one.reason.as_str()).collect();
+        assert_eq!(reasons, [said]);
+    }
 }
 
 #[test]

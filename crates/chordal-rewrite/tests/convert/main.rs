@@ -4,6 +4,7 @@ mod cycles;
 mod documents;
 mod forms;
 mod kept;
+mod lathes;
 mod random;
 mod suite;
 

@@ -56,6 +56,7 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     let letters = draft.block.letters();
     return_level(context, draft, at);
     levels(context, draft, run);
+    level_or_distance(context, draft, run)?;
     first_hole(context, draft, run)?;
     if kind.is_tap() {
         if draft.block.words.iter().any(|word| word.comma) {
@@ -231,6 +232,32 @@ fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Ex
             Ok(())
         }
     }
+}
+
+/// R as a level or as the distance from where the tool is, along Z.
+fn level_or_distance(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
+    let [one, other] =
+        context.controls().map(|control| control.parameters.rules.cycles.r_from_initial);
+    let Some(r) = draft.place(b'R').filter(|r| one != other && !draft.is_gone(*r)) else {
+        return Ok(());
+    };
+    let title = context.to.table.title;
+    let first = context.trace.commands_of(run).iter().find_map(|command| match &command.kind {
+        CommandKind::Line { motion, .. } if command.origin.cycle => Some(motion),
+        _ => None,
+    });
+    let along_z = first.filter(|cut| cut.from[..2] == cut.to[..2] && cut.from[2] != cut.to[2]);
+    let Some(cut) = along_z else {
+        return Err(Expand(format!("{title} counts R of this cycle in another way")));
+    };
+    let digits = numbers::digits(context.to, run.after.units);
+    let (level, reason) = match other {
+        true => (cut.from[2] - run.before.position[2], "from where the tool is"),
+        false => (cut.from[2], "as a level"),
+    };
+    let text = numbers::length(level, run.after.units, digits, context.style());
+    draft.replace(r, format!("R{text}"), format!("{title} reads R {reason}"));
+    Ok(())
 }
 
 /// The letter that counts holes.

@@ -1,0 +1,179 @@
+//! The head of a program for a lathe.
+
+use chordal::control::{
+    Action, BeforeCode, LengthCode, MotionCode, ReadingCode, SpindleState, Units, code_number,
+};
+use chordal::syntax::Block;
+
+use super::head::{Head, Lack};
+use super::turned::{has_stations, says_setup};
+use crate::convert::codes;
+use crate::convert::numbers::plain;
+use crate::convert::station;
+use crate::split::text::feed_word;
+
+/// Places nearer than this are the same, mm.
+const SAME_MM: f64 = 1e-9;
+
+impl Head<'_, '_> {
+    pub(super) fn turns(&self) -> bool {
+        self.control.table.kind.is_some()
+    }
+
+    /// The lines before a block that takes another station.
+    pub(super) fn before_station(&self) -> Result<Vec<String>, Lack> {
+        let mut lines = self.turned_modes();
+        // A turret turns while the spindle does.
+        lines.extend(self.turned_speed(!self.control.table.spindle_stops_at_tool_change)?);
+        self.finish(&mut lines)?;
+        Ok(lines)
+    }
+
+    /// The lines before a block where the place is not known.
+    pub(super) fn with_station(&self) -> Result<Vec<String>, Lack> {
+        let mut lines = self.turned_modes();
+        lines.extend(self.station());
+        lines.extend(self.turned_speed(true)?);
+        self.finish(&mut lines)?;
+        Ok(lines)
+    }
+
+    /// The lines before any other block: the tool goes to its first place of the program by rapid, then along Z and
+    /// along X by feed.
+    pub(super) fn at_the_part(&self) -> Result<Vec<String>, Lack> {
+        let modal = &self.before.modal;
+        let mut lines = self.turned_modes();
+        lines.extend(self.station());
+        lines.extend(self.turned_speed(true)?);
+        let [x, z] = [modal.position[0], modal.position[2]];
+        let [from_x, from_z] = self.before.turned.approach.unwrap_or([x, z]);
+        let rapid = self.needed(Action::Motion(MotionCode::Rapid), "a rapid")?;
+        let words = [rapid, self.place(0, from_x)?, self.place(2, from_z)?];
+        lines.push(words.join(self.gap()));
+        lines.extend(self.before.said.coolant.iter().cloned());
+        let mut ways = Vec::new();
+        if (z - from_z).abs() > SAME_MM {
+            ways.push(self.place(2, z)?);
+        }
+        if (x - from_x).abs() > SAME_MM {
+            ways.push(self.place(0, x)?);
+        }
+        let feed = feed_word(modal, self.source.style);
+        match (ways.is_empty(), feed) {
+            (true, feed) => lines.extend(feed),
+            (false, None) => {
+                return Err(Lack(
+                    "the tool is at the part, and the program has no feed yet".into(),
+                ));
+            }
+            (false, Some(feed)) => {
+                if modal.spindle == SpindleState::Off {
+                    return Err(Lack(
+                        "the tool is at the part, and the spindle stands still".into(),
+                    ));
+                }
+                let cut = self.needed(Action::Motion(MotionCode::Linear), "a straight cut")?;
+                let mut ways = ways.into_iter();
+                let first = ways.next().unwrap_or_default();
+                lines.push([cut, first, feed].join(self.gap()));
+                lines.extend(ways);
+            }
+        }
+        lines.extend(self.setups());
+        lines.extend(self.ending()?);
+        Ok(lines)
+    }
+
+    /// Modes, diameters, the work offset, and the first blocks of cycles.
+    fn turned_modes(&self) -> Vec<String> {
+        let mut lines = self.modes();
+        let reading = match self.before.x_factor == 1.0 {
+            true => ReadingCode::Radii,
+            false => ReadingCode::Diameters,
+        };
+        lines.extend(self.name(Action::Reading(reading)));
+        lines.extend(self.work());
+        lines
+    }
+
+    /// The first of two blocks of cycles that come after it and do not say it again.
+    fn setups(&self) -> Vec<String> {
+        let blocks = &self.source.blocks[self.at..];
+        let needed = |code: u16| {
+            let has = |block: &&Block| {
+                block.all(b'G').any(|word| word.number().and_then(code_number) == Some(code))
+            };
+            let next = blocks.iter().find(has);
+            next.is_some_and(|block| !says_setup(block, self.control))
+        };
+        let setups = self.before.turned.setups.iter();
+        setups.filter(|(code, _)| needed(**code)).map(|(_, words)| words.clone()).collect()
+    }
+
+    /// The station with its offset.
+    fn station(&self) -> Option<String> {
+        let modal = &self.before.modal;
+        let style = self.source.style;
+        if modal.tool == 0 {
+            return None;
+        }
+        if has_stations(self.control) {
+            let own = self.before.turned.station.clone();
+            return own.or_else(|| station(self.control, modal.tool, modal.length_offset));
+        }
+        let name = |action| codes::name(action, self.control, style);
+        let change = name(Action::Before(BeforeCode::ToolChange));
+        let mut words = vec![format!("T{}", modal.tool)];
+        words.extend(change);
+        if let Some(number) = modal.length_offset {
+            words.extend(name(Action::Length(LengthCode::Plus)));
+            words.extend((number != modal.tool).then(|| format!("H{number}")));
+        }
+        Some(words.join(self.gap()))
+    }
+
+    /// What limits the spindle, and its cutting speed or revolutions.
+    fn turned_speed(&self, starts: bool) -> Result<Vec<String>, Lack> {
+        let modal = &self.before.modal;
+        let style = self.source.style;
+        let text = |value: f64| {
+            let text = plain(value, 4, style);
+            text.trim_end_matches('.').to_string()
+        };
+        let mut lines: Vec<String> = self.before.turned.limit.clone().into_iter().collect();
+        let mut words = Vec::new();
+        match modal.surface_speed {
+            Some(speed) => {
+                let code = Action::Reading(ReadingCode::SurfaceSpeed);
+                words.push(self.needed(code, "a cutting speed")?);
+                let limit = modal.speed_limit.filter(|limit| limit.is_finite());
+                if let Some(limit) = limit.filter(|_| !self.control.parameters.preset_limits_speed)
+                {
+                    words.push(format!("D{}", text(limit)));
+                }
+                let unit = if modal.units == Units::Inch { 304.8 } else { 1000.0 };
+                words.push(format!("S{}", text(speed * 60.0 / unit)));
+            }
+            None if modal.rpm > 0.0 => {
+                words.extend(self.name(Action::Reading(ReadingCode::SpindleRpm)));
+                words.push(format!("S{}", text(modal.rpm)));
+            }
+            None => {}
+        }
+        if starts && modal.spindle != SpindleState::Off {
+            words.extend(self.before.said.spindle.clone());
+        }
+        if !words.is_empty() {
+            lines.push(words.join(self.gap()));
+        }
+        Ok(lines)
+    }
+
+    fn finish(&self, lines: &mut Vec<String>) -> Result<(), Lack> {
+        lines.extend(self.before.said.coolant.iter().cloned());
+        lines.extend(feed_word(&self.before.modal, self.source.style));
+        lines.extend(self.setups());
+        lines.extend(self.ending()?);
+        Ok(())
+    }
+}

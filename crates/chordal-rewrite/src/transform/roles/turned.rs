@@ -1,0 +1,205 @@
+//! What the words of a lathe's block stand for: increments, cycles, threads, corners of lines.
+
+use chordal::Control;
+use chordal::control::{Action, MotionCode, OnceCode, TurnCycle, TurnPass};
+use chordal::syntax::{Block, Letters, Word};
+
+use super::super::record::{Context, Did};
+use super::{Role, actions};
+use crate::source::turning_cycle;
+
+/// What a block of a lathe is, where its words do not mean what they mean next to a move.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(in crate::transform) enum Turned {
+    /// A move, or a cycle of holes.
+    Move,
+    /// A cycle; the first of two blocks only sets it up.
+    Cycle { cycle: TurnCycle, is_setup: bool },
+    /// A pass of one block.
+    Pass(TurnPass),
+    /// A cut in step with the spindle.
+    Thread,
+    /// S limits the spindle.
+    Preset,
+}
+
+impl Turned {
+    pub(in crate::transform) fn of(block: &Block, context: &Context, control: &Control) -> Turned {
+        let named = actions(block, control).find_map(|(_, action)| {
+            if let Some(code) = action.once() {
+                let cycle = turning_cycle(code).map(|cycle| Turned::Cycle {
+                    cycle,
+                    is_setup: is_setup(cycle, block, control),
+                });
+                let preset = (code == OnceCode::PresetPosition).then_some(Turned::Preset);
+                return cycle.or(preset);
+            }
+            action.motion().map(of_motion)
+        });
+        let modal = || context.motion.and_then(Action::motion).map_or(Turned::Move, of_motion);
+        named.unwrap_or_else(modal)
+    }
+
+    /// It cuts a thread, whose lead belongs to its size.
+    pub(in crate::transform) fn is_thread(self) -> bool {
+        match self {
+            Turned::Thread | Turned::Pass(TurnPass::Thread) => true,
+            Turned::Cycle { cycle, .. } => {
+                matches!(cycle, TurnCycle::Thread | TurnCycle::LineThread)
+            }
+            Turned::Pass(TurnPass::Turning | TurnPass::Facing) | Turned::Move | Turned::Preset => {
+                false
+            }
+        }
+    }
+
+    /// The role of a word; nothing where it is what it is on a mill.
+    pub(in crate::transform) fn role(
+        self,
+        word: &Word,
+        block: &Block,
+        context: &Context,
+        control: &Control,
+    ) -> Option<Role> {
+        if word.comma {
+            return None;
+        }
+        match self {
+            Turned::Cycle { cycle, is_setup } => of_cycle(word, block, cycle, is_setup, control),
+            Turned::Pass(pass) => match word.letter {
+                b'R' | b'I' if pass != TurnPass::Facing => Some(Role::Way(0)),
+                b'R' | b'K' if pass == TurnPass::Facing => Some(Role::Way(2)),
+                b'F' if pass == TurnPass::Thread => Some(Role::Lead),
+                b'Q' => Some(Role::Other),
+                _ => increment(word, control),
+            },
+            Turned::Thread => match word.letter {
+                letter if letter == control.parameters.thread_lead || letter == b'K' => {
+                    Some(Role::Lead)
+                }
+                b'Q' => Some(Role::Other),
+                _ => increment(word, control),
+            },
+            Turned::Preset => increment(word, control),
+            Turned::Move => match word.letter {
+                b'I' | b'K' | b'R'
+                    if control.parameters.corners_of_lines && context.did == Did::Line =>
+                {
+                    Some(Role::Length)
+                }
+                b'R' if context.cycle.is_some() => {
+                    Some(match control.parameters.rules.cycles.r_from_initial {
+                        true => Role::Way(2),
+                        false => Role::Place(2),
+                    })
+                }
+                _ => increment(word, control),
+            },
+        }
+    }
+}
+
+/// What a motion code makes of its block.
+fn of_motion(code: MotionCode) -> Turned {
+    match code {
+        MotionCode::Turn(pass) => Turned::Pass(pass),
+        MotionCode::Thread | MotionCode::RigidTap => Turned::Thread,
+        MotionCode::Rapid
+        | MotionCode::Linear
+        | MotionCode::ArcCw
+        | MotionCode::ArcCcw
+        | MotionCode::SpiralCw
+        | MotionCode::SpiralCcw
+        | MotionCode::Spline(_)
+        | MotionCode::SplineEnd => Turned::Move,
+    }
+}
+
+/// U of X, W of Z.
+fn increment(word: &Word, control: &Control) -> Option<Role> {
+    let increments = control.parameters.increments;
+    let (_, of) = increments.iter().find(|(letter, _)| *letter == word.letter)?;
+    b"XYZ".iter().position(|axis| axis == of).map(Role::Way)
+}
+
+fn is_setup(cycle: TurnCycle, block: &Block, control: &Control) -> bool {
+    let ends = match cycle {
+        TurnCycle::Rough | TurnCycle::RoughFace | TurnCycle::Pattern => "PQ",
+        TurnCycle::PeckZ | TurnCycle::PeckX | TurnCycle::Thread => "XZUW",
+        TurnCycle::Finish
+        | TurnCycle::FinishSubroutine
+        | TurnCycle::RoughSubroutine(_)
+        | TurnCycle::RoughFaceSubroutine(_)
+        | TurnCycle::LineThread => return false,
+    };
+    control.parameters.rules.turning.two_blocks && !block.letters().meets(Letters::of(ends))
+}
+
+fn of_cycle(
+    word: &Word,
+    block: &Block,
+    cycle: TurnCycle,
+    is_setup: bool,
+    control: &Control,
+) -> Option<Role> {
+    let one_line = block.letters().meets(Letters::of("KD"));
+    let counted = counted_or_length(word);
+    Some(match (cycle, word.letter) {
+        (_, b'G' | b'M' | b'N' | b'T' | b'O') => return None,
+        (TurnCycle::LineThread, b'P') => Role::Lead,
+        (TurnCycle::Thread, b'F') => Role::Lead,
+        (_, b'F' | b'S') => return None,
+        (TurnCycle::Rough | TurnCycle::RoughFace, letter) => match (is_setup, letter) {
+            (true, b'U' | b'W' | b'R') => Role::Length,
+            (false, b'U') => Role::Way(0),
+            (false, b'W') => Role::Way(2),
+            (false, b'D' | b'I' | b'K') => Role::Length,
+            _ => Role::Other,
+        },
+        (TurnCycle::Pattern, letter) => match letter {
+            b'U' | b'I' => Role::Way(0),
+            b'W' | b'K' => Role::Way(2),
+            _ => Role::Other,
+        },
+        (TurnCycle::PeckZ | TurnCycle::PeckX, letter) => match letter {
+            b'X' | b'Z' | b'U' | b'W' => return increment(word, control),
+            b'P' | b'Q' => counted,
+            b'R' | b'I' | b'K' | b'D' => Role::Length,
+            _ => Role::Other,
+        },
+        (TurnCycle::Thread, letter) => match letter {
+            b'X' | b'Z' | b'U' | b'W' => return increment(word, control),
+            b'Q' if is_setup || !one_line => counted,
+            b'P' if !is_setup && !one_line => counted,
+            b'R' if is_setup => Role::Length,
+            b'R' | b'I' => Role::Way(0),
+            b'K' | b'D' => counted,
+            _ => Role::Other,
+        },
+        (TurnCycle::Finish, _) => Role::Other,
+        (TurnCycle::FinishSubroutine, letter) => match letter {
+            b'X' | b'Z' => return None,
+            b'D' | b'E' => Role::Length,
+            _ => Role::Other,
+        },
+        (TurnCycle::RoughSubroutine(_) | TurnCycle::RoughFaceSubroutine(_), letter) => match letter
+        {
+            b'X' | b'Z' => return None,
+            b'D' | b'I' | b'R' => Role::Length,
+            _ => Role::Other,
+        },
+        (TurnCycle::LineThread, letter) => match letter {
+            b'X' | b'Z' => return None,
+            b'I' => Role::Way(0),
+            b'J' | b'K' | b'E' => Role::Length,
+            _ => Role::Other,
+        },
+    })
+}
+
+fn counted_or_length(word: &Word) -> Role {
+    match word.number() {
+        Some(number) if number.has_point => Role::Length,
+        _ => Role::Counted,
+    }
+}
