@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use chordal::control::{EndReason, Library, Recognition, Strength};
 use chordal::diagnostics::FileId;
 use chordal::machine::ToolShape;
+use chordal::motion::MotionReport;
 use chordal::time::Timed;
 use chordal::tool_comments::{KnownTool, known_tools};
 use chordal::{AxisTravel, Diagnostic, Job, Report, Severity, Summary, ToolUse};
@@ -373,13 +374,22 @@ fn time(summary: &Summary) -> String {
     format!("{about}{total} without acceleration and tool changes{parts}{missing}")
 }
 
+/// What the times of a run are with.
+pub fn motion_law(motion: &MotionReport) -> &'static str {
+    match motion.limits.junctions {
+        Some(_) => "with acceleration",
+        None => "with acceleration and jerk",
+    }
+}
+
 /// The time as the machine's axes can do it.
 fn planned_time(timed: &Timed) -> String {
     let (time, times) = (&timed.time, &timed.time.times);
     let mut shares = vec![("cuts", times.cutting_s), ("rapids", times.rapid_s)];
     shares.extend(time.waits.iter().map(|(kind, seconds)| (kind.name(), *seconds)));
     let total = duration(time.total_s());
-    format!("{total}, with acceleration and jerk{}", parts(&shares))
+    let how = motion_law(&timed.motion);
+    format!("{total}, {how}{}", parts(&shares))
 }
 
 /// What the moves would take without speeding up and slowing down.

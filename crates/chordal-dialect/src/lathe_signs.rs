@@ -7,10 +7,11 @@ use crate::recognition::{Evidence, Form, MachineKind, Sign, evidence};
 const NEEDED: i32 = 5;
 
 /// A lathe.
-pub(crate) const LATHE: MachineKind = MachineKind { signs: SIGNS, needed: NEEDED };
+pub(crate) const LATHE: MachineKind = MachineKind { turns: true, signs: SIGNS, needed: NEEDED };
 
 /// A lathe with LinuxCNC, whose programs share with mills what others have for mills alone: M6, G43, G17.
-pub(crate) const LINUXCNC_LATHE: MachineKind = MachineKind { signs: LINUXCNC_SIGNS, needed: 6 };
+pub(crate) const LINUXCNC_LATHE: MachineKind =
+    MachineKind { turns: true, signs: LINUXCNC_SIGNS, needed: 6 };
 
 const LINUXCNC_SIGNS: &[Evidence] = &[
     evidence(Sign::Letters { used: "XZ", unused: "Y", least: 2 }, 4, "X and Z, and never Y"),

@@ -21,6 +21,7 @@
 mod action;
 mod control;
 mod controls;
+pub mod firmware;
 mod lathe_signs;
 pub mod macros;
 pub mod not_read;

@@ -100,6 +100,14 @@ pub struct Parameters {
     pub dwell_with_motion: bool,
     /// A program without an end is refused; a second percent sign is one (LinuxCNC).
     pub end_required: bool,
+    /// `G10 P0` writes the work offset in force, not the external one.
+    pub offset_zero_in_force: bool,
+    /// `G10 L2` without P is `P0`.
+    pub offset_number_optional: bool,
+    /// Programs end with their last block as well as with M30 (GRBL).
+    pub end_optional: bool,
+    /// Who sends the blocks goes on after one that the control refuses.
+    pub goes_on_after_refusal: bool,
     /// A word that nothing uses and a code without its words stop the program (LinuxCNC).
     pub strict_words: bool,
     /// Letters that no block may have without a code that uses them, of those that most controls store.
@@ -201,6 +209,10 @@ impl Parameters {
         length_by_h_alone: false,
         dwell_with_motion: false,
         end_required: false,
+        offset_zero_in_force: false,
+        offset_number_optional: false,
+        end_optional: false,
+        goes_on_after_refusal: false,
         strict_words: false,
         words_of_codes: Letters::NONE,
         m_groups: &[],

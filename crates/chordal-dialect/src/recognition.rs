@@ -92,6 +92,8 @@ pub struct Evidence {
 /// A kind of machine, and how its programs are distinguished from those of others.
 #[derive(Debug)]
 pub struct MachineKind {
+    /// It is a lathe.
+    pub turns: bool,
     /// The signs that a program is for this kind at all.
     pub signs: &'static [Evidence],
     /// So much they must weigh together.

@@ -1,6 +1,7 @@
 //! A control as data: its codes, its words, its alarms, its settings.
 
-use crate::action::{Action, LengthCode, OnceCode};
+use crate::action::{Action, AfterCode, LengthCode, ModeCode, OnceCode};
+use crate::firmware::Firmware;
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
 use crate::post::Post;
@@ -78,6 +79,19 @@ impl CodeRow {
             | Action::Cycle(_)
             | Action::After(_)
             | Action::Call(_) => false,
+        }
+    }
+
+    /// It ends the program.
+    pub const fn ends_program(&self) -> bool {
+        matches!(self.action, Action::After(AfterCode::ProgramEnd { .. }))
+    }
+
+    /// Which reference point it stores the present position as: 0 or 1.
+    pub const fn stored_reference(&self) -> Option<usize> {
+        match self.action {
+            Action::Mode(ModeCode::StoreReference { second }) => Some(second as usize),
+            _ => None,
         }
     }
 
@@ -274,6 +288,8 @@ pub struct ControlTable {
     pub last_of_group_counts: bool,
     /// Codes that must be the only G code of their block.
     pub alone: &'static [u16],
+    /// How its firmware judges a block as a whole before anything of it acts; nothing where words act one by one.
+    pub firmware: Option<&'static Firmware>,
     /// What it asks of the words of a code.
     pub word_rules: &'static [WordRule],
     /// What it refuses of a rotation about an axis in space; nothing where it has none.
@@ -394,6 +410,11 @@ impl ControlTable {
                 let row = word.number().and_then(code_number).and_then(|code| self.g_code(code));
                 row.is_some_and(|row| row.action == Action::Once(OnceCode::SetData))
             })
+    }
+
+    /// It is the control of a lathe.
+    pub fn turns(&self) -> bool {
+        self.kind.is_some_and(|kind| kind.turns)
     }
 
     /// What the control shows for a diagnostic.

@@ -93,6 +93,8 @@ pub use stock::{
     stock_verdict_text, stock_volume, turned_json, turned_mesh, turned_text, turning_json,
     turning_text,
 };
-pub use time::{TimeDocument, comment_text, level_word, short_blocks_text, time_json};
+pub use time::{
+    TimeDocument, comment_text, junctions_text, level_word, short_blocks_text, time_json,
+};
 pub use transformed::{refusal_json, restart_json, split_json, transformed_json};
 pub use worked::{worked_json, worked_text};

@@ -1,6 +1,6 @@
 //! The time of a program as JSON.
 
-use chordal::control::{Certainty, Field, Origin, PathField, PathMode, ShortBlocks};
+use chordal::control::{Certainty, Field, Origin, PathField, PathMode, Setting, ShortBlocks};
 use chordal::diagnostics::{FileId, Span};
 use chordal::motion::{Level, MotionReport};
 use chordal::time::{
@@ -222,8 +222,30 @@ fn assumed(motion: &MotionReport) -> Value {
     motion.limits.assumed.iter().map(row).collect()
 }
 
+/// The law of a control without jerk limits, in one sentence.
+pub fn junctions_text(job: &Job) -> Option<String> {
+    let rules = job.control().parameters.rules.path.junctions?;
+    let name = |field| {
+        let is_own = |setting: &&Setting| setting.field == Field::Path(field);
+        job.control().table.settings.iter().find(is_own).map_or("", |setting| setting.name)
+    };
+    let title = job.control().table.title;
+    Some(format!(
+        "times are those of {title}'s own planner: even acceleration, no jerk, a junction deviation of {} mm (setting \
+         `{}`), arcs as segments within {} mm (setting `{}`), {} of them known ahead",
+        rules.deviation_mm,
+        name(PathField::JunctionDeviation),
+        rules.arc_tolerance_mm,
+        name(PathField::ArcTolerance),
+        rules.blocks,
+    ))
+}
+
 /// How the control takes many short blocks, and how sure that is; `None` where no cut runs into the next.
 pub fn short_blocks_text(ends: &CutEnds, job: &Job) -> Option<String> {
+    if let Some(text) = junctions_text(job) {
+        return Some(text);
+    }
     let field = Field::Path(PathField::ShortBlocks);
     let control = job.control();
     let setting = control.table.settings.iter().find(|setting| setting.field == field)?;

@@ -25,6 +25,7 @@
 #![forbid(unsafe_code)]
 
 mod called_subroutines;
+mod firmware;
 mod interpreter;
 mod library;
 mod macros;

@@ -16,6 +16,7 @@ macro_rules! controls {
             LinuxcncLathe linuxcnc_lathe "linuxcnc-lathe",
             HaasLathe haas_lathe "haas-lathe",
             MitsubishiLathe mitsubishi_lathe "mitsubishi-lathe",
+            Grbl grbl "grbl",
         }
     };
 }

@@ -17,6 +17,7 @@
 //! | dense lines as one curve | [`Piece`] | `curve/` |
 //! | the law of time on it | [`law()`] | `law/` |
 //! | both together, from corner to corner | [`Stretch`] | `dense.rs` |
+//! | trapezoids with junction deviation, for controls that have no jerk | [`JunctionLaw`] | `junction.rs` |
 //! | the least time | [`bound()`] | `bound/` |
 //! | the least time with jerk | [`reference()`] | `reference/` |
 //! | setpoints | [`Sample`] | `cursor.rs`, `sampler.rs` |
@@ -57,6 +58,7 @@ mod cell;
 mod cursor;
 mod curve;
 mod dense;
+mod junction;
 mod law;
 mod limits;
 mod piece;
@@ -75,6 +77,7 @@ mod verify;
 
 pub use bound::{Bound, Run, RunError, bound};
 pub use cursor::Cursor;
+pub use junction::JunctionLaw;
 pub use law::{Work, law};
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};

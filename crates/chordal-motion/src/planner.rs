@@ -6,6 +6,7 @@ use crate::Axes;
 use crate::bound::Run;
 use crate::cell::AxisArrays;
 use crate::dense::{Dense, Laid, Singly};
+use crate::junction::{JunctionLaw, Junctions};
 use crate::law::{Work, law};
 use crate::limits::Limits;
 use crate::piece::Piece;
@@ -38,12 +39,14 @@ pub struct PlannerOptions {
     /// Dense moves from rest to rest are planned as smooth curves, where that is quicker: at most 50,000
     /// moves wait for their rest. Otherwise every corner is passed by itself.
     pub joins: bool,
+    /// Trapezoids with junction deviation instead of limited jerk, where the control moves like that.
+    pub junctions: Option<JunctionLaw>,
 }
 
 impl PlannerOptions {
     /// A planner that takes its time.
     pub fn new(level: Level) -> PlannerOptions {
-        PlannerOptions { level, row_s: f64::INFINITY, joins: true }
+        PlannerOptions { level, row_s: f64::INFINITY, joins: true, junctions: None }
     }
 }
 
@@ -83,6 +86,8 @@ pub struct Planner<P = Piece> {
     last: Option<End>,
     /// Moves that wait for their end at rest, where whole rows are planned.
     group: Option<Box<Group>>,
+    /// Plans all moves, where the control has that law.
+    junctions: Option<Box<Junctions<P>>>,
 }
 
 /// Moves from rest on.
@@ -125,14 +130,19 @@ impl Planner {
 impl Planner<Span> {
     /// A planner that works out the times of level fast and keeps no path.
     pub fn of_times(limits: Limits) -> Planner<Span> {
-        Planner::whole(limits, PlannerOptions::new(Level::Fast))
+        Planner::of_times_by(limits, None)
+    }
+
+    /// The same, by trapezoids with junction deviation where there is such a law.
+    pub fn of_times_by(limits: Limits, junctions: Option<JunctionLaw>) -> Planner<Span> {
+        Planner::whole(limits, PlannerOptions { junctions, ..PlannerOptions::new(Level::Fast) })
     }
 }
 
 impl<P: PathPart> Planner<P> {
     /// A planner that looks at whole groups of moves, where it may.
     fn whole(limits: Limits, options: PlannerOptions) -> Planner<P> {
-        let group = options.joins.then(|| {
+        let group = (options.joins && options.junctions.is_none()).then(|| {
             let other = Planner::at_rest(limits, PlannerOptions::new(Level::Fast));
             let (moves, dense) = (Vec::new(), Dense::default());
             Box::new(Group { moves, feed_s: 0.0, passes: false, dense, other })
@@ -156,6 +166,7 @@ impl<P: PathPart> Planner<P> {
             next_overlap: None,
             last: None,
             group: None,
+            junctions: options.junctions.map(|law| Box::new(Junctions::new(law))),
         }
     }
 
@@ -176,7 +187,9 @@ impl<P: PathPart> Planner<P> {
             return Ok(());
         }
         self.position = Some(motion.to());
-        if self.group.is_some() {
+        if let Some(junctions) = &mut self.junctions {
+            junctions.push(motion, &self.limits, &mut take);
+        } else if self.group.is_some() {
             self.gather(motion, &start, &mut take);
         } else {
             self.corner_by_corner(motion, &start, &mut take);
@@ -343,6 +356,9 @@ impl<P: PathPart> Planner<P> {
 
     /// The axes come to rest: emits the rest of the steps. The next move may begin anywhere.
     pub fn finish(&mut self, mut take: impl FnMut(Step<'_, P>)) {
+        if let Some(junctions) = &mut self.junctions {
+            junctions.rest(&mut take);
+        }
         self.end_group(&mut take);
         self.release(&mut take);
         self.end_run(&mut take);

@@ -173,8 +173,10 @@ fn rows_of_any_length_give_one_time() {
         let whole = time_of(&plan(&moves, limits, Level::Fast));
         let mut first = None;
         for row_s in [0.01, 0.3, 1e9] {
-            let mut planner =
-                Planner::new(limits, PlannerOptions { level: Level::Fast, row_s, joins: false });
+            let mut planner = Planner::new(
+                limits,
+                PlannerOptions { row_s, joins: false, ..PlannerOptions::new(Level::Fast) },
+            );
             let mut time = 0.0;
             let mut take = |step: Step<'_>| {
                 if let Step::Stretch(stretch) = step {

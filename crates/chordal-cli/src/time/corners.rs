@@ -5,12 +5,15 @@ use chordal::control::{
     COMMON_SETTINGS, Field, PathField, Setting, StartMode, Units as ProgramUnits,
 };
 use chordal::time::TimeReport;
-use chordal_export::short_blocks_text;
+use chordal_export::{junctions_text, short_blocks_text};
 
 use crate::numbers::counted;
 
 /// What was counted, and the settings and machine data after it.
 pub fn notes(time: &TimeReport, job: &Job, units: ProgramUnits) -> Vec<String> {
+    if let Some(text) = junctions_text(job) {
+        return vec![text];
+    }
     let mut notes = Vec::new();
     let ends = &time.cut_ends;
     if let Some((least, most)) = ends.tolerance_mm {

@@ -12,7 +12,7 @@ use super::cells::{MOST_OPERATIONS, SAME_S, fine, lines};
 use super::{chords, corners, least};
 use crate::numbers::{counted, short};
 use crate::sheet::Sheet;
-use crate::summary::{plain_table, tool_name};
+use crate::summary::{motion_law, plain_table, tool_name};
 
 /// Columns of the text.
 const WIDTH: usize = 80;
@@ -32,7 +32,7 @@ pub fn text(
     let (time, motion) = (&document.timed.time, &document.timed.motion);
     let machine = job.machine();
     sheet.row("machine", &format!("{} ({})", machine.title, machine.name));
-    sheet.rows("time", &totals(time, document.level));
+    sheet.rows("time", &totals(time, motion, document.level));
     sheet.table("", &tools(&time.tools, job));
     if time.operations.len() > time.tools.len() {
         let named = time.operations.iter().any(|operation| operation.comment.is_some());
@@ -74,7 +74,7 @@ pub fn text(
     sheet.into_text()
 }
 
-fn totals(time: &TimeReport, level: Level) -> Vec<String> {
+fn totals(time: &TimeReport, motion: &MotionReport, level: Level) -> Vec<String> {
     let total = time.total_s();
     if total == 0.0 {
         return vec!["nothing moves".to_string()];
@@ -91,7 +91,7 @@ fn totals(time: &TimeReport, level: Level) -> Vec<String> {
         shares.map(|(what, seconds)| format!("{what} {}", fine(*seconds))).collect();
     let moving = times.cutting_s + times.rapid_s;
     let mut rows =
-        vec![format!("{}, with acceleration and jerk{tried}", fine(total)), parts.join(", ")];
+        vec![format!("{}, {}{tried}", fine(total), motion_law(motion)), parts.join(", ")];
     if moving > 0.0 {
         rows.push(format!(
             "acceleration and deceleration take {}, {} % of the time of the moves",

@@ -72,6 +72,18 @@ refuses it.
 Look up what the code does. Where it has no effect in this program, delete it in a copy and check that; where a custom
 code of the machine stands behind it, say what it does in `[shop_codes]` of the machine file."#;
 
+    BlockRefused = 313, "block-refused", Error;
+    "the firmware refuses this block";
+    r#"Small controls (GRBL and its kin) judge a block as a whole before anything of it acts. A block with a mistake
+changes nothing, not even a mode, and the control answers with a number:
+
+    G2 X10 I5           error:22, there is no feed for this cut
+    G2 X10 Y1 I5 F300   error:33, the end is not on the circle
+    M6 T1               error:20, GRBL has no tool change
+
+The control itself goes on with the next block; senders stop. The setting `on error` of the machine file chooses:
+with `stop` (the default) the blocks after it are not run, with `continue` they are."#;
+
     PolarWords = 340, "polar-words", Error;
     "a radius or an angle that cannot be used here";
     r#"On LinuxCNC `@` is a radius and `^` an angle in degrees about the work origin, in place of X and Y:

@@ -1,7 +1,6 @@
 //! Languages that Chordal recognizes and does not read, one file each: a program of them is one message and
 //! not two hundred, and nothing is read as something that it is not.
 
-mod grbl;
 mod heidenhain;
 mod marlin;
 mod okuma;
@@ -32,7 +31,7 @@ pub struct NotRead {
 
 /// All of them. Of two that weigh alike the first counts.
 pub const ALL: &[&NotRead] =
-    &[&heidenhain::HEIDENHAIN, &sinumerik::SINUMERIK, &okuma::OKUMA, &marlin::MARLIN, &grbl::GRBL];
+    &[&heidenhain::HEIDENHAIN, &sinumerik::SINUMERIK, &okuma::OKUMA, &marlin::MARLIN];
 
 #[cfg(test)]
 mod tests {

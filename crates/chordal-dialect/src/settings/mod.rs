@@ -83,6 +83,8 @@ pub enum Field {
     Turning(TurningField),
     /// What words of X are at power-on (LinuxCNC G7, G8).
     StartRadii,
+    /// What happens after a block that the control refuses (GRBL).
+    AfterRefusal,
     /// Which system of G codes (Fanuc lathes No. 3401).
     CodeSystem,
     MacroAngles,
@@ -209,7 +211,11 @@ const GENERAL: &[Setting] = &[
         Field::CenterAndRadius,
         "both in a block: `radius-wins` or `refused`",
     ),
-    common("full_circle_by_radius", Field::FullCircleByRadius, "`refused` or `no-motion`"),
+    common(
+        "full_circle_by_radius",
+        Field::FullCircleByRadius,
+        "`refused`, `no-motion` or `straight`",
+    ),
     common("rapid", Field::Rapid, "rapids: `dog-leg` or `straight`"),
     common("max_radius", Field::MaxRadius, "largest radius of an arc"),
     common(
@@ -400,13 +406,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
             )?;
         }
         Field::FullCircleByRadius => {
-            p.rules.arc.full_circle_by_radius = choose(
-                word,
-                &[
-                    ("refused", FullCircleByRadius::Refused),
-                    ("no-motion", FullCircleByRadius::NoMotion),
-                ],
-            )?;
+            p.rules.arc.full_circle_by_radius = choose(word, FULL_CIRCLES_BY_RADIUS)?;
         }
         Field::Rapid => {
             p.rules.rapid =
@@ -447,6 +447,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::Frame(rule) => frame::set(p, rule, word, value)?,
         Field::Turning(rule) => turning::set(p, rule, word, value)?,
         Field::StartRadii => p.starts_with_radii = choose(word, X_WORDS)?,
+        Field::AfterRefusal => p.goes_on_after_refusal = choose(word, AFTER_REFUSAL)?,
         Field::CodeSystem => {
             p.code_system = choose(word, CODE_SYSTEMS)?;
             // Inch and millimetres are G70 and G71 in C.
@@ -510,8 +511,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
             if wins { "radius-wins" } else { "refused" }.into()
         }
         Field::FullCircleByRadius => {
-            let refused = p.rules.arc.full_circle_by_radius == FullCircleByRadius::Refused;
-            if refused { "refused" } else { "no-motion" }.into()
+            name_of(p.rules.arc.full_circle_by_radius, FULL_CIRCLES_BY_RADIUS)
         }
         Field::Rapid => {
             if p.rules.rapid == RapidPath::DogLeg { "dog-leg" } else { "straight" }.into()
@@ -541,6 +541,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::Frame(rule) => frame::value_text(p, rule),
         Field::Turning(rule) => turning::value_text(p, rule),
         Field::StartRadii => name_of(p.starts_with_radii, X_WORDS),
+        Field::AfterRefusal => name_of(p.goes_on_after_refusal, AFTER_REFUSAL),
         Field::CodeSystem => name_of(p.code_system, CODE_SYSTEMS),
         Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
         Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
@@ -548,6 +549,14 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize].to_string(),
     }
 }
+
+const FULL_CIRCLES_BY_RADIUS: &[(&str, FullCircleByRadius)] = &[
+    ("refused", FullCircleByRadius::Refused),
+    ("no-motion", FullCircleByRadius::NoMotion),
+    ("straight", FullCircleByRadius::Straight),
+];
+
+const AFTER_REFUSAL: &[(&str, bool)] = &[("stop", false), ("continue", true)];
 
 const X_WORDS: &[(&str, bool)] = &[("radii", true), ("diameters", false)];
 

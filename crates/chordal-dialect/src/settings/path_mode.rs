@@ -21,6 +21,11 @@ pub enum PathField {
     Level,
     LookAhead,
     ShortBlocks,
+    JunctionDeviation,
+    JunctionBlocks,
+    ArcTolerance,
+    /// Steps of X, Y or Z a mm, by the number of the axis.
+    Steps(u8),
 }
 
 const STARTS: Choices<StartMode> = &[
@@ -110,6 +115,11 @@ pub(crate) fn set(
         _ => Err("a length with its unit, such as \"0.05 mm\", or `none`".to_string()),
     };
     let optional = || if word.eq_ignore_ascii_case("none") { Ok(None) } else { length().map(Some) };
+    let number = || match value {
+        SettingValue::Integer(number) => *number as f64,
+        SettingValue::Float(number) => *number,
+        SettingValue::Text(_) | SettingValue::Bool(_) => f64::NAN,
+    };
     let rules = &mut p.rules.path;
     match field {
         PathField::Start => rules.start = choose(word, STARTS)?,
@@ -118,11 +128,7 @@ pub(crate) fn set(
         PathField::StopAfterCut => rules.stop_after_cut = choose(word, SWITCH)?,
         PathField::Rounding => rules.rounding_mm = optional()?,
         PathField::LevelPart(level) => {
-            let part = match value {
-                SettingValue::Integer(number) => *number as f64,
-                SettingValue::Float(number) => *number,
-                _ => f64::NAN,
-            };
+            let part = number();
             if !(part > 0.0 && part <= 10.0) {
                 return Err("a number above 0, at most 10".to_string());
             }
@@ -131,6 +137,35 @@ pub(crate) fn set(
         PathField::Level => rules.level = choose(word, LEVELS)?,
         PathField::LookAhead => rules.look_ahead_mm = optional()?,
         PathField::ShortBlocks => rules.short_blocks = choose(word, SHORT_BLOCKS)?,
+        PathField::JunctionDeviation
+        | PathField::JunctionBlocks
+        | PathField::ArcTolerance
+        | PathField::Steps(_) => {
+            let Some(junctions) = &mut rules.junctions else {
+                return Err("nothing: this control has no junction deviation".to_string());
+            };
+            match field {
+                PathField::JunctionBlocks => match value {
+                    SettingValue::Integer(count @ 1..=10_000) => junctions.blocks = *count as u32,
+                    _ => return Err("a whole number, 1 or more".to_string()),
+                },
+                PathField::ArcTolerance => {
+                    let tolerance = length()?;
+                    if tolerance <= 0.0 {
+                        return Err("a length above zero".to_string());
+                    }
+                    junctions.arc_tolerance_mm = tolerance;
+                }
+                PathField::Steps(axis) => {
+                    let steps = number();
+                    if !(steps > 0.0 && steps < 1e6) {
+                        return Err("a number of steps above 0".to_string());
+                    }
+                    junctions.steps_per_mm[usize::from(axis.min(2))] = steps;
+                }
+                _ => junctions.deviation_mm = length()?,
+            }
+        }
     }
     Ok(())
 }
@@ -151,5 +186,13 @@ pub(crate) fn value_text(p: &Parameters, field: PathField) -> String {
         PathField::Level => name_of(rules.level, LEVELS),
         PathField::LookAhead => optional(rules.look_ahead_mm),
         PathField::ShortBlocks => name_of(rules.short_blocks, SHORT_BLOCKS),
+        PathField::JunctionDeviation => optional(rules.junctions.map(|j| j.deviation_mm)),
+        PathField::ArcTolerance => optional(rules.junctions.map(|j| j.arc_tolerance_mm)),
+        PathField::Steps(axis) => rules.junctions.map_or("none".to_string(), |junctions| {
+            junctions.steps_per_mm[usize::from(axis.min(2))].to_string()
+        }),
+        PathField::JunctionBlocks => {
+            rules.junctions.map_or("none".to_string(), |junctions| junctions.blocks.to_string())
+        }
     }
 }

@@ -15,6 +15,7 @@ use super::macros::MacroMemory;
 use super::spatial::SpatialState;
 use super::spline::SplineMemory;
 use super::{Interpreter, Reported};
+use crate::firmware::Judge;
 
 /// With more chains of calls a checkpoint would cost more than it saves.
 const MOST_CALL_PATHS: usize = 1000;
@@ -38,6 +39,7 @@ struct BlockMemory {
     macros: MacroMemory,
     spatial: SpatialState,
     spline: SplineMemory,
+    judge: Option<Judge>,
 }
 
 impl Memory for BlockMemory {
@@ -103,6 +105,7 @@ impl Interpreter<'_> {
             macros: self.macros.memory(),
             spatial: self.spatial,
             spline: self.spline.clone(),
+            judge: self.judge.clone(),
         };
         Checkpoint::new(place.offset, place.line, self.blocks, Box::new(memory))
     }
@@ -129,6 +132,7 @@ impl Interpreter<'_> {
         self.macros.recall(memory.macros);
         self.spatial = memory.spatial;
         self.spline = memory.spline;
+        self.judge = memory.judge;
     }
 
     /// Notes that a program was read, searched, or asked for a place in it.

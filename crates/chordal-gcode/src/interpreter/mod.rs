@@ -13,6 +13,7 @@ mod conflicts;
 mod context;
 mod corner;
 mod cycle;
+mod firmware;
 mod frames;
 mod in_force;
 mod literals;
@@ -56,6 +57,7 @@ use chordal_kernel::{Checkpoint, EndReason, Kernel, Outcome, Ran, RunSink};
 use chordal_machine::{AXES, Machine, PerAxis};
 use chordal_syntax::{Block, BlockKind, BlockReader, Decimal, Position as TextPosition};
 
+use crate::firmware::Judge;
 use crate::library::{Library, Program};
 use crate::shop::ShopCodes;
 
@@ -197,6 +199,8 @@ struct Interpreter<'a> {
     kept_modes: Vec<context::KeptModes>,
     /// Reference points that the program has stored: machine position, mm and rad.
     references: [PerAxis<Option<f64>>; 2],
+    /// The firmware that judges blocks as a whole, where the control has one.
+    judge: Option<Judge>,
     /// What of the first text was read since the last rest beside the blocks one after the other.
     looked: Cell<Option<TextRange>>,
 }
@@ -318,8 +322,10 @@ impl<'a> Interpreter<'a> {
             shop: shop::ShopState::new(program),
             kept_modes: Vec::new(),
             references: [[None; AXES]; 2],
+            judge: None,
             looked: Cell::new(None),
         }
+        .with_judge()
     }
 
     fn outcome(mut self) -> Option<Ran> {
@@ -406,6 +412,9 @@ impl<'a> Interpreter<'a> {
             call: self.kernel.call,
             cycle: false,
         };
+        if let Some(flow) = self.judged_by_firmware(block) {
+            return flow;
+        }
         let longest = self.control.parameters.longest_line;
         if longest > 0 && block.range.len() > longest {
             self.report_long_line(block, longest);

@@ -430,13 +430,14 @@ impl Interpreter<'_> {
 
     /// The key of work offset P as G10 L2 counts them.
     fn work_key(&mut self, block: &Block) -> Option<String> {
-        let number = self.count_of(block, b'P')?;
-        let table = self.control.table;
+        let (table, parameters) = (self.control.table, &self.control.parameters);
+        let number = match block.last(b'P') {
+            None if parameters.offset_number_optional => 0,
+            _ => self.count_of(block, b'P')?,
+        };
         let name = match number {
             n if table.work_names.by_e => return Some(format!("E{n}")),
-            0 if table.arc_turns == chordal_dialect::table::ArcTurns::Total => {
-                self.kernel.state.offsets.active()
-            }
+            0 if parameters.offset_zero_in_force => self.kernel.state.offsets.active(),
             0 => return Some("EXT".into()),
             n @ 1..=6 => WorkName::G(n as u16 + 53),
             n @ 7..=9 => WorkName::G59(n as u16 - 6),

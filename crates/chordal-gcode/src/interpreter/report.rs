@@ -295,7 +295,8 @@ impl Interpreter<'_> {
 
     pub(super) fn report_missing_end(&mut self) {
         let refused = self.control.parameters.end_required;
-        if !self.carried_out || refused && self.ended_by_percent {
+        let optional = self.control.parameters.end_optional;
+        if !self.carried_out || optional || refused && self.ended_by_percent {
             return;
         }
         // Where the last block ran a called program, it is the call.

@@ -155,7 +155,7 @@ pub fn recognize(text: &[u8]) -> Recognition {
     // The sort keeps the order of those that weigh alike; the assumed one comes first then. Of the lathes
     // one that is read does.
     ranking.sort_by_key(|each| {
-        let is_read_lathe = !each.not_read && chordal_dialect::table(each.control).kind.is_some();
+        let is_read_lathe = !each.not_read && chordal_dialect::table(each.control).turns();
         (-each.weight, !is_read_lathe, !each.not_read, each.control != ASSUMED)
     });
     let mut recognition = Recognition { ranking };

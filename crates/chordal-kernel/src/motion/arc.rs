@@ -203,6 +203,7 @@ impl Kernel<'_> {
         let (what, severity) = match self.rules.arc.full_circle_by_radius {
             FullCircleByRadius::Refused => ("the control refuses it", Severity::Error),
             FullCircleByRadius::NoMotion => ("nothing moves", Severity::Warning),
+            FullCircleByRadius::Straight => return self.straight_instead(at, target, named),
         };
         self.report(
             Diagnostic::new(

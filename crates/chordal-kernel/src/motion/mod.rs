@@ -147,7 +147,7 @@ impl Kernel<'_> {
     /// A cut while the spindle stands; once for each tool.
     #[cold]
     pub fn report_spindle_stopped(&mut self, at: &dyn Statement) {
-        if self.reported.spindle_for_tool == Some(self.state.tool) {
+        if self.rules.spindle_by_hand || self.reported.spindle_for_tool == Some(self.state.tool) {
             return;
         }
         self.reported.spindle_for_tool = Some(self.state.tool);

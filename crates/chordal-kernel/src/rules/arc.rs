@@ -60,6 +60,8 @@ pub enum FullCircleByRadius {
     Refused,
     /// Nothing moves.
     NoMotion,
+    /// A straight line to the end, where another axis moves (GRBL).
+    Straight,
 }
 
 /// The rules of arcs, helices and spirals.

@@ -51,6 +51,8 @@ pub struct Rules {
     pub max_rotary_per_block_rad: f64,
     /// What the radius offsets of the table are.
     pub radius_offsets: OffsetKind,
+    /// Many of its machines have a spindle that is switched by hand, or none: a pen, a knife (GRBL).
+    pub spindle_by_hand: bool,
     /// Outside corners with compensation.
     pub outside_corner: OutsideCorner,
     /// Start and end of compensation.
@@ -124,6 +126,7 @@ impl Rules {
         machine_move_needs_absolute: false,
         rapid: RapidPath::DogLeg,
         max_rotary_per_block_rad: f64::INFINITY,
+        spindle_by_hand: false,
         radius_offsets: OffsetKind::Radius,
         outside_corner: OutsideCorner::Linear,
         compensation_entry: CompensationEntry::A,

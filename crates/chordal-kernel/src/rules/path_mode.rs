@@ -25,6 +25,19 @@ pub enum ShortBlocks {
     Joined,
 }
 
+/// How a control without jerk limits passes from one straight segment to the next (GRBL).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct JunctionRules {
+    /// How far a detour at a junction would be from it, mm.
+    pub deviation_mm: f64,
+    /// Blocks that it knows, with the one under way.
+    pub blocks: u32,
+    /// How far the segments of an arc are from it, mm.
+    pub arc_tolerance_mm: f64,
+    /// Segments end on whole steps of X, Y and Z, so many a mm.
+    pub steps_per_mm: [f64; 3],
+}
+
 /// How a control passes the ends of moves. Lengths are mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PathRules {
@@ -47,6 +60,8 @@ pub struct PathRules {
     pub look_ahead_mm: Option<f64>,
     /// Where short blocks become one curve.
     pub short_blocks: ShortBlocks,
+    /// Trapezoids with junction deviation, where the control moves like that and not with limited jerk.
+    pub junctions: Option<JunctionRules>,
 }
 
 impl PathRules {
@@ -61,6 +76,7 @@ impl PathRules {
         level: 2,
         look_ahead_mm: None,
         short_blocks: ShortBlocks::Apart,
+        junctions: None,
     };
 
     /// The distance that a level of smoothness allows, mm.

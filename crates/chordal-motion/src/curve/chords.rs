@@ -217,12 +217,7 @@ fn chord_at(at: &[f64], sigma: f64, hint: &mut Hint) -> usize {
 
 /// The first axes of a place between the ends.
 #[inline(always)]
-fn between<const N: usize>(
-    at: &[f64],
-    places: &[Axes],
-    inside: f64,
-    hint: &mut Hint,
-) -> [f64; N] {
+fn between<const N: usize>(at: &[f64], places: &[Axes], inside: f64, hint: &mut Hint) -> [f64; N] {
     let index = chord_at(at, inside, hint);
     let (begin, end) = (at[index], at[index + 1]);
     on_chord([&places[index], &places[index + 1]], (inside - begin) / (end - begin))

@@ -129,7 +129,7 @@ impl Feeder {
     ) -> Feeder {
         let planner = Planner::new(
             reduced(&limits, 1.0 - options.headroom),
-            PlannerOptions { level: Level::Fast, row_s: ROW_S, joins: true },
+            PlannerOptions { row_s: ROW_S, ..PlannerOptions::new(Level::Fast) },
         );
         let line = Line {
             options,

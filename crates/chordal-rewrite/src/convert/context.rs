@@ -45,7 +45,7 @@ impl<'a> Context<'a> {
 
     /// True when the program is for a lathe; then both controls are.
     pub fn turns(&self) -> bool {
-        self.from.table.kind.is_some() && self.to.table.kind.is_some()
+        self.from.table.turns() && self.to.table.turns()
     }
 
     /// True when statements of the macro language mean the same on both.

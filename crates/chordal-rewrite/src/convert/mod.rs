@@ -387,7 +387,7 @@ fn other_diameters(old: &Job, target: &Machine) -> Option<Refusal> {
 /// Programs of lathes are for lathes, those of mills for mills.
 fn other_kind(old: &Job, target: &Machine) -> Option<Refusal> {
     let tables = [old.control().table, chordal::control::table(target.control)];
-    let [from, to] = tables.map(|table| if table.kind.is_some() { "lathe" } else { "mill" });
+    let [from, to] = tables.map(|table| if table.turns() { "lathe" } else { "mill" });
     (from != to).then(|| Refusal {
         line: 0,
         words: String::new(),
@@ -458,7 +458,7 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
         RapidPath::Straight => RapidShape::Straight,
     });
     machine.tools = old.tools.clone();
-    if job.control().table.kind.is_some() {
+    if job.control().table.turns() {
         machine.spindle_max_rpm = old.spindle_max_rpm;
         // A dog-leg bends where the faster axis arrives: X and Z of lathes have speeds of their own.
         for (axis, limits) in machine.axes.iter_mut().enumerate() {

@@ -17,7 +17,7 @@ const SAME_MM: f64 = 1e-9;
 
 impl Head<'_, '_> {
     pub(super) fn turns(&self) -> bool {
-        self.control.table.kind.is_some()
+        self.control.table.turns()
     }
 
     /// The lines before a block that takes another station.

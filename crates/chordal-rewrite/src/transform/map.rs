@@ -109,7 +109,7 @@ pub(super) fn map(job: &Job, transform: &Transform) -> Result<Outcome, Refusal> 
 
 /// X of a lathe is measured from the axis of the spindle: moved along it, or turned, a path makes another part.
 fn refuse_other_part(job: &Job, map: &Map) -> Result<(), Refusal> {
-    let turns = job.control().table.kind.is_some();
+    let turns = job.control().table.turns();
     if !turns || (map.shift[..2] == [0.0; 2] && !map.turns && map.plane[1][1] == 1.0) {
         return Ok(());
     }
@@ -168,7 +168,7 @@ impl Mapper<'_> {
                 "scale the path without compensation",
             ));
         }
-        let is_turned = self.writer.control.table.kind.is_some();
+        let is_turned = self.writer.control.table.turns();
         if is_turned && map.scale != 1.0 {
             let turned = Turned::of(block, context, self.writer.control);
             if turned.is_thread() {

@@ -115,7 +115,7 @@ pub(super) fn scaled(
                     if !number.has_point && (whole - whole.round()).abs() < 1e-9 * whole.abs() {
                         format!("{}", whole.round())
                     } else {
-                        let least = if writer.control.table.kind.is_some() {
+                        let least = if writer.control.table.turns() {
                             digits_of_small(value)
                         } else {
                             FEED_DIGITS

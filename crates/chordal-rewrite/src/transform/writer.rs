@@ -29,7 +29,7 @@ impl<'a> Writer<'a> {
     /// and its start, each rounded along two axes.
     pub(super) fn tolerance_mm(&self) -> f64 {
         // The levels of a roughing cycle add up what its depth was rounded by.
-        let ends = if self.control.table.kind.is_some() { 24.0 } else { 6.0 };
+        let ends = if self.control.table.turns() { 24.0 } else { 6.0 };
         ends * self.rounded_mm.get()
     }
 

@@ -1,7 +1,9 @@
 //! The limits of a machine's axes, with typical values for what its file does not give.
 
 use chordal_machine::{AXES, Axis, AxisLimits, Machine};
-use chordal_motion::{AxisLimit, LimitError, Limits, Quantity};
+use chordal_motion::{AxisLimit, JunctionLaw, LimitError, Limits, Quantity};
+
+use crate::control::Control;
 
 /// A limit that the machine file does not give.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +25,8 @@ pub struct MachineLimits {
     pub rapid: Limits,
     /// What the machine file does not give.
     pub assumed: Vec<AssumedLimit>,
+    /// Trapezoids with junction deviation, where the control moves like that.
+    pub junctions: Option<JunctionLaw>,
 }
 
 /// Typical of a machining centre of middle size: 24 m/min, 3 m/s², 100 m/s³.
@@ -42,6 +46,13 @@ impl MachineLimits {
         let mut assumed = Vec::new();
         let mut cut = [None; AXES];
         let mut rapid = [None; AXES];
+        let junctions =
+            Control::of(machine).0.parameters.rules.path.junctions.map(|rules| JunctionLaw {
+                deviation_mm: rules.deviation_mm,
+                blocks: rules.blocks as usize,
+                arc_tolerance_mm: rules.arc_tolerance_mm,
+                steps_per_mm: rules.steps_per_mm,
+            });
         for axis in Axis::ALL {
             let Some(given) = machine.axis(axis) else { continue };
             let limit = of_axis(axis, given, &mut assumed);
@@ -52,7 +63,8 @@ impl MachineLimits {
                 ..limit
             });
         }
-        Ok(MachineLimits { cut: Limits::new(cut)?, rapid: Limits::new(rapid)?, assumed })
+        let (cut, rapid) = (Limits::new(cut)?, Limits::new(rapid)?);
+        Ok(MachineLimits { cut, rapid, assumed, junctions })
     }
 }
 

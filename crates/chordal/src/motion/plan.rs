@@ -145,7 +145,8 @@ impl<T: Planned<P>, P: PathPart> Planning<T, P> {
         make: fn(Limits, PlannerOptions) -> Planner<P>,
         taker: T,
     ) -> Planning<T, P> {
-        let options = PlannerOptions::new(options.level);
+        let junctions = limits.junctions;
+        let options = PlannerOptions { junctions, ..PlannerOptions::new(options.level) };
         Planning {
             planner: make(limits.cut, options),
             make,

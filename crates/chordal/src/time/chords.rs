@@ -85,6 +85,10 @@ impl Job<'_> {
         inch: bool,
     ) -> Result<Vec<ChordCost>, LimitError> {
         let limits = MachineLimits::of(self.machine())?;
+        // What follows is measured with limited jerk.
+        if limits.junctions.is_some() {
+            return Ok(Vec::new());
+        }
         let unit_mm = if inch { 25.4 } else { 1.0 };
         let mut costs =
             Costs { limits: limits.cut, unit_mm, row: Row::default(), lines: 0, costs: Vec::new() };

@@ -31,7 +31,8 @@ impl Job<'_> {
     /// A limit of an axis that is not a positive number.
     pub fn time(&self, options: &MotionOptions) -> Result<Timed, LimitError> {
         match options.level {
-            Level::Fast => self.timed(options, |limits, _| Planner::of_times(limits)),
+            Level::Fast => self
+                .timed(options, |limits, options| Planner::of_times_by(limits, options.junctions)),
             Level::Best => self.timed(options, Planner::new),
         }
     }
@@ -73,9 +74,12 @@ impl Job<'_> {
         watch: &mut dyn Watch,
     ) -> (Report, Result<Option<Timed>, LimitError>) {
         match options.level {
-            Level::Fast => {
-                self.judged(options, |limits, _| Planner::of_times(limits), most_moves, watch)
-            }
+            Level::Fast => self.judged(
+                options,
+                |limits, options| Planner::of_times_by(limits, options.junctions),
+                most_moves,
+                watch,
+            ),
             Level::Best => self.judged(options, Planner::new, most_moves, watch),
         }
     }

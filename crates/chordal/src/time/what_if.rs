@@ -58,7 +58,12 @@ impl Job<'_> {
             let tolerance_mm = rules.of_level(level)?;
             Some(Change::Smoothness { level, tolerance_mm })
         });
-        CHANGES.into_iter().chain(levels).collect()
+        // Where corners are passed by junction deviation, no distance from them changes anything.
+        let acts = |change: &Change| {
+            let by_distance = matches!(change, Change::Corners(PathMode::Continuous { .. }));
+            rules.junctions.is_none() || !by_distance
+        };
+        CHANGES.into_iter().chain(levels).filter(acts).collect()
     }
 
     /// Plans the program again for each change.

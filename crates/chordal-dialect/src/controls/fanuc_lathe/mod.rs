@@ -42,6 +42,7 @@ pub(in crate::controls) const FANUC: ControlTable = ControlTable {
     open_m_codes: true,
     last_of_group_counts: true,
     alone: &[],
+    firmware: None,
     word_rules: &[],
     spatial: None,
     spindle_stops_at_tool_change: false,

@@ -39,6 +39,7 @@ pub static TABLE: ControlTable = ControlTable {
     open_m_codes: false,
     last_of_group_counts: false,
     alone: &[1000, 1010],
+    firmware: None,
     word_rules: &[],
     spatial: None,
     spindle_stops_at_tool_change: true,

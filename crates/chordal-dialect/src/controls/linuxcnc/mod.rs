@@ -43,6 +43,7 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
     open_m_codes: false,
     last_of_group_counts: false,
     alone: &[],
+    firmware: None,
     word_rules: words::WORD_RULES,
     spatial: None,
     spindle_stops_at_tool_change: true,

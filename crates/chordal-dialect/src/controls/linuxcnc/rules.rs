@@ -8,6 +8,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     decimal_point: DecimalPoint::Calculator,
     center_and_radius: CenterAndRadius::Refused,
     dwell_with_motion: true,
+    offset_zero_in_force: true,
     end_required: true,
     strict_words: true,
     words_of_codes: Letters::of("DH"),

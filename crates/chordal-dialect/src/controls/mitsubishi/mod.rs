@@ -39,6 +39,7 @@ pub static TABLE: ControlTable = ControlTable {
     open_m_codes: true,
     last_of_group_counts: true,
     alone: &[],
+    firmware: None,
     word_rules: &[],
     spatial: Some(&rules::SPATIAL),
     spindle_stops_at_tool_change: true,

@@ -1,0 +1,118 @@
+//! How GRBL 1.1 reads and judges a block, and the numbers of its answers.
+
+use crate::vocabulary::*;
+use chordal_syntax::Letters;
+
+pub(super) static FIRMWARE: Firmware = Firmware {
+    longest_line: 79,
+    digits: 8,
+    letters: Letters::of("FIJKLNPRSTXYZ"),
+    with_fractions: &[28, 30, 38, 43, 61, 90, 91, 92],
+    largest: [10_000_000, 255, 6],
+    arc: [0.005, 0.5, 0.001],
+    rows: ROWS,
+};
+
+const ROWS: &[RefusalRow] = &[
+    answer(
+        1,
+        Refusal::NoLetter,
+        "a word begins with a letter, and this is none",
+        "remove it: GRBL has no `%`, no `*`, no `#` and no brackets",
+    ),
+    answer(2, Refusal::NoNumber, "this letter has no number", "write the number after it"),
+    answer(
+        3,
+        Refusal::UnknownCommand,
+        "GRBL does not have this system command",
+        "check it: `$H` homes, `$X` unlocks, `$$` lists the settings",
+    ),
+    answer(4, Refusal::Negative, "this word may not be below zero", "write it without the sign"),
+    answer(9, Refusal::Locked, "GRBL is locked by an alarm", "unlock it with `$X`, or home with `$H`"),
+    answer(
+        11,
+        Refusal::TooLong,
+        "this line has more than 79 characters without blanks and comments",
+        "write it on two lines",
+    ),
+    answer(
+        16,
+        Refusal::JogWords,
+        "a jog takes axes, F, G20, G21, G53, G90 and G91 alone",
+        "remove the other words",
+    ),
+    answer(
+        20,
+        Refusal::Unknown,
+        "GRBL does not have this word",
+        "remove it, or choose the post for GRBL: it has no tool change, cycles or cutter compensation",
+    ),
+    answer(21, Refusal::SameGroup, "this code and one before it exclude each other", "keep one of them"),
+    answer(
+        22,
+        Refusal::NoFeed,
+        "there is no feed for this cut",
+        "write F in this block; with G93 each block needs its own",
+    ),
+    answer(23, Refusal::Fraction, "this code has no fraction", "write the whole number"),
+    answer(
+        24,
+        Refusal::AxisConflict,
+        "two codes of this block need the axis words",
+        "write two blocks: G10, G28, G30, G92, G43.1 and G49 stand without G0 to G3",
+    ),
+    answer(25, Refusal::Repeated, "this letter stands in the block twice", "keep one of them"),
+    answer(26, Refusal::NoAxes, "this code needs an axis word", "write X, Y or Z"),
+    answer(27, Refusal::LineNumber, "a line number is at most 10000000", "write a smaller one, or none"),
+    answer(28, Refusal::NoValue, "this code needs a word P or L", "write P; for G4 it is seconds"),
+    answer(29, Refusal::WorkOffset, "G10 knows P0 to P6", "P1 is G54, P6 is G59"),
+    answer(
+        30,
+        Refusal::MachineMotion,
+        "G53 moves with G0 or G1 alone, and another motion is in force",
+        "write G0 or G1 in this block",
+    ),
+    answer(
+        31,
+        Refusal::AxesWithoutMotion,
+        "there are axis words, and G80 has ended the motion",
+        "write G0 or G1 in this block",
+    ),
+    answer(
+        32,
+        Refusal::NoPlaneAxes,
+        "this arc names no axis of its plane",
+        "write the end point, also where it is the start: a full circle needs it",
+    ),
+    answer(
+        33,
+        Refusal::OffCircle,
+        "the end of this arc is not on its circle",
+        "write more decimals of the centre and the end, or straight lines",
+    ),
+    answer(
+        33,
+        Refusal::SamePlace,
+        "this motion ends where it begins",
+        "write a full circle with I, J or K, not with R",
+    ),
+    answer(34, Refusal::Radius, "the radius is too short for the distance to the end", "check R"),
+    answer(
+        35,
+        Refusal::NoCenter,
+        "this arc has no centre word of its plane",
+        "write I and J in G17, I and K in G18, J and K in G19, or R",
+    ),
+    answer(36, Refusal::Unused, "nothing in this block uses this word", "remove it"),
+    answer(37, Refusal::LengthAxis, "G43.1 takes Z alone", "write Z, and no other axis"),
+    answer(38, Refusal::ToolNumber, "a tool number is at most 255", "write a smaller one"),
+];
+
+const fn answer(
+    number: u8,
+    refusal: Refusal,
+    message: &'static str,
+    help: &'static str,
+) -> RefusalRow {
+    RefusalRow { refusal, number, message, help }
+}

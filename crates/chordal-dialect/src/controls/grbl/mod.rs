@@ -1,0 +1,72 @@
+//! GRBL 1.1: small routers, mills and lasers.
+
+mod alarms;
+mod codes;
+mod firmware;
+mod post;
+mod recognition;
+mod rules;
+mod settings;
+
+use crate::vocabulary::*;
+
+/// GRBL 1.1.
+pub static TABLE: ControlTable = ControlTable {
+    name: "grbl",
+    title: "GRBL",
+    source: "GRBL 1.1h, its source and its list of error codes",
+    lexicon: LEXICON,
+    g_codes: codes::G_CODES,
+    m_codes: codes::M_CODES,
+    parameters: rules::PARAMETERS,
+    settings: settings::SETTINGS,
+    alarms: alarms::ALARMS,
+    scale_unit: 1.0,
+    motion: MotionModality::Exclusive,
+    distance_left_to_right: false,
+    line_repeat: LineRepeat::None,
+    subroutines: Subroutines::None,
+    fixed_routines: &[],
+    axis_letters: "XYZ",
+    arc_turns: ArcTurns::None,
+    strict_center_words: false,
+    set_data: SET_DATA,
+    dwell: DWELL,
+    dwell_alone_stops: false,
+    open_m_codes: false,
+    last_of_group_counts: false,
+    alone: &[],
+    firmware: Some(&firmware::FIRMWARE),
+    word_rules: &[],
+    spatial: None,
+    spindle_stops_at_tool_change: false,
+    work_names: WorkNaming { extended: "G59", by_e: false },
+    program_numbers: ProgramNumbers { largest: 0, digits: 1, required: false },
+    call_start_label: None,
+    macros: &MacroRules::NONE,
+    turning_alarms: &[],
+    systems: &[],
+    radial_cycles: &[],
+    kind: Some(&recognition::KIND),
+    evidence: recognition::EVIDENCE,
+    post: &post::POST,
+    default_machine: "grbl",
+};
+
+const LEXICON: Lexicon = Lexicon {
+    parenthesis: ParenthesisComment::ToEndOfLine,
+    semicolon: Semicolon::Comment,
+    star_comment: false,
+    registers: false,
+    macro_lines: false,
+    blanks_in_numbers: true,
+    o_words: false,
+    polar_words: false,
+    grammar: &MacroGrammar::FANUC,
+};
+
+const SET_DATA: &[(u16, DataTarget)] =
+    &[(2, DataTarget::WorkOffset), (20, DataTarget::WorkOffsetFromPosition)];
+
+const DWELL: &[DwellWord] =
+    &[DwellWord { letter: b'P', integer_s: 1.0, point_s: 1.0, takes_point: true }];

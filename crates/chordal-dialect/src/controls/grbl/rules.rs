@@ -1,0 +1,45 @@
+//! How GRBL 1.1 moves and cuts.
+
+use crate::vocabulary::*;
+use chordal_command::Units;
+
+pub(super) const PARAMETERS: Parameters = Parameters {
+    excess_decimals: ExcessDecimals::Exact,
+    decimal_point: DecimalPoint::Calculator,
+    center_and_radius: CenterAndRadius::Refused,
+    dwell_with_motion: true,
+    offset_zero_in_force: true,
+    offset_number_optional: true,
+    end_optional: true,
+    rules: Rules {
+        units: Units::Millimetre,
+        rapid: RapidPath::Straight,
+        bare_home_moves_all: true,
+        spindle_by_hand: true,
+        work_values_add: false,
+        // Nothing stops between a rapid and a cut.
+        path: PathRules {
+            stop_before_cut: false,
+            stop_between_rapids: false,
+            stop_after_cut: false,
+            junctions: Some(JunctionRules {
+                deviation_mm: 0.01,
+                blocks: 15,
+                arc_tolerance_mm: 0.002,
+                steps_per_mm: [250.0; 3],
+            }),
+            ..PathRules::COMMON
+        },
+        arc: ArcRules {
+            // Above this difference the radius must agree to one part in a thousand, and above a
+            // hundred times this nothing helps.
+            radius_error_tolerance_mm: 0.005,
+            radius_error_relative: 0.001,
+            radius_error_limit_mm: 0.5,
+            full_circle_by_radius: FullCircleByRadius::Straight,
+            ..ArcRules::COMMON
+        },
+        ..Rules::COMMON
+    },
+    ..Parameters::COMMON
+};

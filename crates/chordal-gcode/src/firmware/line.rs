@@ -1,0 +1,154 @@
+//! A line as a firmware reads it: what it drops, and numbers of few digits in single precision.
+
+use chordal_diagnostics::TextRange;
+use chordal_dialect::firmware::{Firmware, Refusal};
+use chordal_syntax::Decimal;
+
+/// A word: its value as the firmware computes with it, and as it was read.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct ReadWord {
+    pub letter: u8,
+    pub value: f32,
+    pub number: Decimal,
+    pub range: TextRange,
+}
+
+/// What is wrong, and where, with what was measured.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Fault {
+    pub refusal: Refusal,
+    pub range: TextRange,
+    pub measured: Option<String>,
+}
+
+impl Fault {
+    pub fn new(refusal: Refusal, range: TextRange) -> Fault {
+        Fault { refusal, range, measured: None }
+    }
+}
+
+/// The characters of a line that count, each with its offset in the text.
+#[derive(Debug, Default)]
+pub(super) struct Line {
+    characters: Vec<(u8, u32)>,
+    at: usize,
+    digits: u32,
+}
+
+impl Line {
+    /// Drops blanks, slashes and comments: one in parentheses ends at the first `)` or with the line.
+    ///
+    /// # Errors
+    /// More characters than the line of the firmware holds.
+    pub fn of(text: &[u8], from: u32, firmware: &Firmware) -> Result<Line, Fault> {
+        let mut line = Line { digits: firmware.digits, ..Line::default() };
+        let mut in_comment = false;
+        for (byte, offset) in text.iter().zip(from..) {
+            match byte {
+                b')' if in_comment => in_comment = false,
+                _ if in_comment => {}
+                b'(' => in_comment = true,
+                b';' => break,
+                0..=b' ' | b'/' => {}
+                _ => line.characters.push((byte.to_ascii_uppercase(), offset)),
+            }
+        }
+        match line.characters.get(firmware.longest_line) {
+            Some((_, first)) => Err(Fault {
+                measured: Some(format!("it has {}", line.characters.len())),
+                ..Fault::new(Refusal::TooLong, TextRange::new(*first, first + 1))
+            }),
+            None => Ok(line),
+        }
+    }
+
+    /// Nothing is on it.
+    pub fn is_empty(&self) -> bool {
+        self.characters.is_empty()
+    }
+
+    /// The text of a system command (`$H`), without its `$`.
+    pub fn command(&self) -> Option<String> {
+        let ((b'$', _), rest) = self.characters.split_first()? else { return None };
+        Some(rest.iter().map(|(byte, _)| char::from(*byte)).collect())
+    }
+
+    /// Goes on after so many characters.
+    pub fn skip(&mut self, count: usize) {
+        self.at = count;
+    }
+
+    fn peek(&self) -> Option<(u8, u32)> {
+        self.characters.get(self.at).copied()
+    }
+
+    /// The next word.
+    pub fn word(&mut self) -> Option<Result<ReadWord, Fault>> {
+        let (letter, begin) = self.peek()?;
+        let own = TextRange::new(begin, begin + 1);
+        if !letter.is_ascii_uppercase() {
+            return Some(Err(Fault::new(Refusal::NoLetter, own)));
+        }
+        self.at += 1;
+        let Some((value, number)) = self.number() else {
+            return Some(Err(Fault::new(Refusal::NoNumber, own)));
+        };
+        let (_, last) = self.characters[self.at - 1];
+        Some(Ok(ReadWord { letter, value, number, range: TextRange::new(begin, last + 1) }))
+    }
+
+    /// A sign, digits, a point and digits. Of more digits than count those before the point are zeros, and
+    /// those after it are not there.
+    fn number(&mut self) -> Option<(f32, Decimal)> {
+        let negative = matches!(self.peek(), Some((b'-', _)));
+        if matches!(self.peek(), Some((b'+' | b'-', _))) {
+            self.at += 1;
+        }
+        let (mut digits, mut whole, mut exponent, mut has_point) = (0_u32, 0_u32, 0_i32, false);
+        while let Some((byte, _)) = self.peek() {
+            match byte {
+                b'0'..=b'9' => {
+                    digits += 1;
+                    if digits <= self.digits {
+                        exponent -= i32::from(has_point);
+                        whole = whole.wrapping_mul(10).wrapping_add(u32::from(byte - b'0'));
+                    } else {
+                        exponent += i32::from(!has_point);
+                    }
+                }
+                b'.' if !has_point => has_point = true,
+                _ => break,
+            }
+            self.at += 1;
+        }
+        (digits > 0).then(|| {
+            (single(whole, exponent, negative), decimal(whole, exponent, has_point, negative))
+        })
+    }
+}
+
+/// In steps of hundredths, as the firmware takes them.
+fn single(whole: u32, exponent: i32, negative: bool) -> f32 {
+    let mut value = whole as f32;
+    let mut left = exponent;
+    while left <= -2 && value != 0.0 {
+        value *= 0.01;
+        left += 2;
+    }
+    if left < 0 {
+        value *= 0.1;
+    }
+    // Beyond that every number is infinite.
+    for _ in 0..left.clamp(0, 50) {
+        value *= 10.0;
+    }
+    if negative { -value } else { value }
+}
+
+fn decimal(whole: u32, exponent: i32, has_point: bool, negative: bool) -> Decimal {
+    // A literal of more than eighteen digits is far beyond any machine.
+    let zeros = 10_i64.pow(exponent.clamp(0, 9) as u32);
+    let size = i64::from(whole).saturating_mul(zeros);
+    let mantissa = if negative { -size } else { size };
+    Decimal { mantissa, scale: exponent.min(0).unsigned_abs() as u8, has_point, negative }
+}

@@ -1,0 +1,161 @@
+//! The firmware of a small control (GRBL): it judges a block as a whole, before anything of it acts.
+//!
+//! | file | |
+//! |---|---|
+//! | `line.rs` | the characters that count, words, numbers |
+//! | `judge.rs` | the first mistake of a block |
+//! | `memory.rs` | what the next verdict depends on |
+//!
+//! A block that passes goes on to the interpreter, with its words as the firmware has read them; one that does not
+//! changes nothing.
+
+mod judge;
+mod line;
+mod memory;
+
+use chordal_diagnostics::TextRange;
+use chordal_dialect::Control;
+use chordal_dialect::firmware::{Firmware, Refusal};
+use chordal_syntax::{Block, BlockKind, Decimal, Value, Word};
+
+pub(crate) use line::Fault;
+use line::{Line, ReadWord};
+use memory::Memory;
+
+/// System commands without a value.
+const COMMANDS: [&str; 9] = ["$", "#", "G", "I", "N", "H", "X", "C", "SLP"];
+
+/// What a line is to the firmware.
+#[derive(Debug)]
+pub(crate) enum Verdict {
+    /// Nothing on it, or a command that moves nothing.
+    Nothing,
+    /// Words that act: the block has them now.
+    Words,
+    /// `$H`: the machine goes to its switches.
+    Homing,
+    /// `$J=`: a jog.
+    Jog,
+    /// `$120=400`: a setting.
+    Setting,
+    /// It is refused.
+    Refused(Fault),
+}
+
+/// A firmware at work.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Judge {
+    memory: Memory,
+}
+
+impl Judge {
+    /// At power-on, mm: where the machine is, and its work offsets.
+    pub fn new(position: [f64; 3], systems: &[[f64; 3]]) -> Judge {
+        let single = |place: &[f64; 3]| place.map(|value| value as f32);
+        let systems = systems.iter().map(single).collect();
+        Judge { memory: Memory::new(single(&position), systems) }
+    }
+
+    /// Machine coordinates as the firmware counts them, mm.
+    #[cfg(test)]
+    pub fn position(&self) -> [f32; 3] {
+        self.memory.position
+    }
+
+    /// Reads and judges the line of a block; one that acts has the firmware's words then.
+    pub fn take(
+        &mut self,
+        block: &mut Block,
+        text: &[u8],
+        control: &Control,
+        firmware: &Firmware,
+    ) -> Verdict {
+        let whole = block.range;
+        let verdict = self.line(whole.slice(text), whole, control, firmware);
+        block.problems.clear();
+        block.delete = None;
+        block.expressions = false;
+        block.kind = BlockKind::Words;
+        block.truncate(0);
+        match verdict {
+            Ok(Some((words, drops_axes))) => {
+                let axis = |word: &&ReadWord| matches!(word.letter, b'X' | b'Y' | b'Z');
+                let kept = words.iter().filter(|word| !(drops_axes && axis(word)));
+                kept.for_each(|word| block.push(word_of(word)));
+                if block.words.is_empty() { Verdict::Nothing } else { Verdict::Words }
+            }
+            Ok(None) => Verdict::Nothing,
+            Err(verdict) => verdict,
+        }
+    }
+
+    fn line(
+        &mut self,
+        text: &[u8],
+        whole: TextRange,
+        control: &Control,
+        firmware: &Firmware,
+    ) -> Result<Option<(Vec<ReadWord>, bool)>, Verdict> {
+        let mut line = Line::of(text, whole.start, firmware).map_err(Verdict::Refused)?;
+        if line.is_empty() {
+            return Ok(None);
+        }
+        if let Some(command) = line.command() {
+            return Err(self.command(&command, &mut line, whole, control, firmware));
+        }
+        let accepted = judge::judge(&mut line, whole, control, firmware, &self.memory, false);
+        let accepted = accepted.map_err(Verdict::Refused)?;
+        self.memory = accepted.after;
+        Ok(Some((accepted.words, accepted.drops_axes)))
+    }
+
+    fn command(
+        &mut self,
+        command: &str,
+        line: &mut Line,
+        whole: TextRange,
+        control: &Control,
+        firmware: &Firmware,
+    ) -> Verdict {
+        if command.starts_with("J=") {
+            line.skip("$J=".len());
+            return match judge::judge(line, whole, control, firmware, &self.memory, true) {
+                Ok(accepted) => {
+                    self.memory.position = accepted.after.position;
+                    Verdict::Jog
+                }
+                Err(fault) => Verdict::Refused(fault),
+            };
+        }
+        if command == "H" {
+            return Verdict::Homing;
+        }
+        let (name, value) = command.split_once('=').unwrap_or((command, ""));
+        let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+        let starts_up = matches!(name, "N0" | "N1") || name == "RST" || is_number(name);
+        match command {
+            _ if COMMANDS.contains(&command) || command.is_empty() => Verdict::Nothing,
+            _ if starts_up && !value.is_empty() => Verdict::Setting,
+            _ => Verdict::Refused(Fault::new(Refusal::UnknownCommand, whole)),
+        }
+    }
+}
+
+/// A word as the interpreter reads it: a code to hundredths, as the firmware rounds it.
+fn word_of(read: &ReadWord) -> Word {
+    let number = match read.letter {
+        b'G' | b'M' => code(read.value),
+        b'N' | b'T' => Decimal::integer(read.value.trunc() as i64),
+        _ => read.number,
+    };
+    let value = Value::Number(number);
+    Word { letter: read.letter, register: None, comma: false, value, range: read.range }
+}
+
+fn code(value: f32) -> Decimal {
+    let tenths = (10.0 * value).round() as i64;
+    match tenths % 10 {
+        0 => Decimal::integer(tenths / 10),
+        _ => Decimal { mantissa: tenths, scale: 1, has_point: true, negative: false },
+    }
+}

@@ -1,0 +1,192 @@
+//! Blocks that a firmware judges as a whole.
+
+use chordal_command::WorkName;
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_dialect::firmware::Firmware;
+use chordal_kernel::EndReason;
+use chordal_syntax::Block;
+
+use super::{Flow, Interpreter};
+use crate::firmware::{Fault, Judge, Verdict};
+
+impl Interpreter<'_> {
+    /// With the firmware of the control at power-on, where it has one.
+    pub(super) fn with_judge(mut self) -> Self {
+        let Some(firmware) = self.control.table.firmware else { return self };
+        let state = &self.kernel.state;
+        let place = [0, 1, 2].map(|axis| state.machine_position(axis));
+        let systems: Vec<[f64; 3]> = (0..firmware.largest[2] as u16)
+            .map(|number| {
+                let key = state.offsets.key(WorkName::G(54 + number));
+                [0, 1, 2].map(|axis| state.offsets.work_value(&key, axis).unwrap_or(0.0))
+            })
+            .collect();
+        self.judge = Some(Judge::new(place, &systems));
+        self
+    }
+
+    /// What follows where the firmware does not let a block act; nothing where it does, with its own words.
+    pub(super) fn judged_by_firmware(&mut self, block: &mut Block) -> Option<Flow> {
+        let firmware = self.control.table.firmware?;
+        let verdict = self.judge.as_mut()?.take(block, self.reader.text(), self.control, firmware);
+        match verdict {
+            Verdict::Words => return None,
+            Verdict::Nothing => {}
+            // It begins there: the switches are its reference.
+            Verdict::Homing if !self.carried_out => {}
+            Verdict::Homing => {
+                self.lose_path(block.range, "`$H` sends the machine to its switches".to_string());
+            }
+            Verdict::Jog => {
+                self.lose_path(block.range, "a jog is not followed".to_string());
+            }
+            Verdict::Setting => self.report_setting_in_program(block),
+            Verdict::Refused(fault) => {
+                self.report_refusal(firmware, fault);
+                if !self.control.parameters.goes_on_after_refusal {
+                    return Some(Flow::End(EndReason::Alarm));
+                }
+            }
+        }
+        Some(Flow::Next)
+    }
+
+    #[cold]
+    fn report_refusal(&mut self, firmware: &Firmware, fault: Fault) {
+        let Some(row) = firmware.row(fault.refusal) else { return };
+        let title = self.control.table.title;
+        let message = match fault.measured {
+            Some(measured) => format!("{}: {measured}", row.message),
+            None => row.message.to_string(),
+        };
+        let mut diagnostic = Diagnostic::new(Code::BlockRefused, self.span(fault.range), message)
+            .alarm(format!("{title}: error:{}", row.number))
+            .help(row.help);
+        if !self.control.parameters.goes_on_after_refusal {
+            diagnostic = diagnostic.note("the blocks after it are not run: senders stop here");
+        }
+        self.kernel.report(diagnostic);
+    }
+
+    #[cold]
+    fn report_setting_in_program(&mut self, block: &Block) {
+        self.kernel.report(
+            Diagnostic::new(
+                Code::NotSimulated,
+                self.span(block.range),
+                "a setting in a program changes the machine, and is not followed",
+            )
+            .help("set it once from the sender, and enter it in the machine file"),
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use chordal_command::{Command, Sink};
+    use chordal_diagnostics::{Diagnostic, Source, SourceMap};
+    use chordal_dialect::Control;
+    use chordal_kernel::RunSink;
+    use chordal_machine::{Machine, Setting, SettingValue};
+
+    use super::*;
+    use crate::interpreter::RunOptions;
+    use crate::library::Library;
+
+    /// Keeps what is said.
+    #[derive(Default)]
+    struct Said(Vec<Diagnostic>);
+
+    impl Sink for Said {
+        fn command(&mut self, _: &Command) {}
+        fn diagnostic(&mut self, diagnostic: Diagnostic) {
+            self.0.push(diagnostic);
+        }
+    }
+
+    impl RunSink for Said {}
+
+    /// What became of a program whose sender goes on after errors.
+    struct Ran {
+        said: Vec<Diagnostic>,
+        /// Machine positions: the firmware's own, and that of the motion.
+        firmware: [f32; 3],
+        kernel: [f64; 3],
+        end: EndReason,
+    }
+
+    fn ran(text: &str) -> Ran {
+        let mut machine = Machine::from_builtin("grbl").expect("a machine");
+        let value = SettingValue::Text("continue".into());
+        machine.settings.insert("on error".into(), Setting { value, location: None });
+        let (control, errors) = Control::of(&machine);
+        assert!(errors.is_empty(), "{errors:?}");
+        let mut sources = SourceMap::new();
+        sources.add(Source::new("job.nc", text.as_bytes()));
+        let library = Library::new(&sources, &control.table.lexicon);
+        let options = RunOptions::default();
+        let mut said = Said::default();
+        let mut interpreter =
+            Interpreter::new(&library, 0, &machine, &control, &options, &mut said);
+        let end = interpreter.run().expect("no checkpoint ends it");
+        let firmware = interpreter.judge.as_ref().expect("a firmware").position();
+        let kernel = [0, 1, 2].map(|axis| interpreter.kernel.state.machine_position(axis));
+        drop(interpreter);
+        Ran { said: said.0, firmware, kernel, end }
+    }
+
+    /// The numbers of the errors, with the line of each.
+    fn answers(ran: &Ran, text: &str) -> Vec<(usize, u32)> {
+        let of = |each: &Diagnostic| {
+            let number = each.alarm.as_ref()?.split_once("error:")?.1.parse().ok()?;
+            let before = &text.as_bytes()[..each.primary.span.range.start as usize];
+            Some((before.iter().filter(|byte| **byte == b'\n').count(), number))
+        };
+        ran.said.iter().filter_map(of).collect()
+    }
+
+    #[test]
+    fn every_block_is_answered_as_the_firmware_does() {
+        let rows = include_str!("../../../../tests/grbl/vectors.txt");
+        let mut wrong = Vec::new();
+        let mut count = 0;
+        for row in rows.lines().filter(|row| !row.starts_with('#')) {
+            count += 1;
+            let mut fields = row.split('\t');
+            let text = fields.next().unwrap_or_default().replace('|', "\n");
+            let expected: Vec<(usize, u32)> = fields
+                .next()
+                .unwrap_or_default()
+                .split(' ')
+                .enumerate()
+                .map(|(line, number)| (line, number.parse().expect("a number")))
+                .filter(|(_, number)| *number > 0)
+                .collect();
+            let mut end = [0.0_f64; 3];
+            for (axis, value) in fields.next().unwrap_or_default().split(',').enumerate() {
+                if !value.is_empty() {
+                    end[axis] = value.parse().expect("a coordinate");
+                }
+            }
+            let ran = ran(&text);
+            // What comes after M2 and M30 Chordal does not run, and a jog it says it does not follow.
+            let ended = ran.end == EndReason::ProgramEnd;
+            let is_followed = !ran.said.iter().any(|each| each.code == Code::NotFollowed);
+            let found = answers(&ran, &text);
+            if !ended && found != expected {
+                wrong.push(format!("{row}: answered {found:?}"));
+            }
+            for axis in 0..3 {
+                let near = 1e-6 * end[axis].abs().max(1.0);
+                if !ended && (f64::from(ran.firmware[axis]) - end[axis]).abs() > near {
+                    wrong.push(format!("{row}: the firmware is at {:?}", ran.firmware));
+                }
+                if !ended && is_followed && (ran.kernel[axis] - end[axis]).abs() > near {
+                    wrong.push(format!("{row}: the machine is at {:?}", ran.kernel));
+                }
+            }
+        }
+        assert!(count > 120, "{count} rows");
+        assert!(wrong.is_empty(), "{} of {count}:\n{}", wrong.len(), wrong.join("\n"));
+    }
+}

@@ -1,0 +1,26 @@
+(machine: grbl)
+(set: settings."on error"="continue")
+(A refused block changes nothing, not even a mode; the next one runs.)
+G21 G90 G17 G94
+G1 X10 (= ! CH313 "no feed")
+G0 X5 (= rapid to X5)
+G91 G1 X3 P2 F100 (= ! CH313 "nothing in this block uses this word")
+X7 (= rapid to X7)
+G1 X10 F200 (= line to X10 feed 200)
+G2 X20 Y1 I5 (= ! CH313 "5.0990195 mm at the end")
+G2 X20 I5 (= arc cw center X15 radius 5.0 sweep 180.0)
+G2 I-5 (= ! CH313 "needs an axis word")
+G2 X20 I-5 (= arc cw radius 5.0 sweep 360.0)
+M6 T1 (= ! CH313 "does not have this word")
+G43 H1 (= ! CH313 "does not have this word")
+G0 X1 X2 (= ! CH313 "twice")
+G28 G0 X1 (= ! CH313 "need the axis words")
+G80
+X1 (= ! CH313 "G80 has ended the motion")
+G53 G0 Z0
+G90.1 (= ! CH313 "does not have this word")
+G1.5 X1 (= ! CH313 "no fraction")
+G0 X0 Y (= ! CH313 "no number")
+$Q (= ! CH313 "system command")
+G0 X0 (= rapid to X0)
+M2
