@@ -28,6 +28,7 @@ from ._summary import AxisTravel, Summary, ToolUse
 from ._table import Chords, Moves, Table, Trajectory
 from ._time import BlockTime, Time, ToolTime
 from ._transform import Change, Part, Restarted, Split, Transformed
+from ._turned import TurnedStock
 from .diagnostics import Diagnostic, Fix, Label, Place, codes
 from .errors import ChordalError, MachineError, MachineProblem, ProgramError, UsageError
 
@@ -67,6 +68,7 @@ __all__ = [
     "ToolUse",
     "Trajectory",
     "Transformed",
+    "TurnedStock",
     "UsageError",
     "__version__",
     "archive",

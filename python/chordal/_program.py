@@ -17,6 +17,7 @@ from ._summary import Summary
 from ._table import Chords, Moves, Trajectory
 from ._time import Time
 from ._transform import Restarted, Split, Transformed
+from ._turned import TurnedStock
 from .diagnostics import Diagnostic
 from .errors import ProgramError, UsageError
 
@@ -484,6 +485,9 @@ class Program:
         ``tolerance_mm``: touches that are no deeper are none.
         ``memory``: most bytes of the columns.
 
+        Of a lathe the half section is exact: the result is a :class:`~chordal.TurnedStock`, with ``outline`` and
+        ``passes`` and without columns; ``resolution_mm``, ``finest_mm`` and ``memory`` have no effect.
+
         Without stock, with a wrong setup, or with too little memory, :class:`~chordal.UsageError` is raised.
 
         >>> import chordal
@@ -503,7 +507,7 @@ class Program:
         """
         machine = None if setup is None else machine_of(setup)._machine
         found = self._program.stock(machine, resolution_mm, finest_mm, float(tolerance_mm), memory)
-        return Stock(found)
+        return TurnedStock(found) if isinstance(found, _chordal.TurnedStock) else Stock(found)
 
     def report(self, *, date: str | None = None) -> str:
         """The setup sheet: path, offsets, tools, times, travel, stops and problems on one HTML page that needs

@@ -37,10 +37,14 @@ class Stock:
     def __init__(self, stock: _chordal.Stock) -> None:
         self._stock = stock
 
+    @property
+    def _json(self) -> str:
+        return self._stock.json
+
     @cached_property
     def report(self) -> dict[str, Any]:
         """Everything that is said of it: the object of ``chordal stock --format json``."""
-        told: dict[str, Any] = json.loads(self._stock.json)
+        told: dict[str, Any] = json.loads(self._json)
         return told
 
     @property

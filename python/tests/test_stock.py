@@ -89,3 +89,88 @@ def test_what_cannot_be_is_said() -> None:
         program.stock()
     with pytest.raises(chordal.UsageError, match="bytes"):
         program.stock(SETUP, resolution_mm=0.01, memory=1 << 20)
+
+
+LATHE = {
+    "machine": "fanuc-lathe",
+    "stock": {"shape": "cylinder", "diameter": "50 mm", "from": "-60 mm", "to": "0 mm", "material": "steel"},
+    "tools": {
+        5: {
+            "shape": "groove",
+            "width": "4 mm",
+            "flute_length": "30 mm",
+            "tip": 3,
+            "offset": {"X": "0 mm", "Z": "0 mm"},
+        }
+    },
+}
+
+#: A groove of 6 mm to diameter 40 in two plunges, then the part comes off.
+GROOVE = (
+    "G21 G18 G40 G97 G99 S800 M3\nG28 U0 W0\nT0505\nG0 X54. Z-20.\nG1 X40. F0.1\nG0 X54.\nZ-18.\nG1 X40.\n"
+    "G0 X54.\nZ-40.\nG1 X0 F0.05\nG0 X60.\nM30\n"
+)
+
+
+def test_the_stock_of_a_lathe_is_exact(tmp_path: Path) -> None:
+    left = chordal.loads(GROOVE, LATHE).stock()
+    assert isinstance(left, chordal.TurnedStock)
+    assert left and left.verdict == "clean" and left.problems == []
+    removed = math.pi * (6 * (25**2 - 20**2) + 4 * 25**2)
+    assert left.removed_mm3 == pytest.approx((removed, removed), rel=1e-12)
+    assert left.volume_mm3 == pytest.approx(math.pi * 60 * 25**2 - removed, rel=1e-12)
+    np.testing.assert_allclose(left.radii(-17.0), [[0, 20]], atol=1e-12)
+    assert left.radii(-38.0).shape == (0, 2)
+    assert left.report["parts"][0]["line"] == 11
+    assert "TurnedStock clean" in repr(left)
+    left.save(tmp_path / "part.dxf")
+    left.save(tmp_path / "part.stl")
+    # The ground that two plunges made is one line of the drawing.
+    assert (tmp_path / "part.dxf").read_bytes().count(b"\nLINE\n") == len(left.outline) - 1
+    assert left.png().startswith(b"\x89PNG")
+
+
+def test_the_outline_of_a_lathe_is_columns() -> None:
+    left = chordal.loads(GROOVE, LATHE).stock()
+    assert isinstance(left, chordal.TurnedStock)
+    outline = left.outline
+    assert outline.metadata["chordal.schema"] == "chordal.section-columns/1"
+    assert outline.units["r_from_mm"] == "mm" and outline.units["sweep_deg"] == "deg"
+    assert set(outline["kind"]) == {"line"} and set(outline["part"]) == {0, 1}
+    # The area within straight lines, with the material to their left.
+    z0, r0, z1, r1 = outline.array("z_from_mm", "r_from_mm", "z_to_mm", "r_to_mm").T
+    for part, area in [(0, 20 * 25), (1, 36 * 25 - 6 * 5)]:
+        own = outline["part"] == part
+        assert ((z0 * r1 - z1 * r0) / 2)[own].sum() == pytest.approx(area, rel=1e-12)
+    ground = (r0 == 20) & (r1 == 20)
+    assert ground.sum() == 2 and set(outline["tool"][ground]) == {5}
+    assert set(outline["line"][ground]) == {5, 8}
+    assert set(outline["tool"][outline["is_axis"].astype(bool)]) == {0}
+
+
+def test_the_passes_of_a_lathe_are_columns() -> None:
+    left = chordal.loads(GROOVE, LATHE).stock()
+    assert isinstance(left, chordal.TurnedStock)
+    passes = left.passes
+    assert list(passes["line"]) == [5, 8, 11]
+    np.testing.assert_allclose(passes["area_mm2"], [20, 10, 100], rtol=1e-12)
+    np.testing.assert_allclose(passes["engaged_mm"], [5, 5, 25], rtol=1e-12)
+    assert (passes["power_kw"] > 0).all()
+    assert passes.units["power_kw"] == "kW"
+
+
+def test_a_lathe_has_no_columns_of_heights() -> None:
+    left = chordal.loads(GROOVE, LATHE).stock()
+    for ask in ("least", "most", "origin"):
+        with pytest.raises(chordal.UsageError, match="outline"):
+            getattr(left, ask)
+    with pytest.raises(chordal.UsageError, match="dxf"):
+        left.save("part.step")
+
+
+def test_a_rapid_of_a_lathe_in_the_stock_is_told() -> None:
+    hit = chordal.loads(GROOVE.replace("G1 X40. F0.1", "G0 X40."), LATHE).stock()
+    assert not hit and hit.verdict == "problems"
+    problem = hit.problems[0]
+    assert (problem["code"], problem["line"]) == ("CH620", 5)
+    assert problem["depth_mm"]["most"] == pytest.approx(4.0)

@@ -6,7 +6,8 @@ import { type Units, length, power } from "./units";
 
 export type Measure = "radial" | "chip" | "power";
 
-export const MEASURES: [Measure, string][] = [["radial", "Radial depth"], ["chip", "Chip"], ["power", "Power"]];
+const MEASURES: [Measure, string][] = [["radial", "Radial depth"], ["chip", "Chip"], ["power", "Power"]];
+const TURNING: [Measure, string][] = [["radial", "Depth of cut"], ["chip", "Chip"], ["power", "Power"]];
 
 /** What is wrong with a move: a chip too thick or a spindle without the power, or a tool that rubs. */
 export type Fault = "none" | "overload" | "rubs";
@@ -17,7 +18,7 @@ export class Engaged {
   private faults: Uint8Array;
   readonly known: Measure[];
 
-  constructor(rows: Uint32Array, by: Record<Measure, Float32Array>, problems: Uint8Array) {
+  constructor(rows: Uint32Array, by: Record<Measure, Float32Array>, problems: Uint8Array, private isTurning = false) {
     const count = (rows.at(-1) ?? -1) + 1;
     const dense = (values: Float32Array) => {
       const made = new Float32Array(count);
@@ -28,6 +29,11 @@ export class Engaged {
     this.faults = new Uint8Array(count);
     rows.forEach((row, at) => (this.faults[row] = problems[at] === 2 ? 1 : problems[at] ? 2 : 0));
     this.known = MEASURES.map(([measure]) => measure).filter((measure) => by[measure].some((value) => value > 0));
+  }
+
+  /** What is known, with its name. */
+  get named(): [Measure, string][] {
+    return (this.isTurning ? TURNING : MEASURES).filter(([measure]) => this.known.includes(measure));
   }
 
   /** The most of a measure in each of so many equal parts of the time, and what is wrong there. */
@@ -54,7 +60,7 @@ export class Engaged {
 
 export function engagedOf(frame: Frame): Engaged {
   const by = { radial: f32(frame, "radial"), chip: f32(frame, "chip"), power: f32(frame, "power") };
-  return new Engaged(u32(frame, "row"), by, u8(frame, "problem"));
+  return new Engaged(u32(frame, "row"), by, u8(frame, "problem"), frame.header.turning === true);
 }
 
 /** A value with its unit. */

@@ -15,6 +15,25 @@ const VIEWS: Record<ViewName, Vec3> = {
   iso: [1, -1, 1],
 };
 
+/** The side of the axis on which the turret of a lathe stands. */
+export type Turret = "rear" | "front";
+
+/** From where each view of a lathe looks, and what is up on the screen: Z to the right, X to the side of the turret. */
+function turning(turret: Turret, view: ViewName): { from: Vec3; up: Vec3 } {
+  const side = turret === "rear" ? 1 : -1;
+  const up: Vec3 = [side, 0, 0];
+  switch (view) {
+    case "top":
+      return { from: [0, side, 0], up };
+    case "front":
+      return { from: [-side, 0, 0], up: [0, side, 0] };
+    case "right":
+      return { from: [0, 0, 1], up };
+    case "iso":
+      return { from: [0.5 * side, side, 0.7], up };
+  }
+}
+
 /** How much of the view a fitted path takes. */
 const ROOM = 0.86;
 /** And one that grows: it would be fitted, and drawn, again and again. */
@@ -27,20 +46,45 @@ export class Eye {
   readonly camera = new OrthographicCamera(-1, 1, 1, -1, -DEEP, DEEP);
   private controls: OrbitControls;
   private view: ViewName = "iso";
+  private turret: Turret | undefined;
   /** The user has chosen what is seen: nothing is fitted any more. */
   userMoved = false;
 
   constructor(
     private canvas: HTMLCanvasElement,
-    moved: () => void,
+    private moved: () => void,
   ) {
     this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.enableDamping = false;
-    this.controls.zoomToCursor = true;
-    this.controls.rotateSpeed = 0.8;
-    this.controls.addEventListener("change", moved);
-    this.controls.addEventListener("start", () => (this.userMoved = true));
+    this.controls = this.control();
+  }
+
+  private control(): OrbitControls {
+    const controls = new OrbitControls(this.camera, this.canvas);
+    controls.enableDamping = false;
+    controls.zoomToCursor = true;
+    controls.rotateSpeed = 0.8;
+    controls.addEventListener("change", this.moved);
+    controls.addEventListener("start", () => (this.userMoved = true));
+    return controls;
+  }
+
+  /** The machine is a lathe whose turret stands on a side, or none; whether it was another before. */
+  setLathe(turret: Turret | undefined): boolean {
+    if (turret === this.turret) return false;
+    this.turret = turret;
+    this.look(turret ? "top" : "iso");
+    return true;
+  }
+
+  /** What is up: the pointer turns the view about it. */
+  private upright([x, y, z]: Vec3): void {
+    const { up } = this.camera;
+    if (up.x === x && up.y === y && up.z === z) return;
+    up.set(x, y, z);
+    const { target } = this.controls;
+    this.controls.dispose();
+    this.controls = this.control();
+    this.controls.target.copy(target);
   }
 
   look(view: ViewName): void {
@@ -60,11 +104,12 @@ export class Eye {
     const { camera } = this;
     const center = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
     const reach = new Vector3(...high).sub(new Vector3(...low)).length() || 1;
-    const from = new Vector3(...VIEWS[this.view]).normalize();
+    const seen = this.turret ? turning(this.turret, this.view) : { from: VIEWS[this.view], up: [0, 0, 1] as Vec3 };
+    const from = new Vector3(...seen.from).normalize();
     // Seen from exactly above the turn about Z would be undefined.
-    if (this.view === "top") from.y -= 1e-5;
+    if (!this.turret && this.view === "top") from.y -= 1e-5;
+    this.upright(seen.up);
     const look = (at: Vector3) => {
-      camera.up.set(0, 0, 1);
       camera.position.copy(at).addScaledVector(from, reach * 4 + 10);
       this.controls.target.copy(at);
       camera.lookAt(at);

@@ -2,14 +2,14 @@
 
 import { type ColorBy, type Palette, toolColor } from "./colors";
 import { icon } from "./icons";
-import type { MachineInfo, Report } from "./link";
+import type { MachineInfo, Report, Tool } from "./link";
 import { element } from "./panels";
 import type { Path, Vec3 } from "./path";
 import { setRich } from "./rich";
 import type { Section } from "./scene";
 import type { ViewName } from "./eye";
 import { sectionControls } from "./section";
-import { type Units, angles, coordinate, counted, length, speed } from "./units";
+import { type Units, angles, coordinate, counted, length, programmed, speed } from "./units";
 
 export type PanelName = "problems" | "outline" | "state" | "times" | "compare";
 
@@ -51,11 +51,18 @@ const MOST_KEYS = 24;
 /** Tools from which on the legend does not say what is not known of each. */
 const FEW_KEYS = 6;
 
+/** What is known of the size of a tool: of an insert its nose, of a blade its width; none of what is not known of a mill. */
+function sizeOf(tool: Tool | undefined, units: Units): string | undefined {
+  if (tool?.shape === "insert") return tool.nose_radius_mm === null ? "" : `R${length(units, tool.nose_radius_mm)}`;
+  if (tool?.shape === "groove") return tool.width_mm === null ? "" : `${length(units, tool.width_mm)} wide`;
+  return tool?.diameter_mm ? `Ø${length(units, Math.abs(tool.diameter_mm))}` : undefined;
+}
+
 /** `T1`, and what is known of it. */
 function toolName(tool: number, machine: MachineInfo | undefined, units: Units, isShort: boolean): string {
   if (tool === 0) return "No tool";
   const known = machine?.tools.find(({ number }) => number === tool);
-  const wide = known?.diameter_mm ? `Ø${length(units, Math.abs(known.diameter_mm))}` : isShort ? "" : "Ø not known";
+  const wide = sizeOf(known, units) ?? (isShort || machine?.turret ? "" : "Ø not known");
   return [`T${tool}`, wide, known?.shape].filter(Boolean).join(" ");
 }
 
@@ -347,7 +354,7 @@ export function layout(root: HTMLElement) {
       legend.append(text(low), ramp, text(high));
     },
     readout(at: Vec3, turn: Vec3, mmPerMin: number, units: Units): void {
-      const [x, y, z] = at.map((value) => coordinate(units, value));
+      const [x, y, z] = programmed(units, at).map((value) => coordinate(units, value));
       const unit = units.inch ? "in" : "mm";
       readout.textContent = `X ${x}  Y ${y}  Z ${z} ${unit}${angles(turn)}   ${speed(units, mmPerMin)}`;
     },

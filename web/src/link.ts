@@ -33,9 +33,13 @@ export interface Tool {
   diameter_mm: number | null;
   length_mm: number | null;
   corner_radius_mm: number | null;
-  shape: "flat" | "ball" | "bull" | "chamfer" | "drill" | "tap" | "thread mill" | "form" | "insert" | null;
+  shape: "flat" | "ball" | "bull" | "chamfer" | "drill" | "tap" | "thread mill" | "form" | "insert" | "groove" | null;
   point_angle_rad: number | null;
   tip_diameter_mm: number | null;
+  /** Of an insert. */
+  nose_radius_mm: number | null;
+  /** Of a blade for grooves. */
+  width_mm: number | null;
   flute_length_mm: number | null;
   /** Height over the tip and radius, from the tip up. */
   profile_mm: [number, number][];
@@ -49,6 +53,10 @@ export interface Tool {
 }
 
 export interface MachineInfo {
+  /** Of a lathe: the side of the axis on which its turret stands. */
+  turret: "rear" | "front" | null;
+  /** What places on X, Y and Z are multiplied by to be programmed: 2 of a diameter. */
+  factors: [number, number, number];
   name: string;
   title: string;
   control: string;
@@ -222,7 +230,15 @@ export interface StockReport {
   notes: number;
 }
 
+/** The same of a lathe, whose stock is exact. */
+export interface TurnedReport extends Omit<StockReport, "resolution_mm"> {
+  parts_off: number;
+  /** Where they are: z and radius, mm. */
+  problems: { code: string; line: number; at: [number, number] }[];
+}
+
 export type Told =
+  | ({ type: "turned_report" } & TurnedReport)
   | ({ type: "stock_report" } & StockReport)
   | { type: "no_stock"; run: number; message: string | null; help: string | null }
   | ({ type: "hello" } & Hello)

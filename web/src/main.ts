@@ -20,8 +20,9 @@ import { PathView } from "./scene";
 import { engagedOf } from "./engaged";
 import { stockOfProgram } from "./stock";
 import { Timeline } from "./timeline";
+import { turnedOfProgram } from "./turned";
 import { askWords, words } from "./words";
-import { count, counted, length } from "./units";
+import { type Units, count, counted, length } from "./units";
 
 const ui = layout(document.querySelector<HTMLElement>("#app")!);
 
@@ -96,6 +97,19 @@ const against = againstProgram({
   open: () => ui.show("compare"),
 });
 
+/** Units of what is said of a place. */
+const units = (): Units => ({ inch: report?.inch ?? false, ...(machine && { factors: machine.factors }) });
+
+/** With the problems of the stock. */
+const withStock = (told: Pick<Report, "diagnostics" | "left_out" | "errors" | "warnings" | "notes">) => {
+  if (!report) return;
+  const { diagnostics, left_out, errors, warnings, notes } = told;
+  report = { ...report, diagnostics, left_out, errors, warnings, notes };
+  editor.setProblems(diagnostics);
+  tellProblems();
+};
+
+const turned = turnedOfProgram({ view, link, path: () => path, run: () => run, units, report: withStock });
 const stock = stockOfProgram({
   view,
   link,
@@ -103,19 +117,13 @@ const stock = stockOfProgram({
   run: () => run,
   machine: () => machine,
   units: () => ({ inch: report?.inch ?? false }),
-  report: (told) => {
-    if (!report) return;
-    const { diagnostics, left_out, errors, warnings, notes } = told;
-    report = { ...report, diagnostics, left_out, errors, warnings, notes };
-    editor.setProblems(diagnostics);
-    tellProblems();
-  },
+  report: withStock,
   tell: ui.tell,
 });
-ui.stockSlot.append(stock.root);
+ui.stockSlot.append(stock.root, turned.root);
 
 function take(told: Told): void {
-  if (against.take(told) || stock.take(told)) return;
+  if (against.take(told) || stock.take(told) || turned.take(told)) return;
   switch (told.type) {
     case "hello":
       document.title = `${told.name.split(/[\\/]/).pop()} – Chordal`;
@@ -181,6 +189,7 @@ async function goToDefinition(line: number, column: number): Promise<void> {
 function begin(told: Extract<Told, { type: "run" }>): void {
   run = told.run;
   machine = told.machine;
+  view.setLathe(told.machine.turret ?? undefined);
   askWords(editor.view);
   ui.machineWhy(told.machine.title, told.why);
   path = new Path();
@@ -206,11 +215,12 @@ function startPath(): void {
   measure.set(false);
   timeline.clear();
   stock.began();
+  turned.began();
 }
 
 function takeFrame(frame: Frame): void {
   const { header } = frame;
-  if (stock.takeFrame(frame)) return;
+  if (stock.takeFrame(frame) || turned.takeFrame(frame)) return;
   if (header.type === "engagement") {
     if (header.run === run) timeline.setEngaged(engagedOf(frame));
     return;
@@ -384,7 +394,7 @@ function cursorAt(line: number, wasPut = false): void {
   const done = rows ? rows[1] + 1 : path.doneAfterLine(line);
   if (!timeline.isPlaying) {
     showTool(done > 0 ? done - 1 : 0, 1);
-    if (wasPut) stock.goTo(done, undefined);
+    if (wasPut) goToMoment(done, undefined);
   }
   void tellState(done, line);
 }
@@ -413,7 +423,7 @@ async function tellState(done: number, line: number, inSubprogram?: number): Pro
   const at = place && { place, turn: path.turnOn(done - 1, 1) };
   const moves = inSubprogram !== undefined || path.rowsOfLine(line) !== undefined;
   const kind = found && moves ? kindOf(found[0].kind[found[1]]!) : undefined;
-  showState(ui.panels.state, told.state ?? undefined, at, { line, kind, inSubprogram });
+  showState(ui.panels.state, told.state ?? undefined, at, { line, kind, inSubprogram }, machine?.factors);
 }
 
 /** The tool stands at a share of a row. */
@@ -422,8 +432,15 @@ function showTool(at: number, share: number, place?: Vec3, turn?: Vec3): void {
   const found = path.find(at);
   const number = found ? found[0].tool[found[1]]! : 0;
   shapeTool(number);
-  const up = kinematics.direction([0, 0, 1], turn ?? path.turnOn(at, share));
-  view.placeTool(ui.toolOn.checked && path.bounds ? (place ?? path.pointOn(at, share)) : undefined, up);
+  const up = kinematics.direction(standsAcross(number) ? [1, 0, 0] : [0, 0, 1], turn ?? path.turnOn(at, share));
+  const own = ui.toolOn.checked && path.bounds ? (place ?? path.pointOn(at, share)) : undefined;
+  view.placeTool(turned.place(number, own) ? undefined : own, up);
+}
+
+/** Tools of a lathe that do not cut on the axis come from the side of the turret. */
+function standsAcross(number: number): boolean {
+  const shape = machine?.tools.find((tool) => tool.number === number)?.shape;
+  return Boolean(machine?.turret) && (!shape || shape === "insert" || shape === "groove");
 }
 
 let shaped = "";
@@ -434,10 +451,16 @@ function shapeTool(number: number): void {
   view.shapeTool(machine?.tools.find((own) => own.number === number));
 }
 
+/** The stock as it is when so much of the path is done and the tool stands at a place. */
+function goToMoment(done: number, at: Vec3 | undefined): void {
+  stock.goTo(done, at);
+  turned.goTo(done, at);
+}
+
 /** Position and speed at a time, from the start on: the line must not come when the motion begins. */
 function tellReadout(seconds: number): void {
   const moment = setpoints && momentAt(setpoints, seconds);
-  if (moment) ui.readout(moment.programmed, moment.turn, moment.speed, { inch: report?.inch ?? false });
+  if (moment) ui.readout(moment.programmed, moment.turn, moment.speed, units());
 }
 
 let shown = "";
@@ -456,8 +479,8 @@ timeline.onTime = (seconds) => {
   const isWithin = seconds > 0 && seconds < (setpoints?.totalS ?? 0) && !isLooking;
   const done = shownRow + path.shareOf(shownRow, at);
   view.showDone(isWithin ? done : Infinity);
-  if (seconds < (setpoints?.totalS ?? 0)) stock.goTo(seconds > 0 ? done : 0, at);
-  else stock.goTo(Infinity, undefined);
+  if (seconds < (setpoints?.totalS ?? 0)) goToMoment(seconds > 0 ? done : 0, at);
+  else goToMoment(Infinity, undefined);
   tellReadout(seconds);
   showRow(shownRow);
 };
@@ -556,7 +579,7 @@ const measure = measuring({
   canvas: ui.canvas,
   button: ui.measure,
   path: () => path,
-  units: () => ({ inch: report?.inch ?? false }),
+  units,
   tell: ui.measured,
 });
 ui.onSection = (section) => view.setSection(section);
@@ -622,4 +645,4 @@ window.addEventListener("beforeunload", (event) => {
 });
 
 // For the browser's tests and for measurements.
-Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, stock, path: () => path, report: () => report, setpoints: () => setpoints } });
+Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, stock, turned, path: () => path, report: () => report, setpoints: () => setpoints } });

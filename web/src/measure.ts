@@ -2,7 +2,7 @@
 
 import { type Path, RAPID, type Vec3, arcIndex, kindOf } from "./path";
 import type { Picked } from "./picking";
-import { type Units, length } from "./units";
+import { type Units, length, programmed } from "./units";
 
 /** What a click on the path means; places relative to the origin of the path, mm. */
 export type Feature =
@@ -95,7 +95,7 @@ export function parts(units: Units, at: Vec3): string {
 
 /** A thing in words; `origin` is that of the path. */
 export function describe(feature: Feature, origin: Vec3, units: Units): string {
-  const at = (place: Vec3) => parts(units, plus(place, origin));
+  const at = (place: Vec3) => parts(units, programmed(units, plus(place, origin)));
   switch (feature.kind) {
     case "line":
       return `Line, ${length(units, size(minus(feature.to, feature.from)))} long`;

@@ -3,7 +3,7 @@
 import type { Entry, MachineInfo, Modal, Report, Times } from "./link";
 import type { Vec3 } from "./path";
 import { rich } from "./rich";
-import { type Units, angles, coordinate, count, counted, duration, length, speed } from "./units";
+import { type Units, angles, coordinate, count, counted, duration, length, programmed, speed } from "./units";
 
 export function element<K extends keyof HTMLElementTagNameMap>(
   name: K,
@@ -70,18 +70,19 @@ export function showState(
   modal: Modal | undefined,
   at: { place: Vec3; turn: Vec3 } | undefined,
   now: { line: number; kind: number | undefined; inSubprogram?: number | undefined } | undefined,
+  factors?: readonly number[],
 ): void {
   root.replaceChildren();
   if (!modal) {
     root.append(element("p", "clean", "The run does not reach this line."));
     return;
   }
-  const units = { inch: modal.inch };
+  const units: Units = { inch: modal.inch, ...(factors && { factors }) };
   const table = element("table");
   if (now) row(table, "After line", now.inSubprogram === undefined ? count(now.line) : `${count(now.inSubprogram)} of a subprogram in another file`);
   if (modal.codes) row(table, "Codes", modal.codes.join(" "));
   if (at) {
-    const [x, y, z] = at.place.map((value, axis) => coordinate(units, value - modal.shift[axis]!));
+    const [x, y, z] = programmed(units, at.place.map((value, axis) => value - modal.shift[axis]!) as Vec3).map((value) => coordinate(units, value));
     row(table, "Position", `X ${x}  Y ${y}  Z ${z} ${modal.inch ? "in" : "mm"}${angles(at.turn)}`);
   }
   if (now?.kind !== undefined) row(table, "Motion", MOTIONS[now.kind] ?? "");

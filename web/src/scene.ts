@@ -15,7 +15,7 @@ import { Apart, type Apartness } from "./apart";
 import { Coarse } from "./coarse";
 import { type ColorBy, type Palette, colorsOf } from "./colors";
 import type { StockBefore } from "./drops";
-import { Eye, type ViewName } from "./eye";
+import { Eye, type Turret, type ViewName } from "./eye";
 import { type Edges, Extent, difference, longest } from "./fit";
 import { Fixed } from "./fixed";
 import { type Keep, type Lines, drawn } from "./lines";
@@ -29,6 +29,8 @@ import { type Batch, type Bounds, Path, type Vec3 } from "./path";
 import { type Picked, pick } from "./picking";
 import { type DrawnBatch, piecesOn } from "./pieces";
 import { Progress, spansOf } from "./progress";
+import { SectionLayer } from "./sectionlayer";
+import type { Sections } from "./sections";
 import { StockLayer } from "./stocklayer";
 import { StrokeMaterials, Strokes, empty, geometryOf, remove } from "./strokes";
 import { type Tolerance, seenTolerance } from "./tolerance";
@@ -78,6 +80,8 @@ export class PathView {
   private chordMaterial = new LineBasicMaterial({ depthTest: false });
   private tool: ToolShape;
   readonly stock: StockLayer;
+  /** The half section of a lathe. */
+  readonly turned: SectionLayer;
   private palette: Palette;
   private colorBy: ColorBy = "tool";
   private turning = false;
@@ -109,7 +113,9 @@ export class PathView {
     this.painter = new Painter(canvas, this.eye.camera, this.cuts, this.coarse, () => this.render());
     this.rapids = this.painter.rapids;
     this.stock = new StockLayer(palette, this.painter.isSoftware, () => this.render());
-    this.painter.under = () => this.stock.under;
+    this.turned = new SectionLayer(palette, () => this.render());
+    canvas.after(this.turned.over);
+    this.painter.under = () => this.turned.under ?? this.stock.under;
     this.tool = new ToolShape(palette);
     this.painter.beside.add(this.contour, this.chords, this.other.object);
     this.painter.own.add(this.apart.own.object);
@@ -248,6 +254,7 @@ export class PathView {
     this.measured.setColor(palette.measure);
     this.tool.setPalette(palette);
     this.stock.setPalette(palette);
+    this.turned.setPalette(palette);
     void this.recolor();
     this.changed();
   }
@@ -257,6 +264,18 @@ export class PathView {
     this.stock.begin(stock, this.path.origin);
     if (stock && !this.eye.userMoved) this.fit();
     this.render();
+  }
+
+  /** The sections of a lathe's stock, or none; `slot` gives the place of a tool among those that cut. */
+  setTurned(sections: Sections | undefined, slot: (tool: number) => number): void {
+    this.turned.begin(sections, this.path.origin, slot);
+    if (sections && !this.eye.userMoved) this.fit();
+    this.render();
+  }
+
+  /** The machine is a lathe whose turret stands on a side of the axis, or none. */
+  setLathe(turret: Turret | undefined): void {
+    if (this.eye.setLathe(turret)) this.fit();
   }
 
   /** Something that the view does not know of has changed: the stock. */
@@ -502,7 +521,7 @@ export class PathView {
     if (bounds) box.set(new Vector3(...bounds.low), new Vector3(...bounds.high));
     const other = this.other.bounds(this.path.origin);
     if (other) box.union(new Box3(new Vector3(...other.low), new Vector3(...other.high)));
-    const stock = this.stock.bounds();
+    const stock = this.stock.bounds() ?? this.turned.bounds(bounds);
     if (stock) box.union(new Box3(new Vector3(...stock.low), new Vector3(...stock.high)));
     if (box.isEmpty()) box.set(new Vector3(-10, -10, -10), new Vector3(10, 10, 10));
     return { low: box.min.toArray(), high: box.max.toArray() };
@@ -517,7 +536,7 @@ export class PathView {
       extent.add(lines.cuts.points, step);
       extent.add(lines.rapids.points);
     }
-    if (extent.isEmpty || this.other.isShown || this.stock.bounds()) extent.addBox(box);
+    if (extent.isEmpty || this.other.isShown || this.stock.bounds() || this.turned.sections) extent.addBox(box);
     return extent.edges;
   }
 
@@ -573,7 +592,7 @@ export class PathView {
   /** The picture shows all of the path, and the coarse one is there for the next turn. */
   get isComplete(): boolean {
     const isReady = this.path.rows < MANY || this.coarse.isReady;
-    return !this.turning && isReady && this.painter.isComplete && this.stock.isComplete;
+    return !this.turning && isReady && this.painter.isComplete && this.stock.isComplete && this.turned.isComplete;
   }
 
   /** Lines of the last frame that are one pixel wide: for tests and measurements. */
@@ -619,6 +638,7 @@ export class PathView {
       if (this.marksMoved) this.measured.draw(this.eye.screen());
       this.marksMoved = false;
       this.stock.prepare(this.painter.renderer, this.eye.camera, this.turning);
+      this.turned.prepare(this.painter.renderer, this.eye.camera);
       this.painter.paint(this.turning);
       this.drawnFrames++;
       this.onDrawn();

@@ -1,6 +1,6 @@
 // The timeline: speed over time, a scrubber, and playback.
 
-import { type Engaged, MEASURES, type Measure, measured } from "./engaged";
+import { type Engaged, type Measure, measured } from "./engaged";
 import { type Sign, icon, signButton } from "./icons";
 import { type Setpoints, speedBands } from "./playback";
 import { type Units, duration, speed } from "./units";
@@ -107,7 +107,7 @@ export class Timeline {
     const { value } = this.choice;
     this.engaged = engaged;
     this.choice.hidden = !engaged;
-    const known = MEASURES.filter(([measure]) => engaged?.known.includes(measure));
+    const known = engaged?.named ?? [];
     this.choice.replaceChildren(...[["speed", "Speed"], ...known].map(([key, text]) => new Option(text, key)));
     this.choice.value = known.some(([measure]) => measure === value) ? value : "speed";
     this.draw();

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { coordinate, counted, duration, length, speed } from "./units";
+import { coordinate, counted, duration, length, programmed, speed } from "./units";
 
 const inch = { inch: true };
 const metric = { inch: false };
@@ -13,6 +13,11 @@ it("speaks the program's units", () => {
   expect(coordinate(inch, -25.4)).toBe("-1.0000");
   expect(speed(inch, 254)).toBe("10 in/min");
   expect(speed(metric, 254)).toBe("254 mm/min");
+});
+
+it("says a diameter where one is programmed", () => {
+  expect(programmed({ inch: false, factors: [2, 1, 1] }, [15, 0, -40])).toEqual([30, 0, -40]);
+  expect(programmed(metric, [15, 0, -40])).toEqual([15, 0, -40]);
 });
 
 it("tells times as a clock does", () => {

@@ -2,6 +2,13 @@
 
 export interface Units {
   inch: boolean;
+  /** What places on X, Y and Z are multiplied by: 2 of what is programmed as a diameter; without it 1. */
+  factors?: readonly number[];
+}
+
+/** A place as it is programmed. */
+export function programmed({ factors }: Units, at: readonly [number, number, number]): [number, number, number] {
+  return at.map((value, axis) => value * (factors?.[axis] ?? 1)) as [number, number, number];
 }
 
 const MM_PER_INCH = 25.4;
@@ -24,7 +31,8 @@ export function length({ inch }: Units, mm: number, unit = true, figures = 0): s
 /** A volume that lies between two, in cm³ or in³. */
 export function volume({ inch }: Units, leastMm3: number, mostMm3: number): string {
   const own = (mm3: number) => (inch ? mm3 / MM_PER_INCH ** 3 : mm3 / 1000).toFixed(2);
-  return `${own(leastMm3)} to ${own(mostMm3)} ${inch ? "in³" : "cm³"}`;
+  const [least, most] = [own(leastMm3), own(mostMm3)];
+  return `${least === most ? least : `${least} to ${most}`} ${inch ? "in³" : "cm³"}`;
 }
 
 /** A coordinate with all its digits, so that columns stand still. */

@@ -120,6 +120,19 @@ async function stock() {
   });
 }
 
+/** A lathe while it roughs: the page stands wide, so that the bolt is large. */
+async function lathe() {
+  await take("view-lathe", {
+    program: join(ROOT, "examples/fanuc-lathe/bolt.nc"),
+    options: ["--setup", join(ROOT, "examples/fanuc-lathe/bolt.toml")],
+    act: async (page) => {
+      await page.waitForFunction(() => /removed/.test(document.querySelector("#turned").textContent));
+      await seekLine(page, 22, 0.62);
+      await page.waitForFunction(() => window.chordal.view.isComplete);
+    },
+  });
+}
+
 /** Chips over time, with a limit that the slot does not keep; and what is left in a picture of the command. */
 async function engagement() {
   const setup = join(folder, "feeds.toml");
@@ -153,7 +166,7 @@ async function files() {
 }
 
 /** All of them, or those that are named. */
-const all = { line, mistake, compare, rotary, playing, stock, engagement, files };
+const all = { line, mistake, compare, rotary, playing, stock, lathe, engagement, files };
 const named = process.argv.slice(2);
 for (const [name, each] of Object.entries(all)) if (named.length === 0 || named.includes(name)) await each();
 await chromium.stop();

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use chordal::Job;
 use chordal::stock::{EngagementOptions, EngagementReport};
-use chordal_export::columns::{ColumnFile, ColumnFormat, EngagementColumns, engagement_csv};
+use chordal_export::columns::{ColumnFile, ColumnFormat, CutColumns, cuts_csv};
 use chordal_export::report::{self, Detail};
 use chordal_export::{engagement_json, engagement_text};
 use chordal_load::{Loaded, reason};
@@ -94,11 +94,11 @@ fn content(
         Form::Json => engagement_json(found, name, true).into_bytes(),
         Form::Csv => {
             let mut text = Vec::new();
-            engagement_csv(&mut text, job, found)?;
+            cuts_csv(&mut text, job, &found.moves)?;
             text
         }
         Form::Columns(format) => {
-            let mut file = ColumnFile::new(Vec::new(), format, EngagementColumns::new(job))?;
+            let mut file = ColumnFile::new(Vec::new(), format, CutColumns::new(job))?;
             for each in &found.moves {
                 file.put(|rows| rows.cut(each))?;
             }

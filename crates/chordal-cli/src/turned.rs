@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use chordal::Job;
 use chordal::motion::MotionOptions;
 use chordal::stock::{StockVerdict, TurnedOptions, TurnedReport};
-use chordal_export::columns::{ColumnFile, ColumnFormat, TurningColumns, turning_csv};
+use chordal_export::columns::{ColumnFile, ColumnFormat, CutColumns, cuts_csv};
 use chordal_export::report::{self, Detail, Sarif};
 use chordal_export::{
     MeshFormat, PlotOptions, section_dxf, section_png, section_svg, turned_json, turned_mesh,
@@ -80,7 +80,7 @@ pub fn run(
 ) -> Result<Verdict, Failure> {
     let forms: Vec<Form> =
         args.output.iter().map(|path| form(path, args.engagement)).collect::<Result<_, _>>()?;
-    let options = TurnedOptions { tolerance_mm: args.tolerance_mm };
+    let options = TurnedOptions { tolerance_mm: args.tolerance_mm, replay: false };
     let found = job.turned_stock(&options, &files);
     let mut found = found.map_err(|error| failure_of(error, args.setup))?;
     // Where the limits of the axes are wrong there are no times; `chordal time` says why.
@@ -145,11 +145,11 @@ fn content(
         Form::Json => turning_json(found, name).into_bytes(),
         Form::Csv => {
             let mut text = Vec::new();
-            turning_csv(&mut text, job, found)?;
+            cuts_csv(&mut text, job, &found.moves)?;
             text
         }
         Form::Columns(format) => {
-            let mut file = ColumnFile::new(Vec::new(), format, TurningColumns::new(job))?;
+            let mut file = ColumnFile::new(Vec::new(), format, CutColumns::new(job))?;
             for each in &found.moves {
                 file.put(|rows| rows.cut(each))?;
             }

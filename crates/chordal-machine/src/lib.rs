@@ -57,7 +57,7 @@ pub use control::{ControlName, UnknownControl};
 pub use error::{Location, MachineError};
 pub use machine::{
     AxisLimits, FeedLimits, Machine, Macros, Notices, Probe, ProbeHit, Programmed, RapidShape,
-    Rotary, ShopCode, Switches, Times, Turns, WorkOffset,
+    Rotary, ShopCode, Switches, Times, Turns, Turret, WorkOffset,
 };
 pub use motion::Motion;
 pub use offset::work_offset_name;

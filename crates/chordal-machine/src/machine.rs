@@ -21,6 +21,8 @@ pub struct Machine {
     pub notes: Vec<String>,
     /// Whose rules its programs are read by.
     pub control: ControlName,
+    /// On which side of the axis the turret of a lathe stands.
+    pub turret: Turret,
     /// The axes by `axis as usize`; `None`: the machine has no such axis.
     pub axes: PerAxis<Option<AxisLimits>>,
     /// What A, B and C turn, in this order.
@@ -183,6 +185,29 @@ impl RapidShape {
     }
 }
 
+/// On which side of the axis the turret of a lathe stands. Programs are the same: pictures turn round.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Turret {
+    /// Behind the axis as the operator sees it: X goes up in pictures.
+    #[default]
+    Rear,
+    /// Between the operator and the axis: X goes down in pictures.
+    Front,
+}
+
+impl Turret {
+    /// Every side.
+    pub const ALL: [Turret; 2] = [Turret::Rear, Turret::Front];
+
+    /// The word of a machine file.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Turret::Rear => "rear",
+            Turret::Front => "front",
+        }
+    }
+}
+
 /// A work offset: where the zero of a work coordinate system is, in machine coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WorkOffset {
@@ -292,6 +317,7 @@ impl Machine {
             axes: [None; AXES],
             rotary: [Rotary::default(); 3],
             feed: FeedLimits::default(),
+            turret: Turret::Rear,
             rapid: None,
             spindle_max_rpm: None,
             spindle_power_kw: None,

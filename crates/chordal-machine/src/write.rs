@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::axis::{Axis, PerAxis};
 use crate::check::{key_text, string_text};
-use crate::machine::{Machine, ProbeHit, Programmed, Rotary};
+use crate::machine::{Machine, ProbeHit, Programmed, Rotary, Turret};
 use crate::quantity::Dimension;
 use crate::setup::{Body, BodyShape, MeshUnit};
 use crate::tool::Tool;
@@ -24,6 +24,9 @@ impl Machine {
             out.line("notes", &format!("[{}]", notes.join(", ")));
         }
         out.line("control", &string_text(self.control.as_str()));
+        if self.turret != Turret::default() {
+            out.line("turret", &string_text(self.turret.as_str()));
+        }
         self.write_axes(&mut out);
         if self.feed != Default::default() {
             out.table("feed");

@@ -21,6 +21,7 @@ mod shop;
 mod signals;
 mod stock;
 mod table;
+mod turned;
 
 use pyo3::prelude::*;
 
@@ -48,6 +49,7 @@ pub fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<curve::Curve>()?;
     module.add_class::<motion::Motion>()?;
     module.add_class::<stock::Stock>()?;
+    module.add_class::<turned::TurnedStock>()?;
     module.add_class::<archive::ArchiveWorker>()?;
     module.add_class::<archive::Journal>()?;
     module.add_function(wrap_pyfunction!(codes, module)?)?;

@@ -8,7 +8,7 @@ use chordal::geometry::Placement;
 use chordal::motion::{
     Level, LimitError, MotionOptions, PlanSink, Sampler, Sources, Step, StepSource,
 };
-use chordal::stock::StockOptions;
+use chordal::stock::{StockOptions, StockReport, TurnedOptions, TurnedReport};
 use chordal::time::Effort;
 use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
 use chordal_compare::{Category, Options as Comparing, compare};
@@ -30,12 +30,19 @@ use crate::shop::Shop;
 use crate::signals::Signals;
 use crate::stock::{self, Stock};
 use crate::table::Table;
+use crate::turned::TurnedStock;
 
 /// A program with its machine and its subprograms. It never changes; every question runs it.
 #[pyclass(frozen, module = "chordal._chordal")]
 pub struct Program {
     loaded: Loaded,
     report: OnceLock<Report>,
+}
+
+/// What is left of the stock, of a mill or of a lathe.
+enum Left {
+    Columns(Box<StockReport>),
+    Section(Box<TurnedReport>, [Table; 2]),
 }
 
 /// What the planner was given, and what it could not plan.
@@ -515,7 +522,7 @@ impl Program {
         finest_mm: Option<f64>,
         tolerance_mm: f64,
         budget: u64,
-    ) -> PyResult<Stock> {
+    ) -> PyResult<Py<PyAny>> {
         let options = StockOptions { resolution_mm, finest_mm, tolerance_mm, budget };
         let files = |name: &str| std::fs::read(name).map_err(|wrong| reason(&wrong));
         let machine = setup.map(|setup| setup.0.clone());
@@ -527,17 +534,32 @@ impl Program {
             };
             let job = job.map_err(|failure| error::inside(failure.to_string()))?;
             let job = job.interrupt(signals.interrupt());
-            Ok::<_, PyErr>(job.stock(&options, &files).map(|mut found| {
-                // Where the limits of the axes are wrong there are no times.
-                if let Ok(timed) = job.time(&MotionOptions::default()) {
-                    found.take_times(&timed.time.tools);
-                }
-                found
-            }))
+            let turned = TurnedOptions { tolerance_mm, replay: false };
+            // Where the limits of the axes are wrong there are no times.
+            let times =
+                || job.time(&MotionOptions::default()).map_or(Vec::new(), |it| it.time.tools);
+            if !job.turns() {
+                return Ok(job.stock(&options, &files).map(|mut found| {
+                    found.take_times(&times());
+                    Left::Columns(Box::new(found))
+                }));
+            }
+            let mut found = match job.turned_stock(&turned, &files) {
+                Ok(found) => found,
+                Err(wrong) => return Ok(Err(wrong)),
+            };
+            found.take_times(&times());
+            let tables = TurnedStock::tables(&job, &found)?;
+            Ok::<_, PyErr>(Ok(Left::Section(Box::new(found), tables)))
         });
         signals.raised()?;
-        let found = found?.map_err(|wrong| stock::refused(py, &wrong))?;
-        Ok(Stock::new(found, self.loaded.name()))
+        let name = self.loaded.name();
+        Ok(match found?.map_err(|wrong| stock::refused(py, &wrong))? {
+            Left::Columns(found) => Py::new(py, Stock::new(*found, name))?.into_any(),
+            Left::Section(found, tables) => {
+                Py::new(py, TurnedStock::new(py, *found, tables, name)?)?.into_any()
+            }
+        })
     }
 
     /// The setup sheet as one HTML page.

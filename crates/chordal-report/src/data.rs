@@ -414,6 +414,15 @@ pub struct StockTool {
     pub time_s: Option<f64>,
 }
 
+/// A part that was cut off on a lathe.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct StockPart {
+    /// The line that cut it off.
+    pub line: u32,
+    /// mm³.
+    pub volume_mm3: f64,
+}
+
 /// What is left of the stock.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stock {
@@ -429,6 +438,8 @@ pub struct Stock {
     pub sentence: &'static str,
     /// Gaps of undercuts are in the volumes, and not in the picture.
     pub gaps_not_drawn: bool,
+    /// Parts that were cut off, which are part of what is left.
+    pub parts: Rows<StockPart>,
     /// By tool, in the order of their first cut.
     pub tools: Rows<StockTool>,
 }

@@ -121,6 +121,8 @@ pub fn machine(job: &Job) -> Value {
             "shape": tool.shape.map(ToolShape::as_str),
             "point_angle_rad": tool.point_angle_rad,
             "tip_diameter_mm": tool.tip_diameter_mm,
+            "nose_radius_mm": tool.nose_radius_mm,
+            "width_mm": tool.turning.width_mm,
             "flute_length_mm": tool.flute_length_mm,
             "profile_mm": tool.profile,
             "shank_diameter_mm": tool.shank_diameter_mm,
@@ -130,7 +132,13 @@ pub fn machine(job: &Job) -> Value {
             "comment": tool.comment,
         })
     });
+    let turns = machine.turns();
+    let factors = [0, 1, 2].map(|axis| machine.written_factor(axis));
     json!({
+        // X is up at a turret behind the axis and down at one in front of it.
+        "turret": turns.then(|| machine.turret.as_str()),
+        // What is programmed as a diameter is said as one.
+        "factors": factors,
         "name": machine.name,
         "title": machine.title,
         "control": job.control().table.title,

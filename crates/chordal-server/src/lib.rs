@@ -6,7 +6,7 @@
 //! is asked over it. Below these, `request` says what a page may ask and `outbox` takes what goes to
 //! it; `document` is the text as it is edited, `file` the one on disk; `run` and `times` make columns
 //! of a path and of its time, `stream` and `frame` pack them, `other` holds it against another
-//! program, `stock` cuts the stock with it, `words` asks what an editor asks.
+//! program, `stock` and `turned` cut the stock with it, `words` asks what an editor asks.
 //!
 //! ```
 //! let server = chordal_server::Server::listen(0).unwrap();
@@ -42,6 +42,7 @@ mod session;
 mod stock;
 mod stream;
 mod times;
+mod turned;
 mod wanted;
 mod words;
 

@@ -12,6 +12,7 @@ use crate::frame::Frame;
 use crate::outbox::Outbox;
 use crate::program::Programs;
 use crate::run::Ran;
+use crate::turned;
 use crate::wanted::Wanted;
 
 /// Columns of a stock where the page asks for no other number: as many as a page without a graphics card draws.
@@ -49,6 +50,9 @@ impl<'a> Cutting<'a> {
     pub fn run(&self, programs: &dyn Programs, out: &Outbox, wanted: &Wanted) {
         let job = self.ran.program.job().interrupt(wanted.interrupt());
         let run = self.ran.number;
+        if job.turns() {
+            return turned::run(&job, run, programs, out);
+        }
         let files = |name: &str| programs.named_file(name);
         let failed = match self.replay(&job, &files, out, wanted) {
             Ok(true) => match job.stock(&StockOptions::default(), &files) {
@@ -62,16 +66,7 @@ impl<'a> Cutting<'a> {
             Ok(false) => return,
             Err(error) => error,
         };
-        let help = match &failed {
-            StockRunError::Setup(setup) => Some(setup.help.clone()),
-            StockRunError::NoStock
-            | StockRunError::Stock(_)
-            | StockRunError::Turns
-            | StockRunError::Interrupted => None,
-        };
-        // A machine without stock is nothing to speak of.
-        let message = (failed != StockRunError::NoStock).then(|| failed.to_string());
-        out.json(&json!({ "type": "no_stock", "run": run, "message": message, "help": help }));
+        out.json(&no_stock(run, &failed));
     }
 
     /// Sends how hard the cuts are. Whatever keeps it from that was said of the stock.
@@ -117,6 +112,19 @@ impl<'a> Cutting<'a> {
             options.lag = LAG;
         }
     }
+}
+
+/// Why there is no stock. A machine without stock is nothing to speak of.
+pub fn no_stock(run: u64, failed: &StockRunError) -> Value {
+    let help = match failed {
+        StockRunError::Setup(setup) => Some(setup.help.clone()),
+        StockRunError::NoStock
+        | StockRunError::Stock(_)
+        | StockRunError::Turns
+        | StockRunError::Interrupted => None,
+    };
+    let message = (*failed != StockRunError::NoStock).then(|| failed.to_string());
+    json!({ "type": "no_stock", "run": run, "message": message, "help": help })
 }
 
 /// What is left, and what is touched; with the problems of the run, as they are listed together.

@@ -136,7 +136,8 @@ inherits = \"fanuc-30i\"
 name = \"line-3\"
 title = \"Line 3, machining centre\"
 notes = [\"acceleration measured in March\"]
-control = \"fanuc\"",
+control = \"fanuc\"
+turret = \"front\"   # of a lathe",
     },
     Section {
         table: "axes",

@@ -1,16 +1,9 @@
-//! Engagement of moves as columns, and as comma-separated text.
+//! Engagement of moves of a mill, as columns.
 
-use std::fmt;
-use std::io::{self, Write};
+use chordal::control::Origin;
+use chordal::stock::MoveEngagement;
 
-use arrow_array::RecordBatch;
-use arrow_schema::{ArrowError, SchemaRef};
-use chordal::Job;
-use chordal::stock::{EngagementReport, MoveEngagement};
-
-use super::field::Column;
-use super::file::Rows;
-use super::moves::{self, MoveColumns, Number, number};
+use super::moves::{Cut, Number, number};
 
 /// Name and version of the columns of engagement.
 pub const ENGAGEMENT_COLUMNS: &str = "chordal.engagement-columns/1";
@@ -68,50 +61,15 @@ const NUMBERS: [Number<MoveEngagement>; 19] = [
     number("torque_nm", "N·m", "torque, an estimate to 30 %", |each| Some(each.effort?.torque_nm)),
 ];
 
-pub(super) fn columns() -> Vec<Column> {
-    moves::columns(&NUMBERS)
-}
+impl Cut for MoveEngagement {
+    const COLUMNS: &'static str = ENGAGEMENT_COLUMNS;
+    const NUMBERS: &'static [Number<MoveEngagement>] = &NUMBERS;
 
-/// Gathers moves, one row each.
-pub struct EngagementColumns<'a>(MoveColumns<'a, MoveEngagement>);
-
-impl fmt::Debug for EngagementColumns<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("EngagementColumns").field("rows", &self.0.rows()).finish_non_exhaustive()
-    }
-}
-
-impl<'a> EngagementColumns<'a> {
-    /// Columns for the cuts of a job.
-    pub fn new(job: &'a Job<'a>) -> EngagementColumns<'a> {
-        EngagementColumns(MoveColumns::new(job, ENGAGEMENT_COLUMNS, &NUMBERS))
+    fn origin(&self) -> Origin {
+        self.origin
     }
 
-    /// Takes a move.
-    pub fn cut(&mut self, each: &MoveEngagement) {
-        self.0.put(each.origin, each.tool, each);
+    fn tool(&self) -> u32 {
+        self.tool
     }
-}
-
-impl Rows for EngagementColumns<'_> {
-    fn rows(&self) -> usize {
-        self.0.rows()
-    }
-
-    fn schema(&self) -> &SchemaRef {
-        self.0.schema()
-    }
-
-    fn take(&mut self) -> Result<RecordBatch, ArrowError> {
-        self.0.take()
-    }
-}
-
-/// Writes the same as comma-separated text, with the names of the columns first; a gap is empty.
-///
-/// # Errors
-/// Those of the output.
-pub fn engagement_csv(out: impl Write, job: &Job<'_>, found: &EngagementReport) -> io::Result<()> {
-    let moves = found.moves.iter().map(|each| (each.origin, each.tool, each));
-    moves::csv(out, job, &NUMBERS, moves)
 }

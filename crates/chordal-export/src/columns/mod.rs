@@ -16,13 +16,16 @@ mod parquet;
 mod path;
 mod reference;
 mod samples;
+mod section;
 mod turning;
 
 pub use chords::{CHORD_COLUMNS, ChordColumns};
 pub use commands::{COMMAND_COLUMNS, CommandColumns, TOOL_PATH_COLUMNS};
-pub use engagement::{ENGAGEMENT_COLUMNS, EngagementColumns, engagement_csv};
+pub use engagement::ENGAGEMENT_COLUMNS;
 pub use file::{ColumnFile, ColumnFormat, Rows};
+pub use moves::{Cut, CutColumns, Number, cuts_csv};
 pub use path::{PATH_COLUMNS, PathColumns};
 pub use reference::column_reference;
 pub use samples::SampleColumns;
-pub use turning::{TURNING_COLUMNS, TurningColumns, turning_csv};
+pub use section::{SECTION_COLUMNS, section_columns};
+pub use turning::TURNING_COLUMNS;

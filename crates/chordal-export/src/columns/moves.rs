@@ -1,6 +1,9 @@
-//! Numbers of moves as columns and as comma-separated text: one row a move, with its line, file and tool.
+//! What moves cut, of a mill or of a lathe, as columns and as comma-separated text: one row a move, with its line,
+//! file and tool.
 
+use std::fmt;
 use std::io::{self, Write};
+use std::marker::PhantomData;
 
 use arrow_array::RecordBatch;
 use arrow_schema::{ArrowError, SchemaRef};
@@ -12,8 +15,23 @@ use super::cells::{Files, Integers, Numbers};
 use super::field::{Cell, Column, schema};
 use super::file::Rows;
 
+/// What is known of a move that cuts.
+pub trait Cut: Sized + 'static {
+    /// Name and version of its columns.
+    const COLUMNS: &'static str;
+    /// Every number of it.
+    const NUMBERS: &'static [Number<Self>];
+
+    /// Its block.
+    fn origin(&self) -> Origin;
+
+    /// Its tool.
+    fn tool(&self) -> u32;
+}
+
 /// A column of numbers: its name, its unit, what it means, its value.
-pub(super) struct Number<T> {
+#[derive(Debug)]
+pub struct Number<T> {
     name: &'static str,
     unit: &'static str,
     meaning: &'static str,
@@ -30,49 +48,57 @@ pub(super) const fn number<T>(
 }
 
 /// The columns of a table of moves.
-pub(super) fn columns<T>(numbers: &[Number<T>]) -> Vec<Column> {
+pub(super) fn columns<T: Cut>() -> Vec<Column> {
     let mut columns = vec![
         Column::new("line", Cell::Integer, "", "line of the block, from 1"),
         Column::new("file", Cell::File, "", "the text that the block is in"),
         Column::new("tool", Cell::Integer, "", "the tool in the spindle or turret"),
     ];
-    columns.extend(
-        numbers.iter().map(|row| Column::new(row.name, Cell::NumberOrGap, row.unit, row.meaning)),
-    );
+    let number = |row: &Number<T>| Column::new(row.name, Cell::NumberOrGap, row.unit, row.meaning);
+    columns.extend(T::NUMBERS.iter().map(number));
     columns
 }
 
-/// Gathers moves, one row each.
-pub(super) struct MoveColumns<'a, T: 'static> {
+/// Gathers moves that cut, one row each.
+pub struct CutColumns<'a, T: Cut> {
     schema: SchemaRef,
     rows: usize,
     line: Integers,
     file: Files<'a>,
     tool: Integers,
     numbers: Vec<Numbers>,
-    table: &'static [Number<T>],
+    of: PhantomData<fn(&T)>,
 }
 
-impl<'a, T> MoveColumns<'a, T> {
-    pub fn new(job: &'a Job<'a>, name: &str, table: &'static [Number<T>]) -> MoveColumns<'a, T> {
-        MoveColumns {
-            schema: schema(job, name, &columns(table), &[]),
+impl<T: Cut> fmt::Debug for CutColumns<'_, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = f.debug_struct("CutColumns");
+        text.field("columns", &T::COLUMNS).field("rows", &self.rows).finish_non_exhaustive()
+    }
+}
+
+impl<'a, T: Cut> CutColumns<'a, T> {
+    /// Columns for the cuts of a job.
+    pub fn new(job: &'a Job<'a>) -> CutColumns<'a, T> {
+        CutColumns {
+            schema: schema(job, T::COLUMNS, &columns::<T>(), &[]),
             rows: 0,
             line: Integers::new(),
             file: Files::of(job),
             tool: Integers::new(),
-            numbers: table.iter().map(|_| Numbers::new()).collect(),
-            table,
+            numbers: T::NUMBERS.iter().map(|_| Numbers::new()).collect(),
+            of: PhantomData,
         }
     }
 
     /// Takes a move.
-    pub fn put(&mut self, origin: Origin, tool: u32, each: &T) {
+    pub fn cut(&mut self, each: &T) {
         let row = self.rows;
+        let origin = each.origin();
         self.line.put(row, origin.line);
         self.file.push(origin.span.file);
-        self.tool.put(row, tool);
-        for (column, number) in self.numbers.iter_mut().zip(self.table) {
+        self.tool.put(row, each.tool());
+        for (column, number) in self.numbers.iter_mut().zip(T::NUMBERS) {
             if let Some(value) = (number.value)(each) {
                 column.put(row, value);
             }
@@ -81,7 +107,7 @@ impl<'a, T> MoveColumns<'a, T> {
     }
 }
 
-impl<T> Rows for MoveColumns<'_, T> {
+impl<T: Cut> Rows for CutColumns<'_, T> {
     fn rows(&self) -> usize {
         self.rows
     }
@@ -98,26 +124,22 @@ impl<T> Rows for MoveColumns<'_, T> {
     }
 }
 
-/// Writes moves as comma-separated text, with the names of the columns first; a gap is empty.
+/// Writes moves that cut as comma-separated text, with the names of the columns first; a gap is empty.
 ///
 /// # Errors
 /// Those of the output.
-pub(super) fn csv<'m, T: 'm>(
-    mut out: impl Write,
-    job: &Job<'_>,
-    table: &[Number<T>],
-    moves: impl Iterator<Item = (Origin, u32, &'m T)>,
-) -> io::Result<()> {
-    let names: Vec<String> = columns(table).into_iter().map(|column| column.name).collect();
+pub fn cuts_csv<T: Cut>(mut out: impl Write, job: &Job<'_>, moves: &[T]) -> io::Result<()> {
+    let names: Vec<String> = columns::<T>().into_iter().map(|column| column.name).collect();
     writeln!(out, "{}", names.join(","))?;
     let file = |id: FileId| {
         let name = job.sources().get(id).map_or("", |source| source.name());
         let is_plain = !name.contains([',', '"', '\n', '\r']);
         if is_plain { name.to_string() } else { format!("\"{}\"", name.replace('"', "\"\"")) }
     };
-    for (origin, tool, each) in moves {
-        write!(out, "{},{},{tool}", origin.line, file(origin.span.file))?;
-        for number in table {
+    for each in moves {
+        let origin = each.origin();
+        write!(out, "{},{},{}", origin.line, file(origin.span.file), each.tool())?;
+        for number in T::NUMBERS {
             match (number.value)(each) {
                 Some(value) => write!(out, ",{value}")?,
                 None => write!(out, ",")?,

@@ -3,11 +3,12 @@
 use std::fmt::Write;
 
 use chordal::control::AxisMask;
+use chordal::stock::{MoveEngagement, TurnedMove};
 
 use super::field::{Cell, Column};
 use super::{
-    CHORD_COLUMNS, COMMAND_COLUMNS, ENGAGEMENT_COLUMNS, PATH_COLUMNS, TOOL_PATH_COLUMNS,
-    TURNING_COLUMNS, chords, commands, engagement, path, turning,
+    CHORD_COLUMNS, COMMAND_COLUMNS, ENGAGEMENT_COLUMNS, PATH_COLUMNS, SECTION_COLUMNS,
+    TOOL_PATH_COLUMNS, TURNING_COLUMNS, chords, commands, moves, path, section,
 };
 use crate::setpoints::{SAMPLE_SCHEMA, sample_columns};
 
@@ -34,7 +35,7 @@ Rotary axes A, B and C have columns only if the machine has them. A gap is null 
 | `chordal stock part.nc --setup op1.toml --engagement -o part.parquet` | how hard each cut is; on a lathe the table of cuts of a lathe |
 
 The ending may also be `.arrow`. Rows are written as they come: a Parquet file in groups of 131,072 rows, an Arrow file in
-batches of 8,192, so that memory does not grow with the program. The exact path is available in Python only.
+batches of 8,192, so that memory does not grow with the program. The exact path and the half section are available in Python only.
 ";
 
 /// The columns of all tables as Markdown.
@@ -45,8 +46,9 @@ pub fn column_reference() -> String {
         ("Commands of the tool centre", TOOL_PATH_COLUMNS, commands::columns(AxisMask::ALL, true)),
         ("Exact path", PATH_COLUMNS, path::columns(AxisMask::ALL)),
         ("Chords", CHORD_COLUMNS, chords::columns()),
-        ("Engagement of cuts", ENGAGEMENT_COLUMNS, engagement::columns()),
-        ("Cuts of a lathe", TURNING_COLUMNS, turning::columns()),
+        ("Engagement of cuts", ENGAGEMENT_COLUMNS, moves::columns::<MoveEngagement>()),
+        ("Cuts of a lathe", TURNING_COLUMNS, moves::columns::<TurnedMove>()),
+        ("Half section of a lathe", SECTION_COLUMNS, section::columns()),
     ];
     for (title, name, columns) in tables {
         table(&mut page, title, name, &columns);

@@ -1,16 +1,9 @@
-//! What every move of a lathe takes, as columns and as comma-separated text.
+//! What every move of a lathe takes, as columns.
 
-use std::fmt;
-use std::io::{self, Write};
+use chordal::control::Origin;
+use chordal::stock::TurnedMove;
 
-use arrow_array::RecordBatch;
-use arrow_schema::{ArrowError, SchemaRef};
-use chordal::Job;
-use chordal::stock::{TurnedMove, TurnedReport};
-
-use super::field::Column;
-use super::file::Rows;
-use super::moves::{self, MoveColumns, Number, number};
+use super::moves::{Cut, Number, number};
 
 /// Name and version of the columns of turning.
 pub const TURNING_COLUMNS: &str = "chordal.turning-columns/1";
@@ -43,50 +36,15 @@ const NUMBERS: [Number<TurnedMove>; 11] = [
     number("power_kw", "kW", "power, an estimate to 30 %", |each| each.power_kw),
 ];
 
-pub(super) fn columns() -> Vec<Column> {
-    moves::columns(&NUMBERS)
-}
+impl Cut for TurnedMove {
+    const COLUMNS: &'static str = TURNING_COLUMNS;
+    const NUMBERS: &'static [Number<TurnedMove>] = &NUMBERS;
 
-/// Gathers moves, one row each.
-pub struct TurningColumns<'a>(MoveColumns<'a, TurnedMove>);
-
-impl fmt::Debug for TurningColumns<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("TurningColumns").field("rows", &self.0.rows()).finish_non_exhaustive()
-    }
-}
-
-impl<'a> TurningColumns<'a> {
-    /// Columns for the cuts of a job.
-    pub fn new(job: &'a Job<'a>) -> TurningColumns<'a> {
-        TurningColumns(MoveColumns::new(job, TURNING_COLUMNS, &NUMBERS))
+    fn origin(&self) -> Origin {
+        self.origin
     }
 
-    /// Takes a move.
-    pub fn cut(&mut self, each: &TurnedMove) {
-        self.0.put(each.origin, each.tool, each);
+    fn tool(&self) -> u32 {
+        self.tool
     }
-}
-
-impl Rows for TurningColumns<'_> {
-    fn rows(&self) -> usize {
-        self.0.rows()
-    }
-
-    fn schema(&self) -> &SchemaRef {
-        self.0.schema()
-    }
-
-    fn take(&mut self) -> Result<RecordBatch, ArrowError> {
-        self.0.take()
-    }
-}
-
-/// Writes the same as comma-separated text, with the names of the columns first; a gap is empty.
-///
-/// # Errors
-/// Those of the output.
-pub fn turning_csv(out: impl Write, job: &Job<'_>, found: &TurnedReport) -> io::Result<()> {
-    let moves = found.moves.iter().map(|each| (each.origin, each.tool, each));
-    moves::csv(out, job, &NUMBERS, moves)
 }

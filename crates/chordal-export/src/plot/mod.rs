@@ -28,7 +28,7 @@ pub use figure::{figure_png, figure_svg};
 pub use motion::MotionPlot;
 pub use page::{PageTool, PageView, Viewpoint};
 use relief::Relief;
-pub use section::{section_png, section_svg};
+pub use section::{page_section, section_png, section_svg};
 use store::Store;
 
 /// What stands on the sheet in addition to the path, and how large it is.

@@ -41,6 +41,26 @@ pub fn section_png(found: &TurnedReport, options: &PlotOptions) -> Result<Vec<u8
     render(options.width_px, options.height_px, || section_svg(found, options))
 }
 
+/// Units of a drawing for a page, px: its texts are as large as those of the page.
+const PAGE_UNIT: f64 = 0.86;
+/// Above the drawing of a page there is no caption, units.
+const PAGE_ABOVE: f64 = 34.0;
+
+/// The drawing for a page that has a caption of its own, as SVG. Its colours are names, which
+/// [`Plot::page_colors`](super::Plot::page_colors) explains. Sides below 200 px are drawn as 200.
+pub fn page_section(found: &TurnedReport, width_px: u32, height_px: u32) -> String {
+    let (width, height) = (f64::from(width_px.max(200)), f64::from(height_px.max(200)));
+    let sheet = Sheet::fitted(found, [width, height], PAGE_UNIT, PAGE_ABOVE, Palette::page());
+    let mut out = format!(
+        "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Half section of what is left\">\n",
+        px(width),
+        px(height)
+    );
+    sheet.drawing(&mut out, found);
+    out.push_str("</svg>\n");
+    out
+}
+
 struct Sheet {
     width: f64,
     height: f64,
@@ -58,13 +78,24 @@ struct Sheet {
 impl Sheet {
     fn new(found: &TurnedReport, width: f64, height: f64, options: &PlotOptions) -> Sheet {
         let unit = (width * height / (1600.0 * 1131.0)).sqrt().min(width / 900.0).max(0.5);
+        Sheet::fitted(found, [width, height], unit, ABOVE, Palette::of(options.dark))
+    }
+
+    /// The part as large as it can be with so many units above it.
+    fn fitted(
+        found: &TurnedReport,
+        [width, height]: [f64; 2],
+        unit: f64,
+        above: f64,
+        colors: &'static Palette,
+    ) -> Sheet {
         let (low, high) = bounds(found);
         let room_x = (width - (LEFT + RIGHT) * unit).max(40.0);
-        let room_y = (height - (ABOVE + BELOW) * unit).max(40.0);
+        let room_y = (height - (above + BELOW) * unit).max(40.0);
         let (long, top) = ((high.a - low.a).max(1e-3), high.b.max(1e-3));
         let scale = (room_x / long).min(room_y / (2.0 * top));
         let left = LEFT * unit + 0.5 * (room_x - long * scale);
-        let axis = ABOVE * unit + 0.5 * room_y;
+        let axis = above * unit + 0.5 * room_y;
         Sheet {
             width,
             height,
@@ -72,7 +103,7 @@ impl Sheet {
             scale,
             zero: (left - low.a * scale, axis),
             top,
-            colors: Palette::of(options.dark),
+            colors,
             inch: found.report.summary.inch,
         }
     }
@@ -96,28 +127,34 @@ impl Sheet {
     }
 
     fn svg(&self, found: &TurnedReport, options: &PlotOptions) -> String {
-        let Sheet { width, height, unit, colors, .. } = *self;
-        let (w, h) = (px(width), px(height));
-        let gap = px(7.0 * unit);
+        let (w, h) = (px(self.width), px(self.height));
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" \
              font-family=\"Ubuntu, 'Helvetica Neue', Helvetica, Arial, sans-serif\" font-weight=\"400\">\n\
-             <title>{}</title>\n<defs><pattern id=\"hatch\" width=\"{gap}\" height=\"{gap}\" \
-             patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path d=\"M0 0V{gap}\" \
-             stroke=\"{}\" stroke-width=\"{}\"/></pattern></defs>\n\
-             <rect width=\"{w}\" height=\"{h}\" fill=\"{}\"/>\n",
+             <title>{}</title>\n<rect width=\"{w}\" height=\"{h}\" fill=\"{}\"/>\n",
             escape(&options.title),
-            colors.faint,
-            px(0.8 * unit),
-            colors.sheet
+            self.colors.sheet
         );
         self.caption(&mut out, options);
-        self.part(&mut out, found);
-        self.diameters(&mut out, found);
-        self.lengths(&mut out, found);
-        self.radii(&mut out, found);
+        self.drawing(&mut out, found);
         out.push_str("</svg>\n");
         out
+    }
+
+    /// The part with its dimensions.
+    fn drawing(&self, out: &mut String, found: &TurnedReport) {
+        let gap = px(7.0 * self.unit);
+        out.push_str(&format!(
+            "<defs><pattern id=\"hatch\" width=\"{gap}\" height=\"{gap}\" \
+             patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path d=\"M0 0V{gap}\" \
+             stroke=\"{}\" stroke-width=\"{}\"/></pattern></defs>\n",
+            self.colors.faint,
+            px(0.8 * self.unit)
+        ));
+        self.part(out, found);
+        self.diameters(out, found);
+        self.lengths(out, found);
+        self.radii(out, found);
     }
 
     fn text(

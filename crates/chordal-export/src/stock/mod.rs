@@ -12,7 +12,10 @@ pub use json::stock_json;
 pub use mesh::{MeshFormat, MeshSurface, StockMeshError, stock_mesh, stock_surface};
 pub use picture::stock_png;
 pub use text::{stock_text, stock_verdict_text, stock_volume};
-pub use turned::{section_dxf, turned_json, turned_mesh, turned_text, turning_json, turning_text};
+pub use turned::{
+    section_dxf, turned_json, turned_mesh, turned_text, turned_verdict_text, turning_json,
+    turning_text,
+};
 
 use chordal::stock::StockLeft;
 use serde_json::{Map, Value};

@@ -96,6 +96,19 @@ pub fn turned_text(found: &TurnedReport) -> String {
     text
 }
 
+/// What a verdict says, next to a list of problems.
+pub fn turned_verdict_text(verdict: StockVerdict) -> &'static str {
+    match verdict {
+        StockVerdict::Clean => {
+            "clean: no rapid, shank or holder touches material; the half section is exact"
+        }
+        StockVerdict::Problems => "problems: see the list of problems",
+        StockVerdict::NotProved => {
+            "not proved: no touch was found, and some moves could not be followed"
+        }
+    }
+}
+
 fn exactly(value: f64) -> Amount {
     Amount { least: value, most: value }
 }

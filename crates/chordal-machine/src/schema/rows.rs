@@ -3,7 +3,9 @@
 use super::{Keys, Place, Row, Sign, Slot, Stamp};
 use crate::axis::{AXES, Axis, PerAxis};
 use crate::control::ControlName;
-use crate::machine::{AxisLimits, Machine, ProbeHit, RapidShape, Rotary, Turns, WorkOffset};
+use crate::machine::{
+    AxisLimits, Machine, ProbeHit, RapidShape, Rotary, Turns, Turret, WorkOffset,
+};
 use crate::quantity::Dimension;
 use crate::tool::{Tool, ToolShape};
 
@@ -36,6 +38,8 @@ macro_rules! words {
 pub(super) use words;
 
 const SHAPES: &[&str] = &words!(ToolShape);
+
+const TURRETS: &[&str] = &words!(Turret);
 
 const CONTROLS: &[&str] = &words!(ControlName);
 
@@ -78,6 +82,19 @@ pub(crate) const ROWS: &[Row] = &[
             },
         },
         doc: "the control that runs its programs",
+    },
+    Row {
+        path: "turret",
+        slot: Slot::Word {
+            what: "side of a turret",
+            words: TURRETS,
+            set: |m, _, word| {
+                if let Some(side) = Turret::ALL.into_iter().find(|side| side.as_str() == word) {
+                    m.turret = side;
+                }
+            },
+        },
+        doc: "the side of the axis on which the turret of a lathe stands. The page of `chordal view` draws X up for `rear` and down for `front`, programs mean the same; otherwise `rear`",
     },
     Row {
         path: "axes.<axis>",

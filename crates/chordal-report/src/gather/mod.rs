@@ -14,7 +14,7 @@ use chordal::geometry::Plane;
 use chordal::motion::{MotionOptions, OperationStart};
 use chordal::stock::StockLeft;
 use chordal::{Job, PathCommand, Report, Segment, SegmentKind, Watch};
-use chordal_export::{Plot, Viewpoint, sha256_hex};
+use chordal_export::{Plot, Viewpoint, page_section, sha256_hex};
 
 use self::stops::{Programs, Stops};
 use self::text::{Comments, clean, file_name};
@@ -28,6 +28,8 @@ pub use self::text::title;
 const MOST_PRINTED: usize = 40;
 /// The sides of a picture, px of its own.
 const PICTURE_PX: (u32, u32) = (500, 400);
+/// The half section of a lathe has the room of the page, px.
+const SECTION_PX: (u32, u32) = (1000, 560);
 
 /// What a report cannot know of itself.
 #[derive(Clone, Copy, Debug, Default)]
@@ -107,7 +109,7 @@ pub fn gather(job: &Job, about: &About) -> Gathered {
         called: programs.called(about.program),
         problems: problems::problems(&report, job),
         stock: about.stock.map(|found| stock::stock(found, time)),
-        pictures: pictures(&plot, &plane_mm),
+        pictures: pictures(&plot, &plane_mm, about.stock),
     };
     Gathered { document, report }
 }
@@ -244,7 +246,7 @@ fn ends(job: &Job, report: &Report) -> Vec<String> {
 }
 
 /// The isometric view, and the plane in which most is cut.
-fn pictures(plot: &Plot, plane_mm: &[f64; 3]) -> Pictures {
+fn pictures(plot: &Plot, plane_mm: &[f64; 3], stock: Option<&StockLeft>) -> Pictures {
     let mut main = (Viewpoint::Top, "the XY plane (G17) from above", plane_mm[0]);
     let others = [
         (Viewpoint::Front, "the ZX plane (G18) from the front", plane_mm[1]),
@@ -268,10 +270,21 @@ fn pictures(plot: &Plot, plane_mm: &[f64; 3]) -> Pictures {
     let sign = |tool: chordal_export::PageTool| ToolSign { number: tool.number, svg: tool.sign };
     Pictures {
         views: views.iter().filter_map(view).collect(),
-        stock: plot.page_stock(Viewpoint::Isometric, width, height).map(|drawn| Picture {
-            caption: format!("from the front, right and above; grid {}", drawn.grid),
-            svg: drawn.svg,
-        }),
+        stock: match stock {
+            Some(StockLeft::Section(found)) => Some(Picture {
+                caption: format!(
+                    "the half section above, from outside below; dashed: the stock{}",
+                    if found.target_section.is_some() { "; green: the target" } else { "" }
+                ),
+                svg: page_section(found, SECTION_PX.0, SECTION_PX.1),
+            }),
+            Some(StockLeft::Columns(_)) | None => {
+                plot.page_stock(Viewpoint::Isometric, width, height).map(|drawn| Picture {
+                    caption: format!("from the front, right and above; grid {}", drawn.grid),
+                    svg: drawn.svg,
+                })
+            }
+        },
         tools: plot.page_tools().into_iter().map(sign).collect(),
         cuts_left_out: plot.leaves_out_cuts(),
     }

@@ -1,13 +1,15 @@
 //! What is left of the stock, as data.
 
-use chordal::stock::{Amount, StockLeft};
+use chordal::stock::{Amount, Loose, StockLeft};
 use chordal::time::TimeReport;
-use chordal_export::stock_verdict_text;
+use chordal_export::{stock_verdict_text, turned_verdict_text};
 
-use crate::data::{Rows, Stock, StockTool, Volume};
+use crate::data::{Rows, Stock, StockPart, StockTool, Volume};
 
 /// Tools that are listed.
 const MOST_TOOLS: usize = 100;
+/// Parts that were cut off that are listed.
+const MOST_PARTS: usize = 50;
 
 /// What a run on stock answers, with the times of the tools where the run was planned.
 pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> Stock {
@@ -29,11 +31,29 @@ pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> Stock {
         removed_mm3: volume(removed),
         left_mm3: volume(left),
         verdict: found.verdict().as_str(),
-        sentence: stock_verdict_text(found.verdict()),
+        sentence: match found {
+            StockLeft::Columns(found) => stock_verdict_text(found.verdict),
+            StockLeft::Section(found) => turned_verdict_text(found.verdict),
+        },
         gaps_not_drawn: matches!(found, StockLeft::Columns(found) if found.stock.has_gaps()),
+        parts: parts(found),
         tools: Rows {
             rows: tools.collect(),
             left_out: all.len().saturating_sub(MOST_TOOLS) as u64,
         },
+    }
+}
+
+/// What was cut off on a lathe.
+fn parts(found: &StockLeft) -> Rows<StockPart> {
+    let loose = match found {
+        StockLeft::Columns(_) => &[][..],
+        StockLeft::Section(found) => &found.loose,
+    };
+    let parts = loose.iter().take(MOST_PARTS);
+    let part = |part: &Loose| StockPart { line: part.line, volume_mm3: part.section.volume() };
+    Rows {
+        rows: parts.map(part).collect(),
+        left_out: loose.len().saturating_sub(MOST_PARTS) as u64,
     }
 }

@@ -15,7 +15,8 @@ pub fn stock(document: &Document, show: &Show) -> Markup {
             h2 #stock { "Stock" }
             div.pictures {
                 @if let Some(picture) = &document.pictures.stock {
-                    figure {
+                    // A half section is drawn with its dimensions.
+                    figure.wide[stock.resolution_mm.is_none()] {
                         (PreEscaped(&picture.svg))
                         figcaption { "What is left, " (picture.caption) }
                     }
@@ -23,6 +24,7 @@ pub fn stock(document: &Document, show: &Show) -> Markup {
                 div {
                     p { strong { (upper_first(stock.sentence)) "." } }
                     (volumes(stock, show))
+                    (left_out(&stock.parts, stock.parts.rows.len(), "parts that were cut off"))
                     (left_out(&stock.tools, stock.tools.rows.len(), "tools"))
                     @if stock.gaps_not_drawn {
                         p.faint { "Gaps of undercuts are in the volumes. The pictures are seen from above, without them." }
@@ -41,12 +43,21 @@ fn volumes(stock: &Stock, show: &Show) -> Markup {
                 tr {
                     th scope="col" { "" }
                     th.n scope="col" { "Volume" }
-                    th.n scope="col" { "Lowest tip" }
+                    th.n scope="col" {
+                        @if stock.resolution_mm.is_some() { "Lowest tip" } @else { "Lowest Z" }
+                    }
                     th.n scope="col" { "Time" }
                 }
             }
             tbody {
                 tr { th scope="row" { "Left" } td.n { (volume(stock.left_mm3)) } td {} td {} }
+                @for part in &stock.parts.rows {
+                    tr {
+                        th scope="row" { "of it cut off in line " (part.line) }
+                        td.n { (volume(Volume { least: part.volume_mm3, most: part.volume_mm3 })) }
+                        td {} td {}
+                    }
+                }
                 tr { th scope="row" { "Removed" } td.n { (volume(stock.removed_mm3)) } td {} td {} }
                 @for tool in &stock.tools.rows {
                     tr {

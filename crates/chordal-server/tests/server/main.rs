@@ -8,3 +8,4 @@ mod common;
 mod live;
 mod security;
 mod stock;
+mod turned;

@@ -45,7 +45,7 @@ impl Job<'_> {
         runner: &Runner<'_>,
     ) -> Result<StockLeft, StockRunError> {
         if self.turns() {
-            let options = TurnedOptions { tolerance_mm: options.tolerance_mm };
+            let options = TurnedOptions { tolerance_mm: options.tolerance_mm, replay: false };
             return Ok(StockLeft::Section(Box::new(self.turned_stock(&options, files)?)));
         }
         Ok(StockLeft::Columns(Box::new(self.stock_by(options, files, runner)?)))

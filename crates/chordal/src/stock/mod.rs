@@ -36,9 +36,10 @@ pub use run::StockRunError;
 pub use setup::{Files, SetupError};
 pub use target::TargetReport;
 pub use turned::{
-    Loose, Thread, TurnedMove, TurnedOptions, TurnedReport, TurnedTarget, TurnedToolRemoved,
+    Loose, Maker, Thread, TurnedMove, TurnedOptions, TurnedPiece, TurnedReplay, TurnedReport,
+    TurnedShape, TurnedTarget, TurnedToolRemoved,
 };
 /// Half sections: what lathes turn.
 pub mod section {
-    pub use chordal_stock::turned::{Bend, Region, Segment};
+    pub use chordal_stock::turned::{Bend, Region, Segment, Towards};
 }

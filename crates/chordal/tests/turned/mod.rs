@@ -2,6 +2,7 @@
 
 mod faults;
 mod programs;
+mod replay;
 mod tips;
 
 use chordal::stock::section::Region;

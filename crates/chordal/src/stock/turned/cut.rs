@@ -9,6 +9,7 @@ use chordal_stock::turned::{Pass, PassError, Region, Tool as Outline, Turned};
 use super::contour::Chain;
 use super::gather::{MoveKind, TurnMove};
 use super::grooves::Grooves;
+use super::replay::Recorder;
 use super::report::{Loose, Thread, TurnedMove, TurnedToolRemoved};
 use super::said::{At, Found, More};
 use super::target::Target;
@@ -34,6 +35,8 @@ pub(super) struct Cutting<'a> {
     pub threads: Vec<Thread>,
     pub moves: Vec<TurnedMove>,
     pub bound: f64,
+    /// Keeps what is left after every pass, where it is wanted.
+    pub recorder: Option<Recorder>,
     sums: BTreeMap<u32, TurnedToolRemoved>,
     order: Vec<u32>,
     chain: Chain,
@@ -60,6 +63,7 @@ impl<'a> Cutting<'a> {
             threads: Vec::new(),
             moves: Vec::new(),
             bound: 0.0,
+            recorder: None,
             sums: BTreeMap::new(),
             order: Vec::new(),
             chain: Chain::default(),
@@ -76,6 +80,9 @@ impl<'a> Cutting<'a> {
     pub fn step(&mut self, number: usize, moves: &[TurnMove]) {
         let move_ = &moves[number];
         let Some(Ok(tool)) = self.tools.get(&move_.tool) else { return };
+        if let Some(recorder) = &mut self.recorder {
+            recorder.begin(move_, &self.stock);
+        }
         match move_.kind {
             MoveKind::Rapid => {
                 self.chain.clear();
@@ -105,6 +112,9 @@ impl<'a> Cutting<'a> {
             }
         }
         self.fixtures(move_, tool);
+        if let Some(recorder) = &mut self.recorder {
+            recorder.end(move_, &self.stock, &self.loose);
+        }
     }
 
     fn rapid(&mut self, move_: &TurnMove, tool: &LatheTool) {
@@ -129,6 +139,11 @@ impl<'a> Cutting<'a> {
             Err(error) => return self.not_cut(move_, &error),
         };
         self.bound = self.bound.max(pass.bound);
+        if let Some(recorder) = &mut self.recorder
+            && pass.area > 0.0
+        {
+            recorder.cuts();
+        }
         self.count(move_, tool, &pass);
         let is_deep = pass.touched && pass.depth() > self.tolerance;
         if is_deep && move_.kind == MoveKind::Still {
@@ -161,10 +176,10 @@ impl<'a> Cutting<'a> {
             match self.threads.last_mut() {
                 Some(thread) if thread.line == line || meets(&thread.section, &taken) => {
                     if let Ok(both) = thread.section.union(&taken) {
-                        *thread = Thread { section: both.region, line };
+                        *thread = Thread { section: both.region, line, row: thread.row };
                     }
                 }
-                _ => self.threads.push(Thread { section: taken, line }),
+                _ => self.threads.push(Thread { section: taken, line, row: move_.row }),
             }
         }
         self.bodies(move_, tool);
@@ -262,6 +277,7 @@ impl<'a> Cutting<'a> {
         let in_cut = if move_.feed > 0.0 { pass.along.min(length) / move_.feed } else { 0.0 };
         let cut = TurnedMove {
             origin: move_.origin,
+            row: move_.row,
             tool: move_.tool,
             is_thread,
             feed_mm_per_s: move_.feed,
@@ -275,6 +291,7 @@ impl<'a> Cutting<'a> {
             chip_mm: by_turn.filter(|_| !is_thread).map(|feed| feed * squarely),
             rate_mm3_per_s: if in_cut > 0.0 && !is_thread { pass.volume / in_cut } else { 0.0 },
             power_kw: None,
+            overload: None,
         };
         if !self.sums.contains_key(&move_.tool) {
             self.order.push(move_.tool);

@@ -11,6 +11,7 @@ use chordal_path::{PathCommand, Segment as PathSegment};
 use chordal_stock::turned::Segment;
 
 use super::super::problems::not_cut;
+use super::report::Maker;
 use super::tools::{Kind, LatheTool, NoOutline};
 use crate::report::Watch;
 
@@ -39,6 +40,8 @@ pub(super) struct TurnMove {
     pub path: Segment,
     pub kind: MoveKind,
     pub tool: u32,
+    /// Its piece of path, by its number among all of the run.
+    pub row: u32,
     pub origin: Origin,
     /// Along the path, mm/s; zero where none is known.
     pub feed: f64,
@@ -50,10 +53,18 @@ pub(super) struct TurnMove {
     pub contour: Option<Segment>,
 }
 
+impl TurnMove {
+    pub fn maker(&self) -> Maker {
+        Maker { tool: self.tool, line: self.origin.line }
+    }
+}
+
 /// Gathers what a run moves.
 pub(super) struct Gathered<'a> {
     tools: &'a BTreeMap<u32, Result<LatheTool, NoOutline>>,
     pub moves: Vec<TurnMove>,
+    /// Pieces of path so far.
+    row: u32,
     /// The work offset of the first cut, which is the frame of the run.
     pub work: Option<String>,
     work_now: Option<String>,
@@ -79,6 +90,7 @@ impl<'a> Gathered<'a> {
         Gathered {
             tools,
             moves: Vec::new(),
+            row: 0,
             work: None,
             work_now: None,
             naming,
@@ -100,6 +112,8 @@ impl<'a> Gathered<'a> {
     }
 
     fn segment(&mut self, path: &PathCommand<'_>, segment: &PathSegment, kind: MoveKind) {
+        let row = self.row;
+        self.row = self.row.saturating_add(1);
         let tool = match self.tools.get(&segment.tool) {
             Some(Ok(tool)) => tool,
             Some(Err(why)) => return self.no_tool(segment, kind, &why.0.clone()),
@@ -147,6 +161,7 @@ impl<'a> Gathered<'a> {
             path: curve,
             kind: if is_thread { MoveKind::Thread } else { kind },
             tool: segment.tool,
+            row,
             origin: segment.origin,
             feed: mean_feed,
             rev_per_s: feed.map_or(0.0, |feed| self.revolutions(feed, mean_feed, middle)),

@@ -31,11 +31,11 @@ pub(super) fn give_power(
     }
 }
 
-/// Cuts with too thick a chip, or with more power than the spindle has; of one block the worst.
-pub(super) fn overloads(job: &Job<'_>, moves: &[TurnedMove], units: Units) -> Vec<Diagnostic> {
+/// Cuts with too thick a chip, or with more power than the spindle has, which are marked; of one block the worst.
+pub(super) fn overloads(job: &Job<'_>, moves: &mut [TurnedMove], units: Units) -> Vec<Diagnostic> {
     let machine = job.machine();
-    let mut worst: Vec<(Code, &TurnedMove, f64, f64)> = Vec::new();
-    for move_ in moves.iter().filter(|move_| move_.removed_mm3 > 0.0 && !move_.is_thread) {
+    let mut worst: Vec<(Code, TurnedMove, f64, f64)> = Vec::new();
+    for move_ in moves.iter_mut().filter(|move_| move_.removed_mm3 > 0.0 && !move_.is_thread) {
         let most = machine.tools.get(&move_.tool).and_then(|tool| tool.max_chip_mm);
         let limits = [
             (Code::ChipTooThick, move_.chip_mm, most.map(|most| most * (1.0 + ROUNDING))),
@@ -46,15 +46,16 @@ pub(super) fn overloads(job: &Job<'_>, moves: &[TurnedMove], units: Units) -> Ve
             if value <= limit {
                 continue;
             }
+            move_.overload = Some(code);
             let same = worst
                 .iter_mut()
                 .rev()
                 .take(2)
                 .find(|(known, other, ..)| (*known, other.origin) == (code, move_.origin));
             match same {
-                Some(known) if value > known.2 => *known = (code, move_, value, limit),
+                Some(known) if value > known.2 => *known = (code, *move_, value, limit),
                 Some(_) => {}
-                None => worst.push((code, move_, value, limit)),
+                None => worst.push((code, *move_, value, limit)),
             }
         }
     }

@@ -10,11 +10,13 @@ mod gather;
 mod grooves;
 mod load;
 mod nose;
+mod replay;
 mod report;
 mod run;
 mod said;
 mod target;
 mod tools;
 
-pub use report::{Loose, Thread, TurnedMove, TurnedReport, TurnedTarget, TurnedToolRemoved};
+pub use replay::{TurnedPiece, TurnedReplay, TurnedShape};
+pub use report::{Loose, Maker, Thread, TurnedMove, TurnedReport, TurnedTarget, TurnedToolRemoved};
 pub use run::TurnedOptions;

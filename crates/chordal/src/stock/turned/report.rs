@@ -1,12 +1,14 @@
 //! What a run on turned stock answers, as plain data.
 
 use chordal_command::Origin;
+use chordal_diagnostics::Code;
 use chordal_geometry::Vec2;
 use chordal_stock::Amount;
-use chordal_stock::turned::Region;
+use chordal_stock::turned::{Region, Segment};
 
 use super::super::problems::StockProblem;
 use super::super::report::StockVerdict;
+use super::replay::TurnedReplay;
 use crate::report::Report;
 use crate::time::ToolTime;
 
@@ -36,6 +38,8 @@ pub struct TurnedToolRemoved {
 pub struct TurnedMove {
     /// Its block.
     pub origin: Origin,
+    /// Its piece of path, by its number among all of the run.
+    pub row: u32,
     /// The tool.
     pub tool: u32,
     /// A thread: what it takes is at most this.
@@ -62,6 +66,8 @@ pub struct TurnedMove {
     pub rate_mm3_per_s: f64,
     /// kW, an estimate; `None` without a material.
     pub power_kw: Option<f64>,
+    /// A chip above the limit of the tool, or more power than the spindle has; the worse of the two.
+    pub overload: Option<Code>,
 }
 
 /// A part that was cut off.
@@ -82,6 +88,8 @@ pub struct Thread {
     pub section: Region,
     /// The line of its last pass.
     pub line: u32,
+    /// The piece of path of its first pass.
+    pub row: u32,
 }
 
 /// What is left on a part, and what is missing.
@@ -95,6 +103,15 @@ pub struct TurnedTarget {
     pub at: Vec2,
     /// What of the part is gone, mm³.
     pub gouged_mm3: f64,
+}
+
+/// The move that made a line or an arc of a section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Maker {
+    /// Its tool.
+    pub tool: u32,
+    /// Its line.
+    pub line: u32,
 }
 
 /// The answers of a run on turned stock.
@@ -130,6 +147,10 @@ pub struct TurnedReport {
     pub target_section: Option<Region>,
     /// What is left on the part, where one is given.
     pub target: Option<TurnedTarget>,
+    /// Every move that was followed, rapids too, by the tag of what it made, less one.
+    pub makers: Vec<Maker>,
+    /// What a picture that goes forward and backward needs, where it was asked for.
+    pub replay: Option<TurnedReplay>,
     /// The run, with the problems as diagnostics among the others.
     pub report: Report,
 }
@@ -141,6 +162,11 @@ impl TurnedReport {
             let own = times.iter().find(|time| time.number == tool.number);
             tool.time_s = own.map(|time| time.times.total_s());
         }
+    }
+
+    /// The move that made a line or an arc of a section; `None` of the stock's own.
+    pub fn made_by(&self, segment: &Segment) -> Option<Maker> {
+        self.makers.get((segment.tag as usize).checked_sub(1)?).copied()
     }
 
     /// Everything that is left: what is in the chuck, and what was cut off.

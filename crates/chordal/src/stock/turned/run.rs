@@ -12,9 +12,10 @@ use super::super::setup::{Files, Named, SetupError, shift_between};
 use super::super::target::TARGET_TOLERANCE;
 use super::bodies::grown;
 use super::cut::{Cutting, Fixture};
-use super::gather::Gathered;
+use super::gather::{Gathered, TurnMove};
 use super::load::{give_power, overloads};
 use super::nose::look_at_surface;
+use super::replay::Recorder;
 use super::report::TurnedReport;
 use super::said::{At, Found, More};
 use super::target::Target;
@@ -30,12 +31,14 @@ const AT_ONCE: usize = 256;
 pub struct TurnedOptions {
     /// Touches that are no deeper are none, mm.
     pub tolerance_mm: f64,
+    /// Keeps the section after every pass, see [`TurnedReport::replay`].
+    pub replay: bool,
 }
 
 impl Default for TurnedOptions {
     /// Touches from 0.01 mm on.
     fn default() -> TurnedOptions {
-        TurnedOptions { tolerance_mm: 0.01 }
+        TurnedOptions { tolerance_mm: 0.01, replay: false }
     }
 }
 
@@ -68,8 +71,14 @@ impl Job<'_> {
         let stock = section_of("stock", setup.stock.as_ref().ok_or(StockRunError::NoStock)?)?;
         let found = Found::new(gathered.units, self.sources());
         let mut cutting = Cutting::new(&tools, options.tolerance_mm, &stock, found);
+        if options.replay {
+            cutting.recorder = Some(Recorder::new(&stock));
+        }
         for (name, body) in &setup.fixtures {
             let section = section_of(&format!("fixtures.{name}"), body)?;
+            if let Some(recorder) = &mut cutting.recorder {
+                recorder.fixture(name, &section);
+            }
             let clearance = body.clearance_mm.unwrap_or(0.0);
             let body = chordal_stock::turned::Turned::new(&grown(&section, clearance));
             cutting.fixtures.push(Fixture { name, clearance, body });
@@ -96,6 +105,8 @@ impl Job<'_> {
         options: &TurnedOptions,
     ) -> TurnedReport {
         let section = cutting.stock.region();
+        let recorder = cutting.recorder.take();
+        let replay = recorder.map(|recorder| recorder.finish(&section, &cutting, &gathered.moves));
         let loose = std::mem::take(&mut cutting.loose);
         let sections: Vec<&Region> =
             std::iter::once(&section).chain(loose.iter().map(|part| &part.section)).collect();
@@ -127,7 +138,7 @@ impl Job<'_> {
         if let Some(material) = material.and_then(Material::named) {
             give_power(&mut moves, &mut tools, material);
         }
-        let mut too_hard = overloads(self, &moves, gathered.units);
+        let mut too_hard = overloads(self, &mut moves, gathered.units);
         let Cutting { found, threads, target: wanted, bound, .. } = cutting;
         let has_problems = found.hits > 0 || !too_hard.is_empty() || report.counts.errors > 0;
         let is_proved = gathered.is_whole() && found.undecided == 0 && report.verified();
@@ -155,6 +166,8 @@ impl Job<'_> {
             threads,
             target_section: wanted.map(|target| target.section),
             target,
+            makers: gathered.moves.iter().map(TurnMove::maker).collect(),
+            replay,
             report,
         }
     }

@@ -1,0 +1,180 @@
+//! What is left after every pass, for a picture that goes forward and backward.
+
+use std::collections::BTreeMap;
+
+use chordal_geometry::Vec2;
+use chordal_stock::turned::{Region, Segment, Turned};
+
+use super::cut::Cutting;
+use super::gather::TurnMove;
+use super::report::Loose;
+
+/// Segments that are compared with those before, of a run; then only the section after each tool is kept.
+const MOST: usize = 20_000_000;
+
+/// A line or an arc that bounds what is left for a while.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TurnedPiece {
+    /// The material lies to its left, seen with z to the right and r up. Its tag is the tool that made it; 0 is
+    /// the stock.
+    pub segment: Segment,
+    /// The first section that has it: 0 is the stock before the first cut.
+    pub from: u32,
+    /// The first section that has it no more; `u32::MAX` where it stays.
+    pub until: u32,
+    /// It belongs to a part that was cut off.
+    pub is_loose: bool,
+}
+
+/// A tool as it is drawn, about its programmed point: convex loops.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TurnedShape {
+    /// What cuts.
+    pub edges: Vec<Vec<Segment>>,
+    /// Shank and holder, where they are given.
+    pub body: Vec<Vec<Segment>>,
+}
+
+/// The sections of a run, and what is drawn with them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TurnedReplay {
+    /// The lines and arcs of all sections.
+    pub pieces: Vec<TurnedPiece>,
+    /// Of each section after the first the piece of path that made it, by its number among all of the run.
+    pub rows: Vec<u32>,
+    /// Whether there is a section for every pass; if not, there is one for every tool at least.
+    pub is_whole: bool,
+    /// The fixtures as they are, by name.
+    pub fixtures: Vec<(String, Region)>,
+    /// The tools that have a shape, by number.
+    pub tools: BTreeMap<u32, TurnedShape>,
+}
+
+/// What two segments have in common that are the same: their numbers, bit by bit, and their tag.
+type Key = ([u64; 7], u32);
+
+fn key(segment: &Segment) -> Key {
+    let (center, sense) = match segment.bend {
+        None => (Vec2::ZERO, 0),
+        Some(bend) => (bend.center, 1 + u64::from(bend.counterclockwise)),
+    };
+    let [a, b, c] = [segment.start, segment.end, center].map(|p| [p.a.to_bits(), p.b.to_bits()]);
+    ([a[0], a[1], b[0], b[1], c[0], c[1], sense], segment.tag)
+}
+
+/// Keeps sections while a run is cut.
+#[derive(Debug)]
+pub(super) struct Recorder {
+    replay: TurnedReplay,
+    /// The pieces of the last section by what they are.
+    now: BTreeMap<Key, usize>,
+    loose: usize,
+    compared: usize,
+    has_cut: bool,
+    /// The last pass that has no section yet, and its tool.
+    due: Option<(u32, u32)>,
+}
+
+impl Recorder {
+    pub fn new(stock: &Region) -> Recorder {
+        let mut recorder = Recorder {
+            replay: TurnedReplay { is_whole: true, ..TurnedReplay::default() },
+            now: BTreeMap::new(),
+            loose: 0,
+            compared: 0,
+            has_cut: false,
+            due: None,
+        };
+        recorder.keep(stock, 0);
+        recorder
+    }
+
+    pub fn fixture(&mut self, name: &str, section: &Region) {
+        self.replay.fixtures.push((name.to_string(), section.clone()));
+    }
+
+    /// A move begins.
+    pub fn begin(&mut self, move_: &TurnMove, stock: &Turned) {
+        if self.due.is_some_and(|(_, tool)| tool != move_.tool) {
+            self.settle(&stock.region());
+        }
+    }
+
+    /// The move takes something.
+    pub fn cuts(&mut self) {
+        self.has_cut = true;
+    }
+
+    /// A move has ended.
+    pub fn end(&mut self, move_: &TurnMove, stock: &Turned, loose: &[Loose]) {
+        let comes_off = loose.len() > self.loose;
+        if !std::mem::take(&mut self.has_cut) && !comes_off {
+            return;
+        }
+        self.due = Some((move_.row, move_.tool));
+        if self.compared <= MOST || comes_off {
+            self.settle(&stock.region());
+        } else {
+            self.replay.is_whole = false;
+        }
+        for part in &loose[self.loose..] {
+            let from = self.replay.rows.len() as u32;
+            let pieces = part.section.outline().into_iter().flatten();
+            let pieces = pieces.map(|segment| TurnedPiece {
+                segment,
+                from,
+                until: u32::MAX,
+                is_loose: true,
+            });
+            self.replay.pieces.extend(pieces);
+        }
+        self.loose = loose.len();
+    }
+
+    /// Keeps the section after the pass that is due.
+    fn settle(&mut self, section: &Region) {
+        let Some((row, _)) = self.due.take() else { return };
+        self.replay.rows.push(row);
+        self.keep(section, self.replay.rows.len() as u32);
+    }
+
+    fn keep(&mut self, section: &Region, number: u32) {
+        let mut now = BTreeMap::new();
+        for segment in section.outline().into_iter().flatten() {
+            self.compared += 1;
+            let key = key(&segment);
+            let at = self.now.remove(&key).unwrap_or_else(|| {
+                let piece = TurnedPiece { segment, from: number, until: u32::MAX, is_loose: false };
+                self.replay.pieces.push(piece);
+                self.replay.pieces.len() - 1
+            });
+            now.insert(key, at);
+        }
+        for at in std::mem::replace(&mut self.now, now).into_values() {
+            self.replay.pieces[at].until = number;
+        }
+    }
+
+    /// All of it, once the run is over: `section` is what is left in the chuck.
+    pub fn finish(
+        mut self,
+        section: &Region,
+        cutting: &Cutting<'_>,
+        moves: &[TurnMove],
+    ) -> TurnedReplay {
+        self.settle(section);
+        for piece in &mut self.replay.pieces {
+            let made_by = (piece.segment.tag as usize).checked_sub(1);
+            let tool = made_by.and_then(|number| moves.get(number)).map_or(0, |move_| move_.tool);
+            piece.segment.tag = tool;
+        }
+        let tools = cutting.tools.iter().filter_map(|(number, tool)| {
+            let tool = tool.as_ref().ok()?;
+            let bodies = [&tool.shank, &tool.holder].into_iter().flatten();
+            let body = bodies.flat_map(|body| body.outlines()).collect();
+            Some((*number, TurnedShape { edges: tool.edges.outlines(), body }))
+        });
+        self.replay.tools = tools.collect();
+        self.replay
+    }
+}

@@ -1,0 +1,98 @@
+"""What is left of the stock of a lathe: exact."""
+
+from __future__ import annotations
+
+import os
+from functools import cached_property
+from pathlib import Path
+from typing import NoReturn
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _chordal
+from ._stock import Stock, StockMesh
+from ._table import Table
+from .errors import UsageError
+
+__all__ = ["TurnedStock"]
+
+
+class TurnedStock(Stock):
+    """What a program of a lathe leaves of its stock: see :meth:`Program.stock`. The half section consists of lines and
+    arcs and is exact, so ``least`` and ``most`` of a volume are one number, but for threads. Coordinates are those of
+    the first cut's work offset, mm: z along the axis, r the distance from it, a radius. It is true where nothing
+    touches that must not, and every move was followed."""
+
+    def __init__(self, stock: _chordal.TurnedStock) -> None:
+        self._turned = stock
+
+    @property
+    def _json(self) -> str:
+        return self._turned.json
+
+    @cached_property
+    def outline(self) -> Table:
+        """Everything that is left as lines and arcs, one row each: part (0 is in the chuck), loop, ends, centre, radius
+        and angle, and the tool and the line that made it. ``docs/columns.md`` has the columns."""
+        return Table(self._turned.outline)
+
+    @cached_property
+    def passes(self) -> Table:
+        """What every move at feed takes: depth of cut, area, volume, chip, power. ``docs/columns.md`` has the
+        columns."""
+        return Table(self._turned.passes)
+
+    @property
+    def volume_mm3(self) -> float:
+        """What is left, in the chuck and cut off; threads count as not cut."""
+        return self.left_mm3[1]
+
+    def radii(self, z: float) -> npt.NDArray[np.float64]:
+        """The radii between which material is at a z, mm: one row from the axis out for each ring, from and to. At a
+        face the side towards +Z counts."""
+        return np.asarray(self._turned.radii(float(z)), dtype=np.float64).reshape(-1, 2)
+
+    def save(self, path: str | os.PathLike[str], tolerance: float | None = None) -> None:
+        """Writes the half section (``.dxf``: lines and arcs, X along the axis, Y the radius; ``.svg``, ``.png``) or the
+        solid (``.stl``, ``.3mf``, ``.glb``), by the ending. ``tolerance`` has no effect: solids have chords within
+        0.005 mm."""
+        path = Path(path)
+        ending = path.suffix.removeprefix(".").lower()
+        path.write_bytes(self._turned.file(ending, path.stem))
+
+    def png(self) -> bytes:
+        """The half section as a drawing."""
+        return bytes(self._turned.file("png", ""))
+
+    @property
+    def resolution_mm(self) -> float:
+        """0: there are no columns."""
+        return 0.0
+
+    @property
+    def origin(self) -> tuple[float, float, float]:
+        """A lathe has no columns: an error."""
+        return _no_columns("origin")
+
+    @property
+    def least(self) -> npt.NDArray[np.float64]:
+        """A lathe has no columns: an error."""
+        return _no_columns("least")
+
+    @property
+    def most(self) -> npt.NDArray[np.float64]:
+        """A lathe has no columns: an error."""
+        return _no_columns("most")
+
+    def mesh(self, tolerance: float | None = None) -> StockMesh:
+        """A lathe has no columns: an error. ``save`` writes the solid."""
+        return _no_columns("mesh")
+
+    def __repr__(self) -> str:
+        return f"<TurnedStock {self.verdict}, {len(self.outline)} lines and arcs, left {self.volume_mm3:.6g} mm³>"
+
+
+def _no_columns(what: str) -> NoReturn:
+    message = f"the stock of a lathe has no `{what}`: it is no field of heights"
+    raise UsageError(message, "use outline, radii() or save()")
