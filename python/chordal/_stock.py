@@ -112,15 +112,19 @@ class Stock:
         vertices, faces = self._stock.mesh(self._tolerance(tolerance))
         return StockMesh(np.asarray(vertices), np.asarray(faces))
 
-    def save(self, path: str | os.PathLike[str], tolerance: float | None = None) -> None:
-        """Writes what is left, by the ending: ``.stl``, ``.3mf``, ``.glb`` or a picture ``.png``."""
+    def save(
+        self, path: str | os.PathLike[str], tolerance: float | None = None, *, smooth: float | None = None
+    ) -> None:
+        """Writes what is left, by the ending: ``.stl``, ``.3mf``, ``.glb`` or a picture ``.png``. With ``smooth`` a mesh
+        has no steps but goes through the middles of the columns, no further from them than so many mm."""
+        smooth = None if smooth is None else float(smooth)
         path = Path(path)
         ending = path.suffix.removeprefix(".").lower()
-        path.write_bytes(self._stock.file(ending, self._tolerance(tolerance), path.stem))
+        path.write_bytes(self._stock.file(ending, self._tolerance(tolerance), smooth, path.stem))
 
     def png(self) -> bytes:
         """What is left, seen from above."""
-        return bytes(self._stock.file("png", 0.0, ""))
+        return bytes(self._stock.file("png", 0.0, None, ""))
 
     def _tolerance(self, tolerance: float | None) -> float:
         return _SAME_FACE * self.resolution_mm if tolerance is None else float(tolerance)

@@ -68,6 +68,12 @@ def test_meshes_are_closed(tmp_path: Path) -> None:
     for ending in ("stl", "3mf", "glb", "png"):
         left.save(tmp_path / f"left.{ending}")
         assert (tmp_path / f"left.{ending}").stat().st_size > 500
+    for ending in ("stl", "glb"):
+        left.save(tmp_path / f"smooth.{ending}", smooth=0.02)
+        steps, smooth = (tmp_path / f"{name}.{ending}" for name in ("left", "smooth"))
+        assert smooth.stat().st_size > 500 and smooth.read_bytes() != steps.read_bytes()
+    with pytest.raises(chordal.UsageError, match="length"):
+        left.save(tmp_path / "smooth.stl", smooth=-1)
     with pytest.raises(chordal.UsageError, match="no format `obj`"):
         left.save(tmp_path / "left.obj")
 

@@ -47,6 +47,8 @@ export class Eye {
   private controls: OrbitControls;
   private view: ViewName = "iso";
   private turret: Turret | undefined;
+  /** Pixels from left to right. */
+  private width = 1;
   /** The user has chosen what is seen: nothing is fitted any more. */
   userMoved = false;
 
@@ -93,6 +95,7 @@ export class Eye {
   }
 
   resize(width: number, height: number): void {
+    this.width = width;
     const half = 50;
     const aspect = width / height;
     Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
@@ -163,7 +166,7 @@ export class Eye {
 
   /** World length of a pixel, mm. */
   pixel(): number {
-    return (this.camera.right - this.camera.left) / this.camera.zoom / Math.max(1, this.canvas.clientWidth);
+    return (this.camera.right - this.camera.left) / this.camera.zoom / this.width;
   }
 
   /** What lies to the right and up on the screen, and how long a pixel is, mm. */

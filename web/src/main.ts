@@ -6,6 +6,7 @@ import { againstProgram } from "./against";
 import { Editor } from "./editor";
 import { Elsewhere } from "./elsewhere";
 import { type Frame, f32, u32, u8 } from "./frame";
+import { Later } from "./later";
 import { layout } from "./layout";
 import { measuring } from "./measuring";
 import { drawAxes } from "./axes";
@@ -389,6 +390,7 @@ function tellTimes(): void {
 
 /** The cursor is on a line: its path is marked, and what is active after it is shown; where it was put there, the stock as it is then. */
 function cursorAt(line: number, wasPut = false): void {
+  textLater.cancel();
   const rows = path.rowsOfLine(line);
   view.markRows(rows);
   const done = rows ? rows[1] + 1 : path.doneAfterLine(line);
@@ -482,16 +484,28 @@ timeline.onTime = (seconds) => {
   if (seconds < (setpoints?.totalS ?? 0)) goToMoment(seconds > 0 ? done : 0, at);
   else goToMoment(Infinity, undefined);
   tellReadout(seconds);
-  showRow(shownRow);
+  showRow(shownRow, askedRow === undefined);
 };
 
-/** Marks a row and its line, and shows what is active there. */
-function showRow(at: number): void {
+/** To scroll the text takes as long as to draw the stock: so often while it plays, and while time is dragged once it rests so long. */
+const TEXT_EVERY_MS = 100;
+const TEXT_QUIET_MS = 150;
+const textLater = new Later(TEXT_EVERY_MS);
+
+/** Marks a row and its line, and shows what is active there; the text at once or soon after the picture. */
+function showRow(at: number, isTextLate = false): void {
   const line = path.lineOf(at);
   const key = `${run} ${at}`;
   if (!line || key === shown) return;
   shown = key;
   view.markRows([at, at]);
+  const of = run;
+  if (isTextLate) return textLater.do(() => of === run && showLine(at, line), timeline.isPlaying ? 0 : TEXT_QUIET_MS);
+  textLater.cancel();
+  showLine(at, line);
+}
+
+function showLine(at: number, line: { line: number; own: boolean }): void {
   if (line.own && `${run} ${line.line}` !== shownLine) {
     shownLine = `${run} ${line.line}`;
     editor.markLines("now", [line.line]);

@@ -38,6 +38,9 @@ const SHOW_EVERY = 150;
 /** Frames that follow on each other as fast, ms, are of something that moves. */
 const BUSY_MS = 200;
 
+/** What lies under the path: a picture with depth, or what draws it, where it is another in each frame. */
+export type Under = WebGLRenderTarget | ((renderer: WebGLRenderer, camera: Camera) => void);
+
 const STILL: Quality = { level: -1, samples: 4, scale: 1 };
 
 export class Painter {
@@ -55,8 +58,8 @@ export class Painter {
   /** What is drawn anew in each frame, over the path. */
   readonly over = new Group();
   readonly pace: Pace;
-  /** A picture with depth that lies under all of it: the stock. */
-  under: () => WebGLRenderTarget | undefined = () => undefined;
+  /** What lies under all of it: the stock. */
+  under: () => Under | undefined = () => undefined;
   /** Lines of the last frame, those of the kept picture included. */
   drawnLines = 0;
   /** Whether a picture that is not complete is shown. */
@@ -185,10 +188,13 @@ export class Painter {
     }
   }
 
-  /** Over a stock the processor smooths no edges while something moves, but once it stands. */
+  /** Over a stock the processor smooths no edges while it is not complete or something moves, but once it stands. */
   private isRough(): boolean {
     window.clearTimeout(this.smoothLater);
-    if (!this.isSoftware || !this.under() || !this.isBusy) return false;
+    const under = this.under();
+    if (!this.isSoftware || !under) return false;
+    if (typeof under === "function") return true;
+    if (!this.isBusy) return false;
     this.smoothLater = window.setTimeout(this.wanted, BUSY_MS + 1);
     return true;
   }
@@ -245,7 +251,8 @@ export class Painter {
   /** The stock, before what lies on it. */
   private lay(): void {
     const under = this.under();
-    if (under) this.copy.draw(this.renderer, under, true);
+    if (typeof under === "function") under(this.renderer, this.camera);
+    else if (under) this.copy.draw(this.renderer, under, true);
   }
 
   private begin(): void {

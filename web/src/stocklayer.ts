@@ -1,16 +1,13 @@
-// The stock in space. Its picture is kept: while a program plays only what changes is drawn anew in it, and
-// while the view turns a coarser surface stands for it.
+// The stock in space. Its picture is kept: while a program plays only what changes is drawn anew in it. While the view
+// turns, and while too much changes at once, a coarser surface stands for it.
 
 import {
-  BufferAttribute,
-  BufferGeometry,
   type Camera,
   Color,
   DepthTexture,
   DoubleSide,
   GLSL3,
-  Group,
-  Mesh,
+  type Group,
   type OrthographicCamera,
   ShaderMaterial,
   UnsignedIntType,
@@ -20,13 +17,17 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from "three";
+import { CoarseSurface } from "./coarsestock";
 import { type Palette, toolColor } from "./colors";
 import type { StockBefore } from "./drops";
 import { drawnAll } from "./fence";
 import { Fixtures } from "./fixtures";
+import type { Under } from "./painter";
 import type { Bounds, Vec3 } from "./path";
+import { pause } from "./pause";
 import { FRAGMENT, VERTEX } from "./stockshader";
-import { SIDE, Surface, TILE, type Touched, triangles } from "./surface";
+import { Surface, TILE, type Touched } from "./surface";
+import { Tiles } from "./tiles";
 
 export type StockColor = "tool" | "depth" | "deviation" | "plain";
 
@@ -36,8 +37,8 @@ export interface Cut {
   at: number;
 }
 
-/** Triangles that are drawn in one go: in a fraction of a frame, with a graphics card and without. */
-const AT_ONCE = { card: 4_000_000, software: 24_000 };
+/** Triangles and tiles that are drawn in one go: in a fraction of a frame, with a graphics card and without. */
+const AT_ONCE = { card: { triangles: 4_000_000, tiles: 256 }, software: { triangles: 12_000, tiles: 64 } };
 /** Columns of the surface that stands for the stock while the view turns. */
 const COARSE = { card: 250_000, software: 9_000 };
 /** How long the view must be still before all of it is drawn again, ms; and how long at most where too much changes at once. */
@@ -50,29 +51,16 @@ const MARGIN = 3;
 /** Deviations beyond so many tolerances have one colour. */
 export const TOLERANCES = 10;
 
-interface TilePart {
-  mesh: Mesh<BufferGeometry, ShaderMaterial>;
-  /** Lowest and highest corner, from the top, mm. */
-  ends: [number, number];
-  triangles: number;
-}
-
 export class StockLayer {
   surface: Surface | undefined;
   /** Triangles of the last frame: for tests and measurements. */
   drawnTriangles = 0;
   private shown = true;
-  private group = new Group();
-  private coarseGroup = new Group();
-  private tiles: TilePart[] = [];
-  private coarse: Mesh<BufferGeometry, ShaderMaterial> | undefined;
-  private coarseStep = 1;
-  private coarseStale = true;
-  private roughStale = true;
+  private tiles: Tiles | undefined;
+  private coarse: { surface: CoarseSurface; tiles: Tiles; isStale: boolean } | undefined;
   private material = material();
+  private coarseMaterial = sibling(this.material);
   private whole: WebGLRenderTarget | undefined;
-  private rough: WebGLRenderTarget | undefined;
-  private picture: WebGLRenderTarget | undefined;
   private state: "stale" | "drawing" | "complete" = "stale";
   private seenFrom = "";
   private movedAt = 0;
@@ -91,17 +79,15 @@ export class StockLayer {
     private wanted: () => void,
   ) {}
 
-  private get atOnce(): number {
+  private get atOnce() {
     return this.isSoftware ? AT_ONCE.software : AT_ONCE.card;
   }
 
   /** Another stock, or none. */
   begin(stock: StockBefore | undefined, origin: Vec3): void {
-    for (const { mesh } of this.tiles) mesh.geometry.dispose();
-    this.coarse?.geometry.dispose();
-    this.group.clear();
-    this.coarseGroup.clear();
-    this.tiles = [];
+    this.tiles?.dispose();
+    this.coarse?.tiles.dispose();
+    this.tiles = undefined;
     this.coarse = undefined;
     this.own = undefined;
     this.surface = stock && new Surface(stock);
@@ -113,23 +99,9 @@ export class StockLayer {
   }
 
   private build(surface: Surface): void {
-    const columns = surface.stock.columns[0] * surface.stock.columns[1];
-    const most = this.isSoftware ? COARSE.software : COARSE.card;
-    this.coarseStep = Math.max(1, Math.ceil(Math.sqrt(columns / most)));
-    for (let tile = 0; tile < surface.stale.length; tile++) {
-      const [x, y] = surface.firstCorner(tile);
-      const places = new Uint16Array(2 * SIDE * SIDE);
-      for (let at = 0; at < SIDE * SIDE; at++) places.set([x + (at % SIDE), y + Math.floor(at / SIDE)], 2 * at);
-      const geometry = geometryOf(places, surface.target !== undefined);
-      geometry.setIndex(new BufferAttribute(new Uint16Array(6 * TILE * TILE), 1));
-      const mesh = new Mesh(geometry, this.material);
-      mesh.frustumCulled = false;
-      this.group.add(mesh);
-      this.tiles.push({ mesh, ends: [surface.bottom, 0], triangles: 0 });
-    }
-    surface.stale.fill(1);
-    this.coarse = coarseMesh(surface, this.coarseStep, this.material);
-    this.coarseGroup.add(this.coarse);
+    this.tiles = new Tiles(surface, this.material);
+    const coarse = new CoarseSurface(surface, this.isSoftware ? COARSE.software : COARSE.card);
+    this.coarse = { surface: coarse, tiles: new Tiles(coarse.surface, this.coarseMaterial), isStale: true };
   }
 
   /** The origin of the path is the zero of the picture. */
@@ -137,7 +109,7 @@ export class StockLayer {
     this.origin = origin;
     if (!this.surface) return;
     const { low, high } = this.surface.stock;
-    for (const group of [this.group, this.coarseGroup]) {
+    for (const { group } of [this.tiles!, this.coarse!.tiles]) {
       group.position.set(low[0] - origin[0], low[1] - origin[1], high[2] - origin[2]);
       group.updateMatrixWorld(true);
     }
@@ -187,13 +159,13 @@ export class StockLayer {
   changed(): void {
     this.number++;
     this.state = "stale";
-    this.roughStale = true;
     this.wanted();
   }
 
-  /** The picture with depth as it was drawn last. */
-  get under(): WebGLRenderTarget | undefined {
-    return this.surface && this.shown ? this.picture : undefined;
+  /** The picture with depth, or, until there is one, what draws the coarse surface. */
+  get under(): Under | undefined {
+    if (!this.surface || !this.shown) return undefined;
+    return this.state === "complete" ? this.whole : this.drawCoarse;
   }
 
   /** The picture shows every column. */
@@ -206,32 +178,60 @@ export class StockLayer {
     const { surface } = this;
     this.drawnTriangles = 0;
     if (!surface || !this.shown) return;
-    this.note(surface.takeTouched());
+    const touched = surface.takeTouched();
+    this.note(touched);
+    if (touched && this.isLeap(touched)) void this.leap(renderer);
     const from = `${camera.matrixWorld.elements.join()} ${camera.projectionMatrix.elements.join()}`;
     if (this.resize(renderer) || from !== this.seenFrom) {
       this.seenFrom = from;
-      this.number++;
-      this.state = "stale";
-      this.roughStale = true;
-      this.movedAt = performance.now();
+      this.wait();
     }
     this.material.uniforms.push!.value = 2 * (pushOf(camera, renderer) + 0.5 * surface.stock.pitch) / (camera.far - camera.near);
     this.material.uniforms.eye!.value.set(...eyeOf(camera));
     if (this.state === "complete" && this.own) this.repaint(renderer, camera, this.own);
     if (this.state === "complete") return;
-    if (this.roughStale || this.coarseStale || this.picture !== this.rough) this.drawCoarse(renderer, camera);
     // All of it once it is still.
     window.clearTimeout(this.timer);
     if (this.state === "drawing") return;
     if (isTurning) return;
-    const rest = this.patience - (performance.now() - this.movedAt);
-    if (rest <= 0) void this.drawAll(renderer, camera);
-    else this.timer = window.setTimeout(() => this.wanted(), rest + 1);
+    if (this.rest <= 0) void this.drawAll(renderer, camera);
+    else this.settle();
+  }
+
+  /** How long it must still be still, ms. */
+  private get rest(): number {
+    return this.patience - (performance.now() - this.movedAt);
+  }
+
+  private settle(): void {
+    this.timer = window.setTimeout(() => (this.rest > 0 ? this.settle() : this.wanted()), this.rest + 1);
+  }
+
+  /** Until it is still only the coarse surface is drawn. */
+  private wait(): void {
+    this.number++;
+    this.state = "stale";
+    this.movedAt = performance.now();
+  }
+
+  /** To another moment: it is still once that one is drawn, however long it takes. */
+  private async leap(renderer: WebGLRenderer): Promise<void> {
+    this.wait();
+    const { number } = this;
+    // What is drawn in this frame is counted.
+    await Promise.resolve();
+    await drawnAll(renderer);
+    if (number === this.number) this.movedAt = performance.now();
+  }
+
+  /** So much changes at once only where somebody looks for a moment: more of it is likely to come. */
+  private isLeap({ columns, rows }: Touched): boolean {
+    return (columns[1] - columns[0]) * (rows[1] - rows[0]) > this.atOnce.tiles * TILE * TILE;
   }
 
   private note(touched: Touched | undefined): void {
     if (!touched) return;
-    this.coarseStale = true;
+    this.coarse!.isStale = true;
     const { own } = this;
     const join = (a: [number, number], b: [number, number]): [number, number] => [Math.min(a[0], b[0]), Math.max(a[1], b[1])];
     this.own = own
@@ -243,17 +243,15 @@ export class StockLayer {
     const ratio = Math.min(2, window.devicePixelRatio);
     const size = renderer.getSize(new Vector2()).multiplyScalar(ratio).floor().max(new Vector2(1, 1));
     if (this.whole?.width === size.x && this.whole.height === size.y) return false;
-    const old = [this.whole, this.rough];
-    const make = () => new WebGLRenderTarget(size.x, size.y, { depthTexture: new DepthTexture(size.x, size.y, UnsignedIntType) });
-    [this.whole, this.rough] = [make(), make()];
-    this.picture = undefined;
-    old.forEach((target) => target?.dispose());
+    this.whole?.dispose();
+    this.whole = new WebGLRenderTarget(size.x, size.y, { depthTexture: new DepthTexture(size.x, size.y, UnsignedIntType) });
     return true;
   }
 
   /** Draws anew what has changed, where that is soon done. */
   private repaint(renderer: WebGLRenderer, camera: Camera, own: Touched): void {
     const surface = this.surface!;
+    const tiles = this.tiles!;
     const { x, y, width, height } = this.rectangle(surface, camera, [
       [own.columns[0], own.rows[0]], [own.columns[1] + 2, own.rows[1] + 2],
     ], own.heights, MARGIN);
@@ -263,18 +261,16 @@ export class StockLayer {
     }
     const chosen: number[] = [];
     let sum = 0;
-    for (const [tile, part] of this.tiles.entries()) {
-      this.take(tile);
+    for (let tile = 0; tile < tiles.count; tile++) {
+      tiles.take(tile);
       const [x0, y0] = surface.firstCorner(tile);
-      const own = this.rectangle(surface, camera, [[x0, y0], [x0 + TILE, y0 + TILE]], part.ends, 1);
+      const own = this.rectangle(surface, camera, [[x0, y0], [x0 + TILE, y0 + TILE]], tiles.ends(tile), 1);
       if (own.x > x + width || own.x + own.width < x || own.y > y + height || own.y + own.height < y) continue;
       chosen.push(tile);
-      sum += part.triangles;
-      if (sum > this.atOnce) {
+      sum += tiles.triangles(tile);
+      if (sum > this.atOnce.triangles || chosen.length > this.atOnce.tiles) {
         // Too much for one frame: the coarse surface until it is still.
-        this.number++;
-        this.state = "stale";
-        this.movedAt = performance.now();
+        this.wait();
         this.patience = Math.min(MOST_STILL, 2 * this.patience);
         return;
       }
@@ -296,7 +292,7 @@ export class StockLayer {
   private rectangle(surface: Surface, camera: Camera, [low, high]: [[number, number], [number, number]], heights: [number, number], margin: number) {
     const m = camera.matrixWorldInverse.elements;
     const p = camera.projectionMatrix.elements;
-    const { position } = this.group;
+    const { position } = this.tiles!.group;
     const { width, height } = this.whole!;
     let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
     for (let bits = 0; bits < 8; bits++) {
@@ -322,14 +318,9 @@ export class StockLayer {
     return [place(0, x), place(1, y)];
   }
 
-  private draw(renderer: WebGLRenderer, camera: Camera, tiles: number[]): void {
-    for (const part of this.tiles) part.mesh.visible = false;
-    for (const tile of tiles) {
-      this.take(tile);
-      this.tiles[tile]!.mesh.visible = true;
-      this.drawnTriangles += this.tiles[tile]!.triangles;
-    }
-    this.render(renderer, camera, this.group);
+  private draw(renderer: WebGLRenderer, camera: Camera, chosen: number[]): void {
+    this.drawnTriangles += this.tiles!.choose(chosen);
+    this.render(renderer, camera, this.tiles!.group);
   }
 
   private drawFixtures(renderer: WebGLRenderer, camera: Camera): void {
@@ -345,38 +336,14 @@ export class StockLayer {
     this.material.uniforms.isFlat!.value = false;
   }
 
-  /** The corners of a tile that have changed go to the card. */
-  private take(tile: number): void {
-    const surface = this.surface!;
-    if (!surface.stale[tile]) return;
-    surface.stale[tile] = 0;
-    const part = this.tiles[tile]!;
-    const { geometry } = part.mesh;
-    const [z, slot, target] = [geometry.attributes.z!, geometry.attributes.slot!, geometry.attributes.target];
-    const heights = z.array as Float32Array;
-    part.ends = surface.copy(tile, heights, slot.array as Uint8Array, target?.array as Float32Array | undefined);
-    const lean = geometry.attributes.lean!;
-    surface.falls(tile, lean.array as Int8Array);
-    const [x, y] = surface.firstCorner(tile);
-    const open: [number, number] = [(surface.open.column ?? -1) - x, (surface.open.row ?? -1) - y];
-    const count = triangles(heights, slot.array as Uint8Array, target?.array as Float32Array | undefined, geometry.index!.array as Uint16Array, open);
-    part.triangles = count / 3;
-    geometry.setDrawRange(0, count);
-    for (const attribute of [z, slot, lean, target, geometry.index]) if (attribute) attribute.needsUpdate = true;
-  }
-
-  private drawCoarse(renderer: WebGLRenderer, camera: Camera): void {
-    const surface = this.surface!;
-    if (this.coarseStale) takeCoarse(this.coarse!, surface, this.coarseStep);
-    this.coarseStale = this.roughStale = false;
-    renderer.setRenderTarget(this.rough!);
-    renderer.clear();
-    this.render(renderer, camera, this.coarseGroup);
+  private drawCoarse = (renderer: WebGLRenderer, camera: Camera): void => {
+    const { surface, tiles, isStale } = this.coarse!;
+    if (isStale) surface.take();
+    this.coarse!.isStale = false;
+    this.drawnTriangles += tiles.choose(tiles.all);
+    this.render(renderer, camera, tiles.group);
     this.drawFixtures(renderer, camera);
-    renderer.setRenderTarget(null);
-    this.drawnTriangles += this.coarse!.geometry.index!.count / 3;
-    this.picture = this.rough;
-  }
+  };
 
   /** Draws all of it, some tiles at a time. */
   private async drawAll(renderer: WebGLRenderer, camera: Camera): Promise<void> {
@@ -384,14 +351,22 @@ export class StockLayer {
     const number = ++this.number;
     this.own = undefined;
     let cleared = false;
+    const tiles = this.tiles!;
+    // All corners first: a tile has on its edges those of the tiles beside it.
+    for (const at of tiles.all) {
+      tiles.take(at);
+      if ((at + 1) % this.atOnce.tiles > 0) continue;
+      await pause();
+      if (number !== this.number) return;
+    }
     let tile = 0;
-    while (tile < this.tiles.length) {
+    while (tile < tiles.count) {
       const some: number[] = [];
       let sum = 0;
-      for (; tile < this.tiles.length && sum < this.atOnce; tile++) {
-        this.take(tile);
+      for (; tile < tiles.count && sum < this.atOnce.triangles && some.length < this.atOnce.tiles; tile++) {
+        tiles.take(tile);
         some.push(tile);
-        sum += this.tiles[tile]!.triangles;
+        sum += tiles.triangles(tile);
       }
       renderer.setRenderTarget(this.whole!);
       if (!cleared) {
@@ -401,11 +376,10 @@ export class StockLayer {
       cleared = true;
       this.draw(renderer, camera, some);
       renderer.setRenderTarget(null);
-      if (tile < this.tiles.length) await drawnAll(renderer);
+      if (tile < tiles.count) await drawnAll(renderer);
       if (number !== this.number) return;
     }
     this.state = "complete";
-    this.picture = this.whole;
     this.wanted();
   }
 
@@ -415,9 +389,14 @@ export class StockLayer {
     const { stock } = surface;
     const size = [stock.high[0] - stock.low[0], stock.high[1] - stock.low[1]] as const;
     const u = this.material.uniforms;
-    u.columns!.value.set(stock.columns[0], stock.columns[1]);
     u.size!.value.set(...size);
-    u.pitch!.value = stock.pitch;
+    for (const { uniforms, own } of [
+      { uniforms: u, own: stock },
+      { uniforms: this.coarseMaterial.uniforms, own: this.coarse!.surface.surface.stock },
+    ]) {
+      uniforms.columns!.value.set(own.columns[0], own.columns[1]);
+      uniforms.pitch!.value = own.pitch;
+    }
     u.bottom!.value = surface.bottom;
     u.by!.value = ["tool", "depth", "deviation", "plain"].indexOf(by === "deviation" && !surface.target ? "plain" : by);
     u.colors!.value = [palette.stock, ...Array.from({ length: SLOTS - 1 }, (_, index) => toolColor(palette, index))].map((color) => new Color(color));
@@ -432,6 +411,7 @@ export class StockLayer {
       return Math.min(stock.columns[axis] - 1, Math.max(0, Math.round(at - 0.5)));
     };
     const snapped = (axis: 0 | 1) => this.corner(surface, column(0) + 1, column(1) + 1)[axis];
+    this.coarse!.isStale = true;
     surface.setOpen(cut?.axis === "x" ? { column: column(0) + 1 } : cut?.axis === "y" ? { row: column(1) + 1 } : {});
     u.keep!.value.set(
       cut?.axis === "x" ? snapped(0) : Infinity_,
@@ -453,63 +433,6 @@ function pushOf(camera: OrthographicCamera, renderer: WebGLRenderer): number {
 function eyeOf(camera: Camera): Vec3 {
   const m = camera.matrixWorld.elements;
   return [m[8]!, m[9]!, m[10]!];
-}
-
-function geometryOf(places: Uint16Array, hasTarget: boolean): BufferGeometry {
-  const count = places.length / 2;
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("at", new BufferAttribute(places, 2));
-  geometry.setAttribute("z", new BufferAttribute(new Float32Array(count), 1));
-  geometry.setAttribute("slot", new BufferAttribute(new Uint8Array(count), 1));
-  geometry.setAttribute("lean", new BufferAttribute(new Int8Array(2 * count), 2, true));
-  if (hasTarget) geometry.setAttribute("target", new BufferAttribute(new Float32Array(count), 1));
-  return geometry;
-}
-
-/** Corners that a coarse surface takes: every so many, and the ring. */
-function coarsePlaces(count: number, step: number): number[] {
-  const places = [0];
-  for (let at = 1; at < count - 1; at += step) places.push(at);
-  if (places.at(-1)! < count - 2) places.push(count - 2);
-  places.push(count - 1);
-  return places;
-}
-
-function coarseMesh(surface: Surface, step: number, material: ShaderMaterial): Mesh<BufferGeometry, ShaderMaterial> {
-  const [across, up] = [coarsePlaces(surface.width, step), coarsePlaces(surface.height, step)];
-  const places = new Uint16Array(2 * across.length * up.length);
-  up.forEach((y, row) => across.forEach((x, column) => places.set([x, y], 2 * (row * across.length + column))));
-  const index = new Uint32Array(6 * (across.length - 1) * (up.length - 1));
-  let count = 0;
-  for (let row = 0; row + 1 < up.length; row++) {
-    for (let column = 0; column + 1 < across.length; column++) {
-      const a = row * across.length + column;
-      const [b, c, d] = [a + 1, a + across.length, a + across.length + 1];
-      index.set([a, b, c, b, d, c], count);
-      count += 6;
-    }
-  }
-  const geometry = geometryOf(places, surface.target !== undefined);
-  geometry.setIndex(new BufferAttribute(index, 1));
-  const mesh = new Mesh(geometry, material);
-  mesh.frustumCulled = false;
-  return mesh;
-}
-
-function takeCoarse({ geometry }: Mesh<BufferGeometry>, surface: Surface, step: number): void {
-  const [across, up] = [coarsePlaces(surface.width, step), coarsePlaces(surface.height, step)];
-  const [z, slot, target] = [geometry.attributes.z!, geometry.attributes.slot!, geometry.attributes.target];
-  let to = 0;
-  for (const y of up) {
-    for (const x of across) {
-      const from = y * surface.width + x;
-      z.array[to] = surface.z[from]!;
-      slot.array[to] = surface.slot[from]!;
-      if (target) target.array[to] = surface.target![from]!;
-      to++;
-    }
-  }
-  for (const attribute of [z, slot, target]) if (attribute) attribute.needsUpdate = true;
 }
 
 function material(): ShaderMaterial {
@@ -536,4 +459,11 @@ function material(): ShaderMaterial {
       isFlat: { value: false },
     },
   });
+}
+
+/** The same material for another grid of columns: all else is that of the first. */
+function sibling(of: ShaderMaterial): ShaderMaterial {
+  const made = of.clone();
+  made.uniforms = { ...of.uniforms, columns: { value: new Vector2() }, pitch: { value: 1 } };
+  return made;
 }

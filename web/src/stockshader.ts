@@ -62,7 +62,6 @@ in vec3 color;
 in vec2 falls;
 uniform vec2 size;
 uniform vec3 uncut;
-uniform float bottom;
 uniform vec4 keep;
 uniform vec3 inside;
 uniform vec3 eye;
@@ -70,8 +69,6 @@ uniform bool isFlat;
 out vec4 drawn;
 
 void main() {
-  // Where nothing is left there is nothing.
-  if (place.z <= bottom + 1e-4) discard;
   vec3 normal = isFlat ? vec3(0.0, 0.0, -1.0) : normalize(cross(dFdx(place), dFdy(place)));
   if (dot(normal, eye) < 0.0) normal = -normal;
   vec3 own = color;

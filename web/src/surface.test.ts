@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { StockBefore } from "./drops";
 import { floorOf } from "./floor";
-import { SIDE, Surface, TILE, triangles } from "./surface";
+import { SIDE, Surface } from "./surface";
 
 function stock(nx: number, ny: number): StockBefore {
   return { low: [0, 0, -10], high: [nx, ny, 0], pitch: 1, columns: [nx, ny], heights: new Float32Array(nx * ny), toleranceMm: 0 };
@@ -31,36 +31,6 @@ test("a column on the edge of a tile changes both, and no other", () => {
   surface.stale.fill(0);
   surface.set(30, -1, 1);
   expect(surface.stale.some(Boolean)).toBe(false);
-});
-
-test("a flat block is two triangles, any other has two for each cell", () => {
-  const surface = new Surface(stock(100, 100));
-  const [z, slot, index] = [new Float32Array(SIDE * SIDE), new Uint8Array(SIDE * SIDE), new Uint16Array(6 * TILE * TILE)];
-  const blocks = (TILE / 8) ** 2;
-  const middle = 1 + surface.tiles[0];
-  surface.copy(middle, z, slot);
-  expect(triangles(z, slot, undefined, index)).toBe(6 * blocks);
-  // One column in the midst of a block.
-  surface.set((TILE + 3) * 100 + TILE + 3, -2, 1);
-  surface.copy(middle, z, slot);
-  // It is in the first block: its two neighbours have its corners on their edge, and eleven triangles each.
-  const count = triangles(z, slot, undefined, index);
-  expect(count).toBe(6 * 64 + 2 * 3 * 11 + 6 * (blocks - 3));
-  // Every cell is covered once.
-  let area = 0;
-  for (let at = 0; at < count; at += 3) {
-    const [a, b, c] = [index[at]!, index[at + 1]!, index[at + 2]!].map((corner) => [corner % SIDE, Math.floor(corner / SIDE)] as const);
-    area += Math.abs((b![0] - a![0]) * (c![1] - a![1]) - (c![0] - a![0]) * (b![1] - a![1])) / 2;
-  }
-  expect(area).toBe(TILE * TILE);
-});
-
-test("no block is one piece where the stock is cut open", () => {
-  const [z, slot, index] = [new Float32Array(SIDE * SIDE), new Uint8Array(SIDE * SIDE), new Uint16Array(6 * TILE * TILE)];
-  const whole = triangles(z, slot, undefined, index);
-  // Along column 12, in the second column of blocks.
-  const open = triangles(z, slot, undefined, index, [12, -1]);
-  expect(open - whole).toBe(4 * (6 * 64 - 6) + 8 * (33 - 6));
 });
 
 test("the light on walls follows the way the surface falls", () => {

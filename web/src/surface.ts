@@ -1,11 +1,11 @@
 // The surface of a stock as a grid of corners in tiles: what is drawn of it, and what has changed.
 
 import type { StockBefore } from "./drops";
+import type { Corners } from "./facets";
 import type { Floor } from "./floor";
 
-/** Cells along a side of a tile, and of the blocks that are one flat piece where they can. */
+/** Cells along a side of a tile: halved again and again they are one. */
 export const TILE = 32;
-const BLOCK = 8;
 /** Corners along a side of a tile. */
 export const SIDE = TILE + 1;
 
@@ -82,14 +82,26 @@ export class Surface {
     for (let y = 0; y < ny; y++) {
       const [from, to] = [y * nx, this.corner(0, y)];
       const [below, above] = [Math.floor(y / TILE) * across, Math.floor((y + 1) / TILE) * across];
-      for (let x = 0; x < nx; x++) {
-        const [before, after] = [z[to + x]!, heights[from + x]!];
-        if (before === after && slot[to + x] === slots[from + x]) continue;
-        z[to + x] = after;
-        slot[to + x] = slots[from + x]!;
-        this.touch(x, y, Math.min(before, after), Math.max(before, after));
-        const [left, right] = [Math.floor(x / TILE), Math.floor((x + 1) / TILE)];
-        stale[below + left] = stale[below + right] = stale[above + left] = stale[above + right] = 1;
+      for (let x0 = 0, tile = 0; x0 < nx; x0 += TILE, tile++) {
+        const end = Math.min(nx, x0 + TILE);
+        let [first, last, low, high] = [-1, -1, Infinity, -Infinity];
+        for (let x = x0; x < end; x++) {
+          const before = z[to + x]!;
+          const after = heights[from + x]!;
+          if (before === after && slot[to + x] === slots[from + x]) continue;
+          z[to + x] = after;
+          slot[to + x] = slots[from + x]!;
+          if (first < 0) first = x;
+          last = x;
+          low = Math.min(low, before, after);
+          high = Math.max(high, before, after);
+        }
+        if (first < 0) continue;
+        this.touch(first, y, low, high);
+        this.touch(last, y, low, high);
+        // Corner x + 1 is of the tile of cell x, too.
+        const right = last === x0 + TILE - 1 ? tile + 1 : tile;
+        stale[below + tile] = stale[below + right] = stale[above + tile] = stale[above + right] = 1;
       }
     }
   }
@@ -145,7 +157,7 @@ export class Surface {
     return [(tile % across) * TILE, Math.floor(tile / across) * TILE];
   }
 
-  /** No block is made one piece across this column or row of corners: the stock is cut open there. */
+  /** No square is one piece across this column or row of corners: the stock is cut open there. */
   open: { column?: number; row?: number } = {};
 
   /** Opens the stock along a column or a row of corners, or nowhere. */
@@ -179,8 +191,8 @@ export class Surface {
     }
   }
 
-  /** Copies the corners of a tile; beyond the ring they are repeated. */
-  copy(tile: number, z: Float32Array, slot: Uint8Array, target?: Float32Array): [number, number] {
+  /** Copies the corners of a tile; beyond the ring they are repeated. Gives the lowest and the highest. */
+  copy(tile: number, { z, slot, target }: Corners): [number, number] {
     const [x0, y0] = this.firstCorner(tile);
     let [low, high] = [Infinity, -Infinity];
     for (let y = 0, to = 0; y < SIDE; y++) {
@@ -197,82 +209,4 @@ export class Surface {
     }
     return [low, high];
   }
-}
-
-/**
- * The triangles of a tile: two for a block that is flat and of one owner. Where a block that is not lies next to it,
- * its edge has the corners of both, so that no pixel is missed between them. Gives how many numbers of `index` they take.
- */
-export function triangles(z: Float32Array, slot: Uint8Array, target: Float32Array | undefined, index: Uint16Array, open: [number, number] = [-1, -1]): number {
-  let count = 0;
-  const put = (a: number, b: number, c: number) => {
-    index[count++] = a;
-    index[count++] = b;
-    index[count++] = c;
-  };
-  const across = TILE / BLOCK;
-  const flat: boolean[] = [];
-  const isOpen = (from: number, at: number) => at >= from && at <= from + BLOCK;
-  for (let y = 0; y < TILE; y += BLOCK) {
-    for (let x = 0; x < TILE; x += BLOCK) {
-      flat.push(!isOpen(x, open[0]) && !isOpen(y, open[1]) && isFlat(z, slot, target, x, y));
-    }
-  }
-  const cells = (x0: number, y0: number) => {
-    for (let y = y0; y < y0 + BLOCK; y++) {
-      for (let x = x0; x < x0 + BLOCK; x++) {
-        const a = y * SIDE + x;
-        const [b, c, d] = [a + 1, a + SIDE, a + SIDE + 1];
-        // Along the diagonal that is less steep: walls are straight then.
-        if (Math.abs(z[a]! - z[d]!) > Math.abs(z[b]! - z[c]!)) {
-          put(a, b, c);
-          put(b, d, c);
-        } else {
-          put(a, b, d);
-          put(a, d, c);
-        }
-      }
-    }
-  };
-  const piece = (x0: number, y0: number, fine: boolean[]) => {
-    const a = y0 * SIDE + x0;
-    const [b, c, d] = [a + BLOCK, a + BLOCK * SIDE, a + BLOCK * SIDE + BLOCK];
-    if (!fine.some(Boolean)) {
-      put(a, b, d);
-      return put(a, d, c);
-    }
-    const middle = a + (BLOCK / 2) * SIDE + BLOCK / 2;
-    const edge = (from: number, to: number, isFine: boolean) => {
-      const parts = isFine ? BLOCK : 1;
-      const step = (to - from) / parts;
-      for (let part = 0; part < parts; part++) put(middle, from + part * step, from + (part + 1) * step);
-    };
-    edge(a, b, fine[0]!);
-    edge(b, d, fine[1]!);
-    edge(d, c, fine[2]!);
-    edge(c, a, fine[3]!);
-  };
-  for (let block = 0; block < across * across; block++) {
-    const [x, y] = [block % across, Math.floor(block / across)];
-    if (!flat[block]) {
-      cells(x * BLOCK, y * BLOCK);
-      continue;
-    }
-    const isFine = (column: number, row: number) =>
-      column >= 0 && column < across && row >= 0 && row < across && !flat[row * across + column];
-    piece(x * BLOCK, y * BLOCK, [isFine(x, y - 1), isFine(x + 1, y), isFine(x, y + 1), isFine(x - 1, y)]);
-  }
-  return count;
-}
-
-function isFlat(z: Float32Array, slot: Uint8Array, target: Float32Array | undefined, x0: number, y0: number): boolean {
-  const first = y0 * SIDE + x0;
-  for (let y = y0; y <= y0 + BLOCK; y++) {
-    for (let x = x0; x <= x0 + BLOCK; x++) {
-      const at = y * SIDE + x;
-      if (z[at] !== z[first] || slot[at] !== slot[first]) return false;
-      if (target && target[at] !== target[first]) return false;
-    }
-  }
-  return true;
 }

@@ -20,12 +20,15 @@ console.log(await page.evaluate(() => {
   return { columns: drops.heights.length, drops: drops.count, each: drops.count / drops.heights.length, megabytes: drops.bytes / 1e6 };
 }));
 
-/** Milliseconds of moments that are sought: the list, the surface and the first frame. */
-const seeks = (count, next) => page.evaluate(async ([count, near]) => {
-  const { timeline, setpoints } = window.chordal;
+const used = () => processorSeconds("gpu-process") + processorSeconds("renderer");
+
+/** Milliseconds of moments that are sought one after the other: the list and the surface, until its frame is told, and until that is drawn. */
+const seeks = (count, near) => page.evaluate(async ([count, near]) => {
+  const { timeline, setpoints, view } = window.chordal;
+  const gl = view.painter.renderer.getContext();
   const total = setpoints().totalS;
-  const times = [];
-  const frames = [];
+  const after = view.onDrawn;
+  const [times, frames, drawn] = [[], [], []];
   let state = 7;
   for (let n = 0; n < count; n++) {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
@@ -33,17 +36,33 @@ const seeks = (count, next) => page.evaluate(async ([count, near]) => {
     const start = performance.now();
     timeline.seek(near ? (total * (n + 1)) / (count + 1) / 50 : total * share);
     times.push(performance.now() - start);
-    await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
-    frames.push(performance.now() - start);
+    const fence = await new Promise((done) => {
+      view.onDrawn = () => {
+        view.onDrawn = after;
+        after();
+        frames.push(performance.now() - start);
+        const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+        gl.flush();
+        done(fence);
+      };
+    });
+    do await new Promise((next) => setTimeout(next, 1));
+    while (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED);
+    gl.deleteSync(fence);
+    drawn.push(performance.now() - start);
   }
   const of = (all) => {
     all.sort((a, b) => a - b);
-    return { median: all[all.length >> 1].toFixed(1), worst: all.at(-1).toFixed(1) };
+    const mean = all.reduce((sum, one) => sum + one, 0) / all.length;
+    return [["median", all[all.length >> 1]], ["mean", mean], ["worst", all.at(-1)]].map(([name, ms]) => `${name} ${ms.toFixed(1)}`).join(", ");
   };
-  return { seek: of(times), withFrame: of(frames) };
-}, [count, next]);
-console.log("far", await seeks(100, false));
-console.log("near", await seeks(100, true));
+  return { seek: of(times), told: of(frames), drawn: of(drawn) };
+}, [count, near]);
+for (const near of [false, true]) {
+  const before = used();
+  const told = await seeks(100, near);
+  console.log(near ? "near" : "far", told, `${((used() - before) * 10).toFixed(0)} ms of a processor each`);
+}
 
 /** Frames of playback at a rate. */
 const play = (rate) => page.evaluate(async (rate) => {
@@ -58,7 +77,6 @@ const play = (rate) => page.evaluate(async (rate) => {
   return [view.drawnFrames - frames, (performance.now() - start) / 1000];
 }, rate);
 for (const rate of [0, 3]) {
-  const used = () => processorSeconds("gpu-process") + processorSeconds("renderer");
   const before = used();
   const [frames, seconds] = await play(rate);
   const each = ((used() - before) / frames) * 1000;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use chordal::stock::{StockOptions, StockVerdict};
+use chordal::stock::StockOptions;
 use chordal::{Report, Severity};
 use chordal_export::report::{self, Sarif};
 use chordal_load::Loaded;
@@ -112,7 +112,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         let job = loaded.job()?;
         let (report, is_proved) = if stock {
             let found = stock::left(&job, &options, setup.as_deref())?;
-            (found.report().clone(), found.verdict() == StockVerdict::Clean)
+            (found.report().clone(), found.is_clean())
         } else {
             (job.check_keeping(kept), true)
         };

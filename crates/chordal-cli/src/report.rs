@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use chordal::stock::{StockLeft, StockOptions, StockVerdict};
+use chordal::stock::{StockLeft, StockOptions};
 use chordal_export::columns::ColumnFormat;
 use chordal_report::{About, gather, html, json};
 use clap::ValueEnum;
@@ -100,6 +100,5 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
     out.write_all(text.as_bytes()).map_err(|error| trouble(path, error))?;
     out.put()?;
     let verdict = tell(&gathered.report, &loaded, &job, terminal);
-    let is_clean = |found: &StockLeft| found.verdict() == StockVerdict::Clean;
-    Ok(if stock.as_ref().is_none_or(is_clean) { verdict } else { Verdict::Problems })
+    Ok(if stock.as_ref().is_none_or(StockLeft::is_clean) { verdict } else { Verdict::Problems })
 }

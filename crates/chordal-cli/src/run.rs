@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use chordal::motion::MotionOptions;
-use chordal::stock::{StockLeft, StockOptions, StockVerdict};
+use chordal::stock::{StockLeft, StockOptions};
 use chordal::time::Timed;
 use chordal::{Job, Report, Severity};
 use chordal_export::{PlotOptions, report, stock_left_text};
@@ -107,9 +107,8 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
                 objects.push(object);
             }
         }
-        let is_clean = |stock: &StockLeft| stock.verdict() == StockVerdict::Clean;
         let failed = done.report.worst() == Some(Severity::Error)
-            || !done.stock.as_ref().is_none_or(is_clean);
+            || !done.stock.as_ref().is_none_or(StockLeft::is_clean);
         Ok(if failed { Verdict::Problems } else { Verdict::Clean })
     })?;
     if args.format == Format::Json {

@@ -70,12 +70,14 @@ impl Stock {
         Ok((rows(vertices)?, indices(mesh.triangles().to_vec())?))
     }
 
-    /// The bytes of a mesh file, by its ending, or of a picture (`png`).
+    /// The bytes of a mesh file, by its ending, or of a picture (`png`); smooth within so much, mm, or in steps.
+    #[pyo3(signature = (ending, tolerance_mm, smooth_mm, name))]
     fn file<'py>(
         &self,
         py: Python<'py>,
         ending: &str,
         tolerance_mm: f64,
+        smooth_mm: Option<f64>,
         name: &str,
     ) -> PyResult<Bound<'py, PyBytes>> {
         let format = match ending {
@@ -88,10 +90,14 @@ impl Stock {
                 return Err(error::usage(py, &message, Some("formats are stl, 3mf, glb, png")));
             }
         };
+        if let Some(smooth) = smooth_mm.filter(|smooth| !(smooth.is_finite() && *smooth >= 0.0)) {
+            let message = format!("smooth is {smooth}, and must be a length of 0 mm or more");
+            return Err(error::usage(py, &message, Some("leave it out for a mesh in steps")));
+        }
+        let surface = smooth_mm.map_or(MeshSurface::Steps(tolerance_mm), MeshSurface::Smooth);
         let bytes = py.detach(|| match format {
             Some(format) => {
-                { stock_mesh(&self.found, format, MeshSurface::Steps(tolerance_mm), name) }
-                    .map_err(|error| error.to_string())
+                stock_mesh(&self.found, format, surface, name).map_err(|error| error.to_string())
             }
             None => stock_png(&self.found).map_err(|error| error.to_string()),
         });

@@ -345,15 +345,41 @@ fn touches_from_several_sides_are_sure_or_not_proved_and_never_clean() {
     let hit = &found.problems[0];
     assert_eq!(hit.code.info().name, "rapid-through-stock");
     assert!(hit.depth_mm.least > 9.9 && hit.depth_mm.most < 10.1, "{hit:?}");
-    // Through what the first side has removed: the tool is in air, and the columns of this side do not know it.
-    let step = "G0 X-20. Y-5.\nZ10.\nG1 X120. F600.\nG0 Y-15.\nG1 X-20.\n";
+    // Through what the first side has removed: the tool is in air.
+    let step = "G0 X-20. Y-5.\nZ10.\nG1 X120. F600.\nG0 Y-14.\nG1 X-20.\nG0 Y-18.\nG1 X120.\n";
     let through = "G0 X-20. Y16.\nZ1.\nG0 X120.\n";
     let found = run(BAR, &indexed(&[("0.", step), ("90.", through)]));
-    assert_eq!(found.verdict, StockVerdict::NotProved, "{:?}", found.problems);
-    assert!(codes(&found).contains(&"CH629"));
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.problems);
+    // A millimetre deeper than that, and where something of the first side is cut after it, it is not.
+    let deeper = through.replace("Z1.", "Z-1.");
+    let half = &step[..step.find("G0 Y-14.").unwrap()];
+    for sides in [
+        [("0.", step), ("90.", &deeper), ("0.", "")],
+        [("0.", half), ("90.", through), ("0.", step)],
+        [("90.", through), ("0.", step), ("0.", "")],
+    ] {
+        let found = run(BAR, &indexed(&sides));
+        assert_eq!(found.verdict, StockVerdict::NotProved, "{sides:?} {:?}", found.problems);
+        assert!(codes(&found).contains(&"CH629"));
+    }
     // Without the step it is a touch.
     let found = run(BAR, &indexed(&[("90.", through)]));
     assert_eq!(found.verdict, StockVerdict::Problems);
+}
+
+#[test]
+fn what_several_sides_remove_adds_up_where_one_follows_the_other() {
+    // Two steps of 5 × 9 × 100 and a slot of 5 × 10 × 100; none meets another.
+    let step = |y: &str, z: &str| format!("G0 X-20. Y{y}\nZ{z}\nG1 X120. F600.\n");
+    let sides =
+        [("0.", step("-16.", "10.")), ("180.", step("-16.", "10.")), ("90.", step("0.", "15."))];
+    let sides = sides.each_ref().map(|(angle, blocks)| (*angle, blocks.as_str()));
+    let found = run(BAR, &indexed(&sides));
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.report.diagnostics);
+    let removed = found.removed_mm3;
+    assert!(removed.least <= 14_000.0 && 14_000.0 <= removed.most, "{removed:?}");
+    // The slot begins with what the first step has left: both are known, but for a column along each wall.
+    assert!(removed.least > 7_500.0, "{removed:?}");
 }
 
 #[test]

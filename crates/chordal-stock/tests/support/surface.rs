@@ -16,14 +16,19 @@ fn height(x: f64, y: f64) -> f64 {
 
 /// The moves of the whole surface, in lines of about one length, mm.
 pub fn raster(length: f64) -> Vec<Move> {
-    let rows = (SIDE / STEP).round() as u32;
-    let lines = (SIDE / length).round() as u32;
+    raster_of([SIDE, SIDE], length)
+}
+
+/// The same on so much along X and Y, mm.
+pub fn raster_of([width, depth]: [f64; 2], length: f64) -> Vec<Move> {
+    let rows = (depth / STEP).round() as u32;
+    let lines = (width / length).round() as u32;
     let mut corners = Vec::new();
     for row in 0..=rows {
         let y = STEP * f64::from(row);
         for n in 0..=lines {
             let n = if row % 2 == 0 { n } else { lines - n };
-            let x = SIDE * f64::from(n) / f64::from(lines);
+            let x = width * f64::from(n) / f64::from(lines);
             corners.push([x, y, height(x, y)]);
         }
     }

@@ -69,6 +69,11 @@ impl StockLeft {
         }
     }
 
+    /// Whether it is proved that nothing is touched.
+    pub fn is_clean(&self) -> bool {
+        self.verdict() == StockVerdict::Clean
+    }
+
     /// How many problems there are.
     pub fn problems(&self) -> u64 {
         match self {

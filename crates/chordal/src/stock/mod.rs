@@ -3,6 +3,7 @@
 //! [`Job::stock`](crate::Job::stock) runs a program on the stock of its machine's setup. Everything it answers
 //! lies between two bounds, and "clean" is said only where they prove it.
 
+mod earlier;
 mod engagement;
 mod fixtures;
 mod gather;

@@ -12,9 +12,9 @@ use chordal_stock::{
     Amount, Body, Check, Checked, Contact, Cutter, Move, StockError, Task, Undercut,
 };
 
+use super::earlier::Begun;
 use super::fixtures::look_at_fixtures;
 use super::gather::{Batch, Gathered, Kind};
-use super::heights::Heights;
 use super::pass::{Run, StockOptions};
 use super::problems::{Fixture, Problems};
 use super::report::{StockReport, StockVerdict, ToolRemoved};
@@ -149,7 +149,8 @@ impl<'a> Bodies<'a> {
         problems: &mut Problems,
     ) -> Result<(Cut, Option<TargetReport>), StockError> {
         let asked = run.all_asked();
-        let cut = run.cut([&self.stock, &self.stock], &asked)?;
+        let begun = Begun::new([&self.stock, &self.stock], run.resolution, Vec::new());
+        let cut = run.cut(&begun, &asked)?;
         for (asked, contacts) in asked.iter().zip(&cut.checked.contacts) {
             run.report(asked, contacts, &|_, contact| contact, problems);
         }
@@ -210,8 +211,8 @@ impl<'a> Run<'a> {
         batches.flat_map(|(number, batch)| self.asked(number, batch)).collect()
     }
 
-    /// Cuts a stock that lies between two shapes, and looks at what touches it.
-    pub fn cut(&self, stock: [&Shape; 2], asked: &[Asked<'_>]) -> Result<Cut, StockError> {
+    /// Cuts a stock, and looks at what touches it.
+    pub fn cut(&self, begun: &Begun<'_>, asked: &[Asked<'_>]) -> Result<Cut, StockError> {
         let tasks: Vec<Task<'_>> = asked
             .iter()
             .map(|asked| Task {
@@ -223,10 +224,9 @@ impl<'a> Run<'a> {
                 ..Task::default()
             })
             .collect();
-        let shape = Heights::between(stock, self.resolution);
-        let heights = |low: [f64; 2], high: [f64; 2]| shape.of(low, high);
+        let heights = |low: [f64; 2], high: [f64; 2]| begun.of(low, high);
         let check = Check {
-            bounds: shape.bounds(),
+            bounds: begun.shape.bounds(),
             options: self.columns(),
             heights: &heights,
             tasks: &tasks,
@@ -234,7 +234,7 @@ impl<'a> Run<'a> {
             finest: self.finest(),
         };
         let checked = check.run_by(&|tiles| self.tiles(tiles))?;
-        let volumes = shape.volumes(&checked.stock);
+        let volumes = begun.shape.volumes(&checked.stock);
         let removed_by_tag = Vec::new();
         Ok(Cut { is_hollow: volumes.is_some(), checked, volumes, removed_by_tag, sides: 1 })
     }

@@ -1,24 +1,24 @@
 //! Parts that are cut from several sides: columns for each way that the part lies.
 //!
-//! What is cut from one side is removed from the columns of that side only. So each of these stocks holds the part
-//! that is truly left: a tool that is clear of one is clear of it. What touches is sure where no other side has
-//! removed anything near.
+//! What is cut from one side is removed from the columns of that side, and from those of the sides of which all cuts
+//! come later as far as it reaches down from their tops. So each of these stocks holds the part that is truly left: a
+//! tool that is clear of one is clear of it. What touches is sure where no other side has removed anything near.
 
 use std::collections::BTreeMap;
 
-use chordal_geometry::{Aabb, ParamCurve, Transform, Vec3};
+use chordal_geometry::{Aabb, ParamCurve, Vec3};
 use chordal_path::Segment;
 use chordal_stock::shape::Shape;
 use chordal_stock::{Amount, Contact, Stock, StockError};
 
+use super::earlier::{Begun, Earlier, Tops};
 use super::fixtures::look_at_fixtures;
 use super::gather::{Batch, Gathered};
-use super::heights::Heights;
 use super::pass::Run;
 use super::problems::Problems;
 use super::run::{Asked, Bodies, Cut};
 use super::target::{Target, TargetReport, look_at_target};
-use super::turns::{Turn, swept};
+use super::turns::{Turn, boxed, swept};
 use crate::job::Job;
 
 /// Columns along a side of a block of which one height is kept.
@@ -32,6 +32,9 @@ struct Side<'a> {
     asked: Vec<Asked<'a>>,
     cut: Cut,
     floors: Floors,
+    tops: Tops,
+    /// Its last move, by the place of the batch in the run.
+    last: usize,
 }
 
 impl Bodies<'_> {
@@ -75,9 +78,13 @@ impl Bodies<'_> {
         batches: &'a [Batch],
         problems: &mut Problems,
     ) -> Result<(Cut, Option<TargetReport>), StockError> {
-        let mut sides = Vec::new();
-        for (number, turn) in turns.iter().enumerate() {
-            let run = run(number);
+        let mut sides: Vec<(usize, Side<'a>)> = Vec::new();
+        let first = |turn: usize| batches.iter().position(|batch| batch.turn == turn);
+        let last = |turn: usize| batches.iter().rposition(|batch| batch.turn == turn);
+        let mut order: Vec<usize> = (0..turns.len()).collect();
+        order.sort_by_key(|turn| first(*turn));
+        for number in order {
+            let (run, turn) = (run(number), turns[number]);
             // The first is the part as it was given, even where it is never cut so.
             if run.batches.is_empty() && number > 0 {
                 continue;
@@ -86,11 +93,20 @@ impl Bodies<'_> {
                 problems.undecided += 1;
                 continue;
             };
+            let done = sides.iter().filter(|(_, side)| first(number) > Some(side.last));
+            let earlier = done.map(|(_, side)| Earlier {
+                tops: &side.tops,
+                there: turn.to_program.inverse().then(&side.turn.to_program),
+            });
+            let begun = Begun::new([&outer, &inner], run.resolution, earlier.collect());
             let asked = run.all_asked();
-            let cut = run.cut([&outer, &inner], &asked)?;
-            let floors = Floors::of(&cut.checked.stock, [&outer, &inner], run.resolution);
-            sides.push((number, Side { turn: *turn, asked, cut, floors }));
+            let cut = run.cut(&begun, &asked)?;
+            let stock = &cut.checked.stock;
+            let (floors, tops) = (Floors::of(stock, &begun), Tops::of(stock));
+            let last = last(number).unwrap_or(0);
+            sides.push((number, Side { turn, asked, cut, floors, tops, last }));
         }
+        sides.sort_by_key(|(number, _)| *number);
         self.report_turned(&sides, run, batches, problems);
         for (number, side) in &sides {
             let run = run(*number);
@@ -175,16 +191,6 @@ impl Side<'_> {
     }
 }
 
-/// The box around a box that is turned.
-fn boxed(body: &Aabb, by: &Transform) -> Aabb {
-    let corners = (0..8u32).map(|bits| {
-        let pick = |bit: u32, low: f64, high: f64| if bits & bit == 0 { low } else { high };
-        let Aabb { min, max } = body;
-        Vec3::new(pick(1, min.x, max.x), pick(2, min.y, max.y), pick(4, min.z, max.z))
-    });
-    corners.fold(Aabb::EMPTY, |around, corner| around.include(by.apply_point(corner)))
-}
-
 /// How deep a side is cut, by blocks of columns.
 struct Floors {
     low: [f64; 2],
@@ -195,12 +201,11 @@ struct Floors {
 }
 
 impl Floors {
-    fn of(stock: &Stock, shapes: [&Shape; 2], resolution: f64) -> Floors {
+    fn of(stock: &Stock, begun: &Begun<'_>) -> Floors {
         let grid = stock.grid();
         let [columns, rows] = grid.cells();
         let blocks = [columns, rows].map(|count| count.div_ceil(BLOCK) as usize);
         let mut heights = vec![f64::INFINITY; blocks[0] * blocks[1]];
-        let before = Heights::between(shapes, resolution);
         let pairs = stock.height_pairs();
         for row in 0..rows {
             for column in 0..columns {
@@ -209,7 +214,7 @@ impl Floors {
                 let gap = stock.has_gaps().then(|| stock.gaps_at(column, row));
                 let gap = gap.iter().flat_map(|[_, maybe]| maybe.iter());
                 let lowest = gap.map(|gap| gap.floor).fold(left, f64::min);
-                if lowest < before.of(low, high)[1] - SAME {
+                if lowest < begun.of(low, high)[1] - SAME {
                     let block = (row / BLOCK) as usize * blocks[0] + (column / BLOCK) as usize;
                     heights[block] = heights[block].min(lowest);
                 }
@@ -261,6 +266,7 @@ fn together(stock: &Shape, sides: Vec<Side<'_>>) -> Result<Cut, StockError> {
     // The part as it was given is the first side, always.
     let mut cut = first.ok_or(StockError::Empty)?;
     removed.most = removed.most.min(stock.volume());
+    removed.least = removed.least.max(stock.volume() - left_most);
     let left = Amount { least: (stock.volume() - removed.most).max(0.0), most: left_most };
     cut.volumes = Some([removed, left]);
     cut.checked.refined = refined;

@@ -136,6 +136,16 @@ pub(super) fn swept(
     Some(swept)
 }
 
+/// The box around a box that is turned.
+pub(super) fn boxed(body: &Aabb, by: &Transform) -> Aabb {
+    let corners = (0..8u32).map(|bits| {
+        let pick = |bit: u32, low: f64, high: f64| if bits & bit == 0 { low } else { high };
+        let Aabb { min, max } = body;
+        Vec3::new(pick(1, min.x, max.x), pick(2, min.y, max.y), pick(4, min.z, max.z))
+    });
+    corners.fold(Aabb::EMPTY, |around, corner| around.include(by.apply_point(corner)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

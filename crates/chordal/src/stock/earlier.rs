@@ -1,0 +1,108 @@
+//! What is surely removed from a part before it is cut from another side: its columns begin lower.
+
+use chordal_geometry::{Aabb, Transform, Vec3};
+use chordal_stock::Stock;
+use chordal_stock::shape::Shape;
+
+use super::heights::Heights;
+use super::turns::boxed;
+
+/// Places that differ by less are the same, mm.
+const SAME: f64 = 1e-6;
+/// So often a column is halved where a side has removed a part of it only.
+const HALVINGS: u32 = 4;
+
+/// The heights above which nothing is left of a side.
+pub(super) struct Tops {
+    low: [f64; 2],
+    cell: f64,
+    cells: [usize; 2],
+    outer: Vec<f32>,
+}
+
+impl Tops {
+    pub fn of(stock: &Stock) -> Tops {
+        let grid = stock.grid();
+        let min = grid.bounds().min;
+        let up = |height: f64| {
+            let near = height as f32;
+            if f64::from(near) < height { near.next_up() } else { near }
+        };
+        Tops {
+            low: [min.x, min.y],
+            cell: grid.resolution(),
+            cells: grid.cells().map(|cells| cells as usize),
+            outer: stock.height_pairs().iter().map(|pair| up(pair.outer)).collect(),
+        }
+    }
+
+    /// Whether nothing is left in a box.
+    fn is_empty(&self, body: &Aabb) -> bool {
+        // Beyond its columns there was nothing.
+        let range = |axis: usize, from: f64, to: f64| {
+            let at = |place: f64| (place - self.low[axis]) / self.cell;
+            let end = (at(to + SAME).floor() + 1.0).clamp(0.0, self.cells[axis] as f64);
+            (at(from - SAME).floor().max(0.0) as usize)..end as usize
+        };
+        let floor = body.min.z - SAME;
+        range(1, body.min.y, body.max.y).all(|row| {
+            range(0, body.min.x, body.max.x)
+                .all(|column| f64::from(self.outer[row * self.cells[0] + column]) <= floor)
+        })
+    }
+}
+
+/// A side that was done before, as another one sees it.
+pub(super) struct Earlier<'a> {
+    pub tops: &'a Tops,
+    /// From where the part lies now to where it lay then.
+    pub there: Transform,
+}
+
+impl Earlier<'_> {
+    /// Above which height nothing is left of a column between two corners, of which nothing was left above `top`.
+    fn below(&self, [low, high]: [[f64; 2]; 2], top: f64, bottom: f64) -> f64 {
+        let is_empty = |from: f64, to: f64| {
+            let min = Vec3::new(low[0], low[1], from);
+            let max = Vec3::new(high[0], high[1], to);
+            self.tops.is_empty(&boxed(&Aabb { min, max }, &self.there))
+        };
+        let mut free = top;
+        let mut step = self.tops.cell;
+        let mut halvings = 0;
+        while free > bottom && halvings <= HALVINGS {
+            let next = (free - step).max(bottom);
+            if is_empty(next, free) {
+                free = next;
+            } else {
+                step /= 2.0;
+                halvings += 1;
+            }
+        }
+        free
+    }
+}
+
+/// A stock as its columns begin: a shape less what sides before have surely removed.
+pub(super) struct Begun<'s> {
+    pub shape: Heights<'s>,
+    earlier: Vec<Earlier<'s>>,
+    bottom: f64,
+}
+
+impl<'s> Begun<'s> {
+    /// Between two shapes, in cells of a resolution, mm.
+    pub fn new(shapes: [&'s Shape; 2], resolution: f64, earlier: Vec<Earlier<'s>>) -> Begun<'s> {
+        let shape = Heights::between(shapes, resolution);
+        let bottom = shape.bounds().min.z;
+        Begun { shape, earlier, bottom }
+    }
+
+    /// As [`Heights::of`].
+    pub fn of(&self, low: [f64; 2], high: [f64; 2]) -> [f64; 2] {
+        let [outer, inner] = self.shape.of(low, high);
+        let lower = |top: f64, side: &Earlier<'_>| side.below([low, high], top, self.bottom);
+        let outer = self.earlier.iter().fold(outer, lower);
+        [outer, inner.min(outer)]
+    }
+}

@@ -1,0 +1,149 @@
+// The triangles of a tile: as large as the surface is flat.
+
+import { SIDE, TILE } from "./surface";
+
+/** Corners of a tile: heights, who has cut them, and those of the target where there is one. */
+export interface Corners {
+  z: Float32Array;
+  slot: Uint8Array;
+  target?: Float32Array | undefined;
+}
+
+/** Which corners squares have on the four edges of a tile, after each other: least and largest Y, least and largest X. */
+export type Edges = Uint8Array;
+export const noEdges = (): Edges => new Uint8Array(4 * SIDE);
+
+/** The tile that lies beyond each edge, in tiles along X and Y, and the edge of it that is the same. */
+export const BEYOND = [[0, -1, 1], [0, 1, 0], [-1, 0, 3], [1, 0, 2]] as const;
+
+/** Squares of a tile are halved so often until they are cells. */
+const HALVINGS = Math.log2(TILE);
+/** As near to the bottom nothing is left, mm. */
+export const NOTHING_LEFT = 1e-4;
+
+/** For each size of a square, cells first, which of them are flat and of one owner. */
+const flat = Array.from({ length: HALVINGS + 1 }, (_, halving) => new Uint8Array((TILE >> halving) ** 2));
+/** Which corners some square has. */
+const used = new Uint8Array(SIDE * SIDE);
+/** The first corners of squares that are larger than a cell, and their sizes: of each two numbers. */
+const large = new Uint16Array(2 * TILE * TILE);
+
+/**
+ * Writes the triangles of a tile to `index` and gives how many numbers they take. A square that is flat and of one owner
+ * is two; where smaller ones lie next to it, its edge has their corners too, so that no pixel is missed between them:
+ * also those of the tiles beside, and its own are written to `own`. Nothing is drawn where nothing is left, and no square
+ * lies across the column or row of corners `open`.
+ */
+export function triangles(
+  corners: Corners,
+  index: Uint16Array,
+  bottom = -Infinity,
+  open: [number, number] = [-1, -1],
+  edges?: { own: Edges; beside: Edges },
+): number {
+  findFlat(corners, open);
+  used.fill(0);
+  const { z } = corners;
+  let count = 0;
+  const put = (a: number, b: number, c: number) => {
+    index[count++] = a;
+    index[count++] = b;
+    index[count++] = c;
+  };
+  let squares = 0;
+  const isThere = (a: number) => z[a]! > bottom + NOTHING_LEFT;
+  const divide = (halving: number, x: number, y: number) => {
+    const size = 1 << halving;
+    const a = y * SIDE + x;
+    const isFlat = flat[halving]![(y >> halving) * (TILE >> halving) + (x >> halving)];
+    if (!isFlat && halving > 0) {
+      const half = size >> 1;
+      divide(halving - 1, x, y);
+      divide(halving - 1, x + half, y);
+      divide(halving - 1, x, y + half);
+      divide(halving - 1, x + half, y + half);
+      return;
+    }
+    const [b, c, d] = [a + size, a + size * SIDE, a + size * SIDE + size];
+    used[a] = used[b] = used[c] = used[d] = 1;
+    if (isFlat && !isThere(a)) return;
+    if (halving > 0) {
+      large[squares++] = a;
+      large[squares++] = size;
+    } else if (Math.abs(z[a]! - z[d]!) > Math.abs(z[b]! - z[c]!)) {
+      // Along the diagonal that is less steep: walls are straight then.
+      put(a, b, c);
+      put(b, d, c);
+    } else {
+      put(a, b, d);
+      put(a, d, c);
+    }
+  };
+  divide(HALVINGS, 0, 0);
+  if (edges) meet(edges);
+  for (let at = 0; at < squares; at += 2) {
+    const [a, size] = [large[at]!, large[at + 1]!];
+    const [b, c, d] = [a + size, a + size * SIDE, a + size * SIDE + size];
+    const edges = [[a, b, 1], [b, d, SIDE], [d, c, -1], [c, a, -SIDE]] as const;
+    if (!edges.some(([from, to, step]) => isDivided(from, to, step))) {
+      put(a, b, d);
+      put(a, d, c);
+      continue;
+    }
+    const middle = a + (size >> 1) * (SIDE + 1);
+    for (const [from, to, step] of edges) {
+      let before: number = from;
+      for (let corner = from + step; ; corner += step) {
+        if (!used[corner]) continue;
+        put(middle, before, corner);
+        before = corner;
+        if (corner === to) break;
+      }
+    }
+  }
+  return count;
+}
+
+/** Tells the corners on the edges of the tile, and takes those of the tiles beside. */
+function meet({ own, beside }: { own: Edges; beside: Edges }): void {
+  for (let at = 0; at < SIDE; at++) {
+    const places = [at, TILE * SIDE + at, at * SIDE, at * SIDE + TILE];
+    places.forEach((place, edge) => (own[edge * SIDE + at] = used[place]!));
+  }
+  for (let at = 0; at < SIDE; at++) {
+    const places = [at, TILE * SIDE + at, at * SIDE, at * SIDE + TILE];
+    places.forEach((place, edge) => (used[place]! |= beside[edge * SIDE + at]!));
+  }
+}
+
+function isDivided(from: number, to: number, step: number): boolean {
+  for (let corner = from + step; corner !== to; corner += step) if (used[corner]) return true;
+  return false;
+}
+
+function findFlat({ z, slot, target }: Corners, open: [number, number]): void {
+  const cells = flat[0]!;
+  for (let y = 0, cell = 0; y < TILE; y++) {
+    for (let x = 0; x < TILE; x++, cell++) {
+      const a = y * SIDE + x;
+      const c = a + SIDE;
+      cells[cell] = Number(
+        z[a] === z[a + 1] && z[a] === z[c] && z[a] === z[c + 1] &&
+        slot[a] === slot[a + 1] && slot[a] === slot[c] && slot[a] === slot[c + 1] &&
+        (!target || (target[a] === target[a + 1] && target[a] === target[c] && target[a] === target[c + 1])),
+      );
+    }
+  }
+  for (let halving = 1; halving <= HALVINGS; halving++) {
+    const [across, size] = [TILE >> halving, 1 << halving];
+    const [own, parts] = [flat[halving]!, flat[halving - 1]!];
+    const isOpen = (from: number, at: number) => at >= from && at <= from + size;
+    for (let y = 0; y < across; y++) {
+      for (let x = 0; x < across; x++) {
+        const part = 4 * y * across + 2 * x;
+        const areFlat = parts[part]! & parts[part + 1]! & parts[part + 2 * across]! & parts[part + 2 * across + 1]!;
+        own[y * across + x] = areFlat && !isOpen(x * size, open[0]) && !isOpen(y * size, open[1]) ? 1 : 0;
+      }
+    }
+  }
+}

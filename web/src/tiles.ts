@@ -1,0 +1,137 @@
+// The surface of a stock as meshes, one for each tile: made anew where something of it has changed.
+
+import { BufferAttribute, BufferGeometry, Group, Mesh, type ShaderMaterial } from "three";
+import { BEYOND, type Edges, noEdges, triangles } from "./facets";
+import { SIDE, type Surface, TILE } from "./surface";
+
+interface Part {
+  mesh: Mesh<BufferGeometry, ShaderMaterial>;
+  /** Lowest and highest corner, from the top, mm. */
+  ends: [number, number];
+  triangles: number;
+  /** The corners that its squares have on its edges. */
+  edges: Edges;
+  /** Those of a tile beside it have changed. */
+  isBeside: boolean;
+}
+
+export class Tiles {
+  readonly group = new Group();
+  /** The numbers of all tiles. */
+  readonly all: number[];
+  private parts: Part[] = [];
+
+  constructor(readonly surface: Surface, material: ShaderMaterial) {
+    for (let tile = 0; tile < surface.stale.length; tile++) {
+      const [x, y] = surface.firstCorner(tile);
+      const places = new Uint16Array(2 * SIDE * SIDE);
+      for (let at = 0; at < SIDE * SIDE; at++) places.set([x + (at % SIDE), y + Math.floor(at / SIDE)], 2 * at);
+      const mesh = new Mesh(geometryOf(places, surface.target !== undefined), material);
+      mesh.frustumCulled = false;
+      this.group.add(mesh);
+      this.parts.push({ mesh, ends: [surface.bottom, 0], triangles: 0, edges: noEdges(), isBeside: false });
+    }
+    surface.stale.fill(1);
+    this.all = [...surface.stale.keys()];
+  }
+
+  get count(): number {
+    return this.parts.length;
+  }
+
+  /** Triangles of a tile as it was taken last. */
+  triangles(tile: number): number {
+    return this.parts[tile]!.triangles;
+  }
+
+  /** Its lowest and highest corner as it was taken last, from the top, mm. */
+  ends(tile: number): [number, number] {
+    return this.parts[tile]!.ends;
+  }
+
+  /** What has changed of a tile goes to the card; edges it has in common with others may then still be theirs alone. */
+  take(tile: number): void {
+    const { surface } = this;
+    const part = this.parts[tile]!;
+    if (!surface.stale[tile] && !part.isBeside) return;
+    const { attributes, index } = part.mesh.geometry;
+    const corners = {
+      z: attributes.z!.array as Float32Array,
+      slot: attributes.slot!.array as Uint8Array,
+      target: attributes.target?.array as Float32Array | undefined,
+    };
+    if (surface.stale[tile]) {
+      part.ends = surface.copy(tile, corners);
+      surface.falls(tile, attributes.lean!.array as Int8Array);
+      for (const attribute of [attributes.z, attributes.slot, attributes.lean, attributes.target]) if (attribute) attribute.needsUpdate = true;
+    }
+    surface.stale[tile] = 0;
+    part.isBeside = false;
+    const [x, y] = surface.firstCorner(tile);
+    const open: [number, number] = [(surface.open.column ?? -1) - x, (surface.open.row ?? -1) - y];
+    const own = noEdges();
+    const count = triangles(corners, index!.array as Uint16Array, surface.bottom, open, { own, beside: this.beside(tile) });
+    this.tellBeside(tile, part.edges, own);
+    part.edges = own;
+    part.triangles = count / 3;
+    part.mesh.geometry.setDrawRange(0, count);
+    index!.clearUpdateRanges();
+    index!.addUpdateRange(0, count);
+    index!.needsUpdate = true;
+  }
+
+  /** The corners that the tiles beside one have on its edges. */
+  private beside(tile: number): Edges {
+    const all = noEdges();
+    BEYOND.forEach(([, , same], edge) => {
+      const other = this.beyond(tile, edge);
+      if (other) all.set(other.edges.subarray(same * SIDE, (same + 1) * SIDE), edge * SIDE);
+    });
+    return all;
+  }
+
+  private tellBeside(tile: number, before: Edges, after: Edges): void {
+    for (let edge = 0; edge < BEYOND.length; edge++) {
+      const other = this.beyond(tile, edge);
+      for (let at = edge * SIDE; other && at < (edge + 1) * SIDE; at++) if (before[at] !== after[at]) other.isBeside = true;
+    }
+  }
+
+  private beyond(tile: number, edge: number): Part | undefined {
+    const [across, up] = this.surface.tiles;
+    const [dx, dy] = BEYOND[edge]!;
+    const [x, y] = [(tile % across) + dx, Math.floor(tile / across) + dy];
+    return x >= 0 && y >= 0 && x < across && y < up ? this.parts[y * across + x] : undefined;
+  }
+
+  /** Only these are drawn, as they are now; gives their triangles. */
+  choose(tiles: readonly number[]): number {
+    for (const { mesh } of this.parts) mesh.visible = false;
+    let sum = 0;
+    for (const tile of tiles) this.take(tile);
+    for (const tile of tiles) {
+      // Once more where a later one has other corners on their edge.
+      this.take(tile);
+      const { mesh, triangles } = this.parts[tile]!;
+      mesh.visible = triangles > 0;
+      sum += triangles;
+    }
+    return sum;
+  }
+
+  dispose(): void {
+    for (const { mesh } of this.parts) mesh.geometry.dispose();
+  }
+}
+
+function geometryOf(places: Uint16Array, hasTarget: boolean): BufferGeometry {
+  const count = places.length / 2;
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("at", new BufferAttribute(places, 2));
+  geometry.setAttribute("z", new BufferAttribute(new Float32Array(count), 1));
+  geometry.setAttribute("slot", new BufferAttribute(new Uint8Array(count), 1));
+  geometry.setAttribute("lean", new BufferAttribute(new Int8Array(2 * count), 2, true));
+  if (hasTarget) geometry.setAttribute("target", new BufferAttribute(new Float32Array(count), 1));
+  geometry.setIndex(new BufferAttribute(new Uint16Array(6 * TILE * TILE), 1));
+  return geometry;
+}
