@@ -106,6 +106,8 @@ pub struct Parameters {
     pub offset_number_optional: bool,
     /// Programs end with their last block as well as with M30 (GRBL).
     pub end_optional: bool,
+    /// Who sends the blocks takes M6 out of them and waits for the tool (GRBL, which has none itself).
+    pub sender_changes_tools: bool,
     /// Who sends the blocks goes on after one that the control refuses.
     pub goes_on_after_refusal: bool,
     /// A word that nothing uses and a code without its words stop the program (LinuxCNC).
@@ -212,6 +214,7 @@ impl Parameters {
         offset_zero_in_force: false,
         offset_number_optional: false,
         end_optional: false,
+        sender_changes_tools: false,
         goes_on_after_refusal: false,
         strict_words: false,
         words_of_codes: Letters::NONE,

@@ -89,10 +89,8 @@ impl CodeRow {
 
     /// Which reference point it stores the present position as: 0 or 1.
     pub const fn stored_reference(&self) -> Option<usize> {
-        match self.action {
-            Action::Mode(ModeCode::StoreReference { second }) => Some(second as usize),
-            _ => None,
-        }
+        let Action::Mode(ModeCode::StoreReference { second }) = self.action else { return None };
+        Some(second as usize)
     }
 
     /// Its name under its letter: `G54.1`.

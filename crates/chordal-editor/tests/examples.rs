@@ -6,7 +6,7 @@ use chordal::{Job, Machine, Severity, SourceMap};
 use chordal_editor::meaning::{View, codes, example};
 
 /// The example after the head of a usual program, with what it may call.
-fn program(example: &str, spindle: &str, turns: bool, stations: bool) -> String {
+fn program(example: &str, spindle: &str, turns: bool, stations: bool, small: bool) -> String {
     if turns && !stations {
         return format!(
             "%\nO1\nG21 G7 G18 G40 G94\nT1 M6\nG43\nS500 {spindle}\nG0 X66. Z10.\nG1 Z5. F200.\n{example}\nM2\nO1000\nM99\n%\n"
@@ -15,6 +15,11 @@ fn program(example: &str, spindle: &str, turns: bool, stations: bool) -> String 
     if turns {
         return format!(
             "%\nO1\nG21 G18 G40 G98\nT0101\nS500 {spindle}\nG0 X66. Z10.\nG1 Z5. F200.\n{example}\nM30\nN100 M99\nO1000\nM99\n%\n"
+        );
+    }
+    if small {
+        return format!(
+            "G21 G17 G40 G49 G90\nS500 {spindle}\nG0 X0 Y0\nG0 Z30.\nG1 Z10. F200.\n{example}\nM30\n"
         );
     }
     format!(
@@ -38,7 +43,10 @@ fn every_example_runs_without_an_error() {
                 let turns = machine.turns();
                 // Others than LinuxCNC have T0101.
                 let stations = !view.parameters.increments.is_empty();
-                let text = program(&example, if left { "M4" } else { "M3" }, turns, stations);
+                // Its firmware has no program numbers, tool lengths and cycles.
+                let small = view.table.firmware.is_some();
+                let spindle = if left { "M4" } else { "M3" };
+                let text = program(&example, spindle, turns, stations, small);
                 let mut sources = SourceMap::new();
                 sources.add(Source::new("example.nc", text.into_bytes()));
                 let report = Job::new(sources, machine).unwrap().report();

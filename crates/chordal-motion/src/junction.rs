@@ -400,9 +400,9 @@ mod tests {
                         begin += stretch.pieces[piece].length;
                         piece += 1;
                     }
-                    for axis in 0..3 {
+                    for (axis, limit) in axes.iter().enumerate() {
                         let share = stretch.pieces[piece].start[1][axis].abs();
-                        let limit = axes[axis].expect("an axis");
+                        let limit = limit.expect("an axis");
                         assert!(share * phase.speed.max(speed) <= limit.velocity * (1.0 + 1e-12));
                         let used = share * phase.acceleration.abs();
                         assert!(used <= limit.acceleration * (1.0 + 1e-12), "{used}");

@@ -3,6 +3,7 @@
 use chordal::diagnostics::{Applicability, FileId, Fix, Span};
 use chordal::geometry::Vec3;
 use chordal::machine::{Axis, Solid, ToolShape, Turns};
+use chordal::stock::StockRunError;
 use chordal::time::{TimeReport, Times};
 use chordal::tool_comments::known_tools;
 use chordal::{Diagnostic, Job, Report, SourceMap};
@@ -11,6 +12,19 @@ use serde_json::{Value, json};
 
 /// Diagnostics that are sent; the rest is counted.
 const MOST: usize = 2_000;
+
+/// Why there is no stock. A machine without stock is nothing to speak of.
+pub fn no_stock(run: u64, failed: &StockRunError) -> Value {
+    let help = match failed {
+        StockRunError::Setup(setup) => Some(setup.help.clone()),
+        StockRunError::NoStock
+        | StockRunError::Stock(_)
+        | StockRunError::Turns
+        | StockRunError::Interrupted => None,
+    };
+    let message = (*failed != StockRunError::NoStock).then(|| failed.to_string());
+    json!({ "type": "no_stock", "run": run, "message": message, "help": help })
+}
 
 /// What a run came to, apart from its path.
 pub fn report(report: &Report, job: &Job) -> Value {

@@ -66,7 +66,7 @@ impl<'a> Cutting<'a> {
             Ok(false) => return,
             Err(error) => error,
         };
-        out.json(&no_stock(run, &failed));
+        out.json(&answer::no_stock(run, &failed));
     }
 
     /// Sends how hard the cuts are. Whatever keeps it from that was said of the stock.
@@ -112,19 +112,6 @@ impl<'a> Cutting<'a> {
             options.lag = LAG;
         }
     }
-}
-
-/// Why there is no stock. A machine without stock is nothing to speak of.
-pub fn no_stock(run: u64, failed: &StockRunError) -> Value {
-    let help = match failed {
-        StockRunError::Setup(setup) => Some(setup.help.clone()),
-        StockRunError::NoStock
-        | StockRunError::Stock(_)
-        | StockRunError::Turns
-        | StockRunError::Interrupted => None,
-    };
-    let message = (*failed != StockRunError::NoStock).then(|| failed.to_string());
-    json!({ "type": "no_stock", "run": run, "message": message, "help": help })
 }
 
 /// What is left, and what is touched; with the problems of the run, as they are listed together.

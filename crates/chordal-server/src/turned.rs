@@ -15,7 +15,6 @@ use crate::answer;
 use crate::frame::Frame;
 use crate::outbox::Outbox;
 use crate::program::Programs;
-use crate::stock::no_stock;
 
 /// Sends the sections of a run, its problems, and how hard its cuts are.
 pub fn run(job: &Job, run: u64, programs: &dyn Programs, out: &Outbox) {
@@ -30,7 +29,7 @@ pub fn run(job: &Job, run: u64, programs: &dyn Programs, out: &Outbox) {
             out.binary(engagement(run, &found));
         }
         Err(StockRunError::Interrupted) => {}
-        Err(error) => out.json(&no_stock(run, &error)),
+        Err(error) => out.json(&answer::no_stock(run, &error)),
     }
 }
 

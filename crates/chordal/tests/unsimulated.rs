@@ -5,7 +5,9 @@
 //! verified. A letter that a row does not take must do something or be reported.
 
 use chordal::control::table::LineRepeat;
-use chordal::control::{Action, AfterCode, CONTROLS, CallCode, CodeRow, ControlTable, OnceCode};
+use chordal::control::{
+    Action, AfterCode, CONTROLS, CallCode, CodeRow, ControlTable, OnceCode, table,
+};
 use chordal::{CommandKind, Job, Machine, Severity, Source, SourceMap};
 
 /// What stands before and after the block that is tried. Compensation, a length and a cut without codes
@@ -54,9 +56,31 @@ G1 X1. Z1. F50.
 M30
 ";
 
+/// The same for a control without cutter compensation, tool table and cycles.
+const SMALL_HEAD: &str = "\
+G21 G90 G94 G17 G40 G49
+S500 M3
+F200.
+G0 X-40. Y2. Z50.
+G43.1 Z3.
+G0 Z51.
+G49
+G1 X1. Y2. F90.
+";
+const SMALL_TAIL: &str = "\
+X3.
+G1 X20. Y5. Z10.
+G90 G1 X1. Y1. Z1. F50.
+M30
+";
+
 /// What stands before and after a block on a machine.
 fn around(machine: &Machine) -> (&'static str, &'static str) {
-    if machine.turns() { (LATHE_HEAD, LATHE_TAIL) } else { (HEAD, TAIL) }
+    match machine.turns() {
+        true => (LATHE_HEAD, LATHE_TAIL),
+        false if table(machine.control).firmware.is_some() => (SMALL_HEAD, SMALL_TAIL),
+        false => (HEAD, TAIL),
+    }
 }
 
 /// Tools of which each number gives another path.

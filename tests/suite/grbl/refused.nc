@@ -1,5 +1,6 @@
 (machine: grbl)
 (set: settings."on error"="continue")
+(set: settings.M6="nobody")
 (A refused block changes nothing, not even a mode; the next one runs.)
 G21 G90 G17 G94
 G1 X10 (= ! CH313 "no feed")

@@ -84,6 +84,12 @@ changes nothing, not even a mode, and the control answers with a number:
 The control itself goes on with the next block; senders stop. The setting `on error` of the machine file chooses:
 with `stop` (the default) the blocks after it are not run, with `continue` they are."#;
 
+    ToolChangeBySender = 314, "tool-change-by-sender", Note;
+    "the sender changes the tool, not the control";
+    r#"GRBL has no tool change: it refuses M6 with error:20. Many senders keep M6 from it, lift the spindle and wait until the
+tool is changed. Chordal takes that for granted, and says so at the first M6 of a program. Where your sender passes M6 on,
+write `"M6" = "nobody"` under `[settings]` of the machine file: M6 is an error then."#;
+
     PolarWords = 340, "polar-words", Error;
     "a radius or an angle that cannot be used here";
     r#"On LinuxCNC `@` is a radius and `^` an angle in degrees about the work origin, in place of X and Y:

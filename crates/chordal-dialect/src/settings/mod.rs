@@ -85,6 +85,8 @@ pub enum Field {
     StartRadii,
     /// What happens after a block that the control refuses (GRBL).
     AfterRefusal,
+    /// Who changes tools (GRBL).
+    ToolChanger,
     /// Which system of G codes (Fanuc lathes No. 3401).
     CodeSystem,
     MacroAngles,
@@ -447,6 +449,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::Frame(rule) => frame::set(p, rule, word, value)?,
         Field::Turning(rule) => turning::set(p, rule, word, value)?,
         Field::StartRadii => p.starts_with_radii = choose(word, X_WORDS)?,
+        Field::ToolChanger => p.sender_changes_tools = choose(word, TOOL_CHANGERS)?,
         Field::AfterRefusal => p.goes_on_after_refusal = choose(word, AFTER_REFUSAL)?,
         Field::CodeSystem => {
             p.code_system = choose(word, CODE_SYSTEMS)?;
@@ -541,6 +544,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::Frame(rule) => frame::value_text(p, rule),
         Field::Turning(rule) => turning::value_text(p, rule),
         Field::StartRadii => name_of(p.starts_with_radii, X_WORDS),
+        Field::ToolChanger => name_of(p.sender_changes_tools, TOOL_CHANGERS),
         Field::AfterRefusal => name_of(p.goes_on_after_refusal, AFTER_REFUSAL),
         Field::CodeSystem => name_of(p.code_system, CODE_SYSTEMS),
         Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
@@ -555,6 +559,8 @@ const FULL_CIRCLES_BY_RADIUS: &[(&str, FullCircleByRadius)] = &[
     ("no-motion", FullCircleByRadius::NoMotion),
     ("straight", FullCircleByRadius::Straight),
 ];
+
+const TOOL_CHANGERS: &[(&str, bool)] = &[("sender", true), ("nobody", false)];
 
 const AFTER_REFUSAL: &[(&str, bool)] = &[("stop", false), ("continue", true)];
 

@@ -4,7 +4,7 @@
 use chordal_diagnostics::TextRange;
 use chordal_dialect::firmware::{Firmware, Refusal};
 use chordal_dialect::{
-    Action, CodeRow, Control, Group, LengthCode, MotionCode, OnceCode, ReadingCode,
+    Action, CodeRow, Control, Group, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode,
 };
 use chordal_syntax::Letters;
 
@@ -148,10 +148,13 @@ impl Judged<'_> {
             }
             self.axis_use = axis_use;
         }
-        if self.groups.contains(&row.group) {
+        // G38.2 and its like are motions here, and G80 is none of them.
+        let is_motion = axis_use == Some(AxisUse::Motion) || ends_motion(row);
+        let group = if is_motion { Group::Motion } else { row.group };
+        if self.groups.contains(&group) {
             return refuse(Refusal::SameGroup);
         }
-        self.groups.push(row.group);
+        self.groups.push(group);
         if let Action::Length(code) = row.action {
             self.length = Some(code);
         }
@@ -175,7 +178,11 @@ impl Judged<'_> {
         let row = if hundredths % 10 == 0 { of(number * 10 + fraction) } else { None };
         let takes_fractions = word.letter == b'G' && self.firmware.with_fractions.contains(&number);
         let is_known = word.letter == b'M' || of(number * 10).is_some() && !takes_fractions;
+        let by_sender = self.control.parameters.sender_changes_tools;
         match row {
+            Some(row) if row.group == Group::ToolChange && !by_sender => {
+                Err(Fault::new(Refusal::Unknown, word.range))
+            }
             Some(row) => Ok(row),
             None if hundredths != 0 && is_known => Err(Fault::new(Refusal::Fraction, word.range)),
             None => Err(Fault::new(Refusal::Unknown, word.range)),
@@ -312,9 +319,9 @@ impl Judged<'_> {
         }
         let mut target = after.position;
         if self.axis_use != Some(AxisUse::Length) {
-            for axis in 0..3 {
+            for (axis, target) in target.iter_mut().enumerate() {
                 let Some(value) = self.axis(axis) else { continue };
-                target[axis] = if self.once == Some(OnceCode::MachineCoordinates) {
+                *target = if self.once == Some(OnceCode::MachineCoordinates) {
                     value
                 } else if self.modes.incremental {
                     after.position[axis] + value
@@ -325,9 +332,9 @@ impl Judged<'_> {
         }
         if let Some(OnceCode::ReturnToReference { second }) = self.once {
             let stored = after.stored[usize::from(second)];
-            for axis in 0..3 {
+            for (axis, stored) in stored.into_iter().enumerate() {
                 if !self.has_axes() || self.axis(axis).is_some() {
-                    after.position[axis] = stored[axis];
+                    after.position[axis] = stored;
                 }
             }
         }
@@ -473,6 +480,10 @@ fn takes_axes(row: &CodeRow) -> bool {
     }
 }
 
+fn ends_motion(row: &CodeRow) -> bool {
+    row.action == Action::Mode(ModeCode::CancelCycle)
+}
+
 impl Modes {
     /// What a code changes.
     fn take(&mut self, row: &CodeRow) {
@@ -491,7 +502,7 @@ impl Modes {
             };
         } else if let Action::Once(OnceCode::Probe { .. }) = row.action {
             self.motion = FirmwareMotion::Probe;
-        } else if row.group == Group::Motion {
+        } else if ends_motion(row) {
             self.motion = FirmwareMotion::None;
         } else if let Action::Reading(code) = row.action {
             match code {

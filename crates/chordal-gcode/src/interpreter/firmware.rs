@@ -2,9 +2,10 @@
 
 use chordal_command::WorkName;
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_dialect::Group;
 use chordal_dialect::firmware::Firmware;
 use chordal_kernel::EndReason;
-use chordal_syntax::Block;
+use chordal_syntax::{Block, Word};
 
 use super::{Flow, Interpreter};
 use crate::firmware::{Fault, Judge, Verdict};
@@ -30,7 +31,10 @@ impl Interpreter<'_> {
         let firmware = self.control.table.firmware?;
         let verdict = self.judge.as_mut()?.take(block, self.reader.text(), self.control, firmware);
         match verdict {
-            Verdict::Words => return None,
+            Verdict::Words => {
+                self.check_change_by_sender(block);
+                return None;
+            }
             Verdict::Nothing => {}
             // It begins there: the switches are its reference.
             Verdict::Homing if !self.carried_out => {}
@@ -49,6 +53,30 @@ impl Interpreter<'_> {
             }
         }
         Some(Flow::Next)
+    }
+
+    /// Says once that a tool change is the sender's.
+    fn check_change_by_sender(&mut self, block: &Block) {
+        if self.reported.sender_changes_tools || !block.letters().has(b'M') {
+            return;
+        }
+        let changes = |word: &&Word| {
+            word.letter == b'M'
+                && self.control.row_of(word).is_some_and(|row| row.group == Group::ToolChange)
+        };
+        let Some(word) = block.words.iter().find(changes) else { return };
+        let span = self.span(word.range);
+        self.reported.sender_changes_tools = true;
+        let title = self.control.table.title;
+        self.kernel.report(
+            Diagnostic::new(
+                Code::ToolChangeBySender,
+                span,
+                format!("{title} has no tool change: the sender has to keep M6 from it"),
+            )
+            .label("the first one in this program")
+            .help("where the sender does not, set `M6` to `nobody` in the machine file: it is error:20 then"),
+        );
     }
 
     #[cold]
@@ -119,6 +147,8 @@ mod tests {
         let mut machine = Machine::from_builtin("grbl").expect("a machine");
         let value = SettingValue::Text("continue".into());
         machine.settings.insert("on error".into(), Setting { value, location: None });
+        let value = SettingValue::Text("nobody".into());
+        machine.settings.insert("M6".into(), Setting { value, location: None });
         let (control, errors) = Control::of(&machine);
         assert!(errors.is_empty(), "{errors:?}");
         let mut sources = SourceMap::new();
@@ -176,12 +206,12 @@ mod tests {
             if !ended && found != expected {
                 wrong.push(format!("{row}: answered {found:?}"));
             }
-            for axis in 0..3 {
-                let near = 1e-6 * end[axis].abs().max(1.0);
-                if !ended && (f64::from(ran.firmware[axis]) - end[axis]).abs() > near {
+            for (axis, end) in end.into_iter().enumerate() {
+                let near = 1e-6 * end.abs().max(1.0);
+                if !ended && (f64::from(ran.firmware[axis]) - end).abs() > near {
                     wrong.push(format!("{row}: the firmware is at {:?}", ran.firmware));
                 }
-                if !ended && is_followed && (ran.kernel[axis] - end[axis]).abs() > near {
+                if !ended && is_followed && (ran.kernel[axis] - end).abs() > near {
                     wrong.push(format!("{row}: the machine is at {:?}", ran.kernel));
                 }
             }

@@ -213,6 +213,7 @@ struct Reported {
     open_codes: BTreeSet<i64>,
     points_seen: bool,
     excess_decimals: bool,
+    sender_changes_tools: bool,
 }
 
 /// Runs one program of a library and pushes its commands into a sink.

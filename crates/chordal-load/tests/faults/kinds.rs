@@ -51,12 +51,17 @@ pub const KINDS: &[Kind] = &[
     kind("two decimal points", two_points, &["CH101"]),
     kind("comma for the decimal point", comma, &["CH102", "CH105", "CH109"]),
     // With blanks in its numbers, `G0 15.` is G15 there.
-    kind("an axis letter lost", lost_letter, &["CH102"]).not_on(&["linuxcnc", "linuxcnc-lathe"]),
+    kind("an axis letter lost", lost_letter, &["CH102"]).not_on(&[
+        "linuxcnc",
+        "linuxcnc-lathe",
+        "grbl",
+    ]),
     kind("comment not closed", open_comment, &["CH104"]).not_on(&["fadal"]),
     kind("decimal point forgotten", lost_point, &["CH305"]).not_on(&[
         "fadal",
         "linuxcnc",
         "linuxcnc-lathe",
+        "grbl",
     ]),
     // Codes.
     kind("unknown G code", unknown_g, &["CH301"]),
@@ -83,7 +88,8 @@ pub const KINDS: &[Kind] = &[
     // Feed and spindle.
     kind("no feed", no_feed, &["CH406", "CH745"]),
     kind("feed of zero", zero_feed, &["CH303", "CH406", "CH745", "CH814"]),
-    kind("spindle not started", no_spindle, &["CH413", "CH814"]).at(first_cut),
+    // Many GRBL machines have a spindle that is switched by hand, and its programs need no end.
+    kind("spindle not started", no_spindle, &["CH413", "CH814"]).at(first_cut).not_on(&["grbl"]),
     kind("rapid instead of feed in a contour", rapid_cut, &["CH602"]),
     // Cycles.
     // There the feed begins where the tool is.
@@ -95,7 +101,7 @@ pub const KINDS: &[Kind] = &[
     // Programs.
     kind("called program is not there", lost_program, &["CH201", "CH202"]),
     kind("call without its number", call_without_number, &["CH202", "CH308"]),
-    kind("no end of program", no_end, &["CH205"]).at(last_line),
+    kind("no end of program", no_end, &["CH205"]).at(last_line).not_on(&["grbl"]),
     // Macros.
     kind("jump to a number that is not there", lost_label, &["CH202"]),
     kind("bracket not closed", open_bracket, &["CH701", "CH700", "CH704"]),

@@ -242,8 +242,8 @@ impl<'a, const N: usize> Around<'a, N> {
         let [from, to] = ends;
         let share = (sigma - from.at) / (to.at - from.at);
         let mut place = [0.0; N];
-        for axis in 0..N {
-            place[axis] = from.place[axis] + share * (to.place[axis] - from.place[axis]);
+        for (axis, value) in place.iter_mut().enumerate() {
+            *value = from.place[axis] + share * (to.place[axis] - from.place[axis]);
         }
         (index, place)
     }

@@ -11,6 +11,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     offset_zero_in_force: true,
     offset_number_optional: true,
     end_optional: true,
+    sender_changes_tools: true,
     rules: Rules {
         units: Units::Millimetre,
         rapid: RapidPath::Straight,

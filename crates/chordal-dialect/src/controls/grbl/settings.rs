@@ -12,6 +12,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         "senders; GRBL itself goes on with the next block",
     ),
     setting(
+        "M6",
+        Field::ToolChanger,
+        &[],
+        "who changes tools: the `sender`, which keeps M6 from GRBL, or `nobody`: error:20",
+        Certainty::Trade,
+        "senders; GRBL itself refuses M6",
+    ),
+    setting(
         "$11",
         Field::Path(PathField::JunctionDeviation),
         &[],

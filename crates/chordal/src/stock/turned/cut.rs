@@ -9,7 +9,7 @@ use chordal_stock::turned::{Pass, PassError, Region, Tool as Outline, Turned};
 use super::contour::Chain;
 use super::gather::{MoveKind, TurnMove};
 use super::grooves::Grooves;
-use super::replay::Recorder;
+use super::recorder::Recorder;
 use super::report::{Loose, Thread, TurnedMove, TurnedToolRemoved};
 use super::said::{At, Found, More};
 use super::target::Target;

@@ -10,6 +10,7 @@ mod gather;
 mod grooves;
 mod load;
 mod nose;
+mod recorder;
 mod replay;
 mod report;
 mod run;

@@ -15,7 +15,7 @@ use super::cut::{Cutting, Fixture};
 use super::gather::{Gathered, TurnMove};
 use super::load::{give_power, overloads};
 use super::nose::look_at_surface;
-use super::replay::Recorder;
+use super::recorder::Recorder;
 use super::report::TurnedReport;
 use super::said::{At, Found, More};
 use super::target::Target;
@@ -106,7 +106,8 @@ impl Job<'_> {
     ) -> TurnedReport {
         let section = cutting.stock.region();
         let recorder = cutting.recorder.take();
-        let replay = recorder.map(|recorder| recorder.finish(&section, &cutting, &gathered.moves));
+        let replay =
+            recorder.map(|recorder| recorder.finish(&section, cutting.tools, &gathered.moves));
         let loose = std::mem::take(&mut cutting.loose);
         let sections: Vec<&Region> =
             std::iter::once(&section).chain(loose.iter().map(|part| &part.section)).collect();

@@ -1,0 +1,143 @@
+//! Keeps the sections of a run while it is cut.
+
+use std::collections::BTreeMap;
+
+use chordal_geometry::Vec2;
+use chordal_stock::turned::{Region, Segment, Turned};
+
+use super::gather::TurnMove;
+use super::replay::{TurnedPiece, TurnedReplay, TurnedShape};
+use super::report::Loose;
+use super::tools::{LatheTool, NoOutline};
+
+/// Segments that are compared with those before, of a run; then only the section after each tool is kept.
+const MOST: usize = 20_000_000;
+
+/// What two segments have in common that are the same: their numbers, bit by bit, and their tag.
+type Key = ([u64; 7], u32);
+
+fn key(segment: &Segment) -> Key {
+    let (center, sense) = match segment.bend {
+        None => (Vec2::ZERO, 0),
+        Some(bend) => (bend.center, 1 + u64::from(bend.counterclockwise)),
+    };
+    let [a, b, c] = [segment.start, segment.end, center].map(|p| [p.a.to_bits(), p.b.to_bits()]);
+    ([a[0], a[1], b[0], b[1], c[0], c[1], sense], segment.tag)
+}
+
+/// Keeps sections while a run is cut.
+#[derive(Debug)]
+pub(super) struct Recorder {
+    replay: TurnedReplay,
+    /// The pieces of the last section by what they are.
+    now: BTreeMap<Key, usize>,
+    loose: usize,
+    compared: usize,
+    has_cut: bool,
+    /// The last pass that has no section yet, and its tool.
+    due: Option<(u32, u32)>,
+}
+
+impl Recorder {
+    pub fn new(stock: &Region) -> Recorder {
+        let mut recorder = Recorder {
+            replay: TurnedReplay { is_whole: true, ..TurnedReplay::default() },
+            now: BTreeMap::new(),
+            loose: 0,
+            compared: 0,
+            has_cut: false,
+            due: None,
+        };
+        recorder.keep(stock, 0);
+        recorder
+    }
+
+    pub fn fixture(&mut self, name: &str, section: &Region) {
+        self.replay.fixtures.push((name.to_string(), section.clone()));
+    }
+
+    /// A move begins.
+    pub fn begin(&mut self, move_: &TurnMove, stock: &Turned) {
+        if self.due.is_some_and(|(_, tool)| tool != move_.tool) {
+            self.settle(&stock.region());
+        }
+    }
+
+    /// The move takes something.
+    pub fn cuts(&mut self) {
+        self.has_cut = true;
+    }
+
+    /// A move has ended.
+    pub fn end(&mut self, move_: &TurnMove, stock: &Turned, loose: &[Loose]) {
+        let comes_off = loose.len() > self.loose;
+        if !std::mem::take(&mut self.has_cut) && !comes_off {
+            return;
+        }
+        self.due = Some((move_.row, move_.tool));
+        if self.compared <= MOST || comes_off {
+            self.settle(&stock.region());
+        } else {
+            self.replay.is_whole = false;
+        }
+        for part in &loose[self.loose..] {
+            let from = self.replay.rows.len() as u32;
+            let pieces = part.section.outline().into_iter().flatten();
+            let pieces = pieces.map(|segment| TurnedPiece {
+                segment,
+                from,
+                until: u32::MAX,
+                is_loose: true,
+            });
+            self.replay.pieces.extend(pieces);
+        }
+        self.loose = loose.len();
+    }
+
+    /// Keeps the section after the pass that is due.
+    fn settle(&mut self, section: &Region) {
+        let Some((row, _)) = self.due.take() else { return };
+        self.replay.rows.push(row);
+        self.keep(section, self.replay.rows.len() as u32);
+    }
+
+    fn keep(&mut self, section: &Region, number: u32) {
+        let mut now = BTreeMap::new();
+        for segment in section.outline().into_iter().flatten() {
+            self.compared += 1;
+            let key = key(&segment);
+            let at = self.now.remove(&key).unwrap_or_else(|| {
+                let piece = TurnedPiece { segment, from: number, until: u32::MAX, is_loose: false };
+                self.replay.pieces.push(piece);
+                self.replay.pieces.len() - 1
+            });
+            now.insert(key, at);
+        }
+        for at in std::mem::replace(&mut self.now, now).into_values() {
+            self.replay.pieces[at].until = number;
+        }
+    }
+
+    /// All of it, once the run is over: `section` is what is left in the chuck.
+    pub fn finish(
+        mut self,
+        section: &Region,
+        tools: &BTreeMap<u32, Result<LatheTool, NoOutline>>,
+        moves: &[TurnMove],
+    ) -> TurnedReplay {
+        self.settle(section);
+        for piece in &mut self.replay.pieces {
+            let made_by = (piece.segment.tag as usize).checked_sub(1);
+            let tool = made_by.and_then(|number| moves.get(number)).map_or(0, |move_| move_.tool);
+            piece.segment.tag = tool;
+        }
+        let tools = tools.iter().filter_map(|(number, tool)| {
+            let tool = tool.as_ref().ok()?;
+            let bodies = [&tool.shank, &tool.holder].into_iter().flatten();
+            let body = bodies.flat_map(|body| body.outlines()).collect();
+            Some((*number, TurnedShape { edges: tool.edges.outlines(), body }))
+        });
+        self.replay.tools = tools.collect();
+        self.replay
+    }
+}
