@@ -8,7 +8,7 @@ G00 X000000001 (= rapid to X0)
 G4 P0.5 X3 (= dwell 0.5 | rapid to X3)
 G43.1 Z2
 G0 Z1 (= rapid to Z1)
-G49 X5
+G49 X5 (= ! CH304 "no effect")
 G10 L2 P1 X1
 G0 X0 (= rapid to X0)
 G10 L20 P1 X7

@@ -23,5 +23,6 @@ G90.1 (= ! CH313 "does not have this word")
 G1.5 X1 (= ! CH313 "no fraction")
 G0 X0 Y (= ! CH313 "no number")
 $Q (= ! CH313 "system command")
+$110=fast (= ! CH313 "no number")
 G0 X0 (= rapid to X0)
 M2

@@ -30,8 +30,8 @@ const COMMANDS: [&str; 9] = ["$", "#", "G", "I", "N", "H", "X", "C", "SLP"];
 pub(crate) enum Verdict {
     /// Nothing on it, or a command that moves nothing.
     Nothing,
-    /// Words that act: the block has them now.
-    Words,
+    /// Words that act: the block has them now. Of those that it has no more nothing comes (axis words next to G49).
+    Words(Vec<Word>),
     /// `$H`: the machine goes to its switches.
     Homing,
     /// `$J=`: a jog.
@@ -79,10 +79,11 @@ impl Judge {
         block.truncate(0);
         match verdict {
             Ok(Some((words, drops_axes))) => {
-                let axis = |word: &&ReadWord| matches!(word.letter, b'X' | b'Y' | b'Z');
-                let kept = words.iter().filter(|word| !(drops_axes && axis(word)));
-                kept.for_each(|word| block.push(word_of(word)));
-                if block.words.is_empty() { Verdict::Nothing } else { Verdict::Words }
+                let is_axis = |word: &Word| matches!(word.letter, b'X' | b'Y' | b'Z');
+                let (dropped, kept): (Vec<Word>, Vec<Word>) =
+                    words.iter().map(word_of).partition(|word| drops_axes && is_axis(word));
+                kept.into_iter().for_each(|word| block.push(word));
+                Verdict::Words(dropped)
             }
             Ok(None) => Verdict::Nothing,
             Err(verdict) => verdict,
@@ -132,10 +133,11 @@ impl Judge {
         }
         let (name, value) = command.split_once('=').unwrap_or((command, ""));
         let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
-        let starts_up = matches!(name, "N0" | "N1") || name == "RST" || is_number(name);
+        let is_text = matches!(name, "N0" | "N1" | "RST") && !value.is_empty();
         match command {
             _ if COMMANDS.contains(&command) || command.is_empty() => Verdict::Nothing,
-            _ if starts_up && !value.is_empty() => Verdict::Setting,
+            _ if is_text || is_number(name) && value.parse::<f32>().is_ok() => Verdict::Setting,
+            _ if is_number(name) => Verdict::Refused(Fault::new(Refusal::NoNumber, whole)),
             _ => Verdict::Refused(Fault::new(Refusal::UnknownCommand, whole)),
         }
     }

@@ -31,8 +31,9 @@ impl Interpreter<'_> {
         let firmware = self.control.table.firmware?;
         let verdict = self.judge.as_mut()?.take(block, self.reader.text(), self.control, firmware);
         match verdict {
-            Verdict::Words => {
+            Verdict::Words(dropped) => {
                 self.check_change_by_sender(block);
+                dropped.iter().for_each(|word| self.unused_word(word));
                 return None;
             }
             Verdict::Nothing => {}
