@@ -43,6 +43,9 @@ pub fn codes_not_carried_out() -> String {
         if !data.is_empty() {
             parts.push(format!("{} (other data)", data.join(", ")));
         }
+        if parts.is_empty() {
+            parts.push("none".to_string());
+        }
         text.push_str(&table_row(&[table.title.to_string(), cell(&parts.join("; "))]));
     }
     text
