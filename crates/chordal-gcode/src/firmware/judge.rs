@@ -169,13 +169,15 @@ impl Judged<'_> {
     fn row(&self, word: &ReadWord) -> Result<&'static CodeRow, Fault> {
         let whole = word.value.trunc();
         let hundredths = (100.0 * (word.value - whole)).round() as i32;
-        let number = if (0.0..1000.0).contains(&whole) { whole as u16 } else { u16::MAX / 10 };
+        let number = if (0.0..1000.0).contains(&whole) { whole as u16 } else { 1000 };
         let fraction = u16::try_from(hundredths / 10).unwrap_or(0);
         let of = |code: u16| match word.letter {
             b'G' => self.control.g_code(code),
             _ => self.control.m_code(code),
         };
-        let row = if hundredths % 10 == 0 { of(number * 10 + fraction) } else { None };
+        // `G0.999` has a hundred of them, and is not G1.
+        let is_code = hundredths % 10 == 0 && hundredths < 100;
+        let row = if is_code { of(number * 10 + fraction) } else { None };
         let takes_fractions = word.letter == b'G' && self.firmware.with_fractions.contains(&number);
         let is_known = word.letter == b'M' || of(number * 10).is_some() && !takes_fractions;
         let by_sender = self.control.parameters.sender_changes_tools;

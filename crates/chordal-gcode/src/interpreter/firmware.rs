@@ -177,6 +177,40 @@ mod tests {
     }
 
     #[test]
+    fn codes_count_in_hundredths() {
+        for (text, expected) in [
+            ("G0.999X1", vec![(0, 23)]),
+            ("G1000.999X1", vec![(0, 20)]),
+            ("G-1X1", vec![(0, 20)]),
+            ("M3.5", vec![(0, 23)]),
+            ("G0X99999999999999999999999999999999999999999999999999", vec![]),
+        ] {
+            assert_eq!(answers(&ran(text), text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn no_line_is_too_odd() {
+        let pieces = [
+            "G", "M", "X", "Z", "I", "R", "F", "P", "L", "T", "N", "$", "J=", "(", ")", ";", "/",
+            "%", "-", ".", "0", "1", "2", "38.2", "92", "10", "20", "1e9", "99999999", "\n", " ",
+            "é", "\0",
+        ];
+        let mut seed = 1_u64;
+        for _ in 0..300 {
+            let mut text = String::new();
+            for _ in 0..60 {
+                seed ^= seed << 13;
+                seed ^= seed >> 7;
+                seed ^= seed << 17;
+                text.push_str(pieces[seed as usize % pieces.len()]);
+            }
+            // Each is answered, or runs.
+            ran(&text);
+        }
+    }
+
+    #[test]
     fn every_block_is_answered_as_the_firmware_does() {
         let rows = include_str!("../../../../tests/grbl/vectors.txt");
         let mut wrong = Vec::new();
