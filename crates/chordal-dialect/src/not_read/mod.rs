@@ -1,6 +1,7 @@
 //! Languages that Chordal recognizes and does not read, one file each: a program of them is one message and
 //! not two hundred, and nothing is read as something that it is not.
 
+mod grbl_kin;
 mod heidenhain;
 mod marlin;
 mod okuma;
@@ -30,8 +31,13 @@ pub struct NotRead {
 }
 
 /// All of them. Of two that weigh alike the first counts.
-pub const ALL: &[&NotRead] =
-    &[&heidenhain::HEIDENHAIN, &sinumerik::SINUMERIK, &okuma::OKUMA, &marlin::MARLIN];
+pub const ALL: &[&NotRead] = &[
+    &heidenhain::HEIDENHAIN,
+    &sinumerik::SINUMERIK,
+    &okuma::OKUMA,
+    &marlin::MARLIN,
+    &grbl_kin::GRBL_KIN,
+];
 
 #[cfg(test)]
 mod tests {

@@ -16,15 +16,9 @@ const NAMES: &[&str] = &[
     "LASERGRBL",
     "UGS",
     "NOMAD",
-    "ONEFINITY",
     "SAINSMART",
     "GENMITSU",
-    "SNAPMAKER",
-    "TINYG",
-    "SMOOTHIEWARE",
     "CANDLE",
-    "GRBLHAL",
-    "FLUIDNC",
 ];
 
 /// Fewer signs than these are no sign: a plain program is for any control.

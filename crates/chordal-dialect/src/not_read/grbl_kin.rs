@@ -1,0 +1,32 @@
+//! Programs of firmwares that read more than GRBL 1.1, or otherwise: grblHAL, FluidNC, Smoothieware and their like.
+
+use super::NotRead;
+use crate::recognition::{Evidence, Sign, evidence};
+use chordal_machine::ControlName;
+
+pub(super) const GRBL_KIN: NotRead = NotRead {
+    name: "grbl-kin",
+    what: "a program for a kin of GRBL (grblHAL, FluidNC, Smoothieware, TinyG)",
+    why: "they read other words than GRBL 1.1, and are not followed yet; `--machine grbl` reads it as GRBL 1.1 would",
+    signs: SIGNS,
+    needed: 10,
+    own: &[],
+    shown_on: ControlName::Grbl,
+};
+
+const NAMES: &[&str] = &[
+    "GRBLHAL",
+    "FLUIDNC",
+    "SMOOTHIEWARE",
+    "SMOOTHIE",
+    "TINYG",
+    "G2CORE",
+    "SNAPMAKER",
+    "ONEFINITY",
+    "CARVERA",
+];
+
+const SIGNS: &[Evidence] = &[
+    evidence(Sign::Header(NAMES), 16, "the header names a kin of GRBL"),
+    evidence(Sign::Comment(NAMES), 12, "a comment names a kin of GRBL"),
+];
