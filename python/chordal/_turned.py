@@ -53,10 +53,12 @@ class TurnedStock(Stock):
         face the side towards +Z counts."""
         return np.asarray(self._turned.radii(float(z)), dtype=np.float64).reshape(-1, 2)
 
-    def save(self, path: str | os.PathLike[str], tolerance: float | None = None) -> None:
+    def save(
+        self, path: str | os.PathLike[str], tolerance: float | None = None, *, smooth: float | None = None
+    ) -> None:
         """Writes the half section (``.dxf``: lines and arcs, X along the axis, Y the radius; ``.svg``, ``.png``) or the
-        solid (``.stl``, ``.3mf``, ``.glb``), by the ending. ``tolerance`` has no effect: solids have chords within
-        0.005 mm."""
+        solid (``.stl``, ``.3mf``, ``.glb``), by the ending. ``tolerance`` and ``smooth`` have no effect: solids have chords
+        within 0.005 mm."""
         path = Path(path)
         ending = path.suffix.removeprefix(".").lower()
         path.write_bytes(self._turned.file(ending, path.stem))
