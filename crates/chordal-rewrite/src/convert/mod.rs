@@ -270,8 +270,9 @@ fn proof(
         ..chordal_compare::Options::default()
     };
     let surface = [old, new].map(trace::surface_lines);
+    let turns = old.control().table.turns();
     let is_expected = |difference: &Difference| {
-        is_of_machine(difference)
+        is_of_machine(difference, turns)
             || (printed && difference.category == Category::Output)
             || follows_the_diameter(difference, &surface)
     };
@@ -301,8 +302,8 @@ fn follows_the_diameter(difference: &Difference, surface: &[BTreeSet<u32>; 2]) -
         && difference.blocks.iter().zip(surface).all(is_surface)
 }
 
-/// Differences that belong to the machines, not to the text.
-fn is_of_machine(difference: &Difference) -> bool {
+/// Differences that belong to the machines, not to the text; of programs for lathes where it `turns`.
+fn is_of_machine(difference: &Difference, turns: bool) -> bool {
     match (difference.category, &difference.values) {
         (
             Category::Problem,
@@ -312,7 +313,7 @@ fn is_of_machine(difference: &Difference) -> bool {
             LIMITS.iter().any(|code| code.id() == id)
         }
         // A turning tool's own radius has no number where T names a tool alone.
-        (Category::RadiusOffset, Some(values)) => values.contains(&Value::Nothing),
+        (Category::RadiusOffset, Some(values)) if turns => values.contains(&Value::Nothing),
         // E0 of one control is G53 of the others.
         (Category::WorkOffset, Some(values)) => values.contains(&Value::Number(0)),
         // How wide a printed number is, is a setting.
