@@ -24,6 +24,7 @@ use chordal_editor::reference;
 /// Pages whose commands are run.
 const WALKS: &[&str] = &[
     "docs/from-fadal-to-haas.md",
+    "docs/grbl.md",
     "docs/getting-started/lathe.md",
     "docs/getting-started/machinist.md",
     "docs/getting-started/post-developer.md",
