@@ -17,8 +17,6 @@ pub enum Refusal {
     Negative,
     /// More characters than its line holds.
     TooLong,
-    /// A command that the alarm locks.
-    Locked,
     /// A jog with other words than axes, F, G20, G21, G53, G90, G91.
     JogWords,
     /// A letter or a code that it does not have.

@@ -308,7 +308,7 @@ pub struct ControlTable {
     pub systems: &'static [CodeSystem],
     /// Cycles that drill along X, ten times the number.
     pub radial_cycles: &'static [u16],
-    /// The kind of machine that its programs must be for, where it is not a mill.
+    /// How its programs are distinguished from those of other machines, where signs must show that first: lathes, GRBL.
     pub kind: Option<&'static MachineKind>,
     /// Signs by which its programs are recognized.
     pub evidence: &'static [Evidence],

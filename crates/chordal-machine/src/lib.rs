@@ -66,5 +66,5 @@ pub use schema::{SchemaKey, schema_keys, schema_reference};
 pub use setup::{Body, BodyShape, ContourPoint, MeshUnit, Setup};
 pub use tool::{Cutter, Solid, Tool, ToolShape};
 pub use tool_tbl::read_tool_tbl;
-pub use turning::{InsertLetter, ToolFacing, TurningTool};
+pub use turning::{InsertLetter, ToolFacing, TurningTool, mirrored_tip};
 pub use value::{Setting, SettingValue};

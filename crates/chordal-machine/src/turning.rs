@@ -21,6 +21,19 @@ pub struct TurningTool {
     pub holder_outline: Vec<[f64; 2]>,
 }
 
+/// The number of a tip where X is counted the other way round.
+pub const fn mirrored_tip(tip: u32) -> u32 {
+    match tip {
+        1 => 4,
+        2 => 3,
+        3 => 2,
+        4 => 1,
+        6 => 8,
+        8 => 6,
+        same => same,
+    }
+}
+
 impl TurningTool {
     /// The corner angle of the insert, rad; `None` where it is not known, or round.
     pub fn corner_rad(&self) -> Option<f64> {

@@ -8,7 +8,7 @@ use chordal::Job;
 use chordal::control::table::Subroutines;
 use chordal::control::{Control, subroutine_head};
 use chordal::diagnostics::{FileId, Span};
-use chordal::syntax::{Block, BlockKind, BlockReader, Word};
+use chordal::syntax::{Block, BlockKind, BlockReader, Letters, Word};
 use chordal_editor::{Program, Setup};
 
 /// How a subprogram is written and called.
@@ -267,6 +267,25 @@ pub(crate) fn code_action(word: &Word, control: &Control) -> Option<Action> {
 /// The cycle of a lathe that a code calls.
 pub(crate) fn turning_cycle(code: OnceCode) -> Option<TurnCycle> {
     if let OnceCode::Turning(cycle) = code { Some(cycle) } else { None }
+}
+
+/// The block has none of the words that end a cycle of two blocks: P and Q, or X and Z.
+pub(crate) fn lacks_ends(cycle: TurnCycle, block: &Block) -> bool {
+    let ends = match cycle {
+        TurnCycle::Rough | TurnCycle::RoughFace | TurnCycle::Pattern => Letters::of("PQ"),
+        TurnCycle::PeckZ | TurnCycle::PeckX | TurnCycle::Thread => Letters::of("XZUW"),
+        TurnCycle::Finish
+        | TurnCycle::FinishSubroutine
+        | TurnCycle::RoughSubroutine(_)
+        | TurnCycle::RoughFaceSubroutine(_)
+        | TurnCycle::LineThread => return false,
+    };
+    !block.letters().meets(ends)
+}
+
+/// It is the first of two blocks of a cycle, where the control has them in two.
+pub(crate) fn is_setup(cycle: TurnCycle, block: &Block, control: &Control) -> bool {
+    control.parameters.rules.turning.two_blocks && lacks_ends(cycle, block)
 }
 
 /// A whole number not below zero.

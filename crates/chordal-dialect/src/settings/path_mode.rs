@@ -137,37 +137,28 @@ pub(crate) fn set(
         PathField::Level => rules.level = choose(word, LEVELS)?,
         PathField::LookAhead => rules.look_ahead_mm = optional()?,
         PathField::ShortBlocks => rules.short_blocks = choose(word, SHORT_BLOCKS)?,
-        PathField::JunctionDeviation
-        | PathField::JunctionBlocks
-        | PathField::ArcTolerance
-        | PathField::Steps(_) => {
-            let Some(junctions) = &mut rules.junctions else {
-                return Err("nothing: this control has no junction deviation".to_string());
-            };
-            match field {
-                PathField::JunctionBlocks => match value {
-                    SettingValue::Integer(count @ 1..=10_000) => junctions.blocks = *count as u32,
-                    _ => return Err("a whole number, 1 or more".to_string()),
-                },
-                PathField::ArcTolerance => {
-                    let tolerance = length()?;
-                    if tolerance <= 0.0 {
-                        return Err("a length above zero".to_string());
-                    }
-                    junctions.arc_tolerance_mm = tolerance;
-                }
-                PathField::Steps(axis) => {
-                    let steps = number();
-                    if !(steps > 0.0 && steps < 1e6) {
-                        return Err("a number of steps above 0".to_string());
-                    }
-                    junctions.steps_per_mm[usize::from(axis.min(2))] = steps;
-                }
-                _ => junctions.deviation_mm = length()?,
-            }
+        PathField::JunctionDeviation => junctions(rules)?.deviation_mm = length()?,
+        PathField::ArcTolerance => {
+            let above_zero = Some(length()?).filter(|tolerance| *tolerance > 0.0);
+            junctions(rules)?.arc_tolerance_mm = above_zero.ok_or("a length above zero")?;
+        }
+        PathField::JunctionBlocks => match value {
+            SettingValue::Integer(count @ 1..=10_000) => junctions(rules)?.blocks = *count as u32,
+            _ => return Err("a whole number, 1 or more".to_string()),
+        },
+        PathField::Steps(axis) => {
+            let steps = Some(number()).filter(|steps| *steps > 0.0 && *steps < 1e6);
+            junctions(rules)?.steps_per_mm[usize::from(axis.min(2))] =
+                steps.ok_or("a number of steps above 0")?;
         }
     }
     Ok(())
+}
+
+/// The rules of junctions of a control that has them.
+fn junctions(rules: &mut PathRules) -> Result<&mut JunctionRules, String> {
+    let none = "nothing: this control has no junction deviation";
+    rules.junctions.as_mut().ok_or_else(|| none.to_string())
 }
 
 /// The present value of a rule, as a machine file writes it.

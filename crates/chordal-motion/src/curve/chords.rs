@@ -89,9 +89,19 @@ impl Chords {
     }
 
     /// The chord that holds a place.
-    #[inline]
+    #[inline(always)]
     pub(super) fn chord_at(&self, sigma: f64, hint: &mut Hint) -> usize {
-        chord_at(&self.at, sigma, hint)
+        // Where all but the last end.
+        let ends = &self.at[1..self.count()];
+        let mut index = (*hint).min(ends.len());
+        while ends.get(index).is_some_and(|end| *end <= sigma) {
+            index += 1;
+        }
+        while index > 0 && ends[index - 1] > sigma {
+            index -= 1;
+        }
+        *hint = index;
+        index
     }
 
     /// The place at σ; beyond an end the chords go on, turned about the end.
@@ -106,13 +116,20 @@ impl Chords {
         if sigma < 0.0 || sigma > self.length() {
             return self.beyond(sigma, hint);
         }
-        between(&self.at, &self.places, sigma, hint)
+        self.between(sigma, hint)
+    }
+
+    /// The first axes of a place between the ends.
+    #[inline(always)]
+    fn between<const N: usize>(&self, inside: f64, hint: &mut Hint) -> [f64; N] {
+        let chord = self.chord_at(inside, hint);
+        self.on(chord, inside)
     }
 
     /// Beyond an end.
     #[cold]
     fn beyond<const N: usize>(&self, sigma: f64, hint: &mut Hint) -> [f64; N] {
-        let place: [f64; N] = between(&self.at, &self.places, self.inside(sigma), hint);
+        let place: [f64; N] = self.between(self.inside(sigma), hint);
         let about = if sigma < 0.0 { &self.places[0] } else { &self.places[self.count()] };
         std::array::from_fn(|axis: usize| 2.0 * about[axis] - place[axis])
     }
@@ -138,7 +155,7 @@ impl Chords {
             let (until, after) = if is_last {
                 (to, self.on(index, to))
             } else {
-                (self.at[index + 1], first_of(&self.places[index + 1]))
+                (self.at[index + 1], std::array::from_fn(|axis| self.places[index + 1][axis]))
             };
             let half = 0.5 * (until - at);
             for axis in 0..N {
@@ -155,7 +172,12 @@ impl Chords {
     #[inline(always)]
     fn on<const N: usize>(&self, chord: usize, sigma: f64) -> [f64; N] {
         let share = (sigma - self.at[chord]) / (self.at[chord + 1] - self.at[chord]);
-        on_chord([&self.places[chord], &self.places[chord + 1]], share)
+        let (from, to) = (&self.places[chord], &self.places[chord + 1]);
+        let mut place = [0.0; N];
+        for axis in 0..N {
+            place[axis] = from[axis] + share * (to[axis] - from[axis]);
+        }
+        place
     }
 
     /// The mean of the places within `half` of σ, as exact as the places are: chord by chord, since a difference of
@@ -197,44 +219,6 @@ impl Chords {
         }
         mean
     }
-}
-
-/// The chord that holds a place, by where all of them begin and the last ends.
-#[inline(always)]
-fn chord_at(at: &[f64], sigma: f64, hint: &mut Hint) -> usize {
-    // Where all but the last end.
-    let ends = &at[1..at.len() - 1];
-    let mut index = (*hint).min(ends.len());
-    while ends.get(index).is_some_and(|end| *end <= sigma) {
-        index += 1;
-    }
-    while index > 0 && ends[index - 1] > sigma {
-        index -= 1;
-    }
-    *hint = index;
-    index
-}
-
-/// The first axes of a place between the ends.
-#[inline(always)]
-fn between<const N: usize>(at: &[f64], places: &[Axes], inside: f64, hint: &mut Hint) -> [f64; N] {
-    let index = chord_at(at, inside, hint);
-    let (begin, end) = (at[index], at[index + 1]);
-    on_chord([&places[index], &places[index + 1]], (inside - begin) / (end - begin))
-}
-
-/// The first axes of the place at a share of a chord.
-#[inline(always)]
-fn on_chord<const N: usize>([from, to]: [&Axes; 2], share: f64) -> [f64; N] {
-    let mut place = [0.0; N];
-    for axis in 0..N {
-        place[axis] = from[axis] + share * (to[axis] - from[axis]);
-    }
-    place
-}
-
-fn first_of<const N: usize>(place: &Axes) -> [f64; N] {
-    on_chord([place; 2], 0.0)
 }
 
 #[cfg(test)]

@@ -138,18 +138,9 @@ impl Widths {
     }
 }
 
-/// A place of the chords.
-#[derive(Clone, Copy)]
-struct Node<const N: usize> {
-    at: f64,
-    place: [f64; N],
-}
-
 /// What lies around one of the places, over all levels of width; of the first axes.
 struct Around<'a, const N: usize> {
     chords: &'a Chords,
-    /// Its places, where they are found quickly.
-    nodes: Vec<Node<N>>,
     measure: &'a Measure,
     kernel: Kernel,
     /// Largest difference, in tolerances.
@@ -173,15 +164,8 @@ impl<'a, const N: usize> Around<'a, N> {
             .cycle()
             .zip((0..LEVELS).map(|level| (1_u32 << (level / TWICE)) as f64))
             .map(|(least, times)| least * times);
-        let mut nodes = Vec::with_capacity(chords.count() + 1);
-        nodes.extend(chords.at.iter().zip(&chords.places).map(|(at, axes)| {
-            let mut place = [0.0; N];
-            place.copy_from_slice(&axes[..N]);
-            Node { at: *at, place }
-        }));
         Around {
             chords,
-            nodes,
             measure,
             kernel,
             most,
@@ -210,48 +194,15 @@ impl<'a, const N: usize> Around<'a, N> {
 
     fn find_second(&mut self, level: usize) {
         self.has_second |= 1 << level;
-        let Node { at, place: here } = self.nodes[self.index];
-        let way = self.radii[level];
-        let [before, after] = self.hints[level];
-        let (before, from) = self.place_at(at - way, before);
-        let (after, to) = self.place_at(at + way, after);
-        self.hints[level] = [before, after];
+        let (at, way) = (self.chords.at[self.index], self.radii[level]);
+        let here = &self.chords.places[self.index];
+        let [before, after] = &mut self.hints[level];
+        let before: [f64; N] = self.chords.first_axes_at(at - way, before);
+        let after: [f64; N] = self.chords.first_axes_at(at + way, after);
         let second = &mut self.seconds[level];
         for axis in 0..N {
-            second[axis] = from[axis] - 2.0 * here[axis] + to[axis];
+            second[axis] = before[axis] - 2.0 * here[axis] + after[axis];
         }
-    }
-
-    /// The place at σ, with the chord that it was found on.
-    #[inline(always)]
-    fn place_at(&self, sigma: f64, hint: Hint) -> (Hint, [f64; N]) {
-        let last = self.nodes.len() - 1;
-        if sigma < 0.0 || sigma > self.nodes[last].at {
-            return self.beyond(sigma, hint);
-        }
-        let mut index = hint.min(last - 1);
-        let mut ends = [&self.nodes[index], &self.nodes[index + 1]];
-        while ends[1].at <= sigma && index + 1 < last {
-            index += 1;
-            ends = [ends[1], &self.nodes[index + 1]];
-        }
-        while ends[0].at > sigma && index > 0 {
-            index -= 1;
-            ends = [&self.nodes[index], ends[0]];
-        }
-        let [from, to] = ends;
-        let share = (sigma - from.at) / (to.at - from.at);
-        let mut place = [0.0; N];
-        for (axis, value) in place.iter_mut().enumerate() {
-            *value = from.place[axis] + share * (to.place[axis] - from.place[axis]);
-        }
-        (index, place)
-    }
-
-    #[cold]
-    fn beyond(&self, sigma: f64, mut hint: Hint) -> (Hint, [f64; N]) {
-        let place = self.chords.first_axes_at(sigma, &mut hint);
-        (hint, place)
     }
 
     /// The share of the largest difference, in the power in which it grows with the square of the width.

@@ -32,7 +32,7 @@ pub(crate) fn cycle_of(source: &Source, at: usize, job: &Job) -> Option<TurnCycl
 impl Contours {
     pub fn of(source: &Source, job: &Job) -> Contours {
         let mut contours = Contours::default();
-        if job.control().table.kind.is_none() {
+        if !job.control().table.turns() {
             return contours;
         }
         for at in 0..source.blocks.len() {

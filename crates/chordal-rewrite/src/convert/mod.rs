@@ -36,7 +36,7 @@ mod turning;
 use std::collections::{BTreeMap, BTreeSet};
 
 use chordal::control::{RapidPath, Side};
-use chordal::machine::{AXIS_LETTERS, RapidShape, WorkOffset, work_offset_name};
+use chordal::machine::{AXIS_LETTERS, RapidShape, WorkOffset, mirrored_tip, work_offset_name};
 
 use chordal::{Code, CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
 use chordal_compare::{Blocks, Category, Difference, FreePasses, Value};
@@ -401,7 +401,7 @@ fn other_kind(old: &Job, target: &Machine) -> Option<Refusal> {
 
 /// Axes that a program of a lathe moves and the target does not have.
 fn missing_axes(old: &Job, target: &Machine, trace: &Trace) -> Vec<Refusal> {
-    if old.control().table.kind.is_none() {
+    if !old.control().table.turns() {
         return Vec::new();
     }
     let mut refusals = Vec::new();
@@ -487,19 +487,6 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
         .map(|(name, offset)| (renamed(name, target), *offset))
         .collect::<BTreeMap<String, WorkOffset>>();
     machine
-}
-
-/// The number of a tip where X is counted the other way round.
-fn mirrored_tip(tip: u32) -> u32 {
-    match tip {
-        1 => 4,
-        2 => 3,
-        3 => 2,
-        4 => 1,
-        6 => 8,
-        8 => 6,
-        other => other,
-    }
 }
 
 /// The name under which the target has a work offset: E7 is G54.1 P1 and G154 P1.

@@ -252,7 +252,7 @@ impl Trace {
 
 /// The lines of a lathe's program on which the spindle keeps a cutting speed, before them or after.
 pub(crate) fn surface_lines(job: &Job) -> BTreeSet<u32> {
-    if job.control().table.kind.is_none() {
+    if !job.control().table.turns() {
         return BTreeSet::new();
     }
     let source = Source::of(job);

@@ -4,10 +4,10 @@
 use std::collections::BTreeMap;
 
 use chordal::Control;
-use chordal::control::{MotionCode, OnceCode, ToolWord, TurnCycle, code_number};
+use chordal::control::{MotionCode, OnceCode, ToolWord, code_number};
 use chordal::syntax::{Block, Letters};
 
-use crate::source::{Source, code_action};
+use crate::source::{Source, code_action, is_setup};
 
 const AXES: Letters = Letters::of("XYZUVWCH");
 
@@ -28,7 +28,7 @@ pub(super) struct Turned {
 
 impl Turned {
     pub(super) fn follow(&mut self, source: &Source, control: &Control, block: &Block) {
-        if control.table.kind.is_none() {
+        if !control.table.turns() {
             return;
         }
         let mut takes_t = false;
@@ -76,18 +76,4 @@ pub(super) fn says_setup(block: &Block, control: &Control) -> bool {
         let once = code_action(word, control).and_then(|action| action.once());
         matches!(once, Some(OnceCode::Turning(cycle)) if is_setup(cycle, block, control))
     })
-}
-
-/// The first of two blocks of a cycle: P and Q are missing, or X and Z.
-fn is_setup(cycle: TurnCycle, block: &Block, control: &Control) -> bool {
-    let ends = match cycle {
-        TurnCycle::Rough | TurnCycle::RoughFace | TurnCycle::Pattern => "PQ",
-        TurnCycle::PeckZ | TurnCycle::PeckX | TurnCycle::Thread => "XZUW",
-        TurnCycle::Finish
-        | TurnCycle::FinishSubroutine
-        | TurnCycle::RoughSubroutine(_)
-        | TurnCycle::RoughFaceSubroutine(_)
-        | TurnCycle::LineThread => return false,
-    };
-    control.parameters.rules.turning.two_blocks && !block.letters().meets(Letters::of(ends))
 }

@@ -107,7 +107,7 @@ impl Record {
     /// With the blocks of contours that only cycles of a lathe read, as if they ran where the cycle does.
     pub(super) fn with_contours(job: &Job) -> Record {
         let mut record = Record::of(job);
-        if job.control().table.kind.is_none() {
+        if !job.control().table.turns() {
             return record;
         }
         let source = Source::of(job);

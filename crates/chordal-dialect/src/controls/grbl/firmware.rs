@@ -28,7 +28,6 @@ const ROWS: &[RefusalRow] = &[
         "check it: `$H` homes, `$X` unlocks, `$$` lists the settings",
     ),
     answer(4, Refusal::Negative, "this word may not be below zero", "write it without the sign"),
-    answer(9, Refusal::Locked, "GRBL is locked by an alarm", "unlock it with `$X`, or home with `$H`"),
     answer(
         11,
         Refusal::TooLong,

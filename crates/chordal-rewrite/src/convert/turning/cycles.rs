@@ -10,7 +10,7 @@ use crate::convert::codes;
 use crate::convert::context::Context;
 use crate::convert::draft::{Draft, Expand};
 use crate::convert::numbers;
-use crate::source::{code_action, turning_cycle};
+use crate::source::{code_action, lacks_ends, turning_cycle};
 
 /// Angles of the tool that a packed word may name, degrees.
 const ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
@@ -48,30 +48,17 @@ impl Cycle<'_> {
         self.context.controls().map(|control| control.parameters.rules.turning)
     }
 
-    /// Words of the first of two blocks that give what the second one needs.
-    fn is_setup(&self, block: &Block) -> bool {
-        let ends = match self.cycle {
-            TurnCycle::Rough | TurnCycle::RoughFace | TurnCycle::Pattern => Letters::of("PQ"),
-            TurnCycle::PeckZ | TurnCycle::PeckX | TurnCycle::Thread => Letters::of("XZUW"),
-            TurnCycle::Finish
-            | TurnCycle::FinishSubroutine
-            | TurnCycle::RoughSubroutine(_)
-            | TurnCycle::RoughFaceSubroutine(_)
-            | TurnCycle::LineThread => return false,
-        };
-        !block.letters().meets(ends)
-    }
-
     /// A letter that says whether pockets are cut means nothing on the other control.
     fn pockets(&self, draft: &Draft) -> Result<(), Expand> {
         let [one, other] = self.rules();
         let cuts = matches!(self.cycle, TurnCycle::Rough | TurnCycle::RoughFace);
         let letters = [one.pockets_by, other.pockets_by].into_iter().flatten();
-        let says =
-            |letter: u8| cuts && !self.is_setup(draft.block) && draft.place(letter).is_some();
+        let says = |letter: u8| {
+            cuts && !lacks_ends(self.cycle, draft.block) && draft.place(letter).is_some()
+        };
         if one.pockets_by != other.pockets_by && letters.into_iter().any(says) {
             let title = self.context.to.table.title;
-            return Err(Expand(format!("{title} is told of pockets in another way")));
+            return Err(Expand(format!("{title} says in another way whether pockets are cut")));
         }
         Ok(())
     }
@@ -117,7 +104,7 @@ impl Cycle<'_> {
         let source = self.context.source;
         let found = (0..self.at).rev().find(|at| {
             source.has_action(*at, self.context.from, |action| action == wanted)
-                && self.is_setup(&source.blocks[*at])
+                && lacks_ends(self.cycle, &source.blocks[*at])
         });
         found.map(|at| &source.blocks[at])
     }
@@ -155,7 +142,7 @@ impl Cycle<'_> {
     fn in_one_block(&self, draft: &mut Draft) -> Result<(), Expand> {
         let [one, other] = self.rules();
         let reason = self.reason();
-        if self.is_setup(draft.block) {
+        if lacks_ends(self.cycle, draft.block) {
             for word in 0..draft.block.words.len() {
                 if draft.block.words[word].letter != b'N' {
                     draft.remove(word, reason.clone());
@@ -269,7 +256,7 @@ impl Cycle<'_> {
     /// One block as two.
     fn in_two_blocks(&self, draft: &mut Draft) -> Result<(), Expand> {
         let [one, _] = self.rules();
-        if self.is_setup(draft.block) {
+        if lacks_ends(self.cycle, draft.block) {
             return Ok(());
         }
         let block = draft.block;

@@ -6,7 +6,7 @@ use chordal::syntax::{Block, Letters, Word};
 
 use super::super::record::{Context, Did};
 use super::{Role, actions};
-use crate::source::turning_cycle;
+use crate::source::{is_setup, turning_cycle};
 
 /// What a block of a lathe is, where its words do not mean what they mean next to a move.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -120,19 +120,6 @@ fn increment(word: &Word, control: &Control) -> Option<Role> {
     let increments = control.parameters.increments;
     let (_, of) = increments.iter().find(|(letter, _)| *letter == word.letter)?;
     b"XYZ".iter().position(|axis| axis == of).map(Role::Way)
-}
-
-fn is_setup(cycle: TurnCycle, block: &Block, control: &Control) -> bool {
-    let ends = match cycle {
-        TurnCycle::Rough | TurnCycle::RoughFace | TurnCycle::Pattern => "PQ",
-        TurnCycle::PeckZ | TurnCycle::PeckX | TurnCycle::Thread => "XZUW",
-        TurnCycle::Finish
-        | TurnCycle::FinishSubroutine
-        | TurnCycle::RoughSubroutine(_)
-        | TurnCycle::RoughFaceSubroutine(_)
-        | TurnCycle::LineThread => return false,
-    };
-    control.parameters.rules.turning.two_blocks && !block.letters().meets(Letters::of(ends))
 }
 
 fn of_cycle(

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use chordal_geometry::Vec2;
-use chordal_machine::{Cutter as Shape, InsertLetter, Solid, Tool, ToolFacing, ToolShape};
+use chordal_machine::{
+    Cutter as Shape, InsertLetter, Solid, Tool, ToolFacing, ToolShape, mirrored_tip,
+};
 use chordal_stock::turned::{
     Blade, BladePoint, Facing, Insert, InsertShape, Tip, Tool as Outline, ToolError,
 };
@@ -65,23 +67,10 @@ pub(super) fn tools_of(job: &Job) -> BTreeMap<u32, Result<LatheTool, NoOutline>>
     // Some controls count tip numbers with X turned round.
     let mirrored = job.control().parameters.rules.turning.tips_mirrored;
     let outline = |mut tool: Tool| {
-        tool.tip = tool.tip.map(|tip| if mirrored { across(tip) } else { tip });
+        tool.tip = tool.tip.map(|tip| if mirrored { mirrored_tip(tip) } else { tip });
         lathe_tool(&tool)
     };
     known_tools(job).into_iter().map(|(number, known)| (number, outline(known.tool))).collect()
-}
-
-/// The tip number with X turned round.
-fn across(tip: u32) -> u32 {
-    match tip {
-        1 => 4,
-        2 => 3,
-        3 => 2,
-        4 => 1,
-        6 => 8,
-        8 => 6,
-        same => same,
-    }
 }
 
 fn missing(key: &str, what: &str) -> NoOutline {
