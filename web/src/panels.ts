@@ -16,6 +16,15 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
+/** Escape closes a panel that opens below its summary. */
+export function closesOnEscape(root: HTMLDetailsElement, summary: HTMLElement): void {
+  root.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    root.open = false;
+    summary.focus();
+  });
+}
+
 /** From where on the path is not known; empty where the whole run was followed. */
 export function notVerified(report: Pick<Report, "not_verified_from">): string {
   const from = report.not_verified_from;

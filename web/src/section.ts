@@ -1,6 +1,6 @@
 // Which part of the path is shown: by tool, by lines, by depth.
 
-import { element } from "./panels";
+import { closesOnEscape, element } from "./panels";
 import type { Section } from "./scene";
 import { type Units, length } from "./units";
 
@@ -71,11 +71,7 @@ export function sectionControls(changed: (section: Section) => void, cursor: () 
     high.value = String(STEPS);
     tell();
   });
-  root.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape") return;
-    root.open = false;
-    summary.focus();
-  });
+  closesOnEscape(root, summary);
 
   return {
     root,

@@ -2,7 +2,7 @@
 
 import type { StockBefore } from "./drops";
 import type { StockReport } from "./link";
-import { element } from "./panels";
+import { closesOnEscape, element } from "./panels";
 import { type Cut, type StockColor, TOLERANCES } from "./stocklayer";
 import { type Units, count, length, volume } from "./units";
 
@@ -112,11 +112,7 @@ export function stockControls(acts: Acts) {
   color.addEventListener("change", tellColor);
   for (const input of [axis, place]) input.addEventListener("input", tellCut);
   columns.addEventListener("change", () => acts.columns(Number(columns.value)));
-  root.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape") return;
-    root.open = false;
-    summary.focus();
-  });
+  closesOnEscape(root, summary);
 
   return {
     root,

@@ -1,7 +1,7 @@
 // How the half section of a lathe is shown, and what was found.
 
 import type { TurnedReport } from "./link";
-import { element } from "./panels";
+import { closesOnEscape, element } from "./panels";
 import type { Sections } from "./sections";
 import { type Units, counted, volume } from "./units";
 
@@ -33,11 +33,7 @@ export function turnedControls(show: (what: Shown, shown: boolean) => void) {
   found.setAttribute("aria-live", "polite");
   for (const line of [about, found]) choices.append(element("span", ""), line);
   root.append(summary, choices);
-  root.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape") return;
-    root.open = false;
-    summary.focus();
-  });
+  closesOnEscape(root, summary);
 
   return {
     root,

@@ -1,6 +1,7 @@
 // A server and Chromium for a test.
 
 import { spawn } from "node:child_process";
+import { after, before } from "node:test";
 import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
@@ -104,4 +105,29 @@ export function processorSeconds(type) {
     }
   }
   return seconds;
+}
+
+/** One browser for the tests of a file, and the servers that end with it. */
+export function session() {
+  const servers = [];
+  let own;
+  before(async () => {
+    own = await browser();
+  });
+  after(async () => {
+    servers.forEach((server) => server.stop());
+    await own?.stop();
+  });
+  const started = async (file, ...more) => {
+    const server = await serve(file, ...more);
+    servers.push(server);
+    return server;
+  };
+  return {
+    serve: started,
+    newPage: () => own.context.newPage(),
+    async open(file, ...more) {
+      return open(own.context, (await started(file, ...more)).url);
+    },
+  };
 }

@@ -1,30 +1,18 @@
 // The page in a real browser: what a user sees and does.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { ROOT, browser, open, picture, serve } from "./browser.mjs";
+import { ROOT, picture, session } from "./browser.mjs";
 
 const PROFILE = join(ROOT, "examples/fadal/profile-g18.nc");
 
-let chromium;
-const servers = [];
-
-before(async () => {
-  chromium = await browser();
-});
-
-after(async () => {
-  servers.forEach((server) => server.stop());
-  await chromium?.stop();
-});
+const tests = session();
 
 async function show(file, ...more) {
-  const server = await serve(file, ...more);
-  servers.push(server);
-  return open(chromium.context, server.url);
+  return tests.open(file, ...more);
 }
 
 /** A copy that a test may write to. */
@@ -401,9 +389,8 @@ test("a long program answers while it loads, and turns at a detail that is soon 
   const folder = mkdtempSync(join(tmpdir(), "chordal-page-"));
   const path = join(folder, "long.ngc");
   writeFileSync(path, surfacing(200_000));
-  const server = await serve(path);
-  servers.push(server);
-  const page = await chromium.context.newPage();
+  const server = await tests.serve(path);
+  const page = await tests.newPage();
   await page.goto(server.url);
   // How far the run is can be seen, and another panel is chosen meanwhile.
   await page.waitForFunction(() => !document.querySelector(".progress").hidden, null, { polling: "raf" });

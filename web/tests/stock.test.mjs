@@ -1,31 +1,19 @@
 // The stock on the page: it is cut as the program plays, forward and backward, and what is touched is listed.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { ROOT, browser, open, picture, serve } from "./browser.mjs";
+import { ROOT, picture, session } from "./browser.mjs";
 
 const PROGRAM = join(ROOT, "examples/stock/op1.nc");
 const SETUP = join(ROOT, "examples/stock/op1.toml");
 
-let chromium;
-const servers = [];
-
-before(async () => {
-  chromium = await browser();
-});
-
-after(async () => {
-  servers.forEach((server) => server.stop());
-  await chromium?.stop();
-});
+const tests = session();
 
 async function show(program, setup) {
-  const server = await serve(program, "--setup", setup);
-  servers.push(server);
-  const opened = await open(chromium.context, server.url);
+  const opened = await tests.open(program, "--setup", setup);
   const { page } = opened;
   await page.waitForFunction(() => window.chordal.setpoints() && window.chordal.stock.drops()?.count > 0);
   await page.waitForFunction(() => /removed/.test(document.querySelector("#stock").textContent));

@@ -1,31 +1,19 @@
 // The stock of a lathe on the page: its half section at every moment, the tool in it, what is touched, and diameters.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { ROOT, browser, open, picture, serve } from "./browser.mjs";
+import { ROOT, picture, session } from "./browser.mjs";
 
 const PROGRAM = join(ROOT, "examples/fanuc-lathe/bolt.nc");
 const SETUP = join(ROOT, "examples/fanuc-lathe/bolt.toml");
 
-let chromium;
-const servers = [];
-
-before(async () => {
-  chromium = await browser();
-});
-
-after(async () => {
-  servers.forEach((server) => server.stop());
-  await chromium?.stop();
-});
+const tests = session();
 
 async function show(program, setup) {
-  const server = await serve(program, "--setup", setup);
-  servers.push(server);
-  const opened = await open(chromium.context, server.url);
+  const opened = await tests.open(program, "--setup", setup);
   const { page } = opened;
   // So wide that the line of the position never wraps: the picture keeps its size.
   await page.setViewportSize({ width: 1600, height: 800 });

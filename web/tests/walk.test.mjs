@@ -1,33 +1,22 @@
 // What a machinist looks for on the page: playback, colours, measures, units, narrow windows.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { ROOT, browser, open, picture, serve } from "./browser.mjs";
+import { ROOT, picture, session } from "./browser.mjs";
 
 const HOUSING = join(ROOT, "examples/textbook/switch-housing.nc");
 const BRACKET = join(ROOT, "examples/fadal/bracket.nc");
 const folder = mkdtempSync(join(tmpdir(), "chordal-walk-"));
 
-let chromium;
-const servers = [];
+const tests = session();
 
-before(async () => {
-  chromium = await browser();
-});
-
-after(async () => {
-  servers.forEach((server) => server.stop());
-  await chromium?.stop();
-  rmSync(folder, { recursive: true, force: true });
-});
+after(() => rmSync(folder, { recursive: true, force: true }));
 
 async function show(file, ...more) {
-  const server = await serve(file, ...more);
-  servers.push(server);
-  const shown = await open(chromium.context, server.url);
+  const shown = await tests.open(file, ...more);
   await shown.page.waitForFunction(() => window.chordal.report() && window.chordal.setpoints() && window.chordal.view.isComplete);
   return shown;
 }
