@@ -22,9 +22,14 @@ use crate::trajectory::Stretch;
 pub(crate) use chain::Laid;
 use quickest::{Curved, Quickest};
 
-/// A joint is a corner where the chords turn by more; short ones are looked at over some tolerances.
+/// A joint is a corner where the chords turn by more, 75 degrees; short ones are looked at over some tolerances.
 const CORNER_COSINE: f64 = 0.258_819_045_102_521;
 const LOOK: f64 = 4.0;
+/// A run is also planned with corners where it turns by more than this, 40 degrees, in case that is quicker.
+const BEND_COSINE: f64 = 0.766_044_443_118_978;
+/// Of these tolerances, mm, all that are lower than the own one count, too: what a lower one allows a larger
+/// one allows as well.
+const LADDER: [f64; 9] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5];
 /// Directions that differ by less go on in one line.
 const STRAIGHT: f64 = 1e-9;
 /// A piece that bends by less, in tolerances, and turns by less, in rad, is a line. The direction has a step of such
@@ -36,6 +41,14 @@ const SLIVER: f64 = 0.1;
 /// The part of the tolerance that the chords of an arc may take, and the most chords of a group.
 const CHORD_ERROR: f64 = 1.0 / 32.0;
 const MOST_CHORDS: usize = 400_000;
+
+/// The joints at which runs end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Joints {
+    Corners,
+    /// These, and what turns by less.
+    Bends,
+}
 
 /// A move of a run.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +93,7 @@ impl Dense {
         if !self.cut(moves) {
             return None;
         }
-        self.corners = self.corners_of(moves, 0..moves.len(), CORNER_COSINE);
+        self.corners = self.corners_of(moves, 0..moves.len(), Joints::Corners);
         let last = *self.corners[..self.corners.len() - 1].last()?;
         if last > 0 {
             return Some(self.owners[last] as usize);
@@ -146,7 +159,7 @@ impl Dense {
 
     /// The chords of some moves at which runs begin, and one past the last: the first chord, and where the path
     /// turns by more.
-    fn corners_of(&self, moves: &[Move], of: Range<usize>, cosine_of_corner: f64) -> Vec<usize> {
+    fn corners_of(&self, moves: &[Move], of: Range<usize>, joints: Joints) -> Vec<usize> {
         let mut corners = vec![self.firsts[of.start]];
         // The last corner that may yet turn out to be the lesser of two, with its cosine and tolerance.
         let mut last: Option<(f64, f64)> = None;
@@ -158,7 +171,12 @@ impl Dense {
                 last = None;
                 continue;
             };
-            if cosine >= cosine_of_corner || self.goes_on(self.firsts[index]) {
+            let first = self.firsts[index];
+            let is_one = match joints {
+                Joints::Corners => cosine < CORNER_COSINE && self.is_sharp_below(first, tolerance),
+                Joints::Bends => cosine < BEND_COSINE,
+            };
+            if !is_one || self.goes_on(first) {
                 continue;
             }
             // Of a bend as sharp as the tolerance is wide only the sharpest joint is a corner.
@@ -189,7 +207,17 @@ impl Dense {
             return None;
         }
         let tolerance = linear_mm.max(EXACT.linear_mm);
-        let first = self.firsts[index];
+        Some((self.cosine_within(self.firsts[index], tolerance), tolerance))
+    }
+
+    /// Whether a joint is as sharp over lower tolerances: a bend that is round within a lower one stays a bend.
+    fn is_sharp_below(&self, first: usize, tolerance: f64) -> bool {
+        let mut lower = LADDER.iter().rev().filter(|value| **value < tolerance);
+        lower.all(|value| self.cosine_within(first, *value) < CORNER_COSINE)
+    }
+
+    /// The cosine of the turn between two chords, seen over some tolerances.
+    fn cosine_within(&self, first: usize, tolerance: f64) -> f64 {
         let here = &self.places[first];
         let before = self.beyond(first, -self.look((0..first).rev(), tolerance));
         let after = self.beyond(first, self.look(first..self.lengths.len(), tolerance));
@@ -202,7 +230,7 @@ impl Dense {
         }
         let size = (squares[0] * squares[1]).sqrt();
         // Rotary axes alone have no angle in space.
-        Some((if size > 0.0 { dot / size } else { 1.0 }, tolerance))
+        if size > 0.0 { dot / size } else { 1.0 }
     }
 
     /// How far the direction of a chord is looked at, with the chords that follow it: over the line that they

@@ -214,3 +214,38 @@ fn rows_overlap_at_their_ends_however_they_lie() {
         assert!(time <= most_s, "{degrees} degrees: {time} s");
     }
 }
+
+/// A sum of harmonics of 400 chords.
+fn harmonics(chord: f64, seed: u64) -> Places {
+    let mut places = dense::harmonics(chord, 4, seed);
+    places.truncate(400);
+    places
+}
+
+fn time_s(places: &[[f64; 3]], feed: f64, tolerance: f64) -> f64 {
+    let moves = dense::moves(places, feed, tolerance);
+    time_of(&plan(&moves, limits(500.0, 5000.0, 1e5), Level::Fast))
+}
+
+#[test]
+fn a_bend_that_is_round_within_a_lower_tolerance_is_no_corner_within_a_larger_one() {
+    for seed in [1624, 2344] {
+        let places = harmonics(0.05, seed);
+        let [fine, wide] = [0.05, 0.0705].map(|tolerance| time_s(&places, 250.0, tolerance));
+        assert!(wide <= 1.0002 * fine, "path {seed}: {wide} s above {fine} s");
+    }
+}
+
+#[test]
+fn corners_between_curves_share_the_jerk_alike_in_both_directions() {
+    for (chord, seed, feed, tolerance) in
+        [(0.2, 202, 250.0, 0.01), (0.4, 151, 250.0, 0.005), (0.4, 27, 250.0, 0.01)]
+    {
+        let mut places = harmonics(chord, seed);
+        let there = time_s(&places, feed, tolerance);
+        places.reverse();
+        let back = time_s(&places, feed, tolerance);
+        let off = (back / there - 1.0).abs();
+        assert!(off < 0.001, "path {seed}: {there} s there, {back} s back");
+    }
+}

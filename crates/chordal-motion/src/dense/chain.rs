@@ -6,7 +6,7 @@ use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use super::meeting::{Corner, Meeting, Side, WIDE};
 use super::quickest::Curved;
-use super::{CHORD_ERROR, CORNER_COSINE, Dense, Singly};
+use super::{CHORD_ERROR, Dense, Joints, Singly};
 use crate::Axes;
 use crate::bound::{Gentle, Run};
 use crate::cell::AxisArrays;
@@ -16,9 +16,6 @@ use crate::segment::Move;
 use crate::smooth::span::PathPart;
 use crate::smooth::{EXACT, Tolerance};
 use crate::trajectory::Stretch;
-
-/// A run is also planned with corners where it turns by more than this, 40 degrees, in case that is quicker.
-const LESSER_COSINE: f64 = 0.766_044_443_118_978;
 
 /// A run that takes no more times as long as at its feeds is not planned with more corners.
 const AT_FEED: f64 = 1.02;
@@ -117,10 +114,10 @@ impl Dense {
             if !self.cut(moves) {
                 return (singly(&mut way, moves, &[None; 2]).stretches, 0.0);
             }
-            self.corners = self.corners_of(moves, 0..moves.len(), CORNER_COSINE);
+            self.corners = self.corners_of(moves, 0..moves.len(), Joints::Corners);
         }
         let corners = std::mem::take(&mut self.corners);
-        let planned = self.chain(&mut way, &corners, [None; 2], Some(LESSER_COSINE));
+        let planned = self.chain(&mut way, &corners, [None; 2], Some(Joints::Bends));
         (planned.stretches, planned.least_s)
     }
 
@@ -130,7 +127,7 @@ impl Dense {
         way: &mut Way<'_, impl Singly>,
         corners: &[usize],
         [before, after]: [Option<Meeting>; 2],
-        more: Option<f64>,
+        more: Option<Joints>,
     ) -> Planned {
         let mut all = Planned::default();
         let mut last = before;
@@ -164,7 +161,7 @@ impl Dense {
         way: &mut Way<'_, impl Singly>,
         chords: Range<usize>,
         meetings: [Option<Meeting>; 2],
-        more: Option<f64>,
+        more: Option<Joints>,
     ) -> Planned {
         let of_moves = self.owners[chords.start] as usize..self.owners[chords.end - 1] as usize + 1;
         let moves = &way.moves[of_moves.clone()];
@@ -183,7 +180,7 @@ impl Dense {
         if !is_quick {
             try_other(singly(way, moves, &meetings));
         }
-        let corners = more.map(|cosine| self.corners_of(way.moves, of_moves, cosine));
+        let corners = more.map(|joints| self.corners_of(way.moves, of_moves, joints));
         if let Some(corners) = corners.filter(|corners| corners.len() > 2) {
             try_other(self.chain(way, &corners, meetings, None));
         }

@@ -42,11 +42,13 @@ const ROOM: f64 = 1.1;
 const TURNING: f64 = 9.0;
 /// Bends are looked at over so many tolerances: over less it might be rounding of coordinates.
 pub const WIDE: f64 = 32.0;
-/// Shares of the jerk that are tried for one end, and what both have to leave: t seconds of overlap save
+/// The least share of the jerk for one end, and what both have to leave: t seconds of overlap save
 /// (share₁ + share₂ − 1)·t, as each run is later by (1 − share)·t.
-const STEPS: u32 = 8;
 const LEAST: f64 = 0.4;
 const WORTH: f64 = 0.2;
+/// Steps of the shares that are tried for each end. What saves no more than so many times as much saves the same.
+const STEPS: u32 = 8;
+const EVEN: f64 = 1.0 + 1e-9;
 /// Shares above this are one.
 const WHOLE: f64 = 1.0 - 1e-6;
 /// Looks at each part of an overlap without a change of jerk, and parts of the whole at least.
@@ -322,38 +324,50 @@ fn jerk_along(direction: &Axes, limits: &AxisArrays) -> f64 {
 /// The shares of the jerk that two ends may use so that their sum keeps the limits; all of it where it is not
 /// worth it to use less.
 fn shares(corner: &Corner, jerks: [f64; 2], ways: [f64; 2], limits: &AxisArrays) -> [f64; 2] {
-    let largest = |first: f64| {
-        let mut second = 1.0_f64;
-        for axis in 0..AXES {
-            let shares = [0, 1].map(|side| jerks[side] / limits.jerk[axis]);
-            let along = [0, 1].map(|side| shares[side] * corner.directions[side][axis]);
-            let turning = [0, 1]
-                .map(|side| TURNING * shares[side] * (ways[side] * corner.bends[side][axis]).abs());
-            for sign in [-1.0, 1.0] {
-                // While the first has turned most the next begins, and the other way round.
-                let left = 1.0 - sign * first * along[0];
-                for (slope, room) in [
-                    (sign * along[1], left - first * turning[0]),
-                    (sign * along[1] + turning[1], left),
-                ] {
-                    if slope > 0.0 && slope * second > room {
-                        second = room / slope;
-                    }
-                }
+    let mut rows = [[[0.0; 2]; 4]; AXES];
+    for (axis, rows) in rows.iter_mut().enumerate() {
+        let shares = [0, 1].map(|side| jerks[side] / limits.jerk[axis]);
+        let along = [0, 1].map(|side| shares[side] * corner.directions[side][axis]);
+        let turning = [0, 1]
+            .map(|side| TURNING * shares[side] * (ways[side] * corner.bends[side][axis]).abs());
+        let [[a, b], [c, d]] = [along, along.map(|along| -along)];
+        // While the first has turned most the next begins, and the other way round.
+        let [one, two] = turning;
+        *rows = [[a + one, b], [a, b + two], [c + one, d], [c, d + two]];
+    }
+    // Each row times the shares is at most one.
+    let largest_beside = |side: usize, share: f64| {
+        let of = |row: &[f64; 2]| {
+            let [own, other] = [row[side], row[1 - side]];
+            if other > 0.0 { (1.0 - own * share) / other } else { 1.0 }
+        };
+        rows.as_flattened().iter().map(of).fold(1.0, f64::min)
+    };
+    let saved = |shares: [f64; 2]| {
+        let times = [0, 1].map(|side| 1.0 / cbrt(jerks[side] * shares[side]));
+        (shares[0] + shares[1] - 1.0) * (times[0] + times[1])
+    };
+    let (mut best, mut most) = ([1.0; 2], 0.0);
+    // The same pair backwards: of two that save as much the side goes first that turns first.
+    let first = usize::from(is_after(&corner.directions));
+    for side in [first, 1 - first] {
+        for step in 0..=STEPS {
+            let share = LEAST + (1.0 - LEAST) * f64::from(step) / f64::from(STEPS);
+            let other = largest_beside(side, share);
+            let pair = if side == 0 { [share, other] } else { [other, share] };
+            if other >= LEAST && share + other >= 1.0 + WORTH && saved(pair) > EVEN * most {
+                (best, most) = (pair, saved(pair));
             }
         }
-        second
-    };
-    let mut best = [1.0, largest(1.0)];
-    for step in 0..STEPS {
-        let first = LEAST + (1.0 - LEAST) * f64::from(step) / f64::from(STEPS);
-        let second = largest(first);
-        if first + second > best[0] + best[1] {
-            best = [first, second];
-        }
     }
-    let [first, second] = best;
-    if first.min(second) < LEAST || first + second < 1.0 + WORTH { [1.0; 2] } else { best }
+    best
+}
+
+/// Whether the second of two directions has the larger part of the first axis in which they differ.
+fn is_after([before, after]: &[Axes; 2]) -> bool {
+    let differs = |(a, b): &(f64, f64)| (a - b).abs() > EVEN - 1.0;
+    let parts = before.iter().zip(after).map(|(a, b)| (a.abs(), b.abs()));
+    parts.into_iter().find(differs).is_some_and(|(a, b)| b > a)
 }
 
 /// The ends of two runs beside their corner.

@@ -7,6 +7,7 @@
 
 use chordal_geometry::AXES;
 
+use super::LADDER;
 use crate::bound::{Gentle, Run};
 use crate::curve::{Chords, Measure, Smooth, Smoothing, Way};
 use crate::law::{Ends, Laid, Planner as LawPlanner, Work};
@@ -14,15 +15,13 @@ use crate::limits::Limits;
 use crate::piece::Piece;
 use crate::trajectory::Phase;
 
-/// The ladder, mm.
-const LADDER: [f64; 9] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5];
 /// Curves of one way of smoothing whose first laws take longer than the least by a larger share are not the
 /// quickest, nor are those of a way whose least is above the other's by a larger share.
 const NEAR: f64 = 0.005;
 const OTHER: f64 = 0.02;
 /// The same of runs that take no longer, s: their laws take little.
 const SHORT_S: f64 = 0.5;
-const NEAR_IF_SHORT: f64 = 0.02;
+const NEAR_IF_SHORT: f64 = 0.03;
 const OTHER_IF_SHORT: f64 = 0.05;
 /// Where the first laws of all curves of a value of the ladder take so much longer, those of lower values do so, too.
 const FAR: f64 = 0.02;
