@@ -42,6 +42,7 @@ class _Options(TypedDict):
     machine: Machine | None
     control: str | None
     set: Sequence[str]
+    settings: str | PathLike[str] | None
     tools: str | PathLike[str] | None
     program: int | None
     block_delete: bool

@@ -42,6 +42,9 @@ __all__ = ["Program", "load", "loads"]
 #: Tools: the file of a LinuxCNC tool table, or tools by number with the keys of a machine file.
 Tools = str | os.PathLike[str] | Mapping[int, Mapping[str, object]]
 
+#: Settings by name, or the file of what a GRBL machine printed for ``$$``.
+Settings = str | os.PathLike[str] | Mapping[str, object]
+
 #: The default limit on the number of setpoints.
 MOST_SAMPLES = 100_000_000
 
@@ -55,7 +58,7 @@ def load(
     *,
     control: _ControlName | None = None,
     tools: Tools | None = None,
-    settings: Mapping[str, object] | None = None,
+    settings: Settings | None = None,
     program: int | None = None,
     block_delete: bool = False,
     max_blocks: int | None = None,
@@ -68,7 +71,8 @@ def load(
     it ``control`` takes the typical machine of a control; without that too, ``chordal.toml`` in the
     program's folder decides, or else the control is recognized from the text
     (:attr:`Program.recognized`). ``tools`` and ``settings`` come on top of the machine's own:
-    ``tools={1: {"diameter": "0.75 in"}}``, ``settings={"Setting 58": "yasnac"}``.
+    ``tools={1: {"diameter": "0.75 in"}}``, ``settings={"Setting 58": "yasnac"}``,
+    or ``settings="dump.txt"`` with what a GRBL machine printed for ``$$``.
 
     ``program`` runs only the program of this number, ``block_delete`` leaves out the blocks that
     start with ``/``, ``max_blocks`` is how many blocks may be carried out in calls, repeats and jumps
@@ -98,7 +102,7 @@ def loads(
     name: str = "<program>",
     control: _ControlName | None = None,
     tools: Tools | None = None,
-    settings: Mapping[str, object] | None = None,
+    settings: Settings | None = None,
     program: int | None = None,
     block_delete: bool = False,
     max_blocks: int | None = None,
@@ -118,7 +122,7 @@ def _options(
     machine: MachineLike | None,
     control: _ControlName | None,
     tools: Tools | None,
-    settings: Mapping[str, object] | None,
+    settings: Settings | None,
     program: int | None,
     block_delete: bool,
     max_blocks: int | None,
@@ -129,8 +133,13 @@ def _options(
             "both a machine and a control are given",
             "a machine has its control; give one of the two",
         )
-    changes = _toml.assignments(settings or {}, "settings")
+    changes: list[str] = []
     table: str | None = None
+    dump: str | None = None
+    if isinstance(settings, Mapping):
+        changes += _toml.assignments(settings, "settings")
+    elif settings is not None:
+        dump = os.fspath(settings)
     if isinstance(tools, Mapping):
         changes += _toml.assignments({str(number): tool for number, tool in tools.items()}, "tools")
     elif tools is not None:
@@ -139,6 +148,7 @@ def _options(
         "machine": None if machine is None else machine_of(machine)._machine,
         "control": control,
         "set": changes,
+        "settings": dump,
         "tools": table,
         "program": program,
         "block_delete": block_delete,

@@ -19,6 +19,7 @@ const EXAMPLES: &str = "\
 Examples:
   chordal chords part.nc --tolerance 0.01mm
   chordal chords part.nc --tolerance 0.0005in --placement balanced
+  chordal chords sign.nc --as-control             as GRBL cuts arcs into segments
   chordal chords part.nc -o chords.jsonl          by the extension: .csv, .jsonl, .parquet, .arrow
 
 The tolerance is the largest distance between the exact curve and its chord. Inscribed chords have
@@ -38,6 +39,10 @@ pub struct Args {
     /// Where the ends of the chords are
     #[arg(long, value_enum, default_value = "inscribed")]
     placement: Lie,
+
+    /// The segments that the control itself cuts arcs into (GRBL: $12)
+    #[arg(long, conflicts_with_all = ["tolerance", "placement"])]
+    as_control: bool,
 
     /// Writes a file in the format of its extension; without it, standard output
     #[arg(long, short, value_name = "OUT")]
@@ -75,7 +80,10 @@ enum Writer<'a> {
 
 impl<'a> Writer<'a> {
     fn new(out: Out, format: RowFormat, args: &Args, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
-        let (tolerance, placement) = (args.tolerance, args.placement.inside());
+        let (tolerance, placement) = match own_segments(job).filter(|_| args.as_control) {
+            Some(tolerance) => (tolerance, Placement::RoundedDown),
+            None => (args.tolerance, args.placement.inside()),
+        };
         if let Some(format) = format.columns() {
             let rows = ChordColumns::new(job, tolerance, placement);
             let file = ColumnFile::new(out, format, rows)?;
@@ -103,9 +111,22 @@ impl<'a> Writer<'a> {
     }
 }
 
+/// How far the control's own segments of arcs may be from them, mm; `None` where it has none.
+fn own_segments(job: &Job) -> Option<f64> {
+    Some(job.control().parameters.rules.path.junctions?.arc_tolerance_mm)
+}
+
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let output = Output::of(args.output.as_deref(), args.format, RowFormat::Csv, "chords")?;
-    output.write(&args.file, &args.common, terminal, |job, out, format| {
+    let goes = |job: &Job| {
+        if !args.as_control || own_segments(job).is_some() {
+            return Ok(());
+        }
+        let title = job.control().table.title;
+        let message = format!("{title} is not known to cut arcs into segments");
+        Err(Failure::wrong(message, "say --tolerance instead of --as-control"))
+    };
+    output.write_if(&args.file, &args.common, terminal, goes, |job, out, format| {
         let mut writer = Writer::new(out, format, args, job)?;
         let mut done = Ok(());
         let report = job.report_with(|_, segments| {

@@ -1,7 +1,9 @@
 //! `chordal machines`: the list of machines, and one with its settings.
 
+use std::path::PathBuf;
+
 use chordal::Machine;
-use chordal::control::{COMMON_SETTINGS, Certainty, Control};
+use chordal::control::{COMMON_SETTINGS, Certainty, Control, dump, table};
 use chordal::machine::{Axis, builtin_names, schema_reference};
 use chordal_load::machine;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width};
@@ -18,6 +20,8 @@ Examples:
   chordal machines haas-vf2              axes, limits and the control's settings
   chordal machines haas-vf2 --toml       as a machine file, to start your own
   chordal machines shop/vf2.toml --toml  a file with all that it inherits
+  chordal machines --settings dump.txt --toml   a GRBL machine from what it printed for `$$`
+  chordal machines shapeoko-3 --dump     its settings as GRBL prints them
   chordal machines --schema              every key of a machine file (Markdown)";
 
 /// Lists machines, or shows one with its control's settings
@@ -28,9 +32,17 @@ pub struct Args {
     #[arg(value_name = "NAME|FILE.toml", conflicts_with = "schema")]
     name: Option<String>,
 
+    /// Takes a GRBL machine's settings from what it printed for `$$`
+    #[arg(long, value_name = "dump.txt", conflicts_with = "schema")]
+    settings: Option<PathBuf>,
+
     /// Prints the machine as a file, with everything it inherits
-    #[arg(long, requires = "name")]
+    #[arg(long, conflicts_with = "dump")]
     toml: bool,
+
+    /// Prints the settings of a GRBL machine as it would for `$$`
+    #[arg(long)]
+    dump: bool,
 
     /// Prints the keys of a machine file
     #[arg(long)]
@@ -38,14 +50,40 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<Verdict, Failure> {
-    let text = match &args.name {
+    let text = match args.machine()? {
         _ if args.schema => schema_reference(),
+        None if args.toml || args.dump => return Err(no_machine()),
         None => list(),
-        Some(name) if args.toml => copy(machine::named(name)?),
-        Some(name) => one(&machine::named(name)?),
+        Some(machine) if args.toml => copy(machine),
+        Some(machine) if args.dump => dumped(&machine)?,
+        Some(machine) => one(&machine),
     };
     say(&text)?;
     Ok(Verdict::Clean)
+}
+
+impl Args {
+    /// The machine that is named, or the one that a dump is of.
+    fn machine(&self) -> Result<Option<Machine>, Failure> {
+        let named = self.name.as_deref().map(machine::named).transpose()?;
+        let Some(dump) = &self.settings else { return Ok(named) };
+        let mut machine = named.unwrap_or_else(|| machine::typical(machine::dumped()));
+        machine::set_dump(&mut machine, dump)?;
+        Ok(Some(machine))
+    }
+}
+
+/// What its firmware prints for `$$`.
+fn dumped(machine: &Machine) -> Result<String, Failure> {
+    dump::write(machine).ok_or_else(|| {
+        let title = table(machine.control).title;
+        let message = format!("{title} is no control that prints its settings for `$$`");
+        Failure::wrong(message, "name a machine of GRBL, or print this one with --toml")
+    })
+}
+
+fn no_machine() -> Failure {
+    Failure::wrong("no machine is named", "name one, or give --settings dump.txt")
 }
 
 /// The machine as a file of its own. What was said about its figures is a remark at the top: it is

@@ -35,6 +35,10 @@ pub struct Common {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 
+    /// Takes a GRBL machine's settings from what it printed for `$$`
+    #[arg(long, value_name = "dump.txt")]
+    pub settings: Option<PathBuf>,
+
     /// Tools from a LinuxCNC tool table, in the machine's units at power-on
     #[arg(long, value_name = "tool.tbl")]
     pub tools: Option<PathBuf>,
@@ -65,6 +69,7 @@ impl Common {
         Request {
             machine: self.machine.clone().map(Given::Name),
             set: self.set.clone(),
+            settings: self.settings.clone(),
             tools: self.tools.clone(),
             program: self.program,
             block_delete: self.block_delete,

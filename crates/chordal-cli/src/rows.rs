@@ -41,9 +41,22 @@ impl<'p, F: Format> Output<'p, F> {
         terminal: Terminal,
         rows: impl FnOnce(&Job<'_>, Out, F) -> io::Result<(Report, Out)>,
     ) -> Result<Verdict, Failure> {
+        self.write_if(program, common, terminal, |_| Ok(()), rows)
+    }
+
+    /// The same where `goes` finds no reason against it.
+    pub fn write_if(
+        &self,
+        program: &PathBuf,
+        common: &Common,
+        terminal: Terminal,
+        goes: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
+        rows: impl FnOnce(&Job<'_>, Out, F) -> io::Result<(Report, Out)>,
+    ) -> Result<Verdict, Failure> {
         let out = Out::open(self.path, program, self.format)?;
         let loaded = load_one(program, common)?;
         let job = loaded.job()?;
+        goes(&job)?;
         let written = rows(&job, out, self.format);
         let (report, out) = written.map_err(|error| trouble(self.path, error))?;
         out.put()?;

@@ -124,3 +124,58 @@ fn a_folders_machine_counts_below_it() {
     // Named alone, only its own folder speaks.
     folder.run(&["run", "arch/deep/part.nc"]).says(&["assumed"]);
 }
+
+const DUMP: &str = "Grbl 1.1h ['$' for help]\n$0=10\n$11=0.020\n$12=0.002\n$100=40.000\n\
+    $101=40.000 (y, step/mm)\n$102=188.976\n$110=5000.000\n$111=5000.000\n$112=1200.000\n\
+    $120=400.000\n$121=400.000\n$122=120.000\n$130=425.000\n$131=465.000\n$132=80.000\n$N0=G54\nok\n";
+
+#[test]
+fn what_a_firmware_prints_becomes_a_machine_and_is_printed_again() {
+    let folder = Folder::new();
+    folder.write("dump.txt", DUMP);
+    let is_kept = |line: &&str| line.starts_with("$1");
+    let kept: Vec<&str> = DUMP.lines().filter(is_kept).collect();
+    let kept = kept.join("\n").replace(" (y, step/mm)", "") + "\n";
+    let printed = folder.run(&["machines", "--settings", "dump.txt", "--dump"]).ends(0);
+    assert_eq!(printed.out, kept);
+    let file = folder.run(&["machines", "--settings", "dump.txt", "--toml"]).ends(0);
+    folder.write("router.toml", &file.out);
+    let again = folder.run(&["machines", "router.toml", "--dump"]).ends(0);
+    assert_eq!(again.out, kept);
+    // A program without a sign of its control runs on it; an assignment comes after the dump.
+    folder.write("line.nc", "G21 G90\nG1 X-100 F3000\n");
+    folder.run(&["time", "line.nc", "--settings", "dump.txt"]).ends(0).says(&["2.125 s"]);
+    let slower =
+        ["time", "line.nc", "--settings", "dump.txt", "--set", "axes.X.max_acceleration=40 mm/s^2"];
+    folder.run(&slower).ends(0).says(&["3.250 s"]);
+}
+
+#[test]
+fn a_wrong_dump_is_underlined() {
+    let folder = Folder::with_part();
+    folder.write("dump.txt", "$110=5000\n$111=-3\n$112=abc\nhello\n");
+    folder.run(&["check", "part.nc", "--settings", "dump.txt"]).ends(2).complains(&[
+        "`$111` needs a number from zero on, not `-3`",
+        "dump.txt:3:6",
+        "this line is no setting and no answer of the firmware",
+        "dump.txt:4:1",
+    ]);
+    folder.write("dump.txt", "$120=0\n");
+    folder
+        .run(&["check", "part.nc", "--settings", "dump.txt"])
+        .ends(2)
+        .complains(&["dump.txt:1:6"]);
+    // A file of another kind has one answer.
+    let other = folder.run(&["check", "part.nc", "--settings", "part.nc"]).ends(2);
+    assert_eq!(other.err.matches("error:").count(), 1);
+    other.complains(&["there is no setting in this file"]);
+    folder
+        .run(&["check", "part.nc", "-m", "haas-vf2", "--settings", "dump.txt"])
+        .ends(2)
+        .complains(&["Haas NGC mill is no control that prints its settings"]);
+    folder
+        .run(&["machines", "haas-vf2", "--dump"])
+        .ends(2)
+        .complains(&["print this one with --toml"]);
+    folder.run(&["machines", "--dump"]).ends(2).complains(&["no machine is named"]);
+}

@@ -51,6 +51,23 @@ fn chords_keep_the_tolerance() {
 }
 
 #[test]
+fn chords_of_the_control_are_its_own_segments() {
+    let folder = Folder::new();
+    // A full turn of R 1: the firmware cuts it into 49.
+    folder.write("turn.nc", "G21 G90 G17 F100\nG2 X0 Y0 I1\n");
+    let own = ["chords", "turn.nc", "-m", "grbl", "--as-control"];
+    let rows = folder.run(&own).ends(0).out;
+    let rows: Vec<&str> = rows.lines().filter(|row| row.contains(",arc,")).collect();
+    assert_eq!(rows.len(), 49);
+    let off: f64 = rows[0].rsplit(',').next().unwrap().parse().unwrap();
+    assert!((off - (1.0 - (std::f64::consts::PI / 49.0).cos())).abs() < 1e-9, "{off}");
+    let wider = [&own[..], &["--set", "settings.$12=0.1 mm"]].concat();
+    assert_eq!(folder.run(&wider).ends(0).out.matches(",arc,").count(), 7);
+    let other = ["chords", "turn.nc", "-m", "haas-vf2", "--as-control"];
+    folder.run(&other).ends(2).complains(&["Haas NGC mill is not known to cut arcs"]);
+}
+
+#[test]
 fn one_program_at_a_time() {
     let folder = Folder::with_part();
     folder.run(&["commands", "."]).ends(2).complains(&["is a folder"]);

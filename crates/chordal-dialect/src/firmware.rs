@@ -4,6 +4,8 @@
 
 use chordal_syntax::Letters;
 
+use crate::dump::DumpRow;
+
 /// A mistake in a block, in the order in which the firmware looks for them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum Refusal {
@@ -91,6 +93,8 @@ pub struct Firmware {
     pub arc: [f32; 3],
     /// Its answers.
     pub rows: &'static [RefusalRow],
+    /// What it prints for `$$`, as far as that is the machine's.
+    pub dump: &'static [DumpRow],
 }
 
 impl Firmware {

@@ -21,6 +21,7 @@
 mod action;
 mod control;
 mod controls;
+pub mod dump;
 pub mod firmware;
 mod lathe_signs;
 pub mod macros;

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use chordal::geometry::{ParamCurve, Placement, Vec3};
+use chordal::geometry::{Chords, ParamCurve, Placement, Vec3};
 use chordal::{Segment, SegmentKind};
 
 use crate::json::Object;
@@ -43,11 +43,7 @@ impl<W: Write> ChordWriter<W> {
         header.word("schema", "chordal.chords/1");
         header.word("length_unit", "mm");
         header.number("tolerance_mm", tolerance_mm);
-        let word = match placement {
-            Placement::Inscribed => "inscribed",
-            Placement::Balanced => "balanced",
-        };
-        header.word("placement", word);
+        header.word("placement", placement.as_str());
         header.close();
         writer.end_row()?;
         Ok(writer)
@@ -64,7 +60,8 @@ impl<W: Write> ChordWriter<W> {
             .chords(self.tolerance_mm, self.placement)
             .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
         let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
-        let error_mm = if straight { 0.0 } else { self.tolerance_mm };
+        let error_mm =
+            if straight { 0.0 } else { error_mm(&chords, self.placement, self.tolerance_mm) };
         let mut from = curve.start();
         for to in chords.skip(1) {
             self.chord(segment, from, to, error_mm)?;
@@ -120,6 +117,14 @@ impl<W: Write> ChordWriter<W> {
         self.out.write_all(&self.row)?;
         self.row.clear();
         Ok(())
+    }
+}
+
+/// How far chords are from their curve: by no more than the tolerance, or what a control makes of it.
+pub(crate) fn error_mm(chords: &Chords, placement: Placement, tolerance_mm: f64) -> f64 {
+    match placement {
+        Placement::Inscribed | Placement::Balanced => tolerance_mm,
+        Placement::RoundedDown => chords.sagitta().unwrap_or(tolerance_mm),
     }
 }
 

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | line | one chord | |
 //! | arc, helix, inscribed | even | 2·acos(1 − e/R) |
+//! | arc, helix, rounded down | even | 2·√(e·(2R − e))/R, the number of them rounded down |
 //! | arc, helix, balanced | even but for the two ends | 2·acos((R − e)/(R + e)) |
 //! | spiral, cone | closer where the curvature is larger | √(8e/√(r² + 4b²)), b = dr/dφ |
 //! | span of a spline | even in its parameter | by its control points |
@@ -38,6 +39,22 @@ pub enum Placement {
     /// The tolerance outside the circle, the middles of the chords inside by the same; √2 fewer
     /// chords. On spirals and splines the same as inscribed.
     Balanced,
+    /// On the curve, and no more chords of a circle than steps of the tolerance fit in whole, but one: they may be a
+    /// little farther off. The control units of small machines cut arcs so (GRBL). On spirals and splines the same as
+    /// inscribed.
+    RoundedDown,
+}
+
+impl Placement {
+    /// The word of files.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Placement::Inscribed => "inscribed",
+            Placement::Balanced => "balanced",
+            Placement::RoundedDown => "rounded-down",
+        }
+    }
 }
 
 /// The most chords one curve is cut into: 2⁴⁰. At a nanometre each that is a kilometre.
@@ -109,6 +126,15 @@ impl Chords {
         self.count
     }
 
+    /// How far the chords of an arc are from it where all of them span the same angle with their ends on it, mm; `None`
+    /// for others.
+    #[must_use]
+    pub fn sagitta(&self) -> Option<f64> {
+        let Spacing::Even(winding) = &self.spacing else { return None };
+        let (half, _) = math::sin_cos(0.25 * winding.theta / self.count as f64);
+        Some(2.0 * winding.r0 * half * half)
+    }
+
     /// Corner number `index`, mm: the start at 0, the end from `chord_count()` on.
     #[must_use]
     pub fn corner(&self, index: u64) -> Vec3 {
@@ -166,6 +192,7 @@ impl Chords {
             match placement {
                 Placement::Inscribed => (Spacing::Even(winding), inscribed_count(w, tolerance)?),
                 Placement::Balanced => balanced(winding, tolerance)?,
+                Placement::RoundedDown => (Spacing::Even(winding), rounded_down(w, tolerance)?),
             }
         };
         Ok(Self { spacing, count, ..straight })
@@ -238,6 +265,13 @@ fn inscribed_count(w: &Winding, tolerance: f64) -> Result<u64, ChordError> {
     // Half the radius: steps of a third of a turn.
     let ratio = (tolerance / w.r0).min(0.5);
     whole(w.theta / (2.0 * half_step_inscribed(ratio)))
+}
+
+/// The chord is taken for the step: so the control unit that rounds down computes it.
+fn rounded_down(w: &Winding, tolerance: f64) -> Result<u64, ChordError> {
+    let half_chord = (tolerance * (2.0 * w.r0 - tolerance)).max(0.0).sqrt();
+    let count = (0.5 * w.theta * w.r0 / half_chord).floor();
+    if half_chord > 0.0 { whole(count.max(1.0)) } else { Ok(1) }
 }
 
 fn balanced(winding: Winding, tolerance: f64) -> Result<(Spacing, u64), ChordError> {

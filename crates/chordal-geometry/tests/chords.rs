@@ -25,6 +25,20 @@ fn the_known_counts() {
 }
 
 #[test]
+fn rounded_down_counts_are_those_of_the_firmware() {
+    // Of GRBL's own source, run: its arc tolerance, radius, angle.
+    for (radius, sweep, n) in [(1.0, 0.5 * TAU, 24), (1.0, TAU, 49), (1000.0, 0.5 * TAU, 785)] {
+        let chords = circle(radius, sweep).chords(0.002, Placement::RoundedDown).unwrap();
+        assert_eq!(chords.chord_count(), n);
+        let sagitta = radius * (1.0 - libm::cos(sweep / n as f64 / 2.0));
+        assert!((chords.sagitta().unwrap() - sagitta).abs() < 1e-12 * radius);
+    }
+    // Less than one step, and a tolerance as large as the circle.
+    assert_eq!(circle(1.0, 0.01).chord_count(0.002, Placement::RoundedDown), Ok(1));
+    assert_eq!(circle(1.0, TAU).chord_count(3.0, Placement::RoundedDown), Ok(1));
+}
+
+#[test]
 fn one_fewer_inscribed_chord_would_deviate_too_much() {
     for sweep in [0.3, 1.0, 3.0, TAU, 20.0] {
         for e in [1e-6, 1e-3, 0.01, 0.3] {

@@ -1,14 +1,17 @@
 //! Machines by name and of files, and which one runs a program: the caller's, the folder's, or the
 //! one that the text speaks for.
 
-use chordal::control::table;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use chordal::Machine;
-use chordal::control::{COMMON_SETTINGS, Control, SettingError, Strength, Units, recognize};
+use chordal::control::dump::{self, DumpSetting};
+use chordal::control::{
+    COMMON_SETTINGS, CONTROLS, Control, ControlTable, SettingError, Strength, Units, recognize,
+    table,
+};
 use chordal::machine::{ControlName, Location, MachineError, builtin, read_tool_tbl};
 
 use crate::assumed::assume;
@@ -43,6 +46,9 @@ pub(crate) fn choose(
         if file.is_file() {
             return Ok((finish(from_file(&file)?, request)?, Chosen::Folder(file)));
         }
+    }
+    if request.settings.is_some() {
+        return Ok((finish(typical(dumped()), request)?, Chosen::Given));
     }
     let recognition = recognize(text);
     let ending = input.path.as_ref().and_then(|path| path.extension());
@@ -101,6 +107,37 @@ pub fn typical(control: ControlName) -> Machine {
     Machine::from_builtin(name).unwrap_or_else(|_| Machine::new(name, control))
 }
 
+/// The control whose firmware prints its settings.
+pub fn dumped() -> ControlName {
+    let has_dump = |table: &&&ControlTable| table.firmware.is_some_and(|f| !f.dump.is_empty());
+    let name = CONTROLS.iter().find(has_dump).and_then(|table| table.name.parse().ok());
+    name.unwrap_or(ControlName::Grbl)
+}
+
+/// Sets what a firmware printed for `$$`.
+///
+/// # Errors
+/// A file that cannot be read, what is wrong in it, and a machine whose control prints no settings.
+pub fn set_dump(machine: &mut Machine, path: &Path) -> Result<(), LoadError> {
+    let name = path.to_string_lossy();
+    let text = read_text(path).map_err(|error| LoadError::read(&*name, &error))?;
+    let own = table(machine.control);
+    let Some(rows) = own.firmware.map(|firmware| firmware.dump) else {
+        let message = format!("{} is no control that prints its settings for `$$`", own.title);
+        let help = format!("leave out --machine, or name a machine of {}", table(dumped()).title);
+        return Err(LoadError::wrong(message, help));
+    };
+    let settings = dump::read(&name, &text, rows).map_err(LoadError::Machine)?;
+    let text: Arc<str> = text.into();
+    let wrong = |setting: DumpSetting| {
+        let error = machine.set(&setting.assignment).err()?;
+        let (file, text) = (name.to_string(), text.clone());
+        Some(MachineError { file, text, span: Some(setting.span), ..error })
+    };
+    let errors: Vec<MachineError> = settings.into_iter().filter_map(wrong).collect();
+    if errors.is_empty() { Ok(()) } else { Err(LoadError::Machine(errors)) }
+}
+
 /// The name of that machine.
 pub fn typical_name(control: ControlName) -> &'static str {
     table(control).default_machine
@@ -138,6 +175,9 @@ fn finish(mut machine: Machine, request: &Request) -> Result<Machine, LoadError>
             request.set.iter().filter_map(|assignment| machine.set(assignment).err()).collect();
         if errors.is_empty() { Ok(()) } else { Err(LoadError::Machine(errors)) }
     };
+    if let Some(path) = &request.settings {
+        set_dump(&mut machine, path)?;
+    }
     assign(&mut machine)?;
     check_settings(&machine)?;
     if let Some(path) = &request.tools {

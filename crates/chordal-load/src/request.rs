@@ -26,6 +26,8 @@ pub struct Request {
     pub machine: Option<Given>,
     /// Assignments to keys of the machine, as `tools.5.diameter="0.5 in"`.
     pub set: Vec<String>,
+    /// What a firmware printed for `$$` (GRBL): its settings, before the assignments.
+    pub settings: Option<PathBuf>,
     /// A LinuxCNC tool table, in the machine's units at power-on.
     pub tools: Option<PathBuf>,
     /// Runs only this program of the file.

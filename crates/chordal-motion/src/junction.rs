@@ -6,7 +6,7 @@
 
 use std::collections::VecDeque;
 
-use chordal_geometry::{AXES, Curve, ParamCurve};
+use chordal_geometry::{AXES, ParamCurve, Placement};
 
 use crate::Axes;
 use crate::limits::Limits;
@@ -110,15 +110,8 @@ impl<P: PathPart> Junctions<P> {
 
     /// How many segments a move is cut into: vertices lie on the curve.
     fn segments_of(&self, motion: &Move) -> f64 {
-        let curvature = match motion.curve {
-            Curve::Line(_) => return 1.0,
-            _ => motion.curve.max_curvature(),
-        };
-        let angle = motion.curve.length() * curvature;
-        let (radius, tolerance) = (1.0 / curvature, self.law.arc_tolerance_mm);
-        let half_chord = (tolerance * (2.0 * radius - tolerance)).max(0.0).sqrt();
-        let count = (0.5 * angle * radius / half_chord).floor();
-        if count.is_nan() { 1.0 } else { count.clamp(1.0, MOST_SEGMENTS) }
+        let chords = motion.curve.chord_count(self.law.arc_tolerance_mm, Placement::RoundedDown);
+        chords.map_or(1.0, |count| (count as f64).min(MOST_SEGMENTS))
     }
 
     fn add(&mut self, from: Axes, to: Axes, length: f64, motion: &Move, limits: &Limits) {

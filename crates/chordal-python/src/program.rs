@@ -55,6 +55,7 @@ pub struct Options {
     machine: Option<Py<Machine>>,
     control: Option<String>,
     set: Vec<String>,
+    settings: Option<PathBuf>,
     tools: Option<PathBuf>,
     program: Option<u32>,
     block_delete: bool,
@@ -74,6 +75,7 @@ impl Options {
         Ok(Request {
             machine: machine.or(control.transpose()?.map(Given::Control)),
             set: self.set,
+            settings: self.settings,
             tools: self.tools,
             program: self.program,
             block_delete: self.block_delete,

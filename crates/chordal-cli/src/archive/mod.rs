@@ -44,6 +44,10 @@ struct Machines {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<String>,
 
+    /// Takes a GRBL machine's settings from what it printed for `$$`
+    #[arg(long, value_name = "dump.txt")]
+    settings: Option<PathBuf>,
+
     /// Tools from a LinuxCNC tool table, in the machine's units at power-on
     #[arg(long, value_name = "tool.tbl")]
     tools: Option<PathBuf>,
@@ -65,6 +69,7 @@ impl Machines {
         Request {
             machine: named.or(self.control.map(Given::Control)),
             set: self.set.clone(),
+            settings: self.settings.clone(),
             tools: self.tools.clone(),
             block_delete: self.block_delete,
             max_blocks: self.max_blocks,

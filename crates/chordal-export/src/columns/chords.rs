@@ -12,6 +12,7 @@ use super::cells::{Files, Integers, Numbers, Words};
 use super::field::{Cell, Column, places, schema};
 use super::file::{ColumnFile, Rows};
 use super::path::{KINDS, kind_key};
+use crate::chords::error_mm;
 
 /// Name and version of the columns of chords.
 pub const CHORD_COLUMNS: &str = "chordal.chord-columns/1";
@@ -49,11 +50,8 @@ pub(super) fn columns() -> Vec<Column> {
 impl<'a> ChordColumns<'a> {
     /// Columns for chords within a tolerance, mm.
     pub fn new(job: &'a Job<'a>, tolerance_mm: f64, placement: Placement) -> ChordColumns<'a> {
-        let word = match placement {
-            Placement::Inscribed => "inscribed",
-            Placement::Balanced => "balanced",
-        };
-        let more = [("tolerance_mm", tolerance_mm.to_string()), ("placement", word.to_string())];
+        let word = placement.as_str().to_string();
+        let more = [("tolerance_mm", tolerance_mm.to_string()), ("placement", word)];
         ChordColumns {
             schema: schema(job, CHORD_COLUMNS, &columns(), &more),
             tolerance_mm,
@@ -72,25 +70,27 @@ impl<'a> ChordColumns<'a> {
     /// # Errors
     /// A tolerance that is not above zero, and a curve that cannot be cut into chords.
     pub fn segment(&mut self, segment: &Segment) -> Result<(), ChordError> {
-        for ends in self.cut(segment)? {
-            self.chord(segment, ends);
+        let (chords, error_mm) = self.cut(segment)?;
+        for ends in chords {
+            self.chord(segment, ends, error_mm);
         }
         Ok(())
     }
 
-    /// The ends of the chords of a segment.
+    /// The ends of the chords of a segment, and how far these are from it, mm.
     fn cut(
         &self,
         segment: &Segment,
-    ) -> Result<impl Iterator<Item = [Vec3; 2]> + use<>, ChordError> {
+    ) -> Result<(impl Iterator<Item = [Vec3; 2]> + use<>, f64), ChordError> {
         let chords = segment.curve.chords(self.tolerance_mm, self.placement)?;
+        let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
+        let error_mm =
+            if straight { 0.0 } else { error_mm(&chords, self.placement, self.tolerance_mm) };
         let mut from = segment.curve.start();
-        Ok(chords.skip(1).map(move |to| [std::mem::replace(&mut from, to), to]))
+        Ok((chords.skip(1).map(move |to| [std::mem::replace(&mut from, to), to]), error_mm))
     }
 
-    fn chord(&mut self, segment: &Segment, [from, to]: [Vec3; 2]) {
-        let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
-        let error_mm = if straight { 0.0 } else { self.tolerance_mm };
+    fn chord(&mut self, segment: &Segment, [from, to]: [Vec3; 2], error_mm: f64) {
         let [a, b] = [from, to].map(|point| point.to_array());
         let length = (to - from).length();
         let values = [a[0], a[1], a[2], b[0], b[1], b[2], length, error_mm];
@@ -136,8 +136,8 @@ impl<W: Write + Send + 'static> ColumnFile<W, ChordColumns<'_>> {
     /// into chords.
     pub fn segment(&mut self, segment: &Segment) -> io::Result<()> {
         let chords = self.gathered().cut(segment);
-        let mut chords =
+        let (mut chords, error_mm) =
             chords.map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
-        chords.try_for_each(|ends| self.put(|rows| rows.chord(segment, ends)))
+        chords.try_for_each(|ends| self.put(|rows| rows.chord(segment, ends, error_mm)))
     }
 }

@@ -1,6 +1,8 @@
 //! How GRBL 1.1 reads and judges a block, and the numbers of its answers.
 
+use crate::dump::{DumpMeaning, DumpRow};
 use crate::vocabulary::*;
+use chordal_machine::Axis;
 use chordal_syntax::Letters;
 
 pub(super) static FIRMWARE: Firmware = Firmware {
@@ -11,6 +13,7 @@ pub(super) static FIRMWARE: Firmware = Firmware {
     largest: [10_000_000, 255, 6],
     arc: [0.005, 0.5, 0.001],
     rows: ROWS,
+    dump: DUMP,
 };
 
 const ROWS: &[RefusalRow] = &[
@@ -114,4 +117,25 @@ const fn answer(
     help: &'static str,
 ) -> RefusalRow {
     RefusalRow { refusal, number, message, help }
+}
+
+const DUMP: &[DumpRow] = &[
+    dump(11, DumpMeaning::JunctionDeviation),
+    dump(12, DumpMeaning::ArcTolerance),
+    dump(100, DumpMeaning::Steps(Axis::X)),
+    dump(101, DumpMeaning::Steps(Axis::Y)),
+    dump(102, DumpMeaning::Steps(Axis::Z)),
+    dump(110, DumpMeaning::Velocity(Axis::X)),
+    dump(111, DumpMeaning::Velocity(Axis::Y)),
+    dump(112, DumpMeaning::Velocity(Axis::Z)),
+    dump(120, DumpMeaning::Acceleration(Axis::X)),
+    dump(121, DumpMeaning::Acceleration(Axis::Y)),
+    dump(122, DumpMeaning::Acceleration(Axis::Z)),
+    dump(130, DumpMeaning::Travel(Axis::X)),
+    dump(131, DumpMeaning::Travel(Axis::Y)),
+    dump(132, DumpMeaning::Travel(Axis::Z)),
+];
+
+const fn dump(number: u16, meaning: DumpMeaning) -> DumpRow {
+    DumpRow { number, meaning }
 }

@@ -1,0 +1,183 @@
+//! What a firmware prints for `$$`, as keys of a machine file, and back.
+//!
+//! ```
+//! use chordal_dialect::{dump, table};
+//! use chordal_machine::ControlName;
+//!
+//! let rows = table(ControlName::Grbl).firmware.unwrap().dump;
+//! let read = dump::read("dump.txt", "$11=0.020\n$110=5000.000\n", rows).unwrap();
+//! assert_eq!(read[0].assignment, "settings.$11=0.020 mm");
+//! assert_eq!(read[1].assignment, "axes.X.max_velocity=5000.000 mm/min");
+//! ```
+
+use std::fmt::Write;
+use std::ops::Range;
+use std::sync::Arc;
+
+use chordal_machine::{Axis, Machine, MachineError};
+
+use crate::control::Control;
+
+/// A setting that says something of the machine.
+#[derive(Clone, Copy, Debug)]
+pub struct DumpRow {
+    /// Its number.
+    pub number: u16,
+    /// What it says.
+    pub meaning: DumpMeaning,
+}
+
+/// What a setting says of the machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DumpMeaning {
+    /// How far a corner may be passed, mm.
+    JunctionDeviation,
+    /// How far the segments of an arc are from it, mm.
+    ArcTolerance,
+    /// Steps a mm.
+    Steps(Axis),
+    /// Rapid speed, mm/min.
+    Velocity(Axis),
+    /// mm/s².
+    Acceleration(Axis),
+    /// The axis goes from this far below zero to zero, mm.
+    Travel(Axis),
+}
+
+/// A setting of a dump, as a key of a machine file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DumpSetting {
+    /// `axes.X.max_velocity=5000.000 mm/min`.
+    pub assignment: String,
+    /// Where its value stands.
+    pub span: Range<usize>,
+}
+
+/// What stands between settings in what a sender has kept: answers, reports and remarks.
+const ANSWERS: [&str; 9] = ["ok", "[", "<", "grbl", "(", ";", "#", ">", "$$"];
+
+/// Reads a dump: a setting on each line, as `$110=5000.000` or `$110=5000.000 (x max rate, mm/min)`. Settings that say
+/// nothing of the machine are left out.
+///
+/// # Errors
+/// Every line that is no setting and no answer, and values that are no numbers; a text without any setting.
+pub fn read(
+    name: &str,
+    text: &str,
+    rows: &[DumpRow],
+) -> Result<Vec<DumpSetting>, Vec<MachineError>> {
+    let (mut found, mut errors, mut has_any) = (Vec::new(), Vec::new(), false);
+    let whole: Arc<str> = text.into();
+    let fail = |errors: &mut Vec<MachineError>, span: Range<usize>, message: String, help: &str| {
+        let (file, text) = (name.to_string(), whole.clone());
+        let (span, help) = (Some(span), Some(help.to_string()));
+        errors.push(MachineError { message, help, file, span, text });
+    };
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        let begin = at + (line.len() - line.trim_start().len());
+        at += line.len();
+        let line = line.trim();
+        let is_answer = || {
+            let lower = line.to_ascii_lowercase();
+            ANSWERS.iter().any(|answer| lower.starts_with(answer))
+        };
+        let Some((number, value)) = setting_of(line) else {
+            if !line.is_empty() && !is_answer() {
+                let span = begin..begin + line.len();
+                let message = "this line is no setting and no answer of the firmware".to_string();
+                fail(&mut errors, span, message, "a dump has lines such as `$110=5000.000`");
+            }
+            continue;
+        };
+        has_any = true;
+        let Some(row) = number.parse().ok().and_then(|n: u16| rows.iter().find(|r| r.number == n))
+        else {
+            continue;
+        };
+        let from = begin + (value.as_ptr() as usize - line.as_ptr() as usize);
+        let span = from..from + value.len();
+        match value.parse::<f64>() {
+            Ok(number) if number.is_finite() && number >= 0.0 => {
+                found.push(DumpSetting { assignment: row.assignment(value), span });
+            }
+            _ => {
+                let message = format!("`${number}` needs a number from zero on, not `{value}`");
+                fail(&mut errors, span, message, "write it as the firmware does: `$110=5000.000`");
+            }
+        }
+    }
+    if !has_any {
+        // One answer, and not one for each line of another file.
+        errors.clear();
+        let message = "there is no setting in this file".to_string();
+        let help =
+            "keep what the firmware answers to `$$`: lines such as `$110=5000.000`".to_string();
+        let (file, text) = (name.to_string(), whole);
+        errors.push(MachineError { message, help: Some(help), file, span: None, text });
+    }
+    if errors.is_empty() { Ok(found) } else { Err(errors) }
+}
+
+/// The number and the value of `$110=5000.000 (x max rate, mm/min)`, and of `$N0=G54`, which has no number.
+fn setting_of(line: &str) -> Option<(&str, &str)> {
+    let (number, value) = line.strip_prefix('$')?.split_once('=')?;
+    let is_name = !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_alphanumeric());
+    let value = value.split(['(', ' ', '\t']).next().unwrap_or_default();
+    is_name.then_some((number, value))
+}
+
+impl DumpRow {
+    fn assignment(&self, value: &str) -> String {
+        let number = self.number;
+        match self.meaning {
+            DumpMeaning::JunctionDeviation | DumpMeaning::ArcTolerance => {
+                format!("settings.${number}={value} mm")
+            }
+            DumpMeaning::Steps(_) => format!("settings.${number}={value}"),
+            DumpMeaning::Velocity(axis) => format!("axes.{axis}.max_velocity={value} mm/min"),
+            DumpMeaning::Acceleration(axis) => {
+                format!("axes.{axis}.max_acceleration={value} mm/s^2")
+            }
+            DumpMeaning::Travel(axis) => format!("axes.{axis}.travel=[\"-{value} mm\", \"0 mm\"]"),
+        }
+    }
+
+    /// Its value on a machine, if that says one.
+    fn value(&self, machine: &Machine, control: &Control) -> Option<f64> {
+        let junctions = control.parameters.rules.path.junctions;
+        match self.meaning {
+            DumpMeaning::JunctionDeviation => Some(junctions?.deviation_mm),
+            DumpMeaning::ArcTolerance => Some(junctions?.arc_tolerance_mm),
+            DumpMeaning::Steps(axis) => junctions?.steps_per_mm.get(axis as usize).copied(),
+            DumpMeaning::Velocity(axis) => Some(60.0 * machine.axis(axis)?.max_velocity?),
+            DumpMeaning::Acceleration(axis) => machine.axis(axis)?.max_acceleration,
+            DumpMeaning::Travel(axis) => {
+                let (low, high) = machine.axis(axis)?.travel?;
+                Some(high - low)
+            }
+        }
+    }
+}
+
+/// The settings of a machine as its firmware would print them; nothing where its control has none.
+pub fn write(machine: &Machine) -> Option<String> {
+    let (control, _) = Control::of(machine);
+    let rows = control.table.firmware?.dump;
+    let mut text = String::new();
+    for row in rows {
+        if let Some(value) = row.value(machine, &control) {
+            let _ = writeln!(text, "${}={}", row.number, number(value));
+        }
+    }
+    Some(text)
+}
+
+/// With three decimals, as the firmware prints, or with as many more as are needed to read it back.
+fn number(value: f64) -> String {
+    let near = |text: &str| {
+        text.parse::<f64>().is_ok_and(|read| (read - value).abs() <= 1e-12 * value.abs())
+    };
+    let texts = (3..=9).map(|places| format!("{value:.places$}"));
+    texts.into_iter().find(|text| near(text)).unwrap_or_else(|| value.to_string())
+}
