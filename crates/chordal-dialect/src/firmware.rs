@@ -87,6 +87,8 @@ pub struct Firmware {
     pub letters: Letters,
     /// Whole G numbers that have codes with a fraction: another fraction is an unknown code.
     pub with_fractions: &'static [u16],
+    /// Whole G numbers whose fraction is not looked at.
+    pub any_fraction: &'static [u16],
     /// Largest line number and tool number, and the last work offset of G10 P.
     pub largest: [u32; 3],
     /// What an arc may differ: always, at most, and in parts of its radius; mm.

@@ -98,6 +98,8 @@ pub struct Parameters {
     pub length_by_h_alone: bool,
     /// G4 waits, and the axis words of its block move after that (LinuxCNC).
     pub dwell_with_motion: bool,
+    /// The axis words in the block of G92.1 still count from the offset that it clears (GRBL).
+    pub preset_cleared_after_motion: bool,
     /// A program without an end is refused; a second percent sign is one (LinuxCNC).
     pub end_required: bool,
     /// `G10 P0` writes the work offset in force, not the external one.
@@ -210,6 +212,7 @@ impl Parameters {
         center_and_radius: CenterAndRadius::RadiusWins,
         length_by_h_alone: false,
         dwell_with_motion: false,
+        preset_cleared_after_motion: false,
         end_required: false,
         offset_zero_in_force: false,
         offset_number_optional: false,

@@ -38,6 +38,8 @@ pub struct Lexicon {
     pub blanks_in_numbers: bool,
     /// `O` words may be flow control (`o100 sub`), not only program heads.
     pub o_words: bool,
+    /// `O1234` or `:1234` at the start of a line begins a program; where not, a file is one program.
+    pub program_heads: bool,
     /// `@` and `^` are words: a radius and an angle in the plane.
     pub polar_words: bool,
     /// Expressions and macro statements.
@@ -54,6 +56,7 @@ impl Lexicon {
         macro_lines: false,
         blanks_in_numbers: false,
         o_words: false,
+        program_heads: true,
         polar_words: false,
         grammar: &MacroGrammar::FANUC,
     };

@@ -22,8 +22,7 @@ pub struct ProgramHead {
 /// an N number or blanks before it allowed. One pass that only stops at the letter `O`, so
 /// a gigabyte costs a fraction of a second.
 pub fn find_programs(text: &[u8], lexicon: &Lexicon) -> Vec<ProgramHead> {
-    if lexicon.o_words {
-        // A number after `O` is a label here: one file is one program.
+    if !lexicon.program_heads {
         return vec![nameless(text.len() as u32)];
     }
     let mut heads: Vec<ProgramHead> = Vec::new();

@@ -3,11 +3,12 @@
 
 use chordal_diagnostics::TextRange;
 use chordal_dialect::firmware::{Firmware, Refusal};
-use chordal_dialect::{
-    Action, CodeRow, Control, Group, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode,
-};
-use chordal_syntax::Letters;
+use chordal_dialect::{Action, CodeRow, Control, Group, LengthCode, OnceCode};
+use chordal_syntax::{Decimal, Letters};
 
+use super::codes::{
+    AxisUse, axis_use, byte, ends_motion, in_inch, is_machine_move, tenths, whole_number,
+};
 use super::line::{Fault, Line, ReadWord};
 use super::memory::{FirmwareMotion, Memory, Modes};
 
@@ -17,26 +18,20 @@ const NOT_NEGATIVE: Letters = Letters::of("FNPST");
 /// Letters that need no code.
 const STORED: Letters = Letters::of("NFST");
 const AXES: Letters = Letters::of("XYZ");
+const CENTRES: Letters = Letters::of("IJK");
 /// Letters that a jog may have with its axes, and its G codes, ten times the number.
 const JOG: Letters = Letters::of("FNXYZ");
 const JOG_CODES: [u16; 5] = [200, 210, 530, 900, 910];
 
-/// What takes the axis words of a block.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum AxisUse {
-    Once,
-    Motion,
-    Length,
-}
-
 /// A block that the firmware carries out.
 #[derive(Debug)]
 pub(super) struct Accepted {
+    /// What acts, with the numbers that the firmware takes.
     pub words: Vec<ReadWord>,
+    /// Words that pass, and that nothing uses.
+    pub dropped: Vec<ReadWord>,
     /// What it remembers then.
     pub after: Memory,
-    /// Nothing uses the axis words (G49).
-    pub drops_axes: bool,
 }
 
 /// A block while it is judged.
@@ -97,11 +92,14 @@ pub(super) fn judge(
 
 impl Judged<'_> {
     fn word(&mut self, word: ReadWord) -> Result<(), Fault> {
-        match word.letter {
-            b'G' | b'M' => self.code(&word)?,
-            letter => self.value(&word, letter)?,
-        }
-        self.words.push(word);
+        let number = match word.letter {
+            b'G' | b'M' => tenths(self.code(&word)?.code),
+            letter => {
+                self.value(&word, letter)?;
+                word.number
+            }
+        };
+        self.words.push(ReadWord { number, ..word });
         Ok(())
     }
 
@@ -124,23 +122,13 @@ impl Judged<'_> {
         Ok(())
     }
 
-    fn code(&mut self, word: &ReadWord) -> Result<(), Fault> {
+    fn code(&mut self, word: &ReadWord) -> Result<&'static CodeRow, Fault> {
         let refuse = |refusal| Err(Fault::new(refusal, word.range));
-        let row = self.row(word)?;
-        let axis_use = match row.action {
-            Action::Motion(_) | Action::Once(OnceCode::Probe { .. }) => Some(AxisUse::Motion),
-            Action::Length(_) => Some(AxisUse::Length),
-            Action::Once(_) if takes_axes(row) => Some(AxisUse::Once),
-            Action::Once(_)
-            | Action::Reading(_)
-            | Action::Before(_)
-            | Action::Mode(_)
-            | Action::Cycle(_)
-            | Action::After(_)
-            | Action::Call(_)
-            | Action::NoEffect
-            | Action::NotSimulated
-            | Action::NotFollowed => None,
+        let row = self.row(word);
+        // Motions and lengths ask for the axis words before their fraction is looked at.
+        let axis_use = match &row {
+            Ok(row) => axis_use(row),
+            Err(_) => self.kin(word).and_then(axis_use).filter(|of| *of != AxisUse::Once),
         };
         if axis_use.is_some() {
             if self.axis_use.is_some() {
@@ -148,6 +136,7 @@ impl Judged<'_> {
             }
             self.axis_use = axis_use;
         }
+        let row = row?;
         // G38.2 and its like are motions here, and G80 is none of them.
         let is_motion = axis_use == Some(AxisUse::Motion) || ends_motion(row);
         let group = if is_motion { Group::Motion } else { row.group };
@@ -162,22 +151,28 @@ impl Judged<'_> {
         self.ends |= row.ends_program();
         self.stores = self.stores.or(row.stored_reference());
         self.modes.take(row);
-        Ok(())
+        Ok(row)
+    }
+
+    /// A code with the same whole number, where one with this fraction is not known.
+    fn kin(&self, word: &ReadWord) -> Option<&'static CodeRow> {
+        let same = |row: &&CodeRow| row.code / 10 == whole_number(word.value);
+        self.control.table.g_codes.iter().find(same).filter(|_| word.letter == b'G')
     }
 
     /// The row of a code, whose number counts in hundredths.
     fn row(&self, word: &ReadWord) -> Result<&'static CodeRow, Fault> {
-        let whole = word.value.trunc();
-        let hundredths = (100.0 * (word.value - whole)).round() as i32;
-        let number = if (0.0..1000.0).contains(&whole) { whole as u16 } else { 1000 };
-        let fraction = u16::try_from(hundredths / 10).unwrap_or(0);
+        let number = whole_number(word.value);
+        let any = word.letter == b'G' && self.firmware.any_fraction.contains(&number);
+        let part = if any { 0.0 } else { word.value - word.value.trunc() };
+        let hundredths = (100.0 * part).round() as i32;
         let of = |code: u16| match word.letter {
             b'G' => self.control.g_code(code),
             _ => self.control.m_code(code),
         };
-        // `G0.999` has a hundred of them, and is not G1.
-        let is_code = hundredths % 10 == 0 && hundredths < 100;
-        let row = if is_code { of(number * 10 + fraction) } else { None };
+        // `G0.999` has a hundred of them, and is not G1; nor is `G-0.3` a code.
+        let is_code = hundredths % 10 == 0 && (0..100).contains(&hundredths);
+        let row = if is_code { of(number * 10 + hundredths as u16 / 10) } else { None };
         let takes_fractions = word.letter == b'G' && self.firmware.with_fractions.contains(&number);
         let is_known = word.letter == b'M' || of(number * 10).is_some() && !takes_fractions;
         let by_sender = self.control.parameters.sender_changes_tools;
@@ -266,8 +261,62 @@ impl Judged<'_> {
         if self.ends {
             after.end_program();
         }
-        let drops_axes = self.length == Some(LengthCode::Cancel) && self.has_axes();
-        Ok(Accepted { words: self.words, after, drops_axes })
+        Ok(self.accepted(after))
+    }
+
+    /// The words that act.
+    fn accepted(self, after: Memory) -> Accepted {
+        let unused = self.unused();
+        // Next to a tool length nothing moves, and G53 has nothing to say.
+        let stays = self.axis_use == Some(AxisUse::Length);
+        let control = self.control;
+        let is_unused =
+            |word: &ReadWord| unused.has(word.letter) || stays && is_machine_move(control, word);
+        let writes = self.once == Some(OnceCode::SetData);
+        let in_mm = self.modes.inch && self.leaves_inverse();
+        let probe = self.implied_probe();
+        let (mut dropped, mut words): (Vec<ReadWord>, Vec<ReadWord>) =
+            self.words.into_iter().partition(is_unused);
+        // A zero, as posts write it, says nothing.
+        dropped.retain(|word| !CENTRES.has(word.letter) || word.value != 0.0);
+        words.splice(0..0, probe);
+        for word in &mut words {
+            match word.letter {
+                // Numbers of offsets are cut to whole ones, and L to a byte.
+                b'L' if writes => word.number = Decimal::integer(i64::from(byte(word.value))),
+                b'P' if writes => word.number = Decimal::integer(word.value.trunc() as i64),
+                b'F' if in_mm => word.number = in_inch(word.value),
+                _ => {}
+            }
+        }
+        Accepted { words, dropped, after }
+    }
+
+    /// Letters of words that pass and have no effect: axes next to G49, a centre outside the plane.
+    fn unused(&self) -> Letters {
+        if self.length == Some(LengthCode::Cancel) {
+            return AXES;
+        }
+        let is_arc = self.modes.motion == FirmwareMotion::Arc;
+        if is_arc && self.axis_use == Some(AxisUse::Motion) && !self.written.has(b'R') {
+            let [a, b] = self.modes.plane_axes();
+            let mut letters = Letters::NONE;
+            letters.insert(b"IJK"[3 - a - b]);
+            return letters;
+        }
+        Letters::NONE
+    }
+
+    /// The code of a probe move, in a block that only has its axes.
+    fn implied_probe(&self) -> Option<ReadWord> {
+        let FirmwareMotion::Probe(code) = self.modes.motion else { return None };
+        let is_written = self.groups.contains(&Group::Motion);
+        if is_written || self.axis_use != Some(AxisUse::Motion) {
+            return None;
+        }
+        let number = tenths(code);
+        let (value, range) = (number.to_f64() as f32, self.place("XYZ"));
+        Some(ReadWord { letter: b'G', value, number, range })
     }
 
     fn check_jog(&self) -> Result<(), Fault> {
@@ -290,9 +339,14 @@ impl Judged<'_> {
             }
             return Ok(own.unwrap_or(0.0));
         }
-        let unit = if self.modes.inch { MM_PER_INCH } else { 1.0 };
+        let unit = if self.modes.inch && !self.leaves_inverse() { MM_PER_INCH } else { 1.0 };
         let kept = if self.before.modes.inverse || jog { 0.0 } else { self.before.feed };
         Ok(own.map_or(kept, |feed| feed * unit))
+    }
+
+    /// The block that changes from G93 to G94: its F is mm/min, also in inch.
+    fn leaves_inverse(&self) -> bool {
+        self.before.modes.inverse && !self.modes.inverse
     }
 
     /// An axis word, mm.
@@ -328,7 +382,7 @@ impl Judged<'_> {
                 } else if self.modes.incremental {
                     after.position[axis] + value
                 } else {
-                    value + after.system()[axis] + after.preset[axis] + after.length_of(axis)
+                    value + (after.system()[axis] + after.preset[axis]) + after.length_of(axis)
                 };
             }
         }
@@ -365,7 +419,7 @@ impl Judged<'_> {
         if system > self.firmware.largest[2] as f32 {
             return self.refuse(Refusal::WorkOffset, "P");
         }
-        let kind = self.number(b'L').unwrap_or(0.0).trunc() as u16;
+        let kind = byte(self.number(b'L').unwrap_or(0.0));
         let from_position = kind == 20;
         if kind != 2 && !from_position || kind == 2 && self.written.has(b'R') {
             return self.refuse(Refusal::Unknown, "LG");
@@ -410,7 +464,7 @@ impl Judged<'_> {
                 }
             }
             FirmwareMotion::Arc => self.arc(after.position, target)?,
-            FirmwareMotion::Probe => {
+            FirmwareMotion::Probe(_) => {
                 if !self.has_axes() {
                     return self.refuse(Refusal::NoAxes, "G");
                 }
@@ -470,62 +524,5 @@ impl Judged<'_> {
             return self.refuse_measured(Refusal::OffCircle, "IJK", measured);
         }
         Ok(())
-    }
-}
-
-/// It needs the axis words for itself: a code with a stored place (G28.1) does not, nor does G53.
-fn takes_axes(row: &CodeRow) -> bool {
-    match row.action.once() {
-        Some(OnceCode::SetData | OnceCode::PresetPosition) => true,
-        Some(OnceCode::ReturnToReference { .. }) => true,
-        Some(_) | None => false,
-    }
-}
-
-fn ends_motion(row: &CodeRow) -> bool {
-    row.action == Action::Mode(ModeCode::CancelCycle)
-}
-
-impl Modes {
-    /// What a code changes.
-    fn take(&mut self, row: &CodeRow) {
-        if let Some(motion) = row.action.motion() {
-            self.motion = match motion {
-                MotionCode::Rapid => FirmwareMotion::Rapid,
-                MotionCode::ArcCw | MotionCode::ArcCcw => FirmwareMotion::Arc,
-                MotionCode::Linear
-                | MotionCode::SpiralCw
-                | MotionCode::SpiralCcw
-                | MotionCode::Thread
-                | MotionCode::RigidTap
-                | MotionCode::Spline(_)
-                | MotionCode::SplineEnd
-                | MotionCode::Turn(_) => FirmwareMotion::Linear,
-            };
-        } else if let Action::Once(OnceCode::Probe { .. }) = row.action {
-            self.motion = FirmwareMotion::Probe;
-        } else if ends_motion(row) {
-            self.motion = FirmwareMotion::None;
-        } else if let Action::Reading(code) = row.action {
-            match code {
-                ReadingCode::Inch => self.inch = true,
-                ReadingCode::Millimetre => self.inch = false,
-                ReadingCode::Absolute => self.incremental = false,
-                ReadingCode::Incremental => self.incremental = true,
-                ReadingCode::FeedInverseTime => self.inverse = true,
-                ReadingCode::FeedPerTime => self.inverse = false,
-                ReadingCode::ArcCenterAbsolute
-                | ReadingCode::ArcCenterIncremental
-                | ReadingCode::FeedPerRevolution
-                | ReadingCode::SurfaceSpeed
-                | ReadingCode::SpindleRpm
-                | ReadingCode::Diameters
-                | ReadingCode::Radii => {}
-            }
-        } else if row.group == Group::Plane {
-            self.plane = usize::from(row.code / 10 - 17);
-        } else if row.group == Group::WorkOffset {
-            self.system = usize::from(row.code / 10 - 54);
-        }
     }
 }

@@ -6,7 +6,8 @@ pub(super) enum FirmwareMotion {
     Rapid,
     Linear,
     Arc,
-    Probe,
+    /// With its code, ten times the number.
+    Probe(u16),
     None,
 }
 

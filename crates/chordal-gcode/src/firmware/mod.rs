@@ -3,12 +3,14 @@
 //! | file | |
 //! |---|---|
 //! | `line.rs` | the characters that count, words, numbers |
+//! | `codes.rs` | what a code takes and changes |
 //! | `judge.rs` | the first mistake of a block |
 //! | `memory.rs` | what the next verdict depends on |
 //!
 //! A block that passes goes on to the interpreter, with its words as the firmware has read them; one that does not
 //! changes nothing.
 
+mod codes;
 mod judge;
 mod line;
 mod memory;
@@ -18,6 +20,7 @@ use chordal_dialect::Control;
 use chordal_dialect::firmware::{Firmware, Refusal};
 use chordal_syntax::{Block, BlockKind, Decimal, Value, Word};
 
+use judge::Accepted;
 pub(crate) use line::Fault;
 use line::{Line, ReadWord};
 use memory::Memory;
@@ -30,7 +33,7 @@ const COMMANDS: [&str; 9] = ["$", "#", "G", "I", "N", "H", "X", "C", "SLP"];
 pub(crate) enum Verdict {
     /// Nothing on it, or a command that moves nothing.
     Nothing,
-    /// Words that act: the block has them now. Of those that it has no more nothing comes (axis words next to G49).
+    /// Words that act: the block has them now. Of those that it has no more nothing comes (axis words next to G49, a centre outside the plane).
     Words(Vec<Word>),
     /// `$H`: the machine goes to its switches.
     Homing,
@@ -78,12 +81,10 @@ impl Judge {
         block.kind = BlockKind::Words;
         block.truncate(0);
         match verdict {
-            Ok(Some((words, drops_axes))) => {
-                let is_axis = |word: &Word| matches!(word.letter, b'X' | b'Y' | b'Z');
-                let (dropped, kept): (Vec<Word>, Vec<Word>) =
-                    words.iter().map(word_of).partition(|word| drops_axes && is_axis(word));
-                kept.into_iter().for_each(|word| block.push(word));
-                Verdict::Words(dropped)
+            Ok(Some(accepted)) => {
+                self.memory = accepted.after;
+                accepted.words.iter().for_each(|word| block.push(word_of(word)));
+                Verdict::Words(accepted.dropped.iter().map(word_of).collect())
             }
             Ok(None) => Verdict::Nothing,
             Err(verdict) => verdict,
@@ -96,7 +97,7 @@ impl Judge {
         whole: TextRange,
         control: &Control,
         firmware: &Firmware,
-    ) -> Result<Option<(Vec<ReadWord>, bool)>, Verdict> {
+    ) -> Result<Option<Accepted>, Verdict> {
         let mut line = Line::of(text, whole.start, firmware).map_err(Verdict::Refused)?;
         if line.is_empty() {
             return Ok(None);
@@ -105,9 +106,7 @@ impl Judge {
             return Err(self.command(&command, &mut line, whole, control, firmware));
         }
         let accepted = judge::judge(&mut line, whole, control, firmware, &self.memory, false);
-        let accepted = accepted.map_err(Verdict::Refused)?;
-        self.memory = accepted.after;
-        Ok(Some((accepted.words, accepted.drops_axes)))
+        accepted.map(Some).map_err(Verdict::Refused)
     }
 
     fn command(
@@ -143,21 +142,12 @@ impl Judge {
     }
 }
 
-/// A word as the interpreter reads it: a code to hundredths, as the firmware rounds it.
+/// A word as the interpreter reads it.
 fn word_of(read: &ReadWord) -> Word {
     let number = match read.letter {
-        b'G' | b'M' => code(read.value),
         b'N' | b'T' => Decimal::integer(read.value.trunc() as i64),
         _ => read.number,
     };
     let value = Value::Number(number);
     Word { letter: read.letter, register: None, comma: false, value, range: read.range }
-}
-
-fn code(value: f32) -> Decimal {
-    let tenths = (10.0 * value).round() as i64;
-    match tenths % 10 {
-        0 => Decimal::integer(tenths / 10),
-        _ => Decimal { mantissa: tenths, scale: 1, has_point: true, negative: false },
-    }
 }

@@ -193,9 +193,18 @@ impl Interpreter<'_> {
         let dwells = self.control.parameters.dwell_with_motion;
         let leaves = |row: &CodeRow| row.action.leaves_axes(dwells);
         let one_shot = codes.iter().rev().find(|(row, _)| row.takes_axes() && !leaves(row));
+        let moves = block.letters().meets(AXES);
+        let waits = |row: &CodeRow| {
+            moves
+                && self.control.parameters.preset_cleared_after_motion
+                && matches!(row.action, Action::Once(OnceCode::ClearPreset { .. }))
+        };
+        let after = codes.iter().find(|(row, _)| waits(row));
         if let Some((row, at)) = codes.iter().find(|(row, _)| leaves(row)) {
-            row.action.once().into_iter().for_each(|code| self.one_shot(block, code, *at));
-            if !block.letters().meets(AXES) && block.polar.is_empty() {
+            if after.is_none() {
+                row.action.once().into_iter().for_each(|code| self.one_shot(block, code, *at));
+            }
+            if !moves && block.polar.is_empty() {
                 let motion = codes.iter().rev().find_map(|(row, _)| row.action.motion());
                 motion.into_iter().for_each(|code| self.take_motion_code(code));
                 return self.take_after_motion(block, codes);
@@ -231,6 +240,9 @@ impl Interpreter<'_> {
                 self.take_corner(block);
                 self.motion_or_cycle(block, motion, cycle);
             }
+        }
+        if let Some((row, at)) = after {
+            row.action.once().into_iter().for_each(|code| self.one_shot(block, code, *at));
         }
         self.take_after_motion(block, codes)
     }

@@ -23,6 +23,7 @@ impl Interpreter<'_> {
                     && self.one_group(first.0.group, second.0.group)
                     && !self.cycle_off_beside(first.0, second.0)
                     && excludes(first.0, second.0, self.control.table.distance_left_to_right)
+                    && !self.probes_beside(first.0, second.0)
             });
             if let Some(first) = clash {
                 self.same_group(block, *first, *second);
@@ -67,6 +68,14 @@ impl Interpreter<'_> {
                 .also(self.span(block.words[first.1].range), "not carried out")
                 .help("write them in two blocks"),
         );
+    }
+
+    /// A probe move with a code that leaves it the axis words of the block: G4, G92.1.
+    fn probes_beside(&self, first: &CodeRow, second: &CodeRow) -> bool {
+        let dwells = self.control.parameters.dwell_with_motion;
+        let probes = |row: &CodeRow| matches!(row.action, Action::Once(OnceCode::Probe { .. }));
+        let leaves = |row: &CodeRow| row.action.leaves_axes(dwells);
+        probes(first) && leaves(second) || leaves(first) && probes(second)
     }
 
     /// Two M codes of one group, where the control has such groups.

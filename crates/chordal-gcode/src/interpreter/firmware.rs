@@ -112,8 +112,8 @@ impl Interpreter<'_> {
 
 #[cfg(test)]
 mod tests {
-    use chordal_command::{Command, Sink};
-    use chordal_diagnostics::{Diagnostic, Source, SourceMap};
+    use chordal_command::{Command, CommandKind, Sink};
+    use chordal_diagnostics::{Diagnostic, Severity, Source, SourceMap};
     use chordal_dialect::Control;
     use chordal_kernel::RunSink;
     use chordal_machine::{Machine, Setting, SettingValue};
@@ -122,14 +122,23 @@ mod tests {
     use crate::interpreter::RunOptions;
     use crate::library::Library;
 
-    /// Keeps what is said.
+    /// Keeps what is said and the last feed, and counts probe moves.
     #[derive(Default)]
-    struct Said(Vec<Diagnostic>);
+    struct Said {
+        said: Vec<Diagnostic>,
+        probes: usize,
+        feed_mm_s: f64,
+    }
 
     impl Sink for Said {
-        fn command(&mut self, _: &Command) {}
+        fn command(&mut self, command: &Command) {
+            self.probes += usize::from(matches!(command.kind, CommandKind::Probed { .. }));
+            if let CommandKind::Line { feed, .. } = &command.kind {
+                self.feed_mm_s = feed.value;
+            }
+        }
         fn diagnostic(&mut self, diagnostic: Diagnostic) {
-            self.0.push(diagnostic);
+            self.said.push(diagnostic);
         }
     }
 
@@ -138,6 +147,8 @@ mod tests {
     /// What became of a program whose sender goes on after errors.
     struct Ran {
         said: Vec<Diagnostic>,
+        probes: usize,
+        feed_mm_s: f64,
         /// Machine positions: the firmware's own, and that of the motion.
         firmware: [f32; 3],
         kernel: [f64; 3],
@@ -163,7 +174,14 @@ mod tests {
         let firmware = interpreter.judge.as_ref().expect("a firmware").position();
         let kernel = [0, 1, 2].map(|axis| interpreter.kernel.state.machine_position(axis));
         drop(interpreter);
-        Ran { said: said.0, firmware, kernel, end }
+        Ran {
+            said: said.said,
+            probes: said.probes,
+            feed_mm_s: said.feed_mm_s,
+            firmware,
+            kernel,
+            end,
+        }
     }
 
     /// The numbers of the errors, with the line of each.
@@ -184,8 +202,81 @@ mod tests {
             ("G-1X1", vec![(0, 20)]),
             ("M3.5", vec![(0, 23)]),
             ("G0X99999999999999999999999999999999999999999999999999", vec![]),
+            ("X1G-0.3", vec![(0, 23)]),
+            ("G0X1G-1", vec![(0, 20)]),
+            ("G49.5", vec![]),
+            ("G10.1L2P1X1", vec![(0, 23)]),
         ] {
             assert_eq!(answers(&ran(text), text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn motions_and_lengths_ask_for_the_axes_before_their_fraction() {
+        for (text, expected) in [
+            ("G0X1G1.5", 24),
+            ("G0X1G38.9", 24),
+            ("G0X1G43H1", 24),
+            ("G28X1G2.997", 24),
+            ("G1.5G0X1", 23),
+            ("G0X1G28.2", 20),
+            ("G0X1G10.5", 23),
+        ] {
+            assert_eq!(answers(&ran(text), text), [(0, expected)], "{text}");
+        }
+    }
+
+    /// What the firmware lets pass is run as it runs it: no other rule refuses it.
+    #[test]
+    fn blocks_that_pass_are_run() {
+        for (text, expected, probes) in [
+            // Numbers of offsets are cut to whole ones, and L to a byte.
+            ("G10L2.7P1.5X1\nG0X0", [1.0, 0.0, 0.0], 0),
+            ("G10L258P1X1\nG0X0", [1.0, 0.0, 0.0], 0),
+            ("G10L20P1.9X1\nG0X0", [-1.0, 0.0, 0.0], 0),
+            // A probe code stays active.
+            ("G38.2X-1F50\nX-3\nG92.1Y2", [-3.0, 2.0, 0.0], 3),
+            ("G38.3X1F50G4P0.1", [1.0, 0.0, 0.0], 1),
+            ("G38.4X-1F50G92.1\nG0X-3", [-3.0, 0.0, 0.0], 1),
+            // The axis words next to G92.1 count from the offset that it clears.
+            ("G92X5\nG92.1X0", [-5.0, 0.0, 0.0], 0),
+            ("G92X5\nG92.1X0\nX1", [1.0, 0.0, 0.0], 0),
+            ("G92X5\nG92.1\nX1", [1.0, 0.0, 0.0], 0),
+            // A centre word outside the plane.
+            ("G2X2K5I1F100", [2.0, 0.0, 0.0], 0),
+            ("G19G3I5Y2J1F100", [0.0, 2.0, 0.0], 0),
+            // Arcs at a limit, which only counts in 24 bits.
+            ("F606J73.561373Y76.392535I4.0805468G3X77.626862", [77.626_862, 76.392_535, 0.0], 0),
+            // A tool length moves nothing.
+            ("G43.1Z2G53\nZ0", [0.0, 0.0, 2.0], 0),
+            ("G49Z2G53\nG53Z1", [0.0, 0.0, 1.0], 0),
+            // A radius of zero is a straight move.
+            ("G2X0.004I0F100", [0.004, 0.0, 0.0], 0),
+            // O begins no program.
+            ("G0X1\nO10Y5\n:10\nY1", [1.0, 1.0, 0.0], 0),
+        ] {
+            let ran = ran(text);
+            let others = ran.said.iter().filter(|each| each.code != Code::BlockRefused);
+            let errors: Vec<&Diagnostic> =
+                others.filter(|each| each.severity == Severity::Error).collect();
+            assert!(errors.is_empty(), "{text}: {errors:?}");
+            for (axis, expected) in expected.into_iter().enumerate() {
+                assert!((ran.kernel[axis] - expected).abs() < 1e-9, "{text}: {:?}", ran.kernel);
+            }
+            assert_eq!(ran.probes, probes, "{text}");
+        }
+    }
+
+    #[test]
+    fn the_feed_that_leaves_g93_is_of_millimetres() {
+        for (text, expected) in [
+            ("G20\nG94F10\nG1X1", 254.0),
+            ("G20\nG93\nG94F10\nG1X1", 10.0),
+            ("G20\nG93\nG94F10\nF10G1X1", 254.0),
+            ("G93\nG94F10\nG1X1", 10.0),
+        ] {
+            let feed = 60.0 * ran(text).feed_mm_s;
+            assert!((feed - expected).abs() < 1e-6, "{text}: {feed}");
         }
     }
 

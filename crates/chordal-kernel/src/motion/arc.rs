@@ -323,7 +323,7 @@ impl Kernel<'_> {
         let error = fit.radius_error().abs();
         // A difference of rounding must not decide at the tolerance itself.
         let factor = p.radius_error_factor(self.state.units);
-        if error <= factor * p.radius_error_tolerance_mm * (1.0 + 1e-9) {
+        if p.judged_before || error <= factor * p.radius_error_tolerance_mm * (1.0 + 1e-9) {
             return;
         }
         let by_radius = p.radius_error_relative > 0.0
@@ -441,9 +441,15 @@ impl Kernel<'_> {
 
     fn report_zero_radius(&mut self, at: &dyn Statement) {
         let span = at.words(What::Center);
+        let (severity, label) = if self.rules.arc.judged_before {
+            (Severity::Warning, "the control moves straight to the end")
+        } else {
+            (Severity::Error, "these words place it there")
+        };
         self.report(
             Diagnostic::new(Code::ZeroRadius, span, "the centre of this arc is its start point")
-                .label("these words place it there")
+                .severity(severity)
+                .label(label)
                 .help(match self.state.arc_center {
                     ArcCenter::FromStart => "give the distance from the start to the centre",
                     ArcCenter::Absolute => "give the coordinates of the centre",

@@ -76,6 +76,8 @@ pub struct ArcRules {
     pub radius_error_relative: f64,
     /// See `radius_error_relative`, mm.
     pub radius_error_limit_mm: f64,
+    /// A firmware judges each arc in its own arithmetic before it is made (GRBL): nothing judges it again.
+    pub judged_before: bool,
     /// In a program in inch tolerance and limit are so many times as large.
     pub radius_error_inch_factor: f64,
     /// What happens within the tolerance.
@@ -121,6 +123,7 @@ impl ArcRules {
         radius_error_tolerance_mm: 0.0127,
         radius_error_relative: 0.0,
         radius_error_limit_mm: 0.0,
+        judged_before: false,
         radius_error_inch_factor: 1.0,
         arc_mismatch: ArcMismatch::Spiral,
         semicircle_tolerance_mm: None,

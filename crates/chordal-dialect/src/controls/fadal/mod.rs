@@ -62,6 +62,7 @@ const LEXICON: Lexicon = Lexicon {
     macro_lines: true,
     blanks_in_numbers: false,
     o_words: false,
+    program_heads: true,
     polar_words: false,
     grammar: &MacroGrammar::FADAL,
 };

@@ -10,6 +10,7 @@ pub(super) static FIRMWARE: Firmware = Firmware {
     digits: 8,
     letters: Letters::of("FIJKLNPRSTXYZ"),
     with_fractions: &[28, 30, 38, 43, 61, 90, 91, 92],
+    any_fraction: &[49],
     largest: [10_000_000, 255, 6],
     arc: [0.005, 0.5, 0.001],
     rows: ROWS,

@@ -61,6 +61,7 @@ const LEXICON: Lexicon = Lexicon {
     macro_lines: false,
     blanks_in_numbers: true,
     o_words: false,
+    program_heads: false,
     polar_words: false,
     grammar: &MacroGrammar::FANUC,
 };

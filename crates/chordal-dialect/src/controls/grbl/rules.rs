@@ -8,6 +8,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     decimal_point: DecimalPoint::Calculator,
     center_and_radius: CenterAndRadius::Refused,
     dwell_with_motion: true,
+    preset_cleared_after_motion: true,
     offset_zero_in_force: true,
     offset_number_optional: true,
     end_optional: true,
@@ -37,6 +38,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
             radius_error_tolerance_mm: 0.005,
             radius_error_relative: 0.001,
             radius_error_limit_mm: 0.5,
+            judged_before: true,
             full_circle_by_radius: FullCircleByRadius::Straight,
             ..ArcRules::COMMON
         },

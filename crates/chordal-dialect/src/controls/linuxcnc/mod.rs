@@ -68,6 +68,7 @@ const LEXICON: Lexicon = Lexicon {
     macro_lines: false,
     blanks_in_numbers: true,
     o_words: true,
+    program_heads: false,
     polar_words: true,
     grammar: &MacroGrammar::LINUXCNC,
 };
