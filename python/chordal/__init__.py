@@ -23,7 +23,7 @@ from ._held import Comparison, Conversion, Refusal
 from ._machine import Machine, builtin_machines
 from ._program import Program, load, loads
 from ._shop import ShopAnswer, ShopCall, ShopCodes, ShopRefusal, ShopWait
-from ._stock import Stock, StockMesh
+from ._stock import Stock, StockDifference, StockMesh
 from ._summary import AxisTravel, Summary, ToolUse
 from ._table import Chords, Moves, Table, Trajectory
 from ._time import BlockTime, Time, ToolTime
@@ -60,6 +60,7 @@ __all__ = [
     "ShopWait",
     "Split",
     "Stock",
+    "StockDifference",
     "StockMesh",
     "Summary",
     "Table",

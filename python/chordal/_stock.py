@@ -13,8 +13,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _chordal
+from .errors import UsageError
 
-__all__ = ["Stock", "StockMesh"]
+__all__ = ["Stock", "StockDifference", "StockMesh"]
 
 #: Columns whose heights differ by this part of the resolution are one face of a mesh.
 _SAME_FACE = 0.1
@@ -28,6 +29,42 @@ class StockMesh:
     vertices: npt.NDArray[np.float64]
     #: The corners of each triangle (m, 3), counter-clockwise as seen from outside.
     faces: npt.NDArray[np.uint32]
+
+
+@dataclass(frozen=True, slots=True)
+class StockDifference:
+    """Where two stocks differ: see :meth:`Stock.compare`. True where they surely do.
+
+    Heights are those of columns, (rows along Y, columns along X), mm; the truth lies between least and most."""
+
+    #: How much more the first one has at least; below zero: how much less.
+    least: npt.NDArray[np.float64]
+    #: How much more the first one has at most.
+    more: npt.NDArray[np.float64]
+    #: How much less it has at most.
+    less: npt.NDArray[np.float64]
+    #: The side of a column, mm.
+    resolution_mm: float
+
+    def __bool__(self) -> bool:
+        return bool(np.any(self.least != 0.0))
+
+    @property
+    def more_mm3(self) -> tuple[float, float]:
+        """What only the first one has, at least and at most."""
+        return self._volume(np.maximum(self.least, 0.0)), self._volume(self.more)
+
+    @property
+    def less_mm3(self) -> tuple[float, float]:
+        """What only the second one has, at least and at most."""
+        return self._volume(np.maximum(-self.least, 0.0)), self._volume(self.less)
+
+    def _volume(self, heights: npt.NDArray[np.float64]) -> float:
+        return float(heights.sum()) * self.resolution_mm**2
+
+    def __repr__(self) -> str:
+        more, less = self.more_mm3, self.less_mm3
+        return f"<StockDifference more {more[0]:.6g} to {more[1]:.6g} mm³, less {less[0]:.6g} to {less[1]:.6g} mm³>"
 
 
 class Stock:
@@ -106,6 +143,27 @@ class Stock:
         """Above this height, mm, nothing is left of a column."""
         return self._heights[..., 1]
 
+    def compare(self, other: Stock) -> StockDifference:
+        """Where this stock and another one of the same columns differ: two programs on one setup, say. A difference
+        is sure where the bounds of the heights are apart; gaps of undercuts are not compared."""
+        if (self._stock.shape, self._stock.bounds[0], self.resolution_mm) != (
+            other._stock.shape,
+            other._stock.bounds[0],
+            other.resolution_mm,
+        ):
+            message = (
+                f"the two stocks have other columns: {self._stock.shape} of {self.resolution_mm:g} mm and "
+                f"{other._stock.shape} of {other.resolution_mm:g} mm"
+            )
+            raise UsageError(message, help="run both on the same stock with the same resolution_mm")
+        more, less = self.least - other.most, other.least - self.most
+        return StockDifference(
+            np.maximum(more, 0.0) - np.maximum(less, 0.0),
+            np.maximum(self.most - other.least, 0.0),
+            np.maximum(other.most - self.least, 0.0),
+            self.resolution_mm,
+        )
+
     def mesh(self, tolerance: float | None = None) -> StockMesh:
         """What is left as a closed surface: the middle between the bounds. Columns whose heights differ by no more
         than ``tolerance`` mm are one face; without it, a tenth of the resolution."""
@@ -116,7 +174,8 @@ class Stock:
         self, path: str | os.PathLike[str], tolerance: float | None = None, *, smooth: float | None = None
     ) -> None:
         """Writes what is left, by the ending: ``.stl``, ``.3mf``, ``.glb`` or a picture ``.png``. With ``smooth`` a mesh
-        has no steps but goes through the middles of the columns, no further from them than so many mm."""
+        has no steps but goes through the middles of the columns, no further from them than so many mm; a part with
+        undersides is refused then."""
         smooth = None if smooth is None else float(smooth)
         path = Path(path)
         ending = path.suffix.removeprefix(".").lower()

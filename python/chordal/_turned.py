@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _chordal
-from ._stock import Stock, StockMesh
+from ._stock import Stock, StockDifference, StockMesh
 from ._table import Table
 from .errors import UsageError
 
@@ -86,6 +86,10 @@ class TurnedStock(Stock):
     def most(self) -> npt.NDArray[np.float64]:
         """A lathe has no columns: an error."""
         return _no_columns("most")
+
+    def compare(self, other: Stock) -> StockDifference:
+        """A lathe has no columns: an error. Its outlines can be compared."""
+        return _no_columns("compare")
 
     def mesh(self, tolerance: float | None = None) -> StockMesh:
         """A lathe has no columns: an error. ``save`` writes the solid."""

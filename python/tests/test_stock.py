@@ -170,6 +170,8 @@ def test_a_lathe_has_no_columns_of_heights() -> None:
     for ask in ("least", "most", "origin"):
         with pytest.raises(chordal.UsageError, match="outline"):
             getattr(left, ask)
+    with pytest.raises(chordal.UsageError, match="outline"):
+        left.compare(left)
     with pytest.raises(chordal.UsageError, match="dxf"):
         left.save("part.step")
 
@@ -180,3 +182,23 @@ def test_a_rapid_of_a_lathe_in_the_stock_is_told() -> None:
     problem = hit.problems[0]
     assert (problem["code"], problem["line"]) == ("CH620", 5)
     assert problem["depth_mm"]["most"] == pytest.approx(4.0)
+
+
+def test_two_stocks_are_compared() -> None:
+    program = chordal.loads(SLOT, SETUP)
+    left = program.stock(resolution_mm=0.5)
+    same = left.compare(program.stock(resolution_mm=0.5))
+    assert not same and same.more_mm3[0] == same.less_mm3[0] == 0.0
+    # A millimetre less deep: that is left of the slot.
+    shallow = chordal.loads(SLOT.replace("Z-5.", "Z-4."), SETUP).stock(resolution_mm=0.5)
+    difference = shallow.compare(left)
+    slot = 400 + 25 * math.pi
+    least, most = difference.more_mm3
+    assert difference and least <= slot <= most
+    # A wall is known to a column.
+    assert least > slot - (80 + 10 * math.pi) * 0.5 - 1
+    assert difference.less_mm3[0] == 0.0
+    assert difference.least.shape == left.least.shape
+    assert left.compare(shallow).less_mm3 == pytest.approx(difference.more_mm3)
+    with pytest.raises(chordal.UsageError, match="other columns"):
+        left.compare(program.stock(resolution_mm=1.0))

@@ -79,6 +79,13 @@ export function stockOfProgram(of: StockOf) {
     show();
   }
 
+  /** The part at the end, with what heights do not show. */
+  function part(frame: Frame): void {
+    view.stock.setPart(f32(frame, "corners"));
+    controls.part();
+    show();
+  }
+
   /** The tool cuts where it stands, but for rapids. */
   function standing() {
     const { rows, at } = moment;
@@ -101,6 +108,7 @@ export function stockOfProgram(of: StockOf) {
     if (own.leap(moment.rows)) surface.setAll(own.heights, own.slots);
     else own.seek(moment.rows, (column) => surface.set(column, own.heights[column]!, own.slots[column]!));
     surface.stand(standing(), own.heights, own.slots);
+    view.stock.showPart(moment.rows >= of.path().rows);
     view.redraw();
   }
 
@@ -133,8 +141,8 @@ export function stockOfProgram(of: StockOf) {
     },
     takeFrame(frame: Frame): boolean {
       const { type, run } = frame.header;
-      if (type !== "stock" && type !== "stock_drops") return false;
-      if (run === of.run()) (type === "stock" ? begin : add)(frame);
+      if (type !== "stock" && type !== "stock_drops" && type !== "stock_part") return false;
+      if (run === of.run()) ({ stock: begin, stock_drops: add, stock_part: part })[type](frame);
       return true;
     },
   };

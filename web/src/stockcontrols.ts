@@ -77,6 +77,7 @@ export function stockControls(acts: Acts) {
   let units: Units = { inch: false };
   let less: Less = { coarser: false, late: false, undercuts: false, turned: false };
   let changes: number | undefined;
+  let hasPart = false;
 
   function tellCut(): void {
     const chosen = axis.value as Cut["axis"] | "";
@@ -103,7 +104,8 @@ export function stockControls(acts: Acts) {
     const coarser = less.coarser ? ", coarser than chosen: the program lowers them too often" : "";
     const late = less.late ? `, at most ${length(units, stock.pitch / 2)} late in places` : "";
     const far = stock.target && color.value === "deviation" ? `. Red: too deep, blue: too high, by up to ${length(units, TOLERANCES * stock.toleranceMm)}` : "";
-    const missing = [less.undercuts && "Undercuts are not drawn: the picture is seen from above", less.turned && "Cuts while the part is turned are not drawn"];
+    const where = hasPart ? "drawn at the end of the program only" : "not drawn";
+    const missing = [less.undercuts && `Undercuts are ${where}`, less.turned && `Cuts while the part is turned are ${where}`];
     const notDrawn = missing.filter(Boolean).map((text) => `. ${text}`).join("");
     about.textContent = `${length(units, stock.pitch)}, ${count(nx * ny)} columns${coarser}${late}${more}${far}${notDrawn}`;
   }
@@ -128,6 +130,7 @@ export function stockControls(acts: Acts) {
       if (!own.target && color.value === "deviation") color.value = "tool";
       found.textContent = "";
       changes = undefined;
+      hasPart = false;
       tellColor();
       tellCut();
     },
@@ -137,6 +140,10 @@ export function stockControls(acts: Acts) {
       changes = drops;
       tellAbout();
       found.textContent = "Looking for touches…";
+    },
+    part(): void {
+      hasPart = true;
+      tellAbout();
     },
     report({ verdict, removed_mm3: { least, most } }: StockReport, its: Units): void {
       found.textContent = `${VERDICTS[verdict]}; removed ${volume(its, least, most)}`;

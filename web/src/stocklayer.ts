@@ -23,6 +23,7 @@ import type { StockBefore } from "./drops";
 import { drawnAll } from "./fence";
 import { Fixtures } from "./fixtures";
 import type { Under } from "./painter";
+import { Part } from "./part";
 import type { Bounds, Vec3 } from "./path";
 import { pause } from "./pause";
 import { FRAGMENT, VERTEX } from "./stockshader";
@@ -41,6 +42,8 @@ export interface Cut {
 const AT_ONCE = { card: { triangles: 4_000_000, tiles: 256 }, software: { triangles: 12_000, tiles: 64 } };
 /** Columns of the surface that stands for the stock while the view turns. */
 const COARSE = { card: 250_000, software: 9_000 };
+/** Triangles of a part that are drawn in every frame while the view turns. */
+const PART = { card: 400_000, software: 60_000 };
 /** How long the view must be still before all of it is drawn again, ms; and how long at most where too much changes at once. */
 const STILL = 120;
 const MOST_STILL = 2_000;
@@ -72,6 +75,9 @@ export class StockLayer {
   private by: StockColor = "tool";
   private own: Touched | undefined;
   private fixtures = new Fixtures();
+  /** What is left at the end, where heights do not show all of it, and whether it is that moment. */
+  private part: Part | undefined;
+  private isEnd = false;
 
   constructor(
     private palette: Palette,
@@ -90,6 +96,8 @@ export class StockLayer {
     this.tiles = undefined;
     this.coarse = undefined;
     this.own = undefined;
+    this.part?.dispose();
+    this.part = undefined;
     this.surface = stock && new Surface(stock);
     if (this.surface) this.build(this.surface);
     this.fixtures.set(stock?.fixtures, this.palette);
@@ -104,6 +112,30 @@ export class StockLayer {
     this.coarse = { surface: coarse, tiles: new Tiles(coarse.surface, this.coarseMaterial), isStale: true };
   }
 
+  /** What is left at the end as triangles, nine numbers each, mm in the frame of the run. */
+  setPart(corners: Float32Array): void {
+    if (!this.surface) return;
+    this.part?.dispose();
+    this.part = new Part(corners, this.surface, this.material.uniforms);
+    this.part.take();
+    this.openPart();
+    this.place(this.origin);
+  }
+
+  /** At the end the part is drawn instead of its columns. */
+  showPart(isEnd: boolean): void {
+    if (isEnd === this.isEnd) return;
+    this.isEnd = isEnd;
+    if (!this.part) return;
+    if (isEnd) this.part.take();
+    this.changed();
+  }
+
+  /** The part, where it is drawn. */
+  get shownPart(): Part | undefined {
+    return this.isEnd ? this.part : undefined;
+  }
+
   /** The origin of the path is the zero of the picture. */
   place(origin: Vec3): void {
     this.origin = origin;
@@ -113,8 +145,10 @@ export class StockLayer {
       group.position.set(low[0] - origin[0], low[1] - origin[1], high[2] - origin[2]);
       group.updateMatrixWorld(true);
     }
-    this.fixtures.object.position.set(-origin[0], -origin[1], -origin[2]);
-    this.fixtures.object.updateMatrixWorld(true);
+    for (const object of [this.fixtures.object, this.part?.object]) {
+      object?.position.set(-origin[0], -origin[1], -origin[2]);
+      object?.updateMatrixWorld(true);
+    }
     this.changed();
   }
 
@@ -180,7 +214,9 @@ export class StockLayer {
     if (!surface || !this.shown) return;
     const touched = surface.takeTouched();
     this.note(touched);
-    if (touched && this.isLeap(touched)) void this.leap(renderer);
+    // The part stands for all columns.
+    if (this.shownPart) this.own = undefined;
+    else if (touched && this.isLeap(touched)) void this.leap(renderer);
     const from = `${camera.matrixWorld.elements.join()} ${camera.projectionMatrix.elements.join()}`;
     if (this.resize(renderer) || from !== this.seenFrom) {
       this.seenFrom = from;
@@ -336,7 +372,15 @@ export class StockLayer {
     this.material.uniforms.isFlat!.value = false;
   }
 
+  private drawPart(renderer: WebGLRenderer, camera: Camera, part: Part): void {
+    renderer.render(part.object, camera);
+    this.drawnTriangles += part.triangles;
+    this.drawFixtures(renderer, camera);
+  }
+
   private drawCoarse = (renderer: WebGLRenderer, camera: Camera): void => {
+    const part = this.shownPart;
+    if (part && part.triangles <= PART[this.isSoftware ? "software" : "card"]) return this.drawPart(renderer, camera, part);
     const { surface, tiles, isStale } = this.coarse!;
     if (isStale) surface.take();
     this.coarse!.isStale = false;
@@ -350,6 +394,15 @@ export class StockLayer {
     this.state = "drawing";
     const number = ++this.number;
     this.own = undefined;
+    if (this.shownPart) {
+      renderer.setRenderTarget(this.whole!);
+      renderer.clear();
+      this.drawPart(renderer, camera, this.shownPart);
+      renderer.setRenderTarget(null);
+      this.state = "complete";
+      this.wanted();
+      return;
+    }
     let cleared = false;
     const tiles = this.tiles!;
     // All corners first: a tile has on its edges those of the tiles beside it.
@@ -383,6 +436,15 @@ export class StockLayer {
     this.wanted();
   }
 
+  /** Where the part is cut open. */
+  private openPart(): void {
+    const { cut, part } = this;
+    // Largest X and Z are kept, and least Y.
+    const sign = cut?.axis === "y" ? -1 : 1;
+    const along = (axis: Cut["axis"]) => (cut?.axis === axis ? sign : 0);
+    part?.setCut([along("x"), along("y"), along("z")], cut ? sign * cut.at : 1);
+  }
+
   private tellMaterial(): void {
     const { surface, palette, cut, by } = this;
     if (!surface) return;
@@ -413,6 +475,7 @@ export class StockLayer {
     const snapped = (axis: 0 | 1) => this.corner(surface, column(0) + 1, column(1) + 1)[axis];
     this.coarse!.isStale = true;
     surface.setOpen(cut?.axis === "x" ? { column: column(0) + 1 } : cut?.axis === "y" ? { row: column(1) + 1 } : {});
+    this.openPart();
     u.keep!.value.set(
       cut?.axis === "x" ? snapped(0) : Infinity_,
       cut?.axis === "y" ? snapped(1) : -Infinity_,

@@ -147,8 +147,10 @@ async function engagement() {
       await page.waitForFunction(() => window.chordal.view.isComplete);
     },
   });
-  const run = ["run", "examples/stock/op1.nc", "--setup", "examples/stock/op1.toml", "-o", join(OUT, "stock-run.png")];
-  execFileSync(CHORDAL, run, { cwd: ROOT });
+  for (const [name, picture] of [["op1", "stock-run"], ["tslot", "stock-undercut"]]) {
+    const run = ["run", `examples/stock/${name}.nc`, "--setup", `examples/stock/${name}.toml`, "-o", join(OUT, `${picture}.png`)];
+    execFileSync(CHORDAL, run, { cwd: ROOT });
+  }
 }
 
 /** The first page of a setup sheet, and a picture file: their colours are those of the page. */

@@ -197,3 +197,43 @@ test("what is touched is a problem of its line, and a click shows the stock ther
   await page.close();
   rmSync(folder, { recursive: true, force: true });
 });
+
+test("at the end undercuts are drawn, and at any other moment what is above them", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "chordal-undercut-"));
+  const [program, setup] = [join(folder, "part.nc"), join(folder, "setup.toml")];
+  const pass = (tool) => `T${tool} M6\nS1000 M3\nG0 X-20. Y0.\nG43 H${tool} Z5.\nG0 Z-12.\nG1 X120. F600.\nG0 Z20.\n`;
+  writeFileSync(program, `G21 G90 G17 G54\n${pass(1)}${pass(2)}M30\n`);
+  writeFileSync(setup, [
+    'machine = "haas-vf2"', "[stock]", 'shape = "box"', 'from = { X = "0 mm", Y = "-30 mm", Z = "-20 mm" }',
+    'to = { X = "100 mm", Y = "30 mm", Z = "0 mm" }', "[tools.1]", 'shape = "flat"', 'diameter = "10 mm"', 'flute_length = "25 mm"',
+    "[tools.2]", 'shape = "t-slot"', 'diameter = "20 mm"', 'flute_length = "4 mm"', 'shank_diameter = "9 mm"', "",
+  ].join("\n"));
+  const { page, complaints } = await show(program, setup);
+  await page.waitForFunction(() => window.chordal.view.stock.shownPart);
+  await complete(page);
+  await page.locator("#stock summary").click();
+  assert.match(await page.locator("#stock").innerText(), /Undercuts are drawn at the end/);
+  // In the wall beside the slot there is a gap from 8 to 12 mm down.
+  const gap = await page.evaluate(() => {
+    const { corners } = window.chordal.view.stock.shownPart;
+    const heights = new Set();
+    for (let at = 0; at < corners.length; at += 3) if (Math.abs(corners[at + 1] - 9) < 1.1) heights.add(Math.round(corners[at + 2]));
+    return [...heights].sort((a, b) => a - b);
+  });
+  assert.ok(gap.includes(-8) && gap.includes(-12), String(gap));
+  await page.keyboard.press("Escape");
+  await picture(page, "stock-undercut");
+  await page.locator("#stock summary").click();
+  await page.locator("#stock-axis").selectOption("x");
+  await complete(page);
+  await picture(page, "stock-undercut-open");
+  await seek(page, 5);
+  assert.equal(await page.evaluate(() => window.chordal.view.stock.shownPart === undefined), true);
+  assert.equal(await heightAt(page, 90, 0), 0);
+  const total = await page.evaluate(() => window.chordal.setpoints().totalS);
+  await seek(page, total);
+  assert.ok(await page.evaluate(() => window.chordal.view.stock.shownPart.triangles) > 50);
+  assert.deepEqual(complaints, []);
+  await page.close();
+  rmSync(folder, { recursive: true, force: true });
+});

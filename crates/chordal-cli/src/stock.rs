@@ -202,15 +202,6 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
             for path in &args.output {
                 say(&format!("written: {}\n", path.display()))?;
             }
-            if found.is_hollow && !args.output.is_empty() {
-                say("note: the stock is hollow from below; what is written has a flat bottom\n")?;
-            }
-            if found.sides > 1 && !args.output.is_empty() {
-                say("note: what is written is cut only while all rotary axes are at zero\n")?;
-            }
-            if found.stock.has_gaps() && !args.output.is_empty() {
-                say("note: what is written is seen from above: gaps of undercuts are filled\n")?;
-            }
         }
         Format::Json => say(&stock_json(&found, loaded.name()))?,
         Format::Sarif => {

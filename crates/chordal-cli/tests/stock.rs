@@ -2,6 +2,7 @@
 
 mod common;
 
+use chordal::stock::mesh::{LengthUnit, StlOptions, read_stl};
 use common::Folder;
 
 const SETUP: &str = "machine = 'haas-vf2'
@@ -88,7 +89,15 @@ flute_length = '25 mm'
     folder
         .run(&["stock", "part.nc", "--setup", "op2.toml", "-o", "two.stl"])
         .ends(0)
-        .says(&["clean: no rapid", "hollow from below"]);
+        .says(&["clean: no rapid", "written: two.stl"]);
+    // What the first side has hollowed out is in the mesh as well.
+    let done = folder.run(&["stock", "part.nc", "--setup", "op2.toml", "--format", "json"]).ends(0);
+    let found: serde_json::Value = serde_json::from_str(&done.out).expect("JSON");
+    let (left, volume) = (&found["left_mm3"], volume_of(&folder, "two.stl"));
+    assert!(left["least"].as_f64() <= Some(volume) && left["most"].as_f64() >= Some(volume));
+    // Below the slot nothing is cut twice: what the tool removes is known.
+    let of_tool = &found["tools"][0]["removed_mm3"];
+    assert!(of_tool["least"].as_f64() > Some(1_500.0), "{of_tool}");
     // A smooth mesh is closed as well.
     folder.write("op3.toml", second.replace("left.stl", "smooth.stl"));
     folder.run(&["stock", "part.nc", "--setup", "op3.toml"]).ends(0);
@@ -145,6 +154,16 @@ fn wrong_setups_are_drawn() {
         .complains(&[".stl, .3mf, .glb, .png"]);
 }
 
+/// The volume of a mesh file, which must be closed, mm³.
+fn volume_of(folder: &Folder, name: &str) -> f64 {
+    let bytes = folder.bytes(name);
+    let unit = LengthUnit::Millimetre;
+    let options = StlOptions { unit, weld: 0.0, limit: usize::MAX };
+    let mesh = read_stl(&bytes, &options).expect("STL").mesh;
+    assert!(mesh.edges().are_paired(), "{:?}", mesh.edges());
+    mesh.volume()
+}
+
 const T_SLOT: &str = "machine = 'haas-vf2'
 [stock]
 shape = 'box'
@@ -191,7 +210,23 @@ fn a_t_slot_is_cut_below_a_slot_and_its_neck_must_fit() {
     folder
         .run(&["stock", "in.nc", "--setup", "t.toml", "-o", "left.stl"])
         .ends(0)
-        .says(&["clean: no rapid", "gaps of undercuts are filled"]);
+        .says(&["clean: no rapid", "written: left.stl"]);
+    // The mesh has the gaps: closed, and its volume is between the bounds.
+    let left = &found["left_mm3"];
+    let volume = volume_of(&folder, "left.stl");
+    assert!(left["least"].as_f64() <= Some(volume) && left["most"].as_f64() >= Some(volume));
+    assert!((volume - 104_000.0).abs() < 500.0, "{volume}");
+    folder
+        .run(&[
+            "stock", "in.nc", "--setup", "t.toml", "-o", "left.3mf", "-o", "left.glb", "-o",
+            "left.png",
+        ])
+        .ends(0)
+        .says(&["written: left.3mf", "written: left.glb", "written: left.png"]);
+    folder
+        .run(&["stock", "in.nc", "--setup", "t.toml", "-o", "smooth.stl", "--smooth", "0.02mm"])
+        .ends(2)
+        .complains(&["a smooth mesh has no undersides", "leave --smooth out"]);
     folder
         .run(&["stock", "aside.nc", "--setup", "t.toml"])
         .ends(1)

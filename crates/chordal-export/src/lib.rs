@@ -89,9 +89,9 @@ pub use samples::{SampleFormat, SampleWriter};
 pub use setpoints::{SAMPLE_SCHEMA, SampleHead};
 pub use stock::{
     MeshFormat, MeshSurface, StockMeshError, engagement_json, engagement_text, section_dxf,
-    stock_json, stock_left_text, stock_mesh, stock_png, stock_surface, stock_text,
-    stock_verdict_text, stock_volume, turned_json, turned_mesh, turned_text, turned_verdict_text,
-    turning_json, turning_text,
+    stock_json, stock_left_text, stock_mesh, stock_png, stock_text, stock_verdict_text,
+    stock_volume, turned_json, turned_mesh, turned_text, turned_verdict_text, turning_json,
+    turning_text,
 };
 pub use time::{
     TimeDocument, comment_text, junctions_text, level_word, short_blocks_text, time_json,

@@ -2,7 +2,7 @@
 
 use chordal::geometry::Vec3;
 use chordal::stock::{StockReport, StockRunError};
-use chordal_export::{MeshFormat, MeshSurface, stock_json, stock_mesh, stock_png, stock_surface};
+use chordal_export::{MeshFormat, MeshSurface, stock_json, stock_mesh, stock_png};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -64,7 +64,7 @@ impl Stock {
 
     /// Vertices and triangles of what is left; heights that differ by no more than the tolerance are one face, mm.
     fn mesh(&self, py: Python<'_>, tolerance_mm: f64) -> PyResult<(Block, Block)> {
-        let mesh = py.detach(|| stock_surface(&self.found, tolerance_mm));
+        let mesh = py.detach(|| self.found.surface(tolerance_mm));
         let mesh = mesh.map_err(|wrong| coarser(py, &wrong.to_string()))?.mesh;
         let vertices = mesh.vertices().iter().map(|vertex| vertex.to_array()).collect();
         Ok((rows(vertices)?, indices(mesh.triangles().to_vec())?))

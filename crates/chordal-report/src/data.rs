@@ -436,8 +436,6 @@ pub struct Stock {
     pub verdict: &'static str,
     /// The same as a sentence.
     pub sentence: &'static str,
-    /// Gaps of undercuts are in the volumes, and not in the picture.
-    pub gaps_not_drawn: bool,
     /// Parts that were cut off, which are part of what is left.
     pub parts: Rows<StockPart>,
     /// By tool, in the order of their first cut.

@@ -1,6 +1,7 @@
 //! The stock of a run: what is lowered when, as columns, then what is touched.
 
 use chordal::Job;
+use chordal::stock::mesh::Mesh;
 use chordal::stock::{
     Amount, Drop, Replay, ReplayOptions, StockBefore, StockOptions, StockReport, StockRunError,
 };
@@ -26,6 +27,10 @@ const MOST_DROPS: usize = 6_000_000;
 /// Where there would be more, columns may seem this share of their side too high for a while; where that is not
 /// enough there are fewer columns.
 const LAG: f64 = 0.5;
+/// Triangles of the part at most, 36 bytes each.
+const MOST_TRIANGLES: usize = 400_000;
+/// Tops and undersides are joined that differ by no more than this share of a column: the next where it is too much.
+const JOINED: [f64; 3] = [0.1, 0.5, 2.0];
 /// Drops of a message, about: a page is busy with each without a break.
 const BATCH: usize = 65_536;
 
@@ -58,6 +63,9 @@ impl<'a> Cutting<'a> {
             Ok(true) => match job.stock(&StockOptions::default(), &files) {
                 Ok(found) => {
                     out.json(&told(run, &found, &job));
+                    if found.has_undersides() {
+                        part(run, &found, out);
+                    }
                     return self.engagement(&job, &files, out);
                 }
                 Err(StockRunError::Interrupted) => return,
@@ -125,6 +133,21 @@ fn told(run: u64, found: &StockReport, job: &Job) -> Value {
     told["removed_mm3"] = between(found.removed_mm3);
     told["left_mm3"] = between(found.left_mm3);
     told
+}
+
+/// Sends what is left at the end as triangles: heights alone do not say it.
+fn part(run: u64, found: &StockReport, out: &Outbox) {
+    let is_too_much = |mesh: &Mesh| mesh.triangles().len() > MOST_TRIANGLES;
+    let mesh = JOINED.iter().find_map(|share| {
+        let surface = found.surface(share * found.resolution_mm).ok()?;
+        (!is_too_much(&surface.mesh)).then_some(surface.mesh)
+    });
+    let Some(mesh) = mesh else { return };
+    let corners = (0..mesh.triangles().len()).flat_map(|at| mesh.corners(at));
+    let corners: Vec<f32> = corners.flat_map(|at| at.to_array().map(|mm| mm as f32)).collect();
+    let mut frame = Frame::default();
+    frame.column("corners", &corners);
+    out.binary(frame.finish(json!({ "type": "stock_part", "run": run })));
 }
 
 /// Drops on their way.

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 use chordal_geometry::Vec3;
 use chordal_stock::mesh::write::{write_glb, write_stl, write_threemf};
-use chordal_stock::mesh::{HeightField, LengthUnit, Mesh};
+use chordal_stock::mesh::{HeightField, LayerField, LengthUnit, Mesh, Stretches};
 
 const COLUMNS: usize = 160;
 const ROWS: usize = 120;
@@ -36,6 +36,24 @@ fn height(column: usize, row: usize, touching: bool) -> f32 {
         0.0
     };
     -depth as f32
+}
+
+/// A block with a bent T-slot, a ball hollowed out of its bottom, and slabs that touch in their edges.
+fn layers(column: usize, row: usize) -> Vec<[f64; 2]> {
+    let (x, y) = (column as f64, row as f64 - 0.004 * (column * column) as f64);
+    let ball = 400.0 - (x - 110.0).powi(2) - (row as f64 - 95.0).powi(2);
+    if ball > 0.0 {
+        return vec![[0.5 * ball.sqrt(), 20.0]];
+    }
+    if column > 135 && row < 60 {
+        let is_odd = (column / 6 + row / 6) % 2 == 1;
+        return if is_odd { vec![[0.0, 4.0], [8.0, 12.0]] } else { vec![[4.0, 8.0], [12.0, 20.0]] };
+    }
+    match (y - 30.0).abs() {
+        far if far < 10.0 => vec![[0.0, 8.0]],
+        far if far < 20.0 => vec![[0.0, 8.0], [12.0, 20.0]],
+        _ => vec![[0.0, 20.0]],
+    }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -64,6 +82,19 @@ fn main() -> Result<(), Box<dyn Error>> {
             let name = format!("{name}-smooth");
             rows.push(write(&folder, &name, &smooth, smooth.volume(), Mesh::clone)?);
         }
+    }
+    for tolerance in [0.0, 0.05, 0.5] {
+        let mut stretches = Stretches::default();
+        for cell in 0..COLUMNS * ROWS {
+            stretches.push(layers(cell % COLUMNS, cell / COLUMNS));
+        }
+        let origin = Vec3::new(-12.5, 100.0, 40.0);
+        let field =
+            LayerField { origin, cell: 0.25, columns: COLUMNS, rows: ROWS, stretches: &stretches };
+        let steps = field.mesh(tolerance)?;
+        let parted = |_: &Mesh| steps.clone().parted(GAP);
+        let name = format!("layers-{tolerance}");
+        rows.push(write(&folder, &name, &steps.mesh, steps.mesh.volume(), parted)?);
     }
     fs::write(folder.join("meshes.json"), format!("[{}]\n", rows.join(",\n")))?;
     Ok(())

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use chordal_geometry::Vec3;
 use chordal_stock::mesh::write::write_stl;
 use chordal_stock::mesh::{
-    HeightField, HeightFieldError, HeightMesh, LengthUnit, Mesh, StlOptions, read_stl,
+    HeightField, HeightFieldError, HeightMesh, LayerField, LengthUnit, Mesh, StlOptions, Stretches,
+    read_stl,
 };
 use proptest::prelude::*;
 
@@ -53,10 +54,14 @@ fn is_manifold(mesh: &Mesh) -> bool {
 fn check(field: &HeightField, tolerance: f64) -> HeightMesh {
     let made = field.mesh(tolerance).unwrap();
     assert!(made.deviation <= tolerance);
-    let volume = field.volume();
     // Joined faces have heights in steps of 2⁻¹⁶ mm, and what that leaves is at most half a step over one face.
     let area = (field.columns * field.rows) as f64 * field.cell * field.cell;
     let rounding = if tolerance > 0.0 { area / 131_072.0 } else { 0.0 };
+    is_whole(made, field.volume(), rounding)
+}
+
+/// A closed surface with a volume, also after it was a file without shared vertices.
+fn is_whole(made: HeightMesh, volume: f64, rounding: f64) -> HeightMesh {
     let off = (made.mesh.volume() - volume).abs();
     assert!(off <= 1e-10 * (1.0 + volume) + rounding, "{off}");
     if volume > 0.0 {
@@ -67,7 +72,7 @@ fn check(field: &HeightField, tolerance: f64) -> HeightMesh {
         let unit = LengthUnit::Millimetre;
         let back = read_stl(&bytes, &StlOptions { unit, weld: 0.0, limit: usize::MAX }).unwrap();
         assert!(back.mesh.edges().are_paired(), "{:?}", back.mesh.edges());
-        assert!((back.mesh.volume() - volume).abs() <= 1e-3 * volume);
+        assert!((back.mesh.volume() - volume).abs() <= 1e-3 * volume + rounding);
     } else {
         assert!(made.mesh.triangles().is_empty());
     }
@@ -181,4 +186,97 @@ proptest! {
             }
         }
     }
+
+    #[test]
+    fn any_layers_are_closed(
+        columns in 1..7_usize,
+        // Which of six slabs of 1 mm are there, and how much less of each.
+        cells in proptest::collection::vec((0..64_u8, 0.0..0.2_f64), 1..60),
+        tolerance in prop_oneof![Just(0.0), 0.0..0.1_f64],
+        level in any::<bool>(),
+    ) {
+        let rows = cells.len() / columns;
+        let column = |&(slabs, rest): &(u8, f64)| -> Column {
+            let rest = if level { 0.0 } else { rest };
+            let mut column = Column::new();
+            for slab in (0..6_u8).filter(|slab| slabs & 1 << slab != 0) {
+                let [from, to] = [f64::from(slab), f64::from(slab) + 1.0];
+                match column.last_mut() {
+                    Some(last) if last[1] > from - 0.5 => last[1] = to - rest,
+                    _ => column.push([if slab > 0 { from + rest } else { 0.0 }, to - rest]),
+                }
+            }
+            column
+        };
+        layered(columns, &cells[..rows * columns].iter().map(column).collect::<Vec<_>>(), tolerance);
+    }
+}
+
+/// A column of a few stretches.
+type Column = Vec<[f64; 2]>;
+
+fn layered(columns: usize, cells: &[Column], tolerance: f64) -> HeightMesh {
+    let mut stretches = Stretches::default();
+    cells.iter().for_each(|cell| stretches.push(cell.iter().copied()));
+    let field = LayerField {
+        origin: Vec3::new(-3.0, 7.0, 20.0),
+        cell: 0.5,
+        columns,
+        rows: cells.len() / columns,
+        stretches: &stretches,
+    };
+    let made = field.mesh(tolerance).unwrap();
+    let ends = stretches.length() / 0.5;
+    // Every end is at most so far off, and thin gaps are filled.
+    let off = 4.0 * (tolerance + 1.0 / 1024.0);
+    let area = cells.iter().map(|cell| 2 * cell.len()).sum::<usize>() as f64 * 0.25;
+    let rounding = if ends > 0.0 { off * area } else { 0.0 };
+    assert!(made.deviation <= tolerance + 1.0 / 1024.0);
+    is_whole(made, field.volume(), rounding)
+}
+
+#[test]
+fn columns_with_gaps_that_touch_in_every_way() {
+    // Undersides are half a step above the tops that they would touch.
+    let columns: [Column; 7] = [
+        vec![],
+        vec![[0.0, 3.0]],
+        vec![[0.0, 1.0]],
+        vec![[0.0, 1.0], [2.0, 3.0]],
+        vec![[2.0, 3.0]],
+        vec![[1.0, 2.0]],
+        vec![[0.0, 0.5], [1.0, 2.0], [2.5, 3.0]],
+    ];
+    for which in 0..7_usize.pow(4) {
+        let cells = [1, 7, 49, 343].map(|power| columns[which / power % 7].clone());
+        layered(2, &cells, 0.0);
+    }
+}
+
+#[test]
+fn a_t_slot_is_a_few_faces_with_its_volume() {
+    // 100 × 60 mm, 20 high; the slot 10 wide, and 20 wide from 8 to 12.
+    let cells: Vec<Column> = (0..120 * 200)
+        .map(|cell| match (cell / 200) as f64 * 0.5 + 0.25 - 30.0 {
+            y if y.abs() < 5.0 => vec![[0.0, 8.0]],
+            y if y.abs() < 10.0 => vec![[0.0, 8.0], [12.0, 20.0]],
+            _ => vec![[0.0, 20.0]],
+        })
+        .collect();
+    let made = layered(200, &cells, 0.0);
+    // Half a step off an underside of 1000 mm².
+    let volume = 100.0 * (60.0 * 20.0 - 10.0 * 12.0 - 10.0 * 4.0);
+    assert!((made.mesh.volume() - volume).abs() < 1000.0 / 2048.0 + 1e-6);
+    assert!(made.mesh.triangles().len() < 100, "{}", made.mesh.triangles().len());
+}
+
+#[test]
+fn layers_of_no_grid_and_no_number_are_refused() {
+    let mut stretches = Stretches::default();
+    stretches.push([[0.0, f64::NAN]]);
+    let field =
+        LayerField { origin: Vec3::ZERO, cell: 1.0, columns: 1, rows: 1, stretches: &stretches };
+    assert!(matches!(field.mesh(0.0), Err(HeightFieldError::Height { .. })));
+    let wrong = LayerField { rows: 2, ..field };
+    assert!(matches!(wrong.mesh(0.0), Err(HeightFieldError::Count { .. })));
 }

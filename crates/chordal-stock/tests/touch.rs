@@ -120,7 +120,17 @@ fn refine(tasks: &[Task<'_>], resolution: f64, finest: f64) -> Checked {
     let bounds = Aabb { min: point([0.0, 0.0, -20.0]), max: point([40.0, 30.0, 0.0]) };
     let heights = |_: [f64; 2], _: [f64; 2]| [0.0, 0.0];
     let options = Options::new(resolution, BUDGET);
-    Check { bounds, options, heights: &heights, tasks, tolerance: TOLERANCE, finest }.run().unwrap()
+    let check = Check {
+        bounds,
+        options,
+        heights: &heights,
+        hollows: None,
+        tasks,
+        lowered: &[],
+        tolerance: TOLERANCE,
+        finest,
+    };
+    check.run().unwrap()
 }
 
 #[test]

@@ -4,8 +4,10 @@ mod support;
 
 use std::f64::consts::TAU;
 
-use chordal_geometry::{Aabb, Arc, Curve, Frame, ParamCurve, Vec3};
-use chordal_stock::{Body, Cutter, Move, Options, Stock, StockError, Touch, Undercut};
+use chordal_geometry::{Aabb, Arc, Curve, Frame, Line, ParamCurve, Vec3};
+use chordal_stock::{
+    Amount, Body, Cutter, Move, Options, Span, Stock, StockError, Touch, Undercut,
+};
 use support::{BUDGET, Random, line, path, point, stock};
 
 /// One cut of a program.
@@ -168,7 +170,7 @@ fn places_are_gone_or_left_as_the_columns_say() {
                 let cell = [0, 1].map(|axis| ((at[axis] + 12.0) / 0.25) as u32);
                 let heights = part.heights_at(cell[0], cell[1]).unwrap();
                 let [surely, maybe] = part.gaps_at(cell[0], cell[1]);
-                let within = |spans: &[chordal_stock::Span]| {
+                let within = |spans: &[Span]| {
                     spans.iter().any(|span| span.floor <= at[2] && at[2] <= span.top)
                 };
                 let inside = moves
@@ -269,4 +271,36 @@ fn volumes_by_tag_and_threads() {
         assert_eq!(part.gaps_at(column, row), other.gaps_at(column, row));
     }
     assert!((part.removed().least..=part.removed().most).contains(&(140.0 * 100.0)));
+}
+
+#[test]
+fn stock_that_is_hollow_from_below_is_cut_into_its_hollow() {
+    // 40 × 20 × 20 mm; from x = 20 on 8 mm are missing below.
+    let bounds = Aabb::of_points(Vec3::new(0.0, 0.0, -20.0), Vec3::new(40.0, 20.0, 0.0));
+    let mut stock = Stock::new(bounds, Options::new(0.5, 100_000_000)).unwrap();
+    stock.hollow(&|[low, _]| {
+        let spans = if low[0] >= 20.0 - 1e-9 {
+            vec![Span { floor: -20.0, top: -12.0 }]
+        } else {
+            Vec::new()
+        };
+        [spans.clone(), spans]
+    });
+    let whole = 40.0 * 20.0 * 20.0 - 20.0 * 20.0 * 8.0;
+    let Amount { least, most } = stock.left();
+    assert!((least - whole).abs() < 0.1 && (most - whole).abs() < 0.1, "{least} {most}");
+    assert_eq!(stock.removed().most, 0.0);
+    // A slot of 10 mm, 15 deep: through the roof of the hollow, which is 12 thick.
+    let flat = Cutter::flat(10.0).unwrap();
+    let slot = Line::new(Vec3::new(-20.0, 10.0, -15.0), Vec3::new(60.0, 10.0, -15.0));
+    stock.cut(&flat, &[Move { curve: slot.into(), tag: 0 }]);
+    let removed = stock.removed();
+    let truth = 10.0 * (20.0 * 15.0 + 20.0 * 12.0);
+    assert!(removed.least <= truth && truth <= removed.most, "{removed:?}");
+    // Each of the two walls is known to a column on either side of it.
+    assert!(removed.most - removed.least < 4.0 * 0.5 * truth / 10.0 + 1.0, "{removed:?}");
+    // The hollow is open there, and closed beside the slot.
+    assert_eq!(stock.heights_at(60, 20).unwrap().outer, -20.0);
+    assert_eq!(stock.gaps_at(60, 2)[0], [Span { floor: -20.0, top: -12.0 }]);
+    assert!(stock.gaps_at(60, 20)[0].is_empty());
 }

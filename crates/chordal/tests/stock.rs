@@ -8,6 +8,9 @@ mod turned;
 
 use std::f64::consts::PI;
 
+use chordal::geometry::Vec3;
+use chordal::stock::mesh::write::write_stl;
+use chordal::stock::mesh::{LayerField, LengthUnit, Mesh, Stretches};
 use chordal::stock::{Runner, StockOptions, StockReport, StockVerdict, TileJob};
 use chordal::{Job, Machine, Source, SourceMap};
 
@@ -40,6 +43,15 @@ impl Random {
 fn machine(setup: &str) -> Machine {
     let none = |name: &str| Err(format!("no file {name}"));
     Machine::from_toml("setup.toml", setup, &none).expect("a good setup")
+}
+
+/// The same with a mesh file `part.stl`.
+fn run_with(setup: &str, program: &str, mesh: &[u8]) -> StockReport {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", program.as_bytes().to_vec()));
+    let job = Job::new(sources, machine(setup)).expect("settings of the control");
+    let options = StockOptions { resolution_mm: Some(RESOLUTION), ..StockOptions::default() };
+    job.stock(&options, &|_| Ok(mesh.to_vec())).expect("stock")
 }
 
 fn run(setup: &str, program: &str) -> StockReport {
@@ -287,7 +299,88 @@ fn a_thread_mill_cuts_its_thread() {
     let ring = PI * (11.8_f64.powi(2) - 11.0_f64.powi(2)) * 6.0;
     assert!(thread.least < ring && thread.most > 0.2 * ring, "{thread:?} {ring}");
     assert!(found.stock.has_gaps());
+    surface_of(&found);
     assert!(found.problems.iter().all(|problem| problem.code.info().name == "stock-not-proved"));
+}
+
+/// The part that is left, as a closed surface.
+fn surface_of(found: &StockReport) -> Mesh {
+    assert!(found.has_undersides());
+    let mesh = found.surface(0.1 * RESOLUTION).expect("a surface").mesh;
+    assert!(mesh.edges().are_paired(), "{:?}", mesh.edges());
+    let volume = mesh.volume();
+    assert!(found.left_mm3.least <= volume && volume <= found.left_mm3.most, "{volume}");
+    mesh
+}
+
+const T_SLOT: &str = r#"
+machine = "haas-vf2"
+[stock]
+shape = "box"
+from = { X = "0 mm", Y = "-30 mm", Z = "-20 mm" }
+to = { X = "100 mm", Y = "30 mm", Z = "0 mm" }
+[tools.1]
+shape = "flat"
+diameter = "10 mm"
+flute_length = "25 mm"
+[tools.2]
+shape = "t-slot"
+diameter = "20 mm"
+flute_length = "4 mm"
+shank_diameter = "9 mm"
+"#;
+
+/// Passes along X at Z-12, each with a tool.
+fn passes(tools: &[u32]) -> String {
+    let pass = |tool: &u32| {
+        format!(
+            "T{tool} M6\nS1000 M3\nG0 X-20. Y0.\nG43 H{tool} Z5.\nG0 Z-12.\nG1 X120. F600.\nG0 Z20.\n"
+        )
+    };
+    format!("O1\nG21 G90 G54\n{}M30\n", tools.iter().map(pass).collect::<String>())
+}
+
+#[test]
+fn an_undercut_is_in_the_target_or_goes_into_it() {
+    let both = passes(&[1, 2]);
+    let part = |program: &str| {
+        let found = run(T_SLOT, program);
+        let mesh = match found.stretches() {
+            Some(_) => surface_of(&found),
+            None => box_with_a_slot(),
+        };
+        write_stl(&mesh, LengthUnit::Millimetre).expect("STL")
+    };
+    let setup = format!("{T_SLOT}[target]\nfile = 'part.stl'\ntolerance = '0.6 mm'\n");
+    // The part has the undercut: nothing goes into it, and nothing is left over but for walls.
+    let with = part(&both);
+    let found = run_with(&setup, &both, &with);
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.problems);
+    let left_over = found.target.expect("a target").left_over_mm3;
+    assert!(left_over.least < 500.0 && left_over.most < 5_000.0, "{left_over:?}");
+    // Without the second tool the undercut is left over: 4 × 10 × 100.
+    let found = run_with(&setup, &passes(&[1]), &with);
+    let left_over = found.target.expect("a target").left_over_mm3;
+    assert!(left_over.least > 3_000.0, "{left_over:?}");
+    assert!(left_over.least <= 4_000.0 && 4_000.0 <= left_over.most, "{left_over:?}");
+    // The part has a slot alone: the undercut goes into its walls.
+    let found = run_with(&setup, &both, &part(&passes(&[1])));
+    assert_eq!(found.verdict, StockVerdict::Problems);
+    assert!(codes(&found).contains(&"CH626"), "{:?}", found.problems);
+    let gouge = found.problems.iter().find(|each| each.tool == 2).expect("a gouge");
+    assert!(gouge.depth_mm.least > 2.0 && gouge.depth_mm.most < 6.0, "{gouge:?}");
+}
+
+/// 100 × 60 × 20 mm with a slot of 10 × 12 along X.
+fn box_with_a_slot() -> Mesh {
+    let mut stretches = Stretches::default();
+    for row in 0..120 {
+        let is_slot = (50..70).contains(&row);
+        (0..200).for_each(|_| stretches.push([[0.0, if is_slot { 8.0 } else { 20.0 }]]));
+    }
+    let origin = Vec3::new(0.0, -30.0, -20.0);
+    let field = LayerField { origin, cell: 0.5, columns: 200, rows: 120, stretches: &stretches };
+    field.mesh(0.0).expect("a surface").mesh
 }
 
 /// A bar about the axis of a rotary table.
@@ -335,6 +428,17 @@ fn a_part_is_cut_from_several_sides() {
     assert!(removed.least > 4_499.0 && removed.most < 16_501.0, "{removed:?}");
     let left = found.left_mm3;
     assert!(left.least <= 105_000.0 && 105_000.0 <= left.most, "{left:?}");
+    // The part with all slots as one closed surface.
+    let volume = surface_of(&found).volume();
+    assert!((volume - 105_000.0).abs() < 1_000.0, "{volume}");
+    // The slot of A90 goes into one of the sides along Y, from 10 to 20 mm above the bottom.
+    let stretches = found.stretches().expect("cut from other sides");
+    let sides = [0, 79].map(|row| stretches.of(row * 200 + 100));
+    let slotted = sides.iter().find(|side| side.len() == 2).expect("a slot");
+    // A wall is known to a column, and its place along another one to a 64th of it.
+    let near = |a: f64, b: f64| (a - b).abs() <= RESOLUTION * (1.0 + 1.0 / 64.0);
+    assert!(near(slotted[0][1], 10.0) && near(slotted[1][0], 20.0), "{slotted:?}");
+    assert!(sides.iter().any(|side| side.len() == 1));
 }
 
 #[test]
@@ -365,6 +469,40 @@ fn touches_from_several_sides_are_sure_or_not_proved_and_never_clean() {
     // Without the step it is a touch.
     let found = run(BAR, &indexed(&[("90.", through)]));
     assert_eq!(found.verdict, StockVerdict::Problems);
+}
+
+#[test]
+fn sides_in_turn_know_what_the_others_have_removed_since() {
+    let slot = SLOT.replace("Z10.", "Z15.");
+    let step = "G0 X-20. Y-5.\nZ10.\nG1 X120. F600.\nG0 Y-14.\nG1 X-20.\nG0 Y-18.\nG1 X120.\n";
+    let half = &step[..step.find("G0 Y-14.").unwrap()];
+    let through = "G0 X-20. Y16.\nZ1.\nG0 X120.\n";
+    let verdict = |sides: &[(&str, &str)]| {
+        let found = run(BAR, &indexed(sides));
+        let removed = found.removed_mm3;
+        assert!(removed.least <= removed.most, "{removed:?}");
+        (found.verdict, removed)
+    };
+    // The other half of the step is cut while the second side waits for its rapid through it.
+    let (clean, removed) = verdict(&[("0.", half), ("90.", &slot), ("0.", step), ("90.", through)]);
+    assert_eq!(clean, StockVerdict::Clean);
+    // A step of 5 × 20 × 100 and a slot of 5 × 10 × 100, which do not meet.
+    assert!(removed.least <= 15_000.0 && 15_000.0 <= removed.most, "{removed:?}");
+    assert!(removed.least > 9_000.0 && removed.most < 17_000.0, "{removed:?}");
+    // Before that it is there.
+    for sides in [
+        [("0.", half), ("90.", &*slot), ("90.", through), ("0.", step)],
+        [("90.", &*slot), ("0.", half), ("90.", through), ("0.", step)],
+    ] {
+        assert_eq!(verdict(&sides).0, StockVerdict::NotProved, "{sides:?}");
+    }
+    // However often the sides change: what comes later is never known.
+    let mut often: Vec<(&str, &str)> = Vec::new();
+    for _ in 0..9 {
+        often.extend([("0.", half), ("90.", &*slot)]);
+    }
+    often.extend([("90.", through), ("0.", step)]);
+    assert_eq!(verdict(&often).0, StockVerdict::NotProved);
 }
 
 #[test]

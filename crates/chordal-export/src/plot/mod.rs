@@ -1,5 +1,6 @@
 //! The path as a drawing: three views and an isometric one on a sheet, as SVG or PNG.
 
+mod depths;
 mod figure;
 mod figure_labels;
 mod frame;

@@ -4,10 +4,15 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use chordal::geometry::{Aabb, Vec3};
 use chordal::stock::StockReport;
+use chordal::stock::mesh::Mesh;
 use resvg::tiny_skia::{Pixmap, PixmapPaint, PremultipliedColorU8, Transform};
 
+use super::depths::Depths;
 use super::text::px;
 use super::view::{Panel, Rect};
+
+/// Tops and undersides are joined that differ by no more than this share of a column.
+const JOINED: f64 = 0.1;
 
 /// Pixels of the picture for each of the sheet, along a side: edges are not jagged in print.
 const FINE: f64 = 2.0;
@@ -33,6 +38,10 @@ pub(super) struct Relief {
     /// Their heights, row by row, mm.
     z: Vec<f64>,
     lowest: f64,
+    /// The side of a column, mm.
+    column: f64,
+    /// Where the surface has undersides it is drawn as triangles.
+    solid: Option<Mesh>,
 }
 
 impl Relief {
@@ -54,17 +63,21 @@ impl Relief {
         let width = columns + 2;
         let mut z = vec![bottom; width * (rows + 2)];
         let mut lowest = bounds.max.z;
-        for (index, pair) in found.stock.height_pairs().iter().enumerate() {
+        for (index, &height) in found.tops().iter().enumerate() {
             let (column, row) = (index % columns, index / columns);
-            let height = 0.5 * (pair.outer + pair.inner.max(bottom));
-            z[(row + 1) * width + column + 1] = height.max(bottom);
+            z[(row + 1) * width + column + 1] = height;
             if height > bottom {
                 lowest = lowest.min(height);
             }
         }
         let x = along(bounds.min.x, bounds.max.x, columns);
         let y = along(bounds.min.y, bounds.max.y, rows);
-        Relief { bounds, x, y, z, lowest }
+        let surface = found.has_undersides().then(|| {
+            // Without one the tops alone are drawn.
+            found.surface(JOINED * grid.resolution()).ok()
+        });
+        let solid = surface.flatten().map(|surface| surface.mesh);
+        Relief { bounds, x, y, z, lowest, column: grid.resolution(), solid }
     }
 
     /// The box of the stock before the first cut.
@@ -88,39 +101,21 @@ impl Relief {
         Vec3::new(-slope(along.z, along.x), -slope(up.z, up.y), 1.0).normalized().unwrap_or(Vec3::Z)
     }
 
-    /// Draws it as a panel sees it; `None` where the panel has no size.
-    pub fn draw(&self, panel: &Panel, dark: bool) -> Option<Drawn> {
-        let Rect { width, height, .. } = panel.rect;
-        let fine = FINE.min(LONGEST / width.max(height));
-        let size = |length: f64| (length * fine).ceil().max(1.0) as u32;
-        let mut canvas = Canvas::new(size(width), size(height));
-        let base = if dark { DARK_STOCK } else { LIGHT_STOCK };
-        let eye = panel.view.eye();
-        let light = panel.view.right * LIGHT.x + panel.view.up * LIGHT.y + eye * LIGHT.z;
-        let span = (self.bounds.max.z - self.lowest).max(1e-9);
+    /// Draws the tops of the columns, with walls between them.
+    fn draw_tops(
+        &self,
+        canvas: &mut Canvas,
+        corner: &impl Fn(Vec3, Vec3) -> Corner,
+        shade: &impl Fn(Vec3, f64) -> Vec3,
+    ) {
         let columns = self.x.len();
         let rows: Vec<Vec<Corner>> = (0..self.y.len())
             .map(|row| {
-                let corner = |column: usize| {
-                    let at = self.corner(column, row);
-                    let (x, y) = panel.place(at);
-                    let deep = ((self.bounds.max.z - at.z) / span).clamp(0.0, 1.0);
-                    Corner {
-                        x: (x - panel.rect.x) * fine,
-                        y: (y - panel.rect.y) * fine,
-                        near: eye.dot(at),
-                        normal: self.normal(column, row),
-                        tone: 1.0 - (1.0 - DEEP) * deep,
-                        is_empty: at.z <= self.bounds.min.z,
-                    }
-                };
+                let corner =
+                    |column: usize| corner(self.corner(column, row), self.normal(column, row));
                 (0..columns).map(corner).collect()
             })
             .collect();
-        let shade = |normal: Vec3, tone: f64| {
-            let lit = normal.normalized().map_or(0.0, |normal| normal.dot(light)).max(0.0);
-            base * (tone * (AMBIENT + (1.0 - AMBIENT) * lit / LIGHT.z).min(1.08))
-        };
         for pair in rows.windows(2) {
             for column in 0..columns - 1 {
                 let [a, b] = [&pair[0][column], &pair[0][column + 1]];
@@ -134,12 +129,77 @@ impl Relief {
                 };
                 for corners in triangles {
                     if !corners.iter().all(|corner| corner.is_empty) {
-                        canvas.triangle(corners, &shade);
+                        canvas.triangle(corners, shade);
                     }
                 }
             }
         }
+    }
+
+    /// Draws it as a panel sees it; `None` where the panel has no size.
+    pub fn draw(&self, panel: &Panel, dark: bool) -> Option<Drawn> {
+        let Rect { width, height, .. } = panel.rect;
+        let fine = FINE.min(LONGEST / width.max(height));
+        let size = |length: f64| (length * fine).ceil().max(1.0) as u32;
+        let mut canvas = Canvas::new(size(width), size(height));
+        let base = if dark { DARK_STOCK } else { LIGHT_STOCK };
+        let eye = panel.view.eye();
+        let light = panel.view.right * LIGHT.x + panel.view.up * LIGHT.y + eye * LIGHT.z;
+        let span = (self.bounds.max.z - self.lowest).max(1e-9);
+        let shade = |normal: Vec3, tone: f64| {
+            let lit = normal.normalized().map_or(0.0, |normal| normal.dot(light)).max(0.0);
+            base * (tone * (AMBIENT + (1.0 - AMBIENT) * lit / LIGHT.z).min(1.08))
+        };
+        let corner = |at: Vec3, normal: Vec3| {
+            let (x, y) = panel.place(at);
+            let deep = ((self.bounds.max.z - at.z) / span).clamp(0.0, 1.0);
+            Corner {
+                x: (x - panel.rect.x) * fine,
+                y: (y - panel.rect.y) * fine,
+                near: eye.dot(at),
+                normal,
+                tone: 1.0 - (1.0 - DEEP) * deep,
+                is_empty: at.z <= self.bounds.min.z,
+            }
+        };
+        match &self.solid {
+            Some(mesh) => draw_solid(mesh, self.column, panel, &mut canvas, &corner, base),
+            None => self.draw_tops(&mut canvas, &corner, &shade),
+        }
         Some(Drawn { rect: panel.rect, fine, pixmap: canvas.into_pixmap()? })
+    }
+}
+
+/// Draws triangles, with the light of the slope that steps of columns make together.
+fn draw_solid(
+    mesh: &Mesh,
+    column: f64,
+    panel: &Panel,
+    canvas: &mut Canvas,
+    corner: &impl Fn(Vec3, Vec3) -> Corner,
+    base: Vec3,
+) {
+    let eye = panel.view.eye();
+    for triangle in 0..mesh.triangles().len() {
+        let [a, b, c] = mesh.corners(triangle);
+        if (b - a).cross(c - a).dot(eye) > 0.0 {
+            let [a, b, c] = [a, b, c].map(|at| corner(at, eye));
+            canvas.triangle([&a, &b, &c], &|_, _| base);
+        }
+    }
+    let [from, to] = [Vec3::ZERO, panel.view.right].map(|at| corner(at, eye));
+    let (near, width) = (&canvas.near, canvas.width as usize);
+    let pixel = 1.0 / (to.x - from.x).abs();
+    let normals = Depths { near, width, column, pixel }.normals();
+    let some = || near.iter().copied().filter(|near| near.is_finite());
+    let (nearest, farthest) =
+        (some().fold(f64::NEG_INFINITY, f64::max), some().fold(f64::INFINITY, f64::min));
+    for ((color, near), normal) in canvas.color.iter_mut().zip(near).zip(normals) {
+        let deep = (nearest - near) / (nearest - farthest).max(1e-9);
+        let lit = normal.dot(LIGHT).max(0.0) / LIGHT.z;
+        let tone = (1.0 - (1.0 - DEEP) * deep.clamp(0.0, 1.0)) * (AMBIENT + (1.0 - AMBIENT) * lit);
+        let own = base * tone.min(1.08);
+        *color = [own.x, own.y, own.z].map(|part| part.clamp(0.0, 255.0) as u8);
     }
 }
 

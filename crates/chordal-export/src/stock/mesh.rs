@@ -1,9 +1,7 @@
 //! What is left as a closed mesh: STL, 3MF, GLB.
 
 use chordal::stock::StockReport;
-use chordal::stock::mesh::{
-    HeightField, HeightFieldError, HeightMesh, LengthUnit, SmoothError, write,
-};
+use chordal::stock::mesh::{HeightField, HeightFieldError, LengthUnit, Mesh, SmoothError, write};
 
 /// Columns that touch in an upright edge are parted by this share of a cell in STL, which shares no vertices.
 const GAP: f64 = 1e-3;
@@ -28,6 +26,11 @@ pub enum StockMeshError {
     /// They make no smooth one.
     #[error(transparent)]
     Smooth(#[from] SmoothError),
+    /// Heights alone do not say what is left.
+    #[error(
+        "a smooth mesh has no undersides, and the part has some: undercuts, hollows or cuts from other sides"
+    )]
+    Undersides,
     /// The format has no room for it.
     #[error(transparent)]
     Write(#[from] write::WriteError),
@@ -55,13 +58,14 @@ pub fn stock_mesh(
 ) -> Result<Vec<u8>, StockMeshError> {
     let mesh = match surface {
         MeshSurface::Steps(tolerance) => {
-            let steps = stock_surface(found, tolerance)?;
+            let steps = found.surface(tolerance)?;
             match format {
                 MeshFormat::Stl => steps.parted(GAP * found.stock.grid().resolution()),
                 MeshFormat::ThreeMf | MeshFormat::Glb => steps.mesh,
             }
         }
-        MeshSurface::Smooth(tolerance) => with_field(found, |field| field.smooth(tolerance))?,
+        MeshSurface::Smooth(_) if found.has_undersides() => return Err(StockMeshError::Undersides),
+        MeshSurface::Smooth(tolerance) => smooth(found, tolerance)?,
     };
     Ok(match format {
         MeshFormat::Stl => write::write_stl(&mesh, LengthUnit::Millimetre)?,
@@ -70,28 +74,13 @@ pub fn stock_mesh(
     })
 }
 
-/// The same as a closed surface of flat tops, which are no further from their columns than `tolerance_mm`.
-///
-/// # Errors
-/// As [`stock_mesh`].
-pub fn stock_surface(
-    found: &StockReport,
-    tolerance_mm: f64,
-) -> Result<HeightMesh, HeightFieldError> {
-    with_field(found, |field| field.mesh(tolerance_mm))
-}
-
-fn with_field<T>(found: &StockReport, make: impl FnOnce(&HeightField<'_>) -> T) -> T {
+/// The surface through the middles of columns, whose heights say all of what is left.
+fn smooth(found: &StockReport, tolerance: f64) -> Result<Mesh, SmoothError> {
     let grid = found.stock.grid();
     let bounds = grid.bounds();
     let [columns, rows] = grid.cells().map(|cells| cells as usize);
-    let middle = |outer: f64, inner: f64| (0.5 * (outer + inner) - bounds.min.z).max(0.0) as f32;
-    let heights: Vec<f32> = found
-        .stock
-        .height_pairs()
-        .iter()
-        .map(|pair| middle(pair.outer, pair.inner.max(bounds.min.z)))
-        .collect();
+    let heights: Vec<f32> =
+        found.tops().iter().map(|top| (top - bounds.min.z).max(0.0) as f32).collect();
     let field = HeightField {
         origin: bounds.min,
         cell: grid.resolution(),
@@ -100,5 +89,5 @@ fn with_field<T>(found: &StockReport, make: impl FnOnce(&HeightField<'_>) -> T) 
         heights: &heights,
         floor: 0.0,
     };
-    make(&field)
+    field.smooth(tolerance)
 }

@@ -9,7 +9,7 @@ mod turned;
 
 pub use engagement::{engagement_json, engagement_text};
 pub use json::stock_json;
-pub use mesh::{MeshFormat, MeshSurface, StockMeshError, stock_mesh, stock_surface};
+pub use mesh::{MeshFormat, MeshSurface, StockMeshError, stock_mesh};
 pub use picture::stock_png;
 pub use text::{stock_text, stock_verdict_text, stock_volume};
 pub use turned::{

@@ -24,7 +24,7 @@ const EMPTY: [u8; 3] = [255, 255, 255];
 pub fn stock_png(found: &StockReport) -> Result<Vec<u8>, PlotError> {
     let grid = found.stock.grid();
     let [columns, rows] = grid.cells();
-    let pairs = found.stock.height_pairs();
+    let tops = found.tops();
     let bounds = grid.bounds();
     let scale = f64::from(LARGEST) / f64::from(columns.max(rows)).max(1.0);
     let size = |cells: u32| ((f64::from(cells) * scale).round() as u32).max(1);
@@ -33,13 +33,10 @@ pub fn stock_png(found: &StockReport) -> Result<Vec<u8>, PlotError> {
     let at = |x: i64, y: i64| {
         let x = x.clamp(0, i64::from(columns) - 1) as usize;
         let y = y.clamp(0, i64::from(rows) - 1) as usize;
-        let pair = pairs[y * columns as usize + x];
-        (0.5 * (pair.outer + pair.inner)).max(bounds.min.z)
+        tops[y * columns as usize + x]
     };
     let span = (bounds.max.z - bounds.min.z).max(1e-9);
-    let lowest =
-        pairs.iter().map(|pair| 0.5 * (pair.outer + pair.inner)).fold(bounds.max.z, f64::min);
-    let lowest = lowest.max(bounds.min.z);
+    let lowest = tops.iter().copied().fold(bounds.max.z, f64::min);
     let shown = (bounds.max.z - lowest).max(0.05 * span);
     let steep = 1.0 / grid.resolution();
     for row in 0..height {

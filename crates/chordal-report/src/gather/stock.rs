@@ -35,7 +35,6 @@ pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> Stock {
             StockLeft::Columns(found) => stock_verdict_text(found.verdict),
             StockLeft::Section(found) => turned_verdict_text(found.verdict),
         },
-        gaps_not_drawn: matches!(found, StockLeft::Columns(found) if found.stock.has_gaps()),
         parts: parts(found),
         tools: Rows {
             rows: tools.collect(),

@@ -26,9 +26,6 @@ pub fn stock(document: &Document, show: &Show) -> Markup {
                     (volumes(stock, show))
                     (left_out(&stock.parts, stock.parts.rows.len(), "parts that were cut off"))
                     (left_out(&stock.tools, stock.tools.rows.len(), "tools"))
-                    @if stock.gaps_not_drawn {
-                        p.faint { "Gaps of undercuts are in the volumes. The pictures are seen from above, without them." }
-                    }
                 }
             }
         }

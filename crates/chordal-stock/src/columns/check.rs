@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use chordal_geometry::Aabb;
 
+use super::heights::{Hollows, Lower};
 use super::plan::Task;
 use super::{AT_ONCE, Contact, Found, Job, Options, Stock, StockError, Touch};
 use crate::sweep::Move;
@@ -17,8 +18,12 @@ pub struct Check<'a> {
     pub options: Options,
     /// The stock's shape: see [`Stock::shaped`].
     pub heights: &'a dyn Fn([f64; 2], [f64; 2]) -> [f64; 2],
+    /// Where it is hollow below its tops: see [`Stock::hollow`].
+    pub hollows: Option<&'a Hollows<'a>>,
     /// What is done, in this order.
     pub tasks: &'a [Task<'a>],
+    /// What else is gone before some tasks, by their numbers: see [`Stock::lower`].
+    pub lowered: &'a [(usize, &'a Lower<'a>)],
     /// Bodies may reach so deep into stock, mm: see [`Contact::touch`].
     pub tolerance: f64,
     /// Cells are not made smaller than this, mm.
@@ -69,11 +74,12 @@ impl Check<'_> {
     /// # Errors
     /// As [`Stock::new`].
     pub fn run_by(&self, runner: &Runner<'_>) -> Result<Checked, StockError> {
-        let mut stock = Stock::shaped(self.bounds, self.options, self.heights)?;
+        let mut stock = self.begin(self.bounds, self.options)?;
         let none = |task: &Task<'_>| vec![vec![Contact::NONE; task.moves.len()]; task.bodies.len()];
         let mut contacts: Vec<Vec<Vec<Contact>>> = self.tasks.iter().map(none).collect();
         let mut open = Open::new();
         for (number, task) in self.tasks.iter().enumerate() {
+            self.lower(&mut stock, number);
             for (first, task) in chunks(*task) {
                 for found in run(&mut stock, &task, runner) {
                     let questions = found
@@ -98,6 +104,22 @@ impl Check<'_> {
             refined += self.again(part, runner, &mut contacts)?;
         }
         Ok(Checked { stock, contacts, refined })
+    }
+
+    /// The stock in a box before everything.
+    fn begin(&self, bounds: Aabb, options: Options) -> Result<Stock, StockError> {
+        let mut stock = Stock::shaped(bounds, options, self.heights)?;
+        if let Some(hollows) = self.hollows {
+            stock.hollow(hollows);
+        }
+        Ok(stock)
+    }
+
+    /// Takes what else is gone before a task.
+    fn lower(&self, stock: &mut Stock, task: usize) {
+        for (_, lower) in self.lowered.iter().filter(|(before, _)| *before == task) {
+            stock.lower(lower);
+        }
     }
 
     /// Puts what is decided, or as fine as it may be, to the contacts, and the rest to the tile's questions.
@@ -186,9 +208,10 @@ impl Check<'_> {
         contacts: &mut [Vec<Vec<Contact>>],
     ) -> Result<usize, StockError> {
         let options = Options { resolution: part.resolution, by_tag: false, ..self.options };
-        let mut stock = Stock::shaped(part.bounds, options, self.heights)?;
+        let mut stock = self.begin(part.bounds, options)?;
         let mut open = Open::new();
         for (number, task) in self.tasks.iter().enumerate() {
+            self.lower(&mut stock, number);
             let of_task = &part.numbers[number];
             let is_asked = |at: &u32| {
                 let of_task = of_task[*at as usize];

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::grid::CELLS;
+use super::grid::{BLOCKS, CELLS};
 use super::heights::{round_down, round_up};
 use crate::Span;
 
@@ -38,6 +38,8 @@ pub(crate) struct Gaps {
     columns: BTreeMap<u16, Column>,
     /// Blocks with a column that has gaps.
     blocks: u64,
+    /// By block, no gap of it reaches higher, mm; empty without any.
+    tops: Vec<f32>,
     /// Gaps of all columns together.
     count: usize,
 }
@@ -58,6 +60,11 @@ impl Gaps {
     /// Whether a column of a block has gaps.
     pub fn is_in(&self, block: usize) -> bool {
         self.blocks & (1 << block) != 0
+    }
+
+    /// Whether a gap of a block may come to light where all heights of it are at least so high.
+    pub fn may_reach(&self, block: usize, height: f32) -> bool {
+        self.is_in(block) && self.tops[block] >= height
     }
 
     pub fn is_empty(&self) -> bool {
@@ -116,6 +123,11 @@ impl Gaps {
         let inner = come_to_light(&mut column.maybe, inner.min(outer));
         if !column.is_empty() {
             self.count += column.count();
+            self.tops.resize(BLOCKS * BLOCKS, f32::NEG_INFINITY);
+            let last = [&column.surely, &column.maybe].map(|gaps| gaps.last());
+            for gap in last.into_iter().flatten() {
+                self.tops[place[0]] = self.tops[place[0]].max(gap[1]);
+            }
             self.columns.insert(key(place), column);
             self.blocks |= 1 << place[0];
         }
@@ -214,6 +226,7 @@ mod tests {
         assert_eq!(gaps.add(PLACE, both(&LOW), [0.0, 0.0], -20.0, ALL), [0.0, 0.0]);
         assert_eq!(gaps.add(PLACE, both(&NEXT), [0.0, 0.0], -20.0, ALL), [0.0, 0.0]);
         assert_eq!(gaps.of(PLACE).unwrap().surely, [[-12.0, -7.0]]);
+        assert!(gaps.may_reach(PLACE[0], -7.5) && !gaps.may_reach(PLACE[0], -6.5));
         // A cut to -7.5 is into the gap.
         assert_eq!(gaps.settle(PLACE, [-7.5, -7.5]), [-12.0, -12.0]);
         assert!(gaps.is_empty() && gaps.of(PLACE).is_none());

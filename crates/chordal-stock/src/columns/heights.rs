@@ -1,6 +1,14 @@
 //! The heights of a block, from the top of the stock.
 
 use super::grid::{CELLS, Grid};
+use crate::Span;
+
+/// A height above which nothing is left of a cell: by its corners, and the one that is known so far, mm.
+pub type Lower<'a> = dyn Fn([[f64; 2]; 2], f64) -> f64 + 'a;
+
+/// What columns lack below their tops, by the corners of a cell: surely nothing on all of it, and where nothing may be
+/// anywhere on it; from below, mm.
+pub type Hollows<'a> = dyn Fn([[f64; 2]; 2]) -> [Vec<Span>; 2] + 'a;
 
 /// The heights of a block: outer and inner, from the stock's top, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]

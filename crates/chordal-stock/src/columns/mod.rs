@@ -27,11 +27,12 @@ use chordal_geometry::Aabb;
 pub use check::{Check, Checked, Runner};
 pub use found::{Counts, Found};
 pub use grid::Grid;
+pub use heights::{Hollows, Lower};
 pub use job::Job;
 pub use plan::{Plan, Task};
 pub use recorder::Lowered;
 pub use touch::{Contact, Touch};
-pub use volume::{Amount, CellHeights};
+pub use volume::{Amount, CellHeights, OTHERS};
 pub(crate) use window::{Ends, Window};
 
 use crate::sweep::{Body, Move};
@@ -264,6 +265,24 @@ impl Stock {
             }
         }
         contacts
+    }
+
+    /// Takes what the stock lacks below its tops before anything is cut: hollows from below, say. What takes more memory
+    /// than the budget leaves makes the bounds wider.
+    pub fn hollow(&mut self, hollows: &Hollows<'_>) {
+        let limit = self.options.gap_bytes(&self.grid);
+        for (number, tile) in self.tiles.iter_mut().enumerate() {
+            tile.begin_hollow(&self.grid, number, limit, hollows);
+        }
+        self.begun = self.left();
+    }
+
+    /// Takes what is gone for another reason than moves: above which height nothing is left of each cell. Among
+    /// volumes by tag it is that of [`OTHERS`].
+    pub fn lower(&mut self, lower: &Lower<'_>) {
+        for (number, tile) in self.tiles.iter_mut().enumerate() {
+            tile.lower(&self.grid, number, self.options.by_tag, lower);
+        }
     }
 
     /// The tiles that moves meet, and what each has to do.

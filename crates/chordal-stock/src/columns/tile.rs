@@ -5,8 +5,8 @@ use wide::f32x4;
 
 use super::gaps::{Column, Gaps, Solid, solid};
 use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, Grid, LANES, TILE, count};
-use super::heights::{Heights, Range, bottom, round_down, round_up};
-use super::volume::{Kept, Ledger, integral};
+use super::heights::{Heights, Hollows, Lower, Range, bottom, round_down, round_up};
+use super::volume::{Kept, Ledger, OTHERS, integral};
 use super::{Amount, Mode, Options};
 use crate::Span;
 
@@ -228,7 +228,7 @@ impl Tile {
     /// Has gaps of a block come to light, after its heights were lowered.
     #[inline]
     pub fn settle_gaps(&mut self, block: usize) {
-        if self.gaps.is_in(block) {
+        if self.gaps.may_reach(block, self.blocks[block].range.inner[0]) {
             self.bring_to_light(block);
         }
     }
@@ -242,6 +242,64 @@ impl Tile {
             (heights.outer[cell], heights.inner[cell]) = (after[0], after[1]);
         }
         self.put(block, &heights);
+    }
+
+    /// Takes what columns lack below their tops from the beginning.
+    pub fn begin_hollow(
+        &mut self,
+        grid: &Grid,
+        number: usize,
+        limit: usize,
+        hollows: &Hollows<'_>,
+    ) {
+        let (top, bottom) = (grid.bounds().max.z, bottom(grid));
+        let [column, row] = grid.first_cell(number);
+        let [columns, rows] = grid.cells();
+        for block in 0..BLOCKS * BLOCKS {
+            for cell in 0..CELLS {
+                let x = column + (block % BLOCKS * BLOCK + cell % BLOCK) as u32;
+                let y = row + (block / BLOCKS * BLOCK + cell / BLOCK) as u32;
+                if x >= columns || y >= rows {
+                    continue;
+                }
+                let down = |span: Span| Span { floor: span.floor - top, top: span.top - top };
+                let [surely, maybe] = hollows(grid.corners(x, y))
+                    .map(|spans| spans.into_iter().map(down).collect::<Vec<Span>>());
+                if !maybe.is_empty() {
+                    self.hollow([block, cell], [&surely, &maybe], bottom, limit);
+                }
+            }
+        }
+        self.settle();
+    }
+
+    /// Lowers what is gone for another reason than moves.
+    pub fn lower(&mut self, grid: &Grid, number: usize, by_tag: bool, lower: &Lower<'_>) {
+        let (top, bottom) = (grid.bounds().max.z, bottom(grid));
+        let [column, row] = grid.first_cell(number);
+        let [columns, rows] = grid.cells();
+        for block in 0..BLOCKS * BLOCKS {
+            let before = self.get(block);
+            let mut after = before;
+            for cell in 0..CELLS {
+                let x = column + (block % BLOCKS * BLOCK + cell % BLOCK) as u32;
+                let y = row + (block / BLOCKS * BLOCK + cell / BLOCK) as u32;
+                // As at the beginning, cells beyond the box have the height of the last one.
+                let corners = grid.corners(x.min(columns - 1), y.min(rows - 1));
+                let known = before.outer[cell];
+                let height = round_up(lower(corners, top + f64::from(known)) - top);
+                after.outer[cell] = height.clamp(bottom, known);
+                after.inner[cell] = before.inner[cell].min(after.outer[cell]);
+            }
+            if after != before {
+                if by_tag {
+                    self.keep(OTHERS, block, grid, number);
+                }
+                self.put(block, &after);
+                self.settle_gaps(block);
+            }
+        }
+        self.settle();
     }
 
     /// What is left of it, mm³.

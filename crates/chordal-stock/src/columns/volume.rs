@@ -19,6 +19,9 @@ impl Amount {
     }
 }
 
+/// The tag of what no move has removed: see [`Stock::lower`](super::Stock::lower).
+pub const OTHERS: u32 = u32::MAX;
+
 /// The heights of a cell, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CellHeights {

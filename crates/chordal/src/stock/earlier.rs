@@ -1,4 +1,7 @@
-//! What is surely removed from a part before it is cut from another side: its columns begin lower.
+//! What is surely removed from a part before it is cut from another side: its columns begin lower, or become lower
+//! before it is cut from there again.
+
+use std::rc::Rc;
 
 use chordal_geometry::{Aabb, Transform, Vec3};
 use chordal_stock::Stock;
@@ -52,14 +55,15 @@ impl Tops {
     }
 }
 
-/// A side that was done before, as another one sees it.
-pub(super) struct Earlier<'a> {
-    pub tops: &'a Tops,
+/// What a side was at a moment before, as another one sees it.
+#[derive(Clone)]
+pub(super) struct Earlier {
+    pub tops: Rc<Tops>,
     /// From where the part lies now to where it lay then.
     pub there: Transform,
 }
 
-impl Earlier<'_> {
+impl Earlier {
     /// Above which height nothing is left of a column between two corners, of which nothing was left above `top`.
     fn below(&self, [low, high]: [[f64; 2]; 2], top: f64, bottom: f64) -> f64 {
         let is_empty = |from: f64, to: f64| {
@@ -86,13 +90,13 @@ impl Earlier<'_> {
 /// A stock as its columns begin: a shape less what sides before have surely removed.
 pub(super) struct Begun<'s> {
     pub shape: Heights<'s>,
-    earlier: Vec<Earlier<'s>>,
+    earlier: Vec<Earlier>,
     bottom: f64,
 }
 
 impl<'s> Begun<'s> {
     /// Between two shapes, in cells of a resolution, mm.
-    pub fn new(shapes: [&'s Shape; 2], resolution: f64, earlier: Vec<Earlier<'s>>) -> Begun<'s> {
+    pub fn new(shapes: [&'s Shape; 2], resolution: f64, earlier: Vec<Earlier>) -> Begun<'s> {
         let shape = Heights::between(shapes, resolution);
         let bottom = shape.bounds().min.z;
         Begun { shape, earlier, bottom }
@@ -101,8 +105,12 @@ impl<'s> Begun<'s> {
     /// As [`Heights::of`].
     pub fn of(&self, low: [f64; 2], high: [f64; 2]) -> [f64; 2] {
         let [outer, inner] = self.shape.of(low, high);
-        let lower = |top: f64, side: &Earlier<'_>| side.below([low, high], top, self.bottom);
-        let outer = self.earlier.iter().fold(outer, lower);
+        let outer = below(&self.earlier, [low, high], outer, self.bottom);
         [outer, inner.min(outer)]
     }
+}
+
+/// Above which height nothing is left of a column between two corners for sides before, mm.
+pub(super) fn below(earlier: &[Earlier], corners: [[f64; 2]; 2], top: f64, bottom: f64) -> f64 {
+    earlier.iter().fold(top, |top, side| side.below(corners, top, bottom))
 }

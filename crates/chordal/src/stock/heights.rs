@@ -1,8 +1,8 @@
 //! Shapes as heights over cells, as columns begin with them.
 
 use chordal_geometry::Aabb;
+use chordal_stock::Span as Hollow;
 use chordal_stock::shape::{Cells, Grid, Shape, Span};
-use chordal_stock::{Amount, Stock};
 
 /// The heights of a shape over cells of any size: quick on those of one grid.
 pub(super) struct Heights<'s> {
@@ -14,6 +14,7 @@ pub(super) struct Heights<'s> {
     cells: Option<Cells>,
     inner_cells: Option<Cells>,
     bottom: f64,
+    is_hollow: bool,
 }
 
 impl<'s> Heights<'s> {
@@ -37,7 +38,19 @@ impl<'s> Heights<'s> {
         };
         let cells = shape.cells(&grid).ok();
         let inner_cells = inner.and_then(|inner| inner.cells(&grid).ok());
-        Heights { outer: shape, inner, grid, cells, inner_cells, bottom: bounds.min.z }
+        let bottom = bounds.min.z;
+        // Cells of another size are asked as well then.
+        let is_full = |cells: &Cells| {
+            let places = (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |at| [at, row]));
+            places.into_iter().all(|[column, row]| match cells.inner(column, row) {
+                [] => true,
+                [one] => one.from <= bottom + NEAR,
+                _ => false,
+            })
+        };
+        let known = inner_cells.as_ref().or(cells.as_ref());
+        let is_hollow = !known.is_some_and(is_full);
+        Heights { outer: shape, inner, grid, cells, inner_cells, bottom, is_hollow }
     }
 
     /// The box around the shape.
@@ -48,6 +61,19 @@ impl<'s> Heights<'s> {
     /// Of a cell between two corners: a height above which there is nothing of the shape, and one below which all
     /// of the cell is shape, down to the bottom of its box unless it is hollow there, mm.
     pub fn of(&self, low: [f64; 2], high: [f64; 2]) -> [f64; 2] {
+        let (place, one) = self.place(low, high);
+        let own = self.of_shape(self.outer, self.cells.as_ref(), place, &one);
+        match self.inner {
+            None => own,
+            Some(inner) => {
+                let [_, least] = self.of_shape(inner, self.inner_cells.as_ref(), place, &one);
+                [own[0], least.min(own[0])]
+            }
+        }
+    }
+
+    /// The cell of its own grid between two corners, where it is one, and a grid of that cell alone.
+    fn place(&self, low: [f64; 2], high: [f64; 2]) -> (Option<(usize, usize)>, Grid) {
         let side = (high[0] - low[0]).max(high[1] - low[1]);
         let is_own = (side - self.grid.cell).abs() <= 1e-9 * self.grid.cell;
         let at = |axis: usize| (low[axis] - self.grid.origin[axis]) / self.grid.cell;
@@ -58,15 +84,7 @@ impl<'s> Heights<'s> {
             && (column as usize) < self.grid.columns
             && (row as usize) < self.grid.rows;
         let place = is_known.then_some((column as usize, row as usize));
-        let one = Grid { origin: low, cell: side, columns: 1, rows: 1, grow: GROW };
-        let own = self.of_shape(self.outer, self.cells.as_ref(), place, &one);
-        match self.inner {
-            None => own,
-            Some(inner) => {
-                let [_, least] = self.of_shape(inner, self.inner_cells.as_ref(), place, &one);
-                [own[0], least.min(own[0])]
-            }
-        }
+        (place, Grid { origin: low, cell: side, columns: 1, rows: 1, grow: GROW })
     }
 
     /// Of what lies under the top nothing is said: a touch begins there.
@@ -91,57 +109,56 @@ impl<'s> Heights<'s> {
         }
     }
 
-    /// What is removed and what is left of the shape, mm³, where it is hollow from below: the columns alone know
-    /// nothing of that. `None` where it is not.
-    pub fn volumes(&self, stock: &Stock) -> Option<[Amount; 2]> {
-        let cells = self.cells.as_ref()?;
-        let inner_cells = if self.inner.is_some() { self.inner_cells.as_ref()? } else { cells };
-        let is_full = |spans: &[Span]| match spans {
-            [] => true,
-            [one] => one.from <= self.bottom + NEAR,
-            _ => false,
+    /// What the shape fills of a cell between two corners, from below: at most somewhere on it, and at least
+    /// everywhere, mm.
+    pub fn filled(&self, [low, high]: [[f64; 2]; 2]) -> [Vec<[f64; 2]>; 2] {
+        let (place, one) = self.place(low, high);
+        let of = |cells: &Cells, (column, row): (usize, usize)| {
+            [cells.outer(column, row), cells.inner(column, row)].map(|spans| {
+                let spans = spans.iter().map(|span| [span.from.max(self.bottom), span.to]);
+                spans.filter(|[from, to]| from < to).collect::<Vec<[f64; 2]>>()
+            })
         };
-        let mut places =
-            (0..self.grid.rows).flat_map(|row| (0..self.grid.columns).map(move |at| [at, row]));
-        if places.all(|[column, row]| is_full(inner_cells.inner(column, row))) {
-            return None;
-        }
-        let pairs = stock.height_pairs();
-        let [mut removed, mut left] = [Amount::default(); 2];
-        for (index, pair) in pairs.iter().enumerate() {
-            let [columns, _] = stock.grid().cells();
-            let (column, row) = (index % columns as usize, index / columns as usize);
-            if column >= self.grid.columns || row >= self.grid.rows {
-                continue;
+        let both = |shape: &Shape, cells: Option<&Cells>| match (cells, place) {
+            (Some(cells), Some(place)) => of(cells, place),
+            _ => match shape.cells(&one) {
+                Ok(cells) => of(&cells, (0, 0)),
+                // A cell without a size: nothing is sure.
+                Err(_) => [vec![[self.bottom, shape.bounds().max.z]], Vec::new()],
+            },
+        };
+        let [outer, inner] = both(self.outer, self.cells.as_ref());
+        match self.inner {
+            None => [outer, inner],
+            Some(shape) => {
+                let [_, inner] = both(shape, self.inner_cells.as_ref());
+                [outer, inner]
             }
-            let [low, high] = stock.grid().corners(column as u32, row as u32);
-            let area = (high[0] - low[0]) * (high[1] - low[1]);
-            let [outer, inner] = [cells.outer(column, row), inner_cells.inner(column, row)];
-            // What undercuts may have removed besides, wherever it is.
-            let gaps = gaps_of(stock, column as u32, row as u32);
-            let most = area * below(outer, pair.outer);
-            let least = area * (below(inner, pair.inner) - gaps).max(0.0);
-            left.least += least;
-            left.most += most;
-            removed.least += (area * below(inner, f64::INFINITY) - most).max(0.0);
-            removed.most += area * below(outer, f64::INFINITY) - least;
         }
-        Some([removed, left])
     }
-}
 
-/// How much undercuts may have removed from a column below its heights, mm.
-pub(super) fn gaps_of(stock: &Stock, column: u32, row: u32) -> f64 {
-    if !stock.has_gaps() {
-        return 0.0;
+    /// What a cell between two corners lacks below its tops: surely on all of it, and perhaps somewhere on it.
+    pub fn hollows(&self, corners: [[f64; 2]; 2]) -> [Vec<Hollow>; 2] {
+        if !self.is_hollow {
+            return [Vec::new(), Vec::new()];
+        }
+        self.filled(corners).map(|filled| {
+            let mut from = self.bottom;
+            let mut hollows = Vec::new();
+            for [floor, top] in filled {
+                if floor > from + NEAR {
+                    hollows.push(Hollow { floor: from, top: floor });
+                }
+                from = top;
+            }
+            hollows
+        })
     }
-    let [_, maybe] = stock.gaps_at(column, row);
-    maybe.iter().map(|gap| gap.top - gap.floor).sum()
-}
 
-/// How much of some spans is below a height, mm.
-fn below(spans: &[Span], height: f64) -> f64 {
-    spans.iter().map(|span| (span.to.min(height) - span.from).max(0.0)).sum()
+    /// Whether it is hollow below its tops somewhere.
+    pub fn is_hollow(&self) -> bool {
+        self.is_hollow
+    }
 }
 
 /// Cells are not wider than they are: the columns count their own rounding.

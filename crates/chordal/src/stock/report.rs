@@ -1,8 +1,12 @@
 //! What a run on stock answers, as plain data.
 
+use std::sync::OnceLock;
+
+use chordal_stock::mesh::Stretches;
 use chordal_stock::{Amount, Stock};
 
 use super::problems::StockProblem;
+use super::removed::OtherSide;
 use super::target::TargetReport;
 use crate::report::Report;
 use crate::time::ToolTime;
@@ -65,11 +69,13 @@ pub struct StockReport {
     pub tools: Vec<ToolRemoved>,
     /// What is left on the part, where one is given.
     pub target: Option<TargetReport>,
-    /// The stock is hollow from below, which its columns do not show: meshes of it have a flat bottom.
-    pub is_hollow: bool,
     /// Ways that the part lies on the cuts, one for each angle of its rotary axes. Of several the columns of
     /// `stock` are those of the first, without what is cut from other sides.
     pub sides: usize,
+    /// The columns of the others.
+    pub(super) others: Vec<OtherSide>,
+    /// Found once they are asked for.
+    pub(super) stretches: OnceLock<Stretches>,
     /// The stock as it is left.
     pub stock: Stock,
     /// The run, with the problems as diagnostics among the others.

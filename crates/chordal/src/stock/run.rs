@@ -2,21 +2,23 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use chordal_command::Origin;
 use chordal_diagnostics::Code;
 use chordal_geometry::ParamCurve;
-use chordal_stock::columns::{Job as TileJob, Runner};
+use chordal_stock::columns::{Job as TileJob, Lower, Runner};
 use chordal_stock::shape::Shape;
 use chordal_stock::{
     Amount, Body, Check, Checked, Contact, Cutter, Move, StockError, Task, Undercut,
 };
 
-use super::earlier::Begun;
+use super::earlier::{Begun, Earlier, below};
 use super::fixtures::look_at_fixtures;
 use super::gather::{Batch, Gathered, Kind};
 use super::pass::{Run, StockOptions};
 use super::problems::{Fixture, Problems};
+use super::removed::OtherSide;
 use super::report::{StockReport, StockVerdict, ToolRemoved};
 use super::setup::{Files, Named, SetupError, shift_between};
 use super::target::{TARGET_TOLERANCE, Target, TargetReport, look_at_target};
@@ -150,7 +152,7 @@ impl<'a> Bodies<'a> {
     ) -> Result<(Cut, Option<TargetReport>), StockError> {
         let asked = run.all_asked();
         let begun = Begun::new([&self.stock, &self.stock], run.resolution, Vec::new());
-        let cut = run.cut(&begun, &asked)?;
+        let cut = run.cut(&begun, &asked, &[])?;
         for (asked, contacts) in asked.iter().zip(&cut.checked.contacts) {
             run.report(asked, contacts, &|_, contact| contact, problems);
         }
@@ -181,13 +183,14 @@ pub(super) fn usual_resolution(stock: &Shape) -> f64 {
 /// Stock that is cut.
 pub(super) struct Cut {
     pub checked: Checked,
-    /// What is removed and left, mm³, where the columns alone do not know it.
+    /// What is removed and left, mm³, where the columns of one side alone do not know it.
     pub volumes: Option<[Amount; 2]>,
-    pub is_hollow: bool,
     /// By tool.
     pub removed_by_tag: Vec<(u32, Amount)>,
     /// Ways that the part lies on the cuts; the columns are those of the first.
     pub sides: usize,
+    /// The other ones.
+    pub others: Vec<OtherSide>,
 }
 
 /// A task with what its contacts mean.
@@ -204,6 +207,19 @@ pub(super) struct Asked<'a> {
     pub batch: usize,
 }
 
+impl Asked<'_> {
+    /// The same cuts without any question.
+    pub fn only_cuts(&self) -> Asked<'_> {
+        Asked {
+            codes: Vec::new(),
+            bodies: Vec::new(),
+            moves: Cow::Borrowed(&self.moves),
+            origins: Cow::Borrowed(&self.origins),
+            ..*self
+        }
+    }
+}
+
 impl<'a> Run<'a> {
     /// What is asked on all batches.
     pub fn all_asked(&self) -> Vec<Asked<'a>> {
@@ -211,8 +227,13 @@ impl<'a> Run<'a> {
         batches.flat_map(|(number, batch)| self.asked(number, batch)).collect()
     }
 
-    /// Cuts a stock, and looks at what touches it.
-    pub fn cut(&self, begun: &Begun<'_>, asked: &[Asked<'_>]) -> Result<Cut, StockError> {
+    /// Cuts a stock, and looks at what touches it; some of it is lowered before tasks by their numbers.
+    pub fn cut(
+        &self,
+        begun: &Begun<'_>,
+        asked: &[Asked<'_>],
+        lowered: &[(usize, Vec<Earlier>)],
+    ) -> Result<Cut, StockError> {
         let tasks: Vec<Task<'_>> = asked
             .iter()
             .map(|asked| Task {
@@ -225,18 +246,32 @@ impl<'a> Run<'a> {
             })
             .collect();
         let heights = |low: [f64; 2], high: [f64; 2]| begun.of(low, high);
+        let hollows = |corners: [[f64; 2]; 2]| begun.shape.hollows(corners);
+        let bounds = begun.shape.bounds();
+        let lower = |earlier: &[Earlier], corners: [[f64; 2]; 2], top: f64| {
+            below(earlier, corners, top, bounds.min.z)
+        };
+        let by_task: Vec<(usize, Box<Lower<'_>>)> = lowered
+            .iter()
+            .map(|(task, earlier)| -> (usize, Box<Lower<'_>>) {
+                (*task, Box::new(move |corners, top| lower(earlier, corners, top)))
+            })
+            .collect();
+        let lowered: Vec<(usize, &Lower<'_>)> =
+            by_task.iter().map(|(task, lower)| (*task, &**lower)).collect();
         let check = Check {
-            bounds: begun.shape.bounds(),
+            bounds,
             options: self.columns(),
             heights: &heights,
+            hollows: begun.shape.is_hollow().then_some(&hollows),
             tasks: &tasks,
+            lowered: &lowered,
             tolerance: self.options.tolerance_mm,
             finest: self.finest(),
         };
         let checked = check.run_by(&|tiles| self.tiles(tiles))?;
-        let volumes = begun.shape.volumes(&checked.stock);
-        let removed_by_tag = Vec::new();
-        Ok(Cut { is_hollow: volumes.is_some(), checked, volumes, removed_by_tag, sides: 1 })
+        let (removed_by_tag, others) = (Vec::new(), Vec::new());
+        Ok(Cut { checked, volumes: None, removed_by_tag, sides: 1, others })
     }
 
     /// Takes the contacts of a task; `sure` says again what of a contact is sure, by the number of its move.
@@ -339,16 +374,12 @@ fn finish(
     let has_problems = problems.hits > 0 || report.counts.errors > 0;
     let is_proved = is_proved && report.verified();
     report.add(problems.diagnostics);
-    let Cut { checked: Checked { stock, refined, .. }, volumes, is_hollow, .. } = cut;
+    let Cut { checked: Checked { stock, refined, .. }, volumes, others, .. } = cut;
     let [removed_mm3, left_mm3] = volumes.unwrap_or_else(|| [stock.removed(), stock.left()]);
     let by_tag: BTreeMap<u32, Amount> = cut.removed_by_tag.into_iter().collect();
     let tools = gathered.order.iter().map(|number| {
         let (moves, lowest_mm) = gathered.counts[number];
-        let mut removed_mm3 = by_tag.get(number).copied().unwrap_or_default();
-        if is_hollow {
-            // The columns count what is hollow as removed.
-            removed_mm3.least = 0.0;
-        }
+        let removed_mm3 = by_tag.get(number).copied().unwrap_or_default();
         ToolRemoved { number: *number, moves, removed_mm3, lowest_mm, time_s: None }
     });
     StockReport {
@@ -365,8 +396,9 @@ fn finish(
         more_problems: problems.more,
         tools: tools.collect(),
         target: None,
-        is_hollow,
         sides: cut.sides,
+        others,
+        stretches: OnceLock::new(),
         stock,
         report,
     }

@@ -51,7 +51,7 @@ impl Named<'_> {
         may_be_open: bool,
     ) -> Result<Shape, SetupError> {
         let name = self.name;
-        match self.body.shape {
+        match self.shape_word() {
             None => {
                 let help = "write `shape = \"box\"` with `from` and `to`, or another shape";
                 Err(self.error(format!("`{name}` has no shape"), help))
@@ -64,6 +64,16 @@ impl Named<'_> {
                 Err(self.error(format!("`{name}` is a half section, which only lathes have"), help))
             }
         }
+    }
+
+    /// What the body is: by its file where nothing else is said.
+    pub fn shape_word(&self) -> Option<BodyShape> {
+        let by_file = || {
+            let (_, extension) = self.body.file.as_deref()?.rsplit_once('.')?;
+            let of_files = [BodyShape::Stl, BodyShape::Dxf];
+            of_files.into_iter().find(|shape| extension.eq_ignore_ascii_case(shape.as_str()))
+        };
+        self.body.shape.or_else(by_file)
     }
 
     fn cuboid(&self, shift: Vec3) -> Result<Shape, SetupError> {

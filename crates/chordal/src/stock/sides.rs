@@ -1,40 +1,87 @@
 //! Parts that are cut from several sides: columns for each way that the part lies.
 //!
-//! What is cut from one side is removed from the columns of that side, and from those of the sides of which all cuts
-//! come later as far as it reaches down from their tops. So each of these stocks holds the part that is truly left: a
+//! What is cut from one side is removed from the columns of that side, and from those of the others as far as it reaches
+//! down from their tops, before they are cut the next time. So each of these stocks holds the part that is truly left: a
 //! tool that is clear of one is clear of it. What touches is sure where no other side has removed anything near.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use chordal_geometry::{Aabb, ParamCurve, Vec3};
 use chordal_path::Segment;
+use chordal_stock::columns::OTHERS;
 use chordal_stock::shape::Shape;
-use chordal_stock::{Amount, Contact, Stock, StockError};
+use chordal_stock::{Amount, Contact, StockError};
 
 use super::earlier::{Begun, Earlier, Tops};
 use super::fixtures::look_at_fixtures;
 use super::gather::{Batch, Gathered};
 use super::pass::Run;
 use super::problems::Problems;
+use super::removed::{OtherSide, Removed};
 use super::run::{Asked, Bodies, Cut};
 use super::target::{Target, TargetReport, look_at_target};
 use super::turns::{Turn, boxed, swept};
 use crate::job::Job;
 
-/// Columns along a side of a block of which one height is kept.
-const BLOCK: u32 = 16;
-/// Heights that differ by less are the same, mm.
-const SAME: f64 = 1e-6;
+/// So often the part is cut from one side again with what other sides have removed since. Each time all that came before
+/// on that side is cut once more.
+const MOST_VISITS: usize = 8;
 
 /// The stock of one way that the part lies.
 struct Side<'a> {
     turn: Turn,
     asked: Vec<Asked<'a>>,
     cut: Cut,
-    floors: Floors,
-    tops: Tops,
-    /// Its last move, by the place of the batch in the run.
-    last: usize,
+    removed: Removed,
+}
+
+/// A side while the program goes from one to the other.
+struct Visited<'a> {
+    turn: Turn,
+    shapes: [Shape; 2],
+    asked: Vec<Asked<'a>>,
+    /// What other sides had removed before it was cut first.
+    begun: Vec<Earlier>,
+    /// What they had removed before later tasks, by their numbers.
+    lowered: Vec<(usize, Vec<Earlier>)>,
+    /// As far as it is cut until now.
+    tops: Option<Rc<Tops>>,
+}
+
+/// Batches of one side that follow each other.
+struct Visit {
+    side: usize,
+    /// Its batches, by their numbers among those of the side.
+    batches: std::ops::Range<usize>,
+    is_last: bool,
+    /// Later batches are among them, so that others must not know what they remove.
+    has_later: bool,
+}
+
+/// The visits of a run, in order.
+fn visits(batches: &[Batch]) -> Vec<Visit> {
+    let mut visits: Vec<Visit> = Vec::new();
+    let mut counts: BTreeMap<usize, [usize; 2]> = BTreeMap::new();
+    for batch in batches {
+        let [count, visited] = counts.entry(batch.turn).or_default();
+        let at = *count;
+        *count += 1;
+        let goes_on = visits.last().is_some_and(|last| last.side == batch.turn);
+        if !goes_on && *visited < MOST_VISITS {
+            *visited += 1;
+            let batches = at..at + 1;
+            visits.push(Visit { side: batch.turn, batches, is_last: false, has_later: false });
+        } else if let Some(own) = visits.iter_mut().rfind(|visit| visit.side == batch.turn) {
+            own.batches.end = at + 1;
+            own.has_later |= !goes_on;
+        }
+    }
+    for side in counts.into_keys() {
+        let last = visits.iter_mut().rfind(|visit| visit.side == side);
+        last.into_iter().for_each(|visit| visit.is_last = true);
+    }
+    visits
 }
 
 impl Bodies<'_> {
@@ -79,32 +126,48 @@ impl Bodies<'_> {
         problems: &mut Problems,
     ) -> Result<(Cut, Option<TargetReport>), StockError> {
         let mut sides: Vec<(usize, Side<'a>)> = Vec::new();
-        let first = |turn: usize| batches.iter().position(|batch| batch.turn == turn);
-        let last = |turn: usize| batches.iter().rposition(|batch| batch.turn == turn);
-        let mut order: Vec<usize> = (0..turns.len()).collect();
-        order.sort_by_key(|turn| first(*turn));
-        for number in order {
-            let (run, turn) = (run(number), turns[number]);
-            // The first is the part as it was given, even where it is never cut so.
-            if run.batches.is_empty() && number > 0 {
-                continue;
-            }
-            let Some([outer, inner]) = turn.shapes(&self.stock) else {
-                problems.undecided += 1;
+        let mut visited: BTreeMap<usize, Visited<'a>> = BTreeMap::new();
+        // The first is the part as it was given, even where it is never cut so.
+        let mut order = visits(batches);
+        if order.iter().all(|visit| visit.side != 0) {
+            order.push(Visit { side: 0, batches: 0..0, is_last: true, has_later: false });
+        }
+        for visit in order {
+            let (number, turn) = (visit.side, turns[visit.side]);
+            let Some(shapes) = turn.shapes(&self.stock) else {
+                problems.undecided += u64::from(visit.is_last);
                 continue;
             };
-            let done = sides.iter().filter(|(_, side)| first(number) > Some(side.last));
-            let earlier = done.map(|(_, side)| Earlier {
-                tops: &side.tops,
-                there: turn.to_program.inverse().then(&side.turn.to_program),
+            let earlier = earlier_of(&visited, number, &turn);
+            let run = run(number);
+            let side = visited.entry(number).or_insert_with(|| Visited {
+                turn,
+                shapes,
+                asked: run.all_asked(),
+                begun: earlier.clone(),
+                lowered: Vec::new(),
+                tops: None,
             });
-            let begun = Begun::new([&outer, &inner], run.resolution, earlier.collect());
-            let asked = run.all_asked();
-            let cut = run.cut(&begun, &asked)?;
-            let stock = &cut.checked.stock;
-            let (floors, tops) = (Floors::of(stock, &begun), Tops::of(stock));
-            let last = last(number).unwrap_or(0);
-            sides.push((number, Side { turn, asked, cut, floors, tops, last }));
+            let task = side.asked.iter().position(|asked| asked.batch >= visit.batches.start);
+            if side.tops.is_some() {
+                side.lowered.extend(task.map(|task| (task, earlier)));
+            }
+            let [outer, inner] = &side.shapes;
+            let begun = Begun::new([outer, inner], run.resolution, side.begun.clone());
+            if visit.is_last {
+                let cut = run.cut(&begun, &side.asked, &side.lowered)?;
+                let removed = Removed::of(&cut.checked.stock, &begun);
+                if !visit.has_later {
+                    side.tops = Some(Rc::new(Tops::of(&cut.checked.stock)));
+                }
+                let asked = std::mem::take(&mut side.asked);
+                sides.push((number, Side { turn, asked, cut, removed }));
+            } else {
+                let until = side.asked.iter().filter(|asked| asked.batch < visit.batches.end);
+                let cuts: Vec<Asked<'_>> = until.map(Asked::only_cuts).collect();
+                let cut = run.cut(&begun, &cuts, &side.lowered)?;
+                side.tops = Some(Rc::new(Tops::of(&cut.checked.stock)));
+            }
         }
         sides.sort_by_key(|(number, _)| *number);
         self.report_turned(&sides, run, batches, problems);
@@ -171,6 +234,16 @@ impl Bodies<'_> {
     }
 }
 
+/// What other sides have removed until now, as a side sees it.
+fn earlier_of(visited: &BTreeMap<usize, Visited<'_>>, number: usize, turn: &Turn) -> Vec<Earlier> {
+    let others = visited.iter().filter(|(other, _)| **other != number);
+    let earlier = others.filter_map(|(_, side)| {
+        let there = turn.to_program.inverse().then(&side.turn.to_program);
+        Some(Earlier { tops: side.tops.clone()?, there })
+    });
+    earlier.collect()
+}
+
 /// All that a tool passes on a move and that may be stock.
 fn above(path: &Aabb, reach: f64, side: &Side<'_>) -> Aabb {
     let stock = side.cut.checked.stock.grid().bounds();
@@ -187,55 +260,7 @@ impl Side<'_> {
     fn is_untouched(&self, body: &Aabb, of: &Turn) -> bool {
         let there = of.to_program.inverse().then(&self.turn.to_program);
         let own = boxed(body, &there);
-        self.floors.is_below(&own)
-    }
-}
-
-/// How deep a side is cut, by blocks of columns.
-struct Floors {
-    low: [f64; 2],
-    side: f64,
-    blocks: [usize; 2],
-    /// Nothing below is removed; infinite where nothing is removed at all.
-    heights: Vec<f64>,
-}
-
-impl Floors {
-    fn of(stock: &Stock, begun: &Begun<'_>) -> Floors {
-        let grid = stock.grid();
-        let [columns, rows] = grid.cells();
-        let blocks = [columns, rows].map(|count| count.div_ceil(BLOCK) as usize);
-        let mut heights = vec![f64::INFINITY; blocks[0] * blocks[1]];
-        let pairs = stock.height_pairs();
-        for row in 0..rows {
-            for column in 0..columns {
-                let left = pairs[row as usize * columns as usize + column as usize].inner;
-                let [low, high] = grid.corners(column, row);
-                let gap = stock.has_gaps().then(|| stock.gaps_at(column, row));
-                let gap = gap.iter().flat_map(|[_, maybe]| maybe.iter());
-                let lowest = gap.map(|gap| gap.floor).fold(left, f64::min);
-                if lowest < begun.of(low, high)[1] - SAME {
-                    let block = (row / BLOCK) as usize * blocks[0] + (column / BLOCK) as usize;
-                    heights[block] = heights[block].min(lowest);
-                }
-            }
-        }
-        let min = grid.bounds().min;
-        let side = f64::from(BLOCK) * grid.resolution();
-        Floors { low: [min.x, min.y], side, blocks, heights }
-    }
-
-    /// Whether all of a box is under what is removed.
-    fn is_below(&self, body: &Aabb) -> bool {
-        let range = |axis: usize, from: f64, to: f64| {
-            let at = |place: f64| ((place - self.low[axis]) / self.side).floor();
-            let last = self.blocks[axis] as f64 - 1.0;
-            (at(from - SAME).clamp(0.0, last) as usize)..=(at(to + SAME).clamp(0.0, last) as usize)
-        };
-        range(1, body.min.y, body.max.y).all(|row| {
-            range(0, body.min.x, body.max.x)
-                .all(|column| body.max.z <= self.heights[row * self.blocks[0] + column] - SAME)
-        })
+        self.removed.is_above(&own)
     }
 }
 
@@ -244,31 +269,43 @@ fn together(stock: &Shape, sides: Vec<Side<'_>>) -> Result<Cut, StockError> {
     let count = sides.len();
     let mut removed = Amount::default();
     let mut left_most = stock.volume();
-    let mut is_hollow = false;
     let mut by_tag: BTreeMap<u32, Amount> = BTreeMap::new();
-    let mut first: Option<Cut> = None;
+    let mut first: Option<(Cut, Turn)> = None;
+    let mut others = Vec::new();
     let mut refined = 0;
-    for Side { cut, .. } in sides {
+    for Side { turn, cut, removed: cells, .. } in sides {
         let own = &cut.checked.stock;
-        let [gone, left] = cut.volumes.unwrap_or_else(|| [own.removed(), own.left()]);
+        let [mut gone, left] = [own.removed(), own.left()];
+        let by_tag_of_side = own.removed_by_tag();
+        if by_tag_of_side.iter().any(|(tag, _)| *tag == OTHERS) {
+            // What others have removed counts for them.
+            let own = by_tag_of_side.iter().filter(|(tag, _)| *tag != OTHERS);
+            gone.most = gone.most.min(own.map(|(_, amount)| amount.most).sum());
+        }
         removed.least = removed.least.max(gone.least);
         removed.most += gone.most;
         left_most = left_most.min(left.most);
-        is_hollow |= cut.is_hollow;
         refined += cut.checked.refined;
-        for (tag, amount) in own.removed_by_tag() {
+        for (tag, amount) in by_tag_of_side.into_iter().filter(|(tag, _)| *tag != OTHERS) {
             let known = by_tag.entry(tag).or_default();
             known.least = known.least.max(amount.least);
             known.most += amount.most;
         }
-        first.get_or_insert(cut);
+        match &first {
+            None => first = Some((cut, turn)),
+            Some((_, first)) => others.push(OtherSide {
+                stock: cut.checked.stock,
+                removed: cells,
+                there: first.to_program.inverse().then(&turn.to_program),
+            }),
+        }
     }
     // The part as it was given is the first side, always.
-    let mut cut = first.ok_or(StockError::Empty)?;
+    let (mut cut, _) = first.ok_or(StockError::Empty)?;
     removed.most = removed.most.min(stock.volume());
     removed.least = removed.least.max(stock.volume() - left_most);
     let left = Amount { least: (stock.volume() - removed.most).max(0.0), most: left_most };
     cut.volumes = Some([removed, left]);
     cut.checked.refined = refined;
-    Ok(Cut { is_hollow, removed_by_tag: by_tag.into_iter().collect(), sides: count, ..cut })
+    Ok(Cut { removed_by_tag: by_tag.into_iter().collect(), sides: count, others, ..cut })
 }

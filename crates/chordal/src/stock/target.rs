@@ -6,9 +6,10 @@ use chordal_stock::shape::Shape;
 use chordal_stock::{Amount, Body, Check, Move, Stock, StockError, Task};
 
 use super::gather::{Batch, Kind};
-use super::heights::{Heights, gaps_of};
+use super::heights::Heights;
 use super::pass::Run;
 use super::problems::Problems;
+use super::stretches::{stretches_of, without};
 
 /// Contacts that are less deep are rounding, mm.
 const ROUNDING: f64 = 1e-3;
@@ -61,25 +62,29 @@ fn look_for_gouges(
     let mut asked: Vec<(&Batch, [Body; 1], Vec<Move>)> = Vec::new();
     for batch in run.batches.iter().filter(|batch| batch.kind != Kind::Rapid) {
         let Some(tool) = run.tool(batch.tool) else { continue };
-        let Some((cutter, lift)) = tool.inside(target.tolerance) else {
+        let Some((body, lift)) = tool.inside(target.tolerance) else {
             problems.undecided += 1;
             continue;
         };
         let up = Transform::translation(Vec3::new(0.0, 0.0, lift));
         let moves =
             batch.moves.iter().map(|path| Move { curve: path.curve.transformed(&up), ..*path });
-        asked.push((*batch, [Body::of_cutter(&cutter)], moves.collect()));
+        asked.push((*batch, [body], moves.collect()));
     }
     let tasks: Vec<Task<'_>> = asked
         .iter()
         .map(|(_, bodies, moves)| Task { bodies, moves, drop: f64::INFINITY, ..Task::default() })
         .collect();
+    let hollows = |corners: [[f64; 2]; 2]| heights.hollows(corners);
+    let is_hollow = heights.is_hollow();
     let heights = |low: [f64; 2], high: [f64; 2]| heights.of(low, high);
     let check = Check {
         bounds,
         options: run.columns(),
         heights: &heights,
+        hollows: is_hollow.then_some(&hollows),
         tasks: &tasks,
+        lowered: &[],
         tolerance: ROUNDING,
         finest: run.finest().min(OF_TOLERANCE * target.tolerance),
     };
@@ -101,11 +106,14 @@ fn look_for_gouges(
     Ok(())
 }
 
+fn length(stretches: &[[f64; 2]]) -> f64 {
+    stretches.iter().map(|[from, to]| to - from).sum()
+}
+
 fn left_over(heights: &Heights<'_>, stock: &Stock) -> TargetReport {
     let grid = stock.grid();
     let [columns, rows] = grid.cells();
     let pairs = stock.height_pairs();
-    let bottom = heights.bounds().min.z.min(grid.bounds().min.z);
     let mut left = Amount::default();
     let mut highest = Amount::default();
     let mut at = Vec3::ZERO;
@@ -115,17 +123,24 @@ fn left_over(heights: &Heights<'_>, stock: &Stock) -> TargetReport {
             let [low, high] = grid.corners(column, row);
             let area = (high[0] - low[0]) * (high[1] - low[1]);
             let pair = pairs[row as usize * columns as usize + column as usize];
-            let [outer, inner] = heights.of(low, high);
-            let gaps = gaps_of(stock, column, row);
-            let least = (pair.inner.max(bottom) - outer.max(bottom) - gaps).max(0.0);
-            let most = (pair.outer.max(bottom) - inner.max(bottom)).max(0.0);
+            let [may_be, is] = heights.filled([low, high]);
+            let over = |side: usize, height: f64, part: &[[f64; 2]]| {
+                let left = stretches_of(stock, [column, row], side, height);
+                part.iter().fold(left, |left, own| without(&left, *own))
+            };
+            // What is surely left and in no place of the part, and what may be left and not all part.
+            let (surely, maybe) = (over(1, pair.inner, &may_be), over(0, pair.outer, &is));
+            let [least, most] = [&surely, &maybe].map(|over| length(over));
             of_row.least += area * least;
             of_row.most += area * most;
-            if least > highest.least {
-                highest.least = least;
-                at = Vec3::new(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), pair.inner);
+            let thickest =
+                |over: &[[f64; 2]]| over.iter().map(|[from, to]| to - from).fold(0.0, f64::max);
+            if thickest(&surely) > highest.least {
+                highest.least = thickest(&surely);
+                let top = surely.last().map_or(pair.inner, |last| last[1]);
+                at = Vec3::new(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), top);
             }
-            highest.most = highest.most.max(most);
+            highest.most = highest.most.max(thickest(&maybe));
         }
         left.least += of_row.least;
         left.most += of_row.most;

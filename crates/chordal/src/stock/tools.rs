@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use chordal_machine::{Cutter as Shape, Solid, Tool, ToolShape};
-use chordal_stock::{Cutter, CutterError, Undercut};
+use chordal_stock::{Body, Cutter, CutterError, Undercut};
 
 use crate::job::Job;
 use crate::tool_comments::known_tools;
@@ -35,15 +35,55 @@ pub(super) struct ToolBody {
 /// A cutter of which a smaller one inside is known, by its dimensions, mm and rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Dimensions {
-    Flat { diameter: f64 },
-    Ball { diameter: f64 },
-    Bull { diameter: f64, corner: f64 },
-    Pointed { diameter: f64, tip: f64, angle: f64 },
+    Flat {
+        diameter: f64,
+    },
+    Ball {
+        diameter: f64,
+    },
+    Bull {
+        diameter: f64,
+        corner: f64,
+    },
+    Pointed {
+        diameter: f64,
+        tip: f64,
+        angle: f64,
+    },
+    /// An undercut: a disc of a thickness.
+    Disc {
+        diameter: f64,
+        thickness: f64,
+    },
+    /// An undercut: a whole ball.
+    Lollipop {
+        diameter: f64,
+    },
 }
 
 impl Dimensions {
+    /// The part of it that cuts.
+    fn body(self) -> Result<Body, CutterError> {
+        // Whatever bears it is a part of the shank.
+        let neck = |diameter: f64| 0.5 * diameter;
+        let undercut = match self {
+            Dimensions::Disc { diameter, thickness } => {
+                Undercut::t_slot(diameter, thickness, neck(diameter))?
+            }
+            Dimensions::Lollipop { diameter } => Undercut::lollipop(diameter, neck(diameter))?,
+            Dimensions::Flat { .. }
+            | Dimensions::Ball { .. }
+            | Dimensions::Bull { .. }
+            | Dimensions::Pointed { .. } => return Ok(Body::of_cutter(&self.cutter()?)),
+        };
+        Ok(Body::of_undercuts(&[(0.0, undercut)]))
+    }
+
+    /// Its lower side.
     fn cutter(self) -> Result<Cutter, CutterError> {
         match self {
+            Dimensions::Disc { diameter, .. } => Cutter::flat(diameter),
+            Dimensions::Lollipop { diameter } => Cutter::ball(diameter),
             Dimensions::Flat { diameter } => Cutter::flat(diameter),
             Dimensions::Ball { diameter } => Cutter::ball(diameter),
             Dimensions::Bull { diameter, corner } => Cutter::bull(diameter, corner),
@@ -62,6 +102,13 @@ impl Dimensions {
                 (Dimensions::Flat { diameter: less(diameter) }, depth)
             }
             Dimensions::Ball { diameter } => (Dimensions::Ball { diameter: less(diameter) }, depth),
+            Dimensions::Disc { diameter, thickness } => {
+                let thickness = thickness - 2.0 * depth;
+                (Dimensions::Disc { diameter: less(diameter), thickness }, depth)
+            }
+            Dimensions::Lollipop { diameter } => {
+                (Dimensions::Lollipop { diameter: less(diameter) }, depth)
+            }
             Dimensions::Pointed { diameter, tip, angle } => {
                 // The side of the cone moves inward by depth/cos, measured across the axis.
                 let (sine, cosine) = libm::sincos(angle / 2.0);
@@ -77,11 +124,11 @@ impl Dimensions {
 }
 
 impl ToolBody {
-    /// The cutter that lies everywhere at least `depth` inside of this one, and how much higher its tip is, mm;
+    /// What lies everywhere at least `depth` inside of the cutter, and how much higher its tip is, mm;
     /// `None` where it is not known, or nothing is left of it.
-    pub fn inside(&self, depth: f64) -> Option<(Cutter, f64)> {
+    pub fn inside(&self, depth: f64) -> Option<(Body, f64)> {
         let (dimensions, lift) = self.dimensions?.inside(depth);
-        Some((dimensions.cutter().ok()?, lift))
+        Some((dimensions.body().ok()?, lift))
     }
 
     /// The highest known place of cutter, shank and holder above the tip, mm.
@@ -213,11 +260,12 @@ fn edges_of(shape: Shape<'_>) -> Result<Edges, NoBody> {
         Shape::ThreadMill { diameter_mm, pitch_mm, teeth } => threads(diameter_mm, pitch_mm, teeth),
         Shape::TSlot { diameter_mm, thickness_mm, neck_mm } => {
             let disc = Undercut::t_slot(diameter_mm, thickness_mm, neck_mm);
-            disc.and_then(|disc| Ok(below(Cutter::flat(diameter_mm)?, disc)))
+            let dimensions = Dimensions::Disc { diameter: diameter_mm, thickness: thickness_mm };
+            disc.and_then(|disc| below(dimensions, disc))
         }
         Shape::Lollipop { diameter_mm, neck_mm } => {
             let ball = Undercut::lollipop(diameter_mm, neck_mm);
-            ball.and_then(|ball| Ok(below(Cutter::ball(diameter_mm)?, ball)))
+            ball.and_then(|ball| below(Dimensions::Lollipop { diameter: diameter_mm }, ball))
         }
         Shape::Form { profile } => Cutter::outline(profile).map(other),
         Shape::Insert { .. } | Shape::Groove { .. } => return Err(NoBody::Turning),
@@ -225,10 +273,11 @@ fn edges_of(shape: Shape<'_>) -> Result<Edges, NoBody> {
     found.map_err(NoBody::Wrong)
 }
 
-/// One undercut within a hull.
-fn below(hull: Cutter, undercut: Undercut) -> Edges {
+/// One undercut with its dimensions.
+fn below(dimensions: Dimensions, undercut: Undercut) -> Result<Edges, CutterError> {
     let (top, neck) = (Some(undercut.height()), undercut.neck());
-    Edges { cutter: hull, undercuts: vec![(0.0, undercut)], dimensions: None, top, neck }
+    let (cutter, dimensions) = (dimensions.cutter()?, Some(dimensions));
+    Ok(Edges { cutter, undercuts: vec![(0.0, undercut)], dimensions, top, neck })
 }
 
 /// The diameter of a thread tool below its teeth, mm.

@@ -11,20 +11,20 @@ use crate::mesh::Mesh;
 const NO_VERTEX: u32 = u32::MAX;
 
 /// A side of a rectangle as it is run through counter-clockwise.
-struct Side {
+pub(super) struct Side {
     /// Its first corner.
     from: [usize; 2],
     /// One cell on.
     step: [isize; 2],
     /// How many cells it has.
-    cells: usize,
+    pub(super) cells: usize,
     /// The number of the rectangle's cell at a corner of the side that is not the last.
-    cell: usize,
+    pub(super) cell: usize,
     /// The number of the wall that runs on from a corner.
     ahead: usize,
 }
 
-fn sides(rectangle: &Rectangle) -> [Side; 4] {
+pub(super) fn sides(rectangle: &Rectangle) -> [Side; 4] {
     let Rectangle { columns: [left, right], rows: [low, high], .. } = *rectangle;
     let (width, depth) = (right - left, high - low);
     [
@@ -37,7 +37,7 @@ fn sides(rectangle: &Rectangle) -> [Side; 4] {
 
 impl Side {
     /// The corner after so many cells.
-    fn corner(&self, cells: usize) -> [usize; 2] {
+    pub(super) fn corner(&self, cells: usize) -> [usize; 2] {
         [0, 1].map(|axis| self.from[axis].wrapping_add_signed(self.step[axis] * cells as isize))
     }
 }

@@ -27,7 +27,7 @@ pub(super) const NONE: u32 = u32::MAX;
 
 /// What the cells of a rectangle have in common.
 #[derive(Clone, Copy)]
-struct Heights {
+pub(super) struct Heights {
     low: f64,
     high: f64,
     sum: f64,
@@ -35,9 +35,10 @@ struct Heights {
 }
 
 impl Heights {
-    const NO: Heights = Heights { low: f64::INFINITY, high: f64::NEG_INFINITY, sum: 0.0, count: 0 };
+    pub(super) const NO: Heights =
+        Heights { low: f64::INFINITY, high: f64::NEG_INFINITY, sum: 0.0, count: 0 };
 
-    fn with(self, height: f64) -> Heights {
+    pub(super) fn with(self, height: f64) -> Heights {
         Heights {
             low: self.low.min(height),
             high: self.high.max(height),
@@ -47,15 +48,15 @@ impl Heights {
     }
 
     /// The mean, which keeps the volume; rounding does not move it out of the range.
-    fn mean(&self) -> f64 {
+    pub(super) fn mean(&self) -> f64 {
         (self.sum / self.count as f64).clamp(self.low, self.high)
     }
 
-    fn deviation(&self) -> f64 {
+    pub(super) fn deviation(&self) -> f64 {
         self.deviation_from(self.mean())
     }
 
-    fn deviation_from(&self, height: f64) -> f64 {
+    pub(super) fn deviation_from(&self, height: f64) -> f64 {
         (self.high - height).max(height - self.low)
     }
 }

@@ -5,16 +5,18 @@
 //! its columns, which keeps the volume. What meets at a corner of cells is found there ([`node`]): every edge
 //! of the result has two triangles, also where two columns touch in an upright edge only.
 //!
-//! A body with several intervals in a column, or with crossings along X and Y beside those along Z, needs
-//! another way to its triangles; it can end in the same [`Mesh`].
+//! A body with several stretches in a column is a [`LayerField`]: the same, with the undersides of gaps.
 
 mod build;
 mod cover;
+mod layers;
 mod node;
 
 use chordal_geometry::Vec3;
 
 use super::{LARGEST_COORDINATE, Mesh};
+
+pub use layers::{LayerField, Stretches};
 
 /// Heights over a grid of square cells, row by row: the top of the body over each cell.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -120,65 +120,92 @@ impl Node {
         }
     }
 
-    /// Faces that share an edge share a vertex. In an upright edge between two solid cells that face each
-    /// other across it, the two faces of the same cell share it.
+    /// Two bodies may touch in the line: each level has the vertices of each of them.
     fn part(&mut self, heights: [f64; 4], floor: f64) {
         let mut of = [[0; Face::COUNT]; MOST_LEVELS];
-        let mut vertices = 0;
-        let mut vertex_levels = [0; MOST_VERTICES];
+        let (mut first, mut vertex_levels) = (0, [0; MOST_VERTICES]);
         for (level, of) in of.iter_mut().enumerate().take(self.count) {
             let z = self.levels[level];
             let above = heights.map(|height| height > z);
             let below = heights.map(|height| height >= z && z > floor);
-            let mut class: [usize; Face::COUNT] = std::array::from_fn(|face| face);
-            let mut present = [false; Face::COUNT];
-            for cell in 0..4 {
-                let next = (cell + 1) % 4;
-                present[Face::Up(cell).index()] = above[cell] != above[next];
-                present[Face::Down(cell).index()] = below[cell] != below[next];
-                present[Face::Flat(cell).index()] = above[cell] != below[cell];
-            }
-            let mut join = |faces: &[Face]| {
-                let mut there = faces.iter().map(|face| face.index()).filter(|face| present[*face]);
-                if let Some(first) = there.next() {
-                    for face in there {
-                        let (from, to) = (class[face], class[first]);
-                        class.iter_mut().filter(|c| **c == from).for_each(|c| *c = to);
-                    }
+            let meeting = Meeting::of(above, below);
+            *of = meeting.vertex.map(|vertex| vertex + first as u8);
+            let next = first + meeting.count;
+            vertex_levels[first..next].fill(level as u8);
+            self.ways[first..next].copy_from_slice(&meeting.ways[..meeting.count]);
+            first = next;
+        }
+        (self.vertices, self.vertex_levels) = (first, vertex_levels);
+        self.touching = Some(of);
+    }
+}
+
+/// What meets at a corner and a level.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Meeting {
+    /// The vertex of each face that is there, from zero.
+    vertex: [u8; Face::COUNT],
+    /// How many vertices there are: two where two bodies touch.
+    pub count: usize,
+    /// For each the way to its body, along X and Y, where there are two.
+    pub ways: [[i8; 2]; 2],
+}
+
+impl Meeting {
+    /// Of four cells, by whether each is solid right above and right below the level. No cell's top may be where the
+    /// stretch of another one begins.
+    ///
+    /// Faces that share an edge share a vertex. In an upright edge between two solid cells that face each
+    /// other across it, the two faces of the same cell share it.
+    pub fn of(above: [bool; 4], below: [bool; 4]) -> Meeting {
+        let mut class: [usize; Face::COUNT] = std::array::from_fn(|face| face);
+        let mut present = [false; Face::COUNT];
+        for cell in 0..4 {
+            let next = (cell + 1) % 4;
+            present[Face::Up(cell).index()] = above[cell] != above[next];
+            present[Face::Down(cell).index()] = below[cell] != below[next];
+            present[Face::Flat(cell).index()] = above[cell] != below[cell];
+        }
+        let mut join = |faces: &[Face]| {
+            let mut there = faces.iter().map(|face| face.index()).filter(|face| present[*face]);
+            if let Some(first) = there.next() {
+                for face in there {
+                    let (from, to) = (class[face], class[first]);
+                    class.iter_mut().filter(|c| **c == from).for_each(|c| *c = to);
                 }
-            };
-            for cell in 0..4 {
-                let next = (cell + 1) % 4;
-                join(&[Face::Up(cell), Face::Down(cell), Face::Flat(cell), Face::Flat(next)]);
-                // A run of solid cells begins after one wall and ends at the next.
-                for (solid, face) in [(above, Face::Up as fn(usize) -> Face), (below, Face::Down)] {
-                    if solid[next] && !solid[cell] {
-                        let run = (1..4).take_while(|more| solid[(cell + more) % 4]).count();
-                        join(&[face(cell), face((cell + run) % 4)]);
-                    }
-                }
             }
-            let mut numbers = [None; Face::COUNT];
-            let first = vertices;
-            let mut ways = [[0; 2]; MOST_VERTICES];
-            for face in (0..Face::COUNT).filter(|face| present[*face]) {
-                let number = *numbers[class[face]].get_or_insert_with(|| {
-                    vertex_levels[vertices] = level as u8;
-                    vertices += 1;
-                    vertices as u8 - 1
-                });
-                of[face] = number;
-                let way = WAYS[solid_cell(face, above, below)];
-                for (sum, part) in ways[usize::from(number)].iter_mut().zip(way) {
-                    *sum += part;
+        };
+        for cell in 0..4 {
+            let next = (cell + 1) % 4;
+            join(&[Face::Up(cell), Face::Down(cell), Face::Flat(cell), Face::Flat(next)]);
+            // A run of solid cells begins after one wall and ends at the next.
+            for (solid, face) in [(above, Face::Up as fn(usize) -> Face), (below, Face::Down)] {
+                if solid[next] && !solid[cell] {
+                    let run = (1..4).take_while(|more| solid[(cell + more) % 4]).count();
+                    join(&[face(cell), face((cell + run) % 4)]);
                 }
-            }
-            if vertices > first + 1 {
-                let of_level = self.ways[first..vertices].iter_mut().zip(&ways[first..]);
-                of_level.for_each(|(way, sum)| *way = sum.map(i8::signum));
             }
         }
-        (self.vertices, self.vertex_levels) = (vertices, vertex_levels);
-        self.touching = Some(of);
+        let mut meeting = Meeting { vertex: [0; Face::COUNT], count: 0, ways: [[0; 2]; 2] };
+        let mut numbers = [None; Face::COUNT];
+        for face in (0..Face::COUNT).filter(|face| present[*face]) {
+            let number = *numbers[class[face]].get_or_insert_with(|| {
+                meeting.count += 1;
+                meeting.count - 1
+            });
+            meeting.vertex[face] = number as u8;
+            let way = WAYS[solid_cell(face, above, below)];
+            for (sum, part) in meeting.ways[number].iter_mut().zip(way) {
+                *sum += part;
+            }
+        }
+        let is_one = meeting.count < 2;
+        meeting.ways = meeting.ways.map(|way| if is_one { [0, 0] } else { way.map(i8::signum) });
+        meeting
+    }
+
+    /// The vertex of a face, from zero.
+    pub fn vertex(&self, face: Face) -> u32 {
+        u32::from(self.vertex[face.index()])
     }
 }

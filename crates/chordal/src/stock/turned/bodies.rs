@@ -10,7 +10,7 @@ impl Named<'_> {
     /// The half section, moved by `shift` along Z.
     pub(super) fn section(&self, shift: Vec3, files: Files<'_>) -> Result<Region, SetupError> {
         let name = self.name;
-        let loops = match self.body.shape {
+        let loops = match self.shape_word() {
             None => {
                 let help = "write `shape = \"cylinder\"` with `diameter`, `from` and `to`";
                 return Err(self.error(format!("`{name}` has no shape"), help));

@@ -1,0 +1,236 @@
+//! Tops, undersides and the walls between them as triangles.
+
+use chordal_geometry::Vec3;
+
+use super::super::Touching;
+use super::super::build::sides;
+use super::super::cover::Rectangle;
+use super::super::node::Face;
+use super::LayerField;
+use super::corner::{Cell, Corner, is_passed};
+use super::cover::Cover;
+use crate::mesh::Mesh;
+
+/// A corner without vertices.
+const NO_CORNER: u32 = u32::MAX;
+
+pub(super) struct Builder<'a> {
+    field: &'a LayerField<'a>,
+    cover: &'a Cover,
+    /// For each corner of cells its number among those with vertices.
+    numbers: Vec<u32>,
+    corners: Vec<Corner>,
+    vertices: Vec<Vec3>,
+    triangles: Vec<[u32; 3]>,
+    touching: Vec<Touching>,
+}
+
+impl<'a> Builder<'a> {
+    pub fn new(field: &'a LayerField<'a>, cover: &'a Cover) -> Builder<'a> {
+        let numbers = Vec::with_capacity((field.columns + 1) * (field.rows + 1));
+        let (corners, vertices) = (Vec::new(), Vec::new());
+        let (triangles, touching) = (Vec::new(), Vec::new());
+        let mut builder = Builder { field, cover, numbers, corners, vertices, triangles, touching };
+        for row in 0..=field.rows {
+            for column in 0..=field.columns {
+                builder.number([column, row]);
+            }
+        }
+        builder
+    }
+
+    pub fn mesh(mut self) -> (Mesh, Vec<Touching>) {
+        let cover = self.cover;
+        for rectangle in &cover.tops {
+            self.face(rectangle, true);
+        }
+        for rectangle in &cover.undersides {
+            self.face(rectangle, false);
+        }
+        let LayerField { columns, rows, .. } = *self.field;
+        for row in 0..=rows {
+            self.walls((0..=columns).map(|column| [column, row]), Along::X);
+        }
+        for column in 0..=columns {
+            self.walls((0..=rows).map(|row| [column, row]), Along::Y);
+        }
+        (Mesh { vertices: self.vertices, triangles: self.triangles }, self.touching)
+    }
+
+    /// Gives the vertices of a corner their numbers.
+    fn number(&mut self, at: [usize; 2]) {
+        let cells = self.cells(at);
+        if is_passed(&cells) {
+            self.numbers.push(NO_CORNER);
+            return;
+        }
+        // The count was checked against 32 bits before.
+        let corner = Corner::new(&cells, self.vertices.len() as u32);
+        for level in &corner.levels {
+            for &way in &level.meeting.ways[..level.meeting.count] {
+                if way != [0, 0] {
+                    self.touching.push(Touching { vertex: self.vertices.len() as u32, way });
+                }
+                self.vertices.push(self.point(at, level.height));
+            }
+        }
+        self.numbers.push(self.corners.len() as u32);
+        self.corners.push(corner);
+    }
+
+    fn point(&self, [column, row]: [usize; 2], height: f64) -> Vec3 {
+        let LayerField { origin, cell, .. } = *self.field;
+        origin + Vec3::new(column as f64 * cell, row as f64 * cell, height)
+    }
+
+    /// The four cells around a corner, counter-clockwise from the one with higher x and y; empty outside.
+    fn cells(&self, [column, row]: [usize; 2]) -> [Cell<'a>; 4] {
+        let LayerField { columns, rows, .. } = *self.field;
+        let cover = self.cover;
+        [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[left, down]| {
+            let (Some(column), Some(row)) = (column.checked_sub(left), row.checked_sub(down))
+            else {
+                return Cell::default();
+            };
+            if column >= columns || row >= rows {
+                return Cell::default();
+            }
+            let cell = row * columns + column;
+            Cell { stretches: cover.stretches.of(cell), rectangles: cover.rectangles(cell) }
+        })
+    }
+
+    fn corner(&self, [column, row]: [usize; 2]) -> Option<&Corner> {
+        let number = self.numbers[row * (self.field.columns + 1) + column];
+        (number != NO_CORNER).then(|| &self.corners[number as usize])
+    }
+
+    /// A top or an underside.
+    fn face(&mut self, rectangle: &Rectangle, is_top: bool) {
+        let mut around: Vec<u32> = Vec::new();
+        for side in sides(rectangle) {
+            for cells in 0..side.cells {
+                let corner = self.corner(side.corner(cells));
+                let face = Face::Flat(side.cell);
+                around.extend(corner.and_then(|corner| corner.vertex(rectangle.height, face)));
+            }
+        }
+        if !is_top {
+            around.reverse();
+        }
+        if let [a, b, c, d] = around[..] {
+            self.triangles.extend([[a, b, c], [a, c, d]]);
+            return;
+        }
+        // Corners of neighbours lie on its sides: from the middle no triangle is without area.
+        let Rectangle { columns, rows, height } = *rectangle;
+        let [a, b] =
+            [[columns[0], rows[0]], [columns[1], rows[1]]].map(|at| self.point(at, height));
+        let middle = self.vertices.len() as u32;
+        self.vertices.push(a.lerp(b, 0.5));
+        let next = around.iter().cycle().skip(1);
+        self.triangles.extend(around.iter().zip(next).map(|(&a, &b)| [middle, a, b]));
+    }
+
+    /// The walls over a line of corners.
+    fn walls(&mut self, line: impl Iterator<Item = [usize; 2]>, along: Along) {
+        let mut begin: Option<[usize; 2]> = None;
+        for at in line {
+            if self.corner(at).is_none() {
+                continue;
+            }
+            if let Some(from) = begin {
+                // From one corner with vertices to the next the cells on both sides are the same.
+                let cells = self.cells(from);
+                let [left, right] = along.cells().map(|cell| cells[cell].stretches);
+                for (span, is_left) in differences(left, right) {
+                    self.wall([from, at], along, span, is_left);
+                }
+            }
+            begin = Some(at);
+        }
+    }
+
+    /// A wall between two corners, of the cell on the left of the line or of that on its right.
+    fn wall(&mut self, [from, to]: [[usize; 2]; 2], along: Along, span: [f64; 2], is_left: bool) {
+        let (mut begin, mut end) = (Vec::new(), Vec::new());
+        let [ahead, back] = along.walls();
+        if let Some(corner) = self.corner(from) {
+            corner.line(ahead, span, &mut begin);
+        }
+        if let Some(corner) = self.corner(to) {
+            corner.line(back, span, &mut end);
+        }
+        // Seen from outside, over the line towards material on its left, the line goes to the right.
+        let (left, right) = if is_left { (begin, end) } else { (end, begin) };
+        self.strip(&left, &right);
+    }
+
+    /// Triangles between two upright lines of vertices: the one on the left, then the one on the right, seen from
+    /// outside.
+    fn strip(&mut self, left: &[(f64, u32)], right: &[(f64, u32)]) {
+        let (mut l, mut r) = (0, 0);
+        while l + 1 < left.len() || r + 1 < right.len() {
+            let is_left = match (left.get(l + 1), right.get(r + 1)) {
+                (Some(a), Some(b)) => a.0 < b.0,
+                (next, _) => next.is_some(),
+            };
+            let (from, to) = (left[l].1, right[r].1);
+            let next = if is_left {
+                l += 1;
+                left[l].1
+            } else {
+                r += 1;
+                right[r].1
+            };
+            self.triangles.push([from, to, next]);
+        }
+    }
+}
+
+/// The direction of a line of corners.
+#[derive(Clone, Copy)]
+enum Along {
+    X,
+    Y,
+}
+
+impl Along {
+    /// The cells on the left and on the right of the line, by their numbers around its first corner.
+    fn cells(self) -> [usize; 2] {
+        match self {
+            Along::X => [0, 3],
+            Along::Y => [1, 0],
+        }
+    }
+
+    /// The numbers of a wall on the line around its first and its last corner.
+    fn walls(self) -> [usize; 2] {
+        match self {
+            Along::X => [3, 1],
+            Along::Y => [0, 2],
+        }
+    }
+}
+
+/// Where one of two cells is solid and the other is not, from the lowest; whether that is the first.
+fn differences(left: &[[f64; 2]], right: &[[f64; 2]]) -> Vec<([f64; 2], bool)> {
+    let ends = |cell: &[[f64; 2]], is_left: bool| {
+        let ends = cell.iter().flat_map(move |[from, to]| [(*from, is_left), (*to, is_left)]);
+        ends.collect::<Vec<_>>()
+    };
+    let mut all = ends(left, true);
+    all.extend(ends(right, false));
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut found = Vec::new();
+    let (mut solid, mut from) = ([false; 2], 0.0);
+    for (height, is_left) in all {
+        if solid[0] != solid[1] && height > from {
+            found.push(([from, height], solid[0]));
+        }
+        let own = &mut solid[usize::from(!is_left)];
+        *own = !*own;
+        from = height;
+    }
+    found
+}

@@ -1,0 +1,107 @@
+//! The vertices over a corner of four cells with gaps.
+
+use super::super::cover::NONE;
+use super::super::node::{Face, Meeting};
+
+/// The stretches of a cell, and the rectangles of their ends.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Cell<'a> {
+    pub stretches: &'a [[f64; 2]],
+    pub rectangles: &'a [[u32; 2]],
+}
+
+impl Cell<'_> {
+    fn is_solid_above(&self, height: f64) -> bool {
+        self.stretches.iter().any(|[from, to]| *from <= height && height < *to)
+    }
+
+    fn is_solid_below(&self, height: f64) -> bool {
+        self.stretches.iter().any(|[from, to]| *from < height && height <= *to)
+    }
+
+    /// The rectangle of the end at a height: its kind and number.
+    fn rectangle(&self, height: f64) -> (usize, u32) {
+        let ends = self.stretches.iter().zip(self.rectangles);
+        let mut ends =
+            ends.flat_map(|(heights, of)| [0, 1].map(|end| (heights[end], end, of[end])));
+        ends.find(|(at, ..)| *at == height).map_or((0, NONE), |(_, end, number)| (end, number))
+    }
+}
+
+/// A level of a corner.
+pub(super) struct Level {
+    pub height: f64,
+    /// Its first vertex.
+    pub first: u32,
+    pub meeting: Meeting,
+}
+
+/// The levels of a corner that have vertices, from the lowest.
+pub(super) struct Corner {
+    pub levels: Vec<Level>,
+}
+
+/// Whether nothing but straight edges of the same rectangles passes a corner: then it has no vertex.
+pub(super) fn is_passed(cells: &[Cell<'_>; 4]) -> bool {
+    let same = |a: usize, b: usize| cells[a].rectangles == cells[b].rectangles;
+    (same(0, 1) && same(2, 3)) || (same(1, 2) && same(3, 0))
+}
+
+impl Corner {
+    /// Of the four cells around it, with vertices from a number on.
+    pub fn new(cells: &[Cell<'_>; 4], first: u32) -> Corner {
+        let heights = heights(cells);
+        let mut corner = Corner { levels: Vec::with_capacity(heights.len()) };
+        let mut first = first;
+        for height in heights {
+            let of = cells.map(|cell| cell.rectangle(height));
+            if of[0].1 != NONE && of.iter().all(|one| *one == of[0]) {
+                // In the middle of a rectangle.
+                continue;
+            }
+            let above = cells.map(|cell| cell.is_solid_above(height));
+            let below = cells.map(|cell| cell.is_solid_below(height));
+            let meeting = Meeting::of(above, below);
+            corner.levels.push(Level { height, first, meeting });
+            first += meeting.count as u32;
+        }
+        corner
+    }
+
+    /// The vertex of a face at the level of a height.
+    pub fn vertex(&self, height: f64, face: Face) -> Option<u32> {
+        let level = self.levels.iter().find(|level| level.height == height)?;
+        Some(level.first + level.meeting.vertex(face))
+    }
+
+    /// The vertices of a wall from one height to another, with their heights.
+    pub fn line(&self, wall: usize, [low, high]: [f64; 2], into: &mut Vec<(f64, u32)>) {
+        into.clear();
+        for Level { height, first, meeting } in &self.levels {
+            if low <= *height && *height <= high {
+                let face = if *height < high { Face::Up(wall) } else { Face::Down(wall) };
+                into.push((*height, first + meeting.vertex(face)));
+            }
+        }
+    }
+}
+
+/// The ends of all stretches, and heights between the ends of an edge in which two cells touch: there its two sides
+/// have vertices of their own, whatever is at its ends.
+fn heights(cells: &[Cell<'_>; 4]) -> Vec<f64> {
+    let mut heights: Vec<f64> =
+        cells.iter().flat_map(|cell| cell.stretches.iter().flatten().copied()).collect();
+    heights.sort_by(f64::total_cmp);
+    heights.dedup();
+    let between: Vec<f64> = heights
+        .windows(2)
+        .filter(|pair| {
+            let [a, b, c, d] = cells.map(|cell| cell.is_solid_above(pair[0]));
+            a == c && b == d && a != b
+        })
+        .map(|pair| 0.5 * (pair[0] + pair[1]))
+        .collect();
+    heights.extend(between);
+    heights.sort_by(f64::total_cmp);
+    heights
+}

@@ -1,0 +1,127 @@
+//! The tops and undersides of columns as rectangles, each of one height.
+
+use super::super::cover::{Heights, NONE, Rectangle};
+use super::{LayerField, STEP, Stretches};
+
+/// An end of a stretch.
+const UNDERSIDE: usize = 0;
+const TOP: usize = 1;
+
+/// Every top and every underside in one rectangle.
+pub(super) struct Cover {
+    pub undersides: Vec<Rectangle>,
+    pub tops: Vec<Rectangle>,
+    /// The stretches of each cell, with the heights of their rectangles, mm.
+    pub stretches: Stretches,
+    /// For each stretch the numbers of the rectangles of its underside and of its top.
+    pub of: Vec<[u32; 2]>,
+    /// How far an end is from its rectangle at most, mm.
+    pub deviation: f64,
+}
+
+impl Cover {
+    /// Rectangles in which no end of a stretch is further from the mean than the tolerance, mm.
+    pub fn new(field: &LayerField<'_>, stretches: &Stretches, tolerance: f64) -> Cover {
+        let mut cover = Cover {
+            undersides: Vec::new(),
+            tops: Vec::new(),
+            stretches: stretches.clone(),
+            of: vec![[NONE; 2]; stretches.all.len()],
+            deviation: 0.0,
+        };
+        for end in [UNDERSIDE, TOP] {
+            let mut growing = Growing { field, stretches, tolerance, end, row: Vec::new() };
+            for cell in 0..stretches.len() {
+                for stretch in stretches.range(cell) {
+                    if cover.of[stretch][end] == NONE {
+                        growing.rectangle(cell, stretch, &mut cover);
+                    }
+                }
+            }
+        }
+        cover
+    }
+
+    /// The stretches of a cell with the rectangles of their ends.
+    pub fn rectangles(&self, cell: usize) -> &[[u32; 2]] {
+        &self.of[self.stretches.range(cell)]
+    }
+}
+
+/// The height of a rectangle by the mean of its ends: undersides between the steps of the tops, but on the floor.
+fn height(mean: f64, end: usize) -> f64 {
+    match end {
+        TOP => (mean / STEP).round() * STEP,
+        _ if mean <= 0.0 => 0.0,
+        _ => ((mean / STEP).floor() + 0.5) * STEP,
+    }
+}
+
+/// Rectangles of one kind of end.
+struct Growing<'a> {
+    field: &'a LayerField<'a>,
+    stretches: &'a Stretches,
+    tolerance: f64,
+    end: usize,
+    /// The stretches of the row that is tried, kept for the next one.
+    row: Vec<usize>,
+}
+
+impl Growing<'_> {
+    /// From an end as far along X as the tolerance allows, then along Y.
+    fn rectangle(&mut self, cell: usize, stretch: usize, cover: &mut Cover) {
+        let LayerField { columns, rows, .. } = *self.field;
+        let (column, row) = (cell % columns, cell / columns);
+        let mut heights = Heights::NO.with(self.stretches.all[stretch][self.end]);
+        let mut all = vec![stretch];
+        let mut right = column + 1;
+        while right < columns {
+            let Some((next, more)) = self.next(row * columns + right, heights, cover) else {
+                break;
+            };
+            heights = more;
+            all.push(next);
+            right += 1;
+        }
+        let mut top = row + 1;
+        'rows: while top < rows {
+            let mut more = heights;
+            self.row.clear();
+            for at in column..right {
+                let Some((next, with)) = self.next(top * columns + at, more, cover) else {
+                    break 'rows;
+                };
+                more = with;
+                self.row.push(next);
+            }
+            heights = more;
+            all.append(&mut self.row);
+            top += 1;
+        }
+        let height = height(heights.mean(), self.end);
+        cover.deviation = cover.deviation.max(heights.deviation_from(height));
+        let into = if self.end == TOP { &mut cover.tops } else { &mut cover.undersides };
+        let number = into.len() as u32;
+        into.push(Rectangle { columns: [column, right], rows: [row, top], height });
+        for stretch in all {
+            cover.of[stretch][self.end] = number;
+            cover.stretches.all[stretch][self.end] = height;
+        }
+    }
+
+    /// The free end of a cell that is nearest to others, where it is near enough, and what they have in common then.
+    fn next(&self, cell: usize, heights: Heights, cover: &Cover) -> Option<(usize, Heights)> {
+        let mean = heights.mean();
+        let off = |stretch: &usize| (self.stretches.all[*stretch][self.end] - mean).abs();
+        let free = self.stretches.range(cell).filter(|at| cover.of[*at][self.end] == NONE);
+        let nearest = free.min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        let height = self.stretches.all[nearest][self.end];
+        // What stands on the floor stays there.
+        let is_on_floor = |height: f64| height <= 0.0;
+        if self.end == UNDERSIDE && is_on_floor(height) != is_on_floor(mean) {
+            return None;
+        }
+        let more = heights.with(height);
+        (more.deviation() <= self.tolerance).then_some((nearest, more))
+    }
+}

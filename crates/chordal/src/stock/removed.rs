@@ -1,0 +1,141 @@
+//! What a side has removed: where that is, for other sides and for the part as a whole.
+
+use std::collections::BTreeMap;
+
+use chordal_geometry::{Aabb, Transform};
+use chordal_stock::{Span, Stock};
+
+use super::earlier::Begun;
+use super::stretches::stretches_of;
+
+/// Columns along a side of a block of which one height is kept.
+const BLOCK: u32 = 16;
+/// Heights that differ by less are the same, mm.
+const SAME: f64 = 1e-6;
+
+/// The columns of another way that the part lies.
+#[derive(Debug)]
+pub(super) struct OtherSide {
+    pub stock: Stock,
+    pub removed: Removed,
+    /// From where the part lies as it was given to where it lies then.
+    pub there: Transform,
+}
+
+/// How deep the columns of a side are cut.
+#[derive(Debug)]
+pub(super) struct Removed {
+    low: [f64; 2],
+    side: f64,
+    blocks: [usize; 2],
+    /// By blocks of columns, below which nothing is removed; infinite where nothing is removed at all, mm.
+    floors: Vec<f64>,
+    /// The columns that are cut from above.
+    is_cut: Vec<bool>,
+    /// What undercuts have surely removed from columns, by their numbers.
+    gaps: BTreeMap<usize, Vec<Span>>,
+}
+
+impl Removed {
+    pub fn of(stock: &Stock, begun: &Begun<'_>) -> Removed {
+        let grid = stock.grid();
+        let [columns, rows] = grid.cells();
+        let blocks = [columns, rows].map(|count| count.div_ceil(BLOCK) as usize);
+        let mut floors = vec![f64::INFINITY; blocks[0] * blocks[1]];
+        let mut is_cut = vec![false; columns as usize * rows as usize];
+        let mut gaps = BTreeMap::new();
+        let pairs = stock.height_pairs();
+        for row in 0..rows {
+            for column in 0..columns {
+                let index = row as usize * columns as usize + column as usize;
+                let corners @ [low, high] = grid.corners(column, row);
+                let own = cut_gaps(stock, [column, row], &begun.shape.hollows(corners)[0]);
+                if !own.is_empty() {
+                    gaps.insert(index, own);
+                }
+                is_cut[index] = pairs[index].inner < begun.of(low, high)[1] - SAME;
+                let left = stretches_of(stock, [column, row], 1, pairs[index].inner);
+                let [_, filled] = begun.shape.filled(corners);
+                let lowest = lowest_removed(&filled, &left);
+                if lowest.is_finite() {
+                    let block = (row / BLOCK) as usize * blocks[0] + (column / BLOCK) as usize;
+                    floors[block] = floors[block].min(lowest);
+                }
+            }
+        }
+        let min = grid.bounds().min;
+        let side = f64::from(BLOCK) * grid.resolution();
+        Removed { low: [min.x, min.y], side, blocks, floors, is_cut, gaps }
+    }
+
+    /// Whether all of a box is under what is removed.
+    pub fn is_above(&self, body: &Aabb) -> bool {
+        let range = |axis: usize, from: f64, to: f64| {
+            let at = |place: f64| ((place - self.low[axis]) / self.side).floor();
+            let last = self.blocks[axis] as f64 - 1.0;
+            (at(from - SAME).clamp(0.0, last) as usize)..=(at(to + SAME).clamp(0.0, last) as usize)
+        };
+        range(1, body.min.y, body.max.y).all(|row| {
+            range(0, body.min.x, body.max.x)
+                .all(|column| body.max.z <= self.floors[row * self.blocks[0] + column] - SAME)
+        })
+    }
+
+    /// Whether anything is removed.
+    pub fn is_any(&self) -> bool {
+        self.floors.iter().any(|floor| floor.is_finite())
+    }
+
+    /// Whether a height of a column, by its number, is in what undercuts have surely removed.
+    pub fn is_in_gap(&self, column: usize, height: f64) -> bool {
+        let gaps = self.gaps.get(&column);
+        gaps.is_some_and(|gaps| gaps.iter().any(|gap| gap.floor < height && height < gap.top))
+    }
+
+    /// Whether a column is cut from above, by its number.
+    pub fn is_cut(&self, column: usize) -> bool {
+        self.is_cut[column]
+    }
+}
+
+/// The sure gaps of a column that it did not have from the beginning.
+fn cut_gaps(stock: &Stock, [column, row]: [u32; 2], hollows: &[Span]) -> Vec<Span> {
+    let [mut surely, _] = stock.gaps_at(column, row);
+    surely.retain(|gap| {
+        let holds =
+            |hollow: &Span| hollow.floor <= gap.floor + SAME && gap.top <= hollow.top + SAME;
+        !hollows.iter().any(holds)
+    });
+    surely
+}
+
+/// The lowest place of what was filled and is not left; infinite where there is none, mm.
+fn lowest_removed(filled: &[[f64; 2]], left: &[[f64; 2]]) -> f64 {
+    for &[from, to] in filled {
+        // Below that nothing of the stretch is removed.
+        let mut at = from;
+        for &[floor, top] in left {
+            if floor <= at + SAME {
+                at = at.max(top);
+            }
+        }
+        if at < to - SAME {
+            return at;
+        }
+    }
+    f64::INFINITY
+}
+
+#[cfg(test)]
+mod tests {
+    use super::lowest_removed;
+
+    #[test]
+    fn what_is_removed_begins_where_nothing_is_left() {
+        assert_eq!(lowest_removed(&[[0.0, 10.0]], &[[0.0, 6.0]]), 6.0);
+        assert_eq!(lowest_removed(&[[3.0, 10.0]], &[[3.0, 10.0]]), f64::INFINITY);
+        assert_eq!(lowest_removed(&[[0.0, 2.0], [5.0, 10.0]], &[[0.0, 2.0], [6.0, 10.0]]), 5.0);
+        assert_eq!(lowest_removed(&[[0.0, 10.0]], &[[0.0, 4.0], [5.0, 10.0]]), 4.0);
+        assert_eq!(lowest_removed(&[], &[]), f64::INFINITY);
+    }
+}

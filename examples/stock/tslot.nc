@@ -1,0 +1,29 @@
+%
+O0205 (SLOT, THEN T-SLOT)
+(machine: haas-vf2)
+(set: tools.1.length="120 mm")
+(set: tools.2.length="110 mm")
+(T1 10 MM END MILL)
+(T2 20 MM T-SLOT CUTTER, 4 MM THICK)
+G21 G17 G40 G49 G80 G90 G54
+T1 M6
+S5000 M3
+G0 X108. Y0.
+G43 H1 Z10.
+G0 Z-6.
+G1 X25. F900.
+G0 Z10.
+G0 X108.
+G0 Z-12.
+G1 X25. F900.
+G0 Z10.
+T2 M6
+S800 M3
+G0 X114. Y0.
+G43 H2 Z10.
+G0 Z-12.
+G1 X30. F160.
+X114. F1000.
+G0 Z10.
+M30
+%
