@@ -3,15 +3,14 @@
 use std::path::PathBuf;
 
 use chordal::stock::StockOptions;
-use chordal::{Report, Severity};
+use chordal::{EVERY_PLACE, Report, Severity};
 use chordal_export::report::{self, Sarif};
 use chordal_load::Loaded;
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
-use crate::json_files::{join, reading};
 use crate::numbers::{counted, grouped};
-use crate::options::{Common, EVERY_PLACE, Showing, length};
+use crate::options::{Common, Showing, length};
 use crate::programs::{Programs, recognized};
 use crate::readings;
 use crate::stock;
@@ -135,7 +134,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
             }
             Format::Github => programs.say(&report::github(&report, job.sources()))?,
             Format::Json => {
-                let reading = reading(loaded);
+                let reading = loaded.reading();
                 objects.push(report::json(&report, job.sources(), loaded.name(), &reading));
             }
             Format::Sarif => sarif.add(&report, job.sources()),
@@ -147,7 +146,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     totals.called = called;
     match format {
         Format::Text => terminal.tell(&totals.text(terminal)),
-        Format::Json => crate::terminal::say(&join("chordal.check/1", &objects))?,
+        Format::Json => crate::terminal::say(&report::files_json("chordal.check/1", &objects))?,
         Format::Sarif => crate::terminal::say(&sarif.finish())?,
         Format::Github => {}
     }

@@ -29,7 +29,6 @@ mod convert;
 mod engagement;
 mod explain;
 mod failure;
-mod json_files;
 mod lsp;
 mod machines;
 mod optimize;

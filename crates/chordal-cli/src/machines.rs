@@ -54,7 +54,7 @@ pub fn run(args: &Args) -> Result<Verdict, Failure> {
         _ if args.schema => schema_reference(),
         None if args.toml || args.dump => return Err(no_machine()),
         None => list(),
-        Some(machine) if args.toml => copy(machine),
+        Some(machine) if args.toml => machine::own_file(machine),
         Some(machine) if args.dump => dumped(&machine)?,
         Some(machine) => one(&machine),
     };
@@ -84,16 +84,6 @@ fn dumped(machine: &Machine) -> Result<String, Failure> {
 
 fn no_machine() -> Failure {
     Failure::wrong("no machine is named", "name one, or give --settings dump.txt")
-}
-
-/// The machine as a file of its own. What was said about its figures is a remark at the top: it is
-/// no longer so once they are changed.
-fn copy(mut machine: Machine) -> String {
-    let mut text = format!("# Copied from {}: put in the figures of your machine.\n", machine.name);
-    for note in std::mem::take(&mut machine.notes) {
-        text.push_str(&format!("# There, {note}.\n"));
-    }
-    text + &machine.to_toml()
 }
 
 fn list() -> String {

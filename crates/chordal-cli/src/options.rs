@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use chordal::KEPT_PER_CODE;
 use chordal::machine::{Dimension, QuantityError, parse_quantity};
+use chordal::{EVERY_PLACE, KEPT_PER_CODE};
 use chordal_export::report::Detail;
 use chordal_load::{Given, Request};
 use clap::ValueEnum;
@@ -112,9 +112,6 @@ impl Showing {
         if self.verbose { EVERY_PLACE } else { KEPT_PER_CODE.max(self.max.unwrap_or(0)) }
     }
 }
-
-/// Kept of each code where every place is asked for: a program of a million lines has room in memory.
-pub const EVERY_PLACE: usize = 100_000;
 
 /// `1000`, `O1000`, `o1000`, `:1000`.
 fn program_number(text: &str) -> Result<u32, String> {

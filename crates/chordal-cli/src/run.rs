@@ -4,14 +4,13 @@ use std::path::{Path, PathBuf};
 
 use chordal::motion::MotionOptions;
 use chordal::stock::{StockLeft, StockOptions};
-use chordal::time::Timed;
+use chordal::time::{Timed, most_summarized};
 use chordal::{Job, Report, Severity};
 use chordal_export::{PlotOptions, report, stock_left_text};
 use chordal_load::Loaded;
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
-use crate::json_files::{join, reading};
 use crate::options::{Common, Showing};
 use crate::output::{self, Outputs};
 use crate::programs::Programs;
@@ -40,13 +39,6 @@ Outputs by file extension:
 Subprograms are also looked for in the program's folder, by file name (O1000, 1000.nc) and by
 the number in the file. The exit code is 1 when there is an error: the control would stop; with --setup also
 when the stock is not proved clean.";
-
-/// Most moves of a program whose cycle time is planned: longer ones are for `chordal time`, so
-/// that the summary of a million lines is there at once.
-const MOST_PLANNED: u64 = 300_000;
-
-/// Bytes of a line of a program of many short moves.
-const LINE: u64 = 20;
 
 /// Runs a program and summarizes what it does
 #[derive(clap::Args)]
@@ -101,7 +93,7 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
             }
             Format::Json => {
                 let Done { report, timed, stock, .. } = &done;
-                let reading = reading(loaded);
+                let reading = loaded.reading();
                 let run = report::RunOf { report, timed: timed.as_ref(), stock: stock.as_ref() };
                 let object = report::summary_json(&run, &job, loaded.name(), &reading);
                 objects.push(object);
@@ -112,7 +104,7 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         Ok(if failed { Verdict::Problems } else { Verdict::Clean })
     })?;
     if args.format == Format::Json {
-        say(&join("chordal.run/1", &objects))?;
+        say(&report::files_json("chordal.run/1", &objects))?;
     }
     Ok(verdict)
 }
@@ -133,8 +125,7 @@ fn carry_out(
     targets: &[output::Target],
 ) -> Result<Done, Failure> {
     let mut outputs = Outputs::open(targets, job)?;
-    // A long text is not planned in vain.
-    let most = if loaded.size() as u64 > MOST_PLANNED * LINE { 0 } else { MOST_PLANNED };
+    let most = most_summarized(loaded.size());
     let (report, timed) = job.report_timed(&MotionOptions::default(), most, &mut outputs);
     // Limits nothing can be planned with are reported by `chordal time`.
     let timed = timed.ok().flatten();

@@ -1,12 +1,9 @@
 //! `chordal sample`: the setpoints of the axes.
 
-use std::io;
 use std::path::PathBuf;
 
 use chordal::machine::Dimension;
-use chordal::motion::{
-    Level, MotionOptions, MotionReport, PlanSink, Sample, Sampler, Sources, Step, StepSource,
-};
+use chordal::motion::{Level, MotionOptions, Sampled, Sampling, SamplingError};
 use chordal::{Job, Report, Severity};
 use chordal_export::report::{self, Detail};
 use chordal_export::{SampleFormat, SampleHead, SampleWriter};
@@ -18,6 +15,7 @@ use crate::options::{Common, quantity};
 use crate::out::{Out, RowFormat, format_of, keep, trouble};
 use crate::programs::{load_one, recognized};
 use crate::terminal::{BOLD, Terminal, style};
+use crate::time::wrong_limit;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -106,54 +104,6 @@ fn period(text: &str) -> Result<f64, String> {
 /// A time that differs by less is the same to a reader.
 const NOTICED: f64 = 1e-4;
 
-/// Setpoints on their way from the planner to the output.
-struct Setpoints {
-    sampler: Sampler,
-    rows: Rows,
-}
-
-struct Rows {
-    writer: SampleWriter<Out>,
-    done: io::Result<()>,
-    period_s: f64,
-    count: u64,
-    /// The largest chord of the period, mm, and its line.
-    chord: (f64, u32),
-}
-
-impl Rows {
-    fn take(&mut self, sample: &Sample) {
-        let line = StepSource::line_of(sample.tag);
-        keep(&mut self.done, || self.writer.sample(sample, line));
-        self.count += 1;
-        let chord = normal_acceleration(sample) * self.period_s * self.period_s / 8.0;
-        if chord > self.chord.0 {
-            self.chord = (chord, line);
-        }
-    }
-}
-
-/// The part of the acceleration across the way of the tool, v²·κ, mm/s²: over a period T the
-/// chord from one setpoint to the next leaves the path by (vT)²·κ/8.
-fn normal_acceleration(sample: &Sample) -> f64 {
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).take(3).map(|(a, b)| a * b).sum::<f64>();
-    let speed2 = dot(&sample.velocity, &sample.velocity);
-    if speed2 == 0.0 {
-        return 0.0;
-    }
-    let along = dot(&sample.velocity, &sample.acceleration);
-    let all = dot(&sample.acceleration, &sample.acceleration);
-    // On a straight way the two are equal but for rounding, which must not look like a curve.
-    let across2 = all - along * along / speed2;
-    if across2 > 1e-12 * all { across2.sqrt() } else { 0.0 }
-}
-
-impl PlanSink for Setpoints {
-    fn step(&mut self, step: Step<'_>, _: &Sources) {
-        self.sampler.push(step, |sample| self.rows.take(sample));
-    }
-}
-
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let path = args.output.as_deref();
     let format = format_of(args.format, path, RowFormat::Csv, "setpoints")?;
@@ -163,31 +113,23 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let report = job.report();
     let head = SampleHead::of(&job, &report, args.period);
     let told = |error| trouble(path, error);
-    let rows = Rows {
-        writer: SampleWriter::new(out, inside(format), &head).map_err(told)?,
-        done: Ok(()),
-        period_s: args.period,
-        count: 0,
-        chord: (0.0, 0),
-    };
-    let sampler = Sampler::new(args.period).at_most(args.max_samples);
-    let mut setpoints = Setpoints { sampler, rows };
-    let motion = plan(&job, args.level, &mut setpoints)?;
-    let Setpoints { sampler, mut rows } = setpoints;
-    let time_s = sampler.time_s();
-    if sampler.is_exhausted() {
-        return Err(too_many(args, time_s));
-    }
-    sampler.finish(|sample| rows.take(sample));
-    rows.done.map_err(told)?;
-    rows.writer.finish().map_err(told)?.put()?;
+    let mut writer = SampleWriter::new(out, inside(format), &head).map_err(told)?;
+    let mut done = Ok(());
+    let sampling =
+        Sampling { period_s: args.period, level: args.level.of(), most: args.max_samples };
+    let sampled = job.setpoints(&sampling, |sample, line| {
+        keep(&mut done, || writer.sample(sample, line));
+    });
+    let sampled = sampled.map_err(|error| failure(args, &error))?;
+    done.map_err(told)?;
+    writer.finish().map_err(told)?.put()?;
 
     terminal.tell(&recognized(&loaded));
     terminal.tell(&report::text(&report, job.sources(), terminal.err, Detail::default()));
     let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
-    let machine_s = if motion.bent_rapids > 0 { machine_time(&job, args.level) } else { None };
-    let numbers = Numbers { count: rows.count, time_s, machine_s, chord: rows.chord };
-    terminal.tell(&summary(&numbers, args.period, &motion, units, terminal.err));
+    let bent = sampled.motion.bent_rapids > 0;
+    let machine_s = if bent { machine_time(&job, args.level) } else { None };
+    terminal.tell(&summary(&sampled, machine_s, args.period, units, terminal.err));
     Ok(verdict(&report))
 }
 
@@ -195,13 +137,11 @@ fn verdict(report: &Report) -> Verdict {
     if report.worst() == Some(Severity::Error) { Verdict::Problems } else { Verdict::Clean }
 }
 
-fn plan(job: &Job, level: Effort, setpoints: &mut Setpoints) -> Result<MotionReport, Failure> {
-    // Setpoints are places: a rapid goes where its axes take it.
-    let options =
-        MotionOptions { level: level.of(), dog_leg_shape: true, ..MotionOptions::default() };
-    job.plan(&options, setpoints).map_err(|error| {
-        Failure::wrong(error.to_string(), "correct it in the machine file, or with --set")
-    })
+fn failure(args: &Args, error: &SamplingError) -> Failure {
+    match error {
+        SamplingError::Limit(error) => wrong_limit(error),
+        SamplingError::TooMany(seconds) => too_many(args, *seconds),
+    }
 }
 
 fn too_many(args: &Args, seconds: f64) -> Failure {
@@ -223,31 +163,25 @@ fn machine_time(job: &Job, level: Effort) -> Option<f64> {
     job.time(&options).ok().map(|timed| timed.time.total_s())
 }
 
-struct Numbers {
-    count: u64,
-    time_s: f64,
-    machine_s: Option<f64>,
-    chord: (f64, u32),
-}
-
 fn summary(
-    numbers: &Numbers,
+    sampled: &Sampled,
+    machine_s: Option<f64>,
     period_s: f64,
-    motion: &MotionReport,
     units: Units,
     colors: bool,
 ) -> String {
+    let Sampled { motion, time_s, count, chord } = sampled;
     let mut text = String::new();
     let mut row = |name: &str, value: &str| {
         let name = style(colors, BOLD, format!("{name:10}"));
         text.push_str(&format!("  {name}{value}\n"));
     };
-    let count = counted(numbers.count, "setpoint", "setpoints");
+    let count = counted(*count, "setpoint", "setpoints");
     row("samples", &format!("{count}, one every {}", time_text(period_s)));
-    row("time", &format!("{} ({} s)", duration(numbers.time_s), short(numbers.time_s, 6)));
-    let extra = numbers.machine_s.map_or(0.0, |machine| numbers.time_s - machine);
-    if extra > NOTICED * numbers.time_s {
-        let (extra, time) = (duration(extra), duration(numbers.time_s - extra));
+    row("time", &format!("{} ({} s)", duration(*time_s), short(*time_s, 6)));
+    let extra = machine_s.map_or(0.0, |machine| time_s - machine);
+    if extra > NOTICED * time_s {
+        let (extra, time) = (duration(extra), duration(time_s - extra));
         row(
             "",
             &format!(
@@ -259,7 +193,7 @@ fn summary(
     if units == Units::Inch {
         row("units", "mm and degrees in the rows, though the program is in inch");
     }
-    let (chord_mm, line) = numbers.chord;
+    let (chord_mm, line) = *chord;
     row("chord", &chord_text(chord_mm, line, units));
     if !motion.limits.assumed.is_empty() {
         row("limits", "typical values were used where the machine file gives none");
@@ -324,19 +258,8 @@ mod tests {
     }
 
     #[test]
-    fn the_chord_of_a_period_on_a_circle() {
-        // 400 mm/s on R10 at 1 ms: 2 µm.
-        let sample = Sample {
-            velocity: [0.0, 400.0, 0.0, 0.0, 0.0, 0.0],
-            acceleration: [-16_000.0, 700.0, 0.0, 0.0, 0.0, 0.0],
-            ..Sample::default()
-        };
-        let chord = normal_acceleration(&sample) * 1e-6 / 8.0;
-        assert!((chord - 2e-3).abs() < 1e-12);
-        assert_eq!(chord_text(chord, 7, Units::Millimetre), "at most 0.002 mm, on line 7");
-        let straight = Sample { acceleration: [0.0, -700.0, 0.0, 0.0, 0.0, 0.0], ..sample };
-        assert_eq!(normal_acceleration(&straight), 0.0);
-        assert_eq!(normal_acceleration(&Sample::default()), 0.0);
+    fn a_chord_has_its_line() {
+        assert_eq!(chord_text(2e-3, 7, Units::Millimetre), "at most 0.002 mm, on line 7");
     }
 
     #[test]

@@ -20,6 +20,7 @@
 mod check;
 mod checkpoints;
 mod complete;
+pub mod explain;
 mod format;
 mod grammar;
 mod hover;

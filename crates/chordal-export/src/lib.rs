@@ -21,8 +21,11 @@
 //! format converts on the way out. Writers stream: they take any [`std::io::Write`], hold
 //! a line at a time, and open no file.
 //!
+//! Feature `pictures` is whatever draws, with the calculations that have figures, feature `files` is Parquet and Arrow files; a shell that offers neither
+//! builds without their dependencies.
+//!
 //! ```
-//! use chordal::{Job, Machine, Source, SourceMap};
+//! use chordal::{Job, Machine, Reading, Source, SourceMap};
 //! use chordal_export::{Canon, report};
 //!
 //! let mut sources = SourceMap::new();
@@ -33,8 +36,7 @@
 //! let found = job.report_of_commands(|command| canon.command(command).unwrap());
 //! let text = String::from_utf8(canon.finish().unwrap()).unwrap();
 //! assert!(text.contains("STRAIGHT_FEED(10.000000"));
-//! let reading =
-//!     report::Reading { machine: None, control: "haas", from: "given", recognition: None };
+//! let reading = Reading { machine: None, control: "haas", from: "given", recognition: None };
 //! let text = report::json(&found, job.sources(), "part.nc", &reading);
 //! assert!(text.contains("chordal.diagnostics/1"));
 //! ```
@@ -57,6 +59,7 @@ mod motion;
 mod number;
 pub mod numbers;
 mod optimized;
+#[cfg(feature = "pictures")]
 mod plot;
 pub mod report;
 mod samples;
@@ -64,6 +67,7 @@ mod setpoints;
 mod stock;
 mod time;
 mod transformed;
+#[cfg(feature = "pictures")]
 mod worked;
 
 pub use canon::Canon;
@@ -81,20 +85,21 @@ pub use digest::sha256_hex;
 pub use dxf::Dxf;
 pub use machine_error::machine_error_text;
 pub use optimized::{optimized_json, optimized_text};
+#[cfg(feature = "pictures")]
 pub use plot::{
     MotionPlot, PageTool, PageView, Plot, PlotError, PlotOptions, Viewpoint, figure_png,
     figure_svg, page_section, palette_typescript, section_png, section_svg,
 };
 pub use samples::{SampleFormat, SampleWriter};
 pub use setpoints::{SAMPLE_SCHEMA, SampleHead};
+#[cfg(feature = "pictures")]
+pub use stock::stock_png;
 pub use stock::{
     MeshFormat, MeshSurface, StockMeshError, engagement_json, engagement_text, section_dxf,
-    stock_json, stock_left_text, stock_mesh, stock_png, stock_text, stock_verdict_text,
-    stock_volume, turned_json, turned_mesh, turned_text, turned_verdict_text, turning_json,
-    turning_text,
+    stock_json, stock_left_text, stock_mesh, stock_text, stock_verdict_text, stock_volume,
+    turned_json, turned_mesh, turned_text, turned_verdict_text, turning_json, turning_text,
 };
-pub use time::{
-    TimeDocument, comment_text, junctions_text, level_word, short_blocks_text, time_json,
-};
+pub use time::{comment_text, junctions_text, level_word, short_blocks_text, time_json};
 pub use transformed::{refusal_json, restart_json, split_json, transformed_json};
+#[cfg(feature = "pictures")]
 pub use worked::{worked_json, worked_text};

@@ -4,29 +4,14 @@ use chordal::control::{Certainty, Field, Origin, PathField, PathMode, Setting, S
 use chordal::diagnostics::{FileId, Span};
 use chordal::motion::{Level, MotionReport};
 use chordal::time::{
-    Alternative, BlockTime, Change, ChordCost, CutEnds, Least, LeastReport, Remedy, Timed, Times,
+    Alternative, BlockTime, Change, ChordCost, CutEnds, Least, Remedy, TimeStudy, Times,
 };
 use chordal::{Job, Report};
 use serde_json::{Map, Value, json};
 
-/// What stands in addition to the time of a program.
-#[derive(Clone, Copy, Debug)]
-pub struct TimeDocument<'a> {
-    /// The time.
-    pub timed: &'a Timed,
-    /// How hard the planner tried.
-    pub level: Level,
-    /// The same program with changes, where it was asked.
-    pub what_if: &'a [Alternative],
-    /// The least times, where they were asked.
-    pub least: Option<&'a LeastReport>,
-    /// What the short lines of each tool cost, where it was asked.
-    pub chords: &'a [ChordCost],
-}
-
 /// One JSON object, schema `chordal.time/1`: times in s, lengths in mm.
-pub fn time_json(document: &TimeDocument, report: &Report, job: &Job) -> String {
-    let (time, motion) = (&document.timed.time, &document.timed.motion);
+pub fn time_json(study: &TimeStudy, report: &Report, job: &Job) -> String {
+    let (time, motion) = (&study.timed.time, &study.timed.motion);
     let mut whole = Map::new();
     let mut put = |name: &str, value: Value| {
         whole.insert(name.to_string(), value);
@@ -39,8 +24,8 @@ pub fn time_json(document: &TimeDocument, report: &Report, job: &Job) -> String 
     put("other_s", json!(time.times.other_s));
     put("lost_s", json!(time.times.lost_s));
     put("at_feed_s", json!(time.at_feed_s));
-    put("level", json!(level_word(document.level)));
-    if let Some(least) = document.least {
+    put("level", json!(level_word(study.level)));
+    if let Some(least) = &study.least {
         least_values(&least.whole).into_iter().for_each(|(name, value)| put(name, value));
     }
     put("moves", json!(time.moves));
@@ -63,7 +48,7 @@ pub fn time_json(document: &TimeDocument, report: &Report, job: &Job) -> String 
         if let Some(comment) = operation.comment.and_then(|span| comment_text(span, job)) {
             row["comment"] = comment.into();
         }
-        if let Some(least) = document.least.and_then(|least| least.operations.get(index)) {
+        if let Some(least) = study.least.as_ref().and_then(|least| least.operations.get(index)) {
             least_values(least).into_iter().for_each(|(name, value)| row[name] = value);
         }
         row
@@ -72,11 +57,11 @@ pub fn time_json(document: &TimeDocument, report: &Report, job: &Job) -> String 
     put("operations_left_out", json!(time.operations_left_out));
     put("longest_blocks", blocks(&time.longest, job));
     put("costliest_blocks", blocks(&time.costliest, job));
-    if !document.what_if.is_empty() {
-        put("what_if", document.what_if.iter().map(alternative).collect());
+    if !study.what_if.is_empty() {
+        put("what_if", study.what_if.iter().map(alternative).collect());
     }
-    if !document.chords.is_empty() {
-        put("short_lines", document.chords.iter().map(short_lines).collect());
+    if !study.chords.is_empty() {
+        put("short_lines", study.chords.iter().map(short_lines).collect());
     }
     put("assumed", assumed(motion));
     put("cuts_without_feed", json!(motion.cuts_without_feed));

@@ -1,13 +1,14 @@
 //! Finding program files.
 
 use std::borrow::Cow;
-use std::fs::{self, File};
-use std::io::{self, Read};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use chordal::syntax::decode;
 
 use crate::error::LoadError;
+use crate::files::Files;
 
 /// How much of a file in a folder is looked at to decide whether it is a program.
 const SAMPLE: u64 = 16 * 1024;
@@ -92,7 +93,7 @@ fn search(folder: &Path, root: &Path, inputs: &mut Vec<Input>, failures: &mut Ve
         } else if kind.is_dir() {
             search(&path, root, inputs, failures);
         } else if path.is_file() && !has_other_ending(&path) {
-            match head(&path, SAMPLE) {
+            match Files::Disk.head(&path, SAMPLE) {
                 Ok(sample) if looks_like_program(&sample) => {
                     inputs.push(Input { path: Some(path), root: Some(root.to_path_buf()) });
                 }
@@ -104,21 +105,15 @@ fn search(folder: &Path, root: &Path, inputs: &mut Vec<Input>, failures: &mut Ve
 }
 
 /// Neither its name nor its content speak against a program.
-pub fn may_be_program(path: &Path) -> bool {
-    !has_other_ending(path) && head(path, SAMPLE).is_ok_and(|sample| looks_like_program(&sample))
+pub(crate) fn may_be_program(files: &Files, path: &Path) -> bool {
+    let sample = || files.head(path, SAMPLE);
+    !has_other_ending(path) && sample().is_ok_and(|sample| looks_like_program(&sample))
 }
 
 /// The ending of its name says that a file is no program.
 pub fn has_other_ending(path: &Path) -> bool {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
     ending.is_some_and(|ending| NOT_PROGRAMS.contains(&ending.as_str()))
-}
-
-/// The first bytes of a file.
-pub fn head(path: &Path, size: u64) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    File::open(path)?.take(size).read_to_end(&mut bytes)?;
-    Ok(bytes)
 }
 
 /// Some line starts as a block does: a letter with a number, a program head, a percent sign.

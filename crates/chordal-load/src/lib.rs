@@ -29,6 +29,7 @@
 mod assumed;
 mod chosen;
 mod error;
+mod files;
 mod input;
 mod loaded;
 mod loader;
@@ -43,6 +44,7 @@ use std::path::Path;
 pub use assumed::MovedAxes;
 pub use chosen::Chosen;
 pub use error::{LoadError, reason};
+pub use files::Files;
 pub use input::{Input, find, has_other_ending, looks_like_program};
 pub use loaded::Loaded;
 pub use loader::Loader;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use chordal::control::{Interrupt, RunOptions, ShopCodes, ShopRecord};
-use chordal::{Command, Diagnostic, Job, Machine, RunSink, Sink, Source, SourceMap};
+use chordal::{Command, Diagnostic, Job, Machine, Reading, RunSink, Sink, Source, SourceMap};
 
 use crate::chosen::Chosen;
 use crate::error::LoadError;
@@ -83,6 +83,17 @@ impl Loaded {
     /// The name of its control, or of the language that is not read.
     pub fn control(&self) -> &'static str {
         self.not_read().unwrap_or_else(|| self.machine.control.as_str())
+    }
+
+    /// On what it is read, and why.
+    pub fn reading(&self) -> Reading<'_> {
+        let machine = Some(self.machine.name.as_str()).filter(|_| self.not_read().is_none());
+        Reading {
+            machine,
+            control: self.control(),
+            from: self.chosen.from(),
+            recognition: self.chosen.recognition(),
+        }
     }
 
     /// Its machine.

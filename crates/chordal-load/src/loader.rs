@@ -56,7 +56,7 @@ impl Loader {
     /// # Errors
     /// A file that cannot be read, a machine that cannot be used, a program that is not there.
     pub fn load(&mut self, input: &Input) -> Result<Loaded, LoadError> {
-        self.load_text(Text::read(input)?, input)
+        self.load_text(Text::read_of(&self.request.files, input)?, input)
     }
 
     /// The same with the text of the input at hand.
@@ -76,7 +76,7 @@ impl Loader {
         }
         let mut texts = vec![text];
         if let Some(path) = input.path.as_ref().filter(|_| !control.parameters.calls_within_file) {
-            let found = self.folders.find(path, texts[0].bytes(), &lexicon);
+            let found = self.folders.find(&request.files, path, texts[0].bytes(), &lexicon);
             texts.extend(found);
         }
         let options = options(request, &chosen, texts[0].bytes());

@@ -1,7 +1,6 @@
 //! Machines by name and of files, and which one runs a program: the caller's, the folder's, or the
 //! one that the text speaks for.
 
-use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -17,6 +16,7 @@ use chordal::machine::{ControlName, Location, MachineError, builtin, read_tool_t
 use crate::assumed::assume;
 use crate::chosen::Chosen;
 use crate::error::LoadError;
+use crate::files::Files;
 use crate::input::Input;
 use crate::request::{Given, Request};
 use crate::trial::settle;
@@ -28,7 +28,7 @@ const FOLDER_FILE: &str = "chordal.toml";
 pub(crate) fn given(request: &Request) -> Result<Option<Machine>, LoadError> {
     let machine = match &request.machine {
         None => return Ok(None),
-        Some(Given::Name(name)) => named(name)?,
+        Some(Given::Name(name)) => named_of(&request.files, name)?,
         Some(Given::Control(control)) => typical(*control),
         Some(Given::Machine(machine)) => machine.as_ref().clone(),
     };
@@ -43,8 +43,9 @@ pub(crate) fn choose(
 ) -> Result<(Machine, Chosen), LoadError> {
     for folder in folders(input) {
         let file = folder.join(FOLDER_FILE);
-        if file.is_file() {
-            return Ok((finish(from_file(&file)?, request)?, Chosen::Folder(file)));
+        if request.files.is_file(&file) {
+            let machine = file_of(&request.files, &file)?;
+            return Ok((finish(machine, request)?, Chosen::Folder(file)));
         }
     }
     if request.settings.is_some() {
@@ -74,9 +75,17 @@ pub(crate) fn choose(
 /// # Errors
 /// A name that nothing has; the help lists the built-in ones. What is wrong with a file.
 pub fn named(name: &str) -> Result<Machine, LoadError> {
+    named_of(&Files::Disk, name)
+}
+
+/// The same among these files.
+///
+/// # Errors
+/// Those of [`named`].
+pub fn named_of(files: &Files, name: &str) -> Result<Machine, LoadError> {
     let path = Path::new(name);
-    if builtin(name).is_none() && (path.is_file() || name.ends_with(".toml")) {
-        return from_file(path);
+    if builtin(name).is_none() && (files.is_file(path) || name.ends_with(".toml")) {
+        return file_of(files, path);
     }
     Machine::from_builtin(name).map_err(|mut errors| match errors.pop() {
         // A wrong name in a request: there is no file to draw.
@@ -119,8 +128,12 @@ pub fn dumped() -> ControlName {
 /// # Errors
 /// A file that cannot be read, what is wrong in it, and a machine whose control prints no settings.
 pub fn set_dump(machine: &mut Machine, path: &Path) -> Result<(), LoadError> {
+    set_dump_of(&Files::Disk, machine, path)
+}
+
+fn set_dump_of(files: &Files, machine: &mut Machine, path: &Path) -> Result<(), LoadError> {
     let name = path.to_string_lossy();
-    let text = read_text(path).map_err(|error| LoadError::read(&*name, &error))?;
+    let text = files.text(path).map_err(|error| LoadError::read(&*name, &error))?;
     let own = table(machine.control);
     let Some(rows) = own.firmware.map(|firmware| firmware.dump) else {
         let message = format!("{} is no control that prints its settings for `$$`", own.title);
@@ -148,9 +161,13 @@ pub fn typical_name(control: ControlName) -> &'static str {
 /// # Errors
 /// A file that cannot be read, and everything that is wrong in it.
 pub fn from_file(path: &Path) -> Result<Machine, LoadError> {
+    file_of(&Files::Disk, path)
+}
+
+fn file_of(files: &Files, path: &Path) -> Result<Machine, LoadError> {
     let name = path.to_string_lossy();
-    let text = read_text(path).map_err(|error| LoadError::read(&*name, &error))?;
-    from_text(&name, &text)
+    let text = files.text(path).map_err(|error| LoadError::read(&*name, &error))?;
+    text_of(files, &name, &text)
 }
 
 /// The machine of a TOML text, under a name that messages show.
@@ -158,14 +175,22 @@ pub fn from_file(path: &Path) -> Result<Machine, LoadError> {
 /// # Errors
 /// Everything that is wrong in it.
 pub fn from_text(name: &str, text: &str) -> Result<Machine, LoadError> {
-    let load = |file: &str| read_text(Path::new(file)).map_err(|error| error.to_string());
+    text_of(&Files::Disk, name, text)
+}
+
+fn text_of(files: &Files, name: &str, text: &str) -> Result<Machine, LoadError> {
+    let load = |file: &str| files.text(Path::new(file)).map_err(|error| error.to_string());
     Machine::from_toml(name, text, &load).map_err(LoadError::Machine)
 }
 
-/// A text file; the byte order mark that some editors write is none of the text.
-fn read_text(path: &Path) -> std::io::Result<String> {
-    let text = fs::read_to_string(path)?;
-    Ok(text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text))
+/// The machine as a file of its own, to start one from. What was said about its figures becomes
+/// a comment at the top: it is no longer so once they are changed.
+pub fn own_file(mut machine: Machine) -> String {
+    let mut text = format!("# Copied from {}: put in the figures of your machine.\n", machine.name);
+    for note in std::mem::take(&mut machine.notes) {
+        text.push_str(&format!("# There, {note}.\n"));
+    }
+    text + &machine.to_toml()
 }
 
 /// Everything that a request says of a machine, whichever it is.
@@ -176,13 +201,13 @@ fn finish(mut machine: Machine, request: &Request) -> Result<Machine, LoadError>
         if errors.is_empty() { Ok(()) } else { Err(LoadError::Machine(errors)) }
     };
     if let Some(path) = &request.settings {
-        set_dump(&mut machine, path)?;
+        set_dump_of(&request.files, &mut machine, path)?;
     }
     assign(&mut machine)?;
     check_settings(&machine)?;
     if let Some(path) = &request.tools {
         let name = path.to_string_lossy();
-        let text = read_text(path).map_err(|error| LoadError::read(&*name, &error))?;
+        let text = request.files.text(path).map_err(|error| LoadError::read(&*name, &error))?;
         let (control, _) = Control::of(&machine);
         let millimetres = control.parameters.rules.units == Units::Millimetre;
         let tools = read_tool_tbl(&text, millimetres).map_err(|mut errors| {

@@ -1,14 +1,14 @@
 //! The files beside a program: subprograms lie there, as on a control's disk.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use chordal::control::{called_subs, referenced_programs};
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockReader, Lexicon, decode, find_programs};
 
-use crate::input::{Input, head, may_be_program};
+use crate::files::Files;
+use crate::input::{Input, may_be_program};
 use crate::text::Text;
 
 /// Most files that are added to a program.
@@ -31,7 +31,13 @@ impl Folders {
     /// The files that hold the programs which a text calls, and those which they call, as far
     /// as they lie in the same folder. Files that cannot be read are skipped: then the
     /// subprogram is missing, and the run says so.
-    pub fn find(&mut self, path: &Path, text: &[u8], lexicon: &Lexicon) -> Vec<Text> {
+    pub fn find(
+        &mut self,
+        files: &Files,
+        path: &Path,
+        text: &[u8],
+        lexicon: &Lexicon,
+    ) -> Vec<Text> {
         let mut found: Vec<Text> = Vec::new();
         let mut wanted: BTreeSet<u32> = referenced_programs(text, lexicon).into_iter().collect();
         let mut names: BTreeSet<String> = called_subs(text, lexicon).into_iter().collect();
@@ -42,13 +48,13 @@ impl Folders {
         if self.0.len() > MOST_FOLDERS {
             self.0.clear();
         }
-        let folder = self.0.entry(folder_of(path)).or_insert_with(|| Folder::of(path));
+        let folder = self.0.entry(folder_of(path)).or_insert_with(|| Folder::of(files, path));
         while let Some(number) = wanted.pop_first() {
             if known.contains(&number) || found.len() >= MOST_FILES {
                 continue;
             }
-            let Some(path) = folder.program(number, path) else { continue };
-            if let Ok(mut text) = Text::read(&Input { path: Some(path), root: None }) {
+            let Some(path) = folder.program(files, number, path) else { continue };
+            if let Ok(mut text) = Text::read_of(files, &Input { path: Some(path), root: None }) {
                 if numbers(text.bytes(), lexicon).next().is_none() {
                     text.give_head(number);
                 }
@@ -65,7 +71,7 @@ impl Folders {
                 continue;
             }
             let Some(path) = folder.subroutine(&name, path) else { continue };
-            if let Ok(text) = Text::read(&Input { path: Some(path), root: None }) {
+            if let Ok(text) = Text::read_of(files, &Input { path: Some(path), root: None }) {
                 names.extend(called_subs(text.bytes(), lexicon));
                 found.push(text);
             }
@@ -144,17 +150,8 @@ struct Folder {
 
 impl Folder {
     /// The folder of a program. Its files are named as the program is.
-    fn of(program: &Path) -> Folder {
-        let folder = match program.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
-        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-        let mut files: Vec<PathBuf> = entries
-            .map(|entry| program.with_file_name(entry.file_name()))
-            .filter(|path| path.is_file())
-            .collect();
-        files.sort();
+    fn of(files: &Files, program: &Path) -> Folder {
+        let files = files.next_to(program);
         let mut numbers: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
         let mut subroutines: BTreeMap<String, Vec<PathBuf>> = BTreeMap::new();
         for path in &files {
@@ -176,17 +173,17 @@ impl Folder {
 
     /// The file of a program other than its caller: by its name, or else by its first head, or
     /// else by its name alone, where it has no head at all.
-    fn program(&mut self, number: u32, caller: &Path) -> Option<PathBuf> {
+    fn program(&mut self, disk: &Files, number: u32, caller: &Path) -> Option<PathBuf> {
         let named =
             || self.numbers.get(&number).into_iter().flatten().filter(|path| *path != caller);
-        if let Some(path) = named().find(|path| first_head(path) == Some(number)) {
+        if let Some(path) = named().find(|path| first_head(disk, path) == Some(number)) {
             return Some(path.clone());
         }
         let files = &self.files;
         let heads = self.heads.get_or_insert_with(|| {
             let mut heads: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
             for path in files.iter().take(MOST_HEADS) {
-                if let Some(number) = first_head(path) {
+                if let Some(number) = first_head(disk, path) {
                     heads.entry(number).or_default().push(path.clone());
                 }
             }
@@ -195,7 +192,10 @@ impl Folder {
         let by_head =
             heads.get(&number).and_then(|paths| paths.iter().find(|path| *path != caller));
         by_head
-            .or_else(|| named().find(|path| first_head(path).is_none() && may_be_program(path)))
+            .or_else(|| {
+                let mut named = named();
+                named.find(|path| first_head(disk, path).is_none() && may_be_program(disk, path))
+            })
             .cloned()
     }
 }
@@ -207,8 +207,8 @@ fn subroutine_of_name(path: &Path) -> Option<String> {
     Some(stem.to_string())
 }
 
-fn first_head(path: &Path) -> Option<u32> {
-    let bytes = head(path, HEAD).ok()?;
+fn first_head(files: &Files, path: &Path) -> Option<u32> {
+    let bytes = files.head(path, HEAD).ok()?;
     let text = decode(&bytes);
     if text.binary { None } else { numbers(&text.text, &Lexicon::FANUC_STYLE).next() }
 }

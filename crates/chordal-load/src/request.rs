@@ -7,6 +7,8 @@ use chordal::Machine;
 use chordal::control::{Interrupt, ShopCodes};
 use chordal::machine::ControlName;
 
+use crate::files::Files;
+
 /// The machine that a caller wants.
 #[derive(Clone, Debug)]
 pub enum Given {
@@ -24,6 +26,8 @@ pub enum Given {
 pub struct Request {
     /// The machine.
     pub machine: Option<Given>,
+    /// Where machine files, tool tables and subprograms are.
+    pub files: Files,
     /// Assignments to keys of the machine, as `tools.5.diameter="0.5 in"`.
     pub set: Vec<String>,
     /// What a firmware printed for `$$` (GRBL): its settings, before the assignments.

@@ -10,6 +10,7 @@ use chordal::syntax::decode;
 use memmap2::Mmap;
 
 use crate::error::LoadError;
+use crate::files::{Files, found};
 use crate::input::Input;
 
 /// Files below this size are read: a mapping costs more than copying them.
@@ -49,10 +50,18 @@ impl Text {
     /// # Errors
     /// A file that cannot be read, or is larger than 4 GiB.
     pub fn read(input: &Input) -> Result<Text, LoadError> {
+        Text::read_of(&Files::Disk, input)
+    }
+
+    /// The same among these files.
+    pub(crate) fn read_of(files: &Files, input: &Input) -> Result<Text, LoadError> {
         let name = input.name().into_owned();
-        let bytes = match &input.path {
-            Some(path) => open(path),
-            None => read_all(io::stdin().lock()),
+        let bytes = match (&input.path, files) {
+            (Some(path), Files::Disk) => open(path),
+            (Some(path), Files::Given(files)) => {
+                found(files, path).map(|bytes| Bytes::Owned(bytes.to_vec()))
+            }
+            (None, _) => read_all(io::stdin().lock()),
         };
         let bytes = bytes.map_err(|error| LoadError::read(&*name, &error))?;
         Text::new(name, bytes)

@@ -5,19 +5,17 @@ use std::sync::{Arc, OnceLock};
 
 use chordal::control::EndReason;
 use chordal::geometry::Placement;
-use chordal::motion::{
-    Level, LimitError, MotionOptions, PlanSink, Sampler, Sources, Step, StepSource,
-};
+use chordal::motion::{Level, LimitError, MotionOptions, Sampling, SamplingError};
 use chordal::stock::{StockOptions, StockReport, TurnedOptions, TurnedReport};
-use chordal::time::Effort;
+use chordal::time::{Again, TimeQuestion};
 use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
 use chordal_compare::{Category, Options as Comparing, compare};
 use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
 use chordal_export::{
-    Plot, PlotOptions, SampleHead, TimeDocument, comparison_json, conversion_json, refusal_json,
-    report, restart_json, sha256_hex, split_json, time_json, transformed_json,
+    Plot, PlotOptions, SampleHead, comparison_json, conversion_json, refusal_json, report,
+    restart_json, sha256_hex, split_json, time_json, transformed_json,
 };
-use chordal_load::{Given, LoadError, Loaded, Request, file, reason};
+use chordal_load::{Files, Given, LoadError, Loaded, Request, file, reason};
 use chordal_report::{About, gather, html};
 use chordal_rewrite as rewrite;
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -74,6 +72,7 @@ impl Options {
         let shop = self.shop_codes.map(|hook| Shop::new(hook, signals.clone()));
         Ok(Request {
             machine: machine.or(control.transpose()?.map(Given::Control)),
+            files: Files::Disk,
             set: self.set,
             settings: self.settings,
             tools: self.tools,
@@ -145,11 +144,6 @@ fn wrong_limit(py: Python<'_>, error: &LimitError) -> PyErr {
     error::usage(py, &error.to_string(), Some("correct it in the machine"))
 }
 
-/// Sees nothing of a run.
-struct Unwatched;
-
-impl Watch for Unwatched {}
-
 /// Gathers the commands of a run.
 struct Commands<'a> {
     columns: CommandColumns<'a>,
@@ -167,19 +161,6 @@ impl Watch for Commands<'_> {
         if self.of_path {
             self.columns.path_command(path);
         }
-    }
-}
-
-/// Gathers the setpoints of a run.
-struct Setpoints {
-    sampler: Sampler,
-    columns: SampleColumns,
-}
-
-impl PlanSink for Setpoints {
-    fn step(&mut self, step: Step<'_>, _: &Sources) {
-        let Setpoints { sampler, columns } = self;
-        sampler.push(step, |sample| columns.sample(sample, StepSource::line_of(sample.tag)));
     }
 }
 
@@ -263,14 +244,8 @@ impl Program {
                 (text, chordal_report::problem_html(each, sources))
             });
             let loaded = &self.loaded;
-            let machine = loaded.machine().name.as_str();
-            let reading = report::Reading {
-                machine: Some(machine).filter(|_| loaded.not_read().is_none()),
-                control: loaded.control(),
-                from: loaded.chosen.from(),
-                recognition: loaded.chosen.recognition(),
-            };
-            Ok((report::json(told, sources, loaded.name(), &reading), drawn.collect()))
+            let json = report::json(told, sources, loaded.name(), &loaded.reading());
+            Ok((json, drawn.collect()))
         })
     }
 
@@ -344,21 +319,14 @@ impl Program {
         max_samples: u64,
     ) -> PyResult<(Table, Planned)> {
         let (period_s, level) = (period(py, period_s)?, level(py, level_word)?);
-        // Setpoints are places: a rapid goes the way that the machine goes.
-        let options = MotionOptions { level, dog_leg_shape: true, ..MotionOptions::default() };
+        let sampling = Sampling { period_s, level, most: max_samples };
         let planned = self.ask(py, |job| {
-            let columns = SampleColumns::new(&SampleHead::of(job, &job.report(), period_s));
-            let sampler = Sampler::new(period_s).at_most(max_samples);
-            let mut setpoints = Setpoints { sampler, columns };
-            let motion = match job.plan(&options, &mut setpoints) {
-                Ok(motion) => motion,
+            let mut columns = SampleColumns::new(&SampleHead::of(job, &job.report(), period_s));
+            let sampled = job.setpoints(&sampling, |sample, line| columns.sample(sample, line));
+            let motion = match sampled {
+                Ok(sampled) => sampled.motion,
                 Err(error) => return Ok(Err(error)),
             };
-            let Setpoints { sampler, mut columns } = setpoints;
-            if sampler.is_exhausted() {
-                return Ok(Ok(Err(sampler.time_s())));
-            }
-            sampler.finish(|sample| columns.sample(sample, StepSource::line_of(sample.tag)));
             let table = columns.take().and_then(Table::new).map_err(error::inside)?;
             let refused = motion.refused.iter();
             let refused = refused.map(|each| (each.source.origin.line, each.error.to_string()));
@@ -367,10 +335,12 @@ impl Program {
                 assumed.map(|each| format!("{} of {}", each.quantity, each.axis.letter()));
             let told =
                 (motion.moves, motion.cuts_without_feed, refused.collect(), assumed.collect());
-            Ok(Ok(Ok((table, told))))
+            Ok(Ok((table, told)))
         })?;
-        let sampled = planned.map_err(|error| wrong_limit(py, &error))?;
-        sampled.map_err(|seconds| too_many(py, max_samples, seconds))
+        planned.map_err(|error| match error {
+            SamplingError::Limit(error) => wrong_limit(py, &error),
+            SamplingError::TooMany(seconds) => too_many(py, max_samples, seconds),
+        })
     }
 
     /// The time as the JSON of `chordal time --format json`.
@@ -387,8 +357,9 @@ impl Program {
         let level = level(py, level_word)?;
         let options =
             MotionOptions { level, feed_override, rapid_override, ..MotionOptions::default() };
-        let timed =
-            self.ask(py, |job| Ok(time_of(job, self.told(job)?, &options, what_if, bound)))?;
+        let again = if what_if { Again::Always } else { Again::Never };
+        let question = TimeQuestion { options, again, bound };
+        let timed = self.ask(py, |job| Ok(time_of(job, self.told(job)?, &question)))?;
         timed.map_err(|error| wrong_limit(py, &error))
     }
 
@@ -619,32 +590,9 @@ impl Program {
     }
 }
 
-/// How much work the reference may be: some ten seconds, whatever the program.
-fn effort() -> Effort {
-    Effort { most_nodes: 4_000, total_nodes: 12_000, ..Effort::default() }
-}
-
-fn time_of(
-    job: &Job<'_>,
-    report: &Report,
-    options: &MotionOptions,
-    what_if: bool,
-    bound: bool,
-) -> Result<String, LimitError> {
-    let (_, timed) = job.report_timed(options, u64::MAX, &mut Unwatched);
-    // No program has more moves than that.
-    let Some(timed) = timed? else { return Ok(String::from("{}")) };
-    let changes = if what_if { job.what_if(options, &job.changes())? } else { Vec::new() };
-    let chords = if what_if { job.chord_costs(options, report.summary.inch)? } else { Vec::new() };
-    let least = bound.then(|| job.least(options, effort())).transpose()?;
-    let document = TimeDocument {
-        timed: &timed,
-        level: options.level,
-        what_if: &changes,
-        least: least.as_ref(),
-        chords: &chords,
-    };
-    Ok(time_json(&document, report, job))
+fn time_of(job: &Job<'_>, report: &Report, question: &TimeQuestion) -> Result<String, LimitError> {
+    let (_, study) = job.time_study(question);
+    Ok(study?.map_or_else(|| String::from("{}"), |study| time_json(&study, report, job)))
 }
 
 fn summary_dict<'py>(py: Python<'py>, summary: &Summary) -> PyResult<Bound<'py, PyDict>> {

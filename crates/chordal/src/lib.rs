@@ -35,6 +35,7 @@ mod comp_range;
 mod compensated;
 mod job;
 pub mod motion;
+mod reading;
 mod recheck;
 mod report;
 pub mod stock;
@@ -59,6 +60,7 @@ pub use chordal_path::{
 };
 pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
 pub use job::{Job, JobError, TextProgram};
+pub use reading::Reading;
 pub use recheck::CheckMemory;
-pub use report::{KEPT_PER_CODE, Report, Watch};
+pub use report::{EVERY_PLACE, KEPT_PER_CODE, Report, Watch};
 pub use summary::{AxisTravel, Summary, ToolUse};

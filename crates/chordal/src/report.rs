@@ -12,6 +12,9 @@ use crate::summary::{Summary, SummaryBuilder};
 /// How many diagnostics of one code are kept, where nothing else is said.
 pub const KEPT_PER_CODE: usize = 200;
 
+/// Kept of each code where every place is asked for: a program of a million lines has room in memory.
+pub const EVERY_PLACE: usize = 100_000;
+
 /// What a run reports in addition to its commands.
 #[derive(Clone, Debug)]
 pub struct Report {

@@ -105,6 +105,17 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-archive",
         ],
     ),
+    (
+        "chordal-wasm",
+        &[
+            "chordal",
+            "chordal-compare",
+            "chordal-editor",
+            "chordal-export",
+            "chordal-load",
+            "chordal-rewrite",
+        ],
+    ),
     ("chordal-wheel", &["chordal-python", "chordal-cli"]),
 ];
 

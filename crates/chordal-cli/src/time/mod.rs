@@ -10,9 +10,8 @@ mod text;
 use std::path::PathBuf;
 
 use chordal::motion::{Level, LimitError, MotionOptions, OperationStart};
-use chordal::time::{Alternative, ChordCost, Effort, Timed};
-use chordal::{Job, Watch};
-use chordal_export::{PlotOptions, TimeDocument, time_json};
+use chordal::time::{Again, TimeQuestion};
+use chordal_export::{PlotOptions, time_json};
 use clap::ValueEnum;
 
 use self::picture::Picture;
@@ -114,20 +113,6 @@ impl From<LevelName> for Level {
     }
 }
 
-/// Most moves of a program that is planned again unasked: all changes together then take less
-/// than a second.
-const MOST_UNASKED: u64 = 20_000;
-
-/// How much work the reference may be: some ten seconds, whatever the program.
-fn effort() -> Effort {
-    Effort { most_nodes: 4_000, total_nodes: 12_000, ..Effort::default() }
-}
-
-/// Sees nothing of a run.
-struct Unwatched;
-
-impl Watch for Unwatched {}
-
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let picture = args.output.as_deref().map(|path| Picture::new(path, &args.file)).transpose()?;
     let loaded = load_one(&args.file, &args.common)?;
@@ -137,68 +122,26 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         operations: args.operations.into(),
         ..MotionOptions::default()
     };
-    let (report, timed) = job.report_timed(&options, u64::MAX, &mut Unwatched);
-    // No program has more moves than that.
-    let Some(timed) = timed.map_err(|error| wrong_limit(&error))? else {
+    let again = if args.what_if { Again::Always } else { Again::IfShort };
+    let question = TimeQuestion { options, again, bound: args.bound };
+    let (report, study) = job.time_study(&question);
+    let Some(study) = study.map_err(|error| wrong_limit(&error))? else {
         return Ok(tell(&report, &loaded, &job, terminal));
     };
-    let what_if = what_if(&job, &options, &timed, args.what_if)?;
-    let chords = chords(&job, &options, &timed, report.summary.inch, args.what_if)?;
-    let least = args.bound.then(|| job.least(&options, effort())).transpose();
-    let least = least.map_err(|error| wrong_limit(&error))?;
-    let document = TimeDocument {
-        timed: &timed,
-        level: options.level,
-        what_if: &what_if,
-        least: least.as_ref(),
-        chords: &chords,
-    };
     let text = match args.format {
-        AnswerFormat::Text => text::text(loaded.name(), &document, &report, &job, terminal.out),
-        AnswerFormat::Json => time_json(&document, &report, &job),
+        AnswerFormat::Text => text::text(loaded.name(), &study, &report, &job, terminal.out),
+        AnswerFormat::Json => time_json(&study, &report, &job),
     };
     if let Some(picture) = &picture {
         let plot = PlotOptions {
             title: loaded.name().to_string(),
-            subtitle: subtitle(&job, &report, Some(&timed)),
+            subtitle: subtitle(&job, &report, Some(&study.timed)),
             ..PlotOptions::default()
         };
-        picture.draw(&job, &options, &timed, report.summary.inch, &plot)?;
+        picture.draw(&job, &question.options, &study.timed, report.summary.inch, &plot)?;
     }
     say(&text)?;
     Ok(tell(&report, &loaded, &job, terminal))
-}
-
-fn what_if(
-    job: &Job,
-    options: &MotionOptions,
-    timed: &Timed,
-    asked: bool,
-) -> Result<Vec<Alternative>, Failure> {
-    if !plans_again(options, timed, asked) {
-        return Ok(Vec::new());
-    }
-    job.what_if(options, &job.changes()).map_err(|error| wrong_limit(&error))
-}
-
-/// What the short lines cost.
-fn chords(
-    job: &Job,
-    options: &MotionOptions,
-    timed: &Timed,
-    inch: bool,
-    asked: bool,
-) -> Result<Vec<ChordCost>, Failure> {
-    if !plans_again(options, timed, asked) {
-        return Ok(Vec::new());
-    }
-    job.chord_costs(options, inch).map_err(|error| wrong_limit(&error))
-}
-
-/// Whether the program is planned again with something changed.
-fn plans_again(options: &MotionOptions, timed: &Timed, asked: bool) -> bool {
-    let unasked = options.level == Level::Fast && timed.time.moves <= MOST_UNASKED;
-    timed.time.moves > 0 && (asked || unasked)
 }
 
 /// A limit nothing can be planned with.

@@ -3,9 +3,9 @@
 use chordal::control::{PathMode, Units as ProgramUnits};
 use chordal::diagnostics::FileId;
 use chordal::motion::{Level, MotionReport, Quantity, WaitKind};
-use chordal::time::{Alternative, BlockTime, Change, Reason, TimeReport, ToolTime};
+use chordal::time::{Alternative, BlockTime, Change, Reason, TimeReport, TimeStudy, ToolTime};
 use chordal::{Job, Report};
-use chordal_export::{TimeDocument, comment_text};
+use chordal_export::comment_text;
 use comfy_table::Table;
 
 use super::cells::{MOST_OPERATIONS, SAME_S, fine, lines};
@@ -21,18 +21,12 @@ const WIDTH: usize = 80;
 const MOST_COSTLIEST: usize = 5;
 
 /// The time of a program.
-pub fn text(
-    name: &str,
-    document: &TimeDocument,
-    report: &Report,
-    job: &Job,
-    color: bool,
-) -> String {
+pub fn text(name: &str, study: &TimeStudy, report: &Report, job: &Job, color: bool) -> String {
     let mut sheet = Sheet::new(name, Some(WIDTH), color);
-    let (time, motion) = (&document.timed.time, &document.timed.motion);
+    let (time, motion) = (&study.timed.time, &study.timed.motion);
     let machine = job.machine();
     sheet.row("machine", &format!("{} ({})", machine.title, machine.name));
-    sheet.rows("time", &totals(time, motion, document.level));
+    sheet.rows("time", &totals(time, motion, study.level));
     sheet.table("", &tools(&time.tools, job));
     if time.operations.len() > time.tools.len() {
         let named = time.operations.iter().any(|operation| operation.comment.is_some());
@@ -55,15 +49,15 @@ pub fn text(
         let title = "blocks that lose the most time to acceleration and deceleration";
         sheet.table(title, &blocks(costliest, |block| block.loses, job));
     }
-    if let Some(limits) = document.least {
+    if let Some(limits) = &study.least {
         sheet.table(least::TITLE, &least::table(limits, time, job));
     }
-    sheet.table("what if", &alternatives(document.what_if, time, report.summary.inch));
+    sheet.table("what if", &alternatives(&study.what_if, time, report.summary.inch));
     let units = if report.summary.inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
-    sheet.table(chords::LINES, &chords::lines(document.chords, job, units));
-    sheet.table(chords::REMEDIES, &chords::remedies(document.chords, job, units));
+    sheet.table(chords::LINES, &chords::lines(&study.chords, job, units));
+    sheet.table(chords::REMEDIES, &chords::remedies(&study.chords, job, units));
     let parts = [
-        ("limit", document.least.map(least::notes).unwrap_or_default()),
+        ("limit", study.least.as_ref().map(least::notes).unwrap_or_default()),
         ("corners", corners::notes(time, job, units)),
         ("assumed", notes(time, motion, job)),
     ];

@@ -1,5 +1,6 @@
 //! Chords as columns.
 
+#[cfg(feature = "files")]
 use std::io::{self, Write};
 
 use arrow_array::RecordBatch;
@@ -10,8 +11,10 @@ use chordal::{Job, Segment, SegmentKind};
 
 use super::cells::{Files, Integers, Numbers, Words};
 use super::field::{Cell, Column, places, schema};
-use super::file::{ColumnFile, Rows};
+#[cfg(feature = "files")]
+use super::file::ColumnFile;
 use super::path::{KINDS, kind_key};
+use super::rows::Rows;
 use crate::chords::error_mm;
 
 /// Name and version of the columns of chords.
@@ -127,6 +130,7 @@ impl Rows for ChordColumns<'_> {
     }
 }
 
+#[cfg(feature = "files")]
 impl<W: Write + Send + 'static> ColumnFile<W, ChordColumns<'_>> {
     /// Writes the chords of a segment; they are emitted as they come, since one arc may have
     /// a million.

@@ -9,7 +9,7 @@ use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 
 use super::cells::{Files, Flags, Integers, Numbers, Texts, Words};
 use super::field::{Cell, Column, axes_of, places, schema};
-use super::file::Rows;
+use super::rows::Rows;
 use crate::motion::{
     Written, feed_mode_word, path_feed, plane_word, side_word, spindle_word, spline_feed,
     spline_length,

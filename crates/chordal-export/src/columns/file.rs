@@ -10,24 +10,7 @@ use arrow_schema::{ArrowError, SchemaRef};
 use parquet::errors::ParquetError;
 
 use super::parquet::ParquetFile;
-
-/// Rows that are gathered before they are emitted, and the rows of a batch of an Arrow file.
-pub(crate) const BATCH: usize = 1 << 13;
-
-/// What gathers rows and gives them as a batch when it is asked.
-pub trait Rows {
-    /// Rows gathered since the last batch.
-    fn rows(&self) -> usize;
-
-    /// The columns, with their units and what they come from.
-    fn schema(&self) -> &SchemaRef;
-
-    /// The rows gathered so far; the next begin anew.
-    ///
-    /// # Errors
-    /// A row without a number where its column must have one.
-    fn take(&mut self) -> Result<RecordBatch, ArrowError>;
-}
+use super::rows::{BATCH, Rows};
 
 /// The formats of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

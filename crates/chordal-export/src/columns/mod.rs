@@ -1,7 +1,7 @@
 //! Commands, path, chords and setpoints as columns: Arrow record batches.
 //!
 //! A builder ([`Rows`]) takes what a run pushes and gives a batch whenever it is asked, so that a
-//! caller holds as many rows as it wants: all of them, or a group of a file ([`ColumnFile`]). Lengths are mm, angles
+//! caller holds as many rows as it wants: all of them, or a group of a file (`ColumnFile`). Lengths are mm, angles
 //! degrees, feeds mm/min, times s; every field says its unit, and the schema says its version,
 //! the program, the SHA-256 of its text, the machine and the control.
 
@@ -10,11 +10,14 @@ mod chords;
 mod commands;
 mod engagement;
 mod field;
+#[cfg(feature = "files")]
 mod file;
 mod moves;
+#[cfg(feature = "files")]
 mod parquet;
 mod path;
 mod reference;
+mod rows;
 mod samples;
 mod section;
 mod turning;
@@ -22,10 +25,12 @@ mod turning;
 pub use chords::{CHORD_COLUMNS, ChordColumns};
 pub use commands::{COMMAND_COLUMNS, CommandColumns, TOOL_PATH_COLUMNS};
 pub use engagement::ENGAGEMENT_COLUMNS;
-pub use file::{ColumnFile, ColumnFormat, Rows};
+#[cfg(feature = "files")]
+pub use file::{ColumnFile, ColumnFormat};
 pub use moves::{Cut, CutColumns, Number, cuts_csv};
 pub use path::{PATH_COLUMNS, PathColumns};
 pub use reference::column_reference;
+pub use rows::Rows;
 pub use samples::SampleColumns;
 pub use section::{SECTION_COLUMNS, section_columns};
 pub use turning::TURNING_COLUMNS;

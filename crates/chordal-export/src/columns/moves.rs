@@ -13,7 +13,7 @@ use chordal::diagnostics::FileId;
 
 use super::cells::{Files, Integers, Numbers};
 use super::field::{Cell, Column, schema};
-use super::file::Rows;
+use super::rows::Rows;
 
 /// What is known of a move that cuts.
 pub trait Cut: Sized + 'static {

@@ -8,7 +8,7 @@ use chordal::{Job, Segment, SegmentKind};
 
 use super::cells::{Files, Flags, Integers, Numbers, Words};
 use super::field::{Cell, Column, axes_of, of_axis, places, schema};
-use super::file::Rows;
+use super::rows::Rows;
 
 /// Name and version of the columns of the exact path.
 pub const PATH_COLUMNS: &str = "chordal.path-columns/1";

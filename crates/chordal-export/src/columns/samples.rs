@@ -7,7 +7,7 @@ use arrow_schema::{ArrowError, SchemaRef};
 use chordal::motion::Sample;
 
 use super::field::{Cell, Column, schema_of};
-use super::file::{BATCH, Rows};
+use super::rows::{BATCH, Rows};
 use crate::setpoints::{SAMPLE_SCHEMA, SampleHead, Setpoint, sample_columns};
 
 /// Gathers setpoints, one row each, and gives them as a batch when it is asked.

@@ -2,43 +2,28 @@
 
 use chordal::control::Recognition;
 use chordal::diagnostics::{Applicability, Fix};
-use chordal::{Diagnostic, Report, SourceMap, Span};
+use chordal::{Diagnostic, Reading, Report, SourceMap, Span};
 use serde_json::{Map, Value, json};
 
 use super::place::{call_text, place};
 
-/// On what a program was read, and why.
-#[derive(Clone, Copy, Debug)]
-pub struct Reading<'a> {
-    /// The machine; nothing where the text is not read.
-    pub machine: Option<&'a str>,
-    /// The control, or the language that is not read: `fanuc`, `fanuc-lathe`.
-    pub control: &'a str,
-    /// Who says so: `given`, `folder`, `extension`, `text`.
-    pub from: &'a str,
-    /// What the text says.
-    pub recognition: Option<&'a Recognition>,
-}
-
-impl Reading<'_> {
-    /// Its members of the object.
-    fn insert(&self, object: &mut Map<String, Value>) {
-        let found = self.recognition;
-        let signs = found.into_iter().flat_map(Recognition::evidence);
-        let evidence: Value = signs
-            .map(|sign| json!({ "sign": sign.sign, "line": sign.line, "weight": sign.weight }))
-            .collect();
-        let next = found.and_then(Recognition::runner_up).map(
-            |next| json!({ "control": next.name, "weight": next.weight, "errors": next.errors }),
-        );
-        object.insert("machine".into(), json!(self.machine));
-        object.insert("control".into(), self.control.into());
-        object.insert("control_from".into(), self.from.into());
-        let strength = found.map(|found| found.strength().as_str());
-        object.insert("control_strength".into(), json!(strength));
-        object.insert("control_evidence".into(), evidence);
-        object.insert("runner_up".into(), json!(next));
-    }
+/// The members of the object that say on what the program was read.
+fn insert_reading(object: &mut Map<String, Value>, reading: &Reading<'_>) {
+    let found = reading.recognition;
+    let signs = found.into_iter().flat_map(Recognition::evidence);
+    let evidence: Value = signs
+        .map(|sign| json!({ "sign": sign.sign, "line": sign.line, "weight": sign.weight }))
+        .collect();
+    let next = found
+        .and_then(Recognition::runner_up)
+        .map(|next| json!({ "control": next.name, "weight": next.weight, "errors": next.errors }));
+    object.insert("machine".into(), json!(reading.machine));
+    object.insert("control".into(), reading.control.into());
+    object.insert("control_from".into(), reading.from.into());
+    let strength = found.map(|found| found.strength().as_str());
+    object.insert("control_strength".into(), json!(strength));
+    object.insert("control_evidence".into(), evidence);
+    object.insert("runner_up".into(), json!(next));
 }
 
 /// All problems of a run as one JSON object, schema `chordal.diagnostics/1`; `file` is the
@@ -47,6 +32,13 @@ impl Reading<'_> {
 pub fn json(report: &Report, sources: &SourceMap, file: &str, reading: &Reading<'_>) -> String {
     let object = problems("chordal.diagnostics/1", report, sources, file, reading);
     format!("{:#}\n", Value::Object(object))
+}
+
+/// The objects of several programs, or of one, as one object under the name of their schema:
+/// `chordal.check/1`, `chordal.run/1`.
+pub fn files_json(schema: &str, objects: &[String]) -> String {
+    let objects: Vec<&str> = objects.iter().map(|object| object.trim_end()).collect();
+    format!("{{\"schema\":\"{schema}\",\"files\":[\n{}\n]}}\n", objects.join(",\n"))
 }
 
 /// The members of that object, under the name of a schema.
@@ -78,7 +70,7 @@ pub(super) fn problems(
     });
     let mut object = Map::new();
     object.extend(members(head));
-    reading.insert(&mut object);
+    insert_reading(&mut object, reading);
     object.extend(members(found));
     object
 }

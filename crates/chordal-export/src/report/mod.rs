@@ -10,7 +10,7 @@ mod summary;
 mod text;
 
 pub use github::github;
-pub use json::{Reading, json};
+pub use json::{files_json, json};
 pub use place::{Place, place};
 pub use sarif::Sarif;
 pub use summary::{RunOf, summary_json};

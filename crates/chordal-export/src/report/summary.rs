@@ -7,10 +7,10 @@ use chordal::machine::ToolShape;
 use chordal::stock::StockLeft;
 use chordal::time::Timed;
 use chordal::tool_comments::{KnownTool, known_tools};
-use chordal::{AxisTravel, Job, Report, ToolUse};
+use chordal::{AxisTravel, Job, Reading, Report, ToolUse};
 use serde_json::{Value, json};
 
-use super::json::{Reading, problems};
+use super::json::problems;
 use crate::stock::left_members;
 
 /// What a run came to.

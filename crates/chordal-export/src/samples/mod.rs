@@ -13,6 +13,7 @@ use std::io::{self, Write};
 
 use chordal::motion::Sample;
 
+#[cfg(feature = "files")]
 use crate::columns::{ColumnFile, ColumnFormat, SampleColumns};
 use crate::setpoints::SampleHead;
 use text::TextRows;
@@ -25,8 +26,10 @@ pub enum SampleFormat {
     /// JSON lines: a header, then an object each.
     Jsonl,
     /// Apache Parquet.
+    #[cfg(feature = "files")]
     Parquet,
     /// The Arrow IPC file, also called Feather.
+    #[cfg(feature = "files")]
     Arrow,
 }
 
@@ -37,7 +40,16 @@ pub struct SampleWriter<W: Write + Send + 'static>(Kind<W>);
 #[derive(Debug)]
 enum Kind<W: Write + Send + 'static> {
     Text(TextRows<W>),
+    #[cfg(feature = "files")]
     Columns(Box<ColumnFile<W, SampleColumns>>),
+}
+
+#[cfg(feature = "files")]
+impl<W: Write + Send + 'static> Kind<W> {
+    fn columns(out: W, format: ColumnFormat, head: &SampleHead) -> io::Result<Kind<W>> {
+        let file = ColumnFile::new(out, format, SampleColumns::new(head))?;
+        Ok(Kind::Columns(Box::new(file)))
+    }
 }
 
 impl<W: Write + Send + 'static> SampleWriter<W> {
@@ -46,16 +58,14 @@ impl<W: Write + Send + 'static> SampleWriter<W> {
     /// # Errors
     /// Those of the output.
     pub fn new(out: W, format: SampleFormat, head: &SampleHead) -> io::Result<SampleWriter<W>> {
-        let columns = match format {
-            SampleFormat::Csv => return Ok(SampleWriter(Kind::Text(TextRows::csv(out, head)?))),
-            SampleFormat::Jsonl => {
-                return Ok(SampleWriter(Kind::Text(TextRows::jsonl(out, head)?)));
-            }
-            SampleFormat::Parquet => ColumnFormat::Parquet,
-            SampleFormat::Arrow => ColumnFormat::Arrow,
-        };
-        let file = ColumnFile::new(out, columns, SampleColumns::new(head))?;
-        Ok(SampleWriter(Kind::Columns(Box::new(file))))
+        Ok(SampleWriter(match format {
+            SampleFormat::Csv => Kind::Text(TextRows::csv(out, head)?),
+            SampleFormat::Jsonl => Kind::Text(TextRows::jsonl(out, head)?),
+            #[cfg(feature = "files")]
+            SampleFormat::Parquet => Kind::columns(out, ColumnFormat::Parquet, head)?,
+            #[cfg(feature = "files")]
+            SampleFormat::Arrow => Kind::columns(out, ColumnFormat::Arrow, head)?,
+        }))
     }
 
     /// Writes a setpoint of a block on this line.
@@ -65,6 +75,7 @@ impl<W: Write + Send + 'static> SampleWriter<W> {
     pub fn sample(&mut self, sample: &Sample, line: u32) -> io::Result<()> {
         match &mut self.0 {
             Kind::Text(out) => out.sample(sample, line),
+            #[cfg(feature = "files")]
             Kind::Columns(out) => out.put(|rows| rows.sample(sample, line)),
         }
     }
@@ -76,6 +87,7 @@ impl<W: Write + Send + 'static> SampleWriter<W> {
     pub fn finish(self) -> io::Result<W> {
         let mut out = match self.0 {
             Kind::Text(out) => out.finish(),
+            #[cfg(feature = "files")]
             Kind::Columns(out) => out.finish(),
         }?;
         out.flush()?;

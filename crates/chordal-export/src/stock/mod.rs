@@ -3,6 +3,7 @@
 mod engagement;
 mod json;
 mod mesh;
+#[cfg(feature = "pictures")]
 mod picture;
 mod text;
 mod turned;
@@ -10,6 +11,7 @@ mod turned;
 pub use engagement::{engagement_json, engagement_text};
 pub use json::stock_json;
 pub use mesh::{MeshFormat, MeshSurface, StockMeshError, stock_mesh};
+#[cfg(feature = "pictures")]
 pub use picture::stock_png;
 pub use text::{stock_text, stock_verdict_text, stock_volume};
 pub use turned::{

@@ -1,5 +1,5 @@
 use chordal::diagnostics::{Applicability, Collector, FileId, Fix};
-use chordal::{Code, Diagnostic, Machine, Report, Source, SourceMap, Span};
+use chordal::{Code, Diagnostic, Machine, Reading, Report, Source, SourceMap, Span};
 use chordal_export::{machine_error_text, report};
 
 use crate::common::{WRONG, job};
@@ -13,12 +13,8 @@ fn text_of_wrong_blocks() {
 #[test]
 fn json_of_wrong_blocks() {
     let job = job("haas-vf2", "wrong.nc", WRONG);
-    let reading = report::Reading {
-        machine: Some("haas-vf2"),
-        control: "haas",
-        from: "given",
-        recognition: None,
-    };
+    let reading =
+        Reading { machine: Some("haas-vf2"), control: "haas", from: "given", recognition: None };
     let text = report::json(&job.report(), job.sources(), "wrong.nc", &reading);
     let value: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(value["schema"], "chordal.diagnostics/1");

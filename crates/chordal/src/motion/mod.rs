@@ -30,6 +30,7 @@ mod operations;
 mod options;
 mod plan;
 mod run;
+mod setpoints;
 mod steps;
 
 pub use chordal_motion::{
@@ -42,6 +43,7 @@ pub use limits::{AssumedLimit, MachineLimits};
 pub use operations::{OperationMark, OperationStart};
 pub use options::MotionOptions;
 pub use plan::{PlanSink, Sources};
+pub use setpoints::{Sampled, Sampling, SamplingError};
 pub use steps::{
     MotionReport, MotionSink, MotionStep, Refused, StepKind, StepSource, Wait, WaitKind,
 };

@@ -9,6 +9,7 @@
 //! | a job that is timed | `run.rs` |
 //! | the least time it could take | `least.rs` |
 //! | the same with other overrides and path modes | `what_if.rs` |
+//! | all that is asked about the time at once | `study.rs` |
 //! | what short lines cost, and what would change that | `chords.rs` |
 //! | limits from measured times | `calibrate.rs` |
 
@@ -20,6 +21,7 @@ mod least;
 mod reason;
 mod report;
 mod run;
+mod study;
 mod walk;
 mod what_if;
 
@@ -30,4 +32,5 @@ pub use chords::{ChordCost, Remedy};
 pub use least::LeastReport;
 pub use report::{BlockTime, CutEnds, OperationTime, Reason, TimeReport, Times, ToolTime};
 pub use run::Timed;
+pub use study::{Again, TimeQuestion, TimeStudy, most_summarized};
 pub use what_if::{Alternative, Change};

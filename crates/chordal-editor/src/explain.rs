@@ -1,0 +1,83 @@
+//! What a diagnostic, a code, a letter, a setting or an alarm means: from the registry and the tables,
+//! so that it is what the program itself goes by.
+
+use chordal::Code;
+use chordal::control::COMMON_SETTINGS;
+
+use crate::meaning::{
+    View, alarm_text, code_name, code_of, code_text, codes, diagnostic_text, letter_text,
+    one_letter, setting_text,
+};
+
+/// Codes that differ by more, in tenths, are not typing errors of each other.
+const NEAR: u16 = 20;
+
+/// A word that nothing explains.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unexplained {
+    /// What does not go.
+    pub message: String,
+    /// What does.
+    pub help: Option<String>,
+}
+
+/// What a word means on some controls: `CH401`, `radius-mismatch`, `G2`, `M17`, `R`, `Setting 40`,
+/// `alarm 304`.
+///
+/// # Errors
+/// A word that none of them knows, with the nearest one.
+pub fn explain(word: &str, views: &[View]) -> Result<String, Unexplained> {
+    let text = Code::find(word)
+        .map(diagnostic_text)
+        .or_else(|| code_of(word).and_then(|(letter, code)| code_text(letter, code, views)))
+        .or_else(|| one_letter(word).and_then(|letter| letter_text(letter, views)))
+        .or_else(|| setting_text(word, views))
+        .or_else(|| alarm_text(word, views));
+    text.ok_or_else(|| unknown(word, views))
+}
+
+/// G or M with a number, however large.
+fn is_code(word: &str) -> bool {
+    let rest = word.strip_prefix(['G', 'g', 'M', 'm']);
+    rest.is_some_and(|rest| rest.trim_start().starts_with(|first: char| first.is_ascii_digit()))
+}
+
+/// No control knows it: the nearest one that some control knows.
+fn unknown(word: &str, views: &[View]) -> Unexplained {
+    let titles: Vec<&str> = views.iter().map(|view| view.table.title).collect();
+    if is_code(word) {
+        let name = word.to_uppercase();
+        let message = match titles.as_slice() {
+            [one] => format!("{one} does not have {name}"),
+            _ => format!("no control has {name}"),
+        };
+        let near = code_of(word).and_then(|(letter, code)| {
+            let all = views.iter().flat_map(|view| codes(view.table, letter));
+            let near = all.min_by_key(|row| row.code.abs_diff(code))?;
+            let close = near.code.abs_diff(code) <= NEAR;
+            close.then(|| format!("{} is {}", code_name(letter, near.code), near.title))
+        });
+        return Unexplained { message, help: near };
+    }
+    if let Some(letter) = one_letter(word) {
+        let message = format!("{} has no meaning on {}", char::from(letter), titles.join(", "));
+        return Unexplained { message, help: None };
+    }
+    let names = Code::all().flat_map(|code| [code.info().id, code.info().name]);
+    let settings = views.iter().flat_map(|view| view.table.settings).chain(COMMON_SETTINGS);
+    let likeness = |name: &str| strsim::jaro_winkler(&name.to_lowercase(), &word.to_lowercase());
+    let near = names
+        .chain(settings.map(|setting| setting.name))
+        .map(|name| (likeness(name), name))
+        .filter(|(likeness, _)| *likeness > 0.8)
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    let message = format!("`{word}` is not a message, code, letter, setting or known alarm");
+    let help = match near {
+        Some((_, near)) => format!("did you mean `{near}`?"),
+        None => {
+            "write a message (CH401), a code (G154), a letter (R), a setting or an alarm (PS0010)"
+                .into()
+        }
+    };
+    Unexplained { message, help: Some(help) }
+}

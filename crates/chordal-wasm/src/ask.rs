@@ -1,0 +1,40 @@
+//! The questions, by their names.
+
+use crate::answer::{Answer, Failure};
+use crate::loading::Asked;
+use crate::options::Format;
+use crate::request::Request;
+use crate::{motion, programs, words};
+
+/// Answers a request.
+pub fn ask(request: Request) -> Result<Answer, Failure> {
+    let mut asked = Asked::of(request);
+    match asked.ask.as_str() {
+        "check" => programs::check(&mut asked),
+        "run" => programs::run(&mut asked),
+        "commands" => motion::commands(&mut asked),
+        "path" => motion::path(&mut asked),
+        "curves" => motion::curves(&mut asked),
+        "time" => motion::time(&mut asked),
+        "sample" => motion::sample(&mut asked),
+        "compare" => programs::compared(&mut asked),
+        "convert" => programs::converted(&mut asked),
+        "explain" => words::explained(&mut asked),
+        "machines" => words::machines(&mut asked),
+        "machine" => words::machine(&mut asked),
+        // So that the tests can see how JavaScript goes on after one.
+        "panic" => panic!("asked to panic"),
+        other => Err(Failure::plain(format!("there is no question `{other}`"), None)),
+    }
+}
+
+/// A form that a question does not have.
+pub fn no_form(asked: &Asked, forms: &[&str]) -> Failure {
+    let message = format!("{} does not have this format", asked.ask);
+    Failure::wrong(message, format!("its formats are {}", forms.join(", ")))
+}
+
+/// An object is what JavaScript reads, and JSON the text that it is read from.
+pub fn is_json(format: Format) -> bool {
+    matches!(format, Format::Object | Format::Json)
+}

@@ -1,0 +1,57 @@
+//! Programs and machines of a request: nothing is looked for but among its files.
+
+use std::path::PathBuf;
+
+use chordal::Machine;
+use chordal_load::{Files, Given, Input, Loaded, Loader, Text, machine};
+
+use crate::answer::Failure;
+use crate::request::{ProgramOptions, Request};
+
+/// A request whose files are in their place.
+pub struct Asked {
+    pub ask: String,
+    pub files: Files,
+    pub options: serde_json::Value,
+    programs: std::vec::IntoIter<(ProgramOptions, Vec<u8>)>,
+}
+
+impl Asked {
+    pub fn of(request: Request) -> Asked {
+        let Request { ask, programs, files, options } = request;
+        let files = files.into_iter().map(|(path, text)| (PathBuf::from(path), text));
+        Asked { ask, files: Files::given(files), options, programs: programs.into_iter() }
+    }
+
+    /// The options of the question.
+    pub fn options<T: serde::de::DeserializeOwned>(&mut self) -> Result<T, Failure> {
+        crate::request::options(&self.ask, self.options.take())
+    }
+
+    /// Loads the next program.
+    pub fn load(&mut self) -> Result<Loaded, Failure> {
+        let Some((options, text)) = self.programs.next() else {
+            return Err(Failure::wrong("there is no program", "give its text"));
+        };
+        let name = options.name.unwrap_or_else(|| "program".into());
+        let request = chordal_load::Request {
+            machine: options.machine.map(Given::Name),
+            files: self.files.clone(),
+            set: options.set,
+            tools: options.tools.map(PathBuf::from),
+            settings: options.settings.map(PathBuf::from),
+            program: options.program,
+            block_delete: options.block_delete,
+            max_blocks: options.max_blocks,
+            ..chordal_load::Request::default()
+        };
+        let text = Text::of(&name, text)?;
+        let input = Input { path: Some(PathBuf::from(name)), root: None };
+        Ok(Loader::new(request)?.load_text(text, &input)?)
+    }
+
+    /// A machine by its name, or of a file of the request.
+    pub fn machine(&self, name: &str) -> Result<Machine, Failure> {
+        Ok(machine::named_of(&self.files, name)?)
+    }
+}

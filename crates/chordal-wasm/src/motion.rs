@@ -1,0 +1,187 @@
+//! Commands, path, time and setpoints of programs.
+
+use std::io;
+
+use chordal::motion::{MotionOptions, Sampling, SamplingError};
+use chordal::time::{Again, TimeQuestion};
+use chordal::{Job, Report};
+use chordal_export::columns::{CommandColumns, PathColumns, SampleColumns};
+use chordal_export::{
+    Canon, CommandCsv, CommandJsonLines, SampleFormat, SampleHead, SampleWriter, report, time_json,
+};
+use chordal_load::Loaded;
+use serde_json::{Value, json};
+
+use crate::answer::{Answer, Failure};
+use crate::ask::{is_json, no_form};
+use crate::columns::table;
+use crate::loading::Asked;
+use crate::options::{Format, OnlyFormat, SampleOptions, TimeOptions};
+
+pub fn commands(asked: &mut Asked) -> Result<Answer, Failure> {
+    let OnlyFormat { format } = asked.options()?;
+    let loaded = asked.load()?;
+    let job = loaded.job()?;
+    match format {
+        Format::Object => {
+            let mut rows = CommandColumns::new(&job);
+            let found = job.report_of_commands(|command| rows.command(command));
+            table(&mut rows, about(&found, &job, &loaded))
+        }
+        Format::Jsonl => {
+            let mut out = CommandJsonLines::new(Vec::new(), &job).map_err(broken)?;
+            let mut done = Ok(());
+            job.report_of_commands(|command| keep(&mut done, || out.command(command)));
+            text(done.and_then(|()| out.finish()))
+        }
+        Format::Csv => {
+            let mut out = CommandCsv::new(Vec::new(), &job).map_err(broken)?;
+            let mut done = Ok(());
+            job.report_of_commands(|command| keep(&mut done, || out.command(command)));
+            text(done.and_then(|()| out.finish()))
+        }
+        Format::Canon => {
+            let mut out = Canon::new(Vec::new(), &job).map_err(broken)?;
+            let mut done = Ok(());
+            job.report_of_commands(|command| keep(&mut done, || out.command(command)));
+            text(done.and_then(|()| out.finish()))
+        }
+        _ => Err(no_form(asked, &["object", "jsonl", "csv", "canon"])),
+    }
+}
+
+pub fn path(asked: &mut Asked) -> Result<Answer, Failure> {
+    let OnlyFormat { format } = asked.options()?;
+    let loaded = asked.load()?;
+    let job = loaded.job()?;
+    match format {
+        Format::Object => {
+            let mut rows = CommandColumns::of_path(&job);
+            let found = job.report_of_path(|path, _| rows.path_command(path));
+            table(&mut rows, about(&found, &job, &loaded))
+        }
+        Format::Jsonl => {
+            let mut out = CommandJsonLines::new(Vec::new(), &job).map_err(broken)?;
+            let mut done = Ok(());
+            job.report_of_path(|path, _| keep(&mut done, || out.path_command(path)));
+            text(done.and_then(|()| out.finish()))
+        }
+        Format::Csv => {
+            let mut out = CommandCsv::of_path(Vec::new(), &job).map_err(broken)?;
+            let mut done = Ok(());
+            job.report_of_path(|path, _| keep(&mut done, || out.path_command(path)));
+            text(done.and_then(|()| out.finish()))
+        }
+        _ => Err(no_form(asked, &["object", "jsonl", "csv"])),
+    }
+}
+
+pub fn curves(asked: &mut Asked) -> Result<Answer, Failure> {
+    let OnlyFormat { format } = asked.options()?;
+    if format != Format::Object {
+        return Err(no_form(asked, &["object"]));
+    }
+    let loaded = asked.load()?;
+    let job = loaded.job()?;
+    let mut rows = PathColumns::new(&job);
+    let found = job.report_of_path(|_, segments| {
+        segments.iter().for_each(|segment| rows.segment(segment));
+    });
+    table(&mut rows, about(&found, &job, &loaded))
+}
+
+pub fn time(asked: &mut Asked) -> Result<Answer, Failure> {
+    let options: TimeOptions = asked.options()?;
+    if !is_json(options.format) {
+        return Err(no_form(asked, &["object", "json"]));
+    }
+    let loaded = asked.load()?;
+    let job = loaded.job()?;
+    let question = TimeQuestion {
+        options: MotionOptions {
+            level: options.level.level(),
+            operations: options.operations.start(),
+            ..MotionOptions::default()
+        },
+        again: if options.what_if { Again::Always } else { Again::IfShort },
+        bound: options.bound,
+    };
+    let (found, study) = job.time_study(&question);
+    match study? {
+        Some(study) => Ok(Answer::text(time_json(&study, &found, &job))),
+        None => Err(Failure::plain("the program has more moves than can be counted", None)),
+    }
+}
+
+pub fn sample(asked: &mut Asked) -> Result<Answer, Failure> {
+    let options: SampleOptions = asked.options()?;
+    let period_s = options.period;
+    if !(period_s > 0.0 && period_s.is_finite()) {
+        let message = format!("`period` is {period_s}");
+        return Err(Failure::wrong(message, "give seconds above zero: 0.001 is a millisecond"));
+    }
+    let loaded = asked.load()?;
+    let job = loaded.job()?;
+    let found = job.report();
+    let head = SampleHead::of(&job, &found, period_s);
+    let sampling = Sampling { period_s, level: options.level.level(), most: options.max_samples };
+    let text_format = match options.format {
+        Format::Object => None,
+        Format::Csv => Some(SampleFormat::Csv),
+        Format::Jsonl => Some(SampleFormat::Jsonl),
+        _ => return Err(no_form(asked, &["object", "csv", "jsonl"])),
+    };
+    if let Some(format) = text_format {
+        let mut out = SampleWriter::new(Vec::new(), format, &head).map_err(broken)?;
+        let mut done = Ok(());
+        let sampled = job.setpoints(&sampling, |sample, line| {
+            keep(&mut done, || out.sample(sample, line));
+        });
+        sampled.map_err(|error| sampling_failure(error, &sampling))?;
+        return text(done.and_then(|()| out.finish()));
+    }
+    let mut rows = SampleColumns::new(&head);
+    let sampled = job.setpoints(&sampling, |sample, line| rows.sample(sample, line));
+    let sampled = sampled.map_err(|error| sampling_failure(error, &sampling))?;
+    let mut about = about(&found, &job, &loaded);
+    about["time_s"] = json!(sampled.time_s);
+    about["chord_mm"] = json!(sampled.chord.0);
+    about["chord_line"] = json!(sampled.chord.1);
+    table(&mut rows, about)
+}
+
+fn sampling_failure(error: SamplingError, sampling: &Sampling) -> Failure {
+    match error {
+        SamplingError::Limit(error) => error.into(),
+        SamplingError::TooMany(seconds) => Failure::wrong(
+            format!(
+                "more than {} setpoints: the run takes at least {seconds:.3} s, with a setpoint every {} s",
+                sampling.most, sampling.period_s
+            ),
+            "give a longer `period`, or a larger `maxSamples`",
+        ),
+    }
+}
+
+/// What stands next to the columns of a program: its problems.
+fn about(found: &Report, job: &Job<'_>, loaded: &Loaded) -> Value {
+    let report = report::json(found, job.sources(), loaded.name(), &loaded.reading());
+    json!({ "report": serde_json::from_str::<Value>(&report).unwrap_or_default() })
+}
+
+/// The first failure of a writer counts.
+fn keep(first: &mut io::Result<()>, next: impl FnOnce() -> io::Result<()>) {
+    if first.is_ok() {
+        *first = next();
+    }
+}
+
+fn text(written: io::Result<Vec<u8>>) -> Result<Answer, Failure> {
+    let text = written.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    text.map(Answer::text).map_err(broken)
+}
+
+/// Memory takes every byte: this does not happen.
+fn broken(error: io::Error) -> Failure {
+    Failure::plain(format!("the answer could not be written: {error}"), None)
+}

@@ -1,0 +1,140 @@
+//! The setpoints of the axes of a whole run.
+
+use super::{
+    Level, LimitError, MotionOptions, MotionReport, PlanSink, Sample, Sampler, Sources, Step,
+    StepSource,
+};
+use crate::job::Job;
+
+/// What setpoints are asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Sampling {
+    /// Time from one setpoint to the next, s.
+    pub period_s: f64,
+    /// How hard the planner tries.
+    pub level: Level,
+    /// Most setpoints.
+    pub most: u64,
+}
+
+/// What setpoints came to.
+#[derive(Clone, Debug)]
+pub struct Sampled {
+    /// How the run was planned.
+    pub motion: MotionReport,
+    /// Time of the run, s.
+    pub time_s: f64,
+    /// How many setpoints there are.
+    pub count: u64,
+    /// The largest distance of the tool from the path when the axes go straight from one setpoint
+    /// to the next, mm, and its line.
+    pub chord: (f64, u32),
+}
+
+/// Why there are no setpoints.
+#[derive(Clone, Debug)]
+pub enum SamplingError {
+    /// A limit of an axis that is not a positive number.
+    Limit(LimitError),
+    /// There are more than asked for: the run takes at least so many seconds.
+    TooMany(f64),
+}
+
+impl From<LimitError> for SamplingError {
+    fn from(error: LimitError) -> SamplingError {
+        SamplingError::Limit(error)
+    }
+}
+
+impl Job<'_> {
+    /// Plans the run and gives its setpoints one after the other, each with the line of its block.
+    /// Setpoints are positions: a rapid goes where its axes take it.
+    ///
+    /// # Errors
+    /// A limit of an axis that is not a positive number, or more setpoints than asked for.
+    pub fn setpoints(
+        &self,
+        sampling: &Sampling,
+        take: impl FnMut(&Sample, u32),
+    ) -> Result<Sampled, SamplingError> {
+        let Sampling { period_s, level, most } = *sampling;
+        let options = MotionOptions { level, dog_leg_shape: true, ..MotionOptions::default() };
+        let taker = Taker { take, period_s, count: 0, chord: (0.0, 0) };
+        let mut setpoints = Setpoints { sampler: Sampler::new(period_s).at_most(most), taker };
+        let motion = self.plan(&options, &mut setpoints)?;
+        let Setpoints { sampler, mut taker } = setpoints;
+        let time_s = sampler.time_s();
+        if sampler.is_exhausted() {
+            return Err(SamplingError::TooMany(time_s));
+        }
+        sampler.finish(|sample| taker.take(sample));
+        Ok(Sampled { motion, time_s, count: taker.count, chord: taker.chord })
+    }
+}
+
+/// Setpoints on their way from the planner to who takes them.
+struct Setpoints<F> {
+    sampler: Sampler,
+    taker: Taker<F>,
+}
+
+struct Taker<F> {
+    take: F,
+    period_s: f64,
+    count: u64,
+    chord: (f64, u32),
+}
+
+impl<F: FnMut(&Sample, u32)> Taker<F> {
+    #[inline]
+    fn take(&mut self, sample: &Sample) {
+        let line = StepSource::line_of(sample.tag);
+        (self.take)(sample, line);
+        self.count += 1;
+        let chord = normal_acceleration(sample) * self.period_s * self.period_s / 8.0;
+        if chord > self.chord.0 {
+            self.chord = (chord, line);
+        }
+    }
+}
+
+impl<F: FnMut(&Sample, u32)> PlanSink for Setpoints<F> {
+    fn step(&mut self, step: Step<'_>, _: &Sources) {
+        self.sampler.push(step, |sample| self.taker.take(sample));
+    }
+}
+
+/// The part of the acceleration across the path of the tool, v²·κ, mm/s²: over a period T the
+/// chord from one setpoint to the next leaves the path by (vT)²·κ/8.
+fn normal_acceleration(sample: &Sample) -> f64 {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).take(3).map(|(a, b)| a * b).sum::<f64>();
+    let speed2 = dot(&sample.velocity, &sample.velocity);
+    if speed2 == 0.0 {
+        return 0.0;
+    }
+    let along = dot(&sample.velocity, &sample.acceleration);
+    let all = dot(&sample.acceleration, &sample.acceleration);
+    // On a straight path the two are equal but for rounding, which must not look like a curve.
+    let across2 = all - along * along / speed2;
+    if across2 > 1e-12 * all { across2.sqrt() } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_chord_of_a_period_on_a_circle() {
+        // 400 mm/s on R10 at 1 ms: 2 µm.
+        let sample = Sample {
+            velocity: [0.0, 400.0, 0.0, 0.0, 0.0, 0.0],
+            acceleration: [-16_000.0, 700.0, 0.0, 0.0, 0.0, 0.0],
+            ..Sample::default()
+        };
+        let chord = normal_acceleration(&sample) * 1e-6 / 8.0;
+        assert!((chord - 2e-3).abs() < 1e-12);
+        let straight = Sample { acceleration: [0.0, -700.0, 0.0, 0.0, 0.0, 0.0], ..sample };
+        assert_eq!(normal_acceleration(&straight), 0.0);
+        assert_eq!(normal_acceleration(&Sample::default()), 0.0);
+    }
+}

@@ -1,0 +1,107 @@
+//! The time of a program with everything that is asked along with it.
+
+use super::{Alternative, ChordCost, Effort, LeastReport, Timed};
+use crate::job::Job;
+use crate::motion::{Level, LimitError, MotionOptions};
+use crate::report::{Report, Watch};
+
+/// Most moves of a program that is planned again unasked: all changes together then take less
+/// than a second.
+const MOST_UNASKED: u64 = 20_000;
+
+/// Most moves of a program whose cycle time is planned for a summary: longer ones are for a
+/// question about the time, so that the summary of a million lines is there at once.
+const MOST_SUMMARIZED: u64 = 300_000;
+
+/// Bytes of a line of a program of many short moves.
+const LINE: u64 = 20;
+
+/// Whether a program is planned again with something changed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Again {
+    /// Not at all.
+    Never,
+    /// Where it is short and planned in one pass.
+    IfShort,
+    /// However long it takes.
+    Always,
+}
+
+/// What is asked about the time of a program.
+#[derive(Clone, Debug)]
+pub struct TimeQuestion {
+    /// How it is planned.
+    pub options: MotionOptions,
+    /// Other overrides and path modes, and what short lines cost.
+    pub again: Again,
+    /// The least times within the physical limits.
+    pub bound: bool,
+}
+
+/// The time of a program and what was asked along with it.
+#[derive(Clone, Debug)]
+pub struct TimeStudy {
+    /// The time.
+    pub timed: Timed,
+    /// How hard the planner tried.
+    pub level: Level,
+    /// The same program with changes, where it was asked.
+    pub what_if: Vec<Alternative>,
+    /// The least times, where they were asked.
+    pub least: Option<LeastReport>,
+    /// What the short lines of each tool cost, where it was asked.
+    pub chords: Vec<ChordCost>,
+}
+
+/// Most moves that are planned for the summary of a program of so many bytes. A long text is not
+/// planned in vain.
+pub fn most_summarized(bytes: usize) -> u64 {
+    if bytes as u64 > MOST_SUMMARIZED * LINE { 0 } else { MOST_SUMMARIZED }
+}
+
+/// How much work the reference may be: some ten seconds, whatever the program.
+fn effort() -> Effort {
+    Effort { most_nodes: 4_000, total_nodes: 12_000, ..Effort::default() }
+}
+
+/// Sees nothing of a run.
+struct Unwatched;
+
+impl Watch for Unwatched {}
+
+impl Job<'_> {
+    /// Runs with all checks, plans, and answers the question. The report stands whether or not
+    /// the limits let anything be planned. There is no time of a program with more moves than can
+    /// be counted.
+    pub fn time_study(
+        &self,
+        question: &TimeQuestion,
+    ) -> (Report, Result<Option<TimeStudy>, LimitError>) {
+        let (report, timed) = self.report_timed(&question.options, u64::MAX, &mut Unwatched);
+        let study = timed.and_then(|timed| {
+            timed.map(|timed| self.study(timed, report.summary.inch, question)).transpose()
+        });
+        (report, study)
+    }
+
+    fn study(
+        &self,
+        timed: Timed,
+        inch: bool,
+        question: &TimeQuestion,
+    ) -> Result<TimeStudy, LimitError> {
+        let options = &question.options;
+        let again = match question.again {
+            Again::Never => false,
+            Again::IfShort => options.level == Level::Fast && timed.time.moves <= MOST_UNASKED,
+            Again::Always => true,
+        };
+        let (what_if, chords) = if again && timed.time.moves > 0 {
+            (self.what_if(options, &self.changes())?, self.chord_costs(options, inch)?)
+        } else {
+            (Vec::new(), Vec::new())
+        };
+        let least = question.bound.then(|| self.least(options, effort())).transpose()?;
+        Ok(TimeStudy { timed, level: options.level, what_if, least, chords })
+    }
+}
