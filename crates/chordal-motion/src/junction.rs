@@ -229,7 +229,7 @@ fn least(limits: &Axes, direction: &Axes) -> f64 {
 mod tests {
     use std::f64::consts::{PI, TAU};
 
-    use chordal_geometry::{Arc, Line, Plane, Vec3};
+    use chordal_geometry::{Arc, Curve, Line, Plane, Vec3};
 
     use super::*;
     use crate::limits::AxisLimit;
