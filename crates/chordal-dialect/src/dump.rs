@@ -14,35 +14,10 @@ use std::fmt::Write;
 use std::ops::Range;
 use std::sync::Arc;
 
-use chordal_machine::{Axis, Machine, MachineError};
+use chordal_machine::{Machine, MachineError};
 
 use crate::control::Control;
-
-/// A setting that says something of the machine.
-#[derive(Clone, Copy, Debug)]
-pub struct DumpRow {
-    /// Its number.
-    pub number: u16,
-    /// What it says.
-    pub meaning: DumpMeaning,
-}
-
-/// What a setting says of the machine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DumpMeaning {
-    /// How far a corner may be passed, mm.
-    JunctionDeviation,
-    /// How far the segments of an arc are from it, mm.
-    ArcTolerance,
-    /// Steps a mm.
-    Steps(Axis),
-    /// Rapid speed, mm/min.
-    Velocity(Axis),
-    /// mm/s².
-    Acceleration(Axis),
-    /// The axis goes from this far below zero to zero, mm.
-    Travel(Axis),
-}
+use crate::firmware::{DumpMeaning, DumpRow};
 
 /// A setting of a dump, as a key of a machine file.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,9 +2,8 @@
 //!
 //! A block with a mistake changes nothing, not even a mode, and answers with the number of its first mistake.
 
+use chordal_machine::Axis;
 use chordal_syntax::Letters;
-
-use crate::dump::DumpRow;
 
 /// A mistake in a block, in the order in which the firmware looks for them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -74,6 +73,32 @@ pub struct RefusalRow {
     pub message: &'static str,
     /// What to do.
     pub help: &'static str,
+}
+
+/// A setting that says something of the machine.
+#[derive(Clone, Copy, Debug)]
+pub struct DumpRow {
+    /// Its number.
+    pub number: u16,
+    /// What it says.
+    pub meaning: DumpMeaning,
+}
+
+/// What a setting says of the machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DumpMeaning {
+    /// How far a corner may be passed, mm.
+    JunctionDeviation,
+    /// How far the segments of an arc are from it, mm.
+    ArcTolerance,
+    /// Steps a mm.
+    Steps(Axis),
+    /// Rapid speed, mm/min.
+    Velocity(Axis),
+    /// mm/s².
+    Acceleration(Axis),
+    /// The axis goes from this far below zero to zero, mm.
+    Travel(Axis),
 }
 
 /// How a firmware reads and judges a block.

@@ -1,6 +1,6 @@
 //! How GRBL 1.1 reads and judges a block, and the numbers of its answers.
 
-use crate::dump::{DumpMeaning, DumpRow};
+use crate::firmware::{DumpMeaning, DumpRow};
 use crate::vocabulary::*;
 use chordal_machine::Axis;
 use chordal_syntax::Letters;
