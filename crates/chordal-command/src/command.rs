@@ -9,6 +9,7 @@ use crate::axes::{AxisMask, Position};
 use crate::mode::{Coolant, Overrides, PathMode, Side, SpindleState};
 use crate::motion::{ArcShape, Feed, FeedMode, Move, RapidPath};
 use crate::origin::Origin;
+use crate::surface::RotarySurface;
 use crate::units::Units;
 use crate::work_name::WorkName;
 
@@ -154,6 +155,13 @@ pub enum CommandKind {
         /// The axes whose way to machine coordinates, tool length included, is known.
         known: AxisMask,
         /// The tool tip in the new program coordinates.
+        position: Position,
+    },
+    /// Two coordinates lie on a surface that turns with a rotary axis from here on (G12.1, G7.1), or no longer.
+    Surface {
+        /// The surface; `None` where it ends.
+        surface: Option<RotarySurface>,
+        /// The tool tip in the coordinates that moves have now.
         position: Position,
     },
     /// The move before was a probe or skip move, and has ended.

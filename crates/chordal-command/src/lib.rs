@@ -26,6 +26,7 @@ mod mode;
 mod motion;
 mod origin;
 mod sink;
+mod surface;
 mod units;
 mod work_name;
 
@@ -35,5 +36,6 @@ pub use mode::{Coolant, Overrides, PathMode, Side, SpindleState};
 pub use motion::{ArcShape, Feed, FeedAlong, FeedMode, Move, RapidPath, SurfaceSpeed};
 pub use origin::{CallPath, CallPaths, Origin};
 pub use sink::Sink;
+pub use surface::{RotarySurface, SurfaceRun, SurfaceShape};
 pub use units::{Units, number_text, telling_number};
 pub use work_name::{WorkName, WorkNaming};

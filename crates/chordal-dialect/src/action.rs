@@ -247,6 +247,19 @@ pub enum OnceCode {
     CornerArcAlone,
     /// A cycle of a lathe.
     Turning(TurnCycle),
+    /// The coordinates lie on a surface that turns with a rotary axis, or no longer.
+    Surface(SurfaceCode),
+}
+
+/// Polar and cylindrical interpolation.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SurfaceCode {
+    /// On the face of the part (G12.1, Haas G112).
+    Face,
+    /// No longer (G13.1, Haas G113).
+    FaceOff,
+    /// On the shell of a cylinder; with the radius 0, or without words, no longer (G7.1, Haas G107).
+    Cylinder,
 }
 
 /// What acts after the motion of its block.

@@ -32,13 +32,14 @@ pub mod recognition;
 mod scale;
 mod settings;
 mod spatial;
+mod surface;
 pub mod table;
 mod vocabulary;
 mod word_rules;
 
 pub use action::{
     Action, AfterCode, BeforeCode, CallCode, Called, LengthCode, ModeCode, MotionCode, OnceCode,
-    PathCode, ReadingCode,
+    PathCode, ReadingCode, SurfaceCode,
 };
 pub use control::{Control, FIRST_ALIAS_SUBPROGRAM, table};
 pub use controls::ALL as CONTROLS;
@@ -50,5 +51,6 @@ pub use settings::{
     SettingError, TurningField, value_text,
 };
 pub use spatial::SpatialRules;
+pub use surface::{SurfaceRules, SurfaceWord};
 pub use table::{CodeRow, ControlTable, Group, code_name, code_number};
 pub use word_rules::{WordRule, WordTest};

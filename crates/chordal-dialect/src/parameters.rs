@@ -148,6 +148,8 @@ pub struct Parameters {
     pub increments: &'static [(u8, u8)],
     /// Words of X are radii at power-on, whatever the machine file has (LinuxCNC G8).
     pub starts_with_radii: bool,
+    /// Words of X are radii in polar interpolation, where they are diameters otherwise.
+    pub face_x_radius: bool,
     /// What T says.
     pub tool_word: ToolWord,
     /// S in the block of the code that presets coordinates limits the spindle speed.
@@ -237,6 +239,7 @@ impl Parameters {
         aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
         increments: &[],
         starts_with_radii: false,
+        face_x_radius: false,
         tool_word: ToolWord::Tool,
         preset_limits_speed: false,
         arc_without_center_is_line: false,

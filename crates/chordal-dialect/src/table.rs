@@ -8,6 +8,7 @@ use crate::post::Post;
 use crate::recognition::{Evidence, MachineKind};
 use crate::settings::Setting;
 use crate::spatial::SpatialRules;
+use crate::surface::SurfaceRules;
 use crate::word_rules::WordRule;
 use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
@@ -292,6 +293,10 @@ pub struct ControlTable {
     pub word_rules: &'static [WordRule],
     /// What it refuses of a rotation about an axis in space; nothing where it has none.
     pub spatial: Option<&'static SpatialRules>,
+    /// Polar interpolation; nothing where it has none.
+    pub face: Option<&'static SurfaceRules>,
+    /// Cylindrical interpolation; nothing where it has none.
+    pub cylinder: Option<&'static SurfaceRules>,
     /// M6 stops the spindle by itself.
     pub spindle_stops_at_tool_change: bool,
     /// How its work offsets are named; with `by_e` a word E chooses one.

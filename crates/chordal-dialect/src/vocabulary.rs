@@ -16,6 +16,7 @@ pub(crate) use crate::settings::{
     Setting, TurningField, setting, short_blocks,
 };
 pub(crate) use crate::spatial::SpatialRules;
+pub(crate) use crate::surface::{SurfaceRules, SurfaceWord};
 pub(crate) use crate::table::*;
 pub(crate) use crate::word_rules::{WordRule, WordTest};
 
@@ -34,5 +35,6 @@ pub(crate) mod codes {
     pub(crate) use crate::action::OnceCode::*;
     pub(crate) use crate::action::PathCode;
     pub(crate) use crate::action::ReadingCode::*;
+    pub(crate) use crate::action::SurfaceCode;
     pub(crate) use crate::table::{ANY_WORDS, CodeRow, Group, row};
 }

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 use std::io::{self, Write};
 
+use chordal::control::SurfaceShape;
 use chordal::control::{
     ArcShape, Coolant, Feed, FeedMode, Move, Overrides, PathMode, Position, Side, SpindleState,
     Units, WorkName,
@@ -300,6 +301,13 @@ fn simple(kind: &CommandKind) -> Option<String> {
             let radius = radius_mm.unwrap_or(0.0);
             format!("START_CUTTER_RADIUS_COMPENSATION({word}) ; radius {radius:.6}")
         }
+        CommandKind::Surface { surface, .. } => match surface.map(|surface| surface.shape) {
+            None => "COMMENT(\"coordinates of the axes\")".into(),
+            Some(SurfaceShape::Face { .. }) => "COMMENT(\"coordinates on the face\")".into(),
+            Some(SurfaceShape::Cylinder { radius_mm }) => {
+                format!("COMMENT(\"coordinates on a cylinder, radius {radius_mm:.6}\")")
+            }
+        },
         CommandKind::Stop { optional: true } => "OPTIONAL_PROGRAM_STOP()".into(),
         CommandKind::Stop { optional: false } => "PROGRAM_STOP()".into(),
         CommandKind::End => "PROGRAM_END()".into(),

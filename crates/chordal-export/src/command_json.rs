@@ -4,11 +4,11 @@ use std::io::{self, Write};
 
 use chordal::control::{
     ArcShape, AxisMask, Feed, FeedAlong, FeedMode, Move, Origin, PathMode, Position, RapidPath,
-    Units, WorkName,
+    RotarySurface, SurfaceShape, Units, WorkName,
 };
 use chordal::diagnostics::FileId;
 use chordal::geometry::Spline;
-use chordal::machine::{AXES, AXIS_NAMES};
+use chordal::machine::{AXES, AXIS_NAMES, Axis};
 use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 
 use crate::json::Object;
@@ -333,9 +333,26 @@ fn state(object: &mut Object, kind: &CommandKind) {
             object.word("kind", "probed");
             object.boolean("hit", *hit);
         }
+        CommandKind::Surface { surface, .. } => surface_of(object, surface.as_ref()),
         CommandKind::End => object.word("kind", "end"),
         other => mode(object, other),
     }
+}
+
+/// Where two coordinates lie from here on.
+fn surface_of(object: &mut Object, surface: Option<&RotarySurface>) {
+    object.word("kind", "surface");
+    let Some(surface) = surface else { return object.word("surface", "none") };
+    let letter = |axis: usize| Axis::ALL[axis].letter().to_string();
+    match surface.shape {
+        SurfaceShape::Face { .. } => object.word("surface", "face"),
+        SurfaceShape::Cylinder { radius_mm } => {
+            object.word("surface", "cylinder");
+            object.number("radius", radius_mm);
+        }
+    }
+    object.text("rotary", &letter(surface.rotary));
+    object.text("across", &letter(surface.across));
 }
 
 /// Commands that change what later ones mean.

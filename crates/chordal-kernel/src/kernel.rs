@@ -138,13 +138,17 @@ impl<'a> Kernel<'a> {
     #[inline(always)]
     pub fn emit(&mut self, kind: CommandKind) {
         let command = Command { kind, origin: self.origin };
-        if self.corners.wait() || !self.state.frames.is_plain() || self.collected.is_some() {
+        if self.corners.wait()
+            || !self.state.frames.is_plain()
+            || self.collected.is_some()
+            || self.state.surface.is_some()
+        {
             return self.emit_otherwise(command);
         }
         self.sink.command(&command);
     }
 
-    /// The same where a frame is in force or a corner waits.
+    /// The same where a frame or a surface is in force, or a corner waits.
     #[cold]
     fn emit_otherwise(&mut self, command: Command) {
         if self.corners.wait() {
@@ -157,6 +161,9 @@ impl<'a> Kernel<'a> {
 
     /// Into the sink, or to the cycle that reads a contour.
     pub(crate) fn hand_over(&mut self, command: &Command) {
+        if let (Some(surface), Some(motion)) = (&mut self.state.surface, command.kind.motion()) {
+            surface.run.follow(motion, command.kind.shape());
+        }
         match &mut self.collected {
             Some(commands) => commands.push(command.clone()),
             None => self.sink.command(command),

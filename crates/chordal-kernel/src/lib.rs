@@ -37,6 +37,8 @@ pub mod rules;
 mod sink;
 pub mod state;
 mod statement;
+mod surface;
+mod surface_codes;
 mod turning;
 
 pub use checkpoint::{Checkpoint, Memory};
@@ -56,6 +58,8 @@ pub use state::{
     CycleState, Motion, OverrideState, SplineForm, State, ThreadMemory, TurnPass, TurningMemory,
 };
 pub use statement::{Statement, What};
+pub use surface::{SurfacePlane, SurfaceState};
+pub use surface_codes::NewSurface;
 pub use turning::{
     DescentFault, DescentWords, Edge, LineThreadWords, PeckWords, Profile, RoughWords, ThreadWords,
 };

@@ -137,7 +137,11 @@ impl Modal {
 impl State {
     /// The frames that words are read in.
     fn frame_kinds(&self) -> FrameKinds {
-        FrameKinds { polar: self.polar.is_some(), ..self.frames.kinds() }
+        FrameKinds {
+            polar: self.polar.is_some(),
+            surface: self.surface.is_some(),
+            ..self.frames.kinds()
+        }
     }
 
     /// What a block without a motion code does; `None` where it needs one.

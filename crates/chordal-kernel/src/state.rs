@@ -11,6 +11,7 @@ use crate::frames::{Frames, Polar};
 use crate::offsets::Offsets;
 use crate::path_mode::PathState;
 use crate::rules::{ArcCenter, CycleKind, Rules, TurningRules};
+use crate::surface::SurfaceState;
 
 /// The motion that a block without a motion code makes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -226,6 +227,8 @@ pub struct State {
     pub last_rotation_deg: Option<f64>,
     /// End points are a radius and an angle.
     pub polar: Option<Polar>,
+    /// Two coordinates lie on a surface that turns with a rotary axis.
+    pub surface: Option<SurfaceState>,
     /// Units of the program.
     pub units: Units,
     /// The plane of arcs and compensation.
@@ -305,6 +308,7 @@ impl State {
             frame_jump: None,
             last_rotation_deg: None,
             polar: None,
+            surface: None,
             units: rules.units,
             plane: rules.starts_in,
             incremental: rules.starts_incremental,
@@ -343,9 +347,10 @@ impl State {
 
     /// The machine coordinate of an axis.
     pub fn machine_position(&self, axis: usize) -> f64 {
-        let place = match self.frames.is_plain() {
-            true => self.position[axis],
-            false => self.work_position()[axis],
+        let place = match (&self.surface, self.frames.is_plain()) {
+            (Some(surface), _) => surface.run.on_axes(&self.position)[axis],
+            (None, true) => self.position[axis],
+            (None, false) => self.work_position()[axis],
         };
         place + self.offsets.total()[axis]
     }

@@ -1,5 +1,7 @@
 //! Checks that need the path: travel, rapids into the part, nearly tangent joints.
 
+mod surface;
+
 use chordal_command::{
     AxisMask, Command, CommandKind, Feed, FeedMode, Move, Origin, Position, Side, Units,
     number_text,
@@ -63,6 +65,8 @@ pub struct ChecksMemory {
     legs: Vec<LowRapid>,
     contour: ContourRapid,
     told_axes: AxisMask,
+    /// A rotary axis that cannot keep up was reported.
+    told_speed: bool,
 }
 
 /// What a stretch of a run has touched, for what can be judged only at its end.
@@ -126,6 +130,7 @@ impl<'a> Checks<'a> {
             legs: Vec::new(),
             contour: ContourRapid::default(),
             told_axes: AxisMask::NONE,
+            told_speed: false,
         };
         // The tool of a lathe comes from the side: no plane is above the part.
         let clearance_mm = match machine.turns() {
@@ -210,6 +215,9 @@ impl<'a> Checks<'a> {
     pub fn command(&mut self, path: PathCommand<'_>, mut report: impl FnMut(Diagnostic)) {
         let command = path.command;
         let as_programmed = path.side == Side::Off;
+        if self.now.frame.surface.is_some() {
+            return self.on_surface(path, &mut report);
+        }
         if self.assumed {
             self.seen.excess.command(&command.kind, self.machine);
         }
@@ -217,7 +225,7 @@ impl<'a> Checks<'a> {
             CommandKind::Rapid { motion, .. } => {
                 self.now.last = None;
                 self.extend(&motion.to, motion.to_known);
-                self.travel(&motion.to, motion, command.origin, &mut report);
+                self.travel(&motion.to, motion.to_known, command.origin, &mut report);
                 self.rapid(motion, command.origin);
             }
             CommandKind::Line { motion, feed } => {
@@ -225,7 +233,7 @@ impl<'a> Checks<'a> {
                     self.slow(feed, motion, &curve_of(motion, None), command.origin, &mut report);
                 }
                 self.extend(&motion.to, motion.to_known);
-                self.travel(&motion.to, motion, command.origin, &mut report);
+                self.travel(&motion.to, motion.to_known, command.origin, &mut report);
                 self.end_legs();
                 if is_known(motion) {
                     let (from, to) = (point(&motion.from), point(&motion.to));
@@ -317,7 +325,7 @@ impl<'a> Checks<'a> {
             let mut place = motion.to;
             place[..3].copy_from_slice(&corner.to_array());
             self.extend(&place, motion.to_known);
-            self.travel(&place, motion, origin, report);
+            self.travel(&place, motion.to_known, origin, report);
         }
         self.end_legs();
         if is_known(motion) {
@@ -329,14 +337,14 @@ impl<'a> Checks<'a> {
     fn travel(
         &mut self,
         place: &Position,
-        motion: &Move,
+        place_known: AxisMask,
         origin: Origin,
         report: &mut impl FnMut(Diagnostic),
     ) {
         if self.now.frame.known == AxisMask::NONE {
             return;
         }
-        for axis in self.now.frame.known.and(motion.to_known).without(self.now.told_axes).iter() {
+        for axis in self.now.frame.known.and(place_known).without(self.now.told_axes).iter() {
             let limits = self.machine.axes[axis as usize].as_ref();
             let Some((low, high)) = limits.and_then(|limits| limits.travel) else { continue };
             let at = self.now.frame.machine(place, axis as usize);

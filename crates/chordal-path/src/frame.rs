@@ -1,6 +1,6 @@
 //! Offsets and lengths between program and machine coordinates.
 
-use chordal_command::{AxisMask, Command, CommandKind, Position};
+use chordal_command::{AxisMask, Command, CommandKind, Position, SurfaceRun};
 use chordal_machine::AXES;
 
 /// What lies between program and machine coordinates while commands go by.
@@ -12,12 +12,14 @@ pub struct Frame {
     pub tool: Position,
     /// The axes for which the way to machine coordinates is known.
     pub known: AxisMask,
+    /// The surface on which two coordinates lie, with how far its axis has turned.
+    pub surface: Option<SurfaceRun>,
 }
 
 impl Frame {
     /// The frame before the first command.
     pub fn new(offset: Position, known: AxisMask) -> Frame {
-        Frame { work: offset, tool: [0.0; AXES], known }
+        Frame { work: offset, tool: [0.0; AXES], known, surface: None }
     }
 
     /// Follows a command; true when the frame changed.
@@ -31,12 +33,31 @@ impl Frame {
                 self.tool = *offset;
                 self.known = *known;
             }
-            _ => return false,
+            CommandKind::Surface { surface, .. } => self.surface = surface.map(SurfaceRun::new),
+            CommandKind::End => {
+                self.surface = None;
+                return false;
+            }
+            kind => {
+                if let (Some(surface), Some(motion)) = (&mut self.surface, kind.motion()) {
+                    surface.follow(motion, kind.shape());
+                }
+                return false;
+            }
         }
         true
     }
 
-    /// A program coordinate in machine coordinates.
+    /// A position of the program with the axes themselves, at the end of the last move.
+    #[inline]
+    pub fn on_axes(&self, position: &Position) -> Position {
+        match &self.surface {
+            None => *position,
+            Some(surface) => surface.on_axes(position),
+        }
+    }
+
+    /// A program coordinate of the axes themselves in machine coordinates.
     pub fn machine(&self, position: &Position, axis: usize) -> f64 {
         position[axis] + self.work[axis] + self.tool[axis]
     }

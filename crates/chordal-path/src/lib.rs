@@ -42,6 +42,7 @@ mod frame;
 pub mod gouge;
 mod rapid;
 mod rapid_check;
+mod rotary;
 mod segment;
 mod side_check;
 mod surface;
@@ -54,6 +55,7 @@ pub use compensation::{
 pub use contour_check::ContourCheck;
 pub use contour_level::ContourLevel;
 pub use frame::Frame;
+pub use rotary::{places_on_axes, rotary_parts};
 pub use segment::{Segment, SegmentKind, curve_of, curves_of};
 pub use side_check::SideCheck;
 pub use surface::{SurfacePart, surface_parts};

@@ -192,6 +192,15 @@ fn what_cannot_begin_says_why_and_where_it_can() {
     assert_eq!(refused(moved, 5).0, Reason::Shift);
 }
 
+/// As on the control: a block in polar interpolation is none to begin at.
+#[test]
+fn nothing_begins_on_a_face() {
+    let text = "O1\nG21 G18 G40 G98 G97 S900 M3\nT0101\nG0 X40. Z1. C0\nG12.1\nG1 C10. F100.\nX30.\nG13.1\nG0 Z5.\nM30\n";
+    let refused = restart(&job(text, "fanuc-lathe-c"), 7).expect_err("on the face");
+    assert_eq!(refused.reason, Reason::Frame);
+    assert!(refused.refusal.what.contains("polar or cylindrical"), "{}", refused.refusal.what);
+}
+
 const HOLES: &str = "\
 O1000 (HOLES)
 G21 G17 G90 G40 G49 G80

@@ -381,3 +381,15 @@ fn a_program_with_splines_is_refused_where_its_path_would_change() {
     }
     assert!(run(Step::NoNumbers).is_ok());
 }
+
+#[test]
+fn coordinates_on_a_face_are_not_transformed() {
+    let text = "G21 G18 G40 G98 G97 S900 M3\nG0 X40. Z1. C0\nG12.1\nG1 C10. F100.\nG13.1\nM30\n";
+    let run = |step: Step| transform(&job(text.into(), "fanuc-lathe-c"), &[step]);
+    for step in [Step::Shift([0.0, 0.0, 1.0]), Step::Scale(2.0)] {
+        let refusal = run(step).unwrap_err();
+        assert_eq!(refusal.line, 3);
+        assert!(refusal.what.contains("a face or a cylinder"), "{}", refusal.what);
+    }
+    assert!(run(Step::NoNumbers).is_ok());
+}

@@ -76,7 +76,8 @@ fn sections(run: u64, found: &TurnedReport, replay: &TurnedReplay) -> Vec<u8> {
     let threads = found
         .threads
         .iter()
-        .map(|thread| json!({ "row": thread.row, "loops": shape(&thread.section) }));
+        .map(|thread| (thread.row, thread.grooves.as_ref().unwrap_or(&thread.section)))
+        .map(|(row, section)| json!({ "row": row, "loops": shape(section) }));
     frame.finish(json!({
         "type": "turned",
         "run": run,

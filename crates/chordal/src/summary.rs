@@ -1,13 +1,13 @@
 //! The summary of a run: counts, lengths, travel, tools, times.
 
-use chordal_command::{AxisMask, Command, CommandKind, FeedMode, Units};
+use chordal_command::{AxisMask, Command, CommandKind, FeedMode, Move, SurfaceRun, Units};
 use chordal_dialect::Control;
 use chordal_machine::{AXES, AXIS_LETTERS, Machine, PerAxis};
 use std::collections::BTreeMap;
 
 use chordal_diagnostics::FileId;
 use chordal_geometry::{Aabb, ParamCurve};
-use chordal_path::{Segment, SegmentKind};
+use chordal_path::{Segment, SegmentKind, curve_of, places_on_axes};
 
 /// What one tool does.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -103,6 +103,8 @@ pub(crate) struct SummaryBuilder {
     order: Vec<u32>,
     tool: u32,
     axes: PerAxis<Extent>,
+    /// The surface on which two coordinates lie.
+    surface: Option<SurfaceRun>,
     written: PerAxis<f64>,
 }
 
@@ -122,6 +124,7 @@ impl SummaryBuilder {
             order: Vec::new(),
             tool: 0,
             axes: [empty; AXES],
+            surface: None,
             written: machine.written_factors(),
         }
     }
@@ -143,6 +146,8 @@ impl SummaryBuilder {
                     tool.speeds_rpm.push(*rpm);
                 }
             }
+            CommandKind::Surface { surface, .. } => self.surface = surface.map(SurfaceRun::new),
+            CommandKind::End => self.surface = None,
             CommandKind::Rapid { .. } => self.summary.rapids += 1,
             CommandKind::Line { .. } => self.summary.lines += 1,
             CommandKind::Arc { motion, shape, .. } => {
@@ -170,8 +175,15 @@ impl SummaryBuilder {
             .filter(|feed| feed.mode == FeedMode::PerTime && !command.kind.only_turns());
         let speed = per_time.map(|feed| feed.value).filter(|value| *value > 0.0);
         let known = command.kind.motion().map(|motion| motion.from_known.and(motion.to_known));
-        for segment in segments {
-            self.extend(segment, known.unwrap_or(AxisMask::NONE));
+        for (index, segment) in segments.iter().enumerate() {
+            match (self.surface, command.kind.motion()) {
+                // The whole move, of which a rapid has several pieces.
+                (Some(run), Some(motion)) if index == 0 => {
+                    self.extend_on_axes(run, motion, &command.kind);
+                }
+                (Some(_), Some(_)) => {}
+                _ => self.extend(segment, known.unwrap_or(AxisMask::NONE)),
+            }
             if segment.kind == SegmentKind::Rapid {
                 if segment.known {
                     self.summary.rapid_length_mm += segment.length_mm;
@@ -244,6 +256,28 @@ impl SummaryBuilder {
                 self.axes[axis + 3].take(from.min(to), from.max(to), cuts);
                 self.axes[axis + 3].way += (to - from).abs();
             }
+        }
+    }
+
+    /// A move on a surface, by the axes themselves.
+    fn extend_on_axes(&mut self, mut run: SurfaceRun, motion: &Move, kind: &CommandKind) {
+        let start = run.on_axes(&motion.from);
+        run.follow(motion, kind.shape());
+        self.surface = Some(run);
+        let curve = curve_of(motion, kind.shape());
+        let (places, known) = places_on_axes(&run, motion, &curve);
+        let end = run.on_axes(&motion.to);
+        let cuts = kind.feed().is_some();
+        for axis in (0..AXES).filter(|axis| known.has(*axis)) {
+            let way = (end[axis] - start[axis]).abs();
+            // An axis that turns is listed when it turns.
+            if axis >= 3 && way == 0.0 {
+                continue;
+            }
+            for place in places.iter().chain([&start]) {
+                self.axes[axis].take(place[axis], place[axis], cuts);
+            }
+            self.axes[axis].way += way;
         }
     }
 

@@ -203,3 +203,40 @@ fn times_at_a_cutting_speed_are_integrals() {
     let by_hand = seconds_by_hand(&places, 150e3, 1200.0, 0.15);
     near("LinuxCNC", cutting_seconds("linuxcnc-lathe", linuxcnc), by_hand);
 }
+
+/// Cutting time at the programmed feeds, s, and the problems.
+fn feed_time(text: &str) -> (f64, Vec<String>) {
+    let report = run(text, |_| {});
+    (report.summary.feed_time_s, messages(&report))
+}
+
+#[test]
+fn f_is_the_speed_on_the_cylinder_and_on_the_face() {
+    // 30 along Z and 60 degrees at radius 50, 52.36: 60.3453 mm at 500 mm a minute.
+    let text = "G21 G90 G18 G94 S500 M3\nG54 G0 X104. Z0 C0\nG7.1 C50.\nG1 Z-30. C60. F500.\nG7.1 C0\nM30\n";
+    let (time, said) = feed_time(text);
+    assert!((time - 7.2414).abs() < 5e-5, "{time}");
+    assert_eq!(said, [""; 0]);
+    // Ten across and forty along the flat, whatever C turns.
+    let text =
+        "G21 G90 G18 G94 S500 M3\nG54 G0 X40. Z0 C0\nG12.1\nG1 C10. F1000.\nX-40.\nG13.1\nM30\n";
+    let (time, said) = feed_time(text);
+    assert!((time - 3.0).abs() < 1e-9, "{time}");
+    assert_eq!(said, [""; 0]);
+}
+
+#[test]
+fn the_travel_on_a_face_is_that_of_x_itself() {
+    // X 250 and C 100 are 2·hypot(125, 100) = 320.156 across, and G54 adds 10 to each diameter.
+    let text = "G21 G90 G18 G94 S500 M3\nG54 G0 X250. Z-10. C0\nG12.1\nG1 C50. F1000.\nC100.\nG13.1\nM30\n";
+    let (_, said) = feed_time(text);
+    assert_eq!(said.len(), 1, "{said:?}");
+    assert!(
+        said[0].contains("X goes to 330.156 mm") && said[0].contains("30.156 mm beyond"),
+        "{said:?}"
+    );
+    // Through the axis X comes back on its own side.
+    let text =
+        "G21 G90 G18 G94 S500 M3\nG54 G0 X200. Z-10. C0\nG12.1\nG1 X-200. F1000.\nG13.1\nM30\n";
+    assert_eq!(feed_time(text).1, [""; 0]);
+}

@@ -28,6 +28,6 @@ G10 L11 P2 X.2
 T202
 G0 X30. (= rapid from X29.8 Z-5 to X30 Z-5)
 (What is not followed says so.)
-G112 (= ! CH312)
+G112 (= none | ! CH443 "has no C axis")
 G113
 M30

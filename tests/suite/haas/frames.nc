@@ -15,5 +15,8 @@ G101 X0
 G0 X2. Y1. (= rapid to X-2 Y1)
 G100 X0
 X2. Y1. (= rapid to X2 Y1)
-G107 A0 Y0 R2. (= none | ! CH312 "cylindrical mapping")
+G107 A0 Y0 R2. (= none)
+G1 Y1.0471975512 F10. (= line to Y1.0471975512)
+G107
+G0 Z1. (= rapid from A30)
 M30

@@ -90,4 +90,34 @@ Check the factor: a number without a decimal point counts in units of 0.001 on m
 the peck depth and the clearances are not.
 
 Chordal carries the cycle out with these levels. Cancel the mirror or the scaling of this axis before the cycle."#;
+
+    SurfaceCode = 442, "surface-code", Error;
+    "a code that may not come in polar or cylindrical interpolation";
+    r#"Between G12.1 and G13.1 (Haas G112, G113) X and the letter of the rotary axis, or X and Y on a Haas, are coordinates on
+the face of the part. After G7.1 with a radius (Haas G107) the rotary axis is a length on a cylinder. Straight cuts, arcs,
+compensation, dwells and macro calls are allowed there. Most controls stop at rapids, reference returns, work offsets, tool
+offsets, cycles and a change of the plane.
+
+    G12.1
+    G0 X60.             a rapid: PS0146 on a Fanuc
+
+Rapids are shown on the surface all the same. Other blocks are skipped. Write such blocks before G12.1 or after G13.1."#;
+
+    SurfaceMode = 443, "surface-mode", Error;
+    "polar or cylindrical interpolation that cannot begin or end here";
+    r#"G12.1 and G7.1 need the rotary axis, and begin without cutter compensation, without mirror, scaling or rotation of
+coordinates, and outside of each other. Compensation begins and ends inside.
+
+    G42
+    G12.1               compensation is on: G40 first
+
+On a cylinder an arc lies in the plane of the length along the axis and the rotary axis. On a lathe this is G18 or G19."#;
+
+    RotarySpeed = 444, "rotary-speed", Warning;
+    "the rotary axis cannot turn as fast as this feed needs";
+    r#"In polar and cylindrical interpolation F is the speed on the surface. The rotary axis turns at F divided by the radius: at
+1000 mm/min and 10 mm from the centre at 5730 degrees a minute. Near the centre of a face it would have to be infinitely fast.
+
+Controls stop with an alarm, or slow down. Use a lower F, or keep the tool farther from the centre. The time of the program
+counts the cut as slow as the axis needs."#;
 }

@@ -83,6 +83,8 @@ pub enum Field {
     Turning(TurningField),
     /// What words of X are at power-on (LinuxCNC G7, G8).
     StartRadii,
+    /// What words of X are in polar interpolation.
+    FaceX,
     /// What happens after a block that the control refuses (GRBL).
     AfterRefusal,
     /// Who changes tools (GRBL).
@@ -449,6 +451,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::Frame(rule) => frame::set(p, rule, word, value)?,
         Field::Turning(rule) => turning::set(p, rule, word, value)?,
         Field::StartRadii => p.starts_with_radii = choose(word, X_WORDS)?,
+        Field::FaceX => p.face_x_radius = choose(word, X_WORDS)?,
         Field::ToolChanger => p.sender_changes_tools = choose(word, TOOL_CHANGERS)?,
         Field::AfterRefusal => p.goes_on_after_refusal = choose(word, AFTER_REFUSAL)?,
         Field::CodeSystem => {
@@ -544,6 +547,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::Frame(rule) => frame::value_text(p, rule),
         Field::Turning(rule) => turning::value_text(p, rule),
         Field::StartRadii => name_of(p.starts_with_radii, X_WORDS),
+        Field::FaceX => name_of(p.face_x_radius, X_WORDS),
         Field::ToolChanger => name_of(p.sender_changes_tools, TOOL_CHANGERS),
         Field::AfterRefusal => name_of(p.goes_on_after_refusal, AFTER_REFUSAL),
         Field::CodeSystem => name_of(p.code_system, CODE_SYSTEMS),

@@ -3,11 +3,11 @@
 use std::ops::RangeInclusive;
 
 use chordal::Code;
-use chordal::control::Field;
 use chordal::control::table::{
     ArcTurns, CodeRow, ControlTable, DataTarget, Group, MotionModality, code_name,
 };
 use chordal::control::{Action, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode};
+use chordal::control::{Certainty, Field, SurfaceCode, SurfaceWord};
 use chordal::control::{CycleKind, ToolValue, TurnCycle, TurnPass, TurningField};
 use chordal::syntax::Letters;
 
@@ -142,6 +142,7 @@ fn alarms(action: Action, table: &ControlTable) -> Vec<(Code, &'static str)> {
             &[430..=441]
         }
         Action::Once(OnceCode::GeneralPocket) => &[820..=828],
+        Action::Once(OnceCode::Surface(_)) => &[442..=444],
         Action::Call(CallCode::CallProgram | CallCode::CallLabel) => &[201..=203],
         Action::Call(CallCode::MacroCall | CallCode::ModalMacroCall { .. }) => {
             &[201..=203, 713..=714]
@@ -188,6 +189,9 @@ fn facts_of_action(action: Action, view: &View, several: bool, facts: &mut Facts
             facts.add("writes", &format!("{}: {name}", numbers.join(" ")));
         }
     }
+    if let Action::Once(OnceCode::Surface(code)) = action {
+        surface_facts(code, view, facts);
+    }
     if matches!(action, Action::Motion(MotionCode::ArcCw | MotionCode::ArcCcw)) {
         match view.table.arc_turns {
             ArcTurns::None => {}
@@ -195,6 +199,38 @@ fn facts_of_action(action: Action, view: &View, several: bool, facts: &mut Facts
             ArcTurns::Total => facts.add("turns", "P: all turns, the arc itself counted as one"),
         }
     }
+}
+
+/// How coordinates on a face or a cylinder are written, what may not come there, and how sure that is.
+fn surface_facts(code: SurfaceCode, view: &View, facts: &mut Facts) {
+    let rules = match code {
+        SurfaceCode::Face => view.table.face,
+        SurfaceCode::Cylinder => view.table.cylinder,
+        SurfaceCode::FaceOff => None,
+    };
+    let Some(rules) = rules else { return };
+    facts.add(
+        "across",
+        match rules.word {
+            SurfaceWord::RotaryLength => "a length with the letter of the rotary axis",
+            SurfaceWord::RotaryAngle => {
+                "an angle with the letter of the rotary axis, as a length on the cylinder"
+            }
+            SurfaceWord::Linear => "a length with the letter of the linear axis",
+        },
+    );
+    match (rules.rapid, rules.code) {
+        (true, _) => facts.add("rapids", "allowed"),
+        (false, Some(alarm)) => facts.add("rapids", alarm),
+        (false, None) => facts.add("rapids", "refused"),
+    }
+    let sure = match rules.certainty {
+        Certainty::Documented => "documented",
+        Certainty::Inferred => "inferred",
+        Certainty::Trade => "known in the trade",
+        Certainty::Unknown => "not known",
+    };
+    facts.add("sure", &format!("{sure}: {}", rules.source));
 }
 
 pub(crate) fn target_name(target: DataTarget) -> &'static str {

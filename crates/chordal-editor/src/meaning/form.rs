@@ -164,6 +164,7 @@ fn of_once(once: OnceCode, view: &View) -> Option<String> {
         | OnceCode::GeneralPocket
         | OnceCode::Pattern(_)
         | OnceCode::Probe { .. }
+        | OnceCode::Surface(_)
         | OnceCode::CornerArcAlone => return None,
     })
 }

@@ -2,7 +2,8 @@
 
 use chordal::control::table::{ArcTurns, CodeRow, DataTarget, DwellWord};
 use chordal::control::{
-    Action, BeforeCode, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, PathCode, ReadingCode,
+    Action, BeforeCode, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, PathCode,
+    ReadingCode, SurfaceCode,
 };
 use chordal::control::{ArcCenter, CycleKind, HolePattern, SplineForm, TurnCycle, TurnPass};
 use chordal::control::{
@@ -207,6 +208,14 @@ fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
             b'X' | b'Y' | b'Z' => "centre of the scaling",
             _ => return None,
         },
+        OnceCode::Surface(SurfaceCode::Cylinder) => match letter {
+            b'R' => "radius of the cylinder",
+            b'Q' => "diameter of the cylinder",
+            b'A' | b'B' | b'C' => "rotary axis that becomes a length on the cylinder",
+            b'X' | b'Y' | b'Z' => "linear axis that the rotary one takes the place of",
+            _ => return None,
+        },
+        OnceCode::Surface(SurfaceCode::Face | SurfaceCode::FaceOff) => return None,
         OnceCode::Mirror { .. } | OnceCode::MirrorOff => return None,
         OnceCode::ReturnFromReference
         | OnceCode::MachineCoordinates

@@ -2,7 +2,9 @@
 
 use arrow_array::RecordBatch;
 use arrow_schema::{ArrowError, SchemaRef};
-use chordal::control::{ArcShape, AxisMask, Feed, FeedMode, Move, PathMode, Position, Units};
+use chordal::control::{
+    ArcShape, AxisMask, Feed, FeedMode, Move, PathMode, Position, SurfaceShape, Units,
+};
 use chordal::geometry::ParamCurve;
 use chordal::path::curve_of;
 use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
@@ -38,6 +40,7 @@ const KINDS: &[&str] = &[
     "coolant",
     "stop",
     "probed",
+    "surface",
     "end",
     "units",
     "plane",
@@ -342,6 +345,18 @@ impl<'a> CommandColumns<'a> {
             CommandKind::Probed { hit } => {
                 self.state.put(row, if *hit { "hit" } else { "nothing" });
                 "probed"
+            }
+            CommandKind::Surface { surface, .. } => {
+                let shape = surface.map(|surface| surface.shape);
+                self.state.put(
+                    row,
+                    match shape {
+                        None => "none",
+                        Some(SurfaceShape::Face { .. }) => "face",
+                        Some(SurfaceShape::Cylinder { .. }) => "cylinder",
+                    },
+                );
+                "surface"
             }
             CommandKind::Units(units) => {
                 self.state.put(row, if *units == Units::Inch { "in" } else { "mm" });

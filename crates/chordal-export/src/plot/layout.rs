@@ -2,7 +2,7 @@
 
 use chordal::geometry::{Aabb, Vec3};
 
-use super::view::{FRONT, ISOMETRIC, Panel, Rect, SIDE, TOP, TURNED, View};
+use super::view::{FACE, FRONT, ISOMETRIC, Panel, Rect, SIDE, TOP, TURNED, View};
 
 /// Measures in units: a unit is a pixel on a sheet of 1600 by 1131.
 pub(super) const MARGIN: f64 = 30.0;
@@ -11,6 +11,10 @@ const TICKS_LEFT: f64 = 58.0;
 const TICKS_BELOW: f64 = 26.0;
 const TITLE: f64 = 26.0;
 const BETWEEN: f64 = 18.0;
+/// A path of a lathe that is wider across than this is also seen from its face, mm.
+const FLAT_MM: f64 = 1e-6;
+/// The share of the width that the face gets.
+const FACE_SHARE: f64 = 0.4;
 /// Room within a view around what is drawn.
 const INSIDE: f64 = 22.0;
 
@@ -31,7 +35,7 @@ pub(super) struct Layout {
     pub height: f64,
     /// px for each unit.
     pub unit: f64,
-    /// Top, front, right and isometric; of a lathe one.
+    /// Top, front, right and isometric; of a lathe one, and the face where a path leaves the plane of Z and X.
     pub panels: Vec<Panel>,
 }
 
@@ -73,7 +77,7 @@ impl Layout {
 }
 
 impl Layout {
-    /// One view for what turns.
+    /// One view for what turns, and one of the face where live tools mill.
     pub fn turned(width: f64, height: f64, bounds: &Aabb, legend: f64) -> Layout {
         let unit = Layout::unit(width, height);
         let (x, y) = ((MARGIN + TICKS_LEFT) * unit, (MARGIN + HEADER + TITLE) * unit);
@@ -83,7 +87,22 @@ impl Layout {
             width: (width - x - MARGIN * unit).max(20.0),
             height: (height - y - (MARGIN + TICKS_BELOW + legend) * unit).max(20.0),
         };
-        let panels = vec![filling(TURNED, rect, bounds, 2.0 * INSIDE * unit)];
+        let inside = 2.0 * INSIDE * unit;
+        if bounds.size().y <= FLAT_MM {
+            return Layout {
+                width,
+                height,
+                unit,
+                panels: vec![filling(TURNED, rect, bounds, inside)],
+            };
+        }
+        let between = (TICKS_LEFT + BETWEEN) * unit;
+        let face = ((rect.width - between) * FACE_SHARE).max(10.0);
+        let section = (rect.width - between - face).max(10.0);
+        let left = Rect { width: section, ..rect };
+        let right = Rect { x: x + section + between, width: face, ..rect };
+        let panels =
+            vec![filling(TURNED, left, bounds, inside), filling(FACE, right, bounds, inside)];
         Layout { width, height, unit, panels }
     }
 }

@@ -204,7 +204,7 @@ impl Sheet {
         let before = found.before.shape();
         draw(path_data(&before, scale, up, false), line(colors.rapid, &thin, &dash));
         draw(path_data(&before, scale, down, true), line(colors.rapid, &thin, &dash));
-        for section in found.sections() {
+        for section in &found.threaded_sections() {
             let loops = section.shape();
             let data = path_data(&loops, scale, up, false);
             draw(data.clone(), "fill=\"url(#hatch)\" fill-rule=\"evenodd\"".into());
@@ -213,7 +213,7 @@ impl Sheet {
             draw(fill, format!("fill=\"{}\" fill-opacity=\"0.12\"", colors.faint));
             draw(edges, line(colors.text, &wide, ""));
         }
-        for thread in &found.threads {
+        for thread in found.threads.iter().filter(|thread| thread.grooves.is_none()) {
             let loops = thread.section.shape();
             draw(path_data(&loops, scale, up, false), line(colors.tool(0), &thin, ""));
             draw(path_data(&loops, scale, down, true), line(colors.tool(0), &thin, ""));

@@ -90,7 +90,7 @@ pub(super) fn layers(
         Some(bounds) => {
             for (index, panel) in layout.panels.iter().enumerate() {
                 ground(&mut under, panel, index, &grid, &bounds, unit, colors);
-                if let Some(turned) = turned {
+                if let Some(turned) = turned.filter(|_| panel.view.doubled) {
                     under_path(&mut under, &turned.svg(panel, unit, colors), index);
                 }
                 stock.extend(store.stock.as_ref().and_then(|of| of.draw(panel, options.dark)));

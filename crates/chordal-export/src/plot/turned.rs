@@ -8,7 +8,7 @@ use super::palette::Palette;
 use super::text::{push_px, px};
 use super::view::Panel;
 
-/// What is left, what was there, and where threads are.
+/// What is left, what was there, and where threads are whose grooves are not known.
 #[derive(Debug, Default)]
 pub(super) struct Turned {
     before: Vec<Vec<Segment>>,
@@ -21,8 +21,13 @@ impl Turned {
     pub fn of(found: &TurnedReport) -> Turned {
         Turned {
             before: found.before.shape(),
-            left: found.sections().flat_map(Region::shape).collect(),
-            threads: found.threads.iter().flat_map(|thread| thread.section.shape()).collect(),
+            left: found.threaded_sections().iter().flat_map(Region::shape).collect(),
+            threads: found
+                .threads
+                .iter()
+                .filter(|thread| thread.grooves.is_none())
+                .flat_map(|thread| thread.section.shape())
+                .collect(),
             bounds: found.before.bounds(),
         }
     }

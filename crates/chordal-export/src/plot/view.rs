@@ -34,6 +34,15 @@ pub(super) const TURNED: View = View {
     doubled: true,
 };
 
+/// Of a lathe with live tools: the face from the tailstock, and the shell of a cylinder rolled out flat.
+pub(super) const FACE: View = View {
+    title: "X and Y, radii: face, shell rolled out",
+    right: Vec3::X,
+    up: Vec3::Y,
+    along_axes: true,
+    doubled: false,
+};
+
 /// Square root of a half, a sixth and two thirds: from the front right above.
 const HALF: f64 = std::f64::consts::FRAC_1_SQRT_2;
 const SIXTH: f64 = 0.408_248_290_463_863;

@@ -189,7 +189,14 @@ pub(super) fn turned_members(found: &TurnedReport) -> Map<String, Value> {
     let threads: Vec<Value> = found
         .threads
         .iter()
-        .map(|thread| json!({ "line": thread.line, "section": loops(&thread.section) }))
+        .map(|thread| {
+            json!({
+                "line": thread.line,
+                "lead_mm": thread.lead_mm.map(rounded),
+                "section": loops(&thread.section),
+                "grooves": thread.grooves.as_ref().map(loops),
+            })
+        })
         .collect();
     let target = found.target.map(|target| {
         json!({

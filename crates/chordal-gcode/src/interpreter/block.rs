@@ -41,6 +41,7 @@ impl Interpreter<'_> {
         let letters = block.letters();
         if !letters.within(PLAIN)
             || self.kernel.state.cycle.is_some()
+            || self.kernel.state.surface.is_some()
             || self.macros.active > 0
             || block.repeated() != Letters::NONE
             || block.commas
@@ -154,6 +155,9 @@ impl Interpreter<'_> {
             return flow;
         }
         self.check_unused(block, claims);
+        if self.kernel.state.surface.is_some() && !self.check_surface_codes(block, codes) {
+            return self.take_after_motion(block, codes);
+        }
         self.block_without_repeats(block, codes)
     }
 

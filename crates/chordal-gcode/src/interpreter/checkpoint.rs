@@ -78,6 +78,7 @@ impl Interpreter<'_> {
             && self.stopped.is_none()
             && !self.in_remark
             && !self.kernel.waits_at_corner()
+            && self.open_line.is_none()
             && self.kernel.calls.count() <= MOST_CALL_PATHS
             && self.options.shop_codes.is_none()
             && !self.machine.answers_with_blocks()

@@ -1,12 +1,10 @@
 //! `,R` and `,C`: a rounding or a chamfer between the end of this block and the next move.
 
-use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::MotionCode;
 use chordal_kernel::Motion;
 use chordal_kernel::rules::CornerMoves;
 use chordal_kernel::{Corner, CornerForm};
-use chordal_machine::Axis;
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
@@ -94,37 +92,6 @@ impl Interpreter<'_> {
         self.kernel.ask_corner(Corner { word: self.span(word.range), name, form, size_mm });
     }
 
-    /// `,A`: a straight cut at an angle from +Z, of which the block names one end coordinate.
-    pub(super) fn line_by_angle(
-        &mut self,
-        block: &Block,
-        target: &mut Position,
-        named: &mut AxisMask,
-    ) {
-        let Some(word) = block.words.iter().find(|word| word.comma && word.letter == b'A') else {
-            return;
-        };
-        let word = *word;
-        let Some(degrees) = self.literal(&word).map(|number| number.to_f64()) else { return };
-        let (x, z) = (Axis::X as usize, Axis::Z as usize);
-        let tangent = libm::tan(degrees.to_radians());
-        let from = self.kernel.state.position;
-        match (named.has(x), named.has(z)) {
-            (false, true) => target[x] = from[x] + (target[z] - from[z]) * tangent,
-            (true, false) if tangent.abs() > 1e-9 => {
-                target[z] = from[z] + (target[x] - from[x]) / tangent;
-            }
-            (true, true) => return,
-            (false, false) | (true, false) => {
-                let message =
-                    "`,A` without X or Z ends where the next block says, which is not followed";
-                return self.lose_path(word.range, message.to_string());
-            }
-        }
-        named.insert(x);
-        named.insert(z);
-    }
-
     /// After a block with such words, or after one that stands between a corner and its next move.
     pub(super) fn end_corner_block(&mut self, block: &Block) {
         if std::mem::take(&mut self.open_corner) {
@@ -139,6 +106,9 @@ impl Interpreter<'_> {
                 .help("write it into a block that cuts a line or an arc in the active plane"),
             );
         }
-        self.kernel.corner_block_done();
+        // A line that waits for the next block moves with that.
+        if self.open_line.is_none() {
+            self.kernel.corner_block_done();
+        }
     }
 }

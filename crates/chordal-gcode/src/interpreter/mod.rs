@@ -5,6 +5,7 @@
 //! tables; `calls` follows subprograms; `repeats` counts them; `shop` asks about codes of a shop's own; `literals` turns words into millimetres; `report`
 //! builds the diagnostics.
 
+mod angle;
 mod arc;
 mod block;
 mod calls;
@@ -32,6 +33,7 @@ mod spatial;
 mod spiral;
 mod spline;
 mod statement;
+mod surface;
 mod thread;
 mod turning;
 mod turning_contour;
@@ -190,6 +192,8 @@ struct Interpreter<'a> {
     message: Option<TextRange>,
     /// The block has `,R` or `,C` that no move has taken.
     open_corner: bool,
+    /// A line by its angle alone waits for the next block.
+    open_line: Option<angle::OpenLine>,
     /// A percent sign has ended it.
     ended_by_percent: bool,
     /// Set where a statement ends the run.
@@ -318,6 +322,7 @@ impl<'a> Interpreter<'a> {
             repeat_until: 0,
             message: None,
             open_corner: false,
+            open_line: None,
             ended_by_percent: false,
             stopped: None,
             shop: shop::ShopState::new(program),
@@ -394,6 +399,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn finish(&mut self, end: EndReason) {
+        self.lose_open_line("the program ends before it");
         self.kernel.end_corners();
         self.print_held();
         if end == EndReason::EndOfText {

@@ -225,6 +225,9 @@ impl Interpreter<'_> {
             Plane::Yz if swapped => Plane::Zx,
             other => other,
         };
+        if self.plane_on_surface(plane) {
+            return;
+        }
         self.kernel.set_plane(self.span(block.words[at].range), plane);
     }
 

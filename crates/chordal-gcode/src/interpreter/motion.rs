@@ -21,6 +21,9 @@ impl Interpreter<'_> {
         if self.kernel.state.polar.is_some() {
             return self.target_by_angle(block);
         }
+        if self.kernel.state.surface.is_some() {
+            return self.target_on_surface(block);
+        }
         let from = self.kernel.state.believed.unwrap_or(self.kernel.state.position);
         let mut target = from;
         let mut named = AxisMask::NONE;
@@ -51,7 +54,7 @@ impl Interpreter<'_> {
 
     /// The axis that a letter of its own moves by an increment (U of X).
     #[inline]
-    fn increment_axis(&self, word: &chordal_syntax::Word) -> Option<usize> {
+    pub(super) fn increment_axis(&self, word: &chordal_syntax::Word) -> Option<usize> {
         let increments = self.control.parameters.increments;
         if increments.is_empty() || word.comma {
             return None;
@@ -184,6 +187,9 @@ impl Interpreter<'_> {
         if block.commas && self.control.parameters.corners_of_lines {
             self.line_by_angle(block, &mut target, &mut named);
         }
+        if named != AxisMask::NONE && self.open_line.is_some() {
+            self.end_open_line(block, &target, named);
+        }
         if named == AxisMask::NONE
             && (!arc_words || matches!(self.kernel.state.motion, Motion::Turn(_)))
         {
@@ -192,13 +198,19 @@ impl Interpreter<'_> {
         if self.kernel.state.frame_jump.is_some() {
             self.kernel.check_first_after_frame(&self.at(block), &target, named);
         }
+        if self.kernel.state.surface.is_some() {
+            self.check_surface_motion(block, explicit);
+        }
         match self.kernel.state.motion {
             Motion::Rapid | Motion::Linear => {
                 if named != AxisMask::NONE {
                     self.kernel.straight(&self.at(block), target, named);
                 }
             }
-            Motion::Arc(direction) => self.arc_block(block, direction, target, named, explicit),
+            Motion::Arc(direction) => {
+                let direction = self.direction_on_surface(direction);
+                self.arc_block(block, direction, target, named, explicit);
+            }
             Motion::Spiral(direction) => self.spiral_block(block, direction, target, named),
             Motion::Thread => self.thread_block(block, target, named, false),
             Motion::RigidTap => self.thread_block(block, target, named, true),

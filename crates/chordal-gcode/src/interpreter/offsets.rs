@@ -127,7 +127,7 @@ impl Interpreter<'_> {
         if before == Side::Off {
             self.note_contour_of_call(block);
         }
-        self.kernel.state.side = side;
+        self.kernel.state.side = self.side_on_surface(side);
         if before == Side::Off {
             self.check_lead_in_words(block, span);
         }

@@ -96,6 +96,7 @@ impl Interpreter<'_> {
             OnceCode::GeneralPocket => self.general_pocket(block, at),
             OnceCode::CornerArcAlone => self.corner_arc(block, true),
             OnceCode::Turning(cycle) => self.turning_cycle(block, at, cycle),
+            OnceCode::Surface(code) => self.surface_code(block, at, code),
         }
     }
 

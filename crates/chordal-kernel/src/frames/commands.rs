@@ -74,6 +74,7 @@ impl Map {
             | CommandKind::FeedRate { .. }
             | CommandKind::PathMode(_)
             | CommandKind::Overrides(_)
+            | CommandKind::Surface { .. }
             | CommandKind::Probed { .. }
             | CommandKind::Message(_)
             | CommandKind::Output { .. }) => other,

@@ -62,6 +62,8 @@ pub struct FrameKinds {
     pub work: bool,
     /// End points are a radius and an angle.
     pub polar: bool,
+    /// Two coordinates lie on a surface that turns with a rotary axis.
+    pub surface: bool,
 }
 
 impl FrameKinds {
@@ -147,6 +149,7 @@ impl Frames {
             rotation: self.rotation.is_some(),
             work: self.work.is_some(),
             polar: false,
+            surface: false,
         }
     }
 

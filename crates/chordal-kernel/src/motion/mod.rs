@@ -107,7 +107,8 @@ impl Kernel<'_> {
             mode: state.feed_mode,
             along: FeedAlong::Path,
             spindle_rev_per_s: self.rev_per_s(motion.from[0]),
-            surface: self.surface(),
+            // The spindle holds the part on a surface: it has no cutting speed.
+            surface: if state.surface.is_some() { None } else { self.surface() },
         };
         let each_block = state.feed_mode == FeedMode::InverseTime && !at.has_feed();
         let has_feed = value > 0.0;

@@ -291,7 +291,9 @@ impl Compensator {
                 self.plane = *plane;
                 self.pass_on(command, out);
             }
-            CommandKind::WorkOffset { position, .. } => self.shift(command, position, out),
+            CommandKind::WorkOffset { position, .. } | CommandKind::Surface { position, .. } => {
+                self.shift(command, position, out);
+            }
             CommandKind::Stop { .. } if self.rules.compensation.stops_end_look_ahead => {
                 if let Some(last) = self.queue.back_mut() {
                     last.idle = last.idle.saturating_add(1000);

@@ -6,7 +6,7 @@ use chordal::control::{
 };
 use chordal::geometry::{Aabb, ParamCurve};
 use chordal::machine::{AXES, Axis, PerAxis};
-use chordal::path::{Frame, curve_of};
+use chordal::path::{Frame, curve_of, places_on_axes};
 use chordal::{Job, Machine};
 
 use crate::data::{AxisRange, AxisValue, MachineTravel, Rows, Travel, WorkOffset};
@@ -89,7 +89,14 @@ impl Travels {
             Some(curve) => Some(curve.bounds()),
             None => command.kind.shape().map(|shape| curve_of(motion, Some(shape)).bounds()),
         };
-        self.motion(motion, bounds, cuts);
+        match self.frame.surface {
+            Some(run) => {
+                let curve = curve_of(motion, command.kind.shape());
+                let (places, known) = places_on_axes(&run, motion, &curve);
+                self.on_surface(&places, known, cuts);
+            }
+            None => self.motion(motion, bounds, cuts),
+        }
         let z_is_known = motion.from_known.has(2) && motion.to_known.has(2);
         let lowest = bounds.map_or(motion.from[2].min(motion.to[2]), |bounds| bounds.min.z);
         (cuts && z_is_known).then_some(lowest)
@@ -135,6 +142,18 @@ impl Travels {
                 if !stands && !is_known {
                     self.unknown.insert(axis);
                 }
+            }
+        }
+        if let Some(system) = self.at.and_then(|at| self.systems.get_mut(at)) {
+            system.moves = true;
+        }
+    }
+
+    /// A move on a surface that turns with a rotary axis, by the axes themselves.
+    fn on_surface(&mut self, places: &[Position], known: AxisMask, cuts: bool) {
+        for axis in 0..AXES {
+            for place in places {
+                self.take(axis, place, known, cuts);
             }
         }
         if let Some(system) = self.at.and_then(|at| self.systems.get_mut(at)) {

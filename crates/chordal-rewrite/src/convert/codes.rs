@@ -167,6 +167,14 @@ fn one(
             exact_stop_once(draft, at, to, style);
             return Ok(());
         }
+        // Its words differ from one control to the next, but for those that call it alike.
+        Action::Once(OnceCode::Surface(_)) => {
+            let is_alike = |row: &CodeRow| row.action == own.action && row.title == own.title;
+            return match there.is_some_and(is_alike) {
+                true => Ok(()),
+                false => Err(missing(own, to)),
+            };
+        }
         // What holes these make is looked at with their cycle.
         Action::Once(OnceCode::Pattern(_)) => return Ok(()),
         Action::After(AfterCode::RunCycleHere) => return Ok(()),

@@ -291,6 +291,9 @@ impl<'a> Emitter<'a> {
             CommandKind::WorkOffset { name, .. } => self.work_offset(*name)?,
             CommandKind::CornerArc { .. } => return Err("a programmed corner arc".into()),
             CommandKind::Probed { .. } => return Err("a probing move".into()),
+            CommandKind::Surface { .. } => {
+                return Err("polar or cylindrical interpolation".into());
+            }
             CommandKind::Output { text } => {
                 self.flush();
                 let text = text.replace('(', "[").replace(')', "]");

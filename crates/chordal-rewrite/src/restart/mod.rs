@@ -295,7 +295,10 @@ impl Asked<'_, '_> {
             return Err(self.begun(Reason::Cycle, what, before.turned.pass));
         }
         if modal.frames.any() {
-            let what = "the coordinates are rotated, scaled, mirrored or polar";
+            let what = match modal.frames.surface {
+                true => "polar or cylindrical interpolation is active",
+                false => "the coordinates are rotated, scaled, mirrored or polar",
+            };
             return Err(self.begun(Reason::Frame, what, open.frame));
         }
         if open.shift.is_some() {

@@ -229,6 +229,8 @@ impl Walk<'_, '_> {
             OnceCode::Rotation | OnceCode::Scaling | OnceCode::Mirror { .. } => {
                 self.open.frame = Some(line);
             }
+            // Where it ends the modal state says so.
+            OnceCode::Surface(_) => self.open.frame = Some(line),
             OnceCode::MirrorOff
             | OnceCode::Dwell
             | OnceCode::SetData

@@ -2,7 +2,7 @@
 
 use chordal::RunSink;
 use chordal::control::CodeRow;
-use chordal::control::{Action, AfterCode, CallCode, ModeCode, OnceCode};
+use chordal::control::{Action, AfterCode, CallCode, ModeCode, OnceCode, SurfaceCode};
 use chordal::machine::AXIS_LETTERS;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
@@ -109,6 +109,8 @@ struct Open {
     mirror: bool,
     /// End points are polar.
     polar: bool,
+    /// Coordinates lie on a face or a cylinder.
+    surface: bool,
 }
 
 struct Walk<'s, 'a> {
@@ -185,6 +187,7 @@ impl Walk<'_, '_> {
             OnceCode::Scaling => self.open.scaling = true,
             OnceCode::Mirror { .. } => self.open.mirror = true,
             OnceCode::MirrorOff => self.open.mirror = false,
+            OnceCode::Surface(code) => self.open.surface = begins(block, code),
             OnceCode::Dwell
             | OnceCode::SetData
             | OnceCode::ReturnToReference { .. }
@@ -201,8 +204,9 @@ impl Walk<'_, '_> {
     }
 
     fn is_closed(&self) -> bool {
-        let Open { shift, call, unknown, data, rotation, scaling, mirror, polar } = self.open;
-        !(shift || call || unknown || data || rotation || scaling || mirror || polar)
+        let Open { shift, call, unknown, data, rotation, scaling, mirror, polar, surface } =
+            self.open;
+        !(shift || call || unknown || data || rotation || scaling || mirror || polar || surface)
     }
 
     /// The place before a tool change, remarks before it included.
@@ -306,5 +310,18 @@ impl RunSink for Walk<'_, '_> {
             None => {}
         }
         self.ran += 1;
+    }
+}
+
+/// Whether a code begins polar or cylindrical interpolation: a cylinder without a radius ends it.
+fn begins(block: &Block, code: SurfaceCode) -> bool {
+    match code {
+        SurfaceCode::Face => true,
+        SurfaceCode::FaceOff => false,
+        SurfaceCode::Cylinder => block
+            .words
+            .iter()
+            .filter(|word| AXIS_LETTERS.as_bytes().contains(&word.letter) || word.letter == b'R')
+            .any(|word| word.number().is_none_or(|number| !number.is_zero())),
     }
 }

@@ -23,7 +23,7 @@ mod units;
 mod writer;
 
 use chordal::Job;
-use chordal::control::{Action, MotionCode, Units};
+use chordal::control::{Action, MotionCode, OnceCode, SurfaceCode, Units};
 use chordal::diagnostics::FileId;
 use chordal::geometry::{Transform, Vec3};
 use chordal::syntax::{Block, BlockKind, BlockReader};
@@ -170,7 +170,7 @@ impl Step {
 
     fn run(&self, job: &Job) -> Result<Outcome, Refusal> {
         if self.reads_the_path() {
-            refuse_splines(job)?;
+            refuse_what_has_no_roles(job)?;
         }
         let xy = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
         match *self {
@@ -195,29 +195,35 @@ impl Step {
     }
 }
 
-/// The words of splines are not transformed: P and Q are lengths in one code and a weight in another.
-fn refuse_splines(job: &Job) -> Result<(), Refusal> {
+/// The words of splines are not transformed: P and Q are lengths in one code and a weight in another. Nor are those of polar and
+/// cylindrical interpolation, where a letter is a length that is an angle elsewhere.
+fn refuse_what_has_no_roles(job: &Job) -> Result<(), Refusal> {
     let writer = writer::Writer::new(job);
     let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
     let mut block = Block::new();
     while reader.read(&mut block) {
-        let is_spline = block.kind == BlockKind::Words
-            && roles::actions(&block, writer.control).any(|(_, action)| {
-                matches!(
-                    action,
-                    Action::Motion(MotionCode::Spline(_)) | Action::Motion(MotionCode::SplineEnd)
-                )
-            });
-        if is_spline {
-            return Err(Refusal::new(
-                writer.text,
-                &block,
-                "the words of splines are not transformed",
-                "write the splines as lines or arcs first, or move the work offset in place of the program",
-            ));
+        if block.kind != BlockKind::Words {
+            continue;
+        }
+        let mut actions = roles::actions(&block, writer.control);
+        if let Some((what, help)) = actions.find_map(|(_, action)| without_roles(action)) {
+            return Err(Refusal::new(writer.text, &block, what, help));
         }
     }
     Ok(())
+}
+
+fn without_roles(action: Action) -> Option<(&'static str, &'static str)> {
+    if let Action::Motion(MotionCode::Spline(_) | MotionCode::SplineEnd) = action {
+        let help = "write the splines as lines or arcs first, or move the work offset in place of the program";
+        return Some(("the words of splines are not transformed", help));
+    }
+    if let Action::Once(OnceCode::Surface(code)) = action {
+        let help = "move the work offset, or the angle of the rotary axis, in place of the program";
+        let what = "coordinates on a face or a cylinder are not transformed";
+        return (code != SurfaceCode::FaceOff).then_some((what, help));
+    }
+    None
 }
 
 /// What a step comes to.

@@ -85,6 +85,8 @@ fn sort_of(action: Action) -> Option<Sort> {
             | OnceCode::MirrorOff
             | OnceCode::Probe { .. }
             | OnceCode::Turning(_)
+            // Programs with them are not transformed.
+            | OnceCode::Surface(_)
             | OnceCode::CornerArcAlone => None,
         },
         Action::Call(code) => match code {

@@ -180,12 +180,20 @@ fn a_tap_that_no_cycle_does_is_refused() {
 #[test]
 fn codes_that_are_not_carried_out_are_refused() {
     let begin = "O1\nT1 M6\nG20 G90 G54 S900 M3\nG0 X0 Y0 Z1.\n";
-    for line in ["G68.2 X0 Y0 Z0 I0 J30. K0", "G12.1", "G7.1 C50."] {
-        let text = format!("{begin}{line}\nG1 X2. Y1. F10.\nM30\n");
-        let there = converted(&job(&text, machine("fanuc-30i")), "haas-vf2");
-        assert_eq!(there.refusals.len(), 1, "{line}: {:?}", there.refusals);
-        assert_eq!(there.refusals[0].line, 5, "{line}");
-    }
+    let line = "G68.2 X0 Y0 Z0 I0 J30. K0";
+    let text = format!("{begin}{line}\nG1 X2. Y1. F10.\nM30\n");
+    let there = converted(&job(&text, machine("fanuc-30i")), "haas-vf2");
+    assert_eq!(there.refusals.len(), 1, "{line}: {:?}", there.refusals);
+    assert_eq!(there.refusals[0].line, 5, "{line}");
+}
+
+/// Their words differ from one control to the next.
+#[test]
+fn coordinates_on_a_cylinder_are_refused() {
+    let text = "O1\nT1 M6\nG20 G90 G54 S900 M3\nG0 X0 Y0 Z1. A0\nG7.1 A2.\nG1 X2. A30. F10.\nG7.1 A0\nM30\n";
+    let there = converted(&job(text, machine("fanuc-30i")), "haas-vf2");
+    assert!(!there.holds(), "{}", there.text);
+    assert_eq!(there.refusals[0].line, 5, "{:?}", there.refusals);
 }
 
 /// A rotation with its whole centre and its angle is read alike; other frames are written out.

@@ -1,6 +1,8 @@
 //! From the commands of the tool centre to moves that join on to each other, and waits.
 
-use chordal_command::{Command, CommandKind, Origin, Overrides, PathMode, SpindleState};
+use chordal_command::{
+    Command, CommandKind, Origin, Overrides, PathMode, RotarySurface, SpindleState,
+};
 use chordal_diagnostics::Diagnostic;
 use chordal_geometry::{Curve, EvenPart, Line, ParamCurve, Transform, Vec3};
 use chordal_kernel::Outcome;
@@ -8,7 +10,8 @@ use chordal_kernel::rules::PathRules;
 use chordal_machine::{AXES, FeedLimits, Machine, Times};
 use chordal_motion::{Axes, Corner, Move, MoveKind};
 use chordal_path::{
-    PathBuilder, PathCommand, PathSink, Segment, SegmentKind, curve_of, surface_parts,
+    PathBuilder, PathCommand, PathSink, Segment, SegmentKind, SurfacePart, curve_of, rotary_parts,
+    surface_parts,
 };
 
 use super::corner::{Ending, corner_of};
@@ -51,6 +54,8 @@ pub(crate) struct MotionBuilder<'a, S> {
     spline_tolerance_mm: f64,
     mode: PathMode,
     spindle_rpm: f64,
+    /// The surface on which two coordinates lie.
+    surface: Option<RotarySurface>,
     tool: u32,
     /// The end of the last move.
     at: Option<Axes>,
@@ -93,6 +98,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             dog_leg_shape: options.dog_leg_shape,
             spline_tolerance_mm: options.spline_tolerance_mm,
             spindle_rpm: 0.0,
+            surface: None,
             tool: 0,
             at: None,
             shift: [0.0; AXES],
@@ -129,6 +135,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
                 }
             }
             CommandKind::ToolNumber { number } => self.tool = number,
+            CommandKind::Surface { surface, .. } => self.surface = surface,
             CommandKind::Spindle { state, rpm } => self.spindle(state, rpm, origin),
             CommandKind::Coolant(_) => {
                 self.wait(WaitKind::Coolant, self.times.m_code_s.unwrap_or(0.0), origin);
@@ -141,6 +148,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             }
             CommandKind::End => {
                 self.wait(WaitKind::End, 0.0, origin);
+                self.surface = None;
                 self.mode = forced(self.forced_mode, self.rules.start_mode());
                 self.overrides = Overrides::ON;
             }
@@ -364,6 +372,11 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         // X of the program is the radius, wherever the segment has been moved.
         let curve = curve_of(motion, command.kind.shape());
         let Some(parts) = surface_parts(feed, &curve) else { return false };
+        self.in_parts(command, whole, parts);
+        true
+    }
+
+    fn in_parts(&mut self, command: &Command, whole: &Segment, parts: Vec<SurfacePart>) {
         let count = parts.len();
         for (index, part) in parts.into_iter().enumerate() {
             let segment = Segment {
@@ -374,6 +387,22 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             };
             self.segment(&segment, command.origin.cycle, index + 1 < count);
         }
+    }
+
+    /// A cut on a surface whose rotary axis cannot keep up with the feed, in pieces as slow as it is; false for every other one.
+    fn waits_for_rotary(&mut self, command: &Command, whole: &Segment) -> bool {
+        let (Some(surface), Some(motion)) = (self.surface, command.kind.motion()) else {
+            return false;
+        };
+        if command.kind.feed().is_none() {
+            return false;
+        }
+        let most = self.report.limits.cut.velocity()[surface.rotary];
+        let curve = curve_of(motion, command.kind.shape());
+        let Some(parts) = rotary_parts(&surface, &curve, whole.duration_s, most) else {
+            return false;
+        };
+        self.in_parts(command, whole, parts);
         true
     }
 
@@ -384,7 +413,9 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             return self.other_command(command);
         };
         let is_one = bends.is_empty() && last.kind != SegmentKind::Spline;
-        if is_one && self.keeps_surface_speed(command, last) {
+        if is_one
+            && (self.keeps_surface_speed(command, last) || self.waits_for_rotary(command, last))
+        {
             return;
         }
         let cycle = command.origin.cycle;

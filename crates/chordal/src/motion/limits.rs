@@ -63,6 +63,12 @@ impl MachineLimits {
                 ..limit
             });
         }
+        // The length across on a face or a cylinder has no axis of its own on a lathe: it is planned as X is, and the rotary
+        // axis that makes it is not asked for more than its speed.
+        let (x, y) = (Axis::X as usize, Axis::Y as usize);
+        if machine.turns() && cut[y].is_none() && machine.axis(Axis::C).is_some() {
+            (cut[y], rapid[y]) = (cut[x], rapid[x]);
+        }
         let (cut, rapid) = (Limits::new(cut)?, Limits::new(rapid)?);
         Ok(MachineLimits { cut, rapid, assumed, junctions })
     }

@@ -79,6 +79,8 @@ pub(super) struct Gathered<'a> {
     pub units: Units,
     spindle_turns: bool,
     rpm: f64,
+    /// Two coordinates lie on a surface that turns with a rotary axis.
+    on_surface: bool,
     /// The move under way has a feed by time.
     by_time: bool,
     /// What was told of a tool, once.
@@ -113,6 +115,7 @@ impl<'a> Gathered<'a> {
             units,
             spindle_turns: false,
             rpm: 0.0,
+            on_surface: false,
             by_time: false,
             told: Vec::new(),
             diagnostics: Vec::new(),
@@ -172,6 +175,10 @@ impl<'a> Gathered<'a> {
                 self.tell(Code::ToolWithoutShape, segment, &why);
             }
             return;
+        }
+        if self.on_surface {
+            let why = "polar or cylindrical interpolation is active";
+            return self.tell(Code::StockNotFollowed, segment, why);
         }
         if !segment.known {
             // Before the first place that the program names nothing is known: the tool is far away.
@@ -256,6 +263,7 @@ impl Watch for Gathered<'_> {
                 self.rpm = *rpm;
             }
             CommandKind::Units(units) => self.units = *units,
+            CommandKind::Surface { surface, .. } => self.on_surface = surface.is_some(),
             CommandKind::WorkOffset { name, .. } => {
                 self.work_now = Some(name.table_key(self.naming));
             }

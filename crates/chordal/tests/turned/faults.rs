@@ -271,3 +271,58 @@ fn threads_are_between_nothing_and_all() {
     assert_eq!(found.threads.len(), 1);
     assert_eq!(found.section.volume(), found.before_mm3);
 }
+
+/// A threading tool with an ideal point.
+const SHARP: &str = "[tools.7]\nshape = 'insert'\ninsert_angle = '60 deg'\nflute_length = '14 mm'\nnose_radius = '0 mm'\npitch = '3 mm'\ntip = 8\n";
+
+#[test]
+fn a_thread_cuts_the_section_once_in_each_revolution() {
+    // From Z3 with lead 3: at Z0, where the face halves it, and at Z-3 to Z-30; a triangle 1.5 deep of 60 degrees is
+    // 1.5² tan 30° large.
+    let found = run(SHARP, "T0707\nG0 X57. Z3.\nG32 Z-30. F3.\nG0 X80.\n");
+    let thread = found.threads.first().expect("a thread");
+    let grooves = thread.grooves.as_ref().expect("grooves");
+    let one = 1.5_f64.powi(2) * 30.0_f64.to_radians().tan();
+    assert!((grooves.area() - 10.5 * one).abs() < 1e-9, "{}", grooves.area());
+    assert!((thread.lead_mm.expect("a lead") - 3.0).abs() < 1e-9);
+    let cut: f64 = found.threaded_sections().iter().map(|section| section.area()).sum();
+    assert!((found.section.area() - cut - 10.5 * one).abs() < 1e-9);
+    // Their bottoms: radius 28.5 at every third millimetre.
+    let bottoms =
+        grooves.shape().into_iter().flatten().filter(|edge| (edge.start.b - 28.5).abs() < 1e-9);
+    let mut bottoms: Vec<i64> =
+        bottoms.map(|edge| (edge.start.a * 1000.0).round() as i64).collect();
+    bottoms.sort_unstable();
+    assert_eq!(bottoms, (0..=10).map(|turn| -30_000 + 3_000 * turn).collect::<Vec<_>>());
+}
+
+#[test]
+fn passes_of_a_thread_cut_one_groove_deeper() {
+    // The second pass begins one lead farther out: at the same places.
+    let blocks = "T0707\nG0 X58. Z3.\nG32 Z-30. F3.\nG0 X80.\nZ6.\nX57.\nG32 Z-30. F3.\nG0 X80.\n";
+    let found = run(SHARP, blocks);
+    assert_eq!(found.threads.len(), 1);
+    let grooves = found.threads[0].grooves.as_ref().expect("grooves");
+    let one = 1.5_f64.powi(2) * 30.0_f64.to_radians().tan();
+    assert!((grooves.area() - 10.5 * one).abs() < 1e-9, "{}", grooves.area());
+    // A start that is not a whole lead away cuts a thread of its own in between.
+    let blocks = blocks.replace("Z6.", "Z4.5");
+    let found = run(SHARP, &blocks);
+    let grooves = found.threads[0].grooves.as_ref().expect("grooves");
+    let first = 1.0_f64.powi(2) * 30.0_f64.to_radians().tan();
+    // Ten and a half of the first pass, and ten of the second at Z-1.5 to Z-28.5, which do not meet them.
+    let whole = 10.5 * first + 10.0 * one;
+    assert!((grooves.area() - whole).abs() < 1e-9, "{} {whole}", grooves.area());
+}
+
+#[test]
+fn what_is_milled_on_a_face_is_not_proved() {
+    let axis = "[axes.C]\nmax_velocity = '36000 deg/min'\n";
+    let found =
+        run(axis, "T0404\nG0 X40. Z2. C0\nG12.1\nG1 X30. F1.\nC5.\nX-30.\nC0\nG13.1\nG0 X70.\n");
+    assert_eq!(found.verdict, StockVerdict::NotProved, "{:?}", found.report.diagnostics);
+    let said = found.report.diagnostics.iter().any(|each| {
+        each.code == Code::StockNotFollowed && each.message.contains("polar or cylindrical")
+    });
+    assert!(said, "{:?}", found.report.diagnostics);
+}

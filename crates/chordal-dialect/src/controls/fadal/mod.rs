@@ -40,6 +40,8 @@ pub static TABLE: ControlTable = ControlTable {
     firmware: None,
     word_rules: &[],
     spatial: None,
+    face: None,
+    cylinder: None,
     spindle_stops_at_tool_change: true,
     work_names: WorkNaming { extended: "E", by_e: true },
     program_numbers: ProgramNumbers { largest: 9999, digits: 1, required: false },

@@ -7,6 +7,7 @@ mod post;
 pub(crate) mod recognition;
 mod rules;
 mod settings;
+pub(in crate::controls) mod surface;
 
 pub(super) use alarms::ALARMS;
 pub(super) use macros::{GROUPS, MACROS};
@@ -44,6 +45,8 @@ pub static TABLE: ControlTable = ControlTable {
     firmware: None,
     word_rules: &[],
     spatial: Some(&rules::SPATIAL),
+    face: Some(&surface::FACE),
+    cylinder: Some(&surface::CYLINDER),
     spindle_stops_at_tool_change: true,
     work_names: WorkNaming { extended: "G54.1", by_e: false },
     program_numbers: ProgramNumbers { largest: 9999, digits: 4, required: true },

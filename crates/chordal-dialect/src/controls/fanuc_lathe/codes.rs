@@ -16,12 +16,12 @@ pub(in crate::controls) const G_CODES: &[CodeRow] = &[
     row(20, Group::Motion, Motion(ArcCw), "IJKR", "arc clockwise"),
     row(30, Group::Motion, Motion(ArcCcw), "IJKR", "arc counter-clockwise"),
     row(40, Group::OneShot, Once(Dwell), "PXU", "dwell"),
-    row(71, Group::Auxiliary, NotFollowed, ANY_WORDS, "cylindrical interpolation"),
+    row(71, Group::Auxiliary, Once(Surface(SurfaceCode::Cylinder)), "", "cylindrical interpolation"),
     row(100, Group::OneShot, Once(SetData), "LPRXYZCUVWHQT", "write offsets and data"),
     row(110, Group::Auxiliary, Mode(DataLinesOff), "", "data writing off"),
-    row(121, Group::Auxiliary, NotFollowed, ANY_WORDS, "polar interpolation"),
+    row(121, Group::Auxiliary, Once(Surface(SurfaceCode::Face)), "", "polar interpolation"),
     row(130, Group::Auxiliary, NoEffect, "", "polar interpolation off"),
-    row(131, Group::Auxiliary, NoEffect, "", "polar interpolation off"),
+    row(131, Group::Auxiliary, Once(Surface(SurfaceCode::FaceOff)), "", "polar interpolation off"),
     row(170, Group::Plane, Mode(PlaneXy), "", "arcs and compensation in XY"),
     row(180, Group::Plane, Mode(PlaneZx), "", "arcs and compensation in ZX"),
     row(190, Group::Plane, Mode(PlaneYz), "", "arcs and compensation in YZ"),
@@ -108,6 +108,9 @@ pub(in crate::controls) const G_CODES: &[CodeRow] = &[
     row(970, Group::SpindleMode, Reading(SpindleRpm), "P", "constant spindle speed"),
     row(980, Group::FeedMode, Reading(FeedPerTime), "", "feed per minute"),
     row(990, Group::FeedMode, Reading(FeedPerRevolution), "", "feed per revolution"),
+    row(1070, Group::Auxiliary, Once(Surface(SurfaceCode::Cylinder)), "", "cylindrical interpolation"),
+    row(1120, Group::Auxiliary, Once(Surface(SurfaceCode::Face)), "", "polar interpolation"),
+    row(1130, Group::Auxiliary, Once(Surface(SurfaceCode::FaceOff)), "", "polar interpolation off"),
 ];
 
 pub(in crate::controls) const M_CODES: &[CodeRow] = &[

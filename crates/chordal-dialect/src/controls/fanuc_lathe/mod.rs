@@ -45,6 +45,8 @@ pub(in crate::controls) const FANUC: ControlTable = ControlTable {
     firmware: None,
     word_rules: &[],
     spatial: None,
+    face: Some(&super::fanuc::surface::FACE),
+    cylinder: Some(&super::fanuc::surface::CYLINDER),
     spindle_stops_at_tool_change: false,
     work_names: WorkNaming { extended: "G54.1", by_e: false },
     program_numbers: ProgramNumbers { largest: 9999, digits: 4, required: true },

@@ -53,6 +53,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         "B-62754EN",
     ),
     setting(
+        "X in G12.1",
+        Field::FaceX,
+        &[],
+        "X of polar interpolation is written as `diameters`, as everywhere else, or as `radii`",
+        Certainty::Unknown,
+        "G12.1",
+    ),
+    setting(
         "first level",
         Field::Turning(TurningField::FirstLevel),
         &[],

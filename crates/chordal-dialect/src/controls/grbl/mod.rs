@@ -39,6 +39,8 @@ pub static TABLE: ControlTable = ControlTable {
     firmware: Some(&firmware::FIRMWARE),
     word_rules: &[],
     spatial: None,
+    face: None,
+    cylinder: None,
     spindle_stops_at_tool_change: false,
     work_names: WorkNaming { extended: "G59", by_e: false },
     program_numbers: ProgramNumbers { largest: 0, digits: 1, required: false },

@@ -98,7 +98,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(1000, Group::Mirror, Once(MirrorOff), "", "mirror off"),
     row(1010, Group::Mirror, Once(Mirror { at_zero: true }), "", "mirror"),
     row(1030, Group::Auxiliary, NotSimulated, "P", "look-ahead limit"),
-    row(1070, Group::Auxiliary, NotFollowed, ANY_WORDS, "cylindrical mapping"),
+    row(1070, Group::Auxiliary, Once(Surface(SurfaceCode::Cylinder)), "QR", "cylindrical mapping"),
     row(1100, Group::WorkOffset, Mode(WorkOffsetNumbered(1)), "", "work offset G154 P1"),
     row(1110, Group::WorkOffset, Mode(WorkOffsetNumbered(2)), "", "work offset G154 P2"),
     row(1120, Group::WorkOffset, Mode(WorkOffsetNumbered(3)), "", "work offset G154 P3"),

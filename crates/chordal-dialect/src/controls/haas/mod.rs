@@ -7,6 +7,7 @@ mod post;
 pub(crate) mod recognition;
 mod rules;
 mod settings;
+pub(in crate::controls) mod surface;
 
 pub(in crate::controls) use self::alarms::ALARMS as LATHE_ALARMS;
 
@@ -42,6 +43,8 @@ pub static TABLE: ControlTable = ControlTable {
     firmware: None,
     word_rules: &[],
     spatial: None,
+    face: None,
+    cylinder: Some(&surface::CYLINDER),
     spindle_stops_at_tool_change: true,
     work_names: WorkNaming { extended: "G154", by_e: false },
     program_numbers: ProgramNumbers { largest: 99999, digits: 5, required: true },

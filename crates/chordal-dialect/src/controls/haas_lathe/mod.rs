@@ -32,6 +32,8 @@ pub static TABLE: ControlTable = ControlTable {
     macros: LATHE_MACROS,
     turning_alarms: &[],
     systems: &[],
+    face: Some(&super::haas::surface::FACE),
+    cylinder: Some(&super::haas::surface::CYLINDER),
     radial_cycles: &[2410, 2420, 2430, 2450, 2490],
     evidence: recognition::EVIDENCE,
     default_machine: "haas-lathe",

@@ -76,6 +76,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         "Setting 99, Thread Minimum Cut",
     ),
     setting(
+        "X in G112",
+        Field::FaceX,
+        &[],
+        "X of polar interpolation is written as `diameters`, as everywhere else, or as `radii`",
+        Certainty::Unknown,
+        "G112",
+    ),
+    setting(
         "first level",
         Field::Turning(TurningField::FirstLevel),
         &[],

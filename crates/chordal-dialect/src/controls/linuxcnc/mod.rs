@@ -46,6 +46,8 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
     firmware: None,
     word_rules: words::WORD_RULES,
     spatial: None,
+    face: None,
+    cylinder: None,
     spindle_stops_at_tool_change: true,
     work_names: WorkNaming { extended: "G59", by_e: false },
     program_numbers: ProgramNumbers { largest: 99999, digits: 1, required: false },

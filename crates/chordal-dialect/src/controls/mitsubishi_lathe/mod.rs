@@ -18,6 +18,8 @@ pub static TABLE: ControlTable = ControlTable {
     settings: settings::SETTINGS,
     alarms: LATHE_ALARMS,
     turning_alarms: alarms::TURNING,
+    face: Some(&super::mitsubishi::surface::FACE),
+    cylinder: Some(&super::mitsubishi::surface::CYLINDER),
     macros: LATHE_MACROS,
     program_numbers: ProgramNumbers { largest: 99999999, digits: 4, required: true },
     call_start_label: Some(b'H'),

@@ -45,6 +45,18 @@ fn refusal(code: Code, what: impl Into<String>, help: &str) -> Refusal {
 }
 
 impl Kernel<'_> {
+    /// Takes back what was asked, where the move of the block comes later.
+    pub fn take_asked_corner(&mut self) -> Option<Corner> {
+        self.corners.asked.take()
+    }
+
+    /// The corner that waits is at the end of the last move: what comes is the move after it, in this block or the next.
+    pub fn corner_move_done(&mut self) {
+        if let Some(held) = &mut self.corners.held {
+            held.is_open = false;
+        }
+    }
+
     /// The next move of this block ends in a corner.
     pub fn ask_corner(&mut self, corner: Corner) {
         self.corners.asked = Some(corner);
@@ -364,10 +376,14 @@ impl Kernel<'_> {
 
     /// Nothing more comes.
     pub fn end_corners(&mut self) {
+        self.end_corner_before("the program ends before the next move");
+    }
+
+    /// A corner that waits is given up: no move comes before what happens now.
+    pub(crate) fn end_corner_before(&mut self, what: &'static str) {
         self.corner_block_done();
         if let Some(held) = self.corners.held.take() {
             let help = "write the next move after it, or remove the word";
-            let what = "the program ends before the next move";
             self.give_up(*held, refusal(Code::CornerNext, what, help));
         }
     }

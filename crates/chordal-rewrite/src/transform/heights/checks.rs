@@ -58,7 +58,13 @@ fn of_code(word: &str, action: Action) -> Option<Reason> {
     let is = |codes: fn(OnceCode) -> bool| once.is_some_and(codes);
     let turns = action == Action::Mode(ModeCode::Polar { on: true })
         || is(|code| {
-            matches!(code, OnceCode::Rotation | OnceCode::Scaling | OnceCode::Mirror { .. })
+            matches!(
+                code,
+                OnceCode::Rotation
+                    | OnceCode::Scaling
+                    | OnceCode::Mirror { .. }
+                    | OnceCode::Surface(_)
+            )
         });
     let shifts = is(|code| {
         matches!(code, OnceCode::LocalShift | OnceCode::PresetPosition | OnceCode::RestorePreset)

@@ -17,7 +17,7 @@ use chordal_compare::{Category, Options, Verdict};
 pub use grid::{HeightMap, MapError};
 
 use super::edit::{self, Refusal};
-use super::{Transformed, refuse_splines};
+use super::{Transformed, refuse_what_has_no_roles};
 use crate::prove;
 use crate::source::first_text;
 
@@ -46,7 +46,7 @@ pub struct Warped {
 /// # Errors
 /// The first block that cannot be bent, and why.
 pub fn warp(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Warped, Refusal> {
-    refuse_splines(job)?;
+    refuse_what_has_no_roles(job)?;
     let mut written = write::write(job, map, warp)?;
     let old = first_text(job);
     let text = edit::apply(old, &mut written.edits);

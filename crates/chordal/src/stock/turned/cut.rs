@@ -13,6 +13,7 @@ use super::recorder::Recorder;
 use super::report::{Loose, Thread, TurnedMove, TurnedToolRemoved};
 use super::said::{At, Found, More};
 use super::target::Target;
+use super::threads::Revolutions;
 use super::tools::{Kind, LatheTool, NoOutline};
 
 /// A fixture: its name, clearance and half section, grown by the clearance.
@@ -42,6 +43,7 @@ pub(super) struct Cutting<'a> {
     chain: Chain,
     /// The move before was a thread: its tool stands in the groove.
     in_thread: bool,
+    revolutions: Revolutions,
 }
 
 impl<'a> Cutting<'a> {
@@ -68,6 +70,7 @@ impl<'a> Cutting<'a> {
             order: Vec::new(),
             chain: Chain::default(),
             in_thread: false,
+            revolutions: Revolutions::default(),
         }
     }
 
@@ -171,15 +174,21 @@ impl<'a> Cutting<'a> {
             Err(error) => return self.not_cut(move_, &error),
         };
         self.count(move_, tool, &pass);
+        if !self.in_thread {
+            self.revolutions.begin();
+        }
+        let grooves = self.revolutions.grooves(&self.stock, &tool.edges, move_);
         if !taken.is_empty() {
             let line = move_.origin.line;
             match self.threads.last_mut() {
                 Some(thread) if thread.line == line || meets(&thread.section, &taken) => {
-                    if let Ok(both) = thread.section.union(&taken) {
-                        *thread = Thread { section: both.region, line, row: thread.row };
-                    }
+                    thread.add(&taken, grooves, line);
                 }
-                _ => self.threads.push(Thread { section: taken, line, row: move_.row }),
+                _ => {
+                    let (grooves, lead_mm) = grooves.unzip();
+                    let row = move_.row;
+                    self.threads.push(Thread { section: taken, grooves, lead_mm, line, row });
+                }
             }
         }
         self.bodies(move_, tool);

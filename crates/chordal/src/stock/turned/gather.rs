@@ -75,6 +75,8 @@ pub(super) struct Gathered<'a> {
     rpm: f64,
     threading: bool,
     rotary: Option<[f64; 3]>,
+    /// Two coordinates lie on a surface that turns with the part.
+    on_surface: bool,
     /// Programmed moves that compensation holds back.
     programmed: Vec<(Origin, Segment)>,
     told: Vec<(Code, u32)>,
@@ -100,6 +102,7 @@ impl<'a> Gathered<'a> {
             rpm: 0.0,
             threading: false,
             rotary: None,
+            on_surface: false,
             programmed: Vec::new(),
             told: Vec::new(),
             diagnostics: Vec::new(),
@@ -119,6 +122,14 @@ impl<'a> Gathered<'a> {
             Some(Err(why)) => return self.no_tool(segment, kind, &why.0.clone()),
             None => return self.no_tool(segment, kind, "its shape is not known"),
         };
+        if self.on_surface {
+            if kind != MoveKind::Rapid {
+                let why =
+                    "it mills a face or a cylinder: polar or cylindrical interpolation is active";
+                self.tell(Code::StockNotFollowed, segment, why);
+            }
+            return;
+        }
         let angles = *self.rotary.get_or_insert(segment.rotary_from);
         let same = |a: &[f64; 3]| a.iter().zip(&angles).all(|(a, b)| (a - b).abs() < SAME);
         if !same(&segment.rotary_from) || !same(&segment.rotary_to) {
@@ -240,6 +251,7 @@ impl Watch for Gathered<'_> {
                 self.threading = !overrides.feed && overrides.rapid;
             }
             CommandKind::Units(units) => self.units = *units,
+            CommandKind::Surface { surface, .. } => self.on_surface = surface.is_some(),
             CommandKind::WorkOffset { name, .. } => {
                 self.work_now = Some(name.table_key(self.naming));
             }

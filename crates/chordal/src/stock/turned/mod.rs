@@ -16,6 +16,7 @@ mod report;
 mod run;
 mod said;
 mod target;
+mod threads;
 mod tools;
 
 pub use replay::{TurnedPiece, TurnedReplay, TurnedShape};

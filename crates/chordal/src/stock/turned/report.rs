@@ -84,8 +84,12 @@ pub struct Loose {
 /// A thread: it lies within the stock that is left, and takes at most this.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Thread {
-    /// Where its grooves are.
+    /// Where its grooves are, all round.
     pub section: Region,
+    /// The grooves themselves, in the plane where the spindle's index is; `None` where the revolutions of a pass are not known.
+    pub grooves: Option<Region>,
+    /// What it advances in one revolution, mm.
+    pub lead_mm: Option<f64>,
     /// The line of its last pass.
     pub line: u32,
     /// The piece of path of its first pass.
@@ -172,5 +176,17 @@ impl TurnedReport {
     /// Everything that is left: what is in the chuck, and what was cut off.
     pub fn sections(&self) -> impl Iterator<Item = &Region> {
         std::iter::once(&self.section).chain(self.loose.iter().map(|part| &part.section))
+    }
+
+    /// The same with the grooves of threads, in the plane where the spindle's index is: for pictures.
+    pub fn threaded_sections(&self) -> Vec<Region> {
+        let grooves = || self.threads.iter().filter_map(|thread| thread.grooves.as_ref());
+        let cut = |section: &Region| {
+            grooves().fold(section.clone(), |left, grooves| match left.difference(grooves) {
+                Ok(cut) => cut.region,
+                Err(_) => left,
+            })
+        };
+        self.sections().map(cut).collect()
     }
 }

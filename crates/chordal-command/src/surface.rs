@@ -1,0 +1,283 @@
+//! A rotary axis in place of a linear one: the face of a part, or the shell of a cylinder, whose two coordinates the
+//! program gives as lengths (G12.1, G7.1).
+
+use std::f64::consts::{PI, TAU};
+
+use chordal_machine::AXES;
+
+use crate::axes::Position;
+use crate::motion::{ArcShape, Move};
+
+/// Nearer to the pole than this the direction of a point is not known, mm.
+const POLE_MM: f64 = 1e-9;
+
+/// Parts of an arc between which a spiral, or an arc through the pole, is followed.
+const PARTS: u32 = 256;
+
+/// A surface that turns with a rotary axis. While it is active, positions of moves have on the axis `across` a
+/// length on the surface, and that axis itself and the rotary one keep the values they had.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RotarySurface {
+    /// What it is.
+    pub shape: SurfaceShape,
+    /// Index of the rotary axis.
+    pub rotary: usize,
+    /// Index of the axis whose coordinate is the length.
+    pub across: usize,
+    /// Where the axis `across` stands itself, mm.
+    pub standing: f64,
+}
+
+/// The shape of a surface.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum SurfaceShape {
+    /// The face: Cartesian coordinates about the rotary axis.
+    Face {
+        /// Index of the linear axis that moves, and whose coordinate is the first on the face.
+        along: usize,
+        /// Angle of the rotary axis when the face came into force, rad: the tool lies on the first axis then.
+        zero: f64,
+        /// The linear axis is on its negative side.
+        negative: bool,
+    },
+    /// The shell of a cylinder: the rotary axis times the radius.
+    Cylinder {
+        /// Its radius, mm.
+        radius_mm: f64,
+    },
+}
+
+impl RotarySurface {
+    /// The first coordinate on a face and the length across.
+    fn flat(&self, place: &Position, along: usize) -> [f64; 2] {
+        [place[along], place[self.across]]
+    }
+
+    /// How far the rotary axis turns on a straight move or an arc, rad.
+    pub fn turn(&self, from: &Position, to: &Position, shape: Option<&ArcShape>) -> f64 {
+        match self.shape {
+            SurfaceShape::Cylinder { radius_mm } => {
+                (to[self.across] - from[self.across]) / radius_mm
+            }
+            SurfaceShape::Face { along, .. } => {
+                let (from, to) = (self.flat(from, along), self.flat(to, along));
+                match (shape, direction(from), direction(to)) {
+                    (Some(shape), ..) => turn_of_arc(from, to, shape),
+                    (None, Some(from), Some(to)) => wrapped(to - from),
+                    // To the pole and from there nothing turns.
+                    (None, ..) => 0.0,
+                }
+            }
+        }
+    }
+
+    /// The same from an angle that the rotary axis has on the surface: at the pole it stands as it did before.
+    fn turned(&self, angle: f64, to: &Position, from: &Position, shape: Option<&ArcShape>) -> f64 {
+        let SurfaceShape::Face { along, negative, .. } = self.shape else {
+            return self.turn(from, to, shape);
+        };
+        if shape.is_some() {
+            return self.turn(from, to, shape);
+        }
+        let side = if negative { PI } else { 0.0 };
+        match direction(self.flat(to, along)) {
+            Some(end) => wrapped(end - side - angle),
+            None => 0.0,
+        }
+    }
+
+    /// A position with the axes themselves; `angle` is how far the rotary axis has turned since a face came into force.
+    pub fn on_axes(&self, place: &Position, angle: f64) -> Position {
+        let mut axes = *place;
+        axes[self.across] = self.standing;
+        match self.shape {
+            SurfaceShape::Face { along, zero, negative } => {
+                let [x, y] = self.flat(place, along);
+                let radius = libm::hypot(x, y);
+                axes[along] = if negative { -radius } else { radius };
+                axes[self.rotary] = zero + angle;
+            }
+            SurfaceShape::Cylinder { radius_mm } => {
+                axes[self.rotary] = place[self.across] / radius_mm;
+            }
+        }
+        axes
+    }
+
+    /// The position on the surface of one of the axes themselves, when it comes into force.
+    pub fn on_surface(&self, axes: &Position) -> Position {
+        let mut place = *axes;
+        place[self.across] = match self.shape {
+            SurfaceShape::Face { .. } => 0.0,
+            SurfaceShape::Cylinder { radius_mm } => axes[self.rotary] * radius_mm,
+        };
+        place
+    }
+
+    /// Distance from the rotary axis, mm: of a place on the face, or the radius of the cylinder.
+    pub fn radius_at(&self, place: [f64; 3]) -> f64 {
+        match self.shape {
+            SurfaceShape::Face { along, .. } => libm::hypot(place[along], place[self.across]),
+            SurfaceShape::Cylinder { radius_mm } => radius_mm,
+        }
+    }
+}
+
+/// A surface in force, and how far its rotary axis has turned.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SurfaceRun {
+    /// The surface.
+    pub surface: RotarySurface,
+    /// How far the rotary axis has turned since a face came into force, rad.
+    pub angle: f64,
+}
+
+impl SurfaceRun {
+    /// It comes into force.
+    pub fn new(surface: RotarySurface) -> SurfaceRun {
+        SurfaceRun { surface, angle: 0.0 }
+    }
+
+    /// Follows a move.
+    pub fn follow(&mut self, motion: &Move, shape: Option<&ArcShape>) {
+        self.angle += self.surface.turned(self.angle, &motion.to, &motion.from, shape);
+    }
+
+    /// A position with the axes themselves.
+    pub fn on_axes(&self, place: &Position) -> Position {
+        self.surface.on_axes(place, self.angle)
+    }
+}
+
+/// The direction of a place from the pole, rad.
+fn direction([x, y]: [f64; 2]) -> Option<f64> {
+    (libm::hypot(x, y) > POLE_MM).then(|| libm::atan2(y, x))
+}
+
+/// An angle between -180 degrees and 180.
+fn wrapped(angle: f64) -> f64 {
+    let turned = angle.rem_euclid(TAU);
+    if turned > PI { turned - TAU } else { turned }
+}
+
+/// How far the direction from the pole turns along an arc or a spiral.
+fn turn_of_arc(from: [f64; 2], to: [f64; 2], shape: &ArcShape) -> f64 {
+    let center = shape.center;
+    let away = libm::hypot(center[0], center[1]);
+    let radius = shape.radius_from;
+    let is_arc = (shape.radius_from - shape.radius_to).abs() <= 1e-6;
+    let is_clear = (away - radius).abs() > 1e-6;
+    match (direction(from), direction(to)) {
+        (Some(first), Some(last)) if is_arc && is_clear && away > radius => {
+            // Seen from the pole the whole circle is within a quarter turn of its centre.
+            let middle = libm::atan2(center[1], center[0]);
+            wrapped(last - middle) - wrapped(first - middle)
+        }
+        (Some(first), Some(last)) if is_arc && is_clear => {
+            // About a pole inside the circle the direction is never a quarter turn from that from the centre.
+            let around = |place: [f64; 2]| libm::atan2(place[1] - center[1], place[0] - center[0]);
+            shape.sweep + wrapped(last - around(to)) - wrapped(first - around(from))
+        }
+        _ => turn_in_parts(from, shape),
+    }
+}
+
+fn turn_in_parts(from: [f64; 2], shape: &ArcShape) -> f64 {
+    let center = shape.center;
+    let begin = libm::atan2(from[1] - center[1], from[0] - center[0]);
+    let mut before = direction(from);
+    let mut total = 0.0;
+    for part in 1..=PARTS {
+        let share = f64::from(part) / f64::from(PARTS);
+        let (sin, cos) = libm::sincos(begin + shape.sweep * share);
+        let radius = shape.radius_from + (shape.radius_to - shape.radius_from) * share;
+        let now = direction([center[0] + radius * cos, center[1] + radius * sin]);
+        if let (Some(before), Some(now)) = (before, now) {
+            total += wrapped(now - before);
+        }
+        before = now.or(before);
+    }
+    total
+}
+
+const _: () = assert!(AXES == 6, "three linear axes before three rotary ones");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::axes::AxisMask;
+    use chordal_geometry::Plane;
+
+    const FACE: RotarySurface = RotarySurface {
+        shape: SurfaceShape::Face { along: 0, zero: 0.0, negative: false },
+        rotary: 5,
+        across: 1,
+        standing: 0.0,
+    };
+
+    fn at(x: f64, y: f64) -> Position {
+        [x, y, 0.0, 0.0, 0.0, 0.0]
+    }
+
+    fn line(from: Position, to: Position) -> Move {
+        Move { from, to, from_known: AxisMask::ALL, to_known: AxisMask::ALL }
+    }
+
+    fn arc(center: [f64; 2], radius: f64, sweep: f64) -> ArcShape {
+        ArcShape { plane: Plane::Xy, center, sweep, radius_from: radius, radius_to: radius }
+    }
+
+    fn near(is: f64, meant: f64) {
+        assert!((is - meant).abs() < 1e-9, "{is} {meant}");
+    }
+
+    #[test]
+    fn the_axes_of_places_on_a_face_and_on_a_cylinder() {
+        // X as a diameter 40, C 10: diameter 44.7214 and 26.5651 degrees.
+        let mut run = SurfaceRun::new(FACE);
+        run.follow(&line(at(20.0, 0.0), at(20.0, 10.0)), None);
+        let axes = run.on_axes(&at(20.0, 10.0));
+        near(2.0 * axes[0], 44.721_359_549_995_796);
+        near(axes[5].to_degrees(), 26.565_051_177_077_99);
+        // Round the centre it goes on counting.
+        run.follow(&line(at(20.0, 10.0), at(-20.0, 10.0)), None);
+        run.follow(&line(at(-20.0, 10.0), at(-20.0, -10.0)), None);
+        near(run.on_axes(&at(-20.0, -10.0))[5].to_degrees(), 206.565_051_177_077_99);
+        let shell = SurfaceShape::Cylinder { radius_mm: 25.0 };
+        let shell = RotarySurface { shape: shell, ..FACE };
+        near(shell.on_axes(&at(30.0, 60.0), 0.0)[5].to_degrees(), 137.509_870_831_397_6);
+    }
+
+    #[test]
+    fn the_pole_is_left_in_any_direction() {
+        let mut run = SurfaceRun::new(FACE);
+        run.follow(&line(at(20.0, 0.0), at(0.0, 0.0)), None);
+        near(run.angle, 0.0);
+        run.follow(&line(at(0.0, 0.0), at(0.0, 5.0)), None);
+        near(run.angle.to_degrees(), 90.0);
+    }
+
+    #[test]
+    fn arcs_around_the_pole_and_beside_it() {
+        // A full circle about the pole, one that has the pole inside, and one beside it.
+        near(FACE.turn(&at(10.0, 0.0), &at(10.0, 0.0), Some(&arc([0.0; 2], 10.0, TAU))), TAU);
+        near(FACE.turn(&at(13.0, 0.0), &at(13.0, 0.0), Some(&arc([3.0, 0.0], 10.0, -TAU))), -TAU);
+        near(FACE.turn(&at(25.0, 0.0), &at(25.0, 0.0), Some(&arc([15.0, 0.0], 10.0, TAU))), 0.0);
+        // Half of it, from the near side to the far one.
+        let half = FACE.turn(&at(15.0, -10.0), &at(15.0, 10.0), Some(&arc([15.0, 0.0], 10.0, PI)));
+        near(half, 2.0 * libm::atan2(10.0, 15.0));
+        let beyond = FACE.turn(&at(0.0, 10.0), &at(0.0, -10.0), Some(&arc([0.0; 2], 10.0, -PI)));
+        near(beyond, -PI);
+    }
+
+    #[test]
+    fn a_lathe_that_cuts_at_negative_x_starts_without_a_turn() {
+        let shape = SurfaceShape::Face { along: 0, zero: 0.5, negative: true };
+        let mut run = SurfaceRun::new(RotarySurface { shape, ..FACE });
+        assert_eq!(run.on_axes(&at(-20.0, 0.0))[..1], [-20.0]);
+        run.follow(&line(at(-20.0, 0.0), at(-20.0, -10.0)), None);
+        let axes = run.on_axes(&at(-20.0, -10.0));
+        near(axes[0], -500.0_f64.sqrt());
+        near(axes[5], 0.5 + libm::atan2(10.0, 20.0));
+    }
+}

@@ -1,0 +1,108 @@
+//! How polar and cylindrical interpolation begin and end.
+
+use chordal_command::{
+    AxisMask, CommandKind, FeedMode, RotarySurface, Side, SurfaceRun, SurfaceShape,
+};
+use chordal_geometry::Plane;
+
+use crate::kernel::Kernel;
+use crate::surface::{SurfacePlane, SurfaceState};
+
+/// How a surface is begun.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct NewSurface {
+    /// The surface.
+    pub surface: RotarySurface,
+    /// The plane of its two coordinates.
+    pub own_plane: Plane,
+    /// How the plane of the program lies to it.
+    pub plane: SurfacePlane,
+    /// F is per minute on it.
+    pub own_feed: bool,
+}
+
+impl Kernel<'_> {
+    /// The face of the part that turns with a rotary axis, where the tool is now.
+    pub fn face(&self, rotary: usize, along: usize, across: usize) -> RotarySurface {
+        let position = &self.state.position;
+        let (zero, negative) = (position[rotary], position[along] < 0.0);
+        let shape = SurfaceShape::Face { along, zero, negative };
+        RotarySurface { shape, rotary, across, standing: position[across] }
+    }
+
+    /// The coordinates lie on a surface from here on; the machine stands still.
+    pub fn begin_surface(&mut self, new: NewSurface) {
+        let NewSurface { surface, own_plane, plane, own_feed } = new;
+        let state = &mut self.state;
+        let known = [state.known, state.machine_known];
+        state.position = surface.on_surface(&state.position);
+        let is_known = match surface.shape {
+            // The angle where it begins is its zero, whatever that is.
+            SurfaceShape::Face { along, .. } => state.known.has(along),
+            SurfaceShape::Cylinder { .. } => state.known.has(surface.rotary),
+        };
+        let across = AxisMask(1 << surface.across);
+        state.known = if is_known { state.known.or(across) } else { state.known.without(across) };
+        let per_time = own_feed && state.feed_mode == FeedMode::PerRevolution;
+        let feed_after = per_time.then_some((state.feed_mode, state.feed));
+        let run = SurfaceRun::new(surface);
+        let plane_after = state.plane;
+        state.surface = Some(SurfaceState { run, plane, plane_after, feed_after, known });
+        let position = state.position;
+        self.emit(CommandKind::Surface { surface: Some(surface), position });
+        self.plane_of_surface(own_plane);
+        if per_time {
+            self.set_feed_mode(FeedMode::PerTime);
+        }
+    }
+
+    /// The axes themselves again.
+    pub fn end_surface(&mut self) {
+        self.end_corner_before("interpolation on the surface ends before the next move");
+        let Some(before) = self.state.surface.take() else { return };
+        let surface = before.run.surface;
+        let state = &mut self.state;
+        let place = match surface.shape {
+            SurfaceShape::Face { along, .. } => along,
+            SurfaceShape::Cylinder { .. } => surface.across,
+        };
+        let [known, machine_known] = before.known;
+        let across = AxisMask(1 << surface.across);
+        let rotary = AxisMask(1 << surface.rotary);
+        // A cylinder's length that was named has placed the rotary axis; a face turns it from where it stood.
+        let is_placed = match surface.shape {
+            SurfaceShape::Face { .. } => known.has(surface.rotary),
+            SurfaceShape::Cylinder { .. } => state.known.has(place),
+        };
+        state.position = before.run.on_axes(&state.position);
+        let restored = |now: AxisMask, then: AxisMask| now.without(across).or(then.and(across));
+        state.known = restored(state.known, known);
+        if is_placed {
+            state.known = state.known.or(rotary);
+        }
+        let mut machine = restored(state.machine_known, machine_known);
+        if is_placed && state.offsets.known().has(surface.rotary) {
+            machine = machine.or(rotary);
+        }
+        state.machine_known = machine;
+        let position = state.position;
+        self.emit(CommandKind::Surface { surface: None, position });
+        self.plane_of_surface(before.plane_after);
+        if let Some((mode, feed)) = before.feed_after {
+            self.set_feed_mode(mode);
+            self.state.feed = feed;
+        }
+    }
+
+    fn plane_of_surface(&mut self, plane: Plane) {
+        if self.state.plane != plane {
+            self.state.plane = plane;
+            self.emit(CommandKind::Plane(plane));
+        }
+    }
+
+    /// Cutter compensation is on.
+    pub fn is_compensating(&self) -> bool {
+        self.state.side != Side::Off
+    }
+}

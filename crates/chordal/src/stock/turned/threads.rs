@@ -1,0 +1,80 @@
+//! Where a thread cuts the half section: the tool comes by once in each revolution of the spindle.
+
+use chordal_geometry::Vec2;
+use chordal_stock::turned::{Region, Segment, Tool as Outline, Turned};
+
+use super::gather::TurnMove;
+use super::report::Thread;
+
+/// Grooves of one move that are drawn; a finer thread is shown by where it lies.
+const MOST_TURNS: f64 = 5000.0;
+
+/// What the spindle has turned since its index, over the moves of one pass.
+#[derive(Debug, Default)]
+pub(super) struct Revolutions {
+    /// Part of a revolution at the end of the last move.
+    since: f64,
+}
+
+impl Revolutions {
+    /// A pass begins: it waits for the spindle's index.
+    pub fn begin(&mut self) {
+        self.since = 0.0;
+    }
+
+    /// The places of a move at which the spindle's index passes the section, and the advance of one revolution along the path, mm.
+    /// `None` where the revolutions of the move are not known.
+    fn places(&mut self, move_: &TurnMove) -> Option<(Vec<Vec2>, f64)> {
+        let path = &move_.path;
+        let length = path.start.distance(path.end);
+        let advance = move_.feed / move_.rev_per_s;
+        let turns = length / advance;
+        if path.bend.is_some() || !turns.is_finite() || turns > MOST_TURNS || advance <= 0.0 {
+            self.since = 0.0;
+            return None;
+        }
+        let last = self.since + turns;
+        let mut places = Vec::new();
+        let mut index = self.since.ceil();
+        // Rounding must not lose the groove at the end of a pass.
+        while index <= last + 1e-9 {
+            let share = if turns > 0.0 { ((index - self.since) / turns).min(1.0) } else { 0.0 };
+            places.push(path.start + (path.end - path.start) * share);
+            index += 1.0;
+        }
+        self.since = last - last.floor();
+        Some((places, advance))
+    }
+
+    /// What a move takes from the section; the stock stays as it is.
+    pub fn grooves(
+        &mut self,
+        stock: &Turned,
+        tool: &Outline,
+        move_: &TurnMove,
+    ) -> Option<(Region, f64)> {
+        let (places, advance) = self.places(move_)?;
+        let mut grooves = Region::default();
+        for place in places {
+            let (_, taken) = stock.touch(tool, &Segment::line(place, place)).ok()?;
+            if !taken.is_empty() {
+                grooves = grooves.union(&taken).ok()?.region;
+            }
+        }
+        Some((grooves, advance))
+    }
+}
+
+impl Thread {
+    /// With a further pass.
+    pub(super) fn add(&mut self, taken: &Region, grooves: Option<(Region, f64)>, line: u32) {
+        if let Ok(both) = self.section.union(taken) {
+            self.section = both.region;
+        }
+        self.line = line;
+        self.grooves = match (self.grooves.take(), grooves) {
+            (Some(before), Some((more, _))) => before.union(&more).map(|both| both.region).ok(),
+            _ => None,
+        };
+    }
+}
