@@ -2,7 +2,6 @@
 
 use crate::answer::{Answer, Failure};
 use crate::loading::Asked;
-use crate::options::Format;
 use crate::request::Request;
 use crate::{motion, programs, words};
 
@@ -26,15 +25,4 @@ pub fn ask(request: Request) -> Result<Answer, Failure> {
         "panic" => panic!("asked to panic"),
         other => Err(Failure::plain(format!("there is no question `{other}`"), None)),
     }
-}
-
-/// A form that a question does not have.
-pub fn no_form(asked: &Asked, forms: &[&str]) -> Failure {
-    let message = format!("{} does not have this format", asked.ask);
-    Failure::wrong(message, format!("its formats are {}", forms.join(", ")))
-}
-
-/// An object is what JavaScript reads, and JSON the text that it is read from.
-pub fn is_json(format: Format) -> bool {
-    matches!(format, Format::Object | Format::Json)
 }

@@ -50,6 +50,12 @@ impl Asked {
         Ok(Loader::new(request)?.load_text(text, &input)?)
     }
 
+    /// What is said of a form that the question does not have.
+    pub fn no_form(&self, forms: &[&str]) -> Failure {
+        let message = format!("{} does not have this format", self.ask);
+        Failure::wrong(message, format!("its formats are {}", forms.join(", ")))
+    }
+
     /// A machine by its name, or of a file of the request.
     pub fn machine(&self, name: &str) -> Result<Machine, Failure> {
         Ok(machine::named_of(&self.files, name)?)

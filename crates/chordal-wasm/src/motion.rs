@@ -13,7 +13,6 @@ use chordal_load::Loaded;
 use serde_json::{Value, json};
 
 use crate::answer::{Answer, Failure};
-use crate::ask::{is_json, no_form};
 use crate::columns::table;
 use crate::loading::Asked;
 use crate::options::{Format, OnlyFormat, SampleOptions, TimeOptions};
@@ -46,7 +45,7 @@ pub fn commands(asked: &mut Asked) -> Result<Answer, Failure> {
             job.report_of_commands(|command| keep(&mut done, || out.command(command)));
             text(done.and_then(|()| out.finish()))
         }
-        _ => Err(no_form(asked, &["object", "jsonl", "csv", "canon"])),
+        _ => Err(asked.no_form(&["object", "jsonl", "csv", "canon"])),
     }
 }
 
@@ -72,14 +71,14 @@ pub fn path(asked: &mut Asked) -> Result<Answer, Failure> {
             job.report_of_path(|path, _| keep(&mut done, || out.path_command(path)));
             text(done.and_then(|()| out.finish()))
         }
-        _ => Err(no_form(asked, &["object", "jsonl", "csv"])),
+        _ => Err(asked.no_form(&["object", "jsonl", "csv"])),
     }
 }
 
 pub fn curves(asked: &mut Asked) -> Result<Answer, Failure> {
     let OnlyFormat { format } = asked.options()?;
     if format != Format::Object {
-        return Err(no_form(asked, &["object"]));
+        return Err(asked.no_form(&["object"]));
     }
     let loaded = asked.load()?;
     let job = loaded.job()?;
@@ -92,8 +91,8 @@ pub fn curves(asked: &mut Asked) -> Result<Answer, Failure> {
 
 pub fn time(asked: &mut Asked) -> Result<Answer, Failure> {
     let options: TimeOptions = asked.options()?;
-    if !is_json(options.format) {
-        return Err(no_form(asked, &["object", "json"]));
+    if !options.format.is_json() {
+        return Err(asked.no_form(&["object", "json"]));
     }
     let loaded = asked.load()?;
     let job = loaded.job()?;
@@ -129,7 +128,7 @@ pub fn sample(asked: &mut Asked) -> Result<Answer, Failure> {
         Format::Object => None,
         Format::Csv => Some(SampleFormat::Csv),
         Format::Jsonl => Some(SampleFormat::Jsonl),
-        _ => return Err(no_form(asked, &["object", "csv", "jsonl"])),
+        _ => return Err(asked.no_form(&["object", "csv", "jsonl"])),
     };
     if let Some(format) = text_format {
         let mut out = SampleWriter::new(Vec::new(), format, &head).map_err(broken)?;

@@ -19,6 +19,13 @@ pub enum Format {
     Canon,
 }
 
+impl Format {
+    /// An object is what JavaScript reads, and JSON the text that it is read from.
+    pub fn is_json(self) -> bool {
+        matches!(self, Format::Object | Format::Json)
+    }
+}
+
 /// Nothing but the form.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -9,7 +9,6 @@ use chordal_export::{comparison_json, comparison_names, comparison_text, convers
 use chordal_rewrite::convert::{Options as Converting, convert};
 
 use crate::answer::{Answer, Failure};
-use crate::ask::{is_json, no_form};
 use crate::loading::Asked;
 use crate::options::{CompareOptions, ConvertOptions, Format, OnlyFormat};
 
@@ -22,7 +21,7 @@ pub fn check(asked: &mut Asked) -> Result<Answer, Failure> {
     let OnlyFormat { format } = asked.options()?;
     let loaded = asked.load()?;
     let job = loaded.job()?;
-    let kept = if is_json(format) { EVERY_PLACE } else { KEPT_PER_CODE };
+    let kept = if format.is_json() { EVERY_PLACE } else { KEPT_PER_CODE };
     let found = job.check_keeping(kept);
     let object = || report::json(&found, job.sources(), loaded.name(), &loaded.reading());
     Ok(Answer::text(match format {
@@ -36,15 +35,15 @@ pub fn check(asked: &mut Asked) -> Result<Answer, Failure> {
             sarif.finish()
         }
         Format::Jsonl | Format::Csv | Format::Canon => {
-            return Err(no_form(asked, &["object", "json", "text", "github", "sarif"]));
+            return Err(asked.no_form(&["object", "json", "text", "github", "sarif"]));
         }
     }))
 }
 
 pub fn run(asked: &mut Asked) -> Result<Answer, Failure> {
     let OnlyFormat { format } = asked.options()?;
-    if !is_json(format) {
-        return Err(no_form(asked, &["object", "json"]));
+    if !format.is_json() {
+        return Err(asked.no_form(&["object", "json"]));
     }
     let loaded = asked.load()?;
     let job = loaded.job()?;
@@ -75,19 +74,19 @@ pub fn compared(asked: &mut Asked) -> Result<Answer, Failure> {
     };
     let found = compare(jobs[0], jobs[1], &comparing);
     Ok(Answer::text(match options.format {
-        format if is_json(format) => comparison_json(&found, jobs, tolerance_mm),
+        format if format.is_json() => comparison_json(&found, jobs, tolerance_mm),
         Format::Text => {
             let names = comparison_names([a.name(), b.name()], jobs);
             comparison_text(&found, names.each_ref().map(String::as_str), jobs, tolerance_mm)
         }
-        _ => return Err(no_form(asked, &["object", "json", "text"])),
+        _ => return Err(asked.no_form(&["object", "json", "text"])),
     }))
 }
 
 pub fn converted(asked: &mut Asked) -> Result<Answer, Failure> {
     let options: ConvertOptions = asked.options()?;
-    if !is_json(options.format) {
-        return Err(no_form(asked, &["object", "json"]));
+    if !options.format.is_json() {
+        return Err(asked.no_form(&["object", "json"]));
     }
     let target = asked.machine(&options.to)?;
     let usual = Converting::default();
