@@ -205,10 +205,12 @@ fn every_program_of_the_repository_can_be_planned() {
             }
             let Ok(text) = std::fs::read_to_string(&path) else { continue };
             let machine = text.split_once("(machine: ").and_then(|(_, rest)| rest.split_once(')'));
-            let Some(machine) = machine.and_then(|(name, _)| Machine::from_builtin(name).ok())
-            else {
-                continue;
-            };
+            let machine = machine.and_then(|(name, _)| Machine::from_builtin(name).ok());
+            let Some(mut machine) = machine else { continue };
+            let head = text.lines().map_while(|line| line.strip_prefix('(')?.strip_suffix(')'));
+            for assignment in head.filter_map(|line| line.strip_prefix("set: ")) {
+                machine.set(assignment).expect("a key of the machine");
+            }
             let mut sources = SourceMap::new();
             sources.add(Source::new("t.nc", text.as_bytes()));
             let Ok(job) = Job::new(sources, machine) else { continue };

@@ -182,7 +182,8 @@ max_rotary = \"5000 deg/min\"",
     },
     Section {
         table: "tools",
-        about: "A table for each tool, or `--tools tool.tbl` with a tool table of LinuxCNC.",
+        about: "A table for each tool, or `--tools tool.tbl` with a tool table of LinuxCNC. `--settings dump.txt` takes what a \
+                GRBL machine prints for `$$`.",
         example: "
 [tools.1]
 diameter = \"0.5 in\"
