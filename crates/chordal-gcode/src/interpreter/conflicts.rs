@@ -16,10 +16,13 @@ pub(super) const ALWAYS: Letters = Letters::of("NOGMFSTHDXYZABC");
 
 impl Interpreter<'_> {
     pub(super) fn check_groups(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
-        for (index, second) in codes.iter().enumerate() {
+        // The first of each code that came before: in a line of many words the same ones come again and again.
+        let mut before: Vec<(&'static CodeRow, usize)> = Vec::new();
+        for second in codes.iter().filter(|_| codes.len() > 1) {
             let letter = block.words[second.1].letter;
-            let clash = codes[..index].iter().find(|first| {
-                block.words[first.1].letter == letter
+            let has_letter = |first: &(&CodeRow, usize)| block.words[first.1].letter == letter;
+            let clash = before.iter().find(|first| {
+                has_letter(first)
                     && self.one_group(first.0.group, second.0.group)
                     && !self.cycle_off_beside(first.0, second.0)
                     && excludes(first.0, second.0, self.control.table.distance_left_to_right)
@@ -27,9 +30,13 @@ impl Interpreter<'_> {
             });
             if let Some(first) = clash {
                 self.same_group(block, *first, *second);
-            } else if let Some(first) = codes[..index].iter().find(|(row, _)| share(row, second.0))
-            {
+            } else if let Some(first) = before.iter().find(|(row, _)| share(row, second.0)) {
                 self.report_shared_words(block, *first, *second);
+            }
+            let is_known =
+                |first: &(&CodeRow, usize)| has_letter(first) && std::ptr::eq(first.0, second.0);
+            if !before.iter().any(is_known) {
+                before.push(*second);
             }
         }
         self.check_m_groups(block, codes);
