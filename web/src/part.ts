@@ -2,6 +2,7 @@
 // cuts from other sides.
 
 import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, GLSL3, Mesh, RedFormat, ShaderMaterial, UnsignedByteType, Vector3, Vector4 } from "three";
+import { ON_RAMP } from "./stockshader";
 import type { Surface } from "./surface";
 
 const VERTEX = `
@@ -35,12 +36,7 @@ in vec3 at;
 in vec3 seen;
 out vec4 drawn;
 
-vec3 onRamp(float share) {
-  float scaled = clamp(share, 0.0, 1.0) * 4.0;
-  int index = min(3, int(scaled));
-  return mix(ramp[index], ramp[index + 1], scaled - float(index));
-}
-
+${ON_RAMP}
 void main() {
   if (dot(keep.xyz, at) > keep.w) discard;
   if (!gl_FrontFacing) {

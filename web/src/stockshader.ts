@@ -1,5 +1,13 @@
 // How the stock is drawn: corners are lifted to their heights, light comes from the upper left.
 
+/** A colour of `ramp`. */
+export const ON_RAMP = `vec3 onRamp(float share) {
+  float scaled = clamp(share, 0.0, 1.0) * 4.0;
+  int index = min(3, int(scaled));
+  return mix(ramp[index], ramp[index + 1], scaled - float(index));
+}
+`;
+
 export const VERTEX = `
 in vec2 at;
 in float z;
@@ -24,12 +32,7 @@ out vec3 place;
 out vec3 color;
 out vec2 falls;
 
-vec3 onRamp(float share) {
-  float scaled = clamp(share, 0.0, 1.0) * 4.0;
-  int index = min(3, int(scaled));
-  return mix(ramp[index], ramp[index + 1], scaled - float(index));
-}
-
+${ON_RAMP}
 void main() {
   // The first and the last column reach to the edge, the ring around them is there, too.
   float x = at.x <= 1.0 ? 0.0 : at.x >= columns.x ? size.x : (at.x - 0.5) * pitch;

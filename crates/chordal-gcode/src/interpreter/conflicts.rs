@@ -16,9 +16,34 @@ pub(super) const ALWAYS: Letters = Letters::of("NOGMFSTHDXYZABC");
 
 impl Interpreter<'_> {
     pub(super) fn check_groups(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        self.check_pairs(block, codes);
+        self.check_m_groups(block, codes);
+        let g_words = block.all(b'G').count();
+        for (row, at) in codes {
+            let word = &block.words[*at];
+            if g_words > 1 && word.letter == b'G' && self.control.table.alone.contains(&row.code) {
+                let title = self.control.table.title;
+                let name = row.name(b'G');
+                self.kernel.report(
+                    Diagnostic::new(
+                        Code::NotAlone,
+                        self.span(word.range),
+                        format!("on a {title} {name} must be the only G code of its block"),
+                    )
+                    .help("put the other G codes into the block before"),
+                );
+            }
+        }
+    }
+
+    /// Each code with those before it.
+    fn check_pairs(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        if codes.len() < 2 {
+            return;
+        }
         // The first of each code that came before: in a line of many words the same ones come again and again.
         let mut before: Vec<(&'static CodeRow, usize)> = Vec::new();
-        for second in codes.iter().filter(|_| codes.len() > 1) {
+        for second in codes {
             let letter = block.words[second.1].letter;
             let has_letter = |first: &(&CodeRow, usize)| block.words[first.1].letter == letter;
             let clash = before.iter().find(|first| {
@@ -37,23 +62,6 @@ impl Interpreter<'_> {
                 |first: &(&CodeRow, usize)| has_letter(first) && std::ptr::eq(first.0, second.0);
             if !before.iter().any(is_known) {
                 before.push(*second);
-            }
-        }
-        self.check_m_groups(block, codes);
-        let g_words = block.all(b'G').count();
-        for (row, at) in codes {
-            let word = &block.words[*at];
-            if g_words > 1 && word.letter == b'G' && self.control.table.alone.contains(&row.code) {
-                let title = self.control.table.title;
-                let name = row.name(b'G');
-                self.kernel.report(
-                    Diagnostic::new(
-                        Code::NotAlone,
-                        self.span(word.range),
-                        format!("on a {title} {name} must be the only G code of its block"),
-                    )
-                    .help("put the other G codes into the block before"),
-                );
             }
         }
     }

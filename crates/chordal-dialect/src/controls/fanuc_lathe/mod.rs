@@ -5,7 +5,7 @@ mod codes;
 mod post;
 mod recognition;
 mod rules;
-mod settings;
+pub(in crate::controls) mod settings;
 mod systems;
 
 pub(in crate::controls) use self::codes::CYCLE_WORDS;

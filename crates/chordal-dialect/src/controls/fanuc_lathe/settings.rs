@@ -2,6 +2,16 @@
 
 use crate::vocabulary::*;
 
+/// Of the lathes that have G12.1.
+pub(in crate::controls) const FACE_X: Setting = setting(
+    "X in G12.1",
+    Field::FaceX,
+    &[],
+    "X of polar interpolation is written as `diameters`, as everywhere else, or as `radii`",
+    Certainty::Unknown,
+    "G12.1",
+);
+
 pub(super) const SETTINGS: &[Setting] = &[
     CORNER_ROUNDING,
     setting(
@@ -52,14 +62,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Documented,
         "B-62754EN",
     ),
-    setting(
-        "X in G12.1",
-        Field::FaceX,
-        &[],
-        "X of polar interpolation is written as `diameters`, as everywhere else, or as `radii`",
-        Certainty::Unknown,
-        "G12.1",
-    ),
+    FACE_X,
     setting(
         "first level",
         Field::Turning(TurningField::FirstLevel),

@@ -1,6 +1,7 @@
 //! The settings of Mitsubishi lathes, by the numbers of their parameters. None comes from a manual that was at hand, but
 //! #8056.
 
+use crate::controls::fanuc_lathe::settings::FACE_X;
 use crate::vocabulary::*;
 
 pub(super) const SETTINGS: &[Setting] = &[
@@ -29,14 +30,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Trade,
         "M700, #8052",
     ),
-    setting(
-        "X in G12.1",
-        Field::FaceX,
-        &[],
-        "X of polar interpolation is written as `diameters`, as everywhere else, or as `radii`",
-        Certainty::Unknown,
-        "G12.1",
-    ),
+    FACE_X,
     setting(
         "first level",
         Field::Turning(TurningField::FirstLevel),

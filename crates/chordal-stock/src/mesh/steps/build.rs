@@ -202,19 +202,8 @@ impl<'a> Builder<'a> {
         if !tops {
             around.reverse();
         }
-        if let [a, b, c, d] = around[..] {
-            self.triangles.extend([[a, b, c], [a, c, d]]);
-            self.around = around;
-            return;
-        }
-        // Corners of neighbours lie on its sides: from the middle no triangle is without area.
-        let Rectangle { columns, rows, .. } = *rectangle;
-        let [a, b] =
-            [[columns[0], rows[0]], [columns[1], rows[1]]].map(|at| self.point(at, height));
-        let middle = self.vertices.len() as u32;
-        self.vertices.push(a.lerp(b, 0.5));
-        let next = around.iter().cycle().skip(1);
-        self.triangles.extend(around.iter().zip(next).map(|(&a, &b)| [middle, a, b]));
+        let ends = rectangle.ends().map(|at| self.point(at, height));
+        fill(&around, ends, &mut self.vertices, &mut self.triangles);
         self.around = around;
     }
 
@@ -258,6 +247,24 @@ impl<'a> Builder<'a> {
             self.triangles.push([l, r, next]);
         }
     }
+}
+
+/// The triangles of a rectangle, with what lies around it and two corners that face each other.
+pub(super) fn fill(
+    around: &[u32],
+    [a, b]: [Vec3; 2],
+    vertices: &mut Vec<Vec3>,
+    triangles: &mut Vec<[u32; 3]>,
+) {
+    if let [a, b, c, d] = *around {
+        triangles.extend([[a, b, c], [a, c, d]]);
+        return;
+    }
+    // Corners of neighbours lie on its sides: from the middle no triangle is without area.
+    let middle = vertices.len() as u32;
+    vertices.push(a.lerp(b, 0.5));
+    let next = around.iter().cycle().skip(1);
+    triangles.extend(around.iter().zip(next).map(|(&a, &b)| [middle, a, b]));
 }
 
 /// The vertices of a wall over a corner, from the lowest.

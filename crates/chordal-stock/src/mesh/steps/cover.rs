@@ -13,6 +13,13 @@ pub(super) struct Rectangle {
     pub height: f64,
 }
 
+impl Rectangle {
+    /// Its first corner and the one across.
+    pub fn ends(&self) -> [[usize; 2]; 2] {
+        [0, 1].map(|end| [self.columns[end], self.rows[end]])
+    }
+}
+
 /// Every cell that is not cut through in one rectangle.
 pub(super) struct Cover {
     pub rectangles: Vec<Rectangle>,

@@ -3,7 +3,7 @@
 use chordal_geometry::Vec3;
 
 use super::super::Touching;
-use super::super::build::sides;
+use super::super::build::{fill, sides};
 use super::super::cover::Rectangle;
 use super::super::node::Face;
 use super::LayerField;
@@ -118,18 +118,8 @@ impl<'a> Builder<'a> {
         if !is_top {
             around.reverse();
         }
-        if let [a, b, c, d] = around[..] {
-            self.triangles.extend([[a, b, c], [a, c, d]]);
-            return;
-        }
-        // Corners of neighbours lie on its sides: from the middle no triangle is without area.
-        let Rectangle { columns, rows, height } = *rectangle;
-        let [a, b] =
-            [[columns[0], rows[0]], [columns[1], rows[1]]].map(|at| self.point(at, height));
-        let middle = self.vertices.len() as u32;
-        self.vertices.push(a.lerp(b, 0.5));
-        let next = around.iter().cycle().skip(1);
-        self.triangles.extend(around.iter().zip(next).map(|(&a, &b)| [middle, a, b]));
+        let ends = rectangle.ends().map(|at| self.point(at, rectangle.height));
+        fill(&around, ends, &mut self.vertices, &mut self.triangles);
     }
 
     /// The walls over a line of corners.
