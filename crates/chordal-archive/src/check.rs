@@ -6,7 +6,7 @@ use std::path::Path;
 use chordal::control::EndReason;
 use chordal::diagnostics::{Diagnostic, FileId, line_ends};
 use chordal::machine::{AXES, AXIS_LETTERS};
-use chordal::motion::MotionOptions;
+use chordal::motion::{LimitError, MotionOptions};
 use chordal::stock::{Amount, StockLeft, StockOptions, TileJob};
 use chordal::{Job, Machine, Report, RunOptions, Source, SourceMap, TextProgram, Watch};
 use chordal_export::sha256_hex;
@@ -381,27 +381,43 @@ fn run_job(
     prepared: &Prepared,
     options: Options,
 ) -> Result<(Ran, Option<String>), String> {
-    if !options.plan {
-        return Ok((ran(job, &job.report(), None), None));
+    let ((report, timed), _) = run_planned(job, prepared, options.plan, || Unwatched);
+    Ok(match timed {
+        Ok(planned) => (ran(job, &report, planned), None),
+        Err(error) => (ran(job, &report, None), Some(format!("no time: {error}"))),
+    })
+}
+
+/// A run and its cutting, rapid and other time, s, or why it has none. Without a time are a program
+/// whose budget was used up and one that is not to be planned.
+pub(crate) type Planned = (Report, Result<Option<[f64; 3]>, LimitError>);
+
+/// Runs a job and plans its motion if that is asked. What saw the run that counts comes with it: a
+/// program of very many moves is run once more when it is known to end.
+pub(crate) fn run_planned<W: Watch>(
+    job: &Job<'_>,
+    prepared: &Prepared,
+    plan: bool,
+    watch: impl Fn() -> W,
+) -> (Planned, W) {
+    let mut seen = watch();
+    if !plan {
+        return ((job.report_watched(&mut seen), Ok(None)), seen);
     }
     let lines = prepared.texts.iter().map(|(_, text)| lines(text)).sum::<u64>();
     let motion = MotionOptions::default();
     let (mut report, mut timed) =
-        job.report_timed(&motion, MOVES_AT_ONCE + MOVES_OF_A_LINE * lines, &mut Unwatched);
+        job.report_timed(&motion, MOVES_AT_ONCE + MOVES_OF_A_LINE * lines, &mut seen);
     let is_stopped = end_word(&report) == "budget";
     if matches!(timed, Ok(None)) && !is_stopped {
-        (report, timed) = job.report_timed(&motion, u64::MAX, &mut Unwatched);
+        seen = watch();
+        (report, timed) = job.report_timed(&motion, u64::MAX, &mut seen);
     }
-    Ok(match timed {
-        // As long as the budget is, not as the program.
-        Ok(_) if is_stopped => (ran(job, &report, None), None),
-        Ok(timed) => {
-            let times = timed.map(|timed| timed.time.times);
-            let planned = times.map(|times| [times.cutting_s, times.rapid_s, times.other_s]);
-            (ran(job, &report, planned), None)
-        }
-        Err(error) => (ran(job, &report, None), Some(format!("no time: {error}"))),
-    })
+    // Its time is as long as the budget, not as the program.
+    let times = timed.map(|timed| timed.filter(|_| !is_stopped).map(|timed| timed.time.times));
+    let parts =
+        times.map(|times| times.map(|times| [times.cutting_s, times.rapid_s, times.other_s]));
+    ((report, parts), seen)
 }
 
 fn ran(job: &Job<'_>, report: &Report, planned: Option<[f64; 3]>) -> Ran {
@@ -460,13 +476,18 @@ fn problems(job: &Job<'_>, report: &Report) -> (Vec<String>, Vec<Problem>) {
             codes.push(code.into());
         }
     }
-    let problem = |diagnostic: &&Diagnostic| Problem {
+    let first = by_weight.iter().take(MOST_PROBLEMS);
+    (codes, first.map(|diagnostic| problem(job, diagnostic)).collect())
+}
+
+/// A diagnostic as a row has it.
+pub(crate) fn problem(job: &Job<'_>, diagnostic: &Diagnostic) -> Problem {
+    Problem {
         severity: diagnostic.severity.word().into(),
         code: diagnostic.code.info().id.into(),
         line: line_of(job, diagnostic),
         message: diagnostic.message.clone(),
-    };
-    (codes, by_weight.iter().take(MOST_PROBLEMS).map(problem).collect())
+    }
 }
 
 fn line_of(job: &Job<'_>, diagnostic: &Diagnostic) -> u32 {

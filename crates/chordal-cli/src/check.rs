@@ -1,10 +1,10 @@
-//! `chordal check`: the problems of programs in four formats.
+//! `chordal check`: the problems of programs in five formats.
 
 use std::path::PathBuf;
 
 use chordal::stock::StockOptions;
 use chordal::{EVERY_PLACE, Report, Severity};
-use chordal_export::report::{self, Sarif};
+use chordal_export::report::{self, Gitlab, Sarif};
 use chordal_load::Loaded;
 use clap::ValueEnum;
 
@@ -23,6 +23,7 @@ Examples:
   chordal check archive/ > problems.txt
   chordal check archive/ --format sarif > chordal.sarif
   chordal check archive/ --stock --setup op1.toml
+  chordal check . --changed-since origin/main --format github
   chordal check - < part.nc
 
 A folder means all programs in it and below it; programs are recognized by their content, not by the
@@ -58,6 +59,12 @@ pub struct Args {
     #[arg(long, value_name = "LENGTH", requires = "stock", value_parser = length)]
     resolution: Option<f64>,
 
+    /// Only files that changed since this commit, or since the branch left it; asks git
+    ///
+    /// A program is not checked again because a subprogram, a machine file or `chordal.toml` changed.
+    #[arg(long, value_name = "COMMIT")]
+    changed_since: Option<String>,
+
     #[command(flatten)]
     showing: Showing,
 
@@ -75,6 +82,8 @@ enum Format {
     Sarif,
     /// Annotations of a GitHub workflow
     Github,
+    /// A Code Quality report of GitLab
+    Gitlab,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -98,15 +107,25 @@ impl FailOn {
 }
 
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let Args { files, format, fail_on, stock, setup, resolution, showing, mut common } = args;
+    let Args {
+        files,
+        format,
+        fail_on,
+        stock,
+        setup,
+        resolution,
+        changed_since,
+        showing,
+        mut common,
+    } = args;
     common.set_up(setup.as_deref());
     let options = StockOptions { resolution_mm: resolution, ..StockOptions::default() };
     let kept = if format == Format::Json { EVERY_PLACE } else { showing.kept() };
-    let programs = Programs::new(&files, &common, terminal)?;
+    let programs = Programs::changed(&files, &common, terminal, changed_since.as_deref())?;
     let called = programs.called();
     let mut totals = Totals::default();
     let mut objects = Vec::new();
-    let mut sarif = Sarif::new();
+    let (mut sarif, mut gitlab) = (Sarif::new(), Gitlab::new());
     let mut handle = |programs: &Programs, loaded: &Loaded| {
         let job = loaded.job()?;
         let (report, is_proved) = if stock {
@@ -138,6 +157,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
                 objects.push(report::json(&report, job.sources(), loaded.name(), &reading));
             }
             Format::Sarif => sarif.add(&report, job.sources()),
+            Format::Gitlab => gitlab.add(&report, job.sources()),
         }
         let verdict = fail_on.verdict(report.worst());
         Ok(if is_proved || fail_on == FailOn::Never { verdict } else { Verdict::Problems })
@@ -145,9 +165,15 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let verdict = programs.each(|programs, _, loaded| handle(programs, loaded))?;
     totals.called = called;
     match format {
-        Format::Text => terminal.tell(&totals.text(terminal)),
+        Format::Text => match &changed_since {
+            Some(commit) if totals.files == 0 && verdict == Verdict::Clean => {
+                terminal.tell(&format!("no program has changed since {commit}\n"));
+            }
+            _ => terminal.tell(&totals.text(terminal)),
+        },
         Format::Json => crate::terminal::say(&report::files_json("chordal.check/1", &objects))?,
         Format::Sarif => crate::terminal::say(&sarif.finish())?,
+        Format::Gitlab => crate::terminal::say(&gitlab.finish())?,
         Format::Github => {}
     }
     Ok(verdict)

@@ -18,6 +18,7 @@
 mod archive;
 mod calc;
 mod calibrate;
+mod changed;
 mod check;
 mod chords;
 mod command_rows;
@@ -26,6 +27,7 @@ mod comp_range;
 mod compare;
 mod completions;
 mod convert;
+mod diff;
 mod engagement;
 mod explain;
 mod failure;
@@ -87,6 +89,7 @@ Examples:
   chordal archive check archive/ --out results.parquet
                                              all of a folder tree as one table
   chordal compare released.nc returned.nc    how far apart the paths of two programs are
+  chordal diff before/ after/                what changed in two folders: motion, times, problems
   chordal convert part.nc --to haas-vf2      the program for another machine, with a proof
   chordal transform part.nc --rotate 30      the same part, rotated, with a proof
   chordal restart part.nc --line 120         the program from line 120 on, with a proof
@@ -121,6 +124,7 @@ enum Command {
     Check(check::Args),
     Archive(archive::Args),
     Compare(compare::Args),
+    Diff(Box<diff::Args>),
     Convert(convert::Args),
     Transform(Box<transform::Args>),
     Restart(restart::Args),
@@ -149,6 +153,7 @@ impl Command {
             Command::Check(args) => check::run(args, terminal),
             Command::Archive(args) => archive::run(&args, terminal),
             Command::Compare(args) => compare::run(&args, terminal),
+            Command::Diff(args) => diff::run(&args, terminal),
             Command::Convert(args) => convert::run(&args, terminal),
             Command::Transform(args) => transform::run(&args, terminal),
             Command::Restart(args) => restart::run(&args, terminal),

@@ -8,6 +8,7 @@ use chordal::control::table;
 use chordal_load::{Input, LoadError, Loaded, Loader, find, without_called};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::changed::only_changed;
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
 use crate::terminal::{Terminal, say};
@@ -17,7 +18,7 @@ pub fn load_one(file: &PathBuf, common: &Common) -> Result<Loaded, Failure> {
     if file.is_dir() {
         return Err(Failure::wrong(
             format!("{} is a folder", file.display()),
-            "this command takes one program; `run` and `check` also take folders",
+            "this command takes one program; `run` and `check` also take folders, `diff` compares two of them",
         ));
     }
     let (inputs, _) = find(std::slice::from_ref(file));
@@ -53,8 +54,22 @@ impl Programs {
         common: &Common,
         terminal: Terminal,
     ) -> Result<Programs, Failure> {
+        Programs::changed(files, common, terminal, None)
+    }
+
+    /// The same with those inputs alone whose files changed since a commit. A file of subprograms
+    /// counts as a program where the one that calls it has not changed.
+    pub fn changed(
+        files: &[PathBuf],
+        common: &Common,
+        terminal: Terminal,
+        since: Option<&str>,
+    ) -> Result<Programs, Failure> {
         let loader = Loader::new(common.request())?;
-        let (inputs, failures) = find(files);
+        let (mut inputs, failures) = find(files);
+        if let Some(commit) = since {
+            inputs = only_changed(inputs, commit)?;
+        }
         let found = inputs.len();
         let inputs = without_called(inputs);
         let called = (found - inputs.len()) as u64;

@@ -432,6 +432,11 @@ fn what_came_back() {
     assert!(low <= 0.254 + 1e-9 && 0.254 - 1e-9 <= high && high - low <= 0.001, "{low} {high}");
     assert_eq!(distance(6), (0.0, 0.0));
     assert_eq!(files[2]["lines"], serde_json::json!([6, 6]));
+    let times = files[2]["time_s"].as_array().unwrap();
+    let [before, after] = [&times[0], &times[1]].map(|time| time.as_f64().unwrap());
+    // Two inches at 8 in/min instead of 10 take 3 s more; starts and stops a little less than before.
+    assert!((after - before - 3.0).abs() < 0.05, "{times:?}");
+    assert!(files[0]["time_s"].is_null());
     assert_eq!(files[5]["lines"], serde_json::json!([7, 7]));
     let table = read(folder.bytes("changes.parquet"));
     assert_eq!(table.num_rows(), files.len());
@@ -440,6 +445,44 @@ fn what_came_back() {
     let text = folder.run(&["archive", "diff", "released", "returned", "--machine", "haas-vf2"]);
     text.ends(1).says(&["f-path.nc", "mm apart", "from line 7", "11 files: 1 same, 1 text"]);
     folder.run(&["archive", "diff", "released", "released", "--machine", "haas-vf2"]).ends(0);
+}
+
+#[test]
+fn what_a_change_of_a_post_brings() {
+    let folder = Folder::new();
+    let arc = "G3 X0 Y1. I-.5 J0";
+    folder
+        .write("before/a.nc", CLEAN)
+        .write("after/a.nc", CLEAN.replace("F10.", "F20."))
+        .write("before/b_1.nc", CLEAN)
+        .write("after/b_1.nc", CLEAN.replace(arc, "G3 X0 Y1. I-.4 J0"))
+        .write("before/c.nc", CLEAN.replace(arc, "G3 X0 Y1. I-.4 J0"))
+        .write("after/c.nc", CLEAN)
+        .write("before/d.nc", CLEAN)
+        .write("after/d.nc", CLEAN);
+    let diff = |more: &[&str]| {
+        folder.run(&[&["diff", "before", "after", "--machine", "haas-vf2"], more].concat())
+    };
+    let text = diff(&["--format", "markdown", "--fail-on", "problems"]).ends(1).out;
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(
+        lines[0],
+        "**4 files: 1 same, 1 feeds, 2 path; 1 new problem in 1 file; 1 problem gone**  "
+    );
+    assert!(lines[1].starts_with("Time of 3 changed programs: "), "{text}");
+    assert_eq!(lines[3], "| file | change | how | time | problems |");
+    assert!(lines[5].starts_with("| a.nc | feeds | from line 7 | "), "{text}");
+    // The mark of italics in a name is escaped.
+    assert!(lines[6].starts_with("| b\\_1.nc | path | "), "{text}");
+    assert!(lines[6].ends_with(" | 1 new |") && lines[7].ends_with(" | 1 gone |"), "{text}");
+    assert!(lines[11].starts_with("- b\\_1.nc:9 error CH401: "), "{text}");
+    diff(&[]).ends(1).says(&["1 new problem in 1 file", "new error[CH401] b_1.nc:9: "]);
+    let without = diff(&["--no-plan", "--fail-on", "never"]).ends(0);
+    assert!(!without.out.contains("Time of"), "{}", without.out);
+    // Without the new problem, changes alone pass.
+    folder.write("after/b_1.nc", CLEAN);
+    diff(&["--fail-on", "problems"]).ends(0);
+    diff(&[]).ends(1);
 }
 
 #[test]

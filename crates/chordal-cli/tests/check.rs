@@ -1,6 +1,15 @@
 //! `chordal check`: exit codes and formats.
 
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "the tests of a shell have its files and processes"
+)]
+
 mod common;
+
+use std::collections::BTreeSet;
+use std::process::Command;
 
 use common::{BROKEN, CLEAN, Folder};
 use serde_json::Value;
@@ -216,4 +225,113 @@ fn json_keeps_every_place() {
     let value: Value = serde_json::from_str(&done.out).expect("JSON");
     let found = value["files"][0]["diagnostics"].as_array().expect("a list");
     assert_eq!(found.iter().filter(|one| one["code"] == "CH401").count(), 500);
+}
+
+/// A git repository with a clean and a broken program, both committed.
+fn repository() -> Folder {
+    let folder = Folder::new();
+    folder.write("parts/good.nc", CLEAN).write("parts/bad one.nc", BROKEN);
+    folder.write("chordal.toml", "machine = \"haas-vf2\"\n");
+    git(&folder, &["init", "--quiet"]);
+    git(&folder, &["add", "."]);
+    git(&folder, &["commit", "--quiet", "--message", "parts"]);
+    folder
+}
+
+fn git(folder: &Folder, words: &[&str]) -> String {
+    let who = ["-c", "user.name=A", "-c", "user.email=a@example.com"];
+    let mut command = Command::new("git");
+    let done = command.arg("-C").arg(folder.path(".")).args(who).args(words).output().expect("git");
+    assert!(done.status.success(), "{words:?}: {}", String::from_utf8_lossy(&done.stderr));
+    String::from_utf8(done.stdout).unwrap().trim().to_string()
+}
+
+#[test]
+fn only_what_changed_is_checked() {
+    let folder = repository();
+    let since = ["check", ".", "--changed-since", "HEAD"];
+    folder.run(&since).ends(0).complains(&["no program has changed since HEAD"]);
+    folder.run(&["check", "."]).ends(1);
+    // A changed one, one that is new, and one that is gone.
+    folder.write("parts/good.nc", CLEAN.replace("I-.5", "I-.4"));
+    folder.write("new.nc", BROKEN);
+    std::fs::remove_file(folder.path("parts/bad one.nc")).unwrap();
+    let done = folder.run(&[&since[..], &["--format", "github"]].concat()).ends(1);
+    let errors: Vec<&str> = done.out.lines().filter(|line| line.starts_with("::error ")).collect();
+    assert_eq!(errors.len(), 2, "{}", done.out);
+    assert!(errors[0].starts_with("::error file=new.nc,line=6,"), "{}", done.out);
+    assert!(errors[1].starts_with("::error file=parts/good.nc,line=9,"), "{}", done.out);
+    // A branch is compared with where it left, not with what came later elsewhere.
+    git(&folder, &["branch", "elsewhere"]);
+    git(&folder, &["add", "."]);
+    git(&folder, &["commit", "--quiet", "--message", "worse"]);
+    folder.run(&["check", ".", "--changed-since", "elsewhere"]).ends(1);
+    folder.run(&since).ends(0);
+
+    let wrong = folder.run(&["check", ".", "--changed-since=--output=x"]).ends(2);
+    assert!(!folder.path("x").exists(), "{}", wrong.err);
+    let unknown = ["check", ".", "--changed-since", "nobody"];
+    folder.run(&unknown).ends(2).complains(&["there is no commit `nobody`", "fetch-depth: 0"]);
+    let outside = Folder::with_part();
+    let asked = ["check", "part.nc", "--changed-since", "HEAD"];
+    outside.run(&asked).ends(2).complains(&["is not in a git repository"]);
+}
+
+#[test]
+fn gitlab_knows_a_problem_again() {
+    let folder = Folder::new();
+    let of = |text: &str| -> Vec<Value> {
+        folder.write("bad.nc", text);
+        let done = folder.run(&["check", "bad.nc", "--format", "gitlab"]).ends(1);
+        serde_json::from_str(&done.out).unwrap()
+    };
+    let error = |found: &[Value]| {
+        let of_arc = |problem: &&Value| problem["severity"] == "critical";
+        found.iter().find(of_arc).cloned().unwrap()
+    };
+    let before = error(&of(BROKEN));
+    assert_eq!(before["location"]["path"], "bad.nc");
+    assert_eq!(before["location"]["lines"]["begin"], 6);
+    assert!(before["check_name"].as_str().unwrap().starts_with("CH401 "));
+    // A line above moves it; it is the same problem.
+    let moved = error(&of(&BROKEN.replace("S900", "(A LINE ABOVE)\nS900")));
+    assert_eq!(moved["location"]["lines"]["begin"], 7);
+    assert_eq!(moved["fingerprint"], before["fingerprint"]);
+    // The same arc twice is two problems.
+    let arc = "G2 X1. Y1. I.4 J0\n";
+    let twice = of(&BROKEN.replace(arc, &format!("{arc}G1 X0 Y0\n{arc}")));
+    let prints: BTreeSet<&str> =
+        twice.iter().map(|problem| problem["fingerprint"].as_str().unwrap()).collect();
+    assert_eq!(prints.len(), twice.len());
+}
+
+#[cfg(unix)]
+#[test]
+fn the_step_of_a_workflow_marks_lines_and_writes_a_table() {
+    let folder = repository();
+    let base = git(&folder, &["rev-parse", "HEAD"]);
+    folder.write("parts/good.nc", CLEAN.replace("I-.5", "I-.4"));
+    git(&folder, &["add", "."]);
+    git(&folder, &["commit", "--quiet", "--message", "worse"]);
+    let step = |more: &[(&str, &str)]| {
+        let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tools/action");
+        let mut command = Command::new("bash");
+        command.arg(script).current_dir(folder.path("."));
+        command.env("CHORDAL", env!("CARGO_BIN_EXE_chordal")).env("BASE", &base);
+        command.env("COMPARE", "parts").env("GITHUB_STEP_SUMMARY", folder.path("summary.md"));
+        let done = command.envs(more.iter().copied()).output().expect("bash");
+        (done.status.code(), String::from_utf8(done.stdout).unwrap())
+    };
+    let (code, out) = step(&[]);
+    assert_eq!(code, Some(1), "{out}");
+    assert!(out.starts_with("::error file=parts/good.nc,line=9,"), "{out}");
+    let table = folder.read("summary.md");
+    assert!(table.contains("**2 files: 1 same, 1 path; 1 new problem in 1 file**"), "{table}");
+    assert!(table.contains("| good.nc | path | "), "{table}");
+    // Nothing of it stays in the repository.
+    assert_eq!(git(&folder, &["worktree", "list"]).lines().count(), 1);
+    let (code, _) = step(&[("FAIL_ON", "never")]);
+    assert_eq!(code, Some(0));
+    let (code, _) = step(&[("BASE", "nobody")]);
+    assert_eq!(code, Some(2));
 }

@@ -3,7 +3,9 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array};
+use arrow_array::{
+    ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array, UInt64Array,
+};
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
 use chordal_export::columns::{ColumnFile, ColumnFormat, Rows};
 
@@ -11,7 +13,7 @@ use super::DiffRow;
 use crate::columns::about;
 
 /// Name and version of the columns.
-pub const DIFF_COLUMNS: &str = "chordal.diff-columns/1";
+pub const DIFF_COLUMNS: &str = "chordal.diff-columns/2";
 
 const COLUMNS: &[(&str, &str, &str, &str)] = &[
     ("path", "utf8", "", "the file, below the two folders"),
@@ -37,6 +39,20 @@ const COLUMNS: &[(&str, &str, &str, &str)] = &[
     ("distance_max_mm", "float64, or a gap", "mm", "the paths are at most this far apart"),
     ("released_at_feed_s", "float64, or a gap", "s", "time of the released one at feed"),
     ("returned_at_feed_s", "float64, or a gap", "s", "time of the returned one at feed"),
+    (
+        "released_time_s",
+        "float64, or a gap",
+        "s",
+        "time of the released one with acceleration and jerk",
+    ),
+    (
+        "returned_time_s",
+        "float64, or a gap",
+        "s",
+        "time of the returned one with acceleration and jerk",
+    ),
+    ("new_problems", "uint64", "", "problems that the returned one has more, counted by code"),
+    ("gone_problems", "uint64", "", "problems that it has no longer, counted by code"),
 ];
 
 /// The columns as a table of Markdown: a section of `docs/archives.md`.
@@ -52,6 +68,7 @@ fn schema() -> SchemaRef {
     let field = |(name, kind, unit, _): &(&str, &str, &str, &str)| {
         let data = match kind.split(',').next() {
             Some("uint32") => DataType::UInt32,
+            Some("uint64") => DataType::UInt64,
             Some("bool") => DataType::Boolean,
             Some("float64") => DataType::Float64,
             _ => DataType::Utf8,
@@ -107,6 +124,9 @@ fn arrays(rows: &[DiffRow]) -> Vec<ArrayRef> {
     let numbers = |of: &dyn Fn(&DiffRow) -> Option<f64>| -> ArrayRef {
         Arc::new(rows.iter().map(of).collect::<Float64Array>())
     };
+    let counts = |of: &dyn Fn(&DiffRow) -> u64| -> ArrayRef {
+        Arc::new(rows.iter().map(|row| Some(of(row))).collect::<UInt64Array>())
+    };
     vec![
         texts(&|row| Some(row.path.clone())),
         texts(&|row| Some(row.status.word().into())),
@@ -121,5 +141,9 @@ fn arrays(rows: &[DiffRow]) -> Vec<ArrayRef> {
         numbers(&|row| row.distance_mm.map(|mm| mm.1)),
         numbers(&|row| row.at_feed_s.map(|s| s.0)),
         numbers(&|row| row.at_feed_s.map(|s| s.1)),
+        numbers(&|row| row.time_s.map(|s| s.0)),
+        numbers(&|row| row.time_s.map(|s| s.1)),
+        counts(&|row| row.new_problems),
+        counts(&|row| row.gone_problems),
     ]
 }

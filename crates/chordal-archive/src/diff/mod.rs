@@ -9,6 +9,7 @@
 mod columns;
 mod distance;
 mod motion;
+mod problems;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -18,10 +19,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use chordal_export::sha256_hex;
 use serde::Serialize;
 
-use crate::check::{Loader, guarded, job};
+use crate::check::{Loader, Prepared, guarded, job, run_planned};
+use crate::row::Problem;
 use crate::run::{Progress, with_jobs};
 use crate::walk::walk;
 use motion::Motion;
+use problems::{More, Problems};
 
 pub use columns::{DIFF_COLUMNS, diff_reference, write_table};
 pub use distance::{Piece, Within, distance};
@@ -103,6 +106,14 @@ pub struct DiffRow {
     pub distance_mm: Option<(f64, f64)>,
     /// Time at feed of the released and of the returned program, s.
     pub at_feed_s: Option<(f64, f64)>,
+    /// Their times with acceleration and jerk, s, where both were planned.
+    pub time_s: Option<(f64, f64)>,
+    /// Problems of the returned program beyond those of the released one, counted by code.
+    pub new_problems: u64,
+    /// Problems of the released program that the returned one does not have, likewise.
+    pub gone_problems: u64,
+    /// The first of the new problems, gravest first.
+    pub problems: Vec<Problem>,
 }
 
 impl DiffRow {
@@ -118,17 +129,35 @@ impl DiffRow {
             functions_differ: None,
             distance_mm: None,
             at_feed_s: None,
+            time_s: None,
+            new_problems: 0,
+            gone_problems: 0,
+            problems: Vec::new(),
         }
+    }
+
+    fn brings(&mut self, new: More, gone: &More) {
+        (self.new_problems, self.gone_problems) = (new.count, gone.count);
+        self.problems = new.listed;
     }
 }
 
+/// What is asked of every pair of files.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiffOptions {
+    /// Distances are found within this, mm.
+    pub tolerance_mm: f64,
+    /// Plans the motion, for times with acceleration and jerk.
+    pub plan: bool,
+}
+
 /// Compares the files of two folders that have the same path below them, with as many threads as
-/// there are `jobs`. Rows come in the order of paths. Distances are found within `tolerance_mm`.
+/// there are `jobs`. Rows come in the order of paths.
 pub fn compare_all<L: Loader>(
     released: &Path,
     returned: &Path,
     jobs: usize,
-    tolerance_mm: f64,
+    options: DiffOptions,
     loader: impl Fn() -> L + Sync,
     progress: &dyn Progress,
 ) -> Vec<DiffRow> {
@@ -140,7 +169,7 @@ pub fn compare_all<L: Loader>(
         loop {
             let index = next.fetch_add(1, Ordering::Relaxed);
             let Some((name, pair)) = pairs.get(index) else { break };
-            let row = compare(&mut loader, name, pair, tolerance_mm);
+            let row = compare(&mut loader, name, pair, options);
             progress.file(0, true);
             rows.lock().unwrap_or_else(std::sync::PoisonError::into_inner)[index] = Some(row);
         }
@@ -165,11 +194,12 @@ fn pairs(released: &Path, returned: &Path) -> Vec<(String, Pair)> {
     pairs.into_values().collect()
 }
 
-fn compare(loader: &mut impl Loader, name: &str, pair: &Pair, tolerance_mm: f64) -> DiffRow {
+fn compare(loader: &mut impl Loader, name: &str, pair: &Pair, options: DiffOptions) -> DiffRow {
     let (released, returned) = match pair {
         [Some(released), Some(returned)] => (released, returned),
         [Some(_), None] => return DiffRow::new(name, Status::Missing),
-        _ => return DiffRow::new(name, Status::New),
+        [None, Some(returned)] => return new(loader, name, returned, options),
+        [None, None] => return DiffRow::new(name, Status::Missing),
     };
     let mut row = DiffRow::new(name, Status::Unreadable);
     let texts = (loader.read(released), loader.read(returned));
@@ -203,16 +233,63 @@ fn compare(loader: &mut impl Loader, name: &str, pair: &Pair, tolerance_mm: f64)
     let both = [(released, before), (returned, after)].map(|(path, text)| {
         guarded(|| {
             let prepared = loader.prepare(path, text)?;
-            Ok(Motion::of(&job(&prepared)?))
+            Ran::of(&prepared, options)
         })
     });
     match both {
-        [Ok(before), Ok(after)] => judge(row, &before, &after, tolerance_mm),
+        [Ok(before), Ok(after)] => {
+            row.brings(
+                after.problems.more_than(&before.problems),
+                &before.problems.more_than(&after.problems),
+            );
+            row.time_s = before.time_s.zip(after.time_s);
+            judge(row, &before.motion, &after.motion, options.tolerance_mm)
+        }
         [Err(message), _] | [_, Err(message)] => {
             row.message = Some(message);
             row
         }
     }
+}
+
+/// What a program does, how long it takes and what is wrong with it.
+struct Ran {
+    motion: Motion,
+    time_s: Option<f64>,
+    problems: Problems,
+}
+
+impl Ran {
+    fn of(prepared: &Prepared, options: DiffOptions) -> Result<Ran, String> {
+        let job = job(prepared)?;
+        let ((report, planned), mut motion) =
+            run_planned(&job, prepared, options.plan, Motion::default);
+        motion.time_s = report.summary.total_time_s();
+        // A machine without limits has no times; that is no fault of the program.
+        let time_s = planned.ok().flatten().map(|parts| parts.iter().sum());
+        Ok(Ran { motion, time_s, problems: Problems::of(&job, &report) })
+    }
+}
+
+/// A file that was never released: all its problems are new.
+fn new(loader: &mut impl Loader, name: &str, path: &Path, options: DiffOptions) -> DiffRow {
+    let mut row = DiffRow::new(name, Status::New);
+    let text = match loader.read(path) {
+        Ok(text) => text,
+        Err(message) => {
+            row.message = Some(message);
+            return row;
+        }
+    };
+    row.returned_sha256 = Some(sha256_hex(&text));
+    if is_no_program(loader, path, &text) {
+        return row;
+    }
+    match guarded(|| Ran::of(&loader.prepare(path, text)?, options)) {
+        Ok(ran) => row.brings(ran.problems.more_than(&Problems::default()), &More::default()),
+        Err(message) => row.message = Some(message),
+    }
+    row
 }
 
 fn is_no_program(loader: &mut impl Loader, path: &Path, text: &[u8]) -> bool {

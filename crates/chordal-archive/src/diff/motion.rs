@@ -1,7 +1,7 @@
 //! What a program does, to be compared with what another does.
 
 use chordal::control::{Command, CommandKind, Feed};
-use chordal::{Job, PathCommand, Segment, SegmentKind, Watch};
+use chordal::{PathCommand, Segment, SegmentKind, Watch};
 
 use super::distance::{Piece, Within, distance};
 
@@ -63,14 +63,6 @@ impl Watch for Motion {
 }
 
 impl Motion {
-    /// Runs a job.
-    pub fn of(job: &Job) -> Motion {
-        let mut motion = Motion::default();
-        let report = job.report_watched(&mut motion);
-        motion.time_s = report.summary.total_time_s();
-        motion
-    }
-
     fn note(&mut self, command: &Command) {
         use CommandKind as Kind;
         let at = self.moves.len();

@@ -1,14 +1,17 @@
 //! Whole archives.
 
 mod check;
-mod diff;
 mod progress;
+
+pub use check::keep_programs;
+pub use progress::Meter;
 
 use std::path::{Path, PathBuf};
 
 use chordal::machine::ControlName;
 use chordal_load::{Given, Request};
 
+use crate::diff;
 use crate::failure::{Failure, Verdict};
 use crate::terminal::Terminal;
 
@@ -22,13 +25,14 @@ pub struct Args {
 #[derive(clap::Subcommand)]
 enum Command {
     Check(check::Args),
+    /// The same as `chordal diff`
     Diff(diff::Args),
 }
 
 /// What the programs of an archive are run on.
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Machine")]
-struct Machines {
+pub struct Machines {
     /// The machine of all programs: a built-in name or a machine file
     ///
     /// Without it, `chordal.toml` in the program's folder decides, or else the control is recognized
@@ -63,7 +67,7 @@ struct Machines {
 
 impl Machines {
     /// With the setup file, which names the machine, where there is one.
-    fn request(&self, setup: Option<&Path>) -> Request {
+    pub fn request(&self, setup: Option<&Path>) -> Request {
         let setup = setup.map(|setup| setup.to_string_lossy().into_owned());
         let named = setup.or_else(|| self.machine.clone()).map(Given::Name);
         Request {
@@ -79,7 +83,7 @@ impl Machines {
 }
 
 /// As many threads as were asked for, or as the machine has.
-fn jobs(asked: Option<usize>) -> usize {
+pub fn jobs(asked: Option<usize>) -> usize {
     let all = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     asked.unwrap_or_else(all).max(1)
 }

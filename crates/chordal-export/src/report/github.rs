@@ -19,7 +19,8 @@ fn annotation(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
     let info = diagnostic.code.info();
     let title = property(&format!("{} {}", info.id, info.name));
     let name = sources.get(diagnostic.primary.span.file).map_or("", |source| source.name());
-    let file = property(name);
+    // Where a folder is named `.`, its files begin with that; GitHub wants them without.
+    let file = property(name.strip_prefix("./").unwrap_or(name));
     let at = match place(diagnostic.primary.span, sources) {
         Some(at) if at.start.line == at.end.line => {
             format!(",line={},col={},endColumn={}", at.start.line, at.start.column, at.end.column)
@@ -32,7 +33,7 @@ fn annotation(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
 }
 
 /// The message and what the control would show, and what to do.
-fn message(diagnostic: &Diagnostic) -> String {
+pub(super) fn message(diagnostic: &Diagnostic) -> String {
     let mut text = diagnostic.message.clone();
     for (name, more) in [("alarm", &diagnostic.alarm), ("help", &diagnostic.help)] {
         if let Some(more) = more {

@@ -2,6 +2,7 @@
 
 mod excerpt;
 mod github;
+mod gitlab;
 mod groups;
 mod json;
 mod place;
@@ -10,6 +11,7 @@ mod summary;
 mod text;
 
 pub use github::github;
+pub use gitlab::Gitlab;
 pub use json::{files_json, json};
 pub use place::{Place, place};
 pub use sarif::Sarif;
