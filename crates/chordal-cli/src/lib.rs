@@ -47,10 +47,12 @@ mod restart;
 mod rows;
 mod run;
 mod sample;
+mod serve;
 mod setup_files;
 mod sheet;
 mod stock;
 mod stock_failure;
+mod stream;
 mod summary;
 mod terminal;
 mod tiles;
@@ -139,6 +141,8 @@ enum Command {
     Explain(explain::Args),
     Machines(machines::Args),
     Lsp(lsp::Args),
+    Serve(serve::Args),
+    Stream(stream::Args),
     Completions(completions::Args),
 }
 
@@ -168,6 +172,8 @@ impl Command {
             Command::Explain(args) => explain::run(&args),
             Command::Machines(args) => machines::run(&args),
             Command::Lsp(args) => lsp::run(args),
+            Command::Serve(args) => serve::run(&args),
+            Command::Stream(args) => stream::run(&args, terminal),
             Command::Completions(args) => completions::run(&args),
         }
     }

@@ -91,7 +91,7 @@ fn inside(format: RowFormat) -> SampleFormat {
 }
 
 /// Microseconds are a unit of control units only: machine files have none.
-fn period(text: &str) -> Result<f64, String> {
+pub fn period(text: &str) -> Result<f64, String> {
     let micro =
         ["us", "\u{b5}s", "\u{3bc}s"].iter().find_map(|unit| text.trim().strip_suffix(unit));
     let seconds = match micro {
@@ -120,7 +120,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let sampled = job.setpoints(&sampling, |sample, line| {
         keep(&mut done, || writer.sample(sample, line));
     });
-    let sampled = sampled.map_err(|error| failure(args, &error))?;
+    let sampled = sampled.map_err(|error| failure(&error, args.max_samples, args.period))?;
     done.map_err(told)?;
     writer.finish().map_err(told)?.put()?;
 
@@ -137,23 +137,20 @@ fn verdict(report: &Report) -> Verdict {
     if report.worst() == Some(Severity::Error) { Verdict::Problems } else { Verdict::Clean }
 }
 
-fn failure(args: &Args, error: &SamplingError) -> Failure {
+/// Why there are no setpoints, of which there are to be `most` with `period_s` between them.
+pub fn failure(error: &SamplingError, most: u64, period_s: f64) -> Failure {
     match error {
         SamplingError::Limit(error) => wrong_limit(error),
-        SamplingError::TooMany(seconds) => too_many(args, *seconds),
-    }
-}
-
-fn too_many(args: &Args, seconds: f64) -> Failure {
-    Failure::wrong(
-        format!(
-            "more than {} setpoints: the run takes at least {}, with a setpoint every {}",
-            grouped(args.max_samples),
-            duration(seconds),
-            time_text(args.period),
+        SamplingError::TooMany(seconds) => Failure::wrong(
+            format!(
+                "more than {} setpoints: the run takes at least {}, with a setpoint every {}",
+                grouped(most),
+                duration(*seconds),
+                time_text(period_s),
+            ),
+            "give a longer --period, or a larger --max-samples",
         ),
-        "give a longer --period, or a larger --max-samples",
-    )
+    }
 }
 
 /// The time of the machine. The setpoints take longer: they bend where an axis of a dog-leg rapid arrives,

@@ -10,9 +10,9 @@
 use std::cell::RefCell;
 use std::panic;
 
-use crate::answer::Answer;
-use crate::ask::ask;
-use crate::request::Request;
+use chordal_ask::{Answer, ask};
+
+use crate::memory;
 
 thread_local! {
     static REQUEST: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
@@ -56,10 +56,10 @@ pub extern "C" fn chordal_input(length: usize) -> *mut u8 {
 #[unsafe(no_mangle)]
 pub extern "C" fn chordal_ask() -> u32 {
     // The bytes are not needed any more once they are read.
-    let request = Request::read(&REQUEST.take());
+    let request = memory::read(&REQUEST.take());
     let (answer, failed) = match request.and_then(ask) {
         Ok(answer) => (answer, 0),
-        Err(failure) => (Answer::text(failure.json()), 1),
+        Err(failure) => (Answer::text(failure.json().to_string()), 1),
     };
     ANSWER.set(answer);
     failed

@@ -81,6 +81,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         "chordal-cli",
         &[
             "chordal",
+            "chordal-ask",
             "chordal-calc",
             "chordal-compare",
             "chordal-editor",
@@ -106,7 +107,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "chordal-wasm",
+        "chordal-ask",
         &[
             "chordal",
             "chordal-compare",
@@ -116,6 +117,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-rewrite",
         ],
     ),
+    ("chordal-wasm", &["chordal-ask"]),
     ("chordal-wheel", &["chordal-python", "chordal-cli"]),
 ];
 

@@ -78,6 +78,55 @@ fn texts(column: &StringArray) -> Vec<Option<&str>> {
     column.iter().collect()
 }
 
+/// An answer as one JSON value: the columns of a table with their values in them. A text that is no JSON is a
+/// string.
+pub fn inline(answer: Answer) -> Value {
+    let Answer { text, parts } = answer;
+    let Ok(mut about) = serde_json::from_str::<Value>(&text) else { return Value::String(text) };
+    let Some(columns) = about.get_mut("columns").and_then(Value::as_array_mut) else {
+        return about;
+    };
+    if parts.is_empty() {
+        return about;
+    }
+    for column in columns {
+        let part = |key: &str| {
+            let index = column[key].as_u64().and_then(|index| usize::try_from(index).ok());
+            index.and_then(|index| parts.get(index.checked_sub(1)?)).map(Vec::as_slice)
+        };
+        let mut values = written(column, part("part"));
+        if let Some(valid) = part("valid") {
+            for (value, _) in values.iter_mut().zip(valid).filter(|(_, valid)| **valid == 0) {
+                *value = Value::Null;
+            }
+        }
+        let told = json!({ "name": column["name"], "unit": column["unit"], "values": values });
+        *column = told;
+    }
+    about
+}
+
+/// The values of a column out of their bytes. A number that JSON does not have is null.
+fn written(column: &Value, part: Option<&[u8]>) -> Vec<Value> {
+    let words = column["words"].as_array();
+    let Some(part) = part else { return words.cloned().unwrap_or_default() };
+    let word = |key: usize| words.and_then(|words| words.get(key)).cloned().unwrap_or_default();
+    match column["kind"].as_str() {
+        Some("number") => {
+            part.as_chunks().0.iter().map(|v| json!(f64::from_ne_bytes(*v))).collect()
+        }
+        Some("integer") => {
+            part.as_chunks().0.iter().map(|v| json!(u32::from_ne_bytes(*v))).collect()
+        }
+        Some("flag") => part.iter().map(|flag| json!(*flag != 0)).collect(),
+        Some("word") => part.iter().map(|key| word(usize::from(*key))).collect(),
+        _ => {
+            let keys = part.as_chunks().0.iter().map(|key| u16::from_ne_bytes(*key));
+            keys.map(|key| word(usize::from(key))).collect()
+        }
+    }
+}
+
 /// The parts of an answer, numbered from 1.
 struct Parts(Vec<Vec<u8>>);
 

@@ -4,7 +4,7 @@ use chordal::motion::MotionOptions;
 use chordal::time::most_summarized;
 use chordal::{EVERY_PLACE, KEPT_PER_CODE, Watch};
 use chordal_compare::{Category, Options as Comparing, compare};
-use chordal_export::report::{self, Detail, RunOf, Sarif, files_json, summary_json};
+use chordal_export::report::{self, Detail, Gitlab, RunOf, Sarif, files_json, summary_json};
 use chordal_export::{comparison_json, comparison_names, comparison_text, conversion_json};
 use chordal_rewrite::convert::{Options as Converting, convert};
 
@@ -34,8 +34,13 @@ pub fn check(asked: &mut Asked) -> Result<Answer, Failure> {
             sarif.add(&found, job.sources());
             sarif.finish()
         }
+        Format::Gitlab => {
+            let mut gitlab = Gitlab::new();
+            gitlab.add(&found, job.sources());
+            gitlab.finish()
+        }
         Format::Jsonl | Format::Csv | Format::Canon => {
-            return Err(asked.no_form(&["object", "json", "text", "github", "sarif"]));
+            return Err(asked.no_form(&["object", "json", "text", "github", "gitlab", "sarif"]));
         }
     }))
 }

@@ -2,7 +2,7 @@
 
 use chordal::motion::LimitError;
 use chordal_load::LoadError;
-use serde_json::json;
+use serde_json::{Value, json};
 
 /// What a question is answered with.
 #[derive(Default)]
@@ -22,7 +22,7 @@ impl Answer {
 
 /// Why there is no answer.
 pub struct Failure {
-    /// `use`, `file` or `machine`.
+    /// `use`, `file`, `machine` or `chordal`.
     kind: &'static str,
     message: String,
     help: Option<String>,
@@ -39,9 +39,15 @@ impl Failure {
         Failure { kind: "use", message: message.into(), help }
     }
 
-    /// What the JavaScript half makes an error of.
-    pub fn json(&self) -> String {
-        json!({ "kind": self.kind, "message": self.message, "help": self.help }).to_string()
+    /// A fault of Chordal itself.
+    pub fn own(message: impl Into<String>) -> Failure {
+        let help = "please report it, with the program".to_string();
+        Failure { kind: "chordal", message: message.into(), help: Some(help) }
+    }
+
+    /// What a shell makes an error of.
+    pub fn json(&self) -> Value {
+        json!({ "kind": self.kind, "message": self.message, "help": self.help })
     }
 }
 

@@ -14,6 +14,7 @@ pub enum Format {
     Text,
     Sarif,
     Github,
+    Gitlab,
     Jsonl,
     Csv,
     Canon,

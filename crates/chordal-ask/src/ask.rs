@@ -6,6 +6,9 @@ use crate::request::Request;
 use crate::{motion, programs, words};
 
 /// Answers a request.
+///
+/// # Errors
+/// A wrong use, a file that is not there, a machine that cannot be used.
 pub fn ask(request: Request) -> Result<Answer, Failure> {
     let mut asked = Asked::of(request);
     match asked.ask.as_str() {

@@ -1,4 +1,4 @@
-//! Programs and machines of a request: nothing is looked for but among its files.
+//! Programs and machines of a request.
 
 use std::path::PathBuf;
 
@@ -6,21 +6,20 @@ use chordal::Machine;
 use chordal_load::{Files, Given, Input, Loaded, Loader, Text, machine};
 
 use crate::answer::Failure;
-use crate::request::{ProgramOptions, Request};
+use crate::request::{Program, Request};
 
 /// A request whose files are in their place.
 pub struct Asked {
     pub ask: String,
     pub files: Files,
     pub options: serde_json::Value,
-    programs: std::vec::IntoIter<(ProgramOptions, Vec<u8>)>,
+    programs: std::vec::IntoIter<Program>,
 }
 
 impl Asked {
     pub fn of(request: Request) -> Asked {
         let Request { ask, programs, files, options } = request;
-        let files = files.into_iter().map(|(path, text)| (PathBuf::from(path), text));
-        Asked { ask, files: Files::given(files), options, programs: programs.into_iter() }
+        Asked { ask, files, options, programs: programs.into_iter() }
     }
 
     /// The options of the question.
@@ -30,7 +29,7 @@ impl Asked {
 
     /// Loads the next program.
     pub fn load(&mut self) -> Result<Loaded, Failure> {
-        let Some((options, text)) = self.programs.next() else {
+        let Some(Program { options, text }) = self.programs.next() else {
             return Err(Failure::wrong("there is no program", "give its text"));
         };
         let name = options.name.unwrap_or_else(|| "program".into());
@@ -45,9 +44,12 @@ impl Asked {
             max_blocks: options.max_blocks,
             ..chordal_load::Request::default()
         };
-        let text = Text::of(&name, text)?;
-        let input = Input { path: Some(PathBuf::from(name)), root: None };
-        Ok(Loader::new(request)?.load_text(text, &input)?)
+        let mut loader = Loader::new(request)?;
+        let input = Input { path: Some(PathBuf::from(&name)), root: None };
+        match text {
+            Some(text) => Ok(loader.load_text(Text::of(&name, text)?, &input)?),
+            None => Ok(loader.load(&input)?),
+        }
     }
 
     /// What is said of a form that the question does not have.

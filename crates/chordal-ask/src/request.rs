@@ -1,0 +1,63 @@
+//! A request: what is asked, of which programs.
+
+use chordal_load::Files;
+use serde::Deserialize;
+use serde_json::Value;
+
+use crate::answer::Failure;
+
+/// What is asked.
+pub struct Request {
+    /// The question: `check`, `time`.
+    pub ask: String,
+    /// The programs: one of most questions, two of a comparison, none of some.
+    pub programs: Vec<Program>,
+    /// Where subprograms, machine files and tool tables are looked for.
+    pub files: Files,
+    /// What else is said, as the question takes it.
+    pub options: Value,
+}
+
+/// A program that something is asked of.
+pub struct Program {
+    /// How it is run.
+    pub options: ProgramOptions,
+    /// Its text; without it, it is the file of its name.
+    pub text: Option<Vec<u8>>,
+}
+
+/// How a program is run.
+#[derive(Deserialize, Default)]
+#[serde(rename_all = "camelCase", deny_unknown_fields, default)]
+pub struct ProgramOptions {
+    /// The name of its file: for messages, and for what lies next to it.
+    pub name: Option<String>,
+    /// A built-in name or a machine file.
+    pub machine: Option<String>,
+    /// Assignments to keys of the machine.
+    pub set: Vec<String>,
+    /// A LinuxCNC tool table.
+    pub tools: Option<String>,
+    /// What GRBL printed for `$$`.
+    pub settings: Option<String>,
+    /// Its number among those of the file.
+    pub program: Option<u32>,
+    /// Skips the blocks that start with `/`.
+    pub block_delete: bool,
+    /// Most blocks of calls, repeats and jumps.
+    pub max_blocks: Option<u64>,
+}
+
+/// Options out of the JSON of a request.
+///
+/// # Errors
+/// What is wrong with them, in words.
+pub fn options<T: serde::de::DeserializeOwned>(ask: &str, options: Value) -> Result<T, Failure> {
+    serde_json::from_value(options).map_err(|error| {
+        let message = error.to_string().replace("unknown field", "unknown option");
+        Failure::wrong(
+            format!("an option of {ask} is wrong: {message}"),
+            "the options are in docs/npm.md",
+        )
+    })
+}

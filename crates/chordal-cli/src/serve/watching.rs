@@ -1,0 +1,75 @@
+//! Questions that are answered again when a file changes.
+
+use std::fs;
+use std::path::PathBuf;
+use std::time::{Duration, Instant, SystemTime};
+
+use serde_json::Value;
+
+use super::message::Question;
+
+/// A file that is being written is read when it has been left alone for so long.
+const SETTLED: Duration = Duration::from_millis(100);
+
+/// A file as a look at it shows it.
+#[derive(Clone, PartialEq)]
+pub struct Stamp {
+    path: PathBuf,
+    /// Length and time; nothing where there is no file.
+    found: Option<(u64, Option<SystemTime>)>,
+}
+
+impl Stamp {
+    /// A file as it is now.
+    pub fn of(path: PathBuf) -> Stamp {
+        let about = fs::metadata(&path).ok();
+        let found = about.map(|about| (about.len(), about.modified().ok()));
+        Stamp { path, found }
+    }
+}
+
+/// The watched questions.
+#[derive(Default)]
+pub struct Watching(Vec<Watched>);
+
+struct Watched {
+    question: Question,
+    /// The files as they were when they were read.
+    read: Vec<Stamp>,
+    /// The files as they were at the last look, and since when.
+    seen: Vec<Stamp>,
+    since: Instant,
+}
+
+impl Watching {
+    /// Watches the files of a question.
+    pub fn keep(&mut self, question: Question, read: Vec<Stamp>) {
+        let (seen, since) = (read.clone(), Instant::now());
+        self.0.push(Watched { question, read, seen, since });
+    }
+
+    /// Watches no longer; false where nothing was watched.
+    pub fn forget(&mut self, id: &Value) -> bool {
+        let before = self.0.len();
+        self.0.retain(|watched| watched.question.id != *id);
+        self.0.len() < before
+    }
+
+    /// A question whose files have changed and are left alone since.
+    pub fn changed(&mut self) -> Option<Question> {
+        let place = self.0.iter_mut().position(Watched::has_changed)?;
+        let mut question = self.0.remove(place).question;
+        question.times += 1;
+        Some(question)
+    }
+}
+
+impl Watched {
+    fn has_changed(&mut self) -> bool {
+        let now = self.question.stamps();
+        if now != self.seen {
+            (self.seen, self.since) = (now, Instant::now());
+        }
+        self.seen != self.read && self.since.elapsed() >= SETTLED
+    }
+}

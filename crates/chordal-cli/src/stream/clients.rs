@@ -1,0 +1,122 @@
+//! Those who listen.
+
+use std::io::{ErrorKind, Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::time::{Duration, Instant};
+
+use super::shdr::Observations;
+
+/// Most clients at a time.
+const MOST: usize = 16;
+
+/// A client that does not take its lines for so long is let go.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How often clients are looked after.
+const LOOK: Duration = Duration::from_millis(5);
+
+/// What a client is told of how long it may wait for the next answer, ms.
+const HEARTBEAT: &str = "* PONG 10000\n";
+
+/// The clients of a port.
+pub struct Clients {
+    listener: TcpListener,
+    connected: Vec<Client>,
+    is_blocking: bool,
+}
+
+struct Client {
+    stream: TcpStream,
+    /// It has got everything that was observed before it came.
+    is_told: bool,
+}
+
+impl Clients {
+    /// Nobody yet.
+    pub fn of(listener: TcpListener) -> Clients {
+        Clients { listener, connected: Vec::new(), is_blocking: true }
+    }
+
+    /// Waits until somebody listens.
+    pub fn wait_for_one(&mut self) {
+        while self.connected.is_empty() {
+            match self.listener.accept() {
+                Ok((stream, _)) => self.add(stream),
+                Err(_) => std::thread::sleep(LOOK),
+            }
+        }
+        self.is_blocking = self.listener.set_nonblocking(true).is_err();
+    }
+
+    /// Looks after the clients until a moment: new ones are told everything, heartbeats are answered.
+    pub fn wait_until(&mut self, due: Instant, seen: &mut Observations) {
+        loop {
+            self.look_after(seen);
+            let left = due.saturating_duration_since(Instant::now());
+            if left.is_zero() {
+                return;
+            }
+            std::thread::sleep(left.min(LOOK));
+        }
+    }
+
+    /// Sends what is new.
+    pub fn send(&mut self, seen: &mut Observations) {
+        let lines = seen.new_lines();
+        if lines.is_empty() {
+            return;
+        }
+        self.connected.retain_mut(|client| {
+            // A client that comes now gets all of it at once.
+            let all = (!client.is_told).then(|| seen.all_lines());
+            client.is_told = true;
+            client.stream.write_all(all.as_ref().unwrap_or(&lines).as_bytes()).is_ok()
+        });
+    }
+
+    fn look_after(&mut self, seen: &mut Observations) {
+        while !self.is_blocking && self.connected.len() < MOST {
+            match self.listener.accept() {
+                Ok((stream, _)) => self.add(stream),
+                Err(_) => break,
+            }
+        }
+        self.connected.retain_mut(|client| client.answer());
+        if self.connected.iter().any(|client| !client.is_told) {
+            let all = seen.all_lines();
+            self.connected.retain_mut(|client| {
+                let is_new = !std::mem::replace(&mut client.is_told, true);
+                !is_new || client.stream.write_all(all.as_bytes()).is_ok()
+            });
+        }
+    }
+
+    fn add(&mut self, stream: TcpStream) {
+        let ready = stream
+            .set_nonblocking(false)
+            .and_then(|()| stream.set_write_timeout(Some(PATIENCE)))
+            .and_then(|()| stream.set_read_timeout(Some(Duration::from_millis(1))))
+            .and_then(|()| stream.set_nodelay(true));
+        if ready.is_ok() {
+            self.connected.push(Client { stream, is_told: false });
+        }
+    }
+}
+
+impl Client {
+    /// Answers `* PING`; everything else is read over. False where it has gone.
+    fn answer(&mut self) -> bool {
+        let mut bytes = [0; 256];
+        match self.stream.read(&mut bytes) {
+            Ok(0) => false,
+            Ok(count) => {
+                let said = bytes[..count].windows(6).any(|word| word == b"* PING");
+                !said || self.stream.write_all(HEARTBEAT.as_bytes()).is_ok()
+            }
+            Err(error) => matches!(
+                error.kind(),
+                ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted
+            ),
+        }
+    }
+}
