@@ -1,6 +1,5 @@
 //! `chordal completions`: the script by which a shell completes the command.
 
-use clap::CommandFactory;
 use clap_complete::Shell;
 
 use crate::failure::{Failure, Verdict};
@@ -24,7 +23,7 @@ pub struct Args {
 /// Into memory first: the generator would panic on a closed pipe.
 pub fn run(args: &Args) -> Result<Verdict, Failure> {
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut crate::Cli::command(), "chordal", &mut script);
+    clap_complete::generate(args.shell, &mut crate::command(), "chordal", &mut script);
     say(&String::from_utf8_lossy(&script))?;
     Ok(Verdict::Clean)
 }

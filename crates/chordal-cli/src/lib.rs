@@ -179,6 +179,11 @@ impl Command {
     }
 }
 
+/// What the command takes, for completions and manual pages.
+pub fn command() -> clap::Command {
+    <Cli as clap::CommandFactory>::command()
+}
+
 /// Runs the command with its arguments, of which the first is its own name, and says what the
 /// process should end with: 0 clean, 1 problems in a program, 2 wrong use.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
