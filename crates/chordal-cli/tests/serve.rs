@@ -104,7 +104,7 @@ fn what_is_no_question_is_answered_and_the_next_one_too() {
     let deep = format!("{}{}", "[".repeat(100_000), "]".repeat(100_000));
     for (line, kind, said) in [
         ("nonsense", "use", "not JSON"),
-        ("[1,2]", "use", "no question"),
+        ("[1,2]", "use", "not a question"),
         (deep.as_str(), "use", "not JSON"),
         ("\u{1}\u{2}", "use", "not JSON"),
         (r#"{"id":1}"#, "use", "either `ask` or `cancel`"),
@@ -112,7 +112,7 @@ fn what_is_no_question_is_answered_and_the_next_one_too() {
         (r#"{"id":1,"ask":"what"}"#, "use", "there is no question `what`"),
         (r#"{"id":1,"ask":"check"}"#, "use", "there is no program"),
         (r#"{"id":1,"ask":"check","program":{}}"#, "use", "`file` or its `text`"),
-        (r#"{"id":1,"ask":"check","program":{"file":7}}"#, "use", "`file` of a program is no text"),
+        (r#"{"id":1,"ask":"check","program":{"file":7}}"#, "use", "`file` of a program is not a text"),
         (r#"{"id":1,"ask":"check","program":{"file":"no.nc"}}"#, "file", "cannot read no.nc"),
         (r#"{"id":1,"ask":"check","program":{"file":"part.nc","maschine":""}}"#, "use", "maschine"),
         (r#"{"id":1,"ask":"check","program":{"file":"part.nc","machine":"haas"}}"#, "use", "haas"),
@@ -122,7 +122,7 @@ fn what_is_no_question_is_answered_and_the_next_one_too() {
             "use",
             "no file to watch",
         ),
-        (r#"{"id":{},"ask":"machines"}"#, "use", "`id` is no number or text"),
+        (r#"{"id":{},"ask":"machines"}"#, "use", "`id` is not a number or a text"),
         (r#"{"id":1,"ask":"panic"}"#, "chordal", "asked to panic"),
     ] {
         service.say(line);

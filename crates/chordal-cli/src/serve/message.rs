@@ -67,9 +67,9 @@ impl Message {
             .map_err(|error| (Value::Null, wrong(format!("the line is not JSON: {error}"))))?;
         let id = value.get("id").cloned().unwrap_or_default();
         let object: Object = serde_json::from_value(value)
-            .map_err(|error| (id.clone(), wrong(format!("the line is no question: {error}"))))?;
+            .map_err(|error| (id.clone(), wrong(format!("the line is not a question: {error}"))))?;
         if !(id.is_null() || id.is_number() || id.is_string()) {
-            return Err((Value::Null, wrong("`id` is no number or text".into())));
+            return Err((Value::Null, wrong("`id` is not a number or a text".into())));
         }
         match (object.ask, object.cancel) {
             (Some(ask), None) => {
@@ -96,7 +96,7 @@ impl Asked {
         let mut take = |key: &str| match object.remove(key) {
             None => Ok(None),
             Some(Value::String(text)) => Ok(Some(text)),
-            Some(_) => Err(Failure::wrong(format!("`{key}` of a program is no text"), FORM)),
+            Some(_) => Err(Failure::wrong(format!("`{key}` of a program is not a text"), FORM)),
         };
         let (file, text) = (take("file")?, take("text")?);
         if file.is_none() && text.is_none() {
