@@ -43,8 +43,7 @@ impl Opener for Files {
         }
         let loaded = unsaved(path, text.to_vec(), &request);
         let loaded = loaded.map_err(|failure| failure.to_string())?;
-        let title = chordal::control::table(loaded.machine().control).title;
-        let (why, program) = (loaded.chosen.why(title), loaded.program);
+        let (why, program) = (loaded.why(), loaded.program);
         let (mut texts, machine, options) = loaded.into_parts();
         // The first is the text itself.
         let beside = texts.split_off(1);

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use chordal::control::table;
 use chordal_load::{Input, LoadError, Loaded, Loader, find, without_called};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -30,8 +29,7 @@ pub fn load_one(file: &PathBuf, common: &Common) -> Result<Loaded, Failure> {
 
 /// Which control was recognized and by what, in a line; empty where the user said the machine.
 pub fn recognized(loaded: &Loaded) -> String {
-    let why = loaded.chosen.why(table(loaded.machine().control).title);
-    why.map_or_else(String::new, |why| {
+    loaded.why().map_or_else(String::new, |why| {
         format!("{}: {why}; --machine chooses another\n", loaded.name())
     })
 }

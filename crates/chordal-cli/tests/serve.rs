@@ -112,7 +112,11 @@ fn what_is_no_question_is_answered_and_the_next_one_too() {
         (r#"{"id":1,"ask":"what"}"#, "use", "there is no question `what`"),
         (r#"{"id":1,"ask":"check"}"#, "use", "there is no program"),
         (r#"{"id":1,"ask":"check","program":{}}"#, "use", "`file` or its `text`"),
-        (r#"{"id":1,"ask":"check","program":{"file":7}}"#, "use", "`file` of a program is not a text"),
+        (
+            r#"{"id":1,"ask":"check","program":{"file":7}}"#,
+            "use",
+            "`file` of a program is not a text",
+        ),
         (r#"{"id":1,"ask":"check","program":{"file":"no.nc"}}"#, "file", "cannot read no.nc"),
         (r#"{"id":1,"ask":"check","program":{"file":"part.nc","maschine":""}}"#, "use", "maschine"),
         (r#"{"id":1,"ask":"check","program":{"file":"part.nc","machine":"haas"}}"#, "use", "haas"),

@@ -63,6 +63,11 @@ impl Loaded {
         self.texts[0].bytes()
     }
 
+    /// Why it is this machine, in a line; nothing where the user said so.
+    pub fn why(&self) -> Option<String> {
+        self.chosen.why(chordal::control::table(self.machine.control).title)
+    }
+
     /// Names and texts, the machine and the budgets.
     pub fn into_parts(self) -> (Vec<(String, Vec<u8>)>, Machine, RunOptions) {
         let texts = self.texts.into_iter().map(Text::into_parts).collect();

@@ -1,5 +1,5 @@
 //! The language server: a synchronous loop that answers an editor, and one thread that runs the
-//! programs as they change.
+//! programs as they change. Where there are no threads, the caller takes its steps ([`Stepwise`]).
 //!
 //! What is answered comes from `chordal-editor`; this crate knows the protocol and nothing of
 //! programs. How a file gets its machine and its subprograms is the caller's [`Opener`].
@@ -35,6 +35,7 @@ mod features;
 mod file_uri;
 mod place;
 mod server;
+mod stepwise;
 mod worker;
 
 use std::path::Path;
@@ -42,6 +43,7 @@ use std::path::Path;
 use chordal_editor::Setup;
 
 pub use server::{ServeError, serve};
+pub use stepwise::Stepwise;
 
 /// Finds what a text needs to run.
 pub trait Opener {
@@ -56,4 +58,15 @@ pub trait Opener {
         text: &[u8],
         machine: Option<&str>,
     ) -> Result<Setup, String>;
+}
+
+impl<T: Opener + ?Sized> Opener for &T {
+    fn open(
+        &self,
+        path: Option<&Path>,
+        text: &[u8],
+        machine: Option<&str>,
+    ) -> Result<Setup, String> {
+        (**self).open(path, text, machine)
+    }
 }

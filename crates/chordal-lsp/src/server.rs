@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use chordal_editor::{Program, Ran};
-use crossbeam_channel::select;
+use crossbeam_channel::{Sender, select};
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, Response, ResponseError};
 use lsp_types::notification::{self, Notification as _};
 use lsp_types::request::{self, Request as _};
@@ -42,21 +42,19 @@ pub enum ServeError {
 pub fn serve(connection: &Connection, opener: &dyn Opener) -> Result<(), ServeError> {
     let (id, params) = connection.initialize_start()?;
     let params: InitializeParams = serde_json::from_value(params)?;
-    let answer = json!({
+    connection.initialize_finish(id, about())?;
+    let settings = params.initialization_options.unwrap_or_default();
+    let mut server =
+        Server::new(connection.sender.clone(), Box::new(opener), Worker::start(), &settings);
+    server.run(connection)
+}
+
+/// The answer to an editor's first message.
+pub(crate) fn about() -> Value {
+    json!({
         "capabilities": capabilities(),
         "serverInfo": { "name": "chordal", "version": env!("CARGO_PKG_VERSION") },
-    });
-    connection.initialize_finish(id, answer)?;
-    let settings = params.initialization_options.unwrap_or_default();
-    let mut server = Server {
-        connection,
-        opener,
-        worker: Worker::start(),
-        documents: HashMap::new(),
-        waiting: Vec::new(),
-        machine: machine_of(&settings),
-    };
-    server.run()
+    })
 }
 
 fn capabilities() -> ServerCapabilities {
@@ -102,9 +100,10 @@ fn machine_of(settings: &Value) -> Option<String> {
     own.get("machine")?.as_str().filter(|name| !name.is_empty()).map(String::from)
 }
 
-struct Server<'a> {
-    connection: &'a Connection,
-    opener: &'a dyn Opener,
+pub(crate) struct Server<'a> {
+    /// What goes to the editor.
+    out: Sender<Message>,
+    opener: Box<dyn Opener + 'a>,
     worker: Worker,
     documents: HashMap<String, (Uri, Document)>,
     /// Questions for which the text must have run.
@@ -116,25 +115,26 @@ struct Server<'a> {
 /// What a request asks of a document.
 type Answer = Result<Value, ResponseError>;
 
-impl Server<'_> {
-    fn run(&mut self) -> Result<(), ServeError> {
+impl<'a> Server<'a> {
+    pub(crate) fn new(
+        out: Sender<Message>,
+        opener: Box<dyn Opener + 'a>,
+        worker: Worker,
+        settings: &Value,
+    ) -> Server<'a> {
+        let machine = machine_of(settings);
+        Server { out, opener, worker, documents: HashMap::new(), waiting: Vec::new(), machine }
+    }
+
+    fn run(&mut self, connection: &Connection) -> Result<(), ServeError> {
         loop {
             select! {
-                recv(self.connection.receiver) -> message => match message {
+                recv(connection.receiver) -> message => match message {
                     Err(_) => return Err(ServeError::Gone),
-                    Ok(Message::Request(request)) => {
-                        if request.method == request::Shutdown::METHOD {
-                            return self.shut_down(request);
-                        }
-                        if self.must_wait(&request) {
-                            self.waiting.push(request);
-                        } else {
-                            let response = self.answer(request);
-                            self.send(response.into());
-                        }
+                    Ok(Message::Request(request)) if request.method == request::Shutdown::METHOD => {
+                        return self.shut_down(connection, request);
                     }
-                    Ok(Message::Notification(notification)) => self.notice(notification),
-                    Ok(Message::Response(_)) => {}
+                    Ok(message) => self.hear(message),
                 },
                 recv(self.worker.done) -> done => if let Ok(done) = done {
                     self.take(done);
@@ -143,12 +143,38 @@ impl Server<'_> {
         }
     }
 
+    /// A message of the editor.
+    pub(crate) fn hear(&mut self, message: Message) {
+        match message {
+            Message::Request(request) if self.must_wait(&request) => self.waiting.push(request),
+            Message::Request(request) => {
+                let response = self.answer(request);
+                self.send(response.into());
+            }
+            Message::Notification(notification) => self.notice(notification),
+            Message::Response(_) => {}
+        }
+    }
+
+    /// What the worker has found so far.
+    pub(crate) fn take_found(&mut self) {
+        while let Ok(done) = self.worker.done.try_recv() {
+            self.take(done);
+        }
+    }
+
+    /// Every open text gets its machine anew: other files may decide now.
+    pub(crate) fn find_machines(&mut self) {
+        let all: Vec<String> = self.documents.keys().cloned().collect();
+        all.iter().for_each(|uri| self.find_machine(uri));
+    }
+
     /// Answers, then waits for `exit`. Whatever was under way before it may still come in: answers of the
     /// editor and changes are passed over, requests are refused.
-    fn shut_down(&self, request: Request) -> Result<(), ServeError> {
+    fn shut_down(&self, connection: &Connection, request: Request) -> Result<(), ServeError> {
         self.send(Response::new_ok(request.id, ()).into());
         loop {
-            match self.connection.receiver.recv().map_err(|_| ServeError::Gone)? {
+            match connection.receiver.recv().map_err(|_| ServeError::Gone)? {
                 Message::Notification(note) if note.method == notification::Exit::METHOD => {
                     return Ok(());
                 }
@@ -164,7 +190,7 @@ impl Server<'_> {
 
     /// A message to an editor that went away is lost; the loop ends at its next turn.
     fn send(&self, message: Message) {
-        let _ = self.connection.sender.send(message);
+        let _ = self.out.send(message);
     }
 
     fn notify<N: notification::Notification>(&self, params: N::Params)
@@ -205,8 +231,7 @@ impl Server<'_> {
             notification::DidChangeConfiguration::METHOD => {
                 if let Some(DidChangeConfigurationParams { settings }) = read(params) {
                     self.machine = machine_of(&settings);
-                    let all: Vec<String> = self.documents.keys().cloned().collect();
-                    all.iter().for_each(|uri| self.find_machine(uri));
+                    self.find_machines();
                 }
             }
             _ => {}

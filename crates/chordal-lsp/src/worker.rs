@@ -1,4 +1,4 @@
-//! Runs programs in a thread of its own, the newest text of each document only.
+//! Runs programs, the newest text of each document only: in a thread of its own, or piece by piece.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -52,16 +52,23 @@ impl Worker {
     /// Starts the thread.
     #[allow(clippy::disallowed_methods, reason = "a shell: it may have threads")]
     pub fn start() -> Worker {
+        let (worker, mut bench) = Worker::with_bench();
+        thread::spawn(move || while bench.work().is_some() {});
+        worker
+    }
+
+    /// For a caller that works at the bench itself.
+    pub fn with_bench() -> (Worker, Bench) {
         let (tasks, todo) = unbounded::<Task>();
         let (results, done) = unbounded();
-        let mut bench = Bench { todo, results, checked: HashMap::new(), due: Vec::new() };
-        thread::spawn(move || while bench.work().is_some() {});
-        Worker { tasks, done }
+        let bench = Bench { todo, results, checked: HashMap::new(), due: Vec::new() };
+        (Worker { tasks, done }, bench)
     }
 }
 
-/// What the thread works on.
-struct Bench {
+/// What is worked on.
+#[derive(Debug)]
+pub struct Bench {
     todo: Receiver<Task>,
     results: Sender<Done>,
     /// What the last check of each document remembers.
@@ -71,8 +78,13 @@ struct Bench {
 }
 
 impl Bench {
+    /// There is something to do: a round does not wait.
+    pub fn has_work(&self) -> bool {
+        !(self.todo.is_empty() && self.due.is_empty())
+    }
+
     /// One round; nothing when nobody wants more.
-    fn work(&mut self) -> Option<()> {
+    pub fn work(&mut self) -> Option<()> {
         let mut waiting = Vec::new();
         if self.due.is_empty() {
             waiting.push(self.todo.recv().ok()?);

@@ -1,7 +1,7 @@
 //! How requests and answers lie in memory.
 //!
 //! `chordal_input(n)` gives the place for a request of so many bytes, `chordal_ask()` answers it: 0, or 1
-//! where there is no answer but a reason. `chordal_part(i)` and `chordal_part_length(i)` give the places of the answer: 0 is
+//! where there is no answer but a reason. `chordal_language()`, where it is there, is asked in the same way. `chordal_part(i)` and `chordal_part_length(i)` give the places of the answer: 0 is
 //! its text, from 1 on its columns. They stay until the next request or `chordal_forget()`.
 //! Pointers only go out: nothing here reads memory by a number that JavaScript gives.
 
@@ -63,6 +63,14 @@ pub extern "C" fn chordal_ask() -> u32 {
     };
     ANSWER.set(answer);
     failed
+}
+
+/// Takes the request as a step of the language server, and answers it.
+#[cfg(feature = "language")]
+#[unsafe(no_mangle)]
+pub extern "C" fn chordal_language() -> u32 {
+    ANSWER.set(Answer::text(crate::language::step(&REQUEST.take())));
+    0
 }
 
 /// How many parts the answer has, its text included.

