@@ -84,7 +84,7 @@ fn curve(bytes: &mut Bytes<'_>, at: Vec3, heading: Vec3) -> Curve {
 fn check(stretch: &Stretch, limits: &Limits, at: &mut Option<PerAxis<f64>>, slack: f64) {
     let used = largest_use(stretch, limits, 2);
     let worst = used.velocity.max(used.acceleration).max(used.jerk);
-    assert!(worst <= 1.0 + 1e-6, "{used:?} of {limits:?}");
+    assert!(worst <= 1.0 + 1e-6 + rounded(stretch, limits), "{used:?} of {limits:?}");
     for phase in &stretch.phases {
         assert!(phase.duration_s >= 0.0 && phase.speed >= 0.0, "{phase:?}");
     }
@@ -93,6 +93,16 @@ fn check(stretch: &Stretch, limits: &Limits, at: &mut Option<PerAxis<f64>>, slac
     if let Some(before) = at.replace(stretch.to()) {
         same(before, stretch.from(), far);
     }
+}
+
+/// The direction of a line of a nanometre far from zero is known to so much only: the planner takes moves
+/// for straight that turn by less, and an axis then gets this share of what the path has.
+fn rounded(stretch: &Stretch, limits: &Limits) -> f64 {
+    let far = stretch.from().iter().chain(&stretch.to()).fold(0.0_f64, |far, at| far.max(at.abs()));
+    let shortest = stretch.pieces.iter().fold(f64::INFINITY, |least, piece| least.min(piece.length));
+    let least = |of: PerAxis<f64>| of.into_iter().fold(f64::INFINITY, f64::min);
+    let jerk = stretch.phases.iter().fold(0.0_f64, |most, phase| most.max(phase.jerk.abs()));
+    4e-15 * far / shortest * jerk / least(limits.jerk())
 }
 
 fn same(a: PerAxis<f64>, b: PerAxis<f64>, far: f64) {
