@@ -15,7 +15,7 @@ type As<F extends string> = { format: F };
 export interface Chordal {
   /** The problems of a program. */
   check(text: Text, options?: ProgramOptions & AsObject): Promise<Check>;
-  check(text: Text, options: ProgramOptions & As<"json" | "text" | "github" | "sarif">): Promise<string>;
+  check(text: Text, options: ProgramOptions & As<"json" | "text" | "github" | "gitlab" | "sarif">): Promise<string>;
   /** The problems of a program and what it comes to. */
   run(text: Text, options?: ProgramOptions & AsObject): Promise<Run>;
   run(text: Text, options: ProgramOptions & As<"json">): Promise<string>;
