@@ -25,6 +25,10 @@ pub(super) struct Pull {
 const BIAS: f64 = 5.0 / 24.0;
 /// No box is averaged over more control points to a side.
 const MOST: usize = 60;
+/// No more pieces than so many, and so many for each chord: a long chord beside one of a nanometre would be cut
+/// into nanometres. Smooth runs have two for each chord.
+const MOST_PIECES: f64 = 10_000.0;
+const MOST_OF_CHORD: f64 = 64.0;
 
 /// The spline.
 #[derive(Debug, Default)]
@@ -47,10 +51,12 @@ pub(super) struct Spline {
 }
 
 impl Spline {
-    /// Fits the spline to the chords.
-    pub fn fit(&mut self, chords: &Chords, widths: &Widths, kernel: Kernel) {
+    /// Fits the spline to the chords; false where that takes too many pieces.
+    pub fn fit(&mut self, chords: &Chords, widths: &Widths, kernel: Kernel) -> bool {
         self.is_linear = chords.is_linear;
-        self.lay_knots(chords, widths);
+        if !self.lay_knots(chords, widths) {
+            return false;
+        }
         match kernel {
             Kernel::Plain => self.plain(chords, widths),
             Kernel::Sharp => self.sharp(chords),
@@ -62,6 +68,7 @@ impl Spline {
         let count = self.at.len() - 1;
         self.jets.resize(count, [[0.0; AXES]; 4]);
         self.make_pieces(0..count);
+        true
     }
 
     /// The place at σ; `piece` is one that begins before.
@@ -72,12 +79,15 @@ impl Spline {
         ahead(&self.jets[*piece], sigma - self.at[*piece], AXES)[0]
     }
 
-    fn lay_knots(&mut self, chords: &Chords, widths: &Widths) {
+    fn lay_knots(&mut self, chords: &Chords, widths: &Widths) -> bool {
         let density = |index: usize| {
             let span = chords.at[index] - chords.at[index - 1];
             0.5 * (1.0 / widths.knots[index] + 1.0 / widths.knots[index - 1]) * span
         };
         let whole: f64 = (1..=chords.count()).map(density).sum();
+        if whole > MOST_PIECES + MOST_OF_CHORD * chords.count() as f64 {
+            return false;
+        }
         let count = (whole.ceil() as usize).max(4);
         let step = whole / count as f64;
         let length = chords.length();
@@ -103,6 +113,7 @@ impl Spline {
         self.knots.extend((1..=3).rev().map(|index| -self.at[index]));
         self.knots.extend_from_slice(&self.at);
         self.knots.extend((1..=3).map(turned));
+        true
     }
 
     fn abscissa(&self, index: usize) -> f64 {

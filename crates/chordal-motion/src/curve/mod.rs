@@ -185,7 +185,9 @@ impl Smoothing {
                 let part = measure.part(QUIET);
                 widths.find(chords, &part, Kernel::Sharp, QUIET_FOURTH);
                 widths.settle(chords, &part, Kernel::Sharp, QUIET_TIMES);
-                spline.fit(chords, widths, Kernel::Sharp);
+                if !spline.fit(chords, widths, Kernel::Sharp) {
+                    return None;
+                }
                 let mut piece = 0;
                 quiet.displace(chords, |at| spline.place_at(at, &mut piece));
                 (&*quiet, Kernel::Plain, (SECOND, PLAIN_TIMES))
@@ -194,7 +196,9 @@ impl Smoothing {
         widths.find(through, measure, kernel, most);
         for _ in 0..ROUNDS {
             widths.settle(through, measure, kernel, times);
-            spline.fit(through, widths, kernel);
+            if !spline.fit(through, widths, kernel) {
+                return None;
+            }
             let mut off = certificate.find(chords, spline, measure);
             for pull in 0..=PULLS {
                 if off <= 1.0 {
@@ -250,6 +254,25 @@ mod tests {
             chords.push(at, way, false);
         }
         chords
+    }
+
+    #[test]
+    fn long_chords_beside_one_of_a_nanometre_are_cut_into_few_pieces() {
+        let mut chords = Chords::default();
+        let mut at = [0.0; AXES];
+        chords.begin(at);
+        for length in [1e-6, 1e-6, 300.0, 300.0, 300.0, 1e-6, 300.0] {
+            at[0] += length * 0.6;
+            at[1] += length * 0.8 + 1e-9;
+            chords.push(at, length, false);
+        }
+        let mut smoothing = Smoothing::default();
+        for way in Way::ALL {
+            for tolerance in [1e-6, 1e-4, 0.01] {
+                let pieces = smoothing.smooth(&chords, &measure(tolerance), way);
+                assert!(pieces.is_none_or(|smooth| smooth.at.len() < 10_500));
+            }
+        }
     }
 
     #[test]

@@ -30,8 +30,11 @@ const GROWING: u32 = 16;
 /// No such cell ends nearer to the end of a piece, as a share of its length: on a very short cell beside long
 /// ones a change of acceleration is a jerk without measure.
 const APART: f64 = 0.2;
-/// No more cells: a longer run keeps the law that it has.
-const MOST_CELLS: usize = 200_000;
+/// No more cells. A run that takes minutes in one window gets longer ones: it loses as much as they are coarse at
+/// each change of speed, and no limit. One that has too many even so keeps the law that it has.
+const MOST_CELLS: usize = 20_000;
+/// How many times as long its cells may become.
+const COARSEST: f64 = 1024.0;
 
 /// Shares of the limits with which the first law is looked for.
 const ACCELERATION: f64 = 0.96;
@@ -147,18 +150,30 @@ impl Grid {
     /// Lays the grid of a run; false when it would be too large.
     pub fn lay(&mut self, run: &Run<'_>, ends: [Ends; 2], scale: f64) -> bool {
         self.scale = scale;
+        let mut coarse = 1.0;
+        while !self.lay_as(run, ends, coarse) {
+            coarse *= 2.0;
+            if coarse > COARSEST {
+                return false;
+            }
+        }
+        self.cells.len() >= 6
+    }
+
+    /// Lays a grid whose cells take so many times as long as usual; false when it has too many.
+    fn lay_as(&mut self, run: &Run<'_>, ends: [Ends; 2], coarse: f64) -> bool {
         self.first_cuts(run, ends);
         self.fill(run, ends);
         for _ in 0..ROUNDS {
             self.find_bound(ends);
-            if !self.cut_long(run, ends) {
+            if !self.cut_long(run, ends, coarse) {
                 break;
             }
             if self.cuts.len() > MOST_CELLS {
                 return false;
             }
         }
-        self.cells.len() >= 6 && self.cells.len() <= MOST_CELLS
+        self.cells.len() <= MOST_CELLS
     }
 
     /// Where the cells of the grid that was laid last begin.
@@ -302,7 +317,7 @@ impl Grid {
     }
 
     /// Cuts the cells that take too long; false when there are none.
-    fn cut_long(&mut self, run: &Run<'_>, ends: [Ends; 2]) -> bool {
+    fn cut_long(&mut self, run: &Run<'_>, ends: [Ends; 2], coarse: f64) -> bool {
         let begin = usize::from(ends[0] != Ends::Rest);
         let least_jerk = run.limits().jerk().into_iter().fold(f64::INFINITY, f64::min);
         let jerk = run.limits().jerk();
@@ -324,7 +339,7 @@ impl Grid {
                 || (index + 1 == count && ends[1] == Ends::Rest);
             let speed = self.bound[begin + index].sqrt();
             let of_ramp = SHARE_OF_RAMP * (speed / least_jerk).sqrt();
-            let long_s = self.scale * of_ramp.clamp(SHORTEST_S, LONGEST_S);
+            let long_s = coarse * self.scale * of_ramp.clamp(SHORTEST_S, LONGEST_S);
             let mut parts =
                 if at_rest || speed <= 0.0 { 1.0 } else { cell.length / (speed * long_s) };
             let third = cell.third.iter().map(of).fold(0.0, f64::max);
