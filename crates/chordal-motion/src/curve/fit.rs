@@ -25,10 +25,11 @@ pub(super) struct Pull {
 const BIAS: f64 = 5.0 / 24.0;
 /// No box is averaged over more control points to a side.
 const MOST: usize = 60;
-/// No more pieces than so many, and so many for each chord: a long chord beside one of a nanometre would be cut
-/// into nanometres. Smooth runs have two for each chord.
-const MOST_PIECES: f64 = 10_000.0;
-const MOST_OF_CHORD: f64 = 64.0;
+/// No more pieces than so many, and so many for each chord, and no more in all: a long chord beside one of a
+/// nanometre would be cut into nanometres. Smooth runs have two for each chord.
+const FEW_PIECES: f64 = 10_000.0;
+const MOST_OF_CHORD: f64 = 8.0;
+const MOST_PIECES: f64 = 100_000.0;
 
 /// The spline.
 #[derive(Debug, Default)]
@@ -85,7 +86,8 @@ impl Spline {
             0.5 * (1.0 / widths.knots[index] + 1.0 / widths.knots[index - 1]) * span
         };
         let whole: f64 = (1..=chords.count()).map(density).sum();
-        if whole > MOST_PIECES + MOST_OF_CHORD * chords.count() as f64 {
+        let most = (FEW_PIECES + MOST_OF_CHORD * chords.count() as f64).min(MOST_PIECES);
+        if whole > most {
             return false;
         }
         let count = (whole.ceil() as usize).max(4);
