@@ -33,7 +33,9 @@ export function floorOf(tool: Drawn | undefined): Floor | undefined {
     }
     case "tap":
     case "thread mill":
-      // Their core is cut, and its diameter is not told: at the next block it is there.
+    case "t-slot":
+    case "lollipop":
+      // What they cut lies below a neck, or is a core whose diameter is not told: it is there once they have passed.
       return undefined;
     default:
       return { radius, at: () => 0 };

@@ -33,7 +33,7 @@ export interface Tool {
   diameter_mm: number | null;
   length_mm: number | null;
   corner_radius_mm: number | null;
-  shape: "flat" | "ball" | "bull" | "chamfer" | "drill" | "tap" | "thread mill" | "form" | "insert" | "groove" | null;
+  shape: "flat" | "ball" | "bull" | "chamfer" | "drill" | "tap" | "thread mill" | "t-slot" | "lollipop" | "form" | "insert" | "groove" | null;
   point_angle_rad: number | null;
   tip_diameter_mm: number | null;
   /** Of an insert. */

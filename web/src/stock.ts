@@ -3,6 +3,7 @@
 import { Drops, type StockBefore } from "./drops";
 import { floorOf } from "./floor";
 import { type Frame, f32, u32 } from "./frame";
+import { Gaps } from "./gaps";
 import type { Link, MachineInfo, StockReport, Told } from "./link";
 import { KNOWN, type Path, RAPID, type Vec3, kindOf } from "./path";
 import type { PathView } from "./scene";
@@ -33,6 +34,7 @@ const END: Moment = { rows: Infinity, at: undefined };
 export function stockOfProgram(of: StockOf) {
   const { view } = of;
   let drops: Drops | undefined;
+  let gaps = new Gaps();
   let moment = END;
   let progress = 1;
   const controls = stockControls({
@@ -61,6 +63,7 @@ export function stockOfProgram(of: StockOf) {
       fixtures: f32(frame, "fixtures"),
     };
     drops = new Drops(stock.heights);
+    gaps = new Gaps();
     progress = 0;
     view.setStock(stock);
     controls.begin(stock, of.units(), {
@@ -76,6 +79,12 @@ export function stockOfProgram(of: StockOf) {
     drops.add(u32(frame, "column"), u32(frame, "row"), f32(frame, "share"), f32(frame, "height"), slotOf);
     progress = Number(frame.header.progress);
     controls.progress(progress, drops.count);
+    show();
+  }
+
+  function addGaps(frame: Frame): void {
+    gaps.add(u32(frame, "column"), u32(frame, "row"), f32(frame, "share"), u32(frame, "count"), f32(frame, "gaps"));
+    view.stock.setGaps(gaps);
     show();
   }
 
@@ -107,6 +116,9 @@ export function stockOfProgram(of: StockOf) {
     const own = drops;
     if (own.leap(moment.rows)) surface.setAll(own.heights, own.slots);
     else own.seek(moment.rows, (column) => surface.set(column, own.heights[column]!, own.slots[column]!));
+    gaps.seek(moment.rows, (column, bands) => {
+      if (bands.length > 0) surface.mark(column, bands[0]!, bands.at(-1)!);
+    });
     surface.stand(standing(), own.heights, own.slots);
     view.stock.showPart(moment.rows >= of.path().rows);
     view.redraw();
@@ -115,6 +127,7 @@ export function stockOfProgram(of: StockOf) {
   return {
     root: controls.root,
     drops: () => drops,
+    gaps: () => gaps,
     /** A new run begins. */
     began(): void {
       if (drops) view.setStock(undefined);
@@ -141,8 +154,8 @@ export function stockOfProgram(of: StockOf) {
     },
     takeFrame(frame: Frame): boolean {
       const { type, run } = frame.header;
-      if (type !== "stock" && type !== "stock_drops" && type !== "stock_part") return false;
-      if (run === of.run()) ({ stock: begin, stock_drops: add, stock_part: part })[type](frame);
+      if (type !== "stock" && type !== "stock_drops" && type !== "stock_gaps" && type !== "stock_part") return false;
+      if (run === of.run()) ({ stock: begin, stock_drops: add, stock_gaps: addGaps, stock_part: part })[type](frame);
       return true;
     },
   };

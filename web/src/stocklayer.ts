@@ -22,6 +22,8 @@ import { type Palette, toolColor } from "./colors";
 import type { StockBefore } from "./drops";
 import { drawnAll } from "./fence";
 import { Fixtures } from "./fixtures";
+import { GapMesh } from "./gapmesh";
+import type { Gaps } from "./gaps";
 import type { Under } from "./painter";
 import { Part } from "./part";
 import type { Bounds, Vec3 } from "./path";
@@ -78,6 +80,7 @@ export class StockLayer {
   /** What is left at the end, where heights do not show all of it, and whether it is that moment. */
   private part: Part | undefined;
   private isEnd = false;
+  private gaps: GapMesh | undefined;
 
   constructor(
     private palette: Palette,
@@ -98,6 +101,8 @@ export class StockLayer {
     this.own = undefined;
     this.part?.dispose();
     this.part = undefined;
+    this.gaps?.dispose();
+    this.gaps = undefined;
     this.surface = stock && new Surface(stock);
     if (this.surface) this.build(this.surface);
     this.fixtures.set(stock?.fixtures, this.palette);
@@ -122,6 +127,14 @@ export class StockLayer {
     this.place(this.origin);
   }
 
+  /** The gaps of columns; they are drawn as they are whenever a column is touched. */
+  setGaps(gaps: Gaps): void {
+    if (!this.surface || this.gaps) return;
+    this.gaps = new GapMesh(this.surface, gaps, this.material.uniforms);
+    this.gaps.take();
+    this.place(this.origin);
+  }
+
   /** At the end the part is drawn instead of its columns. */
   showPart(isEnd: boolean): void {
     if (isEnd === this.isEnd) return;
@@ -141,9 +154,9 @@ export class StockLayer {
     this.origin = origin;
     if (!this.surface) return;
     const { low, high } = this.surface.stock;
-    for (const { group } of [this.tiles!, this.coarse!.tiles]) {
-      group.position.set(low[0] - origin[0], low[1] - origin[1], high[2] - origin[2]);
-      group.updateMatrixWorld(true);
+    for (const group of [this.tiles!.group, this.coarse!.tiles.group, this.gaps?.object]) {
+      group?.position.set(low[0] - origin[0], low[1] - origin[1], high[2] - origin[2]);
+      group?.updateMatrixWorld(true);
     }
     for (const object of [this.fixtures.object, this.part?.object]) {
       object?.position.set(-origin[0], -origin[1], -origin[2]);
@@ -214,6 +227,7 @@ export class StockLayer {
     if (!surface || !this.shown) return;
     const touched = surface.takeTouched();
     this.note(touched);
+    if (touched) this.gaps?.take();
     // The part stands for all columns.
     if (this.shownPart) this.own = undefined;
     else if (touched && this.isLeap(touched)) void this.leap(renderer);
@@ -317,6 +331,7 @@ export class StockLayer {
     renderer.setRenderTarget(target);
     renderer.clear();
     this.draw(renderer, camera, chosen);
+    this.drawGaps(renderer, camera);
     this.drawFixtures(renderer, camera);
     target.scissorTest = false;
     renderer.setRenderTarget(null);
@@ -363,6 +378,12 @@ export class StockLayer {
     if (!this.fixtures.isEmpty) renderer.render(this.fixtures.object, camera);
   }
 
+  private drawGaps(renderer: WebGLRenderer, camera: Camera): void {
+    if (!this.gaps?.triangles) return;
+    renderer.render(this.gaps.object, camera);
+    this.drawnTriangles += this.gaps.triangles;
+  }
+
   private render(renderer: WebGLRenderer, camera: Camera, group: Group): void {
     renderer.render(group, camera);
     if (this.material.uniforms.eye!.value.z >= 0) return;
@@ -386,6 +407,7 @@ export class StockLayer {
     this.coarse!.isStale = false;
     this.drawnTriangles += tiles.choose(tiles.all);
     this.render(renderer, camera, tiles.group);
+    this.drawGaps(renderer, camera);
     this.drawFixtures(renderer, camera);
   };
 
@@ -425,6 +447,7 @@ export class StockLayer {
       if (!cleared) {
         renderer.clear();
         this.drawFixtures(renderer, camera);
+        this.drawGaps(renderer, camera);
       }
       cleared = true;
       this.draw(renderer, camera, some);
@@ -460,6 +483,8 @@ export class StockLayer {
       uniforms.pitch!.value = own.pitch;
     }
     u.bottom!.value = surface.bottom;
+    u.gapPitch!.value = stock.pitch;
+    u.gapColumns!.value = stock.columns;
     u.by!.value = ["tool", "depth", "deviation", "plain"].indexOf(by === "deviation" && !surface.target ? "plain" : by);
     u.colors!.value = [palette.stock, ...Array.from({ length: SLOTS - 1 }, (_, index) => toolColor(palette, index))].map((color) => new Color(color));
     u.ramp!.value = (by === "deviation" ? palette.deviation : palette.ramp).map((color) => new Color(color));
@@ -520,6 +545,10 @@ function material(): ShaderMaterial {
       push: { value: 0 },
       eye: { value: new Vector3() },
       isFlat: { value: false },
+      gaps: { value: null },
+      bands: { value: 0 },
+      gapPitch: { value: 1 },
+      gapColumns: { value: [1, 1] },
     },
   });
 }

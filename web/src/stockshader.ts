@@ -8,6 +8,9 @@ export const ON_RAMP = `vec3 onRamp(float share) {
 }
 `;
 
+/** Gaps of a column by which walls are open, at most. */
+export const MOST_BANDS = 8;
+
 export const VERTEX = `
 in vec2 at;
 in float z;
@@ -69,10 +72,32 @@ uniform vec4 keep;
 uniform vec3 inside;
 uniform vec3 eye;
 uniform bool isFlat;
+uniform float bottom;
+/** Floor and top of the gaps of each column, so many of each below each other, and the side of their columns. */
+uniform sampler2D gaps;
+uniform int bands;
+uniform float gapPitch;
+uniform ivec2 gapColumns;
 out vec4 drawn;
+
+/** Whether a column on either side of a wall has a gap at a height: a wall lies between the middles of two columns. */
+bool isOpen(vec2 at, float z, vec2 across) {
+  float most = max(abs(across.x), abs(across.y));
+  vec2 off = most > 0.0 ? 0.49 * across / most : vec2(0.0);
+  for (int side = -1; side < 2; side += 2) {
+    ivec2 column = clamp(ivec2(floor(at / gapPitch + float(side) * off)), ivec2(0), gapColumns - 1);
+    for (int band = 0; band < ${MOST_BANDS}; band++) {
+      if (band >= bands) break;
+      vec2 gap = texelFetch(gaps, ivec2(column.x, column.y * bands + band), 0).rg;
+      if (z > gap.x && z < gap.y) return true;
+    }
+  }
+  return false;
+}
 
 void main() {
   vec3 normal = isFlat ? vec3(0.0, 0.0, -1.0) : normalize(cross(dFdx(place), dFdy(place)));
+  if (bands > 0 && (isFlat || abs(normal.z) < 0.7) && isOpen(place.xy, isFlat ? bottom + 1e-3 : place.z, normal.xy)) discard;
   if (dot(normal, eye) < 0.0) normal = -normal;
   vec3 own = color;
   bool isWall = abs(normal.z) < 0.02;

@@ -106,6 +106,12 @@ export class Surface {
     }
   }
 
+  /** What a column has between two heights is other than it was. */
+  mark(column: number, low: number, high: number): void {
+    const nx = this.stock.columns[0];
+    this.touch(column % nx, Math.floor(column / nx), low, high);
+  }
+
   private touch(x: number, y: number, low: number, high: number): void {
     const { touched } = this;
     if (!touched) {

@@ -198,7 +198,7 @@ test("what is touched is a problem of its line, and a click shows the stock ther
   rmSync(folder, { recursive: true, force: true });
 });
 
-test("at the end undercuts are drawn, and at any other moment what is above them", async () => {
+test("undercuts are drawn at any moment, and exactly at the end", async () => {
   const folder = mkdtempSync(join(tmpdir(), "chordal-undercut-"));
   const [program, setup] = [join(folder, "part.nc"), join(folder, "setup.toml")];
   const pass = (tool) => `T${tool} M6\nS1000 M3\nG0 X-20. Y0.\nG43 H${tool} Z5.\nG0 Z-12.\nG1 X120. F600.\nG0 Z20.\n`;
@@ -212,7 +212,6 @@ test("at the end undercuts are drawn, and at any other moment what is above them
   await page.waitForFunction(() => window.chordal.view.stock.shownPart);
   await complete(page);
   await page.locator("#stock summary").click();
-  assert.match(await page.locator("#stock").innerText(), /Undercuts are drawn at the end/);
   // In the wall beside the slot there is a gap from 8 to 12 mm down.
   const gap = await page.evaluate(() => {
     const { corners } = window.chordal.view.stock.shownPart;
@@ -231,6 +230,38 @@ test("at the end undercuts are drawn, and at any other moment what is above them
   assert.equal(await page.evaluate(() => window.chordal.view.stock.shownPart === undefined), true);
   assert.equal(await heightAt(page, 90, 0), 0);
   const total = await page.evaluate(() => window.chordal.setpoints().totalS);
+  /** The gaps of the column at a place, from the top, mm. */
+  const gapsAt = (x, y) => page.evaluate(([x, y]) => {
+    const { low, pitch, columns } = window.chordal.view.stock.surface.stock;
+    const column = (axis, at) => Math.floor((at - low[axis]) / pitch);
+    return window.chordal.stock.gaps().of(column(1, y) * columns[0] + column(0, x)).map((height) => Math.round(height * 10) / 10);
+  }, [x, y]);
+  // Before the second tool there are none; then they follow it, and are gone again backward.
+  assert.deepEqual(await gapsAt(20, 8), []);
+  const cutting = await page.evaluate(() => {
+    const { timeline, path } = window.chordal;
+    const found = path().rows;
+    // The moment at which the second tool is in the middle of its pass.
+    const total = window.chordal.setpoints().totalS;
+    for (let at = total; at > 0; at -= total / 400) {
+      timeline.seek(at);
+      const { columns } = window.chordal.stock.gaps();
+      const count = [...columns].length;
+      if (count > 0 && window.chordal.stock.gaps().at < 0.6 * window.chordal.stock.gaps().count) return at;
+    }
+    return found;
+  });
+  await seek(page, cutting);
+  assert.deepEqual(await gapsAt(2, 8), [-12, -8]);
+  assert.deepEqual(await gapsAt(98, 8), []);
+  const triangles = await page.evaluate(() => window.chordal.view.stock.drawnTriangles);
+  assert.ok(triangles >= 0);
+  await picture(page, "stock-undercut-playing");
+  await page.locator("#stock-axis").selectOption("");
+  await complete(page);
+  await picture(page, "stock-undercut-whole");
+  await seek(page, 5);
+  assert.deepEqual(await gapsAt(2, 8), []);
   await seek(page, total);
   assert.ok(await page.evaluate(() => window.chordal.view.stock.shownPart.triangles) > 50);
   assert.deepEqual(complaints, []);

@@ -23,11 +23,13 @@ Examples:
   chordal optimize part.nc --setup op1.toml                       what would change
   chordal optimize part.nc --setup op1.toml -o new.nc             only lower feeds
   chordal optimize part.nc --setup op1.toml --faster 2 -o new.nc  up to twice the programmed feed
+  chordal optimize part.nc --setup op1.toml --faster 2 --split -o new.nc
   chordal optimize part.nc --setup op1.toml --chip 0.05mm -o new.nc
 
 The setup file is that of `chordal stock`, with `teeth` of the tools. F words are changed so that no chip is
 thicker than the limit, and nothing else: both programs are run, every command must be the same but for
-feeds, and the stock that is left the same to the bit. Threads, taps, cycles, G93 and G95 keep their feeds.
+feeds, and the stock that is left the same to the bit. With --split, long lines and arcs are also written in
+parts, each with its own F, at points that the digits of the program say exactly. Threads, taps, cycles, G93 and G95 keep their feeds.
 
 Exit code: 0 proved, 1 refused, 2 wrong use.";
 
@@ -49,6 +51,10 @@ pub struct Args {
     /// Feeds may become so many times the programmed ones; without it, they only become lower
     #[arg(long, value_name = "TIMES", default_value = "1", hide_default_value = true, value_parser = times)]
     faster: f64,
+
+    /// Writes lines and arcs in parts, each with its own F, where the cut changes along them and that saves time
+    #[arg(long)]
+    split: bool,
 
     /// Side of a column, with its unit; without it, from the size of the stock
     #[arg(long, value_name = "LENGTH", value_parser = length)]
@@ -107,6 +113,7 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
         engagement: EngagementOptions { stock, ..EngagementOptions::default() },
         limit: args.chip,
         faster: args.faster,
+        split: args.split,
         motion: MotionOptions::default(),
     };
     let files = |name: &str| fs::read(name).map_err(|error| reason(&error));

@@ -121,3 +121,53 @@ fn what_cannot_be_is_refused_and_wrong_use_is_said() {
         folder.run(&[&["optimize", "part.nc", "--setup", "op1.toml"], &wrong[..]].concat()).ends(2);
     }
 }
+
+#[test]
+fn long_lines_are_written_in_parts_where_that_is_asked() {
+    let folder = folder();
+    let slanted = PROGRAM.replace("Y30.", "Y-4.").replace("X110. F900.", "X110. Y6. F900.");
+    folder.write("edge.nc", &slanted);
+    let arguments = ["optimize", "edge.nc", "--setup", "op1.toml", "--faster", "3"];
+    folder.run(&arguments).ends(0).says(&["0 of 2 blocks"]);
+    let mut split = arguments.to_vec();
+    split.extend(["--split", "-o", "new.nc"]);
+    folder.run(&split).ends(0).says(&[
+        "split     1 block into ",
+        "nowhere further than 0.000000 mm from the path before",
+        "proved: the parts make the path of their blocks",
+        "written: new.nc",
+    ]);
+    assert!(folder.read("new.nc").lines().count() > slanted.lines().count());
+    let json = [&arguments[..], &["--split", "--format", "json"]].concat();
+    let done = folder.run(&json).ends(0);
+    let found: serde_json::Value = serde_json::from_str(&done.out).expect("JSON");
+    assert_eq!(found["split"]["blocks"], 1);
+    assert!(found["split"]["parts"].as_u64().is_some_and(|parts| parts > 2), "{found}");
+    assert_eq!(found["not_split"], serde_json::json!([]));
+    folder.write("uneven.nc", slanted.replace("X110. Y6.", "X109.999 Y6."));
+    let uneven = ["optimize", "uneven.nc", "--setup", "op1.toml", "--faster", "3", "--split"];
+    folder
+        .run(&uneven)
+        .ends(0)
+        .says(&["the block on line 8 is not split: there is no exact point"]);
+}
+
+#[test]
+fn a_setup_has_materials_of_its_own() {
+    let folder = folder();
+    let own = SETUP.replace("'aluminium'", "'bronze'")
+        + "[materials.bronze]\nk_c1 = '780 N/mm²'\nm_c = 0.18\nsource = 'measured'\n";
+    folder.write("bronze.toml", &own);
+    let arguments = ["stock", "part.nc", "--setup", "bronze.toml", "--engagement"];
+    folder
+        .run(&arguments)
+        .ends(0)
+        .says(&["power ± 30 %", "bronze: measured, 780 N/mm², exponent 0.18"]);
+    folder.write("bronze.toml", own.replace("m_c = 0.18\n", ""));
+    folder.run(&arguments).ends(0).says(&["`[materials]` has no `m_c` of `bronze`"]);
+    folder.write("bronze.toml", own.replace("780 N/mm²", "780000 N/mm²"));
+    folder
+        .run(&arguments)
+        .ends(2)
+        .complains(&["is 780000 N/mm²: it must be from 10 to 20000 N/mm²"]);
+}

@@ -36,6 +36,19 @@ pub fn optimized_text(done: &Optimized, mm: bool) -> String {
     }
     let [changed, all] = done.blocks;
     text += &format!("feeds     {changed} of {all} blocks have another one\n");
+    if let Some(splits) = &done.splits {
+        text += &format!(
+            "split     {} {} into {} parts, nowhere further than {} from the path before\n",
+            splits.blocks,
+            if splits.blocks == 1 { "block" } else { "blocks" },
+            splits.parts,
+            if mm {
+                format!("{:.6} mm", splits.off_mm)
+            } else {
+                format!("{:.7} in", splits.off_mm / 25.4)
+            }
+        );
+    }
     let [before, after] = done.seconds;
     let share = less(before, after);
     let word = if share >= 0.0 { "less" } else { "more" };
@@ -47,6 +60,23 @@ pub fn optimized_text(done: &Optimized, mm: bool) -> String {
     );
     for note in &done.notes {
         text += &format!("note: {note}\n");
+    }
+    for each in &done.not_split {
+        let blocks = match each.blocks {
+            1 => format!("the block on line {} is not split", each.line),
+            blocks => format!("{blocks} blocks are not split, the first on line {}", each.line),
+        };
+        text += &format!("note: {blocks}: {}\n", each.why);
+    }
+    if let Some(splits) = &done.splits {
+        let cells = done.proof.cells;
+        let stock = match cells - splits.same_cells {
+            0 => " and the same stock to the bit".to_string(),
+            others => {
+                format!("; {others} columns of the stock have other bounds, which overlap")
+            }
+        };
+        text += &format!("proved: the parts make the path of their blocks{stock}\n");
     }
     text += &format!(
         "proved: {} commands are the same but for their feeds, and the stock to the bit in {} columns\n",
@@ -91,6 +121,17 @@ pub fn optimized_json(done: &Optimized, file: &str, written: Option<&str>) -> St
         "engaged_s": { "before": done.engaged_s[0], "after": done.engaged_s[1] },
         "power_share": POWER_SHARE,
         "proof": { "commands": done.proof.commands, "cells": done.proof.cells },
+        "split": done.splits.map(|splits| json!({
+            "blocks": splits.blocks,
+            "parts": splits.parts,
+            "off_mm": splits.off_mm,
+            "same_cells": splits.same_cells,
+        })),
+        "not_split": done.not_split.iter().map(|each| json!({
+            "blocks": each.blocks,
+            "line": each.line,
+            "reason": each.why,
+        })).collect::<Vec<_>>(),
         "notes": done.notes,
         "changes": changes,
     });

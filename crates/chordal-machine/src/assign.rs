@@ -46,6 +46,7 @@ impl Machine {
                     | Slot::OptionalText(_)
                     | Slot::Word { .. }
                     | Slot::Quantity { .. }
+                    | Slot::Within { dimension: Some(_), .. }
                     | Slot::Position(_)
                     | Slot::Kind
                     | Slot::File(_)

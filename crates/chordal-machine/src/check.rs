@@ -272,6 +272,9 @@ impl Value<'_> {
                 }
                 _ => return Err(self.takes("a number", None)),
             },
+            Slot::Within { dimension, from, to, usual, place } => {
+                *place(machine, keys) = Some(self.within(*dimension, [*from, *to], usual)?);
+            }
             Slot::NumberList(place) => {
                 let DeValue::Array(items) = value else {
                     let help = Some("write it as `[1.5, 2]`".to_string());
@@ -344,6 +347,28 @@ impl Value<'_> {
         let meant = bare && fraction > LARGEST_OVERRIDE && fraction <= LARGEST_OVERRIDE * 100.0;
         let help = if meant { Some(format!("did you mean \"{fraction} %\"?")) } else { help() };
         Err(self.error(message, help))
+    }
+
+    /// A quantity or a number within bounds.
+    fn within(
+        &self,
+        dimension: Option<Dimension>,
+        [from, to]: [f64; 2],
+        usual: &str,
+    ) -> Result<f64, MachineError> {
+        let (number, unit) = match dimension {
+            Some(dimension) => (
+                self.quantity(self.value, dimension, Sign::Any)?,
+                format!(" {}", dimension.inside().replace("^2", "²").replace("^3", "³")),
+            ),
+            None => (self.plain_number()?, String::new()),
+        };
+        if (from..=to).contains(&number) {
+            return Ok(number);
+        }
+        let message =
+            format!("`{}` is {number}{unit}: it must be from {from} to {to}{unit}", self.at.shown);
+        Err(self.error(message, Some(format!("give a published value, {usual}"))))
     }
 
     fn plain_number(&self) -> Result<f64, MachineError> {

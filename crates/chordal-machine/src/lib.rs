@@ -63,7 +63,7 @@ pub use motion::Motion;
 pub use offset::work_offset_name;
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 pub use schema::{SchemaKey, schema_keys, schema_reference};
-pub use setup::{Body, BodyShape, ContourPoint, MeshUnit, Setup};
+pub use setup::{Body, BodyShape, ContourPoint, CuttingForce, MeshUnit, Setup};
 pub use tool::{Cutter, Solid, Tool, ToolShape};
 pub use tool_tbl::read_tool_tbl;
 pub use turning::{InsertLetter, ToolFacing, TurningTool, mirrored_tip};

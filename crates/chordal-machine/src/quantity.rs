@@ -28,6 +28,8 @@ pub enum Dimension {
     SpindleSpeed,
     /// Kilowatts.
     Power,
+    /// Newtons by square millimetre.
+    Stress,
 }
 
 impl Dimension {
@@ -45,6 +47,7 @@ impl Dimension {
             Dimension::AngularJerk => "an angular jerk",
             Dimension::SpindleSpeed => "a spindle speed",
             Dimension::Power => "a power",
+            Dimension::Stress => "a force by area",
         }
     }
 
@@ -62,6 +65,7 @@ impl Dimension {
             Dimension::AngularJerk => &["deg/s^3", "rad/s^3"],
             Dimension::SpindleSpeed => &["rpm"],
             Dimension::Power => &["kW", "hp"],
+            Dimension::Stress => &["N/mm^2", "MPa", "ksi"],
         }
     }
 
@@ -79,6 +83,7 @@ impl Dimension {
             Dimension::AngularJerk => "rad/s^3",
             Dimension::SpindleSpeed => "rpm",
             Dimension::Power => "kW",
+            Dimension::Stress => "N/mm^2",
         }
     }
 
@@ -106,6 +111,7 @@ impl Dimension {
             (Base::Angle | Base::Turn, 3) => Some(Dimension::AngularJerk),
             (Base::Time, 0) => Some(Dimension::Time),
             (Base::Power, 0) => Some(Dimension::Power),
+            (Base::Stress, 0) => Some(Dimension::Stress),
             _ => None,
         }
     }
@@ -220,6 +226,7 @@ enum Base {
     Turn,
     Time,
     Power,
+    Stress,
 }
 
 struct Unit {
@@ -272,10 +279,19 @@ const UNITS: &[Unit] = &[
     // 550 foot-pounds in a second; 75 kilopond-metres in a second.
     unit(&["hp"], Base::Power, "74569987158227022", -17, 1),
     unit(&["PS"], Base::Power, "73549875", -8, 1),
+    unit(&["MPa"], Base::Stress, "1", 0, 1),
+    // 1000 pounds of force on a square inch: 4448.2216152605 N on 645.16 mm².
+    unit(&["ksi"], Base::Stress, "44482216152605", -8, 64516),
 ];
 
-/// Units with a name of their own for something over a time.
-const SHORT: &[(&str, &str)] = &[("rpm", "rev/min"), ("ipm", "in/min")];
+/// Units with a name of their own for something over a time, and those of a force over an area.
+const SHORT: &[(&str, &str)] = &[
+    ("rpm", "rev/min"),
+    ("ipm", "in/min"),
+    ("N/mm^2", "MPa"),
+    ("N/mm\u{b2}", "MPa"),
+    ("N/mm2", "MPa"),
+];
 
 fn find_unit(name: &str) -> Option<&'static Unit> {
     let name = name.trim();

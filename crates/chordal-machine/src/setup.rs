@@ -14,12 +14,28 @@ pub struct Setup {
     pub fixtures: BTreeMap<String, Body>,
     /// The part as it should be.
     pub target: Option<Body>,
+    /// The cutting force of materials, by name.
+    pub materials: BTreeMap<String, CuttingForce>,
+}
+
+/// The cutting force of a material by the rule of Kienzle, as far as it was given.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CuttingForce {
+    /// The force on a chip of 1 mm × 1 mm, N/mm².
+    pub k_c1_n_per_mm2: Option<f64>,
+    /// By which power of the thickness it falls.
+    pub m_c: Option<f64>,
+    /// Where the values are from.
+    pub source: Option<String>,
 }
 
 impl Setup {
     /// Whether nothing is known.
     pub fn is_empty(&self) -> bool {
-        self.stock.is_none() && self.fixtures.is_empty() && self.target.is_none()
+        self.stock.is_none()
+            && self.fixtures.is_empty()
+            && self.target.is_none()
+            && self.materials.is_empty()
     }
 
     /// Its bodies with their names in a machine file.

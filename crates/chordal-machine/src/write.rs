@@ -77,6 +77,16 @@ impl Machine {
         for (name, body) in self.setup.bodies() {
             write_body(&mut out, &name, body);
         }
+        for (name, material) in &self.setup.materials {
+            out.table(&format!("materials.{}", key_text(name)));
+            out.quantity("k_c1", material.k_c1_n_per_mm2, Dimension::Stress);
+            if let Some(exponent) = material.m_c {
+                out.line("m_c", &exponent.to_string());
+            }
+            if let Some(source) = &material.source {
+                out.line("source", &string_text(source));
+            }
+        }
         for (name, offset) in &self.work_offsets {
             out.table(&format!("work_offsets.{}", key_text(name)));
             out.values(&offset.values, &factors);

@@ -319,3 +319,26 @@ fn a_very_deep_key_does_no_harm() {
     let deep = format!("{}a = 1", "a.".repeat(1_000_000));
     assert!(Machine::from_toml("deep.toml", &deep, &common::no_files).is_err());
 }
+
+#[test]
+fn a_cutting_force_that_no_material_has() {
+    check(
+        "control = \"haas\"\n[materials.bronze]\nk_c1 = \"1.5 N/mm^2\"\nm_c = 21\n[materials.steel]\nk_c1 = \"1500 N\"\nm_c = \"0.2\"\nkc1 = 3\n",
+        r#"
+mine.toml:3: `materials.bronze.k_c1` is 1.5 N/mm²: it must be from 10 to 20000 N/mm²
+  ^ "1.5 N/mm^2"
+  = give a published value, such as 700 N/mm² for aluminium, 1500 for steel, 3300 for nickel alloys
+mine.toml:4: `materials.bronze.m_c` is 21: it must be from 0 to 0.8
+  ^ 21
+  = give a published value, such as 0.25
+mine.toml:6: `materials.steel.k_c1` takes a force by area; `N` is not a unit
+  ^ "1500 N"
+  = write it with its unit: "1500 N/mm^2", "1500 MPa" or "1500 ksi"
+mine.toml:7: `materials.steel.m_c` takes a number; this is a text
+  ^ "0.2"
+mine.toml:8: `materials.steel` has no key `kc1`
+  ^ kc1
+  = did you mean `materials.steel.k_c1`?
+"#,
+    );
+}

@@ -50,6 +50,11 @@ fn units() {
     check("6000 rpm", Dimension::SpindleSpeed, 6000.0);
     check("100 rev/s", Dimension::SpindleSpeed, 6000.0);
     check("33.3 rev/min", Dimension::SpindleSpeed, 33.3);
+    for text in ["1500 N/mm^2", "1500 N/mm\u{b2}", "1500N/mm2", "1500 MPa"] {
+        check(text, Dimension::Stress, 1500.0);
+    }
+    // A thousand pounds on a square inch.
+    check("64516 ksi", Dimension::Stress, 444_822.161_526_05);
 }
 
 #[test]

@@ -35,6 +35,7 @@ pub use change::Change;
 pub use proof::{Certificate, prove, prove_contour, prove_mapped};
 pub use split::{By, Part, Split, split};
 pub use transform::{
-    ArcForm, ChipLimit, FeedProof, HeightMap, MapError, OptimizeError, OptimizeOptions, Optimized,
-    Refusal, Step, ToolChips, Transformed, Warp, Warped, optimize, transform, warp,
+    ArcForm, ChipLimit, FeedProof, HeightMap, MapError, NotSplit, OptimizeError, OptimizeOptions,
+    Optimized, Refusal, Splits, Step, ToolChips, Transformed, Warp, Warped, optimize, transform,
+    warp,
 };

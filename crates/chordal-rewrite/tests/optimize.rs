@@ -42,6 +42,7 @@ fn options(limit: ChipLimit, faster: f64) -> OptimizeOptions {
         engagement: EngagementOptions { stock, ..EngagementOptions::default() },
         limit,
         faster,
+        split: false,
         motion: MotionOptions::default(),
     }
 }
@@ -49,6 +50,33 @@ fn options(limit: ChipLimit, faster: f64) -> OptimizeOptions {
 fn run(text: &str, limit: ChipLimit, faster: f64) -> Result<Optimized, OptimizeError> {
     optimize(&job(text), &options(limit, faster), &|_| Err("no files".to_string()))
 }
+
+fn run_split(text: &str, limit: ChipLimit, faster: f64) -> Optimized {
+    let options = OptimizeOptions { split: true, ..options(limit, faster) };
+    optimize(&job(text), &options, &|_| Err("no files".to_string())).unwrap()
+}
+
+/// The points of X and Y that blocks after a line name, as whole thousandths, up to a block that names neither.
+fn points(text: &str, after: &str, [mut x, mut y]: [i64; 2]) -> Vec<[i64; 2]> {
+    let blocks = text.lines().skip_while(|line| !line.starts_with(after)).skip(1);
+    let mut points = Vec::new();
+    for block in blocks.take_while(|block| block.contains(['X', 'Y'])) {
+        for word in block.split(' ') {
+            let number = |word: &str| (word[1..].parse::<f64>().unwrap() * 1000.0).round() as i64;
+            match word.as_bytes()[0] {
+                b'X' => x = number(word),
+                b'Y' => y = number(word),
+                _ => {}
+            }
+        }
+        points.push([x, y]);
+    }
+    points
+}
+
+/// Along a slanted edge, of which more and more is left.
+const SLANTED: &str = "O1\nG21 G90 G54 G17\nT1 M6\nS6000 M3\nG0 X-8. Y-4.\nG43 H1 Z5.\nG1 Z-4. F2000.\n\
+                       N9 G1 X110. Y6. F900. (an edge)\nG0 Z5.\nM5\nM30\n";
 
 fn text(done: &Optimized) -> String {
     String::from_utf8(done.text.clone()).unwrap()
@@ -127,4 +155,82 @@ fn what_is_not_known_is_refused() {
         matches!(refused, Err(OptimizeError::Refused(_) | OptimizeError::NotKnown { .. })),
         "{refused:?}"
     );
+}
+
+#[test]
+fn a_long_line_is_written_in_parts_on_it() {
+    let whole = run(SLANTED, ChipLimit::Best, 3.0).unwrap();
+    let done = run_split(SLANTED, ChipLimit::Best, 3.0);
+    let new = text(&done);
+    let splits = done.splits.unwrap();
+    assert_eq!(splits.blocks, 1);
+    assert!(splits.parts > 2 && splits.off_mm < 1e-9, "{splits:?}\n{new}");
+    assert!(done.seconds[1] < whole.seconds[1], "{:?} {:?}", done.seconds, whole.seconds);
+    let [before, after] = done.chips[0].peak_mm;
+    assert!(after <= before);
+    // The number stays with the first part, and the comment after it.
+    assert_eq!(new.matches("N9 G1 X").count(), 1);
+    assert_eq!(new.matches("(an edge)").count(), 1);
+    let points = points(&new, "G1 Z-4.", [-8000, -4000]);
+    assert_eq!((points.len(), points.last()), (splits.parts, Some(&[110_000, 6000])), "{new}");
+    let mut last = -8000;
+    for [x, y] in points {
+        assert_eq!(10 * (x + 8000), 118 * (y + 4000), "{new}");
+        assert!(x - last >= 1990, "shorter than 2 mm\n{new}");
+        last = x;
+    }
+    // What is said of the change is the block with its parts.
+    let change = done.changes.iter().find(|change| change.line == 8).unwrap();
+    assert_eq!(change.before, "N9 G1 X110. Y6. F900. (an edge)");
+    assert_eq!(change.after.lines().count(), splits.parts);
+    // In the other unit, and by distances.
+    let inch = SLANTED
+        .replace("G21", "G20")
+        .replace("G0 X-8. Y-4.", "G0 X-.3 Y-.2")
+        .replace("Z5.", "Z.2")
+        .replace("Z-4. F2000.", "Z-.16 F80.")
+        .replace("G1 X110. Y6. F900.", "G91 G1 X4.6 Y.4 F35.4");
+    let done = run_split(&inch.replace("(an edge)\n", "(an edge)\nG90\n"), ChipLimit::Best, 3.0);
+    assert!(done.splits.is_none_or(|splits| splits.off_mm < 1e-9));
+}
+
+#[test]
+fn an_arc_is_written_in_parts_at_its_whole_points() {
+    // Half a circle of 40 that comes from air, cuts along the edge and goes back into air, and a helix of the same.
+    let program = "O1\nG21 G90 G54 G17\nT1 M6\nS6000 M3\nG0 X10. Y-38.\nG43 H1 Z5.\nG1 Z-4. F2000.\n\
+                   G2 X90. I40. F900.\nG0 Z5.\nG0 X10.\nG1 Z-4. F2000.\nG2 X90. Z-2. I40. F900.\nG0 Z5.\nM5\nM30\n";
+    let done = run_split(program, ChipLimit::Best, 3.0);
+    let new = text(&done);
+    let splits = done.splits.unwrap();
+    assert!(splits.blocks == 1 && splits.parts > 2 && splits.off_mm < 1e-9, "{splits:?}\n{new}");
+    let points = points(&new, "G1 Z-4.", [10_000, -38_000]);
+    assert_eq!((points.len(), points.last()), (splits.parts, Some(&[90_000, -38_000])), "{new}");
+    for [x, y] in points {
+        let [a, b] = [x - 50_000, y + 38_000];
+        assert_eq!(a * a + b * b, 40_000 * 40_000, "{new}");
+    }
+    let helix = done.not_split.iter().find(|each| each.line == 12).unwrap();
+    assert!(helix.why.contains("a helix"), "{helix:?}");
+}
+
+#[test]
+fn what_cannot_be_split_exactly_stays_whole_and_is_said() {
+    let why = |program: &str| {
+        let done = run_split(program, ChipLimit::Best, 3.0);
+        assert!(done.splits.is_none(), "{}", text(&done));
+        done.not_split.first().map(|each| (each.line, each.why))
+    };
+    // No thousandth between the ends is on this line.
+    let uneven = SLANTED.replace("X110. Y6.", "X109.999 Y6.");
+    let (line, reason) = why(&uneven).unwrap();
+    assert!(line == 8 && reason.contains("no exact point"), "{reason}");
+    let by_radius = SLANTED.replace("G1 X110. Y6. F900.", "G3 X110. Y6. R400. F900.");
+    assert!(why(&by_radius).unwrap().1.contains("by R"));
+    // Nothing to save where the whole pass is alike: a slot that begins next to the block and ends in it.
+    let slot = "O1\nG21 G90 G54 G17\nT1 M6\nS6000 M3\nG0 X-6. Y30.\nG43 H1 Z5.\nG1 Z-4. F2000.\nX92. F900.\n\
+                G0 Z5.\nM5\nM30\n";
+    assert_eq!(why(slot), None);
+    let twice = "O1\nG21 G90 G54 G17\nT1 M6\nS6000 M3\nG0 X-8. Y-4.\nG43 H1 Z5.\nM97 P100\nM97 P100\n\
+                 G0 Z5.\nM5\nM30\nN100 G0 X-8. Y-4.\nG1 Z-4. F2000.\nG1 X110. Y6. F900.\nG0 Z5.\nM99\n";
+    assert!(why(twice).is_none_or(|(_, why)| why.contains("several times")));
 }

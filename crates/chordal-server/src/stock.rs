@@ -3,7 +3,8 @@
 use chordal::Job;
 use chordal::stock::mesh::Mesh;
 use chordal::stock::{
-    Amount, Drop, Replay, ReplayOptions, StockBefore, StockOptions, StockReport, StockRunError,
+    Amount, Drop, GapChange, Replay, ReplayOptions, StockBefore, StockOptions, StockReport,
+    StockRunError,
 };
 use serde_json::{Value, json};
 
@@ -228,6 +229,27 @@ impl Replay for Sending<'_> {
                 // What is left of these moves is still to come.
                 self.send(progress.min(BEFORE_THE_END));
             }
+        }
+        true
+    }
+
+    fn gaps(&mut self, changes: &[GapChange]) -> bool {
+        self.sent += changes.len();
+        if self.sent > self.most || !self.wanted.is_wanted() {
+            return false;
+        }
+        for some in changes.chunks(BATCH) {
+            let mut frame = Frame::default();
+            let of = |number: fn(&GapChange) -> u32| some.iter().map(number).collect::<Vec<u32>>();
+            frame.column("column", &of(|change| change.column));
+            frame.column("row", &of(|change| change.row));
+            frame.column("count", &of(|change| change.gaps.len() as u32));
+            let share: Vec<f32> = some.iter().map(|change| change.share).collect();
+            frame.column("share", &share);
+            // Floor and top of each gap, of one column after the other.
+            let gaps = some.iter().flat_map(|change| change.gaps.iter().flatten());
+            frame.column("gaps", &gaps.copied().collect::<Vec<f32>>());
+            self.out.binary(frame.finish(json!({ "type": "stock_gaps", "run": self.run })));
         }
         true
     }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use chordal_geometry::{Aabb, Arc, Curve, Frame, Line, ParamCurve, Plane, Vec3};
 use chordal_stock::engagement::{Between, Measuring, Meter, Removed, Slice, engagement_angle};
-use chordal_stock::{Cutter, Move, Options, Stock, floor};
+use chordal_stock::{Cutter, Move, Options, Stock, Undercut, floor};
 
 mod support;
 
@@ -72,6 +72,35 @@ fn a_full_slot_is_a_slot() {
     }
     assert!(removed.bounds.least <= 5000.0 && 5000.0 <= removed.bounds.most);
     assert!((removed.middle - 5000.0).abs() < 25.0, "{removed:?}");
+}
+
+#[test]
+fn a_slot_over_a_hollow_is_as_deep_as_the_roof() {
+    // A hollow 20 wide from -12 to -8 along the whole block. A slot to -10 cuts its roof alone: 8 deep, 80 mm².
+    let disc = Undercut::t_slot(20.0, 4.0, 8.0).unwrap();
+    let along = |z: f64| line([-20.0, 30.0, z], [120.0, 30.0, z]);
+    let hollow = || {
+        let mut stock = block(0.1);
+        stock.cut_below(&[(0.0, disc.clone())], &[Move { curve: along(-12.0), tag: 0 }]);
+        stock
+    };
+    let flat = Cutter::flat(10.0).unwrap();
+    let (slices, removed) = run(&mut hollow(), &flat, along(-10.0));
+    for slice in within(&slices, 30.0, 110.0) {
+        encloses(slice.chip, 1.0, 0.01, "chip");
+        encloses(slice.axial, 8.0, 0.01, "axial");
+        encloses(slice.section, 80.0, 6.0, "section");
+        assert!((slice.section_middle - 80.0).abs() < 0.4, "{}", slice.section_middle);
+    }
+    assert!(removed.bounds.least <= 8000.0 && 8000.0 <= removed.bounds.most, "{removed:?}");
+    assert!((removed.middle - 8000.0).abs() < 40.0, "{removed:?}");
+    // Through the hollow it cuts the floor as well; what is surely engaged is one of the two.
+    let (slices, removed) = run(&mut hollow(), &flat, along(-14.0));
+    for slice in within(&slices, 30.0, 110.0) {
+        encloses(slice.axial, 14.0, 6.01, "axial");
+        assert!((slice.section_middle - 100.0).abs() < 0.5, "{}", slice.section_middle);
+    }
+    assert!((removed.middle - 10_000.0).abs() < 50.0, "{removed:?}");
 }
 
 #[test]
@@ -248,6 +277,81 @@ fn the_truth_lies_between_the_bounds() {
         }
     }
     assert!(looked > 300, "{looked}");
+}
+
+#[test]
+fn the_truth_lies_between_the_bounds_over_hollows() {
+    // Discs of 16 and 3 on random lines, then a flat of 8 through the stock and its hollows.
+    let mut random = Random(23);
+    let disc = Undercut::t_slot(16.0, 3.0, 6.0).unwrap();
+    let flat = Cutter::flat(8.0).unwrap();
+    let (mut looked, mut hollow) = (0, 0);
+    for _ in 0..12 {
+        let mut stock = block(0.25);
+        let mut point = |low: f64, high: f64| {
+            [random.between(-5.0, 105.0), random.between(-5.0, 65.0), random.between(low, high)]
+        };
+        let ends: [([f64; 3], [f64; 3]); 3] = core::array::from_fn(|k| {
+            let (low, high) = if k < 2 { (-12.0, -4.0) } else { (-14.0, -2.0) };
+            let (from, mut to) = (point(low, high), point(low, high));
+            to[2] = from[2];
+            (from, to)
+        });
+        let gaps = &ends[..2];
+        for (from, to) in gaps {
+            stock.cut_below(&[(0.0, disc.clone())], &[Move { curve: line(*from, *to), tag: 0 }]);
+        }
+        let curve = line(ends[2].0, ends[2].1);
+        let (slices, _) = run(&mut stock, &flat, curve);
+        let height = ends[2].0[2];
+        // What of a column above the end of the cutter is stock, as stretches.
+        let left = |place: [f64; 2]| {
+            let mut stock = vec![[height, 0.0]];
+            for (from, _) in gaps.iter().filter(|(from, to)| near_line(place, *from, *to) <= 8.0) {
+                let [floor, top] = [from[2], from[2] + 3.0];
+                stock = stock
+                    .iter()
+                    .flat_map(|&[low, high]| [[low, high.min(floor)], [low.max(top), high]])
+                    .filter(|[low, high]| low < high)
+                    .collect();
+            }
+            stock
+        };
+        for slice in slices.iter().step_by(23) {
+            let mut truth = 0.0_f64;
+            for k in 0..=12 {
+                let tip = curve.point_at(slice.at + slice.length * (f64::from(k) / 12.0 - 0.5));
+                let feed = curve.tangent_at(slice.at);
+                for n in 0..720 {
+                    let (sine, cosine) = (f64::from(n) * PI / 360.0).sin_cos();
+                    let place = [
+                        tip.x + 4.0 * (feed.x * cosine - feed.y * sine),
+                        tip.y + 4.0 * (feed.y * cosine + feed.x * sine),
+                    ];
+                    let is_in =
+                        (0.0..=100.0).contains(&place[0]) && (0.0..=60.0).contains(&place[1]);
+                    let stock = left(place);
+                    hollow += u32::from(is_in && stock != [[height, 0.0]]);
+                    if is_in && stock.iter().any(|[low, high]| high - low > 2.0 * GRAZE) {
+                        truth = truth.max(cosine);
+                    }
+                }
+            }
+            looked += 1;
+            assert!(truth <= slice.chip.most + 1e-9, "{truth} {slice:?}");
+            assert!(truth >= slice.chip.least - 0.02, "{truth} {slice:?}");
+        }
+    }
+    assert!(looked > 60 && hollow > 10_000, "{looked} {hollow}");
+}
+
+/// How far a place is from a line, both seen from above, mm.
+fn near_line(place: [f64; 2], from: [f64; 3], to: [f64; 3]) -> f64 {
+    let way = [to[0] - from[0], to[1] - from[1]];
+    let square = way[0] * way[0] + way[1] * way[1];
+    let share = ((place[0] - from[0]) * way[0] + (place[1] - from[1]) * way[1]) / square;
+    let share = share.clamp(0.0, 1.0);
+    (place[0] - from[0] - share * way[0]).hypot(place[1] - from[1] - share * way[1])
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 #![allow(clippy::disallowed_methods, reason = "a test reads the page")]
 
-use chordal::stock::{EngagementOptions, EngagementReport, MATERIALS, Material, StockOptions};
+use chordal::stock::{
+    EngagementOptions, EngagementReport, MATERIALS, MaterialGroup, NoMaterial, StockOptions,
+};
 use chordal::{Code, Job, Machine, Source, SourceMap};
 
 /// Group 2 of VDI 3323; a cutter of 10 mm with 4 teeth.
@@ -55,7 +57,7 @@ fn the_worked_case_of_half_a_cutter_in_steel() {
     // Q is what is removed by time: half a slot, and the round end of the cutter outside is air.
     near(tool.removed_mm3, 5.0 * 5.0 * 100.0, 0.01);
     assert!(found.is_whole && found.problems.is_empty());
-    assert_eq!(found.material.unwrap().group, 2);
+    assert_eq!(found.material.unwrap().group, Some(2));
 }
 
 #[test]
@@ -105,8 +107,28 @@ fn nothing_is_guessed() {
     let found = run_on(&SETUP.replace("'steel'", "'unobtainium'"), HALF, 0.2);
     assert!(found.material.is_none() && found.tools[0].power_kw.is_none());
     assert_eq!(found.material_word.as_deref(), Some("unobtainium"));
+    assert_eq!(found.no_material, Some(NoMaterial::Unknown));
     let found = run_on(SETUP, &HALF.replace("T1 M6", "T5 M6"), 0.2);
     assert!(!found.is_whole && found.tools.is_empty());
+}
+
+#[test]
+fn a_setup_has_its_own_materials() {
+    // Twice the force of the table is twice the power.
+    let table = run_on(SETUP, HALF, 0.2);
+    let own = "[materials.Steel]\nk_c1 = '3000 N/mm²'\n";
+    let found = run_on(&format!("{SETUP}{own}"), HALF, 0.2);
+    let [once, twice] = [&table, &found].map(|found| found.tools[0].power_kw.unwrap().peak);
+    assert!((twice / once - 2.0).abs() < 1e-9, "{once} {twice}");
+    let material = found.material.unwrap();
+    assert_eq!((material.k_c1, material.m_c, material.group), (3000.0, 0.22, None));
+    let half = format!(
+        "{}[materials.unobtainium]\nm_c = 0.3\n",
+        SETUP.replace("'steel'", "'unobtainium'")
+    );
+    let found = run_on(&half, HALF, 0.2);
+    assert_eq!(found.no_material, Some(NoMaterial::Lacks("k_c1")));
+    assert!(found.material.is_none() && found.tools[0].power_kw.is_none());
 }
 
 #[test]
@@ -114,7 +136,7 @@ fn the_page_has_the_table_of_materials() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/engagement.md");
     let page = std::fs::read_to_string(path).expect("the page");
     for material in MATERIALS {
-        let Material { group, name, words, k_c1, m_c, .. } = material;
+        let MaterialGroup { group, name, words, k_c1, m_c, .. } = material;
         let row = format!("| {group} | {name} | {k_c1} | {m_c} | {} |\n", words.join(", "));
         assert!(page.contains(&row), "{row}");
     }

@@ -371,6 +371,77 @@ fn an_undercut_is_in_the_target_or_goes_into_it() {
     assert!(gouge.depth_mm.least > 2.0 && gouge.depth_mm.most < 6.0, "{gouge:?}");
 }
 
+#[test]
+fn form_tools_go_into_the_target_or_are_proved_clean() {
+    let form = "[tools.3]\nshape = 'form'\n\
+                profile = [['0 mm', '1 mm'], ['0 mm', '3 mm'], ['4 mm', '3 mm'], ['4.5 mm', '6 mm']]\n";
+    let setup = format!("{SETUP}{form}");
+    // The target is full below -5, and may be cut 0.2 deeper: by the step at 4 mm, too.
+    let at = |z: f64| format!("G0 X-30. Y50.\nZ{z:.3}\nG1 X130. F800.\n");
+    let found = run(&setup, &program(1, &format!("T3 M6\nG43 H3 Z20.\n{}", at(-5.15))));
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.problems);
+    for (z, deep) in [(-5.5, 0.5), (-8.0, 3.0)] {
+        let found = run(&setup, &program(1, &format!("T3 M6\nG43 H3 Z20.\n{}", at(z))));
+        let gouge = found.problems.iter().find(|each| each.code.info().id == "CH626");
+        let gouge = gouge.expect("a gouge").depth_mm;
+        assert!(gouge.least <= deep && deep <= gouge.most + 1e-6, "{z} {gouge:?}");
+        assert!(gouge.least > deep - 0.21, "{z} {gouge:?}");
+    }
+}
+
+/// A slot 10 wide, and what a tool leaves of its walls on a line at a Y, or straight down at that place.
+fn in_the_slot(tool: &str, y: f64, blocks: &str) -> StockReport {
+    let setup =
+        format!("{T_SLOT}[tools.3]\n{tool}\n[target]\nfile = 'part.stl'\ntolerance = '0.3 mm'\n");
+    let program = format!(
+        "O1\nG21 G90 G54\nT3 M6\nS900 M3\nG0 X50. Y{y:.3}\nG43 H3 Z20.\n{blocks}G0 Z20.\nM30\n"
+    );
+    let mesh = write_stl(&box_with_a_slot(), LengthUnit::Millimetre).expect("STL");
+    run_with(&setup, &program, &mesh)
+}
+
+#[test]
+fn taps_and_thread_mills_are_compared_with_the_target() {
+    let tap = |diameter: f64| {
+        let tool = format!(
+            "shape = 'tap'\ndiameter = '{diameter} mm'\npitch = '1.5 mm'\nflute_length = '30 mm'"
+        );
+        in_the_slot(&tool, 0.0, "G1 Z-10. F100.\nZ20.\n")
+    };
+    // 9 fits into 10; of 10.8 the core of 9.18 does, and the thread is 0.4 in the walls; of 13 the core is 0.69 in them.
+    assert_eq!(tap(9.0).verdict, StockVerdict::Clean);
+    let between = tap(10.8);
+    assert_eq!(between.verdict, StockVerdict::NotProved, "{:?}", between.problems);
+    assert!(codes(&between).contains(&"CH629"));
+    assert!(codes(&tap(13.0)).contains(&"CH626"));
+    let mill = "shape = 'thread mill'\ndiameter = '6 mm'\npitch = '2 mm'\nteeth = 3\nshank_diameter = '3 mm'";
+    let on = |y: f64| in_the_slot(mill, y, "G1 Z-5. F100.\nX60. F300.\n");
+    let found = on(1.9);
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.problems);
+    // 0.2 of the crests in the wall is within the tolerance; of 0.9 the core is clear of the wall and teeth are in it.
+    let found = on(2.2);
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.problems);
+    let found = on(2.9);
+    assert!(codes(&found).contains(&"CH626"), "{:?}", found.problems);
+}
+
+#[test]
+fn what_a_tap_leaves_is_between_its_core_and_its_thread() {
+    let setup = format!(
+        "{T_SLOT}[tools.3]\nshape = 'tap'\ndiameter = '12 mm'\npitch = '1.75 mm'\nflute_length = '30 mm'\n"
+    );
+    let program =
+        "O1\nG21 G90 G54\nT3 M6\nS300 M3\nG0 X50. Y0.\nG43 H3 Z20.\nG1 Z-10. F500.\nZ20.\nM30\n";
+    let removed = run(&setup, program).removed_mm3;
+    let core: f64 = 12.0 - 2.0 * 0.541_265_877 * 1.75;
+    let [core, whole] = [core, 12.0].map(|diameter| PI / 4.0 * diameter * diameter * 10.0);
+    assert!(removed.least <= core && whole <= removed.most, "{removed:?}");
+    assert!(removed.least > 0.8 * core && removed.most < 1.2 * whole, "{removed:?}");
+    // A rapid back into the core goes through the thread.
+    let back = program.replace("Z20.\nM30", "Z20.\nG0 X50. Z-10.\nM30");
+    assert!(codes(&run(&setup, &back)).iter().any(|code| ["CH620", "CH629"].contains(code)));
+}
+
 /// 100 × 60 × 20 mm with a slot of 10 × 12 along X.
 fn box_with_a_slot() -> Mesh {
     let mut stretches = Stretches::default();

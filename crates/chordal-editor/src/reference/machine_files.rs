@@ -347,6 +347,16 @@ material = \"aluminium\"
 ",
     },
     Section {
+        table: "materials",
+        about: "Values of the shop for [power and torque](engagement.md#materials), by the words of `[stock] material`.",
+        example: "
+[materials.bronze]
+k_c1 = \"780 N/mm²\"
+m_c = 0.18
+source = \"measured on the VF-2\"
+",
+    },
+    Section {
         table: "fixtures",
         about: "The same keys for each body that must not be touched.",
         example: "

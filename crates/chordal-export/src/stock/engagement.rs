@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use chordal::control::{Units, telling_number};
-use chordal::stock::{Between, EngagementReport, MoveEngagement, Peak, ToolEngagement};
+use chordal::stock::{Between, EngagementReport, MoveEngagement, NoMaterial, Peak, ToolEngagement};
 use serde_json::{Value, json};
 
 use super::json::{between, problem, rounded};
@@ -91,17 +91,28 @@ pub fn engagement_text(found: &EngagementReport) -> String {
     }
     match (&found.material, &found.material_word) {
         (Some(material), _) => {
+            let group = match material.group {
+                Some(group) => format!("VDI 3323 group {group}"),
+                None => material.source.clone(),
+            };
             let _ = writeln!(
                 text,
-                "material      {}: VDI 3323 group {}, {} N/mm², exponent {}",
-                material.name, material.group, material.k_c1, material.m_c
+                "material      {}: {group}, {} N/mm², exponent {}",
+                material.name, material.k_c1, material.m_c
             );
         }
         (None, Some(word)) => {
-            let _ = writeln!(
-                text,
-                "note: no power and no torque: `{word}` is not in the table of materials (docs/engagement.md)"
-            );
+            let why = match found.no_material {
+                Some(NoMaterial::Lacks(key)) => {
+                    format!(
+                        "`[materials]` has no `{key}` of `{word}`, and it is not a material of the table"
+                    )
+                }
+                Some(NoMaterial::Unknown) | None => format!(
+                    "`{word}` is not in the table of materials (docs/engagement.md); give its `k_c1` and `m_c` in `[materials]`"
+                ),
+            };
+            let _ = writeln!(text, "note: no power and no torque: {why}");
         }
         (None, None) => {
             text += "note: no power and no torque: `[stock]` has no `material`\n";
@@ -118,6 +129,14 @@ pub fn engagement_text(found: &EngagementReport) -> String {
             text,
             "note: no chip of tool {}: the number of its teeth is not given",
             toothless.join(", ")
+        );
+    }
+    if !found.not_measured.is_empty() {
+        let tools: Vec<String> = found.not_measured.iter().map(u32::to_string).collect();
+        let _ = writeln!(
+            text,
+            "note: tool {} cuts below its widest place: what it engages is not measured",
+            tools.join(", ")
         );
     }
     let _ = writeln!(text, "resolution    {}", words.length(found.resolution_mm));
@@ -183,7 +202,7 @@ pub fn engagement_json(found: &EngagementReport, file: &str, moves: bool) -> Str
             problem(found.code, (&found.file, found.line), found.tool, more)
         })
         .collect();
-    let material = found.material.map(|material| {
+    let material = found.material.as_ref().map(|material| {
         json!({
             "name": material.name,
             "vdi_3323": material.group,
@@ -201,6 +220,7 @@ pub fn engagement_json(found: &EngagementReport, file: &str, moves: bool) -> Str
         "spindle_kw": found.spindle_kw,
         "power_share": chordal::stock::POWER_SHARE,
         "whole": found.is_whole,
+        "not_measured": found.not_measured,
         "tools": tools,
         "problems": problems,
         "problems_left_out": found.more_problems,

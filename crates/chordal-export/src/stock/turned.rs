@@ -279,7 +279,7 @@ pub fn turning_text(found: &TurnedReport) -> String {
         }
     }
     if found.tools.iter().all(|tool| tool.power.is_none()) {
-        text += "note: no power: `[stock]` has no `material` of the table in docs/engagement.md\n";
+        text += "note: no power: `[stock]` has no `material` of the table in docs/engagement.md or of `[materials]`\n";
     }
     text
 }

@@ -5,7 +5,7 @@ use super::{Keys, Row, Sign, Slot};
 use crate::axis::Axis;
 use crate::machine::Machine;
 use crate::quantity::Dimension;
-use crate::setup::{Body, BodyShape, MeshUnit};
+use crate::setup::{Body, BodyShape, CuttingForce, MeshUnit};
 
 const SHAPES: &[&str] = &words!(BodyShape);
 const UNITS: &[&str] = &words!(MeshUnit);
@@ -161,6 +161,47 @@ body_rows!(
     "a vise, a clamp or another body that the tool must not touch, by any name"
 );
 body_rows!(TARGET, "target", target, "the part as it should be");
+
+fn material<'m>(machine: &'m mut Machine, keys: &Keys) -> &'m mut CuttingForce {
+    machine.setup.materials.entry(keys.name.clone()).or_default()
+}
+
+pub(super) static MATERIALS: [Row; 4] = [
+    Row {
+        path: "materials.<name>",
+        slot: Slot::Table(|m, k| {
+            material(m, k);
+        }),
+        doc: "the cutting force of a material, by the word of `[stock] material`; it counts before the built-in table",
+    },
+    Row {
+        path: "materials.<name>.k_c1",
+        slot: Slot::Within {
+            dimension: Some(Dimension::Stress),
+            from: 10.0,
+            to: 20_000.0,
+            usual: "such as 700 N/mm² for aluminium, 1500 for steel, 3300 for nickel alloys",
+            place: |m, k| &mut material(m, k).k_c1_n_per_mm2,
+        },
+        doc: "the force on a chip of 1 mm × 1 mm (Kienzle); otherwise that of the built-in material of this name",
+    },
+    Row {
+        path: "materials.<name>.m_c",
+        slot: Slot::Within {
+            dimension: None,
+            from: 0.0,
+            to: 0.8,
+            usual: "such as 0.25",
+            place: |m, k| &mut material(m, k).m_c,
+        },
+        doc: "by which power of the thickness of the chip the force by area falls; otherwise that of the built-in material of this name",
+    },
+    Row {
+        path: "materials.<name>.source",
+        slot: Slot::OptionalText(|m, k| &mut material(m, k).source),
+        doc: "where the values are from",
+    },
+];
 
 pub(super) static OWN: [Row; 2] = [
     quantity(

@@ -79,6 +79,14 @@ pub(crate) enum Slot {
     Flag(Place<bool>),
     /// A number without a unit.
     Number(Place<f64>),
+    /// A quantity, or a number where there is no dimension, within bounds; `usual` are such values, for people.
+    Within {
+        dimension: Option<Dimension>,
+        from: f64,
+        to: f64,
+        usual: &'static str,
+        place: Place<Option<f64>>,
+    },
     /// Numbers without a unit.
     NumberList(Place<Vec<f64>>),
     /// A date or a time, kept as its digits.
@@ -152,7 +160,8 @@ pub(crate) enum Sign {
 
 /// Every row, in the order of the reference.
 pub(crate) fn rows() -> impl Iterator<Item = &'static Row> {
-    let bodies = [&bodies::STOCK[..], &bodies::FIXTURE, &bodies::TARGET, &bodies::OWN];
+    let bodies =
+        [&bodies::STOCK[..], &bodies::FIXTURE, &bodies::TARGET, &bodies::OWN, &bodies::MATERIALS];
     let (tools, others) = ROWS.split_at(rows::AFTER_TOOLS);
     tools.iter().chain(&turning::ROWS).chain(others).chain(bodies.into_iter().flatten())
 }
@@ -344,6 +353,10 @@ impl Row {
             }
             Slot::Flag(_) => "`true` or `false`".into(),
             Slot::Number(_) => "a number".into(),
+            Slot::Within { dimension: Some(dimension), from, to, .. } => {
+                format!("{}; from {from} to {to} {}", kind(*dimension), dimension.inside())
+            }
+            Slot::Within { dimension: None, from, to, .. } => format!("a number from {from} to {to}"),
             Slot::NumberList(_) => "a list of numbers".into(),
             Slot::Stamp { stamp, .. } => {
                 let (what, form) = stamp.words();
@@ -373,6 +386,7 @@ const fn example(dimension: Dimension) -> &'static str {
         Dimension::AngularJerk => "7200 deg/s^3",
         Dimension::SpindleSpeed => "6000 rpm",
         Dimension::Power => "15 kW",
+        Dimension::Stress => "1500 N/mm^2",
     }
 }
 

@@ -35,7 +35,8 @@ use crate::{Certificate, Change, prove_mapped};
 pub use edit::Refusal;
 pub use heights::{HeightMap, MapError, Warp, Warped, warp};
 pub use optimize::{
-    ChipLimit, FeedProof, OptimizeError, OptimizeOptions, Optimized, ToolChips, optimize,
+    ChipLimit, FeedProof, NotSplit, OptimizeError, OptimizeOptions, Optimized, Splits, ToolChips,
+    optimize,
 };
 
 /// Said where a proof ends at something that is not followed.

@@ -103,7 +103,7 @@ fn first_category(certificate: &Certificate) -> Category {
 }
 
 /// The first and the last byte of the old text that a difference is about.
-fn old_text(difference: &Difference) -> Option<[u32; 2]> {
+pub(super) fn old_text(difference: &Difference) -> Option<[u32; 2]> {
     let blocks = difference.blocks[0]?;
     let ends = [blocks.first, blocks.last];
     let here = ends.iter().all(|place| place.span.file == FileId(0));

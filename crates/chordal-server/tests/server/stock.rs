@@ -161,6 +161,47 @@ fn the_page_may_ask_for_other_columns_and_an_edit_begins_anew() {
 }
 
 #[test]
+fn gaps_of_undercuts_come_with_their_moments() {
+    let setup = "machine = \"haas-vf2\"\n[stock]\nshape = \"box\"\n\
+                 from = { X = \"0 mm\", Y = \"-30 mm\", Z = \"-20 mm\" }\n\
+                 to = { X = \"100 mm\", Y = \"30 mm\", Z = \"0 mm\" }\n\
+                 [tools.1]\nshape = \"flat\"\ndiameter = \"10 mm\"\nflute_length = \"25 mm\"\n\
+                 [tools.2]\nshape = \"t-slot\"\ndiameter = \"20 mm\"\nflute_length = \"4 mm\"\n\
+                 shank_diameter = \"9 mm\"\n";
+    let pass = |tool: u32| {
+        format!("T{tool} M6\nS900 M3\nG0 X-20. Y0. Z5.\nZ-12.\nG1 X120. F600.\nG0 Z20.\n")
+    };
+    let program = format!("G21 G90 G17\n{}{}M30\n", pass(1), pass(2));
+    let mut live = serve(Shown::text(&program).set_up(setup)).live();
+    let lines = live.columns("path").u32("line");
+    let stock = live.columns("stock");
+    let cells = &stock.header["cells"];
+    let side = stock.header["resolution_mm"].as_f64().unwrap();
+    let found = live.columns("stock_gaps");
+    let (columns, rows, counts) = (found.u32("column"), found.u32("row"), found.u32("count"));
+    let (shares, gaps) = (found.f32("share"), found.f32("gaps"));
+    // Next to the slot, 8 mm from its middle: from 12 to 8 mm below the top, later the farther along it.
+    let across = cells[0].as_u64().unwrap();
+    let row = ((8.0 + 30.0) / side) as u64;
+    let mut at = 0;
+    let mut seen: Vec<(u64, f32)> = Vec::new();
+    for (n, column) in columns.iter().enumerate() {
+        let own = &gaps[at..at + 2 * counts[n] as usize];
+        at += own.len();
+        assert_eq!(lines[rows[n] as usize], 12);
+        if u64::from(*column) / across == row && !own.is_empty() {
+            assert!((own[0] + 12.0).abs() < 0.01 && (own[1] + 8.0).abs() < 0.01, "{own:?}");
+            seen.push((u64::from(*column) % across, shares[n]));
+        }
+    }
+    assert_eq!(at, gaps.len());
+    assert!(seen.len() as u64 >= across - 2, "{} of {across}", seen.len());
+    assert!(shares.windows(2).all(|pair| pair[0] <= pair[1]));
+    let [(first, early), (last, late)] = [seen[0], seen[seen.len() - 1]];
+    assert!(first < last && early < 0.2 && late > 0.7, "{early} {late}");
+}
+
+#[test]
 fn without_stock_and_with_a_wrong_setup_it_is_said() {
     let mut live = serve(Shown::text(&whole())).live();
     let told = live.json("no_stock");
@@ -181,7 +222,6 @@ fn fixtures_and_how_hard_the_cuts_are_come_with_it() {
     let lines = live.columns("path").u32("line");
     let stock = live.columns("stock");
     assert_eq!(stock.header["fixtures"], serde_json::json!(["jaw"]));
-    assert_eq!(stock.header["undercuts"], false);
     let corners = stock.f32("fixtures");
     assert_eq!(corners.len(), 12 * 9);
     assert!(corners.chunks(3).all(|at| (40.0..=60.0).contains(&at[1])));

@@ -61,6 +61,7 @@ impl Job<'_> {
             bottom: bottom(self.grid),
             found: Found { tile: self.number, ..Found::default() },
             contact: None,
+            only_inner: false,
             recorder: shares.map(|shares| {
                 let corner = self.grid.corner(self.number);
                 Recorder::new(shares, [column, row], columns, corner, self.grid.resolution())
@@ -89,6 +90,8 @@ struct Run<'a> {
     found: Found,
     /// The deepest place of the step, where it compares.
     contact: Option<Deepest>,
+    /// Only what is surely left is lowered by the step.
+    only_inner: bool,
     recorder: Option<Recorder<'a>>,
 }
 
@@ -108,8 +111,12 @@ impl Run<'_> {
             return;
         }
         let mut piece = plan.pieces[step.piece as usize];
-        if step.action != Action::Cut {
+        if !step.action.is_cut() {
             piece = piece.alone();
+        }
+        self.only_inner = step.action == Action::CutMost;
+        if self.only_inner && self.mode == Mode::Sampled {
+            return;
         }
         let piece = &piece;
         let part = &plan.parts[step.part as usize];
@@ -126,7 +133,7 @@ impl Run<'_> {
             Action::Compare(_) | Action::CompareMost(_) => {
                 Some(Deepest { least: 0.0, most: 0.0, cell: [0; 2], top: 0.0 })
             }
-            Action::Cut | Action::CutBelow | Action::CompareBelow(_) => None,
+            Action::Cut | Action::CutMost | Action::CutBelow | Action::CompareBelow(_) => None,
         };
         self.shapes(piece, part, step, &course);
         let (Action::Compare(body) | Action::CompareMost(body), Some(mut deepest)) =
@@ -263,7 +270,8 @@ impl Run<'_> {
             self.compare::<LEVEL, S>(course, shape, block, part, lowest);
             return;
         }
-        if raised >= range.outer[1] && lowest >= range.inner[1] {
+        let lowers_outer = raised < range.outer[1] && !self.only_inner;
+        if !lowers_outer && lowest >= range.inner[1] {
             return;
         }
         if self.by_tag {
@@ -291,7 +299,7 @@ impl Run<'_> {
         lowest: f32,
     ) {
         let (corner, range) = (corner(block), self.tile.range(block));
-        if LEVEL && S::FLAT && self.even(course, block, corner, range) {
+        if LEVEL && S::FLAT && !self.only_inner && self.even(course, block, corner, range) {
             return;
         }
         self.found.counts.columns += part.cells() as u64;
@@ -306,8 +314,11 @@ impl Run<'_> {
             Range { outer, inner: outer }
         } else {
             let (outer, inner) = data.split_at_mut(GROUPS);
+            let only_inner = self.only_inner;
             certified::<LEVEL, S>(course, shape, corner, part, lowest, |at, hi, lo| {
-                lower(outer, at, hi.fast_max(bottom));
+                if !only_inner {
+                    lower(outer, at, hi.fast_max(bottom));
+                }
                 lower(inner, at, lo.fast_max(bottom));
             });
             Range { outer: ends(outer), inner: ends(inner) }

@@ -199,6 +199,14 @@ impl Stock {
         counts
     }
 
+    /// Takes what a cutter sweeps for what may be removed: what is surely left becomes less, and nothing else.
+    pub fn cut_at_most(&mut self, cutter: &Cutter, moves: &[Move]) {
+        let task = Task { may: Some(cutter), moves, ..Task::default() };
+        for (_, task) in check::chunks(task) {
+            self.run(&self.plan(&task));
+        }
+    }
+
     /// As [`Stock::cut`], and says which columns were lowered, in the order in which the axis of the tool passes
     /// them. What columns under the tool lose before that is missing until then: cut the tool where it stands.
     pub fn cut_telling(&mut self, cutter: &Cutter, moves: &[Move]) -> Vec<Lowered> {

@@ -23,6 +23,8 @@ pub(crate) struct Step {
 pub(crate) enum Action {
     /// Lowers them.
     Cut,
+    /// Lowers what is surely left of them alone.
+    CutMost,
     /// Compares them with a body, by its number.
     Compare(u32),
     /// The same on a move whose cutter may have been there before: what is surely touched is not known.
@@ -38,6 +40,11 @@ impl Action {
     pub fn is_below(self) -> bool {
         matches!(self, Action::CutBelow | Action::CompareBelow(_))
     }
+
+    /// Whether pieces of the path may leave columns to each other.
+    pub fn is_cut(self) -> bool {
+        matches!(self, Action::Cut | Action::CutMost)
+    }
 }
 
 /// What moves do.
@@ -45,6 +52,8 @@ impl Action {
 pub struct Task<'a> {
     /// The cutter that removes what it sweeps; none for moves that only ask.
     pub cutter: Option<&'a Cutter>,
+    /// A larger one of which it is not known how much it removes: what it sweeps may be gone.
+    pub may: Option<&'a Cutter>,
     /// Undercuts that remove what they sweep, each with the height of its lower end above the tip, mm. Not together with
     /// a cutter, which it would be for to say what is above.
     pub undercuts: &'a [(f64, Undercut)],
@@ -110,6 +119,8 @@ impl Plan {
         }
         all.extend(task.cutter.map_or(Vec::new(), |cutter| parts(&cutter.edges())));
         of.resize(all.len(), Action::Cut);
+        all.extend(task.may.map_or(Vec::new(), |cutter| parts(&cutter.edges())));
+        of.resize(all.len(), Action::CutMost);
         let of_bodies = task.bodies.iter().flat_map(|body| &body.undercuts);
         let undercuts = task.undercuts.iter().chain(of_bodies);
         let mut plan = Plan {
@@ -188,8 +199,7 @@ impl Plan {
         if piece.lowest() + part.height >= bounds.max.z {
             return;
         }
-        let compares = action != Action::Cut;
-        let strip = strip(&if compares { piece.alone() } else { *piece }, part);
+        let strip = strip(&if action.is_cut() { *piece } else { piece.alone() }, part);
         let step = self.steps.len() as u32;
         let margin = piece.off_in_run + MARGIN * (width + part.reach);
         let before = self.todo.len();

@@ -1,5 +1,8 @@
-//! The heights of some cells, side by side: to look at many places of a small part of the stock.
+//! The heights and gaps of some cells, side by side: to look at many places of a small part of the stock.
 
+use std::collections::BTreeMap;
+
+use super::gaps::{Column, Gap};
 use super::grid::{BLOCK, BLOCKS};
 use super::{Amount, Stock};
 
@@ -21,16 +24,22 @@ pub(crate) struct Window {
     top: f64,
     outer: Vec<f32>,
     inner: Vec<f32>,
+    /// The gaps of cells that have some.
+    gaps: BTreeMap<usize, Column>,
     /// No outer height is above this.
     highest: f32,
 }
 
-/// What is known of the heights on some cells, mm: none is above the first, none below the second.
+/// What is known of the stock on some cells over a stretch of heights, mm: it is nowhere outside of `maybe` on that, and
+/// everywhere in `surely`, which is empty where it ends below its beginning. Both may reach further.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ends {
-    pub highest: f64,
-    pub lowest: f64,
+    pub maybe: [f64; 2],
+    pub surely: [f64; 2],
 }
+
+/// No stock.
+const NOTHING: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 impl Stock {
     /// The heights of the cells that a rectangle meets, mm.
@@ -60,6 +69,7 @@ impl Stock {
             top: bounds.max.z,
             outer: vec![NONE; count],
             inner: vec![NONE; count],
+            gaps: BTreeMap::new(),
             highest: NONE,
         };
         if count > 0 {
@@ -78,6 +88,8 @@ impl Stock {
                 let tile = block_row / BLOCKS * across + block_column / BLOCKS;
                 let block = block_row % BLOCKS * BLOCKS + block_column % BLOCKS;
                 let heights = self.tiles[tile].get(block);
+                let gaps = self.tiles[tile].gaps();
+                let has_gaps = gaps.is_in(block);
                 let [x, y] = [block_column * BLOCK, block_row * BLOCK];
                 for row in y.max(first_row)..=(y + BLOCK - 1).min(last_row) {
                     for column in x.max(first_column)..=(x + BLOCK - 1).min(last_column) {
@@ -85,6 +97,9 @@ impl Stock {
                         let to = (row - first_row) * columns + column - first_column;
                         window.outer[to] = heights.outer[from];
                         window.inner[to] = heights.inner[from];
+                        if let Some(column) = gaps.of([block, from]).filter(|_| has_gaps) {
+                            window.gaps.insert(to, column.clone());
+                        }
                         window.highest = window.highest.max(heights.outer[from]);
                     }
                 }
@@ -105,34 +120,94 @@ impl Window {
         [at(from), at(to)]
     }
 
-    /// The ends of the heights on the cells that a rectangle about a place meets, by half its sides, mm. Outside the
-    /// window there is no stock.
-    pub fn ends(&self, place: [f64; 2], half: [f64; 2]) -> Ends {
+    /// What is known of the stock on the cells that a rectangle about a place meets, by half its sides, over a stretch of
+    /// heights, mm. Outside the window there is no stock.
+    pub fn ends(&self, place: [f64; 2], half: [f64; 2], stretch: [f64; 2]) -> Ends {
+        let stretch = stretch.map(|height| height - self.top);
         let [x0, x1] = self.cells(0, place[0] - half[0], place[0] + half[0]);
         let [y0, y1] = self.cells(1, place[1] - half[1], place[1] + half[1]);
         let [columns, rows] = self.size.map(|size| size as i64);
         let is_whole = x0 >= 0 && y0 >= 0 && x1 < columns && y1 < rows;
-        let (mut highest, mut lowest) = (NONE, if is_whole { f32::INFINITY } else { NONE });
+        let mut maybe = NOTHING;
+        let mut surely = if is_whole { [f64::NEG_INFINITY, f64::INFINITY] } else { NOTHING };
         for row in y0.max(0)..=y1.min(rows - 1) {
             for column in x0.max(0)..=x1.min(columns - 1) {
                 let at = (row * columns + column) as usize;
-                highest = highest.max(self.outer[at]);
-                lowest = lowest.min(self.inner[at]);
+                let [some, all] = self.over(at, stretch);
+                maybe = [maybe[0].min(some[0]), maybe[1].max(some[1])];
+                surely = [surely[0].max(all[0]), surely[1].min(all[1])];
             }
         }
-        Ends { highest: self.top + f64::from(highest), lowest: self.top + f64::from(lowest) }
+        let from_top = |ends: [f64; 2]| ends.map(|height| self.top + height);
+        Ends { maybe: from_top(maybe), surely: from_top(surely) }
+    }
+
+    /// The stock of a cell over a stretch of heights: where it may be, and the part of what it surely is that has most of
+    /// the stretch.
+    fn over(&self, at: usize, [from, to]: [f64; 2]) -> [[f64; 2]; 2] {
+        let [outer, inner] = [self.outer[at], self.inner[at]].map(f64::from);
+        let Some(column) = self.gaps.get(&at) else {
+            return [[f64::NEG_INFINITY, outer], [f64::NEG_INFINITY, inner]];
+        };
+        let within = |gap: &&Gap| f64::from(gap[0]) <= from && from <= f64::from(gap[1]);
+        let maybe = match column.surely.iter().find(within) {
+            Some(gap) if to <= f64::from(gap[1]) => NOTHING,
+            Some(gap) => [f64::from(gap[1]), outer],
+            None => [f64::NEG_INFINITY, outer],
+        };
+        let mut floor = f64::NEG_INFINITY;
+        let (mut surely, mut most) = (NOTHING, f64::NEG_INFINITY);
+        for [gap, next] in column.maybe.iter().map(|gap| gap.map(f64::from)).chain([[inner; 2]]) {
+            let share = gap.min(to) - floor.max(from);
+            if share > most {
+                (surely, most) = ([floor, gap], share);
+            }
+            floor = next;
+        }
+        [maybe, surely]
+    }
+
+    /// The cell at a place.
+    fn cell(&self, place: [f64; 2]) -> Option<usize> {
+        let [x, _] = self.cells(0, place[0], place[0]);
+        let [y, _] = self.cells(1, place[1], place[1]);
+        let [columns, rows] = self.size.map(|size| size as i64);
+        let is_in = x >= 0 && y >= 0 && x < columns && y < rows;
+        is_in.then_some((y * columns + x) as usize)
     }
 
     /// The middle between the two heights of the cell at a place, mm.
     pub fn middle(&self, place: [f64; 2]) -> f64 {
-        let [x, _] = self.cells(0, place[0], place[0]);
-        let [y, _] = self.cells(1, place[1], place[1]);
-        let [columns, rows] = self.size.map(|size| size as i64);
-        if x < 0 || y < 0 || x >= columns || y >= rows {
-            return f64::NEG_INFINITY;
-        }
-        let at = (y * columns + x) as usize;
+        let Some(at) = self.cell(place) else { return f64::NEG_INFINITY };
         self.top + 0.5 * (f64::from(self.outer[at]) + f64::from(self.inner[at]))
+    }
+
+    /// Which share of a stretch of heights gaps take of the cell at a place: the middle between what is surely gone and
+    /// what may be.
+    pub fn missing(&self, place: [f64; 2], stretch: [f64; 2]) -> f64 {
+        let column = self.cell(place).and_then(|at| self.gaps.get(&at));
+        let Some(column) = column else { return 0.0 };
+        let [from, to] = stretch.map(|height| height - self.top);
+        let taken = |gap: &Gap| {
+            let [floor, top] = gap.map(f64::from);
+            if to > from {
+                (top.min(to) - floor.max(from)).max(0.0) / (to - from)
+            } else {
+                f64::from(u8::from(floor <= from && from <= top))
+            }
+        };
+        let sum = |gaps: &[Gap]| gaps.iter().map(taken).sum::<f64>().min(1.0);
+        0.5 * (sum(&column.surely) + sum(&column.maybe))
+    }
+
+    /// How high the stock of a cell would be without its gaps, from the top, mm: at most, and at least.
+    fn filled(&self, at: usize) -> [f64; 2] {
+        let heights = [self.outer[at], self.inner[at]].map(f64::from);
+        let Some(column) = self.gaps.get(&at) else { return heights };
+        let taken = |gaps: &[Gap]| {
+            gaps.iter().map(|gap| f64::from(gap[1]) - f64::from(gap[0])).sum::<f64>()
+        };
+        [heights[0] - taken(&column.surely), heights[1] - taken(&column.maybe)]
     }
 
     /// What was removed between this window and a later one of the same cells, mm³: its bounds, and by the middles
@@ -140,12 +215,10 @@ impl Window {
     pub fn removed(&self, after: &Window, counts: impl Fn([f64; 2]) -> bool) -> (Amount, f64) {
         let (mut amount, mut middle) = (Amount::default(), 0.0);
         for at in 0..self.outer.len().min(after.outer.len()) {
-            let all = [self.outer[at], self.inner[at], after.outer[at], after.inner[at]];
-            let [before, inner, outer, after] = all;
+            let [[before, inner], [outer, after]] = [self.filled(at), after.filled(at)];
             if before == outer && inner == after {
                 continue;
             }
-            let [before, inner, outer, after] = [before, inner, outer, after].map(f64::from);
             let place = [at % self.size[0], at / self.size[0]];
             let middle_of =
                 |axis: usize| self.corner[axis] + self.cell * (place[axis] as f64 + 0.5);
@@ -181,12 +254,50 @@ mod tests {
             for column in 0..51 {
                 let heights = stock.heights_at(column, 10 + row).unwrap();
                 let place = [-2.75 + 0.5 * f64::from(column), 7.25 + 0.5 * f64::from(row)];
-                let ends = window.ends(place, [0.1; 2]);
-                assert_eq!([ends.highest, ends.lowest], [heights.outer, heights.inner]);
+                let ends = window.ends(place, [0.1; 2], [-8.0, -7.0]);
+                assert_eq!([ends.maybe[1], ends.surely[1]], [heights.outer, heights.inner]);
             }
         }
         // Beyond the stock there is nothing.
         let outside = stock.window([50.0, 0.0], [60.0, 10.0]);
-        assert_eq!(outside.ends([55.0, 5.0], [1.0; 2]).highest, f64::NEG_INFINITY);
+        let ends = outside.ends([55.0, 5.0], [1.0; 2], [-9.0, 0.0]);
+        assert_eq!([ends.maybe[1], ends.surely[1]], [f64::NEG_INFINITY; 2]);
+    }
+
+    #[test]
+    fn a_window_has_the_gaps_of_its_cells() {
+        let bounds = Aabb::of_points(Vec3::new(0.0, 0.0, -20.0), Vec3::new(40.0, 30.0, 0.0));
+        let mut stock = Stock::new(bounds, Options::new(0.5, 10_000_000)).unwrap();
+        let disc = crate::Undercut::t_slot(20.0, 4.0, 8.0).unwrap();
+        let curve = Line::new(Vec3::new(-20.0, 15.0, -12.0), Vec3::new(60.0, 15.0, -12.0)).into();
+        stock.cut_below(&[(0.0, disc)], &[Move { curve, tag: 0 }]);
+        let window = stock.window([0.0, 0.0], [40.0, 30.0]);
+        let near = |value: f64, truth: f64| (value - truth).abs() < 0.01;
+        let ends = |y: f64, stretch: [f64; 2]| window.ends([20.25, y], [0.1; 2], stretch);
+        // In the gap there is nothing; below it all up to its floor, above it up to the top.
+        assert_eq!(ends(15.25, [-11.0, -9.0]).maybe, NOTHING);
+        assert!(near(ends(15.25, [-15.0, -13.0]).surely[1], -12.0));
+        let above = ends(15.25, [-7.0, -2.0]);
+        assert!(
+            near(above.maybe[1], 0.0) && near(above.surely[0], -8.0) && near(above.surely[1], 0.0)
+        );
+        // From in it upwards it may begin, and surely begins, at its top.
+        let both = ends(15.25, [-11.0, -2.0]);
+        assert!(
+            near(both.maybe[0], -8.0) && near(both.surely[0], -8.0) && near(both.surely[1], 0.0)
+        );
+        // Next to it, all.
+        assert!(near(ends(2.25, [-11.0, -9.0]).surely[1], 0.0));
+        assert!((window.missing([20.25, 15.25], [-12.0, -4.0]) - 0.5).abs() < 0.01);
+        assert_eq!(window.missing([20.25, 15.25], [-10.0, -10.0]), 1.0);
+        assert_eq!(window.missing([20.25, 2.25], [-12.0, -4.0]), 0.0);
+        // What a hole to the gap removes is the stock above it.
+        let drop = Line::new(Vec3::new(20.0, 15.0, 1.0), Vec3::new(20.0, 15.0, -9.0)).into();
+        stock.cut(&Cutter::flat(10.0).unwrap(), &[Move { curve: drop, tag: 0 }]);
+        let after = stock.window([0.0, 0.0], [40.0, 30.0]);
+        let (bounds, middle) = window.removed(&after, |_| true);
+        let truth = 8.0 * 25.0 * std::f64::consts::PI;
+        assert!(bounds.least <= truth && truth <= bounds.most, "{bounds:?}");
+        assert!((middle / truth - 1.0).abs() < 0.02, "{middle} {truth}");
     }
 }

@@ -3,6 +3,7 @@
 //! Below the distance r from the axis nothing of the cutter is lower than `height_at(r)` above its tip.
 //! The function is put together from rings: a disc, a cone or a torus from one radius to the next.
 
+mod inset;
 mod shapes;
 mod undercut;
 

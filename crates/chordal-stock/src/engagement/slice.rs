@@ -244,13 +244,16 @@ impl Look<'_> {
                 + ahead[axis].abs() * moved
                 + place.sag
         });
-        let Ends { highest, lowest } = self.window.ends(middle, reach);
         let top = place.highest() + self.flutes;
         let heights = [place.lowest() + band.heights[0], place.highest() + band.heights[1]];
-        let (highest, lowest) = (highest.min(top), lowest.min(place.lowest() + self.flutes));
+        let stretch = [heights[0], if band.is_side { top } else { heights[1] }];
+        let Ends { maybe, surely } = self.window.ends(middle, reach, stretch);
+        let bottom = heights[0].max(maybe[0]);
+        let highest = maybe[1].min(top);
+        let lowest = surely[1].min(place.lowest() + self.flutes);
         let width = band.radii[1] * (angles[1] - angles[0]);
         self.middle(band, [sine, cosine], middle, width);
-        if highest <= heights[0] + place.graze {
+        if highest <= bottom + place.graze {
             return;
         }
         let sides = [0, 1].map(|k| {
@@ -265,19 +268,22 @@ impl Look<'_> {
         let most = &mut self.most;
         most.chip = most.chip.max(high);
         most.across.add(from, to);
-        most.axial.add(heights[0], highest);
+        most.axial.add(bottom, highest);
         most.around.add(angles[0], angles[1]);
-        most.section += width * length(highest, heights[0]) * high;
-        if low <= place.taken || low <= SLIDES || lowest <= heights[1] + place.graze {
+        most.section += width * length(highest, bottom) * high;
+        // All of a ring's band must be in stock, and what is above a hollow of the side.
+        let floor = if band.is_side { heights[1].max(surely[0]) } else { heights[1] };
+        let is_hollow = !band.is_side && surely[0] > heights[0];
+        if low <= place.taken || low <= SLIDES || is_hollow || lowest <= floor + place.graze {
             return;
         }
         let least = &mut self.least;
         least.chip = least.chip.max(low);
         least.across.add(from, to);
-        least.axial.add(heights[1], lowest);
+        least.axial.add(floor, lowest);
         least.around.add(angles[0], angles[1]);
         let narrow = band.radii[0] * (angles[1] - angles[0]);
-        least.section += narrow * length(lowest, heights[1]) * low;
+        least.section += narrow * length(lowest, floor) * low;
     }
 
     /// Adds a patch by the middle height of the cell at its middle.
@@ -293,7 +299,9 @@ impl Look<'_> {
         let share = if above > bottom { ((top - bottom) / (above - bottom)).min(1.0) } else { 1.0 };
         let radius = 0.5 * (band.radii[0] + band.radii[1]);
         let width = width * if band.radii[1] > 0.0 { radius / band.radii[1] } else { 0.0 };
-        let area = width * if band.is_side { top - bottom } else { share * band.length };
+        let stretch = [bottom, if band.is_side { top } else { above.min(top) }];
+        let there = 1.0 - self.window.missing(middle, stretch);
+        let area = width * there * if band.is_side { top - bottom } else { share * band.length };
         self.surface += area;
         self.section += area * facing;
     }

@@ -8,6 +8,7 @@ mod engagement;
 mod fixtures;
 mod gather;
 mod heights;
+mod inside;
 mod left;
 mod pass;
 mod problems;
@@ -20,6 +21,7 @@ mod sides;
 mod solid;
 mod stretches;
 mod target;
+mod teeth;
 mod tools;
 mod turned;
 mod turns;
@@ -29,12 +31,13 @@ pub use chordal_stock::mesh;
 pub use chordal_stock::{Amount, CellHeights, Stock, StockError};
 pub use engagement::{
     Between, Chip, Effort, EngagementOptions, EngagementProblem, EngagementReport, MATERIALS,
-    Material, MoveEngagement, POWER_SHARE, Peak, Slice, ToolEngagement, engagement_angle,
+    Material, MaterialGroup, MoveEngagement, NoMaterial, POWER_SHARE, Peak, Slice, ToolEngagement,
+    engagement_angle,
 };
 pub use left::{StockLeft, ToolRemoves};
 pub use pass::StockOptions;
 pub use problems::StockProblem;
-pub use replay::{Drop, FixtureMesh, Missing, Replay, ReplayOptions, StockBefore};
+pub use replay::{Drop, FixtureMesh, GapChange, Missing, Replay, ReplayOptions, StockBefore};
 pub use report::{StockReport, StockVerdict, ToolRemoved};
 pub use run::StockRunError;
 pub use setup::{Files, SetupError};

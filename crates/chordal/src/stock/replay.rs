@@ -1,5 +1,7 @@
 //! A program on stock as a list of what is lowered when: for a picture that goes forward and backward.
 
+mod hollows;
+
 use chordal_stock::shape::{Bound, Shape};
 use chordal_stock::{Lowered, Mode, Options, Stock};
 
@@ -10,11 +12,14 @@ use super::setup::{Files, Named, shift_between};
 use super::target::TARGET_TOLERANCE;
 use super::tools::{ToolBody, tools_of};
 use crate::job::Job;
+use hollows::Hollows;
 
 /// Moves that are cut at once: what they lower is told after each lot. More where drops are left out, as none is
 /// that is the last of a lot.
 const AT_ONCE: usize = 4096;
 const AT_ONCE_THINNED: usize = 1 << 15;
+/// Moves of undercuts that are shown as they cut: each is a few milliseconds. The tops of columns are shown all the same.
+const MOST_UNDERCUTS: usize = 5000;
 /// The most memory of the columns, bytes.
 const BUDGET: u64 = 1 << 30;
 /// Round fixtures are triangles within this, mm.
@@ -53,7 +58,7 @@ pub struct FixtureMesh {
 /// What a replay leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Missing {
-    /// Cuts of undercuts: gaps in columns are not shown.
+    /// Cuts of undercuts: more moves of them than are looked at one by one.
     pub undercuts: bool,
     /// Cuts while the part is turned.
     pub turned: bool,
@@ -70,6 +75,19 @@ pub struct Drop {
     pub share: f32,
     /// The new height, from the top of the box, mm.
     pub height: f32,
+}
+
+/// The gaps of a column from a moment on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GapChange {
+    /// The column: `y · columns + x`.
+    pub column: u32,
+    /// The piece of path, by its number among all of the run, and how much of it is done.
+    pub row: u32,
+    /// From 0 to 1.
+    pub share: f32,
+    /// Its gaps from below: floor and top, from the top of the box, mm. One that reaches the height of its column is none.
+    pub gaps: Vec<[f32; 2]>,
 }
 
 /// How a stock is replayed.
@@ -89,6 +107,10 @@ pub trait Replay {
     /// Columns that were lowered, in the order of the run, and how much of it is done, from 0 to 1. Gives
     /// whether to go on.
     fn lowered(&mut self, drops: &[Drop], progress: f64) -> bool;
+    /// Columns whose gaps are other ones, in the order of the run. Gives whether to go on.
+    fn gaps(&mut self, _changes: &[GapChange]) -> bool {
+        true
+    }
 }
 
 impl Job<'_> {
@@ -131,12 +153,16 @@ impl Job<'_> {
             }
             None => None,
         };
-        let undercuts = gathered.batches.iter().any(|batch| {
+        if heights.is_hollow() {
+            stock.hollow(&|corners| heights.hollows(corners));
+        }
+        let mut before = before(&stock, target);
+        let of_undercuts = gathered.batches.iter().filter(|batch| {
             let is_undercut = |tool: &ToolBody| !tool.undercuts.is_empty();
             batch.kind != Kind::Rapid
                 && tools.get(&batch.tool).is_some_and(|tool| tool.as_ref().is_ok_and(is_undercut))
         });
-        let mut before = before(&stock, target);
+        let undercuts = of_undercuts.map(|batch| batch.moves.len()).sum::<usize>() > MOST_UNDERCUTS;
         before.missing = Missing { undercuts, turned: gathered.leaves_out_turned };
         for (name, body) in &setup.fixtures {
             let named = Named { name, body };
@@ -147,6 +173,10 @@ impl Job<'_> {
             before.fixtures.push(FixtureMesh { name: name.clone(), corners });
         }
         replay.before(&before);
+        let mut hollows = Hollows::new(&before);
+        if heights.is_hollow() && !replay.gaps(&hollows.all(&stock)) {
+            return Ok(None);
+        }
         let mut thinning = (options.lag > 0.0).then(|| {
             let most = (options.lag * resolution) as f32;
             Thinning { most, last: vec![0; before.heights.len()], shown: before.heights }
@@ -154,12 +184,24 @@ impl Job<'_> {
         let at_once = if thinning.is_some() { AT_ONCE_THINNED } else { AT_ONCE };
         for batch in &gathered.batches {
             let Some(Ok(tool)) = tools.get(&batch.tool) else { continue };
-            // Undercuts leave the top of the stock as it is.
-            if batch.kind == Kind::Rapid || !tool.undercuts.is_empty() {
+            if batch.kind == Kind::Rapid {
+                continue;
+            }
+            if !tool.undercuts.is_empty() {
+                if undercuts {
+                    continue;
+                }
+                for (path, row) in batch.moves.iter().zip(&batch.rows) {
+                    let (drops, gaps) = hollows.cut(&mut stock, tool, path, *row);
+                    let done = f64::from(row + 1) / f64::from(all.max(1));
+                    if !replay.lowered(&drops, done) || !replay.gaps(&gaps) {
+                        return Ok(None);
+                    }
+                }
                 continue;
             }
             for (moves, rows) in batch.moves.chunks(at_once).zip(batch.rows.chunks(at_once)) {
-                let mut lowered = stock.cut_telling(&tool.cutter, moves);
+                let mut lowered = stock.cut_telling(tool.removes(), moves);
                 if let Some(thinning) = &mut thinning {
                     thinning.thin(&mut lowered);
                 }
@@ -172,6 +214,7 @@ impl Job<'_> {
                         height: at.height,
                     })
                     .collect();
+                hollows.lowered(&drops);
                 let last = rows.last().map_or(0, |row| row + 1);
                 if !replay.lowered(&drops, f64::from(last) / f64::from(all.max(1))) {
                     return Ok(None);

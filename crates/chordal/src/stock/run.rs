@@ -196,6 +196,7 @@ pub(super) struct Cut {
 /// A task with what its contacts mean.
 pub(super) struct Asked<'a> {
     cutter: Option<&'a Cutter>,
+    may: Option<&'a Cutter>,
     undercuts: &'a [(f64, Undercut)],
     /// What each body means that touches.
     codes: Vec<Code>,
@@ -238,6 +239,7 @@ impl<'a> Run<'a> {
             .iter()
             .map(|asked| Task {
                 cutter: asked.cutter,
+                may: asked.may,
                 undercuts: asked.undercuts,
                 bodies: &asked.bodies,
                 moves: &asked.moves,
@@ -301,7 +303,8 @@ impl<'a> Run<'a> {
         let cuts = |above: Vec<(Code, Body)>| {
             let (codes, bodies) = above.into_iter().unzip();
             Asked {
-                cutter: Some(&tool.cutter).filter(|_| tool.undercuts.is_empty()),
+                cutter: Some(tool.removes()).filter(|_| tool.undercuts.is_empty()),
+                may: tool.core.as_ref().map(|_| &tool.cutter),
                 undercuts: &tool.undercuts,
                 codes,
                 bodies,
@@ -341,7 +344,17 @@ fn watched<'r>(
     let (codes, bodies) = bodies.unzip();
     let (moves, origins) = (Cow::Owned(moves), Cow::Owned(origins));
     let tool = batch.tool;
-    Asked { cutter: None, undercuts: &[], codes, bodies, moves, origins, tool, batch: number }
+    Asked {
+        cutter: None,
+        may: None,
+        undercuts: &[],
+        codes,
+        bodies,
+        moves,
+        origins,
+        tool,
+        batch: number,
+    }
 }
 
 /// What is above the edges of a tool and must not touch.

@@ -7,6 +7,7 @@ use chordal_stock::{Amount, Body, Check, Move, Stock, StockError, Task};
 
 use super::gather::{Batch, Kind};
 use super::heights::Heights;
+use super::inside::{Inside, Sure};
 use super::pass::Run;
 use super::problems::Problems;
 use super::stretches::{stretches_of, without};
@@ -59,21 +60,31 @@ fn look_for_gouges(
     problems: &mut Problems,
 ) -> Result<(), StockError> {
     let bounds = heights.bounds();
-    let mut asked: Vec<(&Batch, [Body; 1], Vec<Move>)> = Vec::new();
+    let mut asked: Vec<Asked<'_>> = Vec::new();
     for batch in run.batches.iter().filter(|batch| batch.kind != Kind::Rapid) {
         let Some(tool) = run.tool(batch.tool) else { continue };
-        let Some((body, lift)) = tool.inside(target.tolerance) else {
+        let Some(Inside { holds, sure, lift }) = tool.inside(target.tolerance) else {
             problems.undecided += 1;
             continue;
+        };
+        let is_sure = !matches!(sure, Sure::Nothing);
+        let bodies = match sure {
+            Sure::Body(sure) => vec![holds, sure],
+            Sure::Same | Sure::Nothing => vec![holds],
         };
         let up = Transform::translation(Vec3::new(0.0, 0.0, lift));
         let moves =
             batch.moves.iter().map(|path| Move { curve: path.curve.transformed(&up), ..*path });
-        asked.push((*batch, [body], moves.collect()));
+        asked.push(Asked { batch, bodies, is_sure, moves: moves.collect() });
     }
     let tasks: Vec<Task<'_>> = asked
         .iter()
-        .map(|(_, bodies, moves)| Task { bodies, moves, drop: f64::INFINITY, ..Task::default() })
+        .map(|asked| Task {
+            bodies: &asked.bodies,
+            moves: &asked.moves,
+            drop: f64::INFINITY,
+            ..Task::default()
+        })
         .collect();
     let hollows = |corners: [[f64; 2]; 2]| heights.hollows(corners);
     let is_hollow = heights.is_hollow();
@@ -89,10 +100,16 @@ fn look_for_gouges(
         finest: run.finest().min(OF_TOLERANCE * target.tolerance),
     };
     let checked = check.run_by(&|tiles| run.tiles(tiles))?;
-    for ((batch, ..), contacts) in asked.iter().zip(&checked.contacts) {
+    for (asked, contacts) in asked.iter().zip(&checked.contacts) {
+        let batch = asked.batch;
         for (index, origin) in batch.origins.iter().enumerate() {
             let place = run.place(*origin, batch.tool);
             let mut contact = contacts[0][index];
+            // What is sure is that of the last body.
+            contact.least = match contacts.last() {
+                Some(sure) if asked.is_sure => sure[index].least.min(contact.most),
+                _ => 0.0,
+            };
             if contact.most > ROUNDING {
                 // The inner cutter's depth, and the tolerance around it.
                 contact.most += target.tolerance;
@@ -104,6 +121,16 @@ fn look_for_gouges(
         }
     }
     Ok(())
+}
+
+/// The moves of a batch with what lies inside of its tool.
+struct Asked<'a> {
+    batch: &'a Batch,
+    /// What holds all of that, and, where it is another, what surely lies inside.
+    bodies: Vec<Body>,
+    /// The last of them surely lies inside.
+    is_sure: bool,
+    moves: Vec<Move>,
 }
 
 fn length(stretches: &[[f64; 2]]) -> f64 {

@@ -3,18 +3,13 @@
 use std::collections::BTreeMap;
 
 use chordal_machine::{Cutter as Shape, Solid, Tool, ToolShape};
-use chordal_stock::{Body, Cutter, CutterError, Undercut};
+use chordal_stock::{Cutter, CutterError, Undercut};
 
+use super::inside::{Dimensions, Inside};
+use super::teeth::{Teeth, core};
 use crate::job::Job;
 use crate::tool_comments::known_tools;
 
-/// A thread's depth as a share of its pitch: 5/8 of the height of the sharp triangle, which is √3/2 of the
-/// pitch (ISO 68-1).
-const THREAD_DEPTH: f64 = 0.541_265_877_365_274_2;
-/// The flat of a thread's tooth as a share of its pitch, and the angle of its flanks to the plane across the axis
-/// (ISO 68-1: 60° between them).
-const CREST: f64 = 0.125;
-const FLANK: f64 = std::f64::consts::FRAC_PI_6;
 /// A shank of which only the diameter is known has no end below this height, mm.
 const LONG: f64 = 1000.0;
 
@@ -22,113 +17,26 @@ const LONG: f64 = 1000.0;
 #[derive(Clone, Debug)]
 pub(super) struct ToolBody {
     pub cutter: Cutter,
+    /// What it surely removes, where that is less than it may: the core of a tap, whose groove winds nobody knows how.
+    pub core: Option<Cutter>,
     /// What cuts instead of it where it is only the hull of edges above its widest place: each with the height of
     /// its lower end above the tip, mm.
     pub undercuts: Vec<(f64, Undercut)>,
-    /// `None`: another shape than those.
-    dimensions: Option<Dimensions>,
+    dimensions: Dimensions,
     /// Pieces above the edges, the lowest first, each with its height above the tip, mm.
     pub shank: Vec<Piece>,
     pub holder: Vec<Piece>,
 }
 
-/// A cutter of which a smaller one inside is known, by its dimensions, mm and rad.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Dimensions {
-    Flat {
-        diameter: f64,
-    },
-    Ball {
-        diameter: f64,
-    },
-    Bull {
-        diameter: f64,
-        corner: f64,
-    },
-    Pointed {
-        diameter: f64,
-        tip: f64,
-        angle: f64,
-    },
-    /// An undercut: a disc of a thickness.
-    Disc {
-        diameter: f64,
-        thickness: f64,
-    },
-    /// An undercut: a whole ball.
-    Lollipop {
-        diameter: f64,
-    },
-}
-
-impl Dimensions {
-    /// The part of it that cuts.
-    fn body(self) -> Result<Body, CutterError> {
-        // Whatever bears it is a part of the shank.
-        let neck = |diameter: f64| 0.5 * diameter;
-        let undercut = match self {
-            Dimensions::Disc { diameter, thickness } => {
-                Undercut::t_slot(diameter, thickness, neck(diameter))?
-            }
-            Dimensions::Lollipop { diameter } => Undercut::lollipop(diameter, neck(diameter))?,
-            Dimensions::Flat { .. }
-            | Dimensions::Ball { .. }
-            | Dimensions::Bull { .. }
-            | Dimensions::Pointed { .. } => return Ok(Body::of_cutter(&self.cutter()?)),
-        };
-        Ok(Body::of_undercuts(&[(0.0, undercut)]))
-    }
-
-    /// Its lower side.
-    fn cutter(self) -> Result<Cutter, CutterError> {
-        match self {
-            Dimensions::Disc { diameter, .. } => Cutter::flat(diameter),
-            Dimensions::Lollipop { diameter } => Cutter::ball(diameter),
-            Dimensions::Flat { diameter } => Cutter::flat(diameter),
-            Dimensions::Ball { diameter } => Cutter::ball(diameter),
-            Dimensions::Bull { diameter, corner } => Cutter::bull(diameter, corner),
-            Dimensions::Pointed { diameter, tip, angle } => Cutter::pointed(diameter, tip, angle),
-        }
-    }
-
-    /// The same everywhere so much smaller, mm, and how much higher its tip is.
-    fn inside(self, depth: f64) -> (Dimensions, f64) {
-        let less = |diameter: f64| diameter - 2.0 * depth;
-        match self {
-            Dimensions::Bull { diameter, corner } if corner > depth => {
-                (Dimensions::Bull { diameter: less(diameter), corner: corner - depth }, depth)
-            }
-            Dimensions::Flat { diameter } | Dimensions::Bull { diameter, .. } => {
-                (Dimensions::Flat { diameter: less(diameter) }, depth)
-            }
-            Dimensions::Ball { diameter } => (Dimensions::Ball { diameter: less(diameter) }, depth),
-            Dimensions::Disc { diameter, thickness } => {
-                let thickness = thickness - 2.0 * depth;
-                (Dimensions::Disc { diameter: less(diameter), thickness }, depth)
-            }
-            Dimensions::Lollipop { diameter } => {
-                (Dimensions::Lollipop { diameter: less(diameter) }, depth)
-            }
-            Dimensions::Pointed { diameter, tip, angle } => {
-                // The side of the cone moves inward by depth/cos, measured across the axis.
-                let (sine, cosine) = libm::sincos(angle / 2.0);
-                let rise = sine / cosine;
-                let at_lift = |lift: f64| tip / 2.0 + lift * rise - depth / cosine;
-                let lift =
-                    if at_lift(depth) < 0.0 { (depth / cosine - tip / 2.0) / rise } else { depth };
-                let tip = 2.0 * at_lift(lift).max(0.0);
-                (Dimensions::Pointed { diameter: less(diameter), tip, angle }, lift)
-            }
-        }
-    }
-}
-
 impl ToolBody {
-    /// What lies everywhere at least `depth` inside of the cutter, and how much higher its tip is, mm;
-    /// `None` where it is not known, or nothing is left of it.
-    pub fn inside(&self, depth: f64) -> Option<(Body, f64)> {
-        let (dimensions, lift) = self.dimensions?.inside(depth);
-        Some((dimensions.body().ok()?, lift))
+    /// What lies everywhere at least `depth` inside of the cutter, mm; `None` where nothing does, or it is not known.
+    pub fn inside(&self, depth: f64) -> Option<Inside> {
+        self.dimensions.inside(depth)
+    }
+
+    /// What it surely removes.
+    pub fn removes(&self) -> &Cutter {
+        self.core.as_ref().unwrap_or(&self.cutter)
     }
 
     /// The highest known place of cutter, shank and holder above the tip, mm.
@@ -198,8 +106,9 @@ fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
     };
     let Edges { cutter, undercuts, dimensions, top, neck } = edges;
     let cutter = cutter.with_flutes(flutes);
+    let core = dimensions.core().map(|cutter| cutter.with_flutes(flutes));
     let mut body =
-        ToolBody { cutter, undercuts, dimensions, shank: Vec::new(), holder: Vec::new() };
+        ToolBody { cutter, core, undercuts, dimensions, shank: Vec::new(), holder: Vec::new() };
     let Some(flutes) = flutes else { return Ok(body) };
     let mut at = flutes;
     body.shank = stacked(&tool.shank, &mut at);
@@ -221,7 +130,7 @@ fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
 struct Edges {
     cutter: Cutter,
     undercuts: Vec<(f64, Undercut)>,
-    dimensions: Option<Dimensions>,
+    dimensions: Dimensions,
     /// How far up they reach, where the shape says it, mm.
     top: Option<f64>,
     /// The diameter of what bears undercuts, mm.
@@ -231,15 +140,7 @@ struct Edges {
 fn edges_of(shape: Shape<'_>) -> Result<Edges, NoBody> {
     let known = |dimensions: Dimensions| {
         let cutter = dimensions.cutter()?;
-        let dimensions = Some(dimensions);
         Ok(Edges { cutter, undercuts: Vec::new(), dimensions, top: None, neck: 0.0 })
-    };
-    let other = |cutter: Cutter| Edges {
-        cutter,
-        undercuts: Vec::new(),
-        dimensions: None,
-        top: None,
-        neck: 0.0,
     };
     let found: Result<Edges, CutterError> = match shape {
         Shape::Flat { diameter_mm } => known(Dimensions::Flat { diameter: diameter_mm }),
@@ -253,9 +154,8 @@ fn edges_of(shape: Shape<'_>) -> Result<Edges, NoBody> {
         Shape::Drill { diameter_mm, point_angle_rad: angle } => {
             known(Dimensions::Pointed { diameter: diameter_mm, tip: 0.0, angle })
         }
-        // Its core: a thread of a pitch a turn stands in the hole.
         Shape::Tap { diameter_mm, pitch_mm } => {
-            Cutter::flat(core(diameter_mm, pitch_mm)).map(other)
+            known(Dimensions::Tap { diameter: diameter_mm, pitch: pitch_mm })
         }
         Shape::ThreadMill { diameter_mm, pitch_mm, teeth } => threads(diameter_mm, pitch_mm, teeth),
         Shape::TSlot { diameter_mm, thickness_mm, neck_mm } => {
@@ -267,7 +167,7 @@ fn edges_of(shape: Shape<'_>) -> Result<Edges, NoBody> {
             let ball = Undercut::lollipop(diameter_mm, neck_mm);
             ball.and_then(|ball| below(Dimensions::Lollipop { diameter: diameter_mm }, ball))
         }
-        Shape::Form { profile } => Cutter::outline(profile).map(other),
+        Shape::Form { profile } => known(Dimensions::Outline(profile.to_vec())),
         Shape::Insert { .. } | Shape::Groove { .. } => return Err(NoBody::Turning),
     };
     found.map_err(NoBody::Wrong)
@@ -276,24 +176,16 @@ fn edges_of(shape: Shape<'_>) -> Result<Edges, NoBody> {
 /// One undercut with its dimensions.
 fn below(dimensions: Dimensions, undercut: Undercut) -> Result<Edges, CutterError> {
     let (top, neck) = (Some(undercut.height()), undercut.neck());
-    let (cutter, dimensions) = (dimensions.cutter()?, Some(dimensions));
+    let cutter = dimensions.cutter()?;
     Ok(Edges { cutter, undercuts: vec![(0.0, undercut)], dimensions, top, neck })
-}
-
-/// The diameter of a thread tool below its teeth, mm.
-fn core(diameter: f64, pitch: f64) -> f64 {
-    diameter - 2.0 * THREAD_DEPTH * pitch
 }
 
 /// Teeth above each other, with the core that bears them.
 fn threads(diameter: f64, pitch: f64, teeth: u32) -> Result<Edges, CutterError> {
-    let core = core(diameter, pitch);
-    let tooth = Undercut::thread_disc(diameter, pitch * CREST, FLANK, core)?;
-    let height = pitch * f64::from(teeth);
-    let mut undercuts = vec![(0.0, Undercut::t_slot(core, height.max(tooth.height()), core)?)];
-    undercuts.extend((0..teeth).map(|n| (pitch * f64::from(n), tooth.clone())));
-    let top = Some(height.max(tooth.height()));
-    Ok(Edges { cutter: Cutter::flat(diameter)?, undercuts, dimensions: None, top, neck: core })
+    let Teeth { undercuts, top, .. } = Teeth::new(diameter, pitch, teeth)?;
+    let dimensions = Dimensions::Threads { diameter, pitch, teeth };
+    let (cutter, neck) = (dimensions.cutter()?, core(diameter, pitch));
+    Ok(Edges { cutter, undercuts, dimensions, top: Some(top), neck })
 }
 
 fn stacked(solids: &[Solid], at: &mut f64) -> Vec<Piece> {

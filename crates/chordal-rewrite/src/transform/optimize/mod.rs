@@ -5,25 +5,35 @@
 //! | which share of its feed each block may have | `shares.rs` |
 //! | the order in which blocks run, and the F that each is run with | `visits.rs` |
 //! | the F words | `words.rs` |
+//! | along one block: its slices, the share of each place, where splits pay | `slices.rs`, `profile.rs` |
+//! | which points of a block are exact, and how its parts are written | `exact.rs`, `parts.rs` |
+//! | the text in parts, proved and fed | `split.rs` |
 //! | both texts run, and compared command by command | `proof.rs` |
 
+mod exact;
+mod parts;
+mod profile;
 mod proof;
 mod shares;
+mod slices;
+mod split;
 mod visits;
 mod words;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use chordal::Job;
 use chordal::diagnostics::SourceMap;
 use chordal::motion::{LimitError, MotionOptions};
 use chordal::stock::{EngagementOptions, EngagementReport, StockRunError};
 
-use super::edit::{Refusal, apply, changes};
+use super::edit::{Edit, Refusal, apply, changes};
 use crate::Change;
 use crate::source::first_text;
+use slices::Slices;
 
 pub use proof::FeedProof;
+pub use split::{NotSplit, Splits};
 
 /// How thick chips may be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,6 +54,8 @@ pub struct OptimizeOptions {
     pub limit: ChipLimit,
     /// The largest feed, by the programmed one; 1 only lowers.
     pub faster: f64,
+    /// Blocks are split where that saves time.
+    pub split: bool,
     /// How times are planned.
     pub motion: MotionOptions,
 }
@@ -103,6 +115,10 @@ pub struct Optimized {
     pub engaged_s: [f64; 2],
     /// What was compared.
     pub proof: FeedProof,
+    /// What was split; `None` where nothing was.
+    pub splits: Option<Splits>,
+    /// What would be split but for its form.
+    pub not_split: Vec<NotSplit>,
 }
 
 /// Gives the bytes of a file that a setup names.
@@ -117,29 +133,47 @@ pub fn optimize(
     options: &OptimizeOptions,
     files: Files<'_>,
 ) -> Result<Optimized, OptimizeError> {
-    let before = job.engagement(&options.engagement, files)?;
+    let mut slices = Slices::default();
+    let before = job.engagement_with(&options.engagement, files, &mut |number, slice| {
+        if options.split {
+            slices.add(number, slice);
+        }
+    })?;
     is_known(&before, job.sources())?;
     let limits = limits(job, &before, options)?;
-    let visits = visits::Visits::of(job);
-    let shares = shares::Shares {
-        moves: &before.moves,
-        limits: &limits,
-        faster: options.faster.max(1.0),
-        power: shares::power(&before),
-        exponent: before.material.map_or(0.0, |material| material.m_c),
-        feed_max: job.machine().feed.max_mm_per_s,
-    };
-    let wanted = shares.by_block();
-    let mut written = words::write(job, &visits, &wanted)?;
-    let text = apply(first_text(job), &mut written.edits);
-    let new = job.with_text(text);
-    let after = new.engagement(&options.engagement, files)?;
-    let mut proof = proof::prove(job, &new, &written.changed)?;
-    proof.cells = proof::same_cut(&before, &after)?;
-    proof::within(&before, &after, &limits, options.faster.max(1.0))?;
-    let seconds =
-        [job, &new].map(|job| job.time(&options.motion).map(|timed| timed.time.total_s()));
-    let [old_s, new_s] = seconds;
+    let mut fed = feed(job, &before, &limits, options, files)?;
+    let mut all_changes = changes(first_text(job), &fed.edits);
+    let mut notes = notes(&before);
+    let mut splits = None;
+    let mut not_split = Vec::new();
+    if options.split {
+        let choice = split::Choice {
+            job,
+            before: &before,
+            slices: &slices,
+            limits: &limits,
+            options,
+            files,
+        };
+        match choice.in_parts() {
+            Ok((parted, why)) => {
+                not_split = why;
+                match parted {
+                    Some(parted) if parted.fed.seconds < fed.seconds => {
+                        (fed, all_changes) = (parted.fed, parted.changes);
+                        splits = Some(parted.splits);
+                    }
+                    _ => notes.push("no block is split: it would save nothing".into()),
+                }
+            }
+            // Whole blocks are proved already.
+            Err(error @ (OptimizeError::Refused(_) | OptimizeError::NotProved(_))) => {
+                notes.push(format!("no block is split: {error}"));
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    let before_s = job.time(&options.motion).map(|timed| timed.time.total_s())?;
     let peak = |report: &EngagementReport, tool: u32| {
         let found = report.tools.iter().find(|each| each.number == tool);
         found.and_then(|each| each.chip_mm).map_or(0.0, |chip| chip.peak)
@@ -149,21 +183,57 @@ pub fn optimize(
         .map(|(&tool, &limit_mm)| ToolChips {
             tool,
             limit_mm,
-            peak_mm: [peak(&before, tool), peak(&after, tool)],
+            peak_mm: [peak(&before, tool), peak(&fed.after, tool)],
         })
         .collect();
     let engaged =
         |report: &EngagementReport| report.tools.iter().map(|tool| tool.engaged_s).sum::<f64>();
     Ok(Optimized {
-        changes: changes(first_text(job), &written.edits),
-        blocks: [written.changed.len(), wanted.len()],
+        changes: all_changes,
+        blocks: [fed.changed.len(), fed.shares.len()],
         chips,
-        notes: notes(&before),
-        seconds: [old_s?, new_s?],
-        engaged_s: [engaged(&before), engaged(&after)],
-        proof,
-        text: first_text(&new).to_vec(),
+        notes,
+        seconds: [before_s, fed.seconds],
+        engaged_s: [engaged(&before), engaged(&fed.after)],
+        proof: fed.proof,
+        splits,
+        not_split,
+        text: first_text(&fed.new).to_vec(),
     })
+}
+
+/// A text with other feeds, proved.
+struct Fed {
+    new: Job<'static>,
+    edits: Vec<Edit>,
+    /// The blocks whose moves have another feed, and the share of each block that may have one.
+    changed: HashSet<u32>,
+    shares: HashMap<u32, f64>,
+    after: EngagementReport,
+    proof: FeedProof,
+    /// Planned with jerk, s.
+    seconds: f64,
+}
+
+/// Changes the F words of a text whose engagement is known, and proves them.
+fn feed(
+    job: &Job,
+    before: &EngagementReport,
+    limits: &BTreeMap<u32, f64>,
+    options: &OptimizeOptions,
+    files: Files<'_>,
+) -> Result<Fed, OptimizeError> {
+    let visits = visits::Visits::of(job);
+    let shares = shares::Shares::new(job, before, limits, options).by_block();
+    let mut written = words::write(job, &visits, &shares)?;
+    let new = job.with_text(apply(first_text(job), &mut written.edits));
+    let after = new.engagement(&options.engagement, files)?;
+    let mut proof = proof::prove(job, &new, &written.changed)?;
+    proof.cells = proof::same_cut(before, &after)?;
+    proof::within(before, &after, limits, options.faster.max(1.0))?;
+    let seconds = new.time(&options.motion)?.time.total_s();
+    let words::Written { edits, changed } = written;
+    Ok(Fed { new, edits, changed, shares, after, proof, seconds })
 }
 
 /// Refuses where what tools meet is not known.
@@ -223,11 +293,19 @@ fn notes(found: &EngagementReport) -> Vec<String> {
         .filter(|tool| tool.lasting_chip_mm.is_none())
         .map(|tool| tool.number.to_string())
         .collect();
-    match without[..] {
-        [] => Vec::new(),
-        _ => vec![format!(
+    let mut notes = Vec::new();
+    if !without.is_empty() {
+        notes.push(format!(
             "the feeds of tool {} stay: without the number of its teeth, or a cut, it has no chip",
             without.join(", ")
-        )],
+        ));
     }
+    if !found.not_measured.is_empty() {
+        let tools: Vec<String> = found.not_measured.iter().map(u32::to_string).collect();
+        notes.push(format!(
+            "the feeds of tool {} stay: what an undercut engages is not measured",
+            tools.join(", ")
+        ));
+    }
+    notes
 }

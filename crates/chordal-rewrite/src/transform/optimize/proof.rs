@@ -107,6 +107,28 @@ pub(super) fn same_cut(
     }
 }
 
+/// What is left of the stock after moves in parts: cells that are the same to the bit. Where a move ends, its wall is
+/// known to the width of a cell, so the others have other bounds; the truth lies between both.
+pub(super) fn same_within(
+    before: &EngagementReport,
+    after: &EngagementReport,
+) -> Result<u64, OptimizeError> {
+    let [old, new] = [before, after].map(|report| report.stock.height_pairs());
+    let mut same = 0;
+    let mut fits = old.len() == new.len();
+    for (a, b) in old.iter().zip(&new) {
+        let bits = |pair: &chordal::stock::CellHeights| [pair.outer, pair.inner].map(f64::to_bits);
+        same += u64::from(bits(a) == bits(b));
+        fits &= a.inner <= b.outer && b.inner <= a.outer;
+    }
+    match fits {
+        true => Ok(same),
+        false => Err(OptimizeError::NotProved(
+            "what is left of the stock is not the same after blocks are split".into(),
+        )),
+    }
+}
+
 /// No chip is thicker than its limit, none of a tool without one than before, no feed faster than asked.
 pub(super) fn within(
     before: &EngagementReport,

@@ -2,8 +2,11 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use chordal::Job;
 use chordal::diagnostics::FileId;
 use chordal::stock::{EngagementReport, MoveEngagement};
+
+use super::OptimizeOptions;
 
 /// Feeds change by whole steps of this ratio, down to the next one: many small changes cost more than they give.
 const STEP: f64 = 1.05;
@@ -16,21 +19,21 @@ const ON_STEP: f64 = 1e-9;
 
 /// What shares depend on.
 pub(super) struct Shares<'a> {
-    pub moves: &'a [MoveEngagement],
+    moves: &'a [MoveEngagement],
     /// The thickest chip of each tool, mm.
-    pub limits: &'a BTreeMap<u32, f64>,
+    limits: &'a BTreeMap<u32, f64>,
     /// The largest share.
-    pub faster: f64,
+    faster: f64,
     /// The most power of each tool, kW.
-    pub power: BTreeMap<u32, f64>,
+    power: BTreeMap<u32, f64>,
     /// Power grows with the feed to the power of 1 less this.
-    pub exponent: f64,
+    exponent: f64,
     /// The machine's largest feed, mm/s.
-    pub feed_max: Option<f64>,
+    feed_max: Option<f64>,
 }
 
 /// The most power that a tool may take: the spindle's, or without that what the tool takes in the program itself.
-pub(super) fn power(found: &EngagementReport) -> BTreeMap<u32, f64> {
+fn power(found: &EngagementReport) -> BTreeMap<u32, f64> {
     let of = |own: f64| found.spindle_kw.unwrap_or(own);
     let tools = found.tools.iter();
     tools.filter_map(|tool| Some((tool.number, of(tool.power_kw?.peak)))).collect()
@@ -46,7 +49,23 @@ struct Visit {
     tool: u32,
 }
 
-impl Shares<'_> {
+impl<'a> Shares<'a> {
+    pub fn new(
+        job: &Job,
+        before: &'a EngagementReport,
+        limits: &'a BTreeMap<u32, f64>,
+        options: &OptimizeOptions,
+    ) -> Shares<'a> {
+        Shares {
+            moves: &before.moves,
+            limits,
+            faster: options.faster.max(1.0),
+            power: power(before),
+            exponent: before.material.as_ref().map_or(0.0, |material| material.m_c),
+            feed_max: job.machine().feed.max_mm_per_s,
+        }
+    }
+
     /// Blocks of the first text whose feed may be changed, by the byte that they begin at, with the share that each
     /// may have.
     pub fn by_block(&self) -> HashMap<u32, f64> {
@@ -63,9 +82,7 @@ impl Shares<'_> {
         let mut visits: Vec<Visit> = Vec::new();
         let mut last = None;
         for each in self.moves {
-            let is_own = each.by_time && each.origin.span.file == FileId(0);
-            let changeable =
-                is_own && each.feed_mm_per_s > 0.0 && self.limits.contains_key(&each.tool);
+            let changeable = self.is_changeable(each);
             let share = if changeable { self.share(each) } else { 1.0 };
             match visits.last_mut().filter(|_| last == Some(each.origin)) {
                 Some(visit) => {
@@ -87,8 +104,14 @@ impl Shares<'_> {
         visits
     }
 
+    /// The feed of a move may be another one.
+    pub fn is_changeable(&self, each: &MoveEngagement) -> bool {
+        let is_own = each.by_time && each.origin.span.file == FileId(0);
+        is_own && each.feed_mm_per_s > 0.0 && self.limits.contains_key(&each.tool)
+    }
+
     /// The share that a move may have: a step, or 1.
-    fn share(&self, each: &MoveEngagement) -> f64 {
+    pub fn share(&self, each: &MoveEngagement) -> f64 {
         // How fast an end mill may go down is no question of its chip: centre, coolant and chips decide it.
         let mut most = if each.falls { 1.0 } else { self.faster };
         if let (Some(chip), Some(limit)) = (each.chip, self.limits.get(&each.tool)) {

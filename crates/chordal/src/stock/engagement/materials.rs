@@ -1,11 +1,75 @@
 //! Materials: the cutting force by the thickness of the chip.
 //!
 //! The groups are those of VDI 3323. The values are ISCAR's: turning catalogue 2017, page 558, and boring guide 2022,
-//! page 111. Where the two differ, for titanium by 70 %, both are here, and the larger one is taken.
+//! page 111. Where the two differ, for titanium by 70 %, both are here, and the larger one is taken. A setup file may
+//! have values of its own, `[materials.<name>]`.
+
+use std::collections::BTreeMap;
+
+use chordal_machine::CuttingForce;
+
+/// A material with its values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Its name for people.
+    pub name: String,
+    /// Its number in VDI 3323, where it is of the table.
+    pub group: Option<u8>,
+    /// The force on a chip of 1 mm × 1 mm, N/mm².
+    pub k_c1: f64,
+    /// By which power of the thickness it falls.
+    pub m_c: f64,
+    /// Where the two values are from.
+    pub source: String,
+}
+
+/// Why a word of `[stock] material` has no values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoMaterial {
+    /// There is no such material.
+    Unknown,
+    /// `[materials]` has it, and lacks this key, which the table has for no material of the name.
+    Lacks(&'static str),
+}
+
+impl Material {
+    /// The material that a word means: one of `[materials]`, else one of the table.
+    ///
+    /// # Errors
+    /// Where there is none, or a value of it is missing.
+    pub fn of(word: &str, own: &BTreeMap<String, CuttingForce>) -> Result<Material, NoMaterial> {
+        let known = MaterialGroup::named(word);
+        let is_meant = |name: &str| name.trim().eq_ignore_ascii_case(word.trim());
+        let Some((name, own)) = own.iter().find(|(name, _)| is_meant(name)) else {
+            return known.map(MaterialGroup::material).ok_or(NoMaterial::Unknown);
+        };
+        let value = |own: Option<f64>, of: fn(&MaterialGroup) -> f64, key: &'static str| {
+            own.or(known.map(of)).ok_or(NoMaterial::Lacks(key))
+        };
+        Ok(Material {
+            k_c1: value(own.k_c1_n_per_mm2, |group| group.k_c1, "k_c1")?,
+            m_c: value(own.m_c, |group| group.m_c, "m_c")?,
+            name: name.trim().to_string(),
+            group: None,
+            source: own.source.clone().unwrap_or_else(|| format!("[materials] {}", name.trim())),
+        })
+    }
+
+    /// The force by the section of the chip at a mean thickness, mm: N/mm². Thinner than [`THINNEST`] it is that there.
+    pub fn force(&self, mean_mm: f64) -> f64 {
+        self.k_c1 * libm::pow(mean_mm.max(THINNEST), -self.m_c)
+    }
+
+    /// The power of a cut, kW: the removal rate in mm³/s, the mean thickness of the chip in mm. An estimate:
+    /// see [`POWER_SHARE`].
+    pub fn power(&self, removal: f64, mean_mm: f64) -> f64 {
+        self.force(mean_mm) * removal / WATT_MM / 1000.0
+    }
+}
 
 /// A group of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Material {
+pub struct MaterialGroup {
     /// Its number in VDI 3323.
     pub group: u8,
     /// Its name for people.
@@ -25,8 +89,8 @@ const TURNING: &str =
     "ISCAR turning catalogue 2017 p. 558; its boring guide 2022 p. 111 has 1245 N/mm² and 0.24";
 
 /// The table.
-pub const MATERIALS: &[Material] = &[
-    Material {
+pub const MATERIALS: &[MaterialGroup] = &[
+    MaterialGroup {
         group: 1,
         name: "steel below 0.25 % C",
         words: &["low carbon steel", "mild steel", "1018", "s235", "s355", "st37", "c15"],
@@ -34,7 +98,7 @@ pub const MATERIALS: &[Material] = &[
         m_c: 0.21,
         source: BOTH,
     },
-    Material {
+    MaterialGroup {
         group: 2,
         name: "steel from 0.25 % C on, annealed",
         words: &["steel", "carbon steel", "1045", "c45", "ck45"],
@@ -42,7 +106,7 @@ pub const MATERIALS: &[Material] = &[
         m_c: 0.22,
         source: BOTH,
     },
-    Material {
+    MaterialGroup {
         group: 7,
         name: "low alloy steel, tempered, 275 HB",
         words: &["alloy steel", "4140", "42crmo4"],
@@ -50,7 +114,7 @@ pub const MATERIALS: &[Material] = &[
         m_c: 0.24,
         source: BOTH,
     },
-    Material {
+    MaterialGroup {
         group: 14,
         name: "stainless steel, austenitic",
         words: &["stainless", "stainless steel", "304", "316", "1.4301", "1.4404"],
@@ -58,7 +122,7 @@ pub const MATERIALS: &[Material] = &[
         m_c: 0.20,
         source: BOTH,
     },
-    Material {
+    MaterialGroup {
         group: 15,
         name: "grey cast iron, 180 HB",
         words: &["cast iron", "grey iron", "grey cast iron", "gray iron", "gg25"],
@@ -66,7 +130,7 @@ pub const MATERIALS: &[Material] = &[
         m_c: 0.20,
         source: BOTH,
     },
-    Material {
+    MaterialGroup {
         group: 18,
         name: "nodular cast iron, pearlitic",
         words: &["nodular iron", "ductile iron", "nodular cast iron", "ggg60"],
@@ -74,7 +138,7 @@ pub const MATERIALS: &[Material] = &[
         m_c: 0.28,
         source: BOTH,
     },
-    Material {
+    MaterialGroup {
         group: 22,
         name: "wrought aluminium, hardened",
         words: &["aluminium", "aluminum", "6061", "6082", "7075", "6061-t6", "7075-t6"],
@@ -82,7 +146,7 @@ pub const MATERIALS: &[Material] = &[
         m_c: 0.25,
         source: BOTH,
     },
-    Material {
+    MaterialGroup {
         group: 27,
         name: "brass",
         words: &["brass", "360 brass", "cuzn39pb3"],
@@ -90,7 +154,7 @@ pub const MATERIALS: &[Material] = &[
         m_c: 0.27,
         source: BOTH,
     },
-    Material {
+    MaterialGroup {
         group: 34,
         name: "nickel or cobalt alloy, hardened",
         words: &["inconel", "inconel 718", "nickel alloy"],
@@ -98,7 +162,7 @@ pub const MATERIALS: &[Material] = &[
         m_c: 0.24,
         source: BOTH,
     },
-    Material {
+    MaterialGroup {
         group: 37,
         name: "titanium alloy, alpha and beta",
         words: &["titanium", "ti-6al-4v", "ti6al4v", "grade 5"],
@@ -108,9 +172,9 @@ pub const MATERIALS: &[Material] = &[
     },
 ];
 
-impl Material {
-    /// The material that a word means: one of its own, or the number of its group (`VDI 22`, `22`).
-    pub fn named(word: &str) -> Option<&'static Material> {
+impl MaterialGroup {
+    /// The group that a word means: one of its own, or its number (`VDI 22`, `22`).
+    pub fn named(word: &str) -> Option<&'static MaterialGroup> {
         let word = word.trim().to_ascii_lowercase();
         let number = word.strip_prefix("vdi").unwrap_or(&word).trim();
         let by_number = number.parse::<u8>().ok();
@@ -119,15 +183,15 @@ impl Material {
         })
     }
 
-    /// The force by the section of the chip at a mean thickness, mm: N/mm². Thinner than [`THINNEST`] it is that there.
-    pub fn force(&self, mean_mm: f64) -> f64 {
-        self.k_c1 * libm::pow(mean_mm.max(THINNEST), -self.m_c)
-    }
-
-    /// The power of a cut, kW: the removal rate in mm³/s, the mean thickness of the chip in mm. An estimate:
-    /// see [`POWER_SHARE`].
-    pub fn power(&self, removal: f64, mean_mm: f64) -> f64 {
-        self.force(mean_mm) * removal / WATT_MM / 1000.0
+    /// A material of it.
+    pub fn material(&self) -> Material {
+        Material {
+            name: self.name.to_string(),
+            group: Some(self.group),
+            k_c1: self.k_c1,
+            m_c: self.m_c,
+            source: self.source.to_string(),
+        }
     }
 }
 
@@ -152,7 +216,7 @@ mod tests {
     #[test]
     fn the_worked_case_of_steel() {
         // Group 2, D10 with 4 teeth, half of it wide, 5 deep, 0.05 a tooth at 3000 rpm.
-        let steel = Material::named("VDI 2").unwrap();
+        let steel = MaterialGroup::named("VDI 2").unwrap().material();
         let feed = 0.05 * 4.0 * 3000.0 / 60.0;
         let removal: f64 = 5.0 * 5.0 * feed;
         assert!((removal * 60.0 - 15_000.0).abs() < 1e-9);
@@ -167,14 +231,36 @@ mod tests {
     #[test]
     fn words_and_numbers_name_one_material_each() {
         for material in MATERIALS {
-            assert_eq!(Material::named(&material.group.to_string()).unwrap().group, material.group);
+            assert_eq!(
+                MaterialGroup::named(&material.group.to_string()).unwrap().group,
+                material.group
+            );
             for word in material.words {
-                assert_eq!(Material::named(word).unwrap().group, material.group, "{word}");
+                assert_eq!(MaterialGroup::named(word).unwrap().group, material.group, "{word}");
             }
         }
-        assert_eq!(Material::named(" Aluminum ").unwrap().group, 22);
-        assert!(Material::named("unobtainium").is_none() && Material::named("").is_none());
+        let named = MaterialGroup::named;
+        assert_eq!(named(" Aluminum ").unwrap().group, 22);
+        assert!(named("unobtainium").is_none() && named("").is_none());
         // A force has an end where the chip has none.
-        assert!(MATERIALS[0].force(0.0).is_finite());
+        assert!(MATERIALS[0].material().force(0.0).is_finite());
+    }
+
+    #[test]
+    fn values_of_a_setup_count_before_the_table() {
+        let force = |k_c1_n_per_mm2, m_c| CuttingForce { k_c1_n_per_mm2, m_c, source: None };
+        let own = BTreeMap::from([
+            ("Bronze".to_string(), force(Some(1780.0), Some(0.17))),
+            ("aluminium".to_string(), force(Some(700.0), None)),
+            ("unobtainium".to_string(), force(None, Some(0.3))),
+        ]);
+        let bronze = Material::of(" bronze", &own).unwrap();
+        assert_eq!((bronze.k_c1, bronze.m_c, bronze.group), (1780.0, 0.17, None));
+        // What is not given is that of the table; another word of the group stays as it is there.
+        let aluminium = Material::of("Aluminium", &own).unwrap();
+        assert_eq!((aluminium.k_c1, aluminium.m_c), (700.0, 0.25));
+        assert_eq!(Material::of("6061", &own).unwrap().k_c1, 800.0);
+        assert_eq!(Material::of("unobtainium", &own), Err(NoMaterial::Lacks("k_c1")));
+        assert_eq!(Material::of("wood", &own), Err(NoMaterial::Unknown));
     }
 }

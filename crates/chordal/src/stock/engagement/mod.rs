@@ -15,7 +15,7 @@ mod run;
 mod typical;
 
 pub use chordal_stock::engagement::{Between, Slice, engagement_angle};
-pub use materials::{MATERIALS, Material, POWER_SHARE};
+pub use materials::{MATERIALS, Material, MaterialGroup, NoMaterial, POWER_SHARE};
 pub use report::{
     Chip, Effort, EngagementProblem, EngagementReport, MoveEngagement, Peak, ToolEngagement,
 };

@@ -7,7 +7,7 @@ use chordal_diagnostics::Code;
 use chordal_stock::Stock;
 use chordal_stock::engagement::Between;
 
-use super::materials::Material;
+use super::materials::{Material, NoMaterial};
 use super::typical::Typical;
 use crate::report::Report;
 
@@ -150,7 +150,9 @@ pub struct EngagementReport {
     /// What the setup says of the stock's material.
     pub material_word: Option<String>,
     /// The material of that word.
-    pub material: Option<&'static Material>,
+    pub material: Option<Material>,
+    /// Why there is none.
+    pub no_material: Option<NoMaterial>,
     /// The power of the spindle, kW, where it is given.
     pub spindle_kw: Option<f64>,
     /// Units of the program.
@@ -165,6 +167,8 @@ pub struct EngagementReport {
     pub more_problems: u64,
     /// Every cut was made: each tool has a shape, each place is known.
     pub is_whole: bool,
+    /// Tools with undercuts: they cut, and what they engage is not measured.
+    pub not_measured: Vec<u32>,
     /// The stock as it is left.
     pub stock: Stock,
     /// The run, with the problems as diagnostics among the others.

@@ -68,25 +68,41 @@ impl Job<'_> {
             Options::new(resolution, options.stock.budget),
             |low, high| heights.of(low, high),
         )?;
+        if heights.is_hollow() {
+            stock.hollow(&|corners| heights.hollows(corners));
+        }
         let tools: BTreeMap<u32, Tool> =
             known_tools(self).into_iter().map(|(number, known)| (number, known.tool)).collect();
         let teeth: BTreeMap<u32, u32> =
             tools.iter().filter_map(|(number, tool)| Some((*number, teeth_of(tool)?))).collect();
         let material_word = body.material.clone();
-        let material = material_word.as_deref().and_then(Material::named);
+        let own = &self.machine().setup.materials;
+        let (material, no_material) =
+            match material_word.as_deref().map(|word| Material::of(word, own)) {
+                Some(Ok(material)) => (Some(material), None),
+                Some(Err(why)) => (None, Some(why)),
+                None => (None, None),
+            };
         let measuring = Measuring { spacing: resolution, graze: options.stock.tolerance_mm };
         let mut moves = Vec::new();
-        let mut has_undercuts = false;
+        let mut not_measured: Vec<u32> = Vec::new();
         for batch in gathered.batches.iter().filter(|batch| batch.kind != Kind::Rapid) {
             let Some(Ok(tool)) = bodies.get(&batch.tool) else { continue };
             // What undercuts engage is not measured.
             if !tool.undercuts.is_empty() {
-                has_undercuts = true;
+                stock.cut_below(&tool.undercuts, &batch.moves);
+                if !not_measured.contains(&batch.tool) {
+                    not_measured.push(batch.tool);
+                }
                 continue;
             }
-            let meter = Meter::new(tool.cutter.clone(), resolution, measuring);
-            let cut =
-                Cut { batch, meter: &meter, teeth: teeth.get(&batch.tool).copied(), material };
+            let meter = Meter::new(tool.removes().clone(), resolution, measuring);
+            let cut = Cut {
+                batch,
+                meter: &meter,
+                teeth: teeth.get(&batch.tool).copied(),
+                material: material.as_ref(),
+            };
             for index in 0..batch.moves.len() {
                 if self.is_interrupted() {
                     return Err(StockRunError::Interrupted);
@@ -94,6 +110,9 @@ impl Job<'_> {
                 let number = moves.len();
                 let mut see = |slice: &Slice| see(number, slice);
                 moves.push(cut.engagement(&mut stock, index, &mut see));
+            }
+            if tool.core.is_some() {
+                stock.cut_at_most(&tool.cutter, &batch.moves);
             }
         }
         let limits = Limits {
@@ -107,14 +126,14 @@ impl Job<'_> {
             each.problem = limits.worst(each);
         }
         let mut found = limits.problems(&moves);
-        let (is_whole, units) =
-            (gathered.is_whole() && !has_undercuts && report.verified(), gathered.units);
+        let (is_whole, units) = (gathered.is_whole() && report.verified(), gathered.units);
         found.diagnostics.append(&mut gathered.diagnostics);
         report.add(found.diagnostics);
         Ok(EngagementReport {
             resolution_mm: resolution,
             material_word,
             material,
+            no_material,
             spindle_kw: self.machine().spindle_power_kw,
             units,
             tools: by_tool(&moves, &teeth),
@@ -122,6 +141,7 @@ impl Job<'_> {
             problems: found.list,
             more_problems: found.more,
             is_whole,
+            not_measured,
             stock,
             report,
         })
@@ -141,7 +161,7 @@ struct Cut<'a> {
     batch: &'a Batch,
     meter: &'a Meter,
     teeth: Option<u32>,
-    material: Option<&'static Material>,
+    material: Option<&'a Material>,
 }
 
 impl Cut<'_> {
@@ -202,12 +222,7 @@ impl Worst {
         }
     }
 
-    fn slice(
-        &mut self,
-        slice: &Slice,
-        feed_per_tooth: Option<f64>,
-        material: Option<&'static Material>,
-    ) {
+    fn slice(&mut self, slice: &Slice, feed_per_tooth: Option<f64>, material: Option<&Material>) {
         let total = &mut self.total;
         let feed = total.feed_mm_per_s;
         total.engaged_mm += slice.length;

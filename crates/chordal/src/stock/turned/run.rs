@@ -134,10 +134,10 @@ impl Job<'_> {
         let before_mm3 = before.volume();
         let mut moves = std::mem::take(&mut cutting.moves);
         let mut tools = cutting.tools_in_order();
-        let material =
-            self.machine().setup.stock.as_ref().and_then(|stock| stock.material.as_deref());
-        if let Some(material) = material.and_then(Material::named) {
-            give_power(&mut moves, &mut tools, material);
+        let setup = &self.machine().setup;
+        let material = setup.stock.as_ref().and_then(|stock| stock.material.as_deref());
+        if let Some(Ok(material)) = material.map(|word| Material::of(word, &setup.materials)) {
+            give_power(&mut moves, &mut tools, &material);
         }
         let mut too_hard = overloads(self, &mut moves, gathered.units);
         let Cutting { found, threads, target: wanted, bound, .. } = cutting;

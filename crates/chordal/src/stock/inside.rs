@@ -1,0 +1,198 @@
+//! What lies everywhere so much inside of a cutter: where it touches a part, the cutter is deeper in it than that.
+
+use chordal_stock::{Body, Cutter, CutterError, Undercut};
+
+use super::teeth::{FLANK, Teeth, core};
+
+/// A cutter of which a smaller one inside is known, by its dimensions, mm and rad.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Dimensions {
+    Flat {
+        diameter: f64,
+    },
+    Ball {
+        diameter: f64,
+    },
+    Bull {
+        diameter: f64,
+        corner: f64,
+    },
+    Pointed {
+        diameter: f64,
+        tip: f64,
+        angle: f64,
+    },
+    /// An undercut: a disc of a thickness.
+    Disc {
+        diameter: f64,
+        thickness: f64,
+    },
+    /// An undercut: a whole ball.
+    Lollipop {
+        diameter: f64,
+    },
+    /// By the points of its outline: height and radius.
+    Outline(Vec<[f64; 2]>),
+    /// Undercuts: teeth above each other on a core.
+    Threads {
+        diameter: f64,
+        pitch: f64,
+        teeth: u32,
+    },
+    /// A core with a thread of which only the diameter counts.
+    Tap {
+        diameter: f64,
+        pitch: f64,
+    },
+}
+
+/// What lies inside of a cutter.
+pub(super) struct Inside {
+    /// Everything that does is in it.
+    pub holds: Body,
+    pub sure: Sure,
+    /// How much higher than the tip of the cutter both have theirs, mm.
+    pub lift: f64,
+}
+
+/// What surely lies inside.
+pub(super) enum Sure {
+    /// The body that holds everything.
+    Same,
+    Body(Body),
+    Nothing,
+}
+
+impl Dimensions {
+    /// Its lower side.
+    pub fn cutter(&self) -> Result<Cutter, CutterError> {
+        match *self {
+            Dimensions::Disc { diameter, .. } | Dimensions::Threads { diameter, .. } => {
+                Cutter::flat(diameter)
+            }
+            Dimensions::Lollipop { diameter } => Cutter::ball(diameter),
+            Dimensions::Flat { diameter } | Dimensions::Tap { diameter, .. } => {
+                Cutter::flat(diameter)
+            }
+            Dimensions::Ball { diameter } => Cutter::ball(diameter),
+            Dimensions::Bull { diameter, corner } => Cutter::bull(diameter, corner),
+            Dimensions::Pointed { diameter, tip, angle } => Cutter::pointed(diameter, tip, angle),
+            Dimensions::Outline(ref points) => Cutter::outline(points),
+        }
+    }
+
+    /// What it surely removes, where that is less than it may: a thread of a pitch a turn stands in the hole of a tap.
+    pub fn core(&self) -> Option<Cutter> {
+        match *self {
+            Dimensions::Tap { diameter, pitch } => Cutter::flat(core(diameter, pitch)).ok(),
+            Dimensions::Flat { .. }
+            | Dimensions::Ball { .. }
+            | Dimensions::Bull { .. }
+            | Dimensions::Pointed { .. }
+            | Dimensions::Disc { .. }
+            | Dimensions::Lollipop { .. }
+            | Dimensions::Outline(_)
+            | Dimensions::Threads { .. } => None,
+        }
+    }
+
+    /// What lies at least `depth` inside of it everywhere, mm; `None` where nothing does.
+    pub fn inside(&self, depth: f64) -> Option<Inside> {
+        let less = |diameter: f64| diameter - 2.0 * depth;
+        let of_cutter = |cutter: Result<Cutter, CutterError>, lift: f64| {
+            let holds = Body::of_cutter(&cutter.ok()?);
+            Some(Inside { holds, sure: Sure::Same, lift })
+        };
+        // Whatever bears it is a part of the shank.
+        let of_undercut = |undercut: Result<Undercut, CutterError>| {
+            let holds = Body::of_undercuts(&[(0.0, undercut.ok()?)]);
+            Some(Inside { holds, sure: Sure::Same, lift: depth })
+        };
+        match *self {
+            Dimensions::Bull { diameter, corner } if corner > depth => {
+                of_cutter(Cutter::bull(less(diameter), corner - depth), depth)
+            }
+            Dimensions::Flat { diameter } | Dimensions::Bull { diameter, .. } => {
+                of_cutter(Cutter::flat(less(diameter)), depth)
+            }
+            Dimensions::Ball { diameter } => of_cutter(Cutter::ball(less(diameter)), depth),
+            Dimensions::Disc { diameter, thickness } => {
+                of_undercut(disc(less(diameter), thickness - 2.0 * depth))
+            }
+            Dimensions::Lollipop { diameter } => {
+                of_undercut(Undercut::lollipop(less(diameter), 0.5 * less(diameter)))
+            }
+            Dimensions::Pointed { diameter, tip, angle } => {
+                // The side of the cone moves inward by depth/cos, measured across the axis.
+                let (sine, cosine) = libm::sincos(angle / 2.0);
+                let rise = sine / cosine;
+                let at_lift = |lift: f64| tip / 2.0 + lift * rise - depth / cosine;
+                let lift =
+                    if at_lift(depth) < 0.0 { (depth / cosine - tip / 2.0) / rise } else { depth };
+                let tip = 2.0 * at_lift(lift).max(0.0);
+                of_cutter(Cutter::pointed(less(diameter), tip, angle), lift)
+            }
+            Dimensions::Outline(ref points) => {
+                let [holds, within] = Cutter::outline_inside(points, depth).ok()??;
+                let sure = Sure::Body(Body::of_cutter(&within));
+                Some(Inside { holds: Body::of_cutter(&holds), sure, lift: 0.0 })
+            }
+            Dimensions::Threads { diameter, pitch, teeth } => {
+                inside_threads(diameter, pitch, teeth, depth)
+            }
+            Dimensions::Tap { diameter, pitch } => {
+                let holds = Body::of_cutter(&Cutter::flat(less(diameter)).ok()?);
+                let sure = match Cutter::flat(less(core(diameter, pitch))) {
+                    Ok(cutter) => Sure::Body(Body::of_cutter(&cutter)),
+                    Err(_) => Sure::Nothing,
+                };
+                Some(Inside { holds, sure, lift: depth })
+            }
+        }
+    }
+}
+
+fn disc(diameter: f64, thickness: f64) -> Result<Undercut, CutterError> {
+    Undercut::t_slot(diameter, thickness, 0.5 * diameter)
+}
+
+/// Beyond the core only the flanks and the crest of a tooth are near, so its inset is exact there. In the core what
+/// is near the mouth of a groove lies a little deeper than in the core alone: `holds` has all of it, `sure` the core's
+/// own inset.
+fn inside_threads(diameter: f64, pitch: f64, teeth: u32, depth: f64) -> Option<Inside> {
+    let core = core(diameter, pitch);
+    let Teeth { tooth, top, .. } = Teeth::new(diameter, pitch, teeth).ok()?;
+    let (rise, cosine) = (libm::tan(FLANK), libm::cos(FLANK));
+    // Half the width of a tooth at a radius, and that of its inset.
+    let half = 0.5 * tooth.height();
+    let width = |radius: f64| half - (radius - 0.5 * core).max(0.0) * rise;
+    /// Where flanks meet before the crest, the inset ends in a crest so narrow, mm.
+    const SHARP: f64 = 1e-6;
+    let rim = 0.5 * diameter - depth;
+    let crest = width(rim) - depth / cosine;
+    // Out to where the inset of both flanks is no wider than that.
+    let (rim, crest) = match crest > SHARP {
+        true => (rim, crest),
+        false => (rim - (SHARP - crest) / rise, SHARP),
+    };
+    let height = top - 2.0 * depth;
+    // Nearer to the axis than this the tooth alone would be as high as the inset of the core's ends.
+    let root = 0.5 * core - depth * (1.0 / cosine - 1.0) / rise;
+    let mut holds = vec![(depth, disc(core, height).ok()?)];
+    let mut sure = Vec::new();
+    if let Ok(own) = disc(core - 2.0 * depth, height) {
+        sure.push((depth, own));
+    }
+    if rim > root.max(0.0) && root > 0.0 {
+        let own = Undercut::thread_disc(2.0 * rim, 2.0 * crest, FLANK, 2.0 * root).ok()?;
+        let lift = half - 0.5 * own.height();
+        let all = (0..teeth).map(|n| (pitch * f64::from(n) + lift, own.clone()));
+        holds.extend(all.clone());
+        sure.extend(all);
+    }
+    let sure = match sure[..] {
+        [] => Sure::Nothing,
+        _ => Sure::Body(Body::of_undercuts(&sure)),
+    };
+    Some(Inside { holds: Body::of_undercuts(&holds), sure, lift: 0.0 })
+}

@@ -1,0 +1,119 @@
+//! What undercuts make of columns, moment by moment: for the picture of a replay.
+
+use std::collections::BTreeMap;
+
+use chordal_geometry::ParamCurve;
+use chordal_stock::{Move, Stock};
+
+use super::super::tools::ToolBody;
+use super::{Drop, GapChange, StockBefore};
+
+/// Columns that are lower by less are as they were, mm: rounding.
+const NEAR: f32 = 1e-3;
+/// A move is cut in pieces of so many columns, and in no more than so many pieces: what it removes comes to be with
+/// each of them.
+const COLUMNS: f64 = 4.0;
+const MOST_PIECES: f64 = 64.0;
+
+/// The gaps and heights that were told last.
+pub(super) struct Hollows {
+    columns: [u32; 2],
+    low: [f64; 2],
+    top: f64,
+    side: f64,
+    gaps: BTreeMap<u32, Vec<[f32; 2]>>,
+    heights: Vec<f32>,
+}
+
+impl Hollows {
+    pub fn new(before: &StockBefore) -> Hollows {
+        Hollows {
+            columns: before.columns,
+            low: [before.low[0], before.low[1]],
+            top: before.high[2],
+            side: before.resolution_mm,
+            gaps: BTreeMap::new(),
+            heights: before.heights.clone(),
+        }
+    }
+
+    /// All gaps, before anything is cut.
+    pub fn all(&mut self, stock: &Stock) -> Vec<GapChange> {
+        let everywhere = [[0, self.columns[0]], [0, self.columns[1]]];
+        self.changed(stock, everywhere, 0, 0.0).1
+    }
+
+    /// Other cutters have lowered columns.
+    pub fn lowered(&mut self, drops: &[Drop]) {
+        for drop in drops {
+            self.heights[drop.column as usize] = drop.height;
+        }
+    }
+
+    /// Cuts a move of a tool with undercuts: the columns that are lower, and those with other gaps.
+    pub fn cut(
+        &mut self,
+        stock: &mut Stock,
+        tool: &ToolBody,
+        path: &Move,
+        row: u32,
+    ) -> (Vec<Drop>, Vec<GapChange>) {
+        let length = path.curve.length();
+        let count = (length / (COLUMNS * self.side)).ceil().clamp(1.0, MOST_PIECES);
+        let (mut drops, mut gaps) = (Vec::new(), Vec::new());
+        for k in 0..count as u32 {
+            let [from, to] = [k, k + 1].map(|k| f64::from(k) / count);
+            let curve = match count > 1.0 {
+                true => path.curve.subsegment(length * from, length * to),
+                false => path.curve,
+            };
+            stock.cut_below(&tool.undercuts, &[Move { curve, ..*path }]);
+            let (bounds, margin) = (curve.bounds(), tool.radius() + self.side);
+            let ends = [[bounds.min.x, bounds.max.x], [bounds.min.y, bounds.max.y]];
+            let near = [0, 1].map(|axis| {
+                let at = |place: f64| {
+                    let column = ((place - self.low[axis]) / self.side).floor();
+                    column.clamp(0.0, f64::from(self.columns[axis])) as u32
+                };
+                [at(ends[axis][0] - margin), at(ends[axis][1] + margin + self.side)]
+            });
+            let (some, more) = self.changed(stock, near, row, to as f32);
+            drops.extend(some);
+            gaps.extend(more);
+        }
+        (drops, gaps)
+    }
+
+    /// What is other than it was told, on columns and rows from and up to some.
+    fn changed(
+        &mut self,
+        stock: &Stock,
+        [across, up]: [[u32; 2]; 2],
+        row: u32,
+        share: f32,
+    ) -> (Vec<Drop>, Vec<GapChange>) {
+        let (mut drops, mut changes) = (Vec::new(), Vec::new());
+        for y in up[0]..up[1] {
+            for x in across[0]..across[1] {
+                let column = y * self.columns[0] + x;
+                let Some(heights) = stock.heights_at(x, y) else { continue };
+                let height = (heights.outer - self.top) as f32;
+                let known = &mut self.heights[column as usize];
+                if height < *known - NEAR {
+                    *known = height;
+                    drops.push(Drop { column, row, share, height });
+                }
+                let [surely, _] = stock.gaps_at(x, y);
+                let gaps: Vec<[f32; 2]> = surely
+                    .iter()
+                    .map(|gap| [gap.floor, gap.top].map(|height| (height - self.top) as f32))
+                    .collect();
+                if self.gaps.get(&column).map_or(&[][..], Vec::as_slice) != gaps {
+                    self.gaps.insert(column, gaps.clone());
+                    changes.push(GapChange { column, row, share, gaps });
+                }
+            }
+        }
+        (drops, changes)
+    }
+}
