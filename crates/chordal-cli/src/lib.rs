@@ -160,7 +160,7 @@ impl Command {
             Command::Diff(args) => diff::run(&args, terminal),
             Command::Convert(args) => convert::run(&args, terminal),
             Command::Transform(args) => transform::run(&args, terminal),
-            Command::Restart(args) => restart::run(&args, terminal),
+            Command::Restart(mut args) => restart::run(&mut args, terminal),
             Command::Optimize(mut args) => optimize::run(&mut args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Path(args) => path::run(&args, terminal),

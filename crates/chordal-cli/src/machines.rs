@@ -127,6 +127,9 @@ fn limits(machine: &Machine) -> Vec<(&'static str, String)> {
     if let Some(rpm) = machine.spindle_max_rpm {
         rows.push(("Spindle", format!("up to {} rpm", short(rpm, 1))));
     }
+    if let Some(rpm) = machine.live_tool_max_rpm {
+        rows.push(("Live tool", format!("up to {} rpm", short(rpm, 1))));
+    }
     if let Some(shape) = machine.rapid {
         rows.push(("Rapids", shape.as_str().to_string()));
     }

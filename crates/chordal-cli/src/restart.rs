@@ -3,15 +3,18 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use chordal::stock::WayIn;
 use chordal_export::restart_json;
 use chordal_rewrite::Refusal;
-use chordal_rewrite::restart::{Restart, restart};
+use chordal_rewrite::restart::{Restart, blocked, restart, way_in};
 
 use crate::failure::{Failure, Verdict};
 use crate::numbers::counted;
 use crate::options::{AnswerFormat, Common};
 use crate::out::{Out, Plain, trouble};
 use crate::programs::{load_one, recognized};
+use crate::setup_files::files;
+use crate::stock_failure::failure_of;
 use crate::terminal::{Terminal, say};
 
 const EXAMPLES: &str = "\
@@ -20,6 +23,7 @@ Examples:
   chordal restart part.nc --line 120 -o from120.nc   and writes the program if it is proved
   chordal restart part.nc --line 120 -o - | less
   chordal restart part.nc --line 120 --machine haas-vf2 -o from120.nc
+  chordal restart shaft.nc --line 38 --setup shaft.toml -o from38.nc
 
 The new program has the head that the control needs at that line (units, offsets, tool, spindle,
 coolant, the way to the place), then the text from that line on, unchanged. Both programs are run
@@ -42,6 +46,10 @@ pub struct Args {
     #[arg(long, short, value_name = "OUT")]
     output: Option<PathBuf>,
 
+    /// Setup file of a lathe with its `[stock]`: the way in is looked at with what stands there
+    #[arg(long, value_name = "TOML", conflicts_with = "machine")]
+    setup: Option<PathBuf>,
+
     /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: AnswerFormat,
@@ -50,17 +58,28 @@ pub struct Args {
     common: Common,
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    args.common.set_up(args.setup.as_deref());
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     terminal.tell(&recognized(&loaded));
     let streams = args.output.as_deref() == Some(Path::new("-"));
-    let done = match restart(&job, args.line) {
+    let mut way = None;
+    let done = restart(&job, args.line);
+    if let Ok(done) = &done {
+        way =
+            way_in(&job, done, &files).map_err(|error| failure_of(error, args.setup.as_deref()))?;
+    }
+    let is_blocked = |done: Restart| match way.as_ref().and_then(|way| blocked(&job, &done, way)) {
+        Some(refused) => Err(refused),
+        None => Ok(done),
+    };
+    let done = match done.and_then(is_blocked) {
         Ok(done) => done,
         Err(refused) => {
             let answer = match args.format {
                 AnswerFormat::Text => refused_text(&refused.refusal, loaded.name()),
-                AnswerFormat::Json => restart_json(Err(&refused), loaded.name(), None),
+                AnswerFormat::Json => restart_json(Err(&refused), loaded.name(), None, None),
             };
             if streams {
                 terminal.tell(&answer)
@@ -79,8 +98,10 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     }
     let written = path.filter(|_| !streams).map(|path| path.display().to_string());
     let answer = match args.format {
-        AnswerFormat::Text => text(&done, path),
-        AnswerFormat::Json => restart_json(Ok(&done), loaded.name(), written.as_deref()),
+        AnswerFormat::Text => text(&done, way.as_ref(), path),
+        AnswerFormat::Json => {
+            restart_json(Ok(&done), loaded.name(), written.as_deref(), way.as_ref())
+        }
     };
     if streams {
         terminal.tell(&answer)
@@ -99,7 +120,7 @@ fn refused_text(refusal: &Refusal, name: &str) -> String {
     format!("refused: {name}:{line}: {what}\n{words}  {help}\nnothing is written\n")
 }
 
-fn text(done: &Restart, path: Option<&Path>) -> String {
+fn text(done: &Restart, way: Option<&WayIn>, path: Option<&Path>) -> String {
     let mut text = format!("begins at line {}\n", done.line);
     for line in &done.head {
         text += &format!("  + {line}\n");
@@ -119,6 +140,13 @@ fn text(done: &Restart, path: Option<&Path>) -> String {
     }
     let moves = counted(done.moves, "move", "moves");
     text += &format!("proof: from this line on both programs do the same, {moves}\n");
+    if let Some(way) = way {
+        let moves = counted(way.moves, "move", "moves");
+        text += &match &way.unknown {
+            None => format!("way in: {moves}, free of what stands there\n"),
+            Some(why) => format!("way in: {moves}, not proved free: {why}\n"),
+        };
+    }
     text += &match path {
         None => "nothing is written: give a file with -o\n".to_string(),
         Some(path) if path == Path::new("-") => String::new(),

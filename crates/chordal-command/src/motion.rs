@@ -60,6 +60,8 @@ pub struct Feed {
     pub spindle_rev_per_s: f64,
     /// The cutting speed that the spindle keeps instead (G96).
     pub surface: Option<SurfaceSpeed>,
+    /// By how much a thread's lead along its path changes from one revolution to the next (G34), mm; `value` is the mean of the lead.
+    pub lead_change: f64,
 }
 
 /// A cutting speed that the spindle keeps: it turns the faster, the nearer the tool is to the axis.

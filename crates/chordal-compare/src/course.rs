@@ -2,7 +2,7 @@
 
 use chordal::control::{
     Command, CommandKind, Coolant, EndReason, FeedMode, Origin, Overrides, PathMode, RapidPath,
-    Side, SpindleState, initial_offset,
+    RotarySurface, Side, SpindleState, initial_offset,
 };
 use chordal::geometry::{Curve, ParamCurve};
 use chordal::path::PathBuilder;
@@ -89,6 +89,8 @@ pub(crate) struct State {
     pub(crate) work_offset: u32,
     pub(crate) path_mode: PathMode,
     pub(crate) overrides: Overrides,
+    /// The surface on which two coordinates lie.
+    pub(crate) surface: Option<RotarySurface>,
 }
 
 /// What happens between moves.
@@ -204,6 +206,7 @@ impl Gather {
             work_offset: 1,
             path_mode: PathMode::Continuous { tolerance_mm: None, joined: false },
             overrides: Overrides::ON,
+            surface: None,
         };
         Gather {
             steps: Vec::new(),
@@ -284,6 +287,8 @@ impl Gather {
             Kind::WorkOffset { name, .. } => self.now.work_offset = name.ordinal(),
             Kind::PathMode(mode) => self.now.path_mode = *mode,
             Kind::Overrides(overrides) => self.now.overrides = *overrides,
+            Kind::Surface { surface, .. } => self.now.surface = *surface,
+            Kind::End => self.now.surface = None,
             // How the words are to be read is in the moves already; a tool that is made ready
             // moves nothing, and messages are text.
             _ => {}

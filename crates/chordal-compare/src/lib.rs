@@ -61,6 +61,8 @@ pub struct Options {
     pub tolerance_mm: f64,
     /// Feeds and speeds may differ by this part of them.
     pub feed_tolerance: f64,
+    /// Rotary axes may stand this far apart, rad.
+    pub rotary_tolerance_rad: f64,
     /// Bounds of distances between curves of different kinds are found to this, mm.
     pub precision_mm: f64,
     /// The path as it is programmed is compared, not that of the tool centre: cutter compensation
@@ -89,6 +91,7 @@ impl Default for Options {
         Options {
             tolerance_mm: 0.0,
             feed_tolerance: 1e-6,
+            rotary_tolerance_rad: 1e-9,
             precision_mm: 1e-6,
             programmed: false,
             assume_known: false,

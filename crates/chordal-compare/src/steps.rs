@@ -4,25 +4,29 @@ use std::ops::Range;
 
 use imara_diff::{Algorithm, Diff, InternedInput};
 
+use chordal::control::{RotarySurface, SurfaceShape, number_text};
+
 use crate::course::{Course, Event, Moved, Speed, State, Step, Way};
 use crate::difference::{Blocks, Category, Difference, Place, Value};
-
-/// Rotary places and times that differ by less are the same, rad and s.
-const SAME: f64 = 1e-9;
 
 /// Gathers differences; those of one kind that follow each other are one.
 pub(crate) struct Steps<'a> {
     courses: [&'a Course; 2],
     feed_tolerance: f64,
+    rotary_tolerance: f64,
     /// By category: what differs at the moves just seen.
     open: [Option<Difference>; Category::ALL.len()],
     done: Vec<Difference>,
 }
 
 impl<'a> Steps<'a> {
-    pub(crate) fn new(courses: [&'a Course; 2], feed_tolerance: f64) -> Steps<'a> {
+    pub(crate) fn new(
+        courses: [&'a Course; 2],
+        feed_tolerance: f64,
+        rotary_tolerance: f64,
+    ) -> Steps<'a> {
         let open = [const { None }; Category::ALL.len()];
-        Steps { courses, feed_tolerance, open, done: Vec::new() }
+        Steps { courses, feed_tolerance, rotary_tolerance, open, done: Vec::new() }
     }
 
     pub(crate) fn finish(&mut self) -> Vec<Difference> {
@@ -102,7 +106,8 @@ impl<'a> Steps<'a> {
             })
         };
         let is_off = |[a, b]: &[[f64; 3]; 2]| {
-            a.iter().zip(b).any(|(a, b)| (a - b).abs() > SAME || (a - b).is_nan())
+            let most = self.rotary_tolerance;
+            a.iter().zip(b).any(|(a, b)| (a - b).abs() > most || (a - b).is_nan())
         };
         let off = [at_end(1), at_end(0)].into_iter().find(is_off);
         let values = off.map(|both| both.map(Value::Rotary));
@@ -250,8 +255,43 @@ fn is_part(a: f64, b: f64, part: f64) -> bool {
     (a - b).abs() <= part * a.abs().max(b.abs())
 }
 
+/// Angles and lengths of a surface nearer than this are the same, rad or mm.
+const SAME_SURFACE: f64 = 1e-6;
+
+fn is_same_surface(a: Option<RotarySurface>, b: Option<RotarySurface>) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= SAME_SURFACE;
+    let (a, b) = match (a, b) {
+        (None, None) => return true,
+        (Some(a), Some(b)) if a.rotary == b.rotary && a.across == b.across => (a, b),
+        _ => return false,
+    };
+    match (a.shape, b.shape) {
+        (
+            SurfaceShape::Face { along, zero, negative },
+            SurfaceShape::Face { along: other, zero: other_zero, negative: other_side },
+        ) => along == other && near(zero, other_zero) && negative == other_side,
+        (SurfaceShape::Cylinder { radius_mm }, SurfaceShape::Cylinder { radius_mm: other }) => {
+            near(radius_mm, other)
+        }
+        (SurfaceShape::Face { .. }, SurfaceShape::Cylinder { .. })
+        | (SurfaceShape::Cylinder { .. }, SurfaceShape::Face { .. }) => false,
+    }
+}
+
+fn surface_value(surface: Option<RotarySurface>) -> Value {
+    Value::Text(match surface.map(|surface| surface.shape) {
+        None => "the axes themselves".into(),
+        Some(SurfaceShape::Face { zero, .. }) => {
+            format!("on the face from {} degrees", number_text(zero.to_degrees(), 3))
+        }
+        Some(SurfaceShape::Cylinder { radius_mm }) => {
+            format!("on a cylinder of radius {} mm", number_text(radius_mm, 3))
+        }
+    })
+}
+
 /// What differs of two states; nothing for each category that is the same.
-fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Value; 2]>); 7] {
+fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Value; 2]>); 8] {
     let number = |number: Option<u32>| number.map_or(Value::Nothing, Value::Number);
     let is_spindle_same = a.spindle == b.spindle && is_part(a.rpm, b.rpm, tolerance);
     let spindle = [Value::Spindle(a.spindle, a.rpm), Value::Spindle(b.spindle, b.rpm)];
@@ -296,6 +336,11 @@ fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Valu
                 a.overrides != b.overrides,
                 [Value::Overrides(a.overrides), Value::Overrides(b.overrides)],
             ),
+        ),
+        (
+            Category::Rotary,
+            (!is_same_surface(a.surface, b.surface))
+                .then(|| [surface_value(a.surface), surface_value(b.surface)]),
         ),
     ]
 }

@@ -47,7 +47,7 @@ pub(crate) struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     pub(crate) fn new(a: &'a Course, b: &'a Course, options: &'a Options) -> Walk<'a> {
-        let steps = Steps::new([a, b], options.feed_tolerance);
+        let steps = Steps::new([a, b], options.feed_tolerance, options.rotary_tolerance_rad);
         let found = Found::default();
         let elsewhere = Default::default();
         Walk { courses: [a, b], options, steps, found, open: None, elsewhere }

@@ -73,6 +73,11 @@ pub enum BeforeCode {
     SpindleCw,
     SpindleCcw,
     SpindleOrient,
+    /// A live tool of the turret turns, P times a minute (Haas M133).
+    LiveToolCw,
+    LiveToolCcw,
+    /// The spindle stops, and is the C axis (Haas M154).
+    CAxisOn,
     CoolantMist,
     CoolantFlood,
     CoolantThroughTool,
@@ -267,6 +272,8 @@ pub enum SurfaceCode {
 #[allow(missing_docs, reason = "the names are the field's own")]
 pub enum AfterCode {
     SpindleStop,
+    /// The live tool stops (Haas M135).
+    LiveToolStop,
     CoolantOff,
     CoolantThroughToolOff,
     ProgramStop,

@@ -150,6 +150,14 @@ pub struct Parameters {
     pub starts_with_radii: bool,
     /// Words of X are radii in polar interpolation, where they are diameters otherwise.
     pub face_x_radius: bool,
+    /// P of M3 and M4 that names the second spindle; 0 for none.
+    pub second_spindle_p: u32,
+    /// The letter of the axis that carries the second spindle, where the machine has no other axis of that name.
+    pub second_spindle_axis: Option<u8>,
+    /// The first and the last M code that waits for another path; 0 for none.
+    pub wait_codes: [u32; 2],
+    /// P of M3, M4 and M5 that names the live tool; 0 for none.
+    pub live_tool_p: u32,
     /// What T says.
     pub tool_word: ToolWord,
     /// S in the block of the code that presets coordinates limits the spindle speed.
@@ -240,6 +248,10 @@ impl Parameters {
         increments: &[],
         starts_with_radii: false,
         face_x_radius: false,
+        second_spindle_p: 0,
+        second_spindle_axis: None,
+        wait_codes: [0; 2],
+        live_tool_p: 0,
         tool_word: ToolWord::Tool,
         preset_limits_speed: false,
         arc_without_center_is_line: false,

@@ -313,6 +313,10 @@ pub struct ControlTable {
     pub systems: &'static [CodeSystem],
     /// Cycles that drill along X, ten times the number.
     pub radial_cycles: &'static [u16],
+    /// Codes of the second spindle, which is not followed: the letter and ten times the number.
+    pub second_spindle: &'static [(u8, u16)],
+    /// Taps that turn a live tool, ten times the number.
+    pub live_taps: &'static [u16],
     /// How its programs are distinguished from those of other machines, where signs must show that first: lathes, GRBL.
     pub kind: Option<&'static MachineKind>,
     /// Signs by which its programs are recognized.

@@ -135,6 +135,11 @@ impl Program {
         lines.push(format!("{} in {}", places.join(" "), modal.work_name));
         let mut facts = Vec::new();
         facts.extend(modal.feed.map(|feed| feed_text(feed, modal)));
+        if let Some(live) = modal.live {
+            let way =
+                if live.turns == SpindleState::Ccw { "counter-clockwise" } else { "clockwise" };
+            facts.push(format!("live tool {} rpm {way}", number_text(live.rpm, 1)));
+        }
         match modal.spindle {
             SpindleState::Off => {}
             SpindleState::Cw => facts.push(format!("S{} clockwise", number_text(modal.rpm, 1))),

@@ -2,6 +2,7 @@
 
 use chordal::Job;
 use chordal::diagnostics::FileId;
+use chordal::stock::WayIn;
 use chordal_rewrite::restart::{Refused, Restart};
 use chordal_rewrite::{Change, Refusal, Split, Transformed};
 use serde_json::{Value, json};
@@ -94,7 +95,13 @@ pub fn refusal_json(refusal: &Refusal, file: &str) -> String {
 
 /// A program that begins at a line, or why it cannot: schema `chordal.restart/1`. `written` is the name of
 /// the file that was written, if one was.
-pub fn restart_json(done: Result<&Restart, &Refused>, file: &str, written: Option<&str>) -> String {
+pub fn restart_json(
+    done: Result<&Restart, &Refused>,
+    file: &str,
+    written: Option<&str>,
+    way: Option<&WayIn>,
+) -> String {
+    let way = way.map(|way| json!({ "moves": way.moves, "not_proved": way.unknown }));
     let document = match done {
         Ok(done) => json!({
             "schema": "chordal.restart/1",
@@ -106,6 +113,7 @@ pub fn restart_json(done: Result<&Restart, &Refused>, file: &str, written: Optio
             "moves": done.moves,
             "goes_to_first_place_itself": done.approaches,
             "from_the_start_of_the_whole": done.from_the_start,
+            "way_in": way,
             "written": written,
         }),
         Err(refused) => json!({

@@ -55,7 +55,8 @@ pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::RunSink;
 pub use state::{
-    CycleState, Motion, OverrideState, SplineForm, State, ThreadMemory, TurnPass, TurningMemory,
+    CycleState, LiveTool, Motion, OverrideState, SplineForm, State, ThreadMemory, TurnPass,
+    TurningMemory,
 };
 pub use statement::{Statement, What};
 pub use surface::{SurfacePlane, SurfaceState};

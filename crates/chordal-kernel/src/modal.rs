@@ -7,7 +7,7 @@ use chordal_geometry::{Direction, Plane};
 
 use crate::frames::FrameKinds;
 use crate::rules::{ArcCenter, CycleKind};
-use crate::state::{Motion, SplineForm, State, TurnPass};
+use crate::state::{LiveTool, Motion, SplineForm, State, TurnPass};
 
 /// What a block without a motion code does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -67,6 +67,8 @@ pub struct Modal {
     pub spindle: SpindleState,
     /// Its speed, rev/min.
     pub rpm: f64,
+    /// A live tool that turns, and cuts in place of the spindle.
+    pub live: Option<LiveTool>,
     /// The cutting speed that it keeps instead (G96), mm/s.
     pub surface_speed: Option<f64>,
     /// What limits its speed (G50 S), rev/min.
@@ -118,6 +120,7 @@ impl Modal {
             feed: state.feed,
             spindle: state.spindle,
             rpm: state.rpm,
+            live: state.live,
             surface_speed: state.surface_speed,
             speed_limit: state.speed_limit,
             coolant: state.coolant,

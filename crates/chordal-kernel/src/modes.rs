@@ -6,6 +6,7 @@ use chordal_geometry::Plane;
 
 use crate::kernel::Kernel;
 use crate::path_mode::PathState;
+use crate::state::LiveTool;
 
 impl Kernel<'_> {
     /// G90 and G91; where the tool stands when G91 comes into force is remembered.
@@ -56,15 +57,46 @@ impl Kernel<'_> {
         self.emit(CommandKind::Plane(plane));
     }
 
-    /// Turns the spindle, or stops it.
+    /// Turns the spindle, or stops it. Where it turns it is what cuts; while a live tool does, its stop shows nothing.
     pub fn set_spindle(&mut self, spindle: SpindleState) {
-        let turning = matches!(self.state.spindle, SpindleState::Cw | SpindleState::Ccw);
-        if spindle == SpindleState::Off && !turning {
+        let turns = |state: SpindleState| matches!(state, SpindleState::Cw | SpindleState::Ccw);
+        if spindle == SpindleState::Off && !turns(self.state.spindle) {
             return;
         }
         self.state.spindle = spindle;
+        if turns(spindle) {
+            self.state.live = None;
+        } else if self.state.live.is_some() {
+            return;
+        }
         let rpm = if spindle == SpindleState::Off { 0.0 } else { self.state.rpm };
         self.emit(CommandKind::Spindle { state: spindle, rpm });
+    }
+
+    /// A live tool turns, and cuts in place of the spindle; or it stops, and the spindle is what cuts again.
+    pub fn set_live_tool(&mut self, live: Option<LiveTool>) {
+        let before = std::mem::replace(&mut self.state.live, live);
+        if let Some(live) = live {
+            self.state.live_rpm = live.rpm;
+            return self.emit(CommandKind::Spindle { state: live.turns, rpm: live.rpm });
+        }
+        if before.is_none() {
+            return;
+        }
+        match self.state.spindle {
+            SpindleState::Off | SpindleState::Oriented => {
+                self.emit(CommandKind::Spindle { state: SpindleState::Off, rpm: 0.0 });
+            }
+            state => {
+                let rpm = self.rev_per_s(self.state.position[0]) * 60.0;
+                self.emit(CommandKind::Spindle { state, rpm });
+            }
+        }
+    }
+
+    /// What turns where the tool cuts: a live tool, or the spindle.
+    pub(crate) fn turning(&self) -> SpindleState {
+        self.state.live.map_or(self.state.spindle, |live| live.turns)
     }
 
     /// Opens or closes coolant valves.
@@ -85,8 +117,9 @@ impl Kernel<'_> {
 
     /// G97: S is the spindle's speed again, and the last one stays.
     pub fn keep_spindle_speed(&mut self) {
-        if self.state.surface_speed.take().is_some() {
-            self.state.rpm = self.rev_per_s(self.state.position[0]) * 60.0;
+        if let Some(surface) = self.surface_of_spindle() {
+            self.state.rpm = surface.rev_per_s(self.state.position[0]) * 60.0;
+            self.state.surface_speed = None;
         }
     }
 
@@ -113,16 +146,23 @@ impl Kernel<'_> {
         }
     }
 
-    /// The cutting speed that the spindle keeps.
+    /// The cutting speed that the spindle keeps; none where a live tool cuts.
     pub(crate) fn surface(&self) -> Option<SurfaceSpeed> {
+        self.surface_of_spindle().filter(|_| self.state.live.is_none())
+    }
+
+    fn surface_of_spindle(&self) -> Option<SurfaceSpeed> {
         let mm_per_s = self.state.surface_speed?;
         let limit = self.state.speed_limit.unwrap_or(f64::INFINITY);
         let most = limit.min(self.machine.spindle_max_rpm.unwrap_or(f64::INFINITY));
         Some(SurfaceSpeed { mm_per_s, most_rev_per_s: most / 60.0 })
     }
 
-    /// The spindle's speed with the tool at a place of X, rev/s.
+    /// The speed of what turns with the tool at a place of X, rev/s.
     pub(crate) fn rev_per_s(&self, x: f64) -> f64 {
+        if let Some(live) = self.state.live {
+            return live.rpm / 60.0;
+        }
         match self.surface() {
             Some(surface) => surface.rev_per_s(x),
             None => self.state.rpm / 60.0,
@@ -132,7 +172,7 @@ impl Kernel<'_> {
     /// The speed of the spindle, rev/min.
     pub fn set_speed(&mut self, rpm: f64) {
         self.state.rpm = rpm;
-        if self.state.spindle != SpindleState::Off {
+        if self.state.spindle != SpindleState::Off && self.state.live.is_none() {
             self.emit(CommandKind::Spindle { state: self.state.spindle, rpm });
         }
     }

@@ -47,6 +47,15 @@ pub enum TurnPass {
     Thread,
 }
 
+/// A live tool of a turret that turns.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct LiveTool {
+    /// Which way.
+    pub turns: SpindleState,
+    /// Its speed, rev/min.
+    pub rpm: f64,
+}
+
 /// What the passes and cycles of a lathe remember from block to block, mm; depths are measured on the radius.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct TurningMemory {
@@ -257,6 +266,10 @@ pub struct State {
     pub spindle: SpindleState,
     /// Its speed, rev/min; the last one while a cutting speed is kept.
     pub rpm: f64,
+    /// A live tool that turns, and cuts in place of the spindle.
+    pub live: Option<LiveTool>,
+    /// The speed that a live tool was given last, rev/min.
+    pub live_rpm: f64,
     /// The cutting speed that is kept (G96), mm/s; `None` in G97.
     pub surface_speed: Option<f64>,
     /// The last cutting speed, which a G96 without S brings back, mm/s.
@@ -327,6 +340,8 @@ impl State {
             feed_over: None,
             spindle: SpindleState::Off,
             rpm: 0.0,
+            live: None,
+            live_rpm: 0.0,
             surface_speed: None,
             last_surface_speed: 0.0,
             speed_limit: None,

@@ -33,6 +33,8 @@ pub struct Machine {
     pub rapid: Option<RapidShape>,
     /// The fastest spindle speed, revolutions per minute.
     pub spindle_max_rpm: Option<f64>,
+    /// The fastest speed of live tools, revolutions per minute.
+    pub live_tool_max_rpm: Option<f64>,
     /// The power that the spindle has for a cut, kW.
     pub spindle_power_kw: Option<f64>,
     /// The tools by number.
@@ -320,6 +322,7 @@ impl Machine {
             turret: Turret::Rear,
             rapid: None,
             spindle_max_rpm: None,
+            live_tool_max_rpm: None,
             spindle_power_kw: None,
             tools: BTreeMap::new(),
             work_offsets: BTreeMap::new(),

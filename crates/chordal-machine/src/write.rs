@@ -37,9 +37,11 @@ impl Machine {
             out.table("rapid");
             out.line("shape", &string_text(shape.as_str()));
         }
-        if self.spindle_max_rpm.is_some() || self.spindle_power_kw.is_some() {
+        let speeds = [self.spindle_max_rpm, self.live_tool_max_rpm, self.spindle_power_kw];
+        if speeds.iter().any(Option::is_some) {
             out.table("spindle");
             out.quantity("max", self.spindle_max_rpm, Dimension::SpindleSpeed);
+            out.quantity("live_max", self.live_tool_max_rpm, Dimension::SpindleSpeed);
             out.quantity("power", self.spindle_power_kw, Dimension::Power);
         }
         out.positions("home", &self.home, &factors);

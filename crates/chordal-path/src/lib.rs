@@ -18,6 +18,7 @@
 //!     mode: FeedMode::PerTime,
 //!     along: FeedAlong::Path,
 //!     spindle_rev_per_s: 0.0,
+//!     lead_change: 0.0,
 //!     surface: None,
 //! };
 //! let command = Command { kind: CommandKind::Line { motion, feed }, origin: Origin::default() };
@@ -43,6 +44,7 @@ pub mod gouge;
 mod rapid;
 mod rapid_check;
 mod rotary;
+mod rotary_extremes;
 mod segment;
 mod side_check;
 mod surface;
@@ -55,7 +57,8 @@ pub use compensation::{
 pub use contour_check::ContourCheck;
 pub use contour_level::ContourLevel;
 pub use frame::Frame;
-pub use rotary::{places_on_axes, rotary_parts};
+pub use rotary::{RotaryLimits, rotary_parts};
+pub use rotary_extremes::places_on_axes;
 pub use segment::{Segment, SegmentKind, curve_of, curves_of};
 pub use side_check::SideCheck;
 pub use surface::{SurfacePart, surface_parts};

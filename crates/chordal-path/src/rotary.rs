@@ -1,6 +1,6 @@
 //! Cuts on a surface that turns with a rotary axis: how near to the axis they come, and how fast it has to turn.
 
-use chordal_command::{AxisMask, Move, Position, RotarySurface, SurfaceRun, SurfaceShape};
+use chordal_command::{Position, RotarySurface, SurfaceShape};
 use chordal_geometry::{Curve, ParamCurve, Vec3};
 use chordal_machine::AXES;
 
@@ -19,8 +19,11 @@ const POLE_MM: f64 = 1e-6;
 /// pole inside turns the axis by half a turn; one that ends there would not.
 const DIVIDED_AT: f64 = 0.487;
 
+/// An arc may turn the axis out and back: it is looked at in so many pieces at least.
+const FIRST_PIECES: u32 = 32;
+
 /// So often a cut is divided at most.
-const MOST_HALVINGS: u32 = 12;
+const MOST_HALVINGS: u32 = 24;
 
 fn at(point: Vec3) -> Position {
     let mut place = [0.0; AXES];
@@ -53,29 +56,6 @@ pub(crate) fn nearest_and_farthest(surface: &RotarySurface, curve: &Curve) -> [V
         let best = [middle, 0.0, length].into_iter().min_by(|a, b| value(*a).total_cmp(&value(*b)));
         curve.point_at(best.unwrap_or(middle))
     })
-}
-
-/// The axes themselves where a move on a surface is nearest to the rotary axis, farthest from it, and ends; and which of them are
-/// known. The run of the surface has followed the move.
-pub fn places_on_axes(run: &SurfaceRun, motion: &Move, curve: &Curve) -> ([Position; 3], AxisMask) {
-    let surface = &run.surface;
-    let end = run.on_axes(&motion.to);
-    let [nearest, farthest] = nearest_and_farthest(surface, curve);
-    let places = [nearest, farthest, curve.end()].map(|place| {
-        let mut position = motion.to;
-        position[..3].copy_from_slice(&place.to_array());
-        let mut axes = run.on_axes(&position);
-        axes[surface.rotary] = end[surface.rotary];
-        axes
-    });
-    let (across, rotary) = (AxisMask(1 << surface.across), AxisMask(1 << surface.rotary));
-    // The axis across stands, and was judged where it came to stand.
-    let is_turned = match surface.shape {
-        SurfaceShape::Face { .. } => motion.to_known.has(surface.rotary),
-        SurfaceShape::Cylinder { .. } => motion.to_known.has(surface.across),
-    };
-    let linear = motion.to_known.without(across).without(rotary);
-    (places, if is_turned { linear.or(rotary) } else { linear })
 }
 
 /// How fast the rotary axis turns at most, rad/s, at this speed along a curve, and the radius at that place, mm.
@@ -112,48 +92,133 @@ pub(crate) fn fastest_turn(surface: &RotarySurface, curve: &Curve, speed: f64) -
     fastest
 }
 
-/// The pieces of a cut on a surface, each as slow as the rotary axis needs at `most` rad/s; `None` where it keeps up.
-/// `seconds` is what the feed alone takes.
+/// How fast a rotary axis may turn, rad/s, and how fast that may change, rad/s².
+#[derive(Clone, Copy, Debug)]
+pub struct RotaryLimits {
+    /// rad/s.
+    pub velocity: f64,
+    /// rad/s².
+    pub acceleration: f64,
+}
+
+/// The pieces of a cut on a surface, each as slow as the rotary axis needs; `None` where it keeps up. `seconds` is what the feed
+/// alone takes. How the cut is entered and left is not looked at: the axis may turn there.
 pub fn rotary_parts(
     surface: &RotarySurface,
     curve: &Curve,
     seconds: f64,
-    most: f64,
+    limits: RotaryLimits,
 ) -> Option<Vec<SurfacePart>> {
     let length = curve.length();
-    let is_number = length > 0.0 && seconds > 0.0 && most > 0.0;
+    let is_number =
+        length > 0.0 && seconds > 0.0 && limits.velocity > 0.0 && limits.acceleration > 0.0;
     if !is_number {
         return None;
     }
-    let [nearest, _] = nearest_and_farthest(surface, curve);
-    let goes_through = surface.radius_at(nearest.to_array()) <= POLE_MM;
-    if !goes_through && fastest_turn(surface, curve, length / seconds).0 <= most {
-        return None;
+    let cut = Cut { surface, curve };
+    let mut pieces = Vec::new();
+    let first = if matches!(curve, Curve::Line(_)) { 1 } else { FIRST_PIECES };
+    for piece in 0..first {
+        let at = |piece: u32| length * f64::from(piece) / f64::from(first);
+        cut.divide([at(piece), at(piece + 1)], 0, &mut pieces);
     }
-    let mut parts = Vec::new();
-    let cut = Cut { surface, curve, speed: length / seconds, most };
-    cut.divide([0.0, length], 0, &mut parts);
-    Some(parts)
+    let speed = length / seconds;
+    for piece in &mut pieces {
+        piece.seconds = piece.at_feed(speed, limits);
+    }
+    // The axis turns faster from piece to piece only as its acceleration allows, forward in time and backward.
+    for at in 1..pieces.len() {
+        let before = pieces[at - 1];
+        pieces[at].follow(&before, limits.acceleration);
+    }
+    for at in (1..pieces.len()).rev() {
+        let after = pieces[at];
+        pieces[at - 1].follow(&after, limits.acceleration);
+    }
+    let is_slower = |piece: &Piece| piece.seconds > piece.length() / speed * (1.0 + 1e-9);
+    let parts = pieces.iter().map(|piece| SurfacePart {
+        from: piece.from,
+        to: piece.to,
+        seconds: piece.seconds,
+    });
+    pieces.iter().any(is_slower).then(|| parts.collect())
+}
+
+/// A piece of a cut on which the axis turns evenly.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    from: f64,
+    to: f64,
+    /// How far the axis turns on it, rad.
+    turn: f64,
+    /// The pole is on it: the axis turns there, and everything else stands.
+    has_pole: bool,
+    seconds: f64,
+}
+
+impl Piece {
+    fn length(&self) -> f64 {
+        self.to - self.from
+    }
+
+    /// How fast the axis turns, rad/s; at the pole it begins and ends at rest.
+    fn rate(&self) -> f64 {
+        if self.has_pole { 0.0 } else { self.turn / self.seconds }
+    }
+
+    /// The time at the feed, or what the axis needs at its largest speed.
+    fn at_feed(&self, speed: f64, limits: RotaryLimits) -> f64 {
+        let (turn, by_feed) = (self.turn.abs(), self.length() / speed);
+        let RotaryLimits { velocity, acceleration } = limits;
+        if !self.has_pole {
+            return by_feed.max(turn / velocity);
+        }
+        let ramps = velocity / acceleration;
+        let by_turn = if turn > velocity * ramps {
+            turn / velocity + ramps
+        } else {
+            2.0 * (turn / acceleration).sqrt()
+        };
+        by_feed.max(by_turn)
+    }
+
+    /// No faster than the axis can come to from a neighbour: its rate changes from the middle of one to that of the other.
+    fn follow(&mut self, other: &Piece, acceleration: f64) {
+        let (rate, from) = (self.rate(), other.rate());
+        if self.has_pole || rate.abs() <= from.abs() {
+            return;
+        }
+        let half = if other.has_pole { 0.0 } else { other.seconds / 2.0 };
+        if (rate - from).abs() <= acceleration * (half + self.seconds / 2.0) {
+            return;
+        }
+        // Its time t: |turn| / t - from = a (half + t / 2), with the sign of `from` in the direction of the turn.
+        let from = from * self.turn.signum();
+        let reached = from + acceleration * half;
+        let root = (reached * reached + 2.0 * acceleration * self.turn.abs()).sqrt();
+        let slower = (root - reached) / acceleration;
+        self.seconds = self.seconds.max(slower);
+    }
 }
 
 struct Cut<'a> {
     surface: &'a RotarySurface,
     curve: &'a Curve,
-    speed: f64,
-    most: f64,
 }
 
 impl Cut<'_> {
-    fn divide(&self, [from, to]: [f64; 2], depth: u32, parts: &mut Vec<SurfacePart>) {
+    fn divide(&self, [from, to]: [f64; 2], depth: u32, pieces: &mut Vec<Piece>) {
         let point = |s: f64| at(self.curve.point_at(s));
-        let turn = self.surface.turn(&point(from), &point(to), None).abs();
-        if turn > EVEN_RAD && depth < MOST_HALVINGS {
+        let turn = self.surface.turn(&point(from), &point(to), None);
+        let is_even = turn.abs() <= EVEN_RAD;
+        if !is_even && depth < MOST_HALVINGS {
             let middle = from + (to - from) * DIVIDED_AT;
-            self.divide([from, middle], depth + 1, parts);
-            return self.divide([middle, to], depth + 1, parts);
+            self.divide([from, middle], depth + 1, pieces);
+            return self.divide([middle, to], depth + 1, pieces);
         }
-        let seconds = ((to - from) / self.speed).max(turn / self.most);
-        parts.push(SurfacePart { from, to, seconds });
+        let is_face = matches!(self.surface.shape, SurfaceShape::Face { .. });
+        let has_pole = !is_even && is_face;
+        pieces.push(Piece { from, to, turn, has_pole, seconds: 0.0 });
     }
 }
 
@@ -170,6 +235,11 @@ mod tests {
     fn line(from: [f64; 2], to: [f64; 2]) -> Curve {
         let point = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
         Curve::Line(Line { start: point(from), end: point(to) })
+    }
+
+    /// So fast, at once.
+    fn limits(velocity: f64) -> RotaryLimits {
+        RotaryLimits { velocity, acceleration: f64::INFINITY }
     }
 
     #[test]
@@ -190,16 +260,93 @@ mod tests {
         // there by 3.137 rad: 5.991 s, and 3.991 s for the rest.
         let curve = line([20.0, 1e-4], [-20.0, 1e-4]);
         let most = 30.0_f64.to_radians();
-        let parts = rotary_parts(&face(), &curve, 4.0, most).expect("too fast");
+        let parts = rotary_parts(&face(), &curve, 4.0, limits(most)).expect("too fast");
         let total: f64 = parts.iter().map(|part| part.seconds).sum();
         assert!((total - 9.982).abs() < 0.02, "{total}");
         assert_eq!(parts.last().expect("one").to, 40.0);
-        assert!(rotary_parts(&face(), &line([20.0, 0.0], [5.0, 0.0]), 1.0, most).is_none());
+        assert!(rotary_parts(&face(), &line([20.0, 0.0], [5.0, 0.0]), 1.0, limits(most)).is_none());
         // Through the pole itself: half a turn at rest, six seconds more.
         let through = line([20.0, 0.0], [-20.0, 0.0]);
-        let parts = rotary_parts(&face(), &through, 4.0, most).expect("through the pole");
+        let parts = rotary_parts(&face(), &through, 4.0, limits(most)).expect("through the pole");
         let total: f64 = parts.iter().map(|part| part.seconds).sum();
         assert!((total - 10.0).abs() < 0.02, "{total}");
         assert_eq!(fastest_turn(&face(), &through, 10.0).0, 0.0);
+    }
+
+    #[test]
+    fn a_circle_next_to_the_pole_is_as_slow_as_its_fastest_turn() {
+        // At 5 mm from the pole a feed of 60 mm/s turns the axis at 12 rad/s.
+        let frame = chordal_geometry::Frame {
+            origin: Vec3::new(15.0, 0.0, 0.0),
+            ..chordal_geometry::Frame::IDENTITY
+        };
+        let circle =
+            Curve::Arc(chordal_geometry::Arc::new(frame, 10.0, std::f64::consts::TAU, 0.0));
+        let seconds = circle.length() / 60.0;
+        assert!(rotary_parts(&face(), &circle, seconds, limits(12.1)).is_none());
+        let parts = rotary_parts(&face(), &circle, seconds, limits(6.0)).expect("too fast");
+        let total: f64 = parts.iter().map(|part| part.seconds).sum();
+        assert!(total > seconds * 1.05 && total < seconds * 2.0, "{total} {seconds}");
+    }
+
+    /// The quickest way past the pole by dense steps: w = v c(s) and dw/dt within the acceleration, forward and backward.
+    fn dense(distance: f64, half: f64, feed: f64, limits: RotaryLimits) -> f64 {
+        let count = 200_000;
+        let step = 2.0 * half / f64::from(count);
+        let per_mm = |s: f64| distance / (s * s + distance * distance);
+        let place = |index: i32| -half + step * (f64::from(index) + 0.5);
+        let mut rates: Vec<f64> =
+            (0..count).map(|index| (feed * per_mm(place(index))).min(limits.velocity)).collect();
+        let climb = |rates: &mut Vec<f64>, index: usize, before: usize| {
+            // w dw = a dtheta.
+            let turn = step * per_mm(place(index as i32));
+            let most = (rates[before] * rates[before] + 2.0 * limits.acceleration * turn).sqrt();
+            rates[index] = rates[index].min(most);
+        };
+        for index in 1..rates.len() {
+            climb(&mut rates, index, index - 1);
+        }
+        for index in (0..rates.len() - 1).rev() {
+            climb(&mut rates, index, index + 1);
+        }
+        (0..count).map(|index| step * per_mm(place(index)) / rates[index as usize]).sum()
+    }
+
+    #[test]
+    fn the_axis_needs_time_to_come_to_its_speed() {
+        for (distance, feed, velocity, acceleration) in [
+            (0.5, 20.0, 30.0, 70.0),
+            (0.5, 20.0, 1e9, 70.0),
+            (2.0, 60.0, 31.4, 70.0),
+            (0.05, 10.0, 20.0, 40.0),
+            (5.0, 150.0, 31.4, 30.0),
+        ] {
+            let limits = RotaryLimits { velocity, acceleration };
+            let curve = line([20.0, distance], [-20.0, distance]);
+            let parts = rotary_parts(&face(), &curve, 40.0 / feed, limits).expect("too fast");
+            let total: f64 = parts.iter().map(|part| part.seconds).sum();
+            let meant = dense(distance, 20.0, feed, limits);
+            assert!((total / meant - 1.0).abs() < 0.02, "{total} {meant}");
+            // Its rate changes within the limit, from the middle of a piece to that of the next.
+            let turn = |part: &SurfacePart| {
+                let point = |s: f64| at(curve.point_at(s));
+                face().turn(&point(part.from), &point(part.to), None)
+            };
+            for pair in parts.windows(2) {
+                let rates = [0, 1].map(|index| turn(&pair[index]) / pair[index].seconds);
+                let seconds = (pair[0].seconds + pair[1].seconds) / 2.0;
+                let change = (rates[1] - rates[0]).abs() / seconds;
+                assert!(change <= acceleration * (1.0 + 1e-6), "{change}");
+            }
+        }
+        // Slow enough it keeps up: 0.65 v²/d² is the most that its rate changes.
+        let slow = RotaryLimits { velocity: 1e9, acceleration: 0.66 * 100.0 };
+        assert!(rotary_parts(&face(), &line([20.0, 1.0], [-20.0, 1.0]), 4.0, slow).is_none());
+        // Through the pole: half a turn from rest to rest.
+        let limits = RotaryLimits { velocity: 1e9, acceleration: 10.0 };
+        let parts = rotary_parts(&face(), &line([20.0, 0.0], [-20.0, 0.0]), 4.0, limits);
+        let total: f64 = parts.expect("through the pole").iter().map(|part| part.seconds).sum();
+        let meant = 4.0 + 2.0 * (std::f64::consts::PI / 10.0).sqrt();
+        assert!((total - meant).abs() < 0.01, "{total} {meant}");
     }
 }

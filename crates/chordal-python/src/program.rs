@@ -436,10 +436,10 @@ impl Program {
         let name = self.loaded.name();
         self.ask(py, |job| match rewrite::restart::restart(job, line) {
             Ok(done) => {
-                let told = restart_json(Ok(&done), name, None);
+                let told = restart_json(Ok(&done), name, None, None);
                 Ok((Some(done.text), told))
             }
-            Err(refused) => Ok((None, restart_json(Err(&refused), name, None))),
+            Err(refused) => Ok((None, restart_json(Err(&refused), name, None, None))),
         })
     }
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use chordal::control::RunOptions;
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_rewrite::restart::{Reason, Restart, restart};
+use chordal_rewrite::restart::{Reason, Restart, blocked, restart, way_in};
 
 fn job_on(text: &str, machine: Machine) -> Job<'static> {
     let mut sources = SourceMap::new();
@@ -266,4 +266,57 @@ fn a_preset_before_the_first_move_is_said_again() {
     assert!(done.from_the_start && done.head.iter().any(|line| line == "G92 X0 Y0 Z50."));
     let later = text.replace("X-20.\n", "X-20.\nG92 X0\n");
     assert_eq!(refused(&later, 10).0, Reason::Shift);
+}
+
+/// A bar of 62 and a tool that goes to X40 in front of it, and only then out to X64.
+const APPROACH: &str = "O1\nG21 G18 G40 G99 F.2\nT0101\nG97 S800 M3\nG0 X40. Z2.\nX64.\nG1 Z-30. F.2\nX70.\nG0 Z2.\nM30\n";
+
+const BAR: &str = "machine = \"fanuc-lathe\"\n[stock]\nshape = \"cylinder\"\ndiameter = \"62 mm\"\n\
+                   from = \"-90 mm\"\nto = \"0 mm\"\n[tools.1]\noffset.X = \"-100 mm\"\noffset.Z = \"-50 mm\"\n\
+                   shape = \"insert\"\ninsert = \"C\"\napproach_angle = \"95 deg\"\nflute_length = \"12 mm\"\n\
+                   nose_radius = \"0.8 mm\"\ntip = 3\n";
+
+fn on_bar(text: &str) -> Job<'static> {
+    let none = |name: &str| Err(format!("no file {name}"));
+    let machine = Machine::from_toml("bar.toml", BAR, &none).expect("a good setup");
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", text.as_bytes().to_vec()));
+    Job::new(sources, machine).expect("a job")
+}
+
+/// The head goes to X40 by rapid and along Z by feed: through the bar.
+#[test]
+fn the_way_in_of_a_lathe_is_looked_at_with_what_stands() {
+    let none = |name: &str| Err(format!("no file {name}"));
+    let old = on_bar(APPROACH);
+    let done = restart(&old, 8).expect("proved");
+    assert!(done.head.contains(&"G1 Z-30. F.2".to_string()), "{:?}", done.head);
+    let way = way_in(&old, &done, &none).expect("a stock").expect("a lathe");
+    let hit = way.hits.first().expect("it cuts");
+    // From X40 to the bar's 62, 11 mm deep.
+    assert!((hit.depth_mm - 11.0).abs() < 1e-6, "{hit:?}");
+    let refused = blocked(&old, &done, &way).expect("a refusal");
+    assert_eq!(refused.reason.word(), "way-in");
+    assert!(
+        refused.refusal.what.contains("cuts 11 mm deep into what stands there")
+            && refused.refusal.what.contains("`G1 Z-30. F.2` of the new program"),
+        "{}",
+        refused.refusal.what
+    );
+    // Before the cut it goes along X alone, in front of the bar.
+    let done = restart(&old, 7).expect("proved");
+    let way = way_in(&old, &done, &none).expect("a stock").expect("a lathe");
+    assert_eq!((way.moves, way.hits.len(), way.unknown.as_deref()), (1, 0, None));
+    // Where the bar is turned down to 38 first, the way is free.
+    let turned =
+        APPROACH.replace("G0 X40. Z2.\n", "G0 X40. Z2.\nX38.\nG1 Z-40. F.2\nG0 X64.\nZ2.\n");
+    let old = on_bar(&turned);
+    let done = restart(&old, 12).expect("proved");
+    let way = way_in(&old, &done, &none).expect("a stock").expect("a lathe");
+    assert!(way.moves == 2 && way.hits.is_empty() && way.unknown.is_none(), "{way:?}");
+    assert!(blocked(&old, &done, &way).is_none());
+    // Without a stock nothing is looked at.
+    let bare = job(APPROACH, "fanuc-lathe");
+    let done = restart(&bare, 8).expect("proved");
+    assert_eq!(way_in(&bare, &done, &none).expect("no setup"), None);
 }

@@ -156,6 +156,8 @@ pub struct Block {
     pub words: Vec<Word>,
     /// Radius `@` and angle `^` of a polar target, which are not among its words and letters.
     pub polar: Vec<Word>,
+    /// A mark of channels (`$2`, `!2L1`); the first of its block.
+    pub channel: Option<TextRange>,
     /// Comments with their marks.
     pub comments: Vec<TextRange>,
     /// A word's value is an expression.
@@ -184,6 +186,7 @@ impl Block {
         self.commas = false;
         self.words.clear();
         self.polar.clear();
+        self.channel = None;
         self.comments.clear();
         self.problems.clear();
         self.letters = Letters::NONE;
@@ -261,6 +264,9 @@ impl Block {
 
     /// True when the block holds nothing to carry out.
     pub fn is_idle(&self) -> bool {
-        self.words.is_empty() && self.polar.is_empty() && self.kind == BlockKind::Words
+        self.words.is_empty()
+            && self.polar.is_empty()
+            && self.channel.is_none()
+            && self.kind == BlockKind::Words
     }
 }

@@ -42,6 +42,8 @@ pub struct Lexicon {
     pub program_heads: bool,
     /// `@` and `^` are words: a radius and an angle in the plane.
     pub polar_words: bool,
+    /// `$2` heads the program of a channel, and `!2L1` waits for one.
+    pub channels: bool,
     /// Expressions and macro statements.
     pub grammar: &'static MacroGrammar,
 }
@@ -58,6 +60,7 @@ impl Lexicon {
         o_words: false,
         program_heads: true,
         polar_words: false,
+        channels: false,
         grammar: &MacroGrammar::FANUC,
     };
 }

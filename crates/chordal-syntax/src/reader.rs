@@ -210,9 +210,19 @@ impl<'a> BlockReader<'a> {
             b'@' | b'^' if self.lexicon.polar_words => {
                 return self.read_any_word(block, byte, false);
             }
+            b'$' | b'!' if self.lexicon.channels => self.channel_mark(block),
             _ => self.unexpected(block),
         }
         true
+    }
+
+    /// `$2` and `!2L1`: the mark with the digits, letters and marks that follow it.
+    fn channel_mark(&mut self, block: &mut Block) {
+        let start = self.at as u32;
+        let is_of_mark = |byte: &u8| byte.is_ascii_alphanumeric() || matches!(byte, b'$' | b'!');
+        let rest = &self.text[self.at + 1..self.end];
+        self.at += 1 + rest.iter().take_while(|byte| is_of_mark(byte)).count();
+        block.channel.get_or_insert(TextRange::new(start, self.at as u32));
     }
 
     /// A colon heads a program (`:0097`) where nothing but an N number stands before it.

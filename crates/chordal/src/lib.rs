@@ -26,8 +26,8 @@ pub mod control {
     pub use chordal_gcode::*;
     pub use chordal_kernel::rules::*;
     pub use chordal_kernel::{
-        Alarms, Checkpoint, Class, EndReason, FrameKinds, Language, Modal, MotionMode, Outcome,
-        ProgramPlace, Ran, RunSink, SplineForm, Token, ToolValue, TurnPass,
+        Alarms, Checkpoint, Class, EndReason, FrameKinds, Language, LiveTool, Modal, MotionMode,
+        Outcome, ProgramPlace, Ran, RunSink, SplineForm, Token, ToolValue, TurnPass,
     };
 }
 

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use chordal_diagnostics::FileId;
 use chordal_geometry::{Aabb, ParamCurve};
-use chordal_path::{Segment, SegmentKind, curve_of, places_on_axes};
+use chordal_path::{Segment, SegmentKind, places_on_axes};
 
 /// What one tool does.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -264,14 +264,14 @@ impl SummaryBuilder {
         let start = run.on_axes(&motion.from);
         run.follow(motion, kind.shape());
         self.surface = Some(run);
-        let curve = curve_of(motion, kind.shape());
-        let (places, known) = places_on_axes(&run, motion, &curve);
+        let (places, known) = places_on_axes(&run, motion, kind.shape());
         let end = run.on_axes(&motion.to);
         let cuts = kind.feed().is_some();
         for axis in (0..AXES).filter(|axis| known.has(*axis)) {
             let way = (end[axis] - start[axis]).abs();
-            // An axis that turns is listed when it turns.
-            if axis >= 3 && way == 0.0 {
+            // An axis that turns is listed when it turns, be it out and back.
+            let stands = |place: &chordal_command::Position| place[axis] == start[axis];
+            if axis >= 3 && places.iter().all(stands) {
                 continue;
             }
             for place in places.iter().chain([&start]) {

@@ -20,7 +20,7 @@ G85 Z-8. R2. (= rapid to X0 Z2 | line to X0 Z-8 | line to X0 Z2 | rapid to X0 Z5
 G80
 (Along X.)
 G0 X40. Z-10.
-G241 X20. R16. F.1 (= rapid to X32 Z-10 | line to X20 Z-10 | rapid to X40 Z-10)
+G241 X20. R32. F.1 (= rapid to X32 Z-10 | line to X20 Z-10 | rapid to X40 Z-10)
 G80
 G0 X40. Z5.
 (Offsets: geometry by L10, wear by L11; the other tool's acts at once.)

@@ -85,6 +85,14 @@ pub enum Field {
     StartRadii,
     /// What words of X are in polar interpolation.
     FaceX,
+    /// Which P of M3, M4 and M5 names the live tool.
+    LiveToolP,
+    /// Which P of M3 and M4 names the second spindle.
+    SecondSpindleP,
+    /// The first M code that waits for another path, and the last.
+    WaitCode {
+        last: bool,
+    },
     /// What happens after a block that the control refuses (GRBL).
     AfterRefusal,
     /// Who changes tools (GRBL).
@@ -452,6 +460,9 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::Turning(rule) => turning::set(p, rule, word, value)?,
         Field::StartRadii => p.starts_with_radii = choose(word, X_WORDS)?,
         Field::FaceX => p.face_x_radius = choose(word, X_WORDS)?,
+        Field::LiveToolP => p.live_tool_p = count()?,
+        Field::SecondSpindleP => p.second_spindle_p = count()?,
+        Field::WaitCode { last } => p.wait_codes[usize::from(last)] = count()?,
         Field::ToolChanger => p.sender_changes_tools = choose(word, TOOL_CHANGERS)?,
         Field::AfterRefusal => p.goes_on_after_refusal = choose(word, AFTER_REFUSAL)?,
         Field::CodeSystem => {
@@ -548,6 +559,9 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::Turning(rule) => turning::value_text(p, rule),
         Field::StartRadii => name_of(p.starts_with_radii, X_WORDS),
         Field::FaceX => name_of(p.face_x_radius, X_WORDS),
+        Field::LiveToolP => p.live_tool_p.to_string(),
+        Field::SecondSpindleP => p.second_spindle_p.to_string(),
+        Field::WaitCode { last } => p.wait_codes[usize::from(last)].to_string(),
         Field::ToolChanger => name_of(p.sender_changes_tools, TOOL_CHANGERS),
         Field::AfterRefusal => name_of(p.goes_on_after_refusal, AFTER_REFUSAL),
         Field::CodeSystem => name_of(p.code_system, CODE_SYSTEMS),

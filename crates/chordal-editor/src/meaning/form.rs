@@ -40,6 +40,7 @@ pub fn example(letter: u8, row: &CodeRow, view: &View) -> Option<String> {
         Action::Before(BeforeCode::SpindleCw | BeforeCode::SpindleCcw) => {
             (Some("S1000"), String::new())
         }
+        Action::Before(BeforeCode::LiveToolCw | BeforeCode::LiveToolCcw) => (None, "P1500".into()),
         Action::Length(_)
         | Action::Before(_)
         | Action::Reading(_)
@@ -177,6 +178,7 @@ fn of_cycle(kind: CycleKind, row: &CodeRow, view: &View) -> String {
         (DrillingAxis::OfCode, false, true) => "Z-12. R-2.".to_string(),
         (DrillingAxis::OfCode, false, false) => "Z-12. R2.".to_string(),
         (DrillingAxis::OfCode, true, true) => "X20. R-2.".to_string(),
+        (DrillingAxis::OfCode, true, false) if !row.words.has(b'R') => "X20.".to_string(),
         (DrillingAxis::OfCode, true, false) => "X20. R32.".to_string(),
         (DrillingAxis::AlwaysZ | DrillingAxis::PlaneNormal, _, _) => {
             format!("X10. Y10. Z-12. {level}")

@@ -333,9 +333,13 @@ fn before(code: BeforeCode, letter: u8) -> Option<&'static str> {
         BeforeCode::SetToolNumber => {
             (letter == b'Q').then_some("number of the tool in the spindle")
         }
+        BeforeCode::LiveToolCw | BeforeCode::LiveToolCcw => {
+            (letter == b'P').then_some("speed of the live tool, revolutions per minute")
+        }
         BeforeCode::ToolChange
         | BeforeCode::SpindleCw
         | BeforeCode::SpindleCcw
+        | BeforeCode::CAxisOn
         | BeforeCode::CoolantMist
         | BeforeCode::CoolantFlood
         | BeforeCode::CoolantThroughTool

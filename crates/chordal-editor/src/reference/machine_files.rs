@@ -102,7 +102,7 @@ fn default_of(path: &str) -> &'static str {
         "axes.<axis>.rapid_acceleration" => "`max_acceleration`",
         "axes.<axis>.rapid_jerk" => "`max_jerk`",
         "rotary.<rotary>.reversed" | "switches.optional_stop" => "`false`",
-        "feed.max" | "feed.max_rotary" | "spindle.max" => "not checked",
+        "feed.max" | "feed.max_rotary" | "spindle.max" | "spindle.live_max" => "not checked",
         "tools.<tool>.diameter" => "not known: compensation with it is reported",
         "tools.<tool>.length" => "0 is used; the height is not known",
         "tools.<tool>.diameter_wear" | "tools.<tool>.length_wear" => "0",
@@ -178,7 +178,7 @@ max_rotary = \"5000 deg/min\"",
     Section {
         table: "spindle",
         about: "",
-        example: "[spindle]\nmax = \"8100 rpm\"\npower = \"30 hp\"",
+        example: "[spindle]\nmax = \"8100 rpm\"\nlive_max = \"6000 rpm\"\npower = \"30 hp\"",
     },
     Section {
         table: "tools",

@@ -67,6 +67,7 @@ const FEED: Feed = Feed {
     mode: FeedMode::PerTime,
     along: FeedAlong::Path,
     spindle_rev_per_s: 5.0,
+    lead_change: 0.0,
     surface: None,
 };
 

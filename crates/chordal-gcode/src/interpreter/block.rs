@@ -18,6 +18,9 @@ const AXES: Letters = Letters::of(AXIS_LETTERS);
 impl Interpreter<'_> {
     /// Carries out the words of a block.
     pub(super) fn carry_out(&mut self, block: &Block) -> Flow {
+        if block.channel.is_some() {
+            self.check_channel(block);
+        }
         if self.plain_motion(block) {
             return Flow::Next;
         }

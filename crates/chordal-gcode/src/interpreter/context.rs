@@ -72,6 +72,9 @@ impl Interpreter<'_> {
             | BeforeCode::SpindleCw
             | BeforeCode::SpindleCcw
             | BeforeCode::SpindleOrient
+            | BeforeCode::LiveToolCw
+            | BeforeCode::LiveToolCcw
+            | BeforeCode::CAxisOn
             | BeforeCode::CoolantMist
             | BeforeCode::CoolantFlood
             | BeforeCode::CoolantThroughTool => {}

@@ -9,6 +9,7 @@ mod angle;
 mod arc;
 mod block;
 mod calls;
+mod channels;
 mod checkpoint;
 mod conflicts;
 mod context;
@@ -18,6 +19,7 @@ mod firmware;
 mod frames;
 mod in_force;
 mod literals;
+mod live_tool;
 mod macros;
 mod modes;
 mod motion;
@@ -218,6 +220,9 @@ struct Reported {
     points_seen: bool,
     excess_decimals: bool,
     sender_changes_tools: bool,
+    /// Another channel, and the second spindle of a lathe.
+    channels: bool,
+    second_spindle: bool,
 }
 
 /// Runs one program of a library and pushes its commands into a sink.

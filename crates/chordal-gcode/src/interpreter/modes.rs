@@ -114,8 +114,11 @@ impl Interpreter<'_> {
                     self.kernel.set_tool_number(number);
                 }
             }
-            BeforeCode::SpindleCw => self.kernel.set_spindle(SpindleState::Cw),
-            BeforeCode::SpindleCcw => self.kernel.set_spindle(SpindleState::Ccw),
+            BeforeCode::SpindleCw => self.start_spindle(block, SpindleState::Cw),
+            BeforeCode::SpindleCcw => self.start_spindle(block, SpindleState::Ccw),
+            BeforeCode::LiveToolCw => self.start_live_tool(block, at, SpindleState::Cw),
+            BeforeCode::LiveToolCcw => self.start_live_tool(block, at, SpindleState::Ccw),
+            BeforeCode::CAxisOn => self.kernel.set_spindle(SpindleState::Off),
             BeforeCode::SpindleOrient => self.kernel.set_spindle(SpindleState::Oriented),
             BeforeCode::CoolantMist => self.kernel.set_coolant(|c| c.mist = true),
             BeforeCode::CoolantFlood => self.kernel.set_coolant(|c| c.flood = true),
@@ -400,13 +403,18 @@ impl Interpreter<'_> {
         at: usize,
     ) -> Flow {
         match code {
+            AfterCode::SpindleStop if self.names_live_tool(block) => {
+                self.kernel.set_live_tool(None);
+            }
             AfterCode::SpindleStop => self.kernel.set_spindle(SpindleState::Off),
+            AfterCode::LiveToolStop => self.kernel.set_live_tool(None),
             AfterCode::CoolantOff => self.kernel.set_coolant(|c| *c = Default::default()),
             AfterCode::CoolantThroughToolOff => self.kernel.set_coolant(|c| c.through_tool = false),
             AfterCode::ProgramStop => self.kernel.emit(CommandKind::Stop { optional: false }),
             AfterCode::OptionalStop => self.kernel.emit(CommandKind::Stop { optional: true }),
             AfterCode::ProgramEnd { .. } => {
                 self.drop_open_spline(block);
+                self.kernel.set_live_tool(None);
                 self.kernel.set_spindle(SpindleState::Off);
                 self.kernel.emit(CommandKind::End);
                 return Flow::End(EndReason::ProgramEnd);

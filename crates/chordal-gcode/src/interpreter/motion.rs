@@ -88,6 +88,9 @@ impl Interpreter<'_> {
             self.reported.axes.insert(index);
             let letter = axis.letter();
             let span = self.words_span(block, Letters(1 << (letter as u8 - b'A')));
+            if self.is_axis_of_second_spindle(letter, span.range) {
+                continue;
+            }
             let said = self.no_such_axis(letter, span);
             self.kernel.report(said);
         }

@@ -578,7 +578,11 @@ impl Interpreter<'_> {
             );
             return;
         }
-        if let Some(max) = self.machine.spindle_max_rpm
+        let most = match self.names_live_tool(block) {
+            true => self.machine.live_tool_max_rpm,
+            false => self.machine.spindle_max_rpm,
+        };
+        if let Some(max) = most
             && rpm > max
         {
             let max = telling_number(max, 0);

@@ -258,6 +258,9 @@ impl Interpreter<'_> {
 
     /// A code or a word that changes the path or a place and is not carried out.
     pub(super) fn not_followed(&mut self, word: &Word, what: &str) {
+        if self.is_of_second_spindle(word) {
+            return;
+        }
         let name = self.word_name(word);
         self.lose_path(word.range, format!("{name} ({what}) is not followed"));
     }
@@ -279,6 +282,11 @@ impl Interpreter<'_> {
             || char::from(word.letter).to_string(),
             |code| code_name(word.letter, code),
         )
+    }
+
+    /// A code as people write it.
+    pub(super) fn word_text(&self, word: &Word) -> String {
+        self.word_name(word)
     }
 
     /// The code of a word as people write it.

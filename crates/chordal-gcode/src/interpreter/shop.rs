@@ -96,6 +96,9 @@ impl Interpreter<'_> {
     pub(super) fn open_m_code(&mut self, word: &Word, number: Decimal) -> Option<&'static CodeRow> {
         let is_open = self.control.table.open_m_codes && word.letter == b'M';
         let number = number.to_integer().filter(|number| is_open && *number >= 0)?;
+        if self.waits_for_path(word, number) {
+            return Some(&SHOP_CODE);
+        }
         if self.reported.open_codes.insert(number) {
             let title = self.control.table.title;
             self.kernel.report(

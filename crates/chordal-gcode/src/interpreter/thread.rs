@@ -78,10 +78,10 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G34: K changes the lead by the revolution; the pass takes as long as with the lead between.
-    fn mean_lead(&mut self, block: &Block, target: Position, lead: f64) -> Option<f64> {
+    /// G34: K changes the lead by the revolution; the pass takes as long as with the lead between. Gives that and the change.
+    fn mean_lead(&mut self, block: &Block, target: Position, lead: f64) -> Option<[f64; 2]> {
         if !block.letters().has(b'K') {
-            return Some(lead);
+            return Some([lead, 0.0]);
         }
         let change = self.length_of(block, b'K')?;
         let from = self.kernel.state.position;
@@ -95,7 +95,7 @@ impl Interpreter<'_> {
             self.refuse_cycle(span, message, "make K smaller", TurnFault::Lead);
             return None;
         }
-        Some((lead + last.sqrt()) / 2.0)
+        Some([(lead + last.sqrt()) / 2.0, change])
     }
 
     /// A thread in one pass whose lead is F, along the axis that moves more.

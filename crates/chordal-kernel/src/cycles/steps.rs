@@ -5,12 +5,21 @@ use chordal_command::{AxisMask, CommandKind, Position, SpindleState};
 use super::hole::Hole;
 use crate::kernel::Kernel;
 use crate::rules::{Approach, BackBore, CycleKind};
+use crate::state::LiveTool;
 use crate::statement::Statement;
+
+/// What the spindle is while a live tool works.
+struct MainSpindle {
+    turns: SpindleState,
+    rpm: f64,
+    surface_speed: Option<f64>,
+}
 
 impl Kernel<'_> {
     /// One hole: there, down, and out again.
     pub fn drill(&mut self, at: &dyn Statement, hole: &Hole, place: Position, named: AxisMask) {
         self.origin.cycle = true;
+        let main = self.live_tool_as_spindle();
         self.approach(hole, place, named);
         match hole.words.kind {
             CycleKind::Drill => self.feed_to(at, hole, hole.z),
@@ -42,7 +51,31 @@ impl Kernel<'_> {
             self.level(hole, hole.clear);
         }
         self.clean_chips(hole);
+        if let Some(main) = main {
+            self.spindle_as_live_tool(main);
+        }
         self.origin.cycle = false;
+    }
+
+    /// A cycle with a live tool: it is what the spindle is for any other one. Gives what the spindle was.
+    fn live_tool_as_spindle(&mut self) -> Option<MainSpindle> {
+        let live = self.state.live.take()?;
+        let state = &mut self.state;
+        let main = MainSpindle {
+            turns: state.spindle,
+            rpm: state.rpm,
+            surface_speed: state.surface_speed.take(),
+        };
+        (state.spindle, state.rpm) = (live.turns, live.rpm);
+        Some(main)
+    }
+
+    fn spindle_as_live_tool(&mut self, main: MainSpindle) {
+        let state = &mut self.state;
+        let live = LiveTool { turns: state.spindle, rpm: state.rpm };
+        state.live = Some(live).filter(|live| live.turns != SpindleState::Off);
+        (state.spindle, state.rpm) = (main.turns, main.rpm);
+        state.surface_speed = main.surface_speed;
     }
 
     /// Above the hole: to its place, and to R.

@@ -130,6 +130,7 @@ impl Kernel<'_> {
                 mode: FeedMode::PerTime,
                 along: FeedAlong::Path,
                 spindle_rev_per_s: rev_per_s,
+                lead_change: 0.0,
                 surface: None,
             },
             None => {

@@ -107,6 +107,7 @@ impl Kernel<'_> {
             mode: state.feed_mode,
             along: FeedAlong::Path,
             spindle_rev_per_s: self.rev_per_s(motion.from[0]),
+            lead_change: 0.0,
             // The spindle holds the part on a surface: it has no cutting speed.
             surface: if state.surface.is_some() { None } else { self.surface() },
         };
@@ -115,7 +116,7 @@ impl Kernel<'_> {
         if !has_feed || each_block {
             self.report_missing_feed(at);
         }
-        if self.state.spindle == SpindleState::Off {
+        if self.turning() == SpindleState::Off {
             self.report_spindle_stopped(at);
         }
         if let Some(word) = self.state.feed_over {

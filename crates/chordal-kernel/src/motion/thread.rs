@@ -8,8 +8,18 @@ use crate::statement::Statement;
 impl Kernel<'_> {
     /// A straight cut that advances by `lead_mm` along its path in a revolution of the spindle.
     pub fn thread(&mut self, target: Position, named: AxisMask, lead_mm: f64) {
+        self.changing_thread(target, named, [lead_mm, 0.0]);
+    }
+
+    /// The same with a lead that changes: its mean along the path, and by how much it changes in a revolution, mm.
+    pub(crate) fn changing_thread(
+        &mut self,
+        target: Position,
+        named: AxisMask,
+        [lead_mm, change_mm]: [f64; 2],
+    ) {
         self.set_in_tap(true);
-        self.in_step(target, named, lead_mm, 1.0);
+        self.in_step(target, named, [lead_mm, change_mm], 1.0);
         self.set_in_tap(false);
     }
 
@@ -20,9 +30,9 @@ impl Kernel<'_> {
         let outward =
             if inward == SpindleState::Ccw { SpindleState::Cw } else { SpindleState::Ccw };
         self.set_in_tap(true);
-        self.in_step(target, named, lead_mm, 1.0);
+        self.in_step(target, named, [lead_mm, 0.0], 1.0);
         self.emit(CommandKind::Spindle { state: outward, rpm: rpm * out_factor });
-        self.in_step(start, named, lead_mm, out_factor);
+        self.in_step(start, named, [lead_mm, 0.0], out_factor);
         self.emit(CommandKind::Spindle { state: inward, rpm });
         self.set_in_tap(false);
     }
@@ -35,13 +45,20 @@ impl Kernel<'_> {
         }
     }
 
-    fn in_step(&mut self, target: Position, named: AxisMask, lead_mm: f64, factor: f64) {
+    fn in_step(
+        &mut self,
+        target: Position,
+        named: AxisMask,
+        [lead_mm, change_mm]: [f64; 2],
+        factor: f64,
+    ) {
         let motion = self.moved_to(target, named);
         let feed = Feed {
             value: lead_mm,
             mode: FeedMode::PerRevolution,
             along: FeedAlong::Path,
             spindle_rev_per_s: self.rev_per_s(motion.from[0]) * factor,
+            lead_change: change_mm,
             surface: None,
         };
         self.emit(CommandKind::Line { motion, feed });

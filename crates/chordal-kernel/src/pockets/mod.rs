@@ -71,6 +71,7 @@ impl Kernel<'_> {
             mode: FeedMode::PerTime,
             along: FeedAlong::Path,
             spindle_rev_per_s: self.state.rpm / 60.0,
+            lead_change: 0.0,
             surface: None,
         }
     }

@@ -315,6 +315,8 @@ pub struct CycleRules {
     pub incremental: IncrementalLevels,
     /// R is the distance from the initial level (Fanuc lathes, No. 5102#6 = 0).
     pub r_from_initial: bool,
+    /// R of a cycle that drills along X is a diameter, as X is.
+    pub radial_r_is_diameter: bool,
     /// R not given.
     pub missing_r: MissingLevel,
     /// The order of the levels.
@@ -360,6 +362,7 @@ impl CycleRules {
         definition: DefinitionFires::Always,
         incremental: IncrementalLevels::WhenGiven,
         r_from_initial: false,
+        radial_r_is_diameter: false,
         missing_r: MissingLevel::Refused,
         order: LevelOrder::Free,
         keeps_words: true,

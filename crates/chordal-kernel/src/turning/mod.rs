@@ -62,21 +62,26 @@ impl Kernel<'_> {
         }
     }
 
-    /// A thread in one pass.
-    pub fn turned_thread(&mut self, at: &dyn Statement, target: Position, lead_mm: f64) {
+    /// A thread in one pass: its mean lead, and by how much it changes in a revolution, mm.
+    pub fn turned_thread(&mut self, at: &dyn Statement, target: Position, lead_mm: [f64; 2]) {
         self.require_spindle(at);
-        self.turn_thread([target[X], target[Z]], lead_mm);
+        self.turn_changing_thread([target[X], target[Z]], lead_mm);
     }
 
     /// A cut in step with the spindle, where it goes anywhere.
     fn turn_thread(&mut self, to: [f64; 2], lead_mm: f64) {
+        self.turn_changing_thread(to, [lead_mm, 0.0]);
+    }
+
+    fn turn_changing_thread(&mut self, to: [f64; 2], lead_mm: [f64; 2]) {
         let target = self.place_at(to);
         let [x, z] = self.turned_place();
         // The lead is along the axis that moves more, and F along the path.
         let (dx, dz) = ((to[0] - x).abs(), (to[1] - z).abs());
         let longer = dx.max(dz);
         if longer > 0.0 {
-            self.thread(target, XZ, lead_mm * libm::hypot(dx, dz) / longer);
+            let along_path = libm::hypot(dx, dz) / longer;
+            self.changing_thread(target, XZ, lead_mm.map(|mm| mm * along_path));
         }
     }
 }

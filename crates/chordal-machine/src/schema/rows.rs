@@ -203,6 +203,13 @@ pub(crate) const ROWS: &[Row] = &[
         "the largest spindle speed",
     ),
     quantity(
+        "spindle.live_max",
+        Dimension::SpindleSpeed,
+        Sign::Positive,
+        |m, _| &mut m.live_tool_max_rpm,
+        "the largest speed of live tools in the turret of a lathe",
+    ),
+    quantity(
         "spindle.power",
         Dimension::Power,
         Sign::Positive,

@@ -8,7 +8,8 @@ use chordal_machine::Axis;
 use super::Checks;
 use crate::builder::duration_s;
 use crate::compensation::PathCommand;
-use crate::rotary::{fastest_turn, places_on_axes};
+use crate::rotary::fastest_turn;
+use crate::rotary_extremes::places_on_axes;
 use crate::segment::curve_of;
 
 impl Checks<'_> {
@@ -32,7 +33,7 @@ impl Checks<'_> {
         self.end_legs();
         let curve = curve_of(motion, command.kind.shape());
         let surface = run.surface;
-        let (places, known) = places_on_axes(&run, motion, &curve);
+        let (places, known) = places_on_axes(&run, motion, command.kind.shape());
         for place in places {
             self.extend(&place, known);
             self.travel(&place, known, command.origin, report);

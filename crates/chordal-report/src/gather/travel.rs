@@ -91,8 +91,7 @@ impl Travels {
         };
         match self.frame.surface {
             Some(run) => {
-                let curve = curve_of(motion, command.kind.shape());
-                let (places, known) = places_on_axes(&run, motion, &curve);
+                let (places, known) = places_on_axes(&run, motion, command.kind.shape());
                 self.on_surface(&places, known, cuts);
             }
             None => self.motion(motion, bounds, cuts),

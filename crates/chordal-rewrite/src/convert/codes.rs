@@ -175,6 +175,24 @@ fn one(
                 false => Err(missing(own, to)),
             };
         }
+        // What is drilled along X, or tapped with a live tool, has codes of its own.
+        Action::Cycle(_)
+            if is_in(own, from) != Drilling::default()
+                && there.is_none_or(|row| row.action != own.action) =>
+        {
+            return match cycle_row(own, is_in(own, from), to) {
+                Some(row) => {
+                    let new = spelt(row, b'G', style);
+                    draft.replace(
+                        at,
+                        new,
+                        format!("{}: {title} has another code for it", own.title),
+                    );
+                    Ok(())
+                }
+                None => Err(missing(own, to)),
+            };
+        }
         // What holes these make is looked at with their cycle.
         Action::Once(OnceCode::Pattern(_)) => return Ok(()),
         Action::After(AfterCode::RunCycleHere) => return Ok(()),
@@ -200,6 +218,34 @@ fn one(
         return Ok(());
     }
     without_such_a_code(draft, at, own, to, style)
+}
+
+/// Along X, and with a live tool.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Drilling {
+    pub(crate) radial: bool,
+    pub(crate) live: bool,
+}
+
+/// What a code of a cycle drills like on its control.
+pub(crate) fn is_in(row: &CodeRow, control: &Control) -> Drilling {
+    Drilling {
+        radial: control.table.radial_cycles.contains(&row.code),
+        live: control.table.live_taps.contains(&row.code),
+    }
+}
+
+/// The code of a control for the same cycle in the same direction; one for live tools where it has such.
+pub(crate) fn cycle_row(
+    own: &CodeRow,
+    drilling: Drilling,
+    to: &Control,
+) -> Option<&'static CodeRow> {
+    let rows = || {
+        to.g_codes()
+            .filter(|row| row.action == own.action && is_in(row, to).radial == drilling.radial)
+    };
+    rows().find(|row| is_in(row, to).live == drilling.live).or_else(|| rows().next())
 }
 
 /// A code whose like the new control does not have.

@@ -3,6 +3,7 @@
 use chordal::control::{Action, Control, OnceCode};
 
 use super::contours::Contours;
+use super::live::LiveTools;
 use super::macros::Macros;
 use super::structure::Structure;
 use super::trace::{Exec, Trace};
@@ -24,6 +25,8 @@ pub(crate) struct Context<'a> {
     pub exact_cycles: bool,
     /// The contours that cycles of a lathe cut.
     pub contours: &'a Contours,
+    /// Live tools of a lathe that are started like the spindle.
+    pub live: &'a LiveTools,
     /// What a place of X is multiplied by in a word of the new program.
     pub x_factor: f64,
 }

@@ -152,6 +152,7 @@ impl<'a> Emitter<'a> {
             mode: modes.feed_mode,
             along: FeedAlong::Path,
             spindle_rev_per_s: 0.0,
+            lead_change: 0.0,
             surface: None,
         };
         if feed.mode != FeedMode::InverseTime {
@@ -501,6 +502,9 @@ impl<'a> Emitter<'a> {
     }
 
     fn spindle(&mut self, state: SpindleState, rpm: f64) -> Result<(), Refused> {
+        if self.lathe.is_live {
+            return Err("a live tool is started or stopped in it".into());
+        }
         let is_same = std::mem::replace(&mut self.lathe.spindle, state) == state;
         let follows = self.lathe.is_one && self.lathe.keeps_surface_speed;
         if follows && is_same {
@@ -539,7 +543,10 @@ impl<'a> Emitter<'a> {
             words.push(self.due(Action::After(AfterCode::CoolantOff))?);
         }
         self.flush();
-        self.line(&words);
+        // Some controls take one code of coolant in a block.
+        for word in words {
+            self.line(&[word]);
+        }
         Ok(())
     }
 

@@ -38,7 +38,9 @@ impl Context<'_> {
     /// A block that sets a frame, or runs in one.
     pub(super) fn frames(&self, at: usize) -> Result<(), Expand> {
         let Some(run) = self.run(at) else { return Ok(()) };
-        let (before, after) = (run.before.frames, run.after.frames);
+        // A surface has words of its own.
+        let flat = |frames: FrameKinds| FrameKinds { surface: false, ..frames };
+        let (before, after) = (flat(run.before.frames), flat(run.after.frames));
         if !(before.any() || after.any()) || self.same_control() {
             return Ok(());
         }

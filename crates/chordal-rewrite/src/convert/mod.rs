@@ -18,6 +18,7 @@ mod emit;
 mod frames;
 mod initial;
 mod layout;
+mod live;
 mod macros;
 pub(crate) mod numbers;
 mod offsets;
@@ -27,6 +28,7 @@ mod plan;
 mod rendered;
 mod spiral;
 mod structure;
+mod surface;
 mod tap;
 mod thread;
 mod trace;
@@ -35,7 +37,7 @@ mod turning;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use chordal::control::{RapidPath, Side};
+use chordal::control::{RapidPath, RotarySurface, Side, SurfaceShape};
 use chordal::machine::{AXIS_LETTERS, RapidShape, WorkOffset, mirrored_tip, work_offset_name};
 
 use chordal::{Code, CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
@@ -44,6 +46,7 @@ use chordal_compare::{Blocks, Category, Difference, FreePasses, Value};
 use self::context::Context;
 pub(crate) use self::contours::{Contour, Contours};
 use self::layout::Layout;
+use self::live::LiveTools;
 use self::macros::Macros;
 pub use self::passes::{PassChange, PassReading};
 pub use self::pecks::{PeckChange, PeckReading};
@@ -170,6 +173,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
     let structure = Structure::of(&source, from, to);
     let macros = Macros::of(&source, [from, to]);
     let contours = Contours::of(&source, old);
+    let live = LiveTools::of(&source, &trace, [from, to]);
     let context = Context {
         source: &source,
         trace: &trace,
@@ -178,14 +182,12 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         to,
         macros: &macros,
         contours: &contours,
+        live: &live,
         x_factor: conversion.machine.written_factor(0),
         keeps_rotations: frames::keeps_rotations(&source, from, to),
         keeps_corners: corners::keeps_corners(&source, &trace, from, to),
         exact_cycles: options.exact_cycles,
     };
-    let compensates = trace.commands.iter().any(|command| {
-        matches!(command.kind, CommandKind::Compensation { side, .. } if side != Side::Off)
-    });
     let mut plan = Plan::new(&context, options);
     // Writing out more may end worse than before: the nearest attempt is the one that is shown.
     let mut best = usize::MAX;
@@ -201,7 +203,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
                 passes: passes::lines(&context, &plan, &layout),
             },
         };
-        let certificate = proof(old, &new, options, free, compensates, printed);
+        let certificate = proof(&trace, [old, &new], options, free, printed);
         let holds = certificate.holds() && refusals.is_empty();
         let more = !holds
             && round + 1 < MOST_ROUNDS
@@ -252,16 +254,19 @@ struct Free {
 }
 
 fn proof(
-    old: &Job,
-    new: &Job,
+    trace: &Trace,
+    [old, new]: [&Job; 2],
     options: &Options,
     free: Free,
-    compensates: bool,
     printed: bool,
 ) -> Certificate {
+    let compensates = trace.commands.iter().any(|command| {
+        matches!(command.kind, CommandKind::Compensation { side, .. } if side != Side::Off)
+    });
     let compare = chordal_compare::Options {
         tolerance_mm: options.tolerance_mm,
         feed_tolerance: 1e-5,
+        rotary_tolerance_rad: rotary_tolerance(trace, options),
         // Both begin at the same place, and both machines have the same tables.
         assume_known: true,
         free_pecks: free.pecks,
@@ -282,6 +287,21 @@ fn proof(
     let mut certificate = prove(old, new, &compare, &[]);
     certificate.set_aside(is_expected);
     certificate
+}
+
+/// How far rotary axes may be apart: on a cylinder one control gives lengths and the other one angles, and both are rounded. At its
+/// radius that is no more than the tolerance.
+fn rotary_tolerance(trace: &Trace, options: &Options) -> f64 {
+    let radii = trace.commands.iter().filter_map(|command| match &command.kind {
+        CommandKind::Surface { surface: Some(surface), .. } => match surface.shape {
+            SurfaceShape::Cylinder { radius_mm } => Some(radius_mm),
+            SurfaceShape::Face { .. } => None,
+        },
+        _ => None,
+    });
+    let largest = radii.fold(0.0, f64::max);
+    let usual = chordal_compare::Options::default().rotary_tolerance_rad;
+    if largest > 0.0 { (options.tolerance_mm / largest).max(usual) } else { usual }
 }
 
 /// Revolutions of a spindle that keeps a cutting speed in both programs follow the diameter; at which point of a rapid they
@@ -404,13 +424,27 @@ fn missing_axes(old: &Job, target: &Machine, trace: &Trace) -> Vec<Refusal> {
     if !old.control().table.turns() {
         return Vec::new();
     }
+    let mut first: [Option<&chordal::Command>; 6] = [None; 6];
+    let mut surface: Option<RotarySurface> = None;
+    for command in &trace.commands {
+        if let CommandKind::Surface { surface: now, .. } = command.kind {
+            surface = now;
+            // The length across is the rotary axis, whatever letter it is written with.
+            if let Some(surface) = now {
+                first[surface.rotary].get_or_insert(command);
+            }
+        }
+        let Some(motion) = command.kind.motion() else { continue };
+        for axis in 0..first.len() {
+            let is_across = surface.is_some_and(|surface| surface.across == axis);
+            if motion.from[axis] != motion.to[axis] && !is_across {
+                first[axis].get_or_insert(command);
+            }
+        }
+    }
     let mut refusals = Vec::new();
     for (axis, letter) in AXIS_LETTERS.chars().enumerate() {
-        let moves = trace.commands.iter().find(|command| {
-            let motion = command.kind.motion();
-            target.axes[axis].is_none()
-                && motion.is_some_and(|motion| motion.from[axis] != motion.to[axis])
-        });
+        let moves = first[axis].filter(|_| target.axes[axis].is_none());
         let Some(command) = moves else { continue };
         let source = old.sources().get(command.origin.span.file);
         let words =

@@ -333,7 +333,8 @@ impl<'c, 'a> Plan<'c, 'a> {
             return Ok(());
         }
         let mut tried = emitter.clone();
-        tried.enter(&exec.before, &exec.after);
+        let is_live = exec.block.is_some_and(|at| self.context.live.is_about(at));
+        tried.enter(&exec.before, &exec.after, is_live);
         let reason = match tried.block(commands) {
             Ok(()) if !is_hidden => {
                 *emitter = tried;

@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use chordal::control::{
-    CallPath, Control, FeedMode, FrameKinds, Modal, Origin, Position, ReadingCode, Side,
-    SpindleState, Units, WorkName,
+    CallPath, Control, FeedMode, FrameKinds, LiveTool, Modal, Origin, Position, ReadingCode,
+    RotarySurface, Side, SpindleState, Units, WorkName,
 };
 use chordal::geometry::Plane;
 use chordal::{Command, CommandKind, Diagnostic, Job, Sink, Span};
@@ -36,12 +36,16 @@ pub(crate) struct Modes {
     pub speed_limit: Option<f64>,
     pub tool: u32,
     pub length_offset: Option<u32>,
+    /// A live tool that turns in place of the spindle.
+    pub live: Option<LiveTool>,
+    /// The surface on which two coordinates lie.
+    pub surface: Option<RotarySurface>,
     /// Millimetres of the radius in one millimetre of a word X: a half where it is a diameter.
     pub per_x: f64,
 }
 
 impl Modes {
-    fn of(modal: Modal, per_x: f64) -> Modes {
+    fn of(modal: Modal, surface: Option<RotarySurface>, per_x: f64) -> Modes {
         Modes {
             motion: modal.motion.map(Action::from),
             incremental: modal.incremental,
@@ -58,6 +62,8 @@ impl Modes {
             speed_limit: modal.speed_limit,
             tool: modal.tool,
             length_offset: modal.length_offset,
+            live: modal.live,
+            surface,
             per_x,
         }
     }
@@ -107,6 +113,7 @@ struct Gather<'s, 'a> {
     raw: Vec<CallPath>,
     control: &'s Control,
     per_x: f64,
+    surface: Option<RotarySurface>,
 }
 
 impl Sink for Gather<'_, '_> {
@@ -125,8 +132,15 @@ impl RunSink for Gather<'_, '_> {
     fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
         let block = self.source.block_at(origin.span);
         self.follow_x_words(block);
-        let after = Modes::of(modal(), self.per_x);
         let commands = self.open..self.trace.commands.len();
+        for command in &self.trace.commands[commands.clone()] {
+            match command.kind {
+                CommandKind::Surface { surface, .. } => self.surface = surface,
+                CommandKind::End => self.surface = None,
+                _ => {}
+            }
+        }
+        let after = Modes::of(modal(), self.surface, self.per_x);
         self.open = commands.end;
         let index = self.trace.execs.len();
         let after_arc = self.last_is_arc;
@@ -195,6 +209,7 @@ impl Trace {
             raw: Vec::new(),
             control,
             per_x,
+            surface: None,
         };
         let outcomes = job.run(&mut gather);
         let Gather { mut trace, raw, .. } = gather;

@@ -14,6 +14,7 @@ use super::cycles;
 use super::draft::{Draft, Expand};
 use super::numbers::{self, Kind};
 use super::structure::Places;
+use super::surface;
 use super::trace::moves;
 use super::turning;
 use crate::source::{code_action, whole};
@@ -70,6 +71,7 @@ impl<'a> Context<'a> {
             return Err(Expand(format!("{title} has no radius and angle in place of X and Y")));
         }
         turning::translate(self, draft, at)?;
+        surface::translate(self, draft, at)?;
         codes::translate(draft, self.from, self.to, self.style())?;
         self.offsets(draft, at)?;
         cycles::translate(self, draft, at)?;

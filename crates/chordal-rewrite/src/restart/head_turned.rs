@@ -67,7 +67,7 @@ impl Head<'_, '_> {
                 ));
             }
             (false, Some(feed)) => {
-                if modal.spindle == SpindleState::Off {
+                if modal.spindle == SpindleState::Off && modal.live.is_none() {
                     return Err(Lack(
                         "the tool is at the part, and the spindle stands still".into(),
                     ));
@@ -162,6 +162,13 @@ impl Head<'_, '_> {
         }
         if starts && modal.spindle != SpindleState::Off {
             words.extend(self.before.said.spindle.clone());
+        }
+        let live = self.before.said.live.clone().filter(|_| modal.live.is_some());
+        // P next to S and M3 names the live tool; a code of its own stands alone.
+        match live {
+            Some(live) if self.control.parameters.live_tool_p > 0 => words.push(live),
+            Some(live) => lines.push(live),
+            None => {}
         }
         if !words.is_empty() {
             lines.push(words.join(self.gap()));

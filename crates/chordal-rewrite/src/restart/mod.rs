@@ -13,8 +13,9 @@ mod watch;
 
 use std::ops::Range;
 
-use chordal::control::{Action, AfterCode, Modal, MotionMode, OnceCode, Side};
+use chordal::control::{Action, AfterCode, Modal, MotionMode, OnceCode, Side, Units};
 use chordal::diagnostics::FileId;
+use chordal::stock::{StockRunError, TurnedOptions, WayIn};
 use chordal::syntax::Letters;
 use chordal::{Job, Severity};
 
@@ -53,6 +54,8 @@ pub enum Reason {
     Unsure,
     /// The control has no form for what is needed.
     Form,
+    /// The way in meets what stands on a lathe.
+    WayIn,
     /// The new program would not do the same.
     Unproved,
 }
@@ -73,6 +76,7 @@ impl Reason {
             Reason::Position => "position",
             Reason::Unsure => "unsure",
             Reason::Form => "form",
+            Reason::WayIn => "way-in",
             Reason::Unproved => "unproved",
         }
     }
@@ -96,6 +100,8 @@ pub struct Restart {
     pub line: u32,
     /// The lines that are put in.
     pub head: Vec<String>,
+    /// Where they stand in the text, in bytes.
+    pub head_bytes: Range<u32>,
     /// Lines after the end of the program: contours that stand before the line, and that cycles after it take.
     pub after_the_end: Vec<String>,
     /// So many moves follow, the same in both programs.
@@ -140,6 +146,43 @@ pub fn restart(job: &Job, line: u32) -> Result<Restart, Refused> {
     done.map_err(
         |refused| if is_known || changes { refused } else { asked.position(&before.modal) },
     )
+}
+
+/// Looks whether the head's moves meet what the program has left of the stock of a lathe at the line; nothing without a stock, on a
+/// mill, and where the program goes to its first place by itself.
+///
+/// # Errors
+/// With a setup that is incomplete.
+pub fn way_in(
+    job: &Job,
+    done: &Restart,
+    files: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+) -> Result<Option<WayIn>, StockRunError> {
+    if !job.turns() || job.machine().setup.stock.is_none() || done.approaches {
+        return Ok(None);
+    }
+    let new = main_of(job.with_text(done.text.clone()), done.head_bytes.end);
+    let options = TurnedOptions::default();
+    job.turned_way_in(&new, done.head_bytes.clone(), &options, files).map(Some)
+}
+
+/// What the head's moves meet first, as a refusal.
+pub fn blocked(job: &Job, done: &Restart, way: &WayIn) -> Option<Refused> {
+    let hit = way.hits.first()?;
+    let units = if job.report().summary.inch { Units::Inch } else { Units::Millimetre };
+    let text = String::from_utf8_lossy(&done.text);
+    let own = text.lines().nth(hit.line.saturating_sub(1) as usize).unwrap_or("").trim();
+    let [z, radius] = hit.at;
+    let (x, z) = (units.length_text(2.0 * radius), units.length_text(z));
+    let what = format!(
+        "the way in is not free: {} at X {x} (a diameter), Z {z}, in `{own}` of the new program",
+        hit.what
+    );
+    let help =
+        "begin at a change of the tool before it, or at a line where the tool is out of the part";
+    let source = Source::of(job);
+    let asked = Asked { job, source: &source, line: done.line };
+    Some(asked.refuse(Reason::WayIn, what, help))
 }
 
 const RUN_IT: &str = "run the program itself";
@@ -391,9 +434,20 @@ impl Asked<'_, '_> {
             return Err(unproved(what));
         }
         let text = source.text.to_vec();
+        let draft_first = draft.first;
         let Draft { lines: head, approaches, from_the_start, .. } = draft;
         let (line, moves) = (self.line, old.moves);
-        Ok(Restart { text, line, head, after_the_end, moves, approaches, from_the_start })
+        let head_bytes = draft_first..from[1];
+        Ok(Restart {
+            text,
+            line,
+            head,
+            head_bytes,
+            after_the_end,
+            moves,
+            approaches,
+            from_the_start,
+        })
     }
 
     /// The text, and how places of the old one are places of it.

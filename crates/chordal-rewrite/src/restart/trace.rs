@@ -322,6 +322,7 @@ fn different_modal(one: &Modal, other: &Modal, care: Care) -> Option<&'static st
         (one.feed_mode == other.feed_mode, "the feed mode"),
         (is_near(one.feed, other.feed), "the feed"),
         (one.spindle == other.spindle, "the spindle"),
+        (one.live == other.live, "the live tool"),
         (!spins || follows || near(one.rpm, other.rpm), "the spindle speed"),
         (is_near(one.surface_speed, other.surface_speed), "the cutting speed"),
         (is_near(one.speed_limit, other.speed_limit), "the limit of the spindle"),

@@ -36,6 +36,8 @@ pub(crate) struct Said {
     pub(crate) tool: Option<String>,
     /// The code that started the spindle.
     pub(crate) spindle: Option<String>,
+    /// The words that started a live tool.
+    pub(crate) live: Option<String>,
     /// A speed was given.
     pub(crate) speed: bool,
     /// The codes of coolant that is on.
@@ -122,7 +124,14 @@ impl Said {
                     self.tool = Some(words.join(gap));
                     self.coolant.clear();
                 }
-                Action::Before(code) => self.follow_before(code, text(word)),
+                Action::Before(code) => {
+                    let words = beside(word, &|letter| letter == b'P' && row.words.has(letter));
+                    let names_live = control.parameters.live_tool_p > 0 && words.len() > 1;
+                    self.follow_before(code, text(word), names_live.then(|| words.join(gap)));
+                    if matches!(code, BeforeCode::LiveToolCw | BeforeCode::LiveToolCcw) {
+                        self.live = Some(words.join(gap));
+                    }
+                }
                 Action::After(code) => self.follow_after(code, control),
                 Action::Once(code) => {
                     if code == OnceCode::SetData {
@@ -140,9 +149,13 @@ impl Said {
         }
     }
 
-    fn follow_before(&mut self, code: BeforeCode, text: String) {
+    /// `with_p`: M3 or M4 with the P that says what turns.
+    fn follow_before(&mut self, code: BeforeCode, text: String, with_p: Option<String>) {
         match code {
-            BeforeCode::SpindleCw | BeforeCode::SpindleCcw => self.spindle = Some(text),
+            BeforeCode::SpindleCw | BeforeCode::SpindleCcw => {
+                self.live = with_p.clone();
+                self.spindle = Some(with_p.unwrap_or(text));
+            }
             BeforeCode::CoolantMist | BeforeCode::CoolantFlood | BeforeCode::CoolantThroughTool => {
                 self.coolant.retain(|said| *said != text);
                 self.coolant.push(text);
@@ -150,6 +163,9 @@ impl Said {
             BeforeCode::ToolChange
             | BeforeCode::SetToolNumber
             | BeforeCode::SpindleOrient
+            | BeforeCode::LiveToolCw
+            | BeforeCode::LiveToolCcw
+            | BeforeCode::CAxisOn
             | BeforeCode::SaveModes { .. }
             | BeforeCode::ForgetModes
             | BeforeCode::RestoreModes => {}
@@ -166,6 +182,7 @@ impl Said {
                 })
             }),
             AfterCode::SpindleStop
+            | AfterCode::LiveToolStop
             | AfterCode::ProgramStop
             | AfterCode::OptionalStop
             | AfterCode::ProgramEnd { .. }

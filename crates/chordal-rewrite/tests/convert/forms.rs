@@ -187,13 +187,23 @@ fn codes_that_are_not_carried_out_are_refused() {
     assert_eq!(there.refusals[0].line, 5, "{line}");
 }
 
-/// Their words differ from one control to the next.
+/// Degrees of one control are lengths of the other: 30 degrees of radius 2 in are 1.0472 in.
 #[test]
-fn coordinates_on_a_cylinder_are_refused() {
+fn coordinates_on_a_cylinder_become_lengths() {
     let text = "O1\nT1 M6\nG20 G90 G54 S900 M3\nG0 X0 Y0 Z1. A0\nG7.1 A2.\nG1 X2. A30. F10.\nG7.1 A0\nM30\n";
     let there = converted(&job(text, machine("fanuc-30i")), "haas-vf2");
-    assert!(!there.holds(), "{}", there.text);
-    assert_eq!(there.refusals[0].line, 5, "{:?}", there.refusals);
+    assert!(there.holds(), "{:?} {}", there.refusals, there.text);
+    for line in ["G107 A0 Y0 R2.", "G1 X2. Y1.0472 F10.", "G107"] {
+        assert!(there.text.lines().any(|own| own == line), "{line}: {}", there.text);
+    }
+    let back = converted(&there.job("back").expect("a job"), "fanuc-30i");
+    assert!(back.holds() && back.text.contains("G1 X2. A30. F10."), "{}", back.text);
+    let without = converted(&job(text, machine("fanuc-30i")), "linuxcnc-mill");
+    assert!(
+        without.refusals[0].reason.contains("no cylindrical interpolation"),
+        "{:?}",
+        without.refusals
+    );
 }
 
 /// A rotation with its whole centre and its angle is read alike; other frames are written out.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use chordal::Job;
 use chordal::control::Units;
 use chordal_rewrite::convert::{Conversion, Options, convert};
 use chordal_rewrite::restart::restart;
@@ -28,7 +29,7 @@ fn all_programs() {
             if old.control().table.name == to {
                 continue;
             }
-            let found = convert(&old, &machine(to), &Options::default());
+            let found = convert(&old, &machine(with_axes(&old, to)), &Options::default());
             all += 1;
             proved += usize::from(found.holds());
             table += &format!("    {to}: {}{}", verdict(&found), other_passes(&found));
@@ -43,6 +44,15 @@ fn all_programs() {
     }
     table += &format!("\n{proved} of {all} proved, {back} of these back again\n");
     insta::assert_snapshot!(table);
+}
+
+/// The machine of a control that has C and Y where the program's own machine has C.
+fn with_axes(old: &Job, to: &'static str) -> &'static str {
+    match (old.machine().axes[5].is_some(), to) {
+        (true, "fanuc-lathe") => "fanuc-lathe-y",
+        (true, "haas-lathe") => "haas-lathe-y",
+        (_, to) => to,
+    }
 }
 
 /// Cycles that stay in passes of the new control, by their codes.
@@ -290,4 +300,117 @@ fn what_a_shift_along_z_changes_in_cycles() {
     }
     let other = transform(&old, &[Step::Shift([1.0, 0.0, 0.0])]).expect_err("another part");
     assert!(other.what.contains("this makes another part"), "{}", other.what);
+}
+
+const POLAR: &str = "O1\nG21 G18 G40 G80 G98\nT0101\nG97 S1500 M3 P12\nG28 H0\nG0 X70. Z2. C0\nG1 Z-4. F200.\nG12.1\n\
+                     G1 G42 X30. F300.\nC8.66\nG3 X20. C13.66 I-5. J0\nG1 X-30. H-2.\nC1.\nG40 X70.\nG13.1\nG0 Z50.\nM5 P12\nM30\n";
+
+/// The lines of a program on another machine, without the head.
+fn on(body: &str, from: &str, to: &str) -> Vec<String> {
+    let lines = lines(body, from, to);
+    lines.into_iter().filter(|line| !line.starts_with(['%', 'O', '('])).collect()
+}
+
+#[test]
+fn a_face_is_written_with_the_letters_of_the_other_control() {
+    let haas = on(POLAR, "fanuc-lathe-c", "haas-lathe-y");
+    let expected = [
+        "G21 G18 G40 G80 G98",
+        "T0101",
+        "G97 M133 P1500",
+        "M154",
+        "G28 H0",
+        "G0 X70. Z2. C0",
+        "G1 Z-4. F200.",
+        "G112",
+        "G17",
+        "G1 G42 X30. F300.",
+        "Y8.66",
+        "G3 X20. Y13.66 I-5. J0",
+        "G1 X-30. V-2.",
+        "Y1.",
+        "G40 X70.",
+        "G113",
+        "G18",
+        "G0 Z50.",
+        "M135",
+        "M30",
+    ];
+    assert_eq!(haas, expected);
+    let again = on(&haas.join("\n"), "haas-lathe-y", "fanuc-lathe-c");
+    for line in [
+        "G97 S1500 M3 P12",
+        "G12.1",
+        "C8.66",
+        "G3 X20. C13.66 I-5. J0",
+        "G1 X-30. H-2.",
+        "G13.1",
+        "M5 P12",
+    ] {
+        assert!(again.iter().any(|own| own == line), "{line}: {again:?}");
+    }
+    assert!(!again.iter().any(|line| line.contains("M154") || line == "G17"), "{again:?}");
+}
+
+#[test]
+fn a_cylinder_is_written_in_degrees_and_in_lengths() {
+    // Radius 25: 60 degrees are 26.1799 mm. In G18 arcs turn from Z to C, in G19 from Y to Z.
+    let fanuc = "O1\nG21 G18 G40 G98\nT0101\nG97 S1500 M3 P12\nG0 X60. Z0 C0\nG1 X48. F100.\nG7.1 C25.\n\
+                 G1 C60. F200.\nG3 Z10. C82.918 R10.\nG1 Z20. H10.\nG7.1 C0\nG0 X60.\nM5 P12\nM30\n";
+    let haas = on(fanuc, "fanuc-lathe-c", "haas-lathe-y");
+    let own = [
+        "G19",
+        "G107 C0 Y0 R25.",
+        "G1 Y26.18 F200.",
+        "G2 Z10. Y36.18 R10.",
+        "G1 Z20. Y40.543",
+        "G107",
+        "G18",
+    ];
+    let from = haas.iter().position(|line| line == "G19").expect("the plane");
+    assert_eq!(haas[from..from + own.len()], own, "{haas:?}");
+    let again = on(&haas.join("\n"), "haas-lathe-y", "fanuc-lathe-c");
+    for line in ["G7.1 C25.", "G1 C60. F200.", "G2 Z10. C82.918 R10.", "G7.1 C0"] {
+        assert!(again.iter().any(|own| own == line), "{line}: {again:?}");
+    }
+}
+
+#[test]
+fn a_target_without_c_is_refused() {
+    for (from, to) in [("fanuc-lathe-c", "haas-lathe"), ("fanuc-lathe-c", "mitsubishi-lathe")] {
+        let found = convert(&job(POLAR, machine(from)), &machine(to), &Options::default());
+        let [refusal] = found.refusals.as_slice() else { panic!("{:?}", found.refusals) };
+        assert_eq!(refusal.reason, format!("{to} has no C axis"));
+        assert_eq!(refusal.line, 8);
+    }
+    // A length across is C, whatever letter it has: a machine with C and without Y takes it.
+    let haas = on(POLAR, "fanuc-lathe-c", "haas-lathe-y").join("\n");
+    let found = convert(
+        &job(&haas, machine("haas-lathe-y")),
+        &machine("fanuc-lathe-c"),
+        &Options::default(),
+    );
+    assert!(found.holds(), "{}", verdict(&found));
+}
+
+#[test]
+fn live_tools_are_found_where_c_moves_while_the_spindle_turns() {
+    // Without P12: the spindle itself cannot turn while C moves.
+    let fanuc = "O1\nG21 G18 G40 G80 G98\nT0101\nG97 S900 M3\nG0 X50. Z2.\nG1 Z-10. F100.\nG0 X60. Z5.\nM5\nT0202\n\
+                 S1500 M3\nG0 X40. Z5. C0\nG83 Z-12. R-3. F150.\nC90.\nG80\nG0 X66. Z-20.\nG87 X40. R-2. F120.\n\
+                 C180.\nG80\nM5\nT0303\nG99 S500 M3\nG0 X40. Z5. C0\nG84 Z-10. R-3. F1.\nC90.\nG80\nM5\nM30\n";
+    let haas = on(fanuc, "fanuc-lathe-c", "haas-lathe-y");
+    for line in [
+        "G97 S900 M3",
+        "M133 P1500",
+        "M154",
+        "G83 Z-12. R2. F150.",
+        "G243 X40. R62. F120.",
+        "M133 P500",
+        "G95 Z-10. R2. F1.",
+        "M135",
+    ] {
+        assert!(haas.iter().any(|own| own.contains(line)), "{line}: {haas:?}");
+    }
+    assert_eq!(haas.iter().filter(|line| line.as_str() == "M5").count(), 1, "{haas:?}");
 }

@@ -10,8 +10,8 @@ use chordal_kernel::rules::PathRules;
 use chordal_machine::{AXES, FeedLimits, Machine, Times};
 use chordal_motion::{Axes, Corner, Move, MoveKind};
 use chordal_path::{
-    PathBuilder, PathCommand, PathSink, Segment, SegmentKind, SurfacePart, curve_of, rotary_parts,
-    surface_parts,
+    PathBuilder, PathCommand, PathSink, RotaryLimits, Segment, SegmentKind, SurfacePart, curve_of,
+    rotary_parts, surface_parts,
 };
 
 use super::corner::{Ending, corner_of};
@@ -397,9 +397,12 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         if command.kind.feed().is_none() {
             return false;
         }
-        let most = self.report.limits.cut.velocity()[surface.rotary];
+        let limits = RotaryLimits {
+            velocity: self.report.limits.cut.velocity()[surface.rotary],
+            acceleration: self.report.limits.cut.acceleration()[surface.rotary],
+        };
         let curve = curve_of(motion, command.kind.shape());
-        let Some(parts) = rotary_parts(&surface, &curve, whole.duration_s, most) else {
+        let Some(parts) = rotary_parts(&surface, &curve, whole.duration_s, limits) else {
             return false;
         };
         self.in_parts(command, whole, parts);

@@ -44,7 +44,7 @@ pub use setup::{Files, SetupError};
 pub use target::TargetReport;
 pub use turned::{
     Loose, Maker, Thread, TurnedMove, TurnedOptions, TurnedPiece, TurnedReplay, TurnedReport,
-    TurnedShape, TurnedTarget, TurnedToolRemoved,
+    TurnedShape, TurnedTarget, TurnedToolRemoved, WayHit, WayIn,
 };
 /// Half sections: what lathes turn.
 pub mod section {

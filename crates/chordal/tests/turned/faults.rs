@@ -297,6 +297,31 @@ fn a_thread_cuts_the_section_once_in_each_revolution() {
 }
 
 #[test]
+fn grooves_of_a_lead_that_grows_lie_farther_and_farther_apart() {
+    // After n revolutions the tool has advanced by 2 n + 0.25 n².
+    let found = run(SHARP, "T0707\nG0 X57. Z3.\nG34 Z-32. F2. K.5\nG0 X80.\n");
+    let thread = found.threads.first().expect("a thread");
+    assert_eq!(thread.lead_mm, None);
+    let grooves = thread.grooves.as_ref().expect("grooves");
+    let edges = grooves.shape().into_iter().flatten();
+    let bottoms = edges.filter(|edge| (edge.start.b - 28.5).abs() < 1e-9);
+    let mut bottoms: Vec<i64> =
+        bottoms.map(|edge| (edge.start.a * 1000.0).round() as i64).collect();
+    bottoms.sort_unstable();
+    assert_eq!(bottoms, [-29_000, -23_250, -18_000, -13_250, -9_000, -5_250, -2_000]);
+    // One that falls: 3 n - 0.1 n².
+    let found = run(SHARP, "T0707\nG0 X57. Z3.\nG34 Z-18. F3. K-.2\nG0 X80.\n");
+    let grooves = found.threads[0].grooves.as_ref().expect("grooves");
+    let edges = grooves.shape().into_iter().flatten();
+    let bottoms = edges.filter(|edge| (edge.start.b - 28.5).abs() < 1e-9);
+    let mut bottoms: Vec<i64> =
+        bottoms.map(|edge| (edge.start.a * 1000.0).round() as i64).collect();
+    bottoms.sort_unstable();
+    let meant: Vec<i64> = (2..=11).rev().map(|n| 3_000 - (3_000 * n - 100 * n * n)).collect();
+    assert_eq!(bottoms, meant);
+}
+
+#[test]
 fn passes_of_a_thread_cut_one_groove_deeper() {
     // The second pass begins one lead farther out: at the same places.
     let blocks = "T0707\nG0 X58. Z3.\nG32 Z-30. F3.\nG0 X80.\nZ6.\nX57.\nG32 Z-30. F3.\nG0 X80.\n";

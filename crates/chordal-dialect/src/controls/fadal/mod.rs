@@ -50,6 +50,8 @@ pub static TABLE: ControlTable = ControlTable {
     turning_alarms: &[],
     systems: &[],
     radial_cycles: &[],
+    live_taps: &[],
+    second_spindle: &[],
     kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,
@@ -66,6 +68,7 @@ const LEXICON: Lexicon = Lexicon {
     o_words: false,
     program_heads: true,
     polar_words: false,
+    channels: false,
     grammar: &MacroGrammar::FADAL,
 };
 

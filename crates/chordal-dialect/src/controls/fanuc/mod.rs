@@ -55,6 +55,8 @@ pub static TABLE: ControlTable = ControlTable {
     turning_alarms: &[],
     systems: &[],
     radial_cycles: &[],
+    live_taps: &[],
+    second_spindle: &[],
     kind: None,
     evidence: recognition::EVIDENCE,
     post: &POST,

@@ -55,6 +55,8 @@ pub(in crate::controls) const FANUC: ControlTable = ControlTable {
     turning_alarms: alarms::TURNING,
     systems: systems::SYSTEMS,
     radial_cycles: &[870, 880, 890],
+    live_taps: &[],
+    second_spindle: &[],
     kind: Some(&crate::lathe_signs::LATHE),
     evidence: recognition::EVIDENCE,
     post: &post::POST,

@@ -14,6 +14,9 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     arc_without_center_is_line: true,
     corners_of_lines: true,
     thread_lead: b'F',
+    live_tool_p: 12,
+    second_spindle_p: 13,
+    second_spindle_axis: Some(b'B'),
     rules: Rules {
         starts_in: Plane::Zx,
         starts_per_revolution: true,

@@ -49,6 +49,8 @@ pub static TABLE: ControlTable = ControlTable {
     turning_alarms: &[],
     systems: &[],
     radial_cycles: &[],
+    live_taps: &[],
+    second_spindle: &[],
     kind: Some(&recognition::KIND),
     evidence: recognition::EVIDENCE,
     post: &post::POST,
@@ -65,6 +67,7 @@ const LEXICON: Lexicon = Lexicon {
     o_words: false,
     program_heads: false,
     polar_words: false,
+    channels: false,
     grammar: &MacroGrammar::FANUC,
 };
 

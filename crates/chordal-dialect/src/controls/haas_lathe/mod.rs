@@ -34,7 +34,9 @@ pub static TABLE: ControlTable = ControlTable {
     systems: &[],
     face: Some(&super::haas::surface::FACE),
     cylinder: Some(&super::haas::surface::CYLINDER),
-    radial_cycles: &[2410, 2420, 2430, 2450, 2490],
+    radial_cycles: &[1950, 1960, 2410, 2420, 2430, 2450, 2460, 2490],
+    live_taps: &[950, 1860, 1950, 1960],
+    second_spindle: &[(b'G', 140), (b'G', 1990), (b'M', 1100), (b'M', 1430), (b'M', 1440)],
     evidence: recognition::EVIDENCE,
     default_machine: "haas-lathe",
     ..super::fanuc_lathe::FANUC

@@ -12,6 +12,7 @@ pub(super) const EVIDENCE: &[Evidence] = &[
     evidence(Sign::Block("G28:bare !M"), 2, "G28 without an axis"),
     evidence(Sign::Block("G53 X|Z"), 2, "G53 goes to the tool change position"),
     evidence(Sign::Block("G154 P"), 4, "G154 chooses an extended work offset"),
+    evidence(Sign::Block("M133|M134 P"), 3, "M133 with P turns a live tool"),
     evidence(Sign::Block("M97 P"), 4, "M97 calls within the program"),
     evidence(Sign::Block("O:5"), 2, "a program number of five digits"),
     evidence(Sign::Block("G76 D !P"), 1, "G76 with D"),

@@ -11,6 +11,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     macro_angles_full_circle: false,
     return_label_in_callee: true,
     arc_without_center_is_line: false,
+    live_tool_p: 0,
+    second_spindle_p: 0,
     corners_of_lines: true,
     rules: Rules {
         rapid: RapidPath::DogLeg,
@@ -30,10 +32,11 @@ pub(super) const PARAMETERS: Parameters = Parameters {
 
 const FANUC: Parameters = crate::controls::fanuc_lathe::PARAMETERS;
 
-/// R and Z are levels; a hole is made where the tool is.
+/// R and Z are levels, R of a radial hole a diameter as posts of CAM systems write it; a hole is made where the tool is.
 const CYCLES: CycleRules = CycleRules {
     repeat_letter: b'L',
     r_from_initial: false,
+    radial_r_is_diameter: true,
     missing_r: MissingLevel::Current,
     dwell_point_s: 1.0,
     ..FANUC.rules.cycles

@@ -80,8 +80,8 @@ pub(super) const SETTINGS: &[Setting] = &[
         Field::FaceX,
         &[],
         "X of polar interpolation is written as `diameters`, as everywhere else, or as `radii`",
-        Certainty::Unknown,
-        "G112",
+        Certainty::Trade,
+        "G112, as posts of CAM systems write it",
     ),
     setting(
         "first level",

@@ -56,6 +56,8 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
     turning_alarms: &[],
     systems: &[],
     radial_cycles: &[],
+    live_taps: &[],
+    second_spindle: &[],
     kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,
@@ -72,6 +74,7 @@ const LEXICON: Lexicon = Lexicon {
     o_words: true,
     program_heads: false,
     polar_words: true,
+    channels: false,
     grammar: &MacroGrammar::LINUXCNC,
 };
 

@@ -53,6 +53,8 @@ pub static TABLE: ControlTable = ControlTable {
     turning_alarms: &[],
     systems: &[],
     radial_cycles: &[],
+    live_taps: &[],
+    second_spindle: &[],
     kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,

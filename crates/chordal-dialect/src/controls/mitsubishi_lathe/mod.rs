@@ -13,7 +13,7 @@ pub static TABLE: ControlTable = ControlTable {
     name: "mitsubishi-lathe",
     title: "Mitsubishi lathe",
     source: "Mitsubishi M70 and M700 alarm lists; the cycles as on Fanuc lathes",
-    lexicon: LEXICON,
+    lexicon: Lexicon { channels: true, ..LEXICON },
     parameters: PARAMETERS,
     settings: settings::SETTINGS,
     alarms: LATHE_ALARMS,
@@ -31,6 +31,8 @@ pub static TABLE: ControlTable = ControlTable {
 /// G71 has H for pockets, and A for a contour in another program.
 const PARAMETERS: Parameters = Parameters {
     nesting: 8,
+    live_tool_p: 0,
+    second_spindle_p: 0,
     rules: Rules {
         turning: TurningRules {
             pockets_by: Some(b'H'),

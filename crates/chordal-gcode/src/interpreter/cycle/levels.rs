@@ -43,6 +43,8 @@ impl Interpreter<'_> {
         {
             let relative = rules.incremental == IncrementalLevels::WhenGiven
                 && self.incremental_at(block, b'R');
+            let is_diameter = rules.radial_r_is_diameter && cycle.axis == 0;
+            let value = if is_diameter { value / 2.0 } else { value };
             cycle.r = Some(match rules.r_from_initial {
                 true => cycle.initial + value,
                 false => value + from(relative, cycle.initial),

@@ -121,6 +121,7 @@ impl Interpreter<'_> {
             mode: state.feed_mode,
             along: FeedAlong::Path,
             spindle_rev_per_s: state.rpm / 60.0,
+            lead_change: 0.0,
             surface: None,
         }
     }

@@ -462,6 +462,7 @@ fn feed_of(kind: &CommandKind) -> Feed {
             mode: FeedMode::PerTime,
             along: FeedAlong::Path,
             spindle_rev_per_s: 0.0,
+            lead_change: 0.0,
             surface: None,
         },
     }

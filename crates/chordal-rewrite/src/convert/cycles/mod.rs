@@ -59,6 +59,7 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     level_or_distance(context, draft, run)?;
     first_hole(context, draft, run)?;
     if kind.is_tap() {
+        without_r(context, draft)?;
         if draft.block.words.iter().any(|word| word.comma) {
             return Err(Expand(format!("a word of the tap means something else on {title}")));
         }
@@ -234,7 +235,7 @@ fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Ex
     }
 }
 
-/// R as a level or as the distance from where the tool is, along Z.
+/// R as a level or as the distance from where the tool is, along Z or X.
 fn level_or_distance(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
     let [one, other] =
         context.controls().map(|control| control.parameters.rules.cycles.r_from_initial);
@@ -246,18 +247,41 @@ fn level_or_distance(context: &Context, draft: &mut Draft, run: &Exec) -> Result
         CommandKind::Line { motion, .. } if command.origin.cycle => Some(motion),
         _ => None,
     });
-    let along_z = first.filter(|cut| cut.from[..2] == cut.to[..2] && cut.from[2] != cut.to[2]);
-    let Some(cut) = along_z else {
+    let axis = first.and_then(|cut| {
+        let changes: Vec<usize> = (0..3).filter(|axis| cut.from[*axis] != cut.to[*axis]).collect();
+        <[usize; 1]>::try_from(changes).ok()
+    });
+    let (Some(cut), Some([axis @ (0 | 2)])) = (first, axis) else {
         return Err(Expand(format!("{title} counts R of this cycle in another way")));
     };
     let digits = numbers::digits(context.to, run.after.units);
+    let is_diameter = axis == 0 && context.to.parameters.rules.cycles.radial_r_is_diameter;
     let (level, reason) = match other {
-        true => (cut.from[2] - run.before.position[2], "from where the tool is"),
-        false => (cut.from[2], "as a level"),
+        true => (cut.from[axis] - run.before.position[axis], "from where the tool is"),
+        false if is_diameter => (cut.from[axis] * 2.0, "as a level, a diameter"),
+        false => (cut.from[axis], "as a level"),
     };
     let text = numbers::length(level, run.after.units, digits, context.style());
     draft.replace(r, format!("R{text}"), format!("{title} reads R {reason}"));
     Ok(())
+}
+
+/// R of a tap, where the code that taps on the new control has none: it taps from where the tool is.
+fn without_r(context: &Context, draft: &Draft) -> Result<(), Expand> {
+    let takes_r = |word: usize| {
+        let number = chordal::syntax::Decimal::parse(draft.now(word).get(1..)?.as_bytes())?;
+        let row = context.to.g_code(chordal::control::code_number(number)?)?;
+        row.action.cycle().map(|_| row.words.has(b'R'))
+    };
+    let words = (0..draft.block.words.len()).filter(|word| draft.block.words[*word].letter == b'G');
+    let takes = words.into_iter().find_map(takes_r).unwrap_or(true);
+    match draft.place(b'R').filter(|r| !takes && !draft.is_gone(*r)) {
+        Some(_) => Err(Expand(format!(
+            "{} has no R in this tap: it begins where the tool is",
+            context.to.table.title
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// The letter that counts holes.

@@ -16,6 +16,8 @@ pub(super) struct Lathe {
     pub(super) is_one: bool,
     pub(super) tool: u32,
     pub(super) spindle: SpindleState,
+    /// What turns is a live tool.
+    pub(super) is_live: bool,
     /// The spindle keeps a cutting speed: its revolutions follow by themselves.
     pub(super) keeps_surface_speed: bool,
 }
@@ -26,6 +28,7 @@ impl Lathe {
             is_one,
             tool: before.tool,
             spindle: before.spindle,
+            is_live: before.live.is_some(),
             keeps_surface_speed: before.surface_speed.is_some(),
         }
     }
@@ -33,7 +36,8 @@ impl Lathe {
 
 impl Emitter<'_> {
     /// What holds for the spindle in a block.
-    pub fn enter(&mut self, before: &Modes, after: &Modes) {
+    pub fn enter(&mut self, before: &Modes, after: &Modes, is_live: bool) {
+        self.lathe.is_live = is_live || before.live.is_some() || after.live.is_some();
         self.lathe.spindle = before.spindle;
         self.lathe.tool = before.tool;
         self.lathe.keeps_surface_speed = after.surface_speed.is_some();

@@ -2,6 +2,7 @@
 
 mod cycles;
 mod increments;
+mod live;
 mod speeds;
 mod stations;
 
@@ -25,6 +26,7 @@ pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
         return Ok(());
     }
     stations::translate(context, draft, at);
+    live::translate(context, draft, at)?;
     speeds::translate(context, draft, at);
     reading_of_x(context, draft);
     passes(context, draft, at)?;

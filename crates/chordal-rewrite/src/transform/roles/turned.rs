@@ -1,7 +1,7 @@
 //! What the words of a lathe's block stand for: increments, cycles, threads, corners of lines.
 
 use chordal::Control;
-use chordal::control::{Action, MotionCode, OnceCode, TurnCycle, TurnPass};
+use chordal::control::{Action, MotionCode, OnceCode, TurnCycle, TurnPass, code_number};
 use chordal::syntax::{Block, Letters, Word};
 
 use super::super::record::{Context, Did};
@@ -87,15 +87,25 @@ impl Turned {
                 {
                     Some(Role::Length)
                 }
-                b'R' if context.cycle.is_some() => {
-                    Some(match control.parameters.rules.cycles.r_from_initial {
-                        true => Role::Way(2),
-                        false => Role::Place(2),
-                    })
-                }
+                b'R' if context.cycle.is_some() => Some(level_of_hole(block, control)),
                 _ => increment(word, control),
             },
         }
+    }
+}
+
+/// R of a hole: along X where its code drills along X, else along Z.
+fn level_of_hole(block: &Block, control: &Control) -> Role {
+    let rules = control.parameters.rules.cycles;
+    let is_radial = block.all(b'G').any(|word| {
+        let code = word.number().and_then(code_number);
+        code.is_some_and(|code| control.table.radial_cycles.contains(&code))
+    });
+    match (is_radial, rules.r_from_initial) {
+        (false, true) => Role::Way(2),
+        (false, false) => Role::Place(2),
+        (true, false) if rules.radial_r_is_diameter => Role::Place(0),
+        (true, _) => Role::Way(0),
     }
 }
 

@@ -186,6 +186,7 @@ impl<'a> Cutting<'a> {
                 }
                 _ => {
                     let (grooves, lead_mm) = grooves.unzip();
+                    let lead_mm = lead_mm.flatten();
                     let row = move_.row;
                     self.threads.push(Thread { section: taken, grooves, lead_mm, line, row });
                 }

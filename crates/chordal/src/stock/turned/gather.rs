@@ -47,6 +47,8 @@ pub(super) struct TurnMove {
     pub feed: f64,
     /// Revolutions by second: of a feed per revolution the mean, else in the middle of the move.
     pub rev_per_s: f64,
+    /// By how much a thread's advance along the path changes in a revolution, mm.
+    pub lead_change: f64,
     /// Nose radius compensation is on.
     pub is_compensated: bool,
     /// Then the contour as programmed, where it is known.
@@ -176,6 +178,7 @@ impl<'a> Gathered<'a> {
             origin: segment.origin,
             feed: mean_feed,
             rev_per_s: feed.map_or(0.0, |feed| self.revolutions(feed, mean_feed, middle)),
+            lead_change: feed.map_or(0.0, |feed| feed.lead_change),
             is_compensated,
             contour,
         });

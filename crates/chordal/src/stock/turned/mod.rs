@@ -18,7 +18,9 @@ mod said;
 mod target;
 mod threads;
 mod tools;
+mod way_in;
 
 pub use replay::{TurnedPiece, TurnedReplay, TurnedShape};
 pub use report::{Loose, Maker, Thread, TurnedMove, TurnedReport, TurnedTarget, TurnedToolRemoved};
 pub use run::TurnedOptions;
+pub use way_in::{WayHit, WayIn};

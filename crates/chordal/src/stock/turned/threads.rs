@@ -22,9 +22,9 @@ impl Revolutions {
         self.since = 0.0;
     }
 
-    /// The places of a move at which the spindle's index passes the section, and the advance of one revolution along the path, mm.
-    /// `None` where the revolutions of the move are not known.
-    fn places(&mut self, move_: &TurnMove) -> Option<(Vec<Vec2>, f64)> {
+    /// The places of a move at which the spindle's index passes the section, and the advance of one revolution along the path, mm,
+    /// where that is the same all along. `None` where the revolutions of the move are not known.
+    fn places(&mut self, move_: &TurnMove) -> Option<(Vec<Vec2>, Option<f64>)> {
         let path = &move_.path;
         let length = path.start.distance(path.end);
         let advance = move_.feed / move_.rev_per_s;
@@ -38,12 +38,16 @@ impl Revolutions {
         let mut index = self.since.ceil();
         // Rounding must not lose the groove at the end of a pass.
         while index <= last + 1e-9 {
-            let share = if turns > 0.0 { ((index - self.since) / turns).min(1.0) } else { 0.0 };
+            // After n revolutions the tool has come by first n + change n² / 2.
+            let n = index - self.since;
+            let first = advance - move_.lead_change * turns / 2.0;
+            let way = first * n + move_.lead_change * n * n / 2.0;
+            let share = if turns > 0.0 { (way / length).min(1.0) } else { 0.0 };
             places.push(path.start + (path.end - path.start) * share);
             index += 1.0;
         }
         self.since = last - last.floor();
-        Some((places, advance))
+        Some((places, (move_.lead_change == 0.0).then_some(advance)))
     }
 
     /// What a move takes from the section; the stock stays as it is.
@@ -52,7 +56,7 @@ impl Revolutions {
         stock: &Turned,
         tool: &Outline,
         move_: &TurnMove,
-    ) -> Option<(Region, f64)> {
+    ) -> Option<(Region, Option<f64>)> {
         let (places, advance) = self.places(move_)?;
         let mut grooves = Region::default();
         for place in places {
@@ -67,7 +71,12 @@ impl Revolutions {
 
 impl Thread {
     /// With a further pass.
-    pub(super) fn add(&mut self, taken: &Region, grooves: Option<(Region, f64)>, line: u32) {
+    pub(super) fn add(
+        &mut self,
+        taken: &Region,
+        grooves: Option<(Region, Option<f64>)>,
+        line: u32,
+    ) {
         if let Ok(both) = self.section.union(taken) {
             self.section = both.region;
         }

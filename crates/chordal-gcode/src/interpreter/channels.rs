@@ -1,0 +1,83 @@
+//! What a lathe does besides: a second spindle, and other channels. Each is said once of a program, and not followed.
+
+use chordal_diagnostics::TextRange;
+use chordal_dialect::code_number;
+use chordal_syntax::{Block, Word};
+
+use super::Interpreter;
+
+impl Interpreter<'_> {
+    /// `$2` and `!2L1`.
+    pub(super) fn check_channel(&mut self, block: &Block) {
+        if let Some(range) = block.channel {
+            let mark = String::from_utf8_lossy(range.slice(self.reader.text())).into_owned();
+            let what = match mark.starts_with('!') {
+                true => "waits for another channel",
+                false => "is for one of several channels",
+            };
+            self.other_channel(range, &format!("{mark} {what}"));
+        }
+    }
+
+    /// An M code that waits for another path (Fanuc Nos. 8110 and 8111).
+    pub(super) fn waits_for_path(&mut self, word: &Word, number: i64) -> bool {
+        let [first, last] = self.control.parameters.wait_codes.map(i64::from);
+        let waits = last > 0 && (first..=last).contains(&number);
+        if waits {
+            self.other_channel(word.range, &format!("M{number} waits for another channel"));
+        }
+        waits
+    }
+
+    fn other_channel(&mut self, range: TextRange, what: &str) {
+        if std::mem::replace(&mut self.reported.channels, true) {
+            return;
+        }
+        let message = format!(
+            "{what}: only this program is followed, not what the other channel cuts meanwhile"
+        );
+        self.lose_path(range, message);
+    }
+
+    /// A code of the second spindle; false for any other.
+    pub(super) fn is_of_second_spindle(&mut self, word: &Word) -> bool {
+        let code = self.literal(word).and_then(code_number);
+        let codes = self.control.table.second_spindle;
+        let is_one = code.is_some_and(|code| codes.contains(&(word.letter, code)));
+        if is_one {
+            let name = self.word_text(word);
+            self.second_spindle(word.range, &name);
+        }
+        is_one
+    }
+
+    /// P of M3 and M4 that names the second spindle (Fanuc).
+    pub(super) fn check_second_spindle(&mut self, block: &Block) {
+        let number = self.control.parameters.second_spindle_p;
+        let word = block.last(b'P').copied().filter(|_| number > 0);
+        let Some(word) = word else { return };
+        let given = self.literal(&word).map(|number| number.to_f64());
+        if given == Some(f64::from(number)) {
+            self.second_spindle(word.range, &format!("P{number}"));
+        }
+    }
+
+    /// B of a lathe that has no such axis of its own: it carries the second spindle.
+    pub(super) fn is_axis_of_second_spindle(&mut self, letter: char, range: TextRange) -> bool {
+        let is_one = self.control.parameters.second_spindle_axis == Some(letter as u8);
+        if is_one {
+            self.second_spindle(range, &letter.to_string());
+        }
+        is_one
+    }
+
+    fn second_spindle(&mut self, range: TextRange, name: &str) {
+        if std::mem::replace(&mut self.reported.second_spindle, true) {
+            return;
+        }
+        let message = format!(
+            "{name} is for the second spindle: how it takes the part, and what is cut there, is not followed"
+        );
+        self.lose_path(range, message);
+    }
+}

@@ -1,0 +1,60 @@
+//! Live tools of a turret: codes of their own with P as the speed (Haas M133), or M3 with a P that names them (Fanuc).
+
+use chordal_command::{SpindleState, telling_number};
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_kernel::LiveTool;
+use chordal_syntax::{Block, Letters};
+
+use super::Interpreter;
+
+impl Interpreter<'_> {
+    /// P of M3, M4 and M5 names the live tool, not the spindle.
+    pub(super) fn names_live_tool(&mut self, block: &Block) -> bool {
+        let number = self.control.parameters.live_tool_p;
+        let word = block.last(b'P').copied().filter(|_| number > 0);
+        let given = word.and_then(|word| self.literal(&word));
+        given.is_some_and(|given| given.to_f64() == f64::from(number))
+    }
+
+    /// M3 and M4.
+    pub(super) fn start_spindle(&mut self, block: &Block, turns: SpindleState) {
+        match self.names_live_tool(block) {
+            true => {
+                let rpm = self.kernel.state.rpm;
+                self.kernel.set_live_tool(Some(LiveTool { turns, rpm }));
+            }
+            false => {
+                self.check_second_spindle(block);
+                self.kernel.set_spindle(turns);
+            }
+        }
+    }
+
+    /// A code for the live tool, with its speed in P; without P it is S of the block, or the last one.
+    pub(super) fn start_live_tool(&mut self, block: &Block, at: usize, turns: SpindleState) {
+        let given = block.last(b'P').copied();
+        let rpm = match given {
+            Some(word) => self.literal(&word).map_or(0.0, |number| number.to_f64()),
+            None if block.letters().has(b'S') => self.kernel.state.rpm,
+            None => self.kernel.state.live_rpm,
+        };
+        if given.is_none() && rpm <= 0.0 {
+            let code = self.code_text(block, at);
+            let span = self.span(block.words[at].range);
+            let message = format!("{code} without P: the live tool has no speed yet");
+            self.kernel.missing_word(span, message, "write P and the revolutions per minute");
+        }
+        if let Some(max) = self.machine.live_tool_max_rpm
+            && rpm > max
+        {
+            let (rpm, max) = (telling_number(rpm, 0), telling_number(max, 0));
+            let span = self.words_span(block, Letters::of("P"));
+            let message = format!("P{rpm} is above the {max} rpm of live tools on this machine");
+            self.kernel.report(
+                Diagnostic::new(Code::SpindleOverLimit, span, message)
+                    .help(format!("program P{max} or less")),
+            );
+        }
+        self.kernel.set_live_tool(Some(LiveTool { turns, rpm }));
+    }
+}

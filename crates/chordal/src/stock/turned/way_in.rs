@@ -1,0 +1,143 @@
+//! The way of a tool to where a program begins again, looked at with what stands there.
+
+use std::ops::Range;
+
+use chordal_command::Origin;
+use chordal_diagnostics::FileId;
+use chordal_stock::turned::{Region, Turned};
+
+use super::super::run::StockRunError;
+use super::super::setup::{Files, Named, shift_between};
+use super::bodies::grown;
+use super::cut::{Cutting, Fixture};
+use super::gather::{Gathered, MoveKind, TurnMove};
+use super::run::TurnedOptions;
+use super::said::Found;
+use super::tools::tools_of;
+use crate::job::Job;
+
+/// What the way in meets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WayHit {
+    /// The line of the new program that goes there.
+    pub line: u32,
+    /// How deep, mm.
+    pub depth_mm: f64,
+    /// Where: Z and the radius, mm.
+    pub at: [f64; 2],
+    /// What happens, for people.
+    pub what: String,
+}
+
+/// The way in to a line, on what the moves before it have left.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WayIn {
+    /// Its moves that were looked at.
+    pub moves: u64,
+    /// What it meets, in the order of its moves.
+    pub hits: Vec<WayHit>,
+    /// Why it is not known whether it meets something.
+    pub unknown: Option<String>,
+}
+
+impl Job<'_> {
+    /// Looks whether the first moves of `new`, those of the blocks in `head` (bytes of its first text), meet what this program has
+    /// left where `new` begins. Both must do the same after these moves.
+    ///
+    /// # Errors
+    /// Without stock, or with a setup that is incomplete.
+    pub fn turned_way_in(
+        &self,
+        new: &Job<'_>,
+        head: Range<u32>,
+        options: &TurnedOptions,
+        files: Files<'_>,
+    ) -> Result<WayIn, StockRunError> {
+        let tools = tools_of(self);
+        let (naming, units) =
+            (self.control().table.work_names, self.control().parameters.rules.units);
+        let mut gathered =
+            [Gathered::new(&tools, naming, units), Gathered::new(&tools, naming, units)];
+        self.report_watched(&mut gathered[0]);
+        new.report_watched(&mut gathered[1]);
+        let [old, begun] = gathered;
+        let is_head = |origin: &Origin| {
+            origin.span.file == FileId(0) && head.contains(&origin.span.range.start)
+        };
+        let way: Vec<TurnMove> =
+            begun.moves.iter().take_while(|one| is_head(&one.origin)).copied().collect();
+        let after = begun.moves.len() - way.len();
+        let mut found = WayIn { moves: way.len() as u64, ..WayIn::default() };
+        let Some(before) = old.moves.len().checked_sub(after) else {
+            found.unknown = Some("the moves after the line are not the same".into());
+            return Ok(found);
+        };
+        let setup = &self.machine().setup;
+        let section_of =
+            |name: &str, body: &chordal_machine::Body| -> Result<Region, StockRunError> {
+                let named = Named { name, body };
+                let shift = shift_between(self.machine(), &named, old.work.as_deref())?;
+                Ok(named.section(shift, files)?)
+            };
+        let stock = section_of("stock", setup.stock.as_ref().ok_or(StockRunError::NoStock)?)?;
+        let mut cutting = Cutting::new(
+            &tools,
+            options.tolerance_mm,
+            &stock,
+            Found::new(old.units, self.sources()),
+        );
+        let moves: Vec<TurnMove> = old.moves[..before].iter().chain(&way).copied().collect();
+        for number in 0..before {
+            if self.is_interrupted() {
+                return Err(StockRunError::Interrupted);
+            }
+            cutting.step(number, &moves);
+        }
+        if !old.is_whole() {
+            found.unknown = Some("not every move before the line is cut from the stock".into());
+        } else if cutting.found.undecided > 0 {
+            found.unknown = Some("a move before the line could not be cut exactly".into());
+        }
+        // What holds the part was there before, too; only now it is asked for.
+        for (name, body) in &setup.fixtures {
+            let section = section_of(&format!("fixtures.{name}"), body)?;
+            let clearance = body.clearance_mm.unwrap_or(0.0);
+            let body = Turned::new(&grown(&section, clearance));
+            cutting.fixtures.push(Fixture { name, clearance, body });
+        }
+        cutting.found = Found::new(old.units, new.sources());
+        for number in before..moves.len() {
+            meet(&mut cutting, number, &moves, &mut found);
+        }
+        Ok(found)
+    }
+}
+
+/// Carries out a move of the way in, and keeps what it meets.
+fn meet(cutting: &mut Cutting<'_>, number: usize, moves: &[TurnMove], found: &mut WayIn) {
+    let (known, cuts) = (cutting.found.list.len(), cutting.moves.len());
+    cutting.step(number, moves);
+    let move_ = &moves[number];
+    let line = move_.origin.line;
+    let problems = cutting.found.list.iter().zip(&cutting.found.diagnostics).skip(known);
+    for (problem, said) in problems {
+        found.hits.push(WayHit {
+            line,
+            depth_mm: problem.depth_mm.most,
+            at: [problem.at.z, problem.at.x],
+            what: said.message.clone(),
+        });
+    }
+    let deepest = cutting.moves[cuts..].iter().max_by(|a, b| a.depth_mm.total_cmp(&b.depth_mm));
+    if let Some(cut) = deepest.filter(|cut| {
+        move_.kind != MoveKind::Rapid && cut.depth_mm > cutting.tolerance && cut.area_mm2 > 0.0
+    }) {
+        let depth = cutting.found.units.length_text(cut.depth_mm);
+        found.hits.push(WayHit {
+            line,
+            depth_mm: cut.depth_mm,
+            at: [move_.path.end.a, move_.path.end.b],
+            what: format!("tool {} cuts {depth} deep into what stands there", move_.tool),
+        });
+    }
+}
