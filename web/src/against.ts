@@ -5,7 +5,7 @@ import { comparePanel, pathLegend } from "./comparepanel";
 import type { Editor } from "./editor";
 import type { Elsewhere } from "./elsewhere";
 import type { Frame } from "./frame";
-import type { Against, Blocks, Comparison, Difference, Link, MachineInfo, Other, Told } from "./link";
+import type { Against, Blocks, Comparison, Difference, Hello, Link, MachineInfo, Other, Told } from "./link";
 import { type Bounds, Path, type Vec3, batchOf } from "./path";
 import type { PathView } from "./scene";
 import { Kinematics } from "./turn";
@@ -165,7 +165,11 @@ export function againstProgram(page: Page) {
   }
 
   return {
-    offer: panel.offer,
+    /** What there is to choose from, for a program that was opened now. */
+    offer(told: Hello): void {
+      if (against) end(NOTHING);
+      panel.offer(told);
+    },
     walk,
     /** Takes what is about the other program; false where it is about something else. */
     take(told: Told): boolean {

@@ -1,5 +1,5 @@
 // Binary frames of the server: a JSON header, then columns that are looked at where they lie.
-// See crates/chordal-server/src/frame.rs.
+// See crates/chordal-view/src/frame.rs.
 
 export type Column = Float32Array | Float64Array | Uint32Array | Uint8Array;
 

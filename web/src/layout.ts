@@ -270,7 +270,7 @@ export function layout(root: HTMLElement) {
 
   let toastTimer = 0;
   const api = {
-    save, machine, measure, section, stockSlot, canvas, axes, code, timeline, panels, paths, rapids, travel, toolOn, chordsOn, balanced,
+    header, save, machine, measure, section, stockSlot, canvas, axes, code, timeline, panels, paths, rapids, travel, toolOn, chordsOn, balanced,
     onView: (_view: ViewName) => {},
     onFit: () => {},
     onColor: (_by: ColorBy) => {},
@@ -312,6 +312,12 @@ export function layout(root: HTMLElement) {
     setMachines(machines: { name: string; title: string }[]): void {
       machine.replaceChildren(new Option("recognized from the program", ""));
       for (const { name, title } of machines) machine.append(new Option(title, name));
+    },
+    /** More machines to choose from; the one that is chosen stays. */
+    offerMachines(machines: { name: string; title: string }[]): void {
+      const { value } = machine;
+      api.setMachines(machines);
+      if (machines.some(({ name }) => name === value)) machine.value = value;
     },
     machineWhy(title: string, reason: string | null): void {
       machine.options[0]!.textContent = machine.value === "" ? title : "recognized from the program";

@@ -1,6 +1,7 @@
-// The connection to the server: requests as JSON, answers as JSON and frames of columns.
+// The connection to what answers, a server or a worker: requests as JSON, answers as JSON and frames of columns.
 
 import { type Frame, readFrame } from "./frame";
+import type { Line, Shell } from "./shell";
 import type { Rotary } from "./turn";
 import type { Meaning } from "./words";
 
@@ -242,6 +243,7 @@ export type Told =
   | ({ type: "stock_report" } & StockReport)
   | { type: "no_stock"; run: number; message: string | null; help: string | null }
   | ({ type: "hello" } & Hello)
+  | { type: "machines"; machines: Hello["machines"] }
   | ({ type: "against" } & Against)
   | { type: "against_refused"; version: number; other: Other; message: string; help?: string | null }
   | { type: "against_end"; version: number; rows: number; rows_left_out: number }
@@ -265,22 +267,17 @@ export type Told =
   | { type: "error"; id: number; message: string; help?: string | null };
 
 export class Link {
-  private socket: WebSocket;
+  private line: Line;
   private number = 0;
   private waiting = new Map<number, (told: Told) => void>();
 
   constructor(
+    dial: Shell["dial"],
     private take: (told: Told) => void,
     private takeFrame: (frame: Frame) => void,
-    private closed: () => void,
+    closed: () => void,
   ) {
-    const address = new URL("live", location.href);
-    address.protocol = "ws:";
-    address.hash = "";
-    this.socket = new WebSocket(address);
-    this.socket.binaryType = "arraybuffer";
-    this.socket.onmessage = (event: MessageEvent<string | ArrayBuffer>) => this.receive(event.data);
-    this.socket.onclose = () => this.closed();
+    this.line = dial((data) => this.receive(data), closed);
   }
 
   private receive(data: string | ArrayBuffer): void {
@@ -302,16 +299,21 @@ export class Link {
 
   /** Asks without waiting for an answer; one that comes all the same, an error, is told to all. */
   tell(ask: string, rest: object = {}): void {
-    if (this.socket.readyState !== WebSocket.OPEN) return;
-    this.socket.send(JSON.stringify({ id: ++this.number, ask, ...rest }));
+    if (!this.line.isOpen) return;
+    this.line.send(JSON.stringify({ id: ++this.number, ask, ...rest }));
+  }
+
+  /** Another program is opened: nobody waits for answers about the one before. */
+  forget(): void {
+    this.waiting.clear();
   }
 
   ask(ask: string, rest: object = {}): Promise<Told> {
     return new Promise((resolve) => {
-      if (this.socket.readyState !== WebSocket.OPEN) return;
+      if (!this.line.isOpen) return;
       const id = ++this.number;
       this.waiting.set(id, resolve);
-      this.socket.send(JSON.stringify({ id, ask, ...rest }));
+      this.line.send(JSON.stringify({ id, ask, ...rest }));
     });
   }
 }

@@ -18,6 +18,7 @@ import { Kinematics, unknownTurns } from "./turn";
 import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
 import type { ViewName } from "./eye";
 import { PathView } from "./scene";
+import { shell } from "./shell";
 import { engagedOf } from "./engaged";
 import { stockOfProgram } from "./stock";
 import { Timeline } from "./timeline";
@@ -68,9 +69,7 @@ const editor = new Editor(ui.code, {
   },
 }));
 const elsewhere = new Elsewhere(ui.code, () => editor.view.focus());
-const link = new Link(take, takeFrame, () => {
-  ui.tell("error", "Chordal has ended, or the connection is lost. Start `chordal view` again. What you typed since the last save is still here: copy it.");
-});
+const link = new Link(shell().dial, take, takeFrame, () => ui.tell("error", shell().lost));
 
 const problems = new Problems(ui.panels.problems, ({ place }) => {
   if (!place?.own) return;
@@ -132,7 +131,13 @@ function take(told: Told): void {
       ui.save.hidden = !told.writable;
       ui.setMachines(told.machines);
       programName = told.name;
+      // Runs of another program are counted anew.
+      run = 0;
+      stateAsked = false;
       against.offer(told);
+      break;
+    case "machines":
+      ui.offerMachines(told.machines);
       break;
     case "run":
       begin(told);
@@ -244,6 +249,9 @@ function takeFrame(frame: Frame): void {
       ui.progress(Number(header.progress));
       break;
     }
+    case "file":
+      shell().keep?.(String(header.name), u8(frame, "bytes"));
+      break;
     case "contour":
       if (header.run === run) {
         const origin = header.origin as Vec3;
@@ -538,7 +546,7 @@ async function save(force: boolean): Promise<void> {
   const told = await link.ask("save", { force });
   if (told.type === "saved") {
     editor.setDirty(false);
-    ui.tell("note", "Saved.");
+    ui.tell("note", shell().saved);
   } else if (told.type === "conflict") {
     ui.ask("The file has changed on disk since it was read.", [
       ["Overwrite it with mine", () => void save(true)],
@@ -657,6 +665,8 @@ document.addEventListener("keydown", (event) => {
 window.addEventListener("beforeunload", (event) => {
   if (editor.dirty) event.preventDefault();
 });
+
+shell().furnish?.({ ui, editor, link });
 
 // For the browser's tests and for measurements.
 Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, stock, turned, path: () => path, report: () => report, setpoints: () => setpoints } });

@@ -7,6 +7,7 @@ import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
+import { aloneSession } from "./alone.mjs";
 
 export const ROOT = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
 export const CHORDAL = process.env.CHORDAL ?? join(ROOT, "target/debug/chordal");
@@ -67,17 +68,26 @@ async function replace(context, folder) {
   });
 }
 
-/** A page on a program, with whatever it complains of. */
-export async function open(context, url) {
+/** A page with whatever it complains of. */
+export async function listened(context) {
   const page = await context.newPage();
   const complaints = [];
   page.on("console", (message) => {
     if (["error", "warning"].includes(message.type())) complaints.push(message.text());
   });
   page.on("pageerror", (error) => complaints.push(String(error)));
-  await page.goto(url);
-  await page.waitForFunction(() => window.chordal?.report(), null, { timeout: 30_000 });
   return { page, complaints };
+}
+
+/** Until a program has run. */
+export const reported = (page) => page.waitForFunction(() => window.chordal?.report(), null, { timeout: 30_000 });
+
+/** A page on a program, with whatever it complains of. */
+export async function open(context, url) {
+  const opened = await listened(context);
+  await opened.page.goto(url);
+  await reported(opened.page);
+  return opened;
 }
 
 export async function picture(page, name) {
@@ -87,28 +97,45 @@ export async function picture(page, name) {
   await page.screenshot({ path: join(PICTURES, `${name}.png`) });
 }
 
-/** What Chromium's drawing and page processes have used of a processor, s: other load does not count. */
-export function processorSeconds(type) {
+/** Chromium's processes of a type. */
+function* processesOf(type) {
   const stat = (pid) => readFileSync(`/proc/${pid}/stat`, "utf8").split(") ").pop().split(" ");
   const isOurs = (pid) => {
     for (let at = pid; at > 1; at = Number(stat(at)[1])) if (at === process.pid) return true;
     return false;
   };
-  let seconds = 0;
   for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name)).map(Number)) {
     try {
-      if (!readFileSync(`/proc/${pid}/cmdline`, "utf8").includes(`--type=${type}`) || !isOurs(pid)) continue;
-      const fields = stat(pid);
-      seconds += (Number(fields[11]) + Number(fields[12])) / 100;
+      if (readFileSync(`/proc/${pid}/cmdline`, "utf8").includes(`--type=${type}`) && isOurs(pid)) yield [pid, stat(pid)];
     } catch {
       // It has ended meanwhile.
     }
   }
+}
+
+/** What Chromium's drawing and page processes have used of a processor, s: other load does not count. */
+export function processorSeconds(type) {
+  let seconds = 0;
+  for (const [, fields] of processesOf(type)) seconds += (Number(fields[11]) + Number(fields[12])) / 100;
   return seconds;
 }
 
-/** One browser for the tests of a file, and the servers that end with it. */
+/** What a process holds of memory, bytes. */
+export function memoryOf(pid) {
+  return 1024 * Number(/^VmRSS:\s+(\d+)/m.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]);
+}
+
+/** What Chromium's pages hold, their workers included, bytes. */
+export function memoryOfPages() {
+  return [...processesOf("renderer")].reduce((sum, [pid]) => sum + memoryOf(pid), 0);
+}
+
+/** One browser for the tests of a file, and the servers that end with it. With CHORDAL_ALONE they are of the page that stands alone. */
 export function session() {
+  return process.env.CHORDAL_ALONE ? aloneSession() : servedSession();
+}
+
+function servedSession() {
   const servers = [];
   let own;
   before(async () => {
@@ -124,10 +151,22 @@ export function session() {
     return server;
   };
   return {
-    serve: started,
-    newPage: () => own.context.newPage(),
+    isAlone: false,
+    /** A page whose program is on its way. */
+    async begin(file) {
+      const server = await started(file);
+      const page = await own.context.newPage();
+      await page.goto(server.url);
+      return page;
+    },
     async open(file, ...more) {
       return open(own.context, (await started(file, ...more)).url);
+    },
+    /** Saves, and gives what was saved. */
+    async save(page, file) {
+      await page.keyboard.press("Control+s");
+      await page.waitForFunction(() => document.querySelector(".dirty").innerText === "");
+      return readFileSync(file, "utf8");
     },
   };
 }

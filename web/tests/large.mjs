@@ -2,10 +2,12 @@
 //
 // Prints when the first lines of the path were drawn, when all of them were, how long a key press
 // waited meanwhile, how long a frame takes while the view turns, what the page holds, and how long it
-// was busy without a break. CHROMIUM_FLAGS chooses what draws (see `browser.mjs`).
+// was busy without a break. With CHORDAL_ALONE of the page that stands alone (`tools/wasm page`), which is open when
+// the program is given to it. CHROMIUM_FLAGS chooses what draws (see `browser.mjs`).
 
 import { performance } from "node:perf_hooks";
-import { browser, picture, processorSeconds, serve } from "./browser.mjs";
+import { folderServer } from "./alone.mjs";
+import { browser, memoryOf, memoryOfPages, picture, processorSeconds, serve } from "./browser.mjs";
 
 const file = process.argv[2];
 const chromium = await browser();
@@ -28,11 +30,23 @@ await session.send("Tracing.start", {
   traceConfig: { includedCategories: ["toplevel", "__metadata"], excludedCategories: ["*"] },
   transferMode: "ReportEvents",
 });
+const isAlone = Boolean(process.env.CHORDAL_ALONE);
+const folder = isAlone ? await folderServer() : undefined;
+if (folder) {
+  await page.goto(folder.url);
+  await page.waitForSelector("#files");
+  // The interpreter is ready, as it is for whoever reads the page first.
+  await page.waitForTimeout(3000);
+}
 const begun = performance.now();
 const since = () => `${((performance.now() - begun) / 1000).toFixed(2)} s`;
-const server = await serve(file);
+const server = folder ?? (await serve(file));
 console.log(`address        ${since()}`);
-await page.goto(server.url, { waitUntil: "commit" });
+if (isAlone) {
+  await page.setInputFiles("#files", file);
+  console.log(`given          ${since()}`);
+}
+else await page.goto(server.url, { waitUntil: "commit" });
 // Somebody who presses a key all the time while the program is loaded.
 let loading = true;
 let presses = 0;
@@ -122,5 +136,7 @@ await session.send("HeapProfiler.collectGarbage");
 const metrics = await session.send("Runtime.getHeapUsage");
 const mib = (bytes) => (bytes / 2 ** 20).toFixed(0);
 console.log(`page           ${mib(metrics.usedSize)} MiB of objects, ${mib(metrics.backingStorageSize ?? 0)} MiB of arrays`);
+const [ofPages, ofServer] = [memoryOfPages(), isAlone ? 0 : memoryOf(server.process.pid)];
+console.log(`memory         ${mib(ofPages + ofServer)} MiB: ${mib(ofPages)} of the browser's pages, ${mib(ofServer)} of the server`);
 await chromium.stop();
 server.stop();

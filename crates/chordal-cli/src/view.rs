@@ -5,12 +5,12 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 
 use chordal::Machine;
-use chordal::control::table;
 use chordal::machine::builtin_names;
 use chordal_compare::Options;
-use chordal_editor::{Program, Setup};
-use chordal_load::{Chosen, Given, Input, LoadError, Loader, Text, reason};
-use chordal_server::{Against, MachineChoice, Programs, Refusal, ServeError, Server};
+use chordal_editor::Program;
+use chordal_load::{Given, Input, LoadError, Loader, Text, reason};
+use chordal_server::{Against, MachineChoice, Programs, Refusal, ServeError, Server, save};
+use chordal_view::{builtin_machines, refusal};
 
 use crate::compare::{length_mm, sides};
 use crate::failure::{Failure, Verdict};
@@ -188,52 +188,6 @@ impl Shown {
     fn against(self, against: Against) -> Shown {
         Shown { against: Some(against), ..self }
     }
-
-    fn load(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Failure> {
-        let mut loader = match machine {
-            // The page may choose from what it was offered, and name no file.
-            Some(name) if !builtin_names().contains(&name) => {
-                return Err(Failure::wrong(
-                    format!("{name} is not a machine of the list"),
-                    "choose one from the list, or start `chordal view` with --machine",
-                ));
-            }
-            Some(name) => self.loader.on(Given::Name(name.to_string()))?,
-            None => self.loader.again(),
-        };
-        let loaded = loader.load_text(Text::of(&self.name(), text)?, &self.input)?;
-        // Of a machine that nobody named only the control is known: its axes and its maker are those of the
-        // file that stands in for it.
-        let is_guess = loaded.chosen.is_guess();
-        let foreign = loaded.not_read().and(loaded.chosen.recognition());
-        let title = match foreign {
-            Some(found) => found.chosen().title.to_string(),
-            None if is_guess => table(loaded.machine().control).title.to_string(),
-            None => loaded.machine().title.clone(),
-        };
-        let why = match &loaded.chosen {
-            Chosen::Folder(path) => Some(self.named_in(path)),
-            chosen if foreign.is_some() => chosen.why(&title),
-            chosen => chosen
-                .why(&title)
-                .map(|why| format!("{why}; machine not named, its limits are typical")),
-        };
-        let program = loaded.program;
-        let (mut texts, mut machine, options) = loaded.into_parts();
-        if is_guess {
-            machine.title = title;
-        }
-        // The first is the text itself.
-        let beside = texts.split_off(1);
-        let (name, text) = texts.pop().unwrap_or_default();
-        let setup = Setup { machine, why, options, program, beside };
-        Program::set_up(name, text, setup).map_err(|errors| {
-            Failure::wrong(
-                "the control does not know settings of the machine",
-                format!("{errors:?}"),
-            )
-        })
-    }
 }
 
 impl Shown {
@@ -263,13 +217,34 @@ impl Programs for Shown {
         match (&self.held, &self.input.path) {
             (Some(held), _) => Ok(held.clone()),
             (None, Some(path)) => std::fs::read(path)
-                .map_err(|error| refusal(&Failure::read(path.to_string_lossy(), &error))),
+                .map_err(|error| refusal(&LoadError::read(path.to_string_lossy(), &error))),
             (None, None) => Ok(Vec::new()),
         }
     }
 
     fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
-        self.load(text, machine).map_err(|failure| refusal(&failure))
+        let loader = match machine {
+            // The page may choose from what it was offered, and name no file.
+            Some(name) if !builtin_names().contains(&name) => {
+                return Err(Refusal {
+                    message: format!("{name} is not a machine of the list"),
+                    help: Some(
+                        "choose one from the list, or start `chordal view` with --machine".into(),
+                    ),
+                });
+            }
+            Some(name) => self.loader.on(Given::Name(name.to_string())),
+            None => Ok(self.loader.again()),
+        };
+        let loader = loader.map_err(|error| refusal(&error))?;
+        chordal_view::open(loader, &self.input, &self.name(), text, |file| self.named_in(file))
+    }
+
+    fn write(&self, bytes: &[u8]) -> Result<(), Refusal> {
+        match Programs::path(self) {
+            Some(path) => save(&path, bytes),
+            None => Err(Refusal { message: "there is no file to write".into(), help: None }),
+        }
     }
 
     fn named_file(&self, name: &str) -> Result<Vec<u8>, String> {
@@ -281,29 +256,7 @@ impl Programs for Shown {
     }
 
     fn machines(&self) -> Vec<MachineChoice> {
-        let mut choices = Vec::new();
-        for name in builtin_names() {
-            let title = Machine::from_builtin(name).map_or_else(|_| (*name).into(), |it| it.title);
-            choices.push(MachineChoice { name: (*name).into(), title });
-        }
-        choices
-    }
-}
-
-/// A failure as the page shows it.
-fn refusal(failure: &Failure) -> Refusal {
-    match failure {
-        Failure::Load(LoadError::Machine(errors)) => {
-            let told: Vec<String> = errors
-                .iter()
-                .map(|error| chordal_export::machine_error_text(error, false))
-                .collect();
-            Refusal { message: told.concat().trim_end().to_string(), help: None }
-        }
-        Failure::Use { message, help } | Failure::Load(LoadError::Request { message, help }) => {
-            Refusal { message: message.clone(), help: help.clone() }
-        }
-        other => Refusal { message: other.to_string(), help: None },
+        builtin_machines()
     }
 }
 

@@ -45,7 +45,7 @@ pub use moves::{LineMoves, Ran};
 pub use names::{Name, Occurrence, RenameError, Renamed, Role};
 pub use other_files::Found;
 pub use outline::{Entry, EntryKind};
-pub use place::{byte_of, line_and_column};
+pub use place::{Places, byte_of, line_and_column};
 pub use program::Program;
 pub use setup::Setup;
 pub use tokens::{Class, Token};

@@ -23,6 +23,17 @@ impl Files {
         Files::Given(Arc::new(files.collect()))
     }
 
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// A file that is not there or cannot be read.
+    pub fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
+        match self {
+            Files::Disk => fs::read(path),
+            Files::Given(files) => found(files, path).map(<[u8]>::to_vec),
+        }
+    }
+
     /// There is a file of this path.
     pub(crate) fn is_file(&self, path: &Path) -> bool {
         match self {

@@ -1,26 +1,11 @@
-//! The file on disk: whether it has changed, and how it is written whole or not at all.
+//! The file on disk: whether somebody may have changed it, and how it is written whole or not at all.
 
 use std::fs;
-use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, Write};
 use std::path::Path;
 use std::time::SystemTime;
 
-/// What a file held, as far as it takes to decide whether it holds something else.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Content {
-    length: usize,
-    hash: u64,
-}
-
-impl Content {
-    /// Of these bytes.
-    pub fn of(bytes: &[u8]) -> Content {
-        let mut hasher = DefaultHasher::new();
-        bytes.hash(&mut hasher);
-        Content { length: bytes.len(), hash: hasher.finish() }
-    }
-}
+use chordal_view::Refusal;
 
 /// What a look at a file gives for nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,12 +22,23 @@ impl Stamp {
     }
 }
 
+/// Saves a program of [`chordal_view::Programs`] in its file.
+///
+/// # Errors
+/// Why it is as before.
+pub fn save(path: &Path, bytes: &[u8]) -> Result<(), Refusal> {
+    write(path, bytes).map_err(|error| Refusal {
+        message: format!("cannot write {}: {error}", path.display()),
+        help: Some("the file was not changed".into()),
+    })
+}
+
 /// Writes a file next to it and puts it in its place, with the permissions of the one before. A link
 /// stays a link.
 ///
 /// # Errors
 /// Those of the file system; the file is then as before.
-pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let mut file = tempfile::Builder::new()
@@ -72,6 +68,5 @@ mod tests {
         assert_ne!(Stamp::of(&path), before);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
         assert!(write(&folder.path().join("none/part.nc"), b"x").is_err());
-        assert_ne!(Content::of(b"old"), Content::of(b"new"));
     }
 }

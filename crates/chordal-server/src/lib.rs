@@ -1,12 +1,9 @@
 //! The server of `chordal view`: a page on loopback that shows a program and its path, live.
 //!
-//! A thin shell. The page is built beforehand (`web/`, embedded from `page/`) and never reads a
-//! program: it is told what the library finds. One file per concern: `guard` refuses whom the page
-//! is not for, `page` has the files, `live` is the one connection of a page, `session` answers what
-//! is asked over it. Below these, `request` says what a page may ask and `outbox` takes what goes to
-//! it; `document` is the text as it is edited, `file` the one on disk; `run` and `times` make columns
-//! of a path and of its time, `stream` and `frame` pack them, `other` holds it against another
-//! program, `stock` and `turned` cut the stock with it, `words` asks what an editor asks.
+//! A thin shell around [`chordal_view`]. The page is built beforehand (`web/`, embedded from `page/`) and never
+//! reads a program: it is told what the library finds. One file per concern: `guard` refuses whom the page
+//! is not for, `page` has the files, `live` is the one connection of a page and `outbox` the way to it, `session` has
+//! the threads that answer and work, `file` is the program on disk.
 //!
 //! ```
 //! let server = chordal_server::Server::listen(0).unwrap();
@@ -22,36 +19,20 @@
 )]
 #![forbid(unsafe_code)]
 
-mod answer;
-mod chords;
-mod columns;
-mod document;
-mod engagement;
 mod file;
-mod frame;
 mod guard;
 mod live;
-mod modal;
-mod other;
 mod outbox;
 mod page;
-mod program;
-mod request;
-mod run;
 mod session;
-mod stock;
-mod stream;
-mod times;
-mod turned;
-mod wanted;
-mod words;
 
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
 
+pub use chordal_view::{Against, MachineChoice, Programs, Refusal};
+pub use file::save;
 pub use guard::Token;
-pub use program::{Against, MachineChoice, Programs, Refusal};
 
 /// Why there is no server.
 #[derive(Debug, thiserror::Error)]

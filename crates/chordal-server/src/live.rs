@@ -5,12 +5,11 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
+use chordal_view::{Outbox, Programs, Request};
 use serde_json::json;
 use tokio::sync::mpsc;
 
-use crate::outbox::Outbox;
-use crate::program::Programs;
-use crate::request::Request;
+use crate::outbox::Channels;
 use crate::session::Session;
 
 /// The longest message that a page may send: what somebody may paste.
@@ -26,7 +25,7 @@ const HOLD: Duration = Duration::from_secs(1);
 pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>) {
     let (soon, mut outgoing) = mpsc::channel(WAITING);
     let (later, mut outgoing_later) = mpsc::channel(1);
-    let session = match Session::begin(programs, Outbox { soon, later }) {
+    let session = match Session::begin(programs, Outbox::new(Channels { soon, later })) {
         Ok(session) => session,
         Err(error) => {
             let told = json!({ "type": "error", "id": 0, "message": error.to_string() });

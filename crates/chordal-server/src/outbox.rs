@@ -1,41 +1,29 @@
-//! What goes to a page: objects and columns, sent from any thread.
+//! The way of what goes to a page, from any thread to its connection.
 
 use axum::extract::ws::Message;
-use serde_json::{Value, json};
+use chordal_view::Port;
 use tokio::sync::mpsc;
 
-/// Takes what is for the page, from any thread.
+/// Messages on their way.
 #[derive(Clone, Debug)]
-pub struct Outbox {
+pub struct Channels {
     /// What goes out in its order.
     pub soon: mpsc::Sender<Message>,
     /// What waits for the first picture.
     pub later: mpsc::Sender<Message>,
 }
 
-impl Outbox {
-    /// Sends an object.
-    pub fn json(&self, object: &Value) {
-        self.send(Message::Text(object.to_string().into()));
+// A page that has gone is noticed where its requests are read.
+impl Port for Channels {
+    fn text(&self, text: String) {
+        let _ = self.soon.blocking_send(Message::Text(text.into()));
     }
 
-    /// Sends columns.
-    pub fn binary(&self, frame: Vec<u8>) {
-        self.send(Message::Binary(frame.into()));
+    fn binary(&self, frame: Vec<u8>) {
+        let _ = self.soon.blocking_send(Message::Binary(frame.into()));
     }
 
-    /// Sends columns that the first picture need not wait for.
-    pub fn binary_later(&self, frame: Vec<u8>) {
+    fn binary_later(&self, frame: Vec<u8>) {
         let _ = self.later.blocking_send(Message::Binary(frame.into()));
-    }
-
-    /// Sends that a request failed.
-    pub fn refuse(&self, id: u64, message: &str, help: Option<&str>) {
-        self.json(&json!({ "type": "error", "id": id, "message": message, "help": help }));
-    }
-
-    fn send(&self, message: Message) {
-        // A page that has gone is noticed where its requests are read.
-        let _ = self.soon.blocking_send(message);
     }
 }

@@ -9,11 +9,11 @@ use axum::http::{HeaderMap, HeaderValue, StatusCode};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
+use chordal_view::Programs;
 use tokio::sync::Semaphore;
 
 use crate::guard::{Hosts, Token};
 use crate::live;
-use crate::program::Programs;
 
 /// Built from `web/`; nothing else is ever served.
 const FILES: &[(&str, &str, &[u8])] = &[

@@ -76,7 +76,13 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-rewrite", &["chordal", "chordal-compare", "chordal-editor"]),
     ("chordal-editor", &["chordal"]),
     ("chordal-lsp", &["chordal", "chordal-editor"]),
-    ("chordal-server", &["chordal", "chordal-editor", "chordal-compare", "chordal-export"]),
+    (
+        "chordal-view",
+        &["chordal", "chordal-compare", "chordal-editor", "chordal-export", "chordal-load"],
+    ),
+    // Apart from the view for its tests alone.
+    ("chordal-server", &["chordal-view", "chordal", "chordal-compare", "chordal-editor"]),
+    ("chordal-page", &["chordal-editor", "chordal-load", "chordal-view"]),
     (
         "chordal-cli",
         &[
@@ -92,6 +98,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-rewrite",
             "chordal-lsp",
             "chordal-server",
+            "chordal-view",
         ],
     ),
     (

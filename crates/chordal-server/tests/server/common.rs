@@ -10,7 +10,7 @@ use std::time::Duration;
 use chordal::Machine;
 use chordal_compare::Options;
 use chordal_editor::{Program, Setup};
-use chordal_server::{Against, MachineChoice, Programs, Refusal, Server};
+use chordal_server::{Against, MachineChoice, Programs, Refusal, Server, save};
 use serde_json::Value;
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
@@ -64,6 +64,10 @@ impl Programs for Shown {
             Some(path) => std::fs::read(path).map_err(refused),
             None => Ok(self.text.lock().unwrap().clone()),
         }
+    }
+
+    fn write(&self, bytes: &[u8]) -> Result<(), Refusal> {
+        save(self.path.as_deref().expect("a file"), bytes)
     }
 
     fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {

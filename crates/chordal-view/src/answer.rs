@@ -7,7 +7,7 @@ use chordal::stock::StockRunError;
 use chordal::time::{TimeReport, Times};
 use chordal::tool_comments::known_tools;
 use chordal::{Diagnostic, Job, Report, SourceMap};
-use chordal_editor::line_and_column;
+use chordal_editor::Places;
 use serde_json::{Value, json};
 
 /// Diagnostics that are sent; the rest is counted.
@@ -29,11 +29,12 @@ pub fn no_stock(run: u64, failed: &StockRunError) -> Value {
 /// What a run came to, apart from its path.
 pub fn report(report: &Report, job: &Job) -> Value {
     let sources = job.sources();
+    let mut spots = Spots { sources, last: None };
     let told = report.diagnostics.iter().take(MOST);
     let dropped: u64 = report.dropped.iter().map(|(_, count)| count).sum();
     let more = report.diagnostics.len().saturating_sub(MOST) as u64;
     json!({
-        "diagnostics": told.map(|each| diagnostic(each, sources)).collect::<Vec<_>>(),
+        "diagnostics": told.map(|each| diagnostic(each, &mut spots)).collect::<Vec<_>>(),
         "left_out": dropped + more,
         "errors": report.counts.errors,
         "warnings": report.counts.warnings,
@@ -61,52 +62,65 @@ pub fn report(report: &Report, job: &Job) -> Value {
     })
 }
 
-fn diagnostic(diagnostic: &Diagnostic, sources: &SourceMap) -> Value {
+fn diagnostic(diagnostic: &Diagnostic, spots: &mut Spots<'_, '_>) -> Value {
     let info = diagnostic.code.info();
+    let place = spots.place(diagnostic.primary.span);
     let secondary = diagnostic
         .secondary
         .iter()
-        .map(|label| json!({ "place": place(label.span, sources), "label": label.text }));
+        .map(|label| json!({ "place": spots.place(label.span), "label": label.text }))
+        .collect::<Vec<_>>();
     json!({
         "code": info.id,
         "name": info.name,
         "severity": diagnostic.severity.word(),
         "message": diagnostic.message,
-        "place": place(diagnostic.primary.span, sources),
+        "place": place,
         "label": diagnostic.primary.text,
-        "secondary": secondary.collect::<Vec<_>>(),
+        "secondary": secondary,
         "alarm": diagnostic.alarm,
         "notes": diagnostic.notes,
         "help": diagnostic.help,
         "explanation": info.explanation,
-        "fix": diagnostic.fix.as_ref().map(|it| fix(it, sources)),
+        "fix": diagnostic.fix.as_ref().map(|it| fix(it, spots)),
     })
 }
 
-fn fix(fix: &Fix, sources: &SourceMap) -> Value {
+fn fix(fix: &Fix, spots: &mut Spots<'_, '_>) -> Value {
     json!({
         "title": fix.title,
         "replacement": fix.replacement,
-        "place": place(fix.span, sources),
+        "place": spots.place(fix.span),
         "safe": fix.applicability == Applicability::Safe,
     })
 }
 
-/// File, lines from 1 and columns from 0 in UTF-16 code units; null for the program as a whole.
-pub fn place(span: Span, sources: &SourceMap) -> Value {
-    let Some(source) = sources.get(span.file).filter(|_| span != Span::default()) else {
-        return Value::Null;
-    };
-    let (line, column) = line_and_column(source, span.range.start);
-    let (end_line, end_column) = line_and_column(source, span.range.end.max(span.range.start));
-    json!({
-        "file": source.name(),
-        "own": span.file == FileId(0),
-        "line": line,
-        "column": column,
-        "end_line": end_line,
-        "end_column": end_column,
-    })
+/// Places of problems, which mostly follow one another.
+struct Spots<'s, 't> {
+    sources: &'s SourceMap<'t>,
+    last: Option<(FileId, Places<'s, 't>)>,
+}
+
+impl Spots<'_, '_> {
+    /// File, lines from 1 and columns from 0 in UTF-16 code units; null for the program as a whole.
+    fn place(&mut self, span: Span) -> Value {
+        let source = self.sources.get(span.file).filter(|_| span != Span::default());
+        let Some(source) = source else { return Value::Null };
+        let places = match &mut self.last {
+            Some((file, places)) if *file == span.file => places,
+            last => &mut last.insert((span.file, Places::of(source))).1,
+        };
+        let (line, column) = places.at(span.range.start);
+        let (end_line, end_column) = places.at(span.range.end.max(span.range.start));
+        json!({
+            "file": source.name(),
+            "own": span.file == FileId(0),
+            "line": line,
+            "column": column,
+            "end_line": end_line,
+            "end_column": end_column,
+        })
+    }
 }
 
 /// The machine, as far as it is drawn.

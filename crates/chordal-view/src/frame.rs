@@ -21,22 +21,29 @@ pub struct Frame {
 pub trait Cell: Copy {
     /// Its type's word.
     const WORD: &'static str;
-    /// Appends its bytes.
-    fn put(self, out: &mut Vec<u8>);
+    /// Appends the bytes of a column.
+    fn put(column: &[Self], out: &mut Vec<u8>);
+}
+
+impl Cell for u8 {
+    const WORD: &'static str = "u8";
+    fn put(column: &[u8], out: &mut Vec<u8>) {
+        out.extend_from_slice(column);
+    }
 }
 
 macro_rules! cells {
     ($($cell:ty, $word:literal);*) => {$(
         impl Cell for $cell {
             const WORD: &'static str = $word;
-            fn put(self, out: &mut Vec<u8>) {
-                out.extend_from_slice(&self.to_le_bytes());
+            fn put(column: &[$cell], out: &mut Vec<u8>) {
+                out.extend(column.iter().flat_map(|value| value.to_le_bytes()));
             }
         }
     )*};
 }
 
-cells!(u8, "u8"; u32, "u32"; f32, "f32"; f64, "f64");
+cells!(u32, "u32"; f32, "f32"; f64, "f64");
 
 impl Frame {
     /// Adds a column.
@@ -44,7 +51,7 @@ impl Frame {
         let place = json!({ "type": C::WORD, "offset": self.data.len(), "count": values.len() });
         self.columns.insert(name.into(), place);
         self.data.reserve(size_of_val(values) + 8);
-        values.iter().for_each(|value| value.put(&mut self.data));
+        C::put(values, &mut self.data);
         self.data.resize(self.data.len().next_multiple_of(8), 0);
     }
 

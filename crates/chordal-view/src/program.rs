@@ -1,8 +1,10 @@
-//! What the server is given: who finds programs, machines and subprograms.
+//! What a view is given: who finds programs, machines and subprograms.
 
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
+use chordal::Machine;
+use chordal::machine::builtin_names;
 use chordal_compare::Options;
 use chordal_editor::Program;
 
@@ -36,8 +38,23 @@ pub struct Against {
 
 /// Finds what a program needs, as the command line says.
 pub trait Programs: Send + Sync + 'static {
-    /// The file that is shown; `None` where there is none to write to.
-    fn path(&self) -> Option<PathBuf>;
+    /// The file that is shown, where it is one of the disk that others may change.
+    fn path(&self) -> Option<PathBuf> {
+        None
+    }
+
+    /// The text can be saved.
+    fn is_writable(&self) -> bool {
+        self.path().is_some()
+    }
+
+    /// Saves the text.
+    ///
+    /// # Errors
+    /// A file that cannot be written; it is then as before.
+    fn write(&self, _bytes: &[u8]) -> Result<(), Refusal> {
+        Err(Refusal { message: "there is no file to write".into(), help: None })
+    }
 
     /// The name for people.
     fn name(&self) -> String;
@@ -70,4 +87,14 @@ pub trait Programs: Send + Sync + 'static {
     fn against(&self) -> Option<&Against> {
         None
     }
+}
+
+/// The machines that every page may choose from. Their files are read the first time.
+pub fn builtin_machines() -> Vec<MachineChoice> {
+    static MACHINES: OnceLock<Vec<MachineChoice>> = OnceLock::new();
+    let choice = |name: &&str| {
+        let title = Machine::from_builtin(name).map_or_else(|_| (*name).into(), |it| it.title);
+        MachineChoice { name: (*name).into(), title }
+    };
+    MACHINES.get_or_init(|| builtin_names().iter().map(choice).collect()).clone()
 }

@@ -11,7 +11,7 @@ use chordal_export::{comparison_headline, comparison_names, difference_words};
 use serde_json::{Value, json};
 
 use crate::answer;
-use crate::file::Content;
+use crate::content::Content;
 use crate::outbox::Outbox;
 use crate::program::{Against, Programs, Refusal};
 use crate::request::Other;
@@ -45,13 +45,14 @@ pub struct Comparing {
     programs: Arc<dyn Programs>,
     out: Outbox,
     shown: Option<Shown>,
-    version: u64,
+    /// The page was told of another program.
+    pub is_told: bool,
 }
 
 impl Comparing {
     /// Nothing is shown yet.
     pub fn new(programs: Arc<dyn Programs>, out: Outbox) -> Comparing {
-        Comparing { programs, out, shown: None, version: 0 }
+        Comparing { programs, out, shown: None, is_told: false }
     }
 
     /// The other program that is shown.
@@ -59,19 +60,22 @@ impl Comparing {
         self.shown.as_ref().map(|shown| shown.program.clone())
     }
 
-    /// There is no other program any more.
-    pub fn nothing(&mut self) {
+    /// There is no other program any more. `version` is the number of the comparison, here and everywhere.
+    pub fn nothing(&mut self, version: u64) {
         self.shown = None;
-        self.version += 1;
+        if !std::mem::take(&mut self.is_told) {
+            return;
+        }
         self.out.json(&json!({
             "type": "against",
-            "version": self.version,
+            "version": version,
             "other": Other::Nothing,
         }));
     }
 
     /// Shows the other program, where it is another than before.
     pub fn show(&mut self, ran: &Ran, other: &Other, wanted: &Wanted) {
+        self.is_told = true;
         match self.open(ran, other) {
             Ok(None) => {}
             Ok(Some((origin, program))) => {
@@ -79,10 +83,9 @@ impl Comparing {
             }
             Err(refusal) => {
                 self.shown = None;
-                self.version += 1;
                 self.out.json(&json!({
                     "type": "against_refused",
-                    "version": self.version,
+                    "version": wanted.number,
                     "other": other,
                     "message": refusal.message,
                     "help": refusal.help,
@@ -150,14 +153,13 @@ impl Comparing {
 
     /// Sends the path; nothing where it is given up.
     fn send(
-        &mut self,
+        &self,
         origin: Origin,
         program: Arc<Program>,
         other: &Other,
         wanted: &Wanted,
     ) -> Option<Shown> {
-        self.version += 1;
-        let version = self.version;
+        let version = wanted.number;
         let job = program.job().interrupt(wanted.interrupt());
         self.out.json(&json!({
             "type": "against",

@@ -79,6 +79,12 @@ impl Document {
         Document { text, form, binary: decoded.binary }
     }
 
+    /// A text that is looked at and not saved.
+    pub fn of(text: String) -> Document {
+        let form = Form { encoding: Encoding::Utf8, mark: false, ending: "\n", mixed: false };
+        Document { text, form, binary: false }
+    }
+
     /// The text, its lines ended by LF.
     pub fn text(&self) -> &str {
         &self.text

@@ -26,17 +26,18 @@ pub struct Ran {
     pub number: u64,
     /// Pieces of path.
     pub rows: u64,
+    /// How long it takes without acceleration, s.
+    pub about_s: f64,
 }
 
-/// Runs a job and sends its path; gives what else the page is to be reported, and how long it takes without
-/// acceleration, s; `None` when nobody wants it any more.
+/// Runs a job and sends its path; gives what else the page is to be reported; `None` when nobody wants it any more.
 pub fn run(
     number: u64,
     program: &Arc<Program>,
     job: &Job,
     out: &Outbox,
     wanted: &Wanted,
-) -> Option<(Ran, Value, f64)> {
+) -> Option<(Ran, Value)> {
     let (offset, known) = initial_offset(job.machine(), job.control());
     let header = json!({ "type": "path", "run": number });
     let mut sending = Sending {
@@ -64,11 +65,8 @@ pub fn run(
     told["places"] = modal.places();
     told["end"] = end_of(&report.outcomes);
     let rows = u64::from(sent) + left_out;
-    Some((
-        Ran { program: program.clone(), modal, number, rows },
-        told,
-        report.summary.total_time_s(),
-    ))
+    let about_s = report.summary.total_time_s();
+    Some((Ran { program: program.clone(), modal, number, rows, about_s }, told))
 }
 
 /// How the programs of the file ended.

@@ -2,11 +2,14 @@
 
 use chordal::Source;
 use chordal::diagnostics::FileId;
-use chordal_editor::{Class, Entry, EntryKind, Program, byte_of, line_and_column};
+use chordal_editor::{Class, Entry, EntryKind, Places, Program, byte_of, line_and_column};
 use serde_json::{Value, json};
 
 /// Entries of an outline that are sent.
 const MOST_ENTRIES: usize = 2_000;
+
+/// Words of a screen that are coloured: of a line without an end the rest is plain.
+const MOST_TOKENS: usize = 20_000;
 
 /// Bytes of another text that are sent to be shown: subprograms are short.
 const MOST_TEXT: usize = 1 << 20;
@@ -14,11 +17,11 @@ const MOST_TEXT: usize = 1 << 20;
 /// The words of the lines from `from` up to, not including, `to`: four numbers each, which are
 /// line (from 1), first and last column (from 0, UTF-16), and the place of its class.
 pub fn tokens(program: &Program, from: u32, to: u32) -> Value {
-    let source = program.source();
+    let mut places = Places::of(program.source());
     let mut numbers: Vec<u32> = Vec::new();
-    for token in program.tokens(from, to) {
-        let (line, start) = line_and_column(source, token.range.start);
-        let (end_line, end) = line_and_column(source, token.range.end);
+    for token in program.tokens(from, to).into_iter().take(MOST_TOKENS) {
+        let (line, start) = places.at(token.range.start);
+        let (end_line, end) = places.at(token.range.end);
         if end_line == line {
             numbers.extend([line, start, end, token.class as u32]);
         }

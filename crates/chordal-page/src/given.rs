@@ -1,0 +1,144 @@
+//! The program and the files that the page was given: nothing is looked for anywhere else.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use chordal_editor::Program;
+use chordal_load::{Files, Given as GivenMachine, Input, Loader, Request, machine};
+use chordal_view::{MachineChoice, Outbox, Programs, Refusal, builtin_machines, refusal};
+use serde_json::json;
+
+use crate::message::{self, Begin};
+
+/// A program and its files.
+pub struct Given {
+    name: String,
+    /// Until it is read: from then on the view has the text.
+    program: Mutex<Option<Vec<u8>>>,
+    machine: Option<String>,
+    beside: Mutex<Beside>,
+    out: Outbox,
+}
+
+/// What lies next to a program.
+struct Beside {
+    files: Files,
+    machines: Vec<MachineChoice>,
+}
+
+impl Given {
+    /// Out of a message.
+    pub fn read(bytes: Vec<u8>, out: Outbox) -> Result<Given, String> {
+        let (begin, start) = message::read(&bytes)?;
+        let Begin { name, program, files, machine } = begin;
+        let end = start.saturating_add(program.unwrap_or(0));
+        let rest = bytes.get(end..).ok_or("the message ends too early")?;
+        let beside = Mutex::new(Beside::read(files, rest)?);
+        let program = Mutex::new(program.map(|_| message::cut(bytes, start, end)));
+        Ok(Given { name, program, machine, beside, out })
+    }
+
+    /// Other files lie next to the program now; the page is told of their machines.
+    pub fn renew(&self, bytes: &[u8]) -> Result<(), String> {
+        let (Begin { files, .. }, start) = message::read(bytes)?;
+        let beside = Beside::read(files, &bytes[start..])?;
+        let machines = beside.machines.iter();
+        let machines: Vec<_> =
+            machines.map(|each| json!({ "name": each.name, "title": each.title })).collect();
+        *self.beside() = beside;
+        self.out.json(&json!({ "type": "machines", "machines": machines }));
+        Ok(())
+    }
+
+    fn beside(&self) -> MutexGuard<'_, Beside> {
+        self.beside.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Beside {
+    fn read(named: Vec<message::File>, mut rest: &[u8]) -> Result<Beside, String> {
+        let mut files = Vec::new();
+        let mut names = Vec::new();
+        for file in named {
+            let bytes = message::take(&mut rest, file.bytes)?;
+            if is_machine_file(&file.path) {
+                names.push(file.path.clone());
+            }
+            files.push((PathBuf::from(file.path), bytes));
+        }
+        let files = Files::given(files);
+        let mut machines = builtin_machines();
+        machines.extend(names.into_iter().map(|name| {
+            // What is wrong with a file is said when it is chosen.
+            let title = machine::named_of(&files, &name)
+                .map_or_else(|_| name.clone(), |it| format!("{} ({name})", it.title));
+            MachineChoice { name, title }
+        }));
+        Ok(Beside { files, machines })
+    }
+}
+
+/// A file that a machine or a setup may be in. That of a folder counts without being chosen.
+fn is_machine_file(name: &str) -> bool {
+    let file = Path::new(name).file_name().and_then(|file| file.to_str()).unwrap_or("");
+    file.ends_with(".toml") && file != "chordal.toml"
+}
+
+impl Programs for Given {
+    fn name(&self) -> String {
+        self.name.clone()
+    }
+
+    fn is_writable(&self) -> bool {
+        true
+    }
+
+    fn write(&self, bytes: &[u8]) -> Result<(), Refusal> {
+        self.out.file(&self.name, bytes);
+        Ok(())
+    }
+
+    fn read(&self) -> Result<Vec<u8>, Refusal> {
+        let program = self.program.lock().unwrap_or_else(PoisonError::into_inner).take();
+        program.ok_or_else(|| Refusal {
+            message: "the file was read already".into(),
+            help: Some("open it again".into()),
+        })
+    }
+
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
+        let beside = self.beside();
+        if let Some(name) = machine
+            && !beside.machines.iter().any(|choice| choice.name == name)
+        {
+            return Err(Refusal {
+                message: format!("{name} is not a machine of the list"),
+                help: Some("choose one from the list, or open its machine file".into()),
+            });
+        }
+        let machine = machine.map(str::to_string).or_else(|| self.machine.clone());
+        let request = Request {
+            machine: machine.map(GivenMachine::Name),
+            files: beside.files.clone(),
+            ..Request::default()
+        };
+        drop(beside);
+        let loader = Loader::new(request).map_err(|error| refusal(&error))?;
+        let input = Input { path: Some(PathBuf::from(&self.name)), root: None };
+        let named_in = |file: &Path| {
+            let name = file.file_name().unwrap_or_default().to_string_lossy();
+            format!("named in {name} next to it")
+        };
+        chordal_view::open(loader, &input, &self.name, text, named_in)
+    }
+
+    fn machines(&self) -> Vec<MachineChoice> {
+        self.beside().machines.clone()
+    }
+
+    fn named_file(&self, name: &str) -> Result<Vec<u8>, String> {
+        let beside = self.beside();
+        let bytes = beside.files.bytes(Path::new(name));
+        bytes.map_err(|_| "open it together with the setup file".to_string())
+    }
+}

@@ -1,0 +1,70 @@
+//! A text with its machine and its subprograms, as every page opens it.
+
+use std::path::Path;
+
+use chordal::control::table;
+use chordal_editor::{Program, Setup};
+use chordal_load::{Chosen, Input, LoadError, Loader, Text};
+
+use crate::program::Refusal;
+
+/// Opens a text as the program of an input. `named_in` says in words where a machine file is that its folder names.
+///
+/// # Errors
+/// A machine that cannot be used, a program that is not there.
+pub fn open(
+    mut loader: Loader,
+    input: &Input,
+    name: &str,
+    text: Vec<u8>,
+    named_in: impl Fn(&Path) -> String,
+) -> Result<Program, Refusal> {
+    let text = Text::of(name, text).map_err(|error| refusal(&error))?;
+    let loaded = loader.load_text(text, input).map_err(|error| refusal(&error))?;
+    // Of a machine that nobody named only the control is known: its axes and its maker are those of the
+    // file that stands in for it.
+    let is_guess = loaded.chosen.is_guess();
+    let foreign = loaded.not_read().and(loaded.chosen.recognition());
+    let title = match foreign {
+        Some(found) => found.chosen().title.to_string(),
+        None if is_guess => table(loaded.machine().control).title.to_string(),
+        None => loaded.machine().title.clone(),
+    };
+    let why = match &loaded.chosen {
+        Chosen::Folder(path) => Some(named_in(path)),
+        chosen if foreign.is_some() => chosen.why(&title),
+        chosen => chosen
+            .why(&title)
+            .map(|why| format!("{why}; machine not named, its limits are typical")),
+    };
+    let program = loaded.program;
+    let (mut texts, mut machine, options) = loaded.into_parts();
+    if is_guess {
+        machine.title = title;
+    }
+    // The first is the text itself.
+    let beside = texts.split_off(1);
+    let (name, text) = texts.pop().unwrap_or_default();
+    let setup = Setup { machine, why, options, program, beside };
+    Program::set_up(name, text, setup).map_err(|errors| Refusal {
+        message: "the control does not know settings of the machine".into(),
+        help: Some(format!("{errors:?}")),
+    })
+}
+
+/// Why nothing was loaded, as a page shows it.
+pub fn refusal(error: &LoadError) -> Refusal {
+    match error {
+        LoadError::Machine(errors) => {
+            let told: Vec<String> = errors
+                .iter()
+                .map(|error| chordal_export::machine_error_text(error, false))
+                .collect();
+            Refusal { message: told.concat().trim_end().to_string(), help: None }
+        }
+        LoadError::Request { message, help } => {
+            Refusal { message: message.clone(), help: help.clone() }
+        }
+        other @ LoadError::Read { .. } => Refusal { message: other.to_string(), help: None },
+    }
+}

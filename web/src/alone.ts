@@ -1,0 +1,4 @@
+// The page that stands alone, without a server of Chordal.
+
+import "./alone/shell";
+import "./main";

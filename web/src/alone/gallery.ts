@@ -1,0 +1,36 @@
+// The examples: programs of every control, and what each shows. The file is made of the folder `examples` when the page is built.
+
+/** The address of the examples, whose name changes with them. */
+declare const EXAMPLES: string;
+
+export interface Example {
+  name: string;
+  /** In a sentence. */
+  shows: string;
+  text: string;
+  /** What lies next to it: path and text. */
+  files: [string, string][];
+  machine: string | null;
+}
+
+export interface Group {
+  title: string;
+  examples: Example[];
+}
+
+let loaded: Promise<Group[]> | undefined;
+
+export function gallery(): Promise<Group[]> {
+  loaded ??= load().catch((error: unknown) => {
+    // The next look may have more luck.
+    loaded = undefined;
+    throw error;
+  });
+  return loaded;
+}
+
+async function load(): Promise<Group[]> {
+  const response = await fetch(new URL(EXAMPLES, document.baseURI));
+  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
+  return (await response.json()) as Group[];
+}

@@ -1,0 +1,37 @@
+// The page without a network: a service worker keeps its files, version by version.
+
+/** Registers the service worker once the page is at rest; `renew` is called when a newer version waits. */
+export function offline(renew: (load: () => void) => void): void {
+  const { serviceWorker } = navigator;
+  // Only of a secure origin, or of this computer.
+  if (!serviceWorker) return;
+  const hadOne = serviceWorker.controller !== null;
+  let isLoading = false;
+  serviceWorker.addEventListener("controllerchange", () => {
+    if (isLoading) location.reload();
+  });
+  const waits = (worker: ServiceWorker) =>
+    renew(() => {
+      isLoading = true;
+      worker.postMessage("take over");
+    });
+  setTimeout(() => {
+    serviceWorker
+      .register("./sw.js")
+      .then((registration) => {
+        if (registration.waiting && hadOne) waits(registration.waiting);
+        registration.addEventListener("updatefound", () => {
+          const worker = registration.installing;
+          worker?.addEventListener("statechange", () => {
+            if (worker.state === "installed" && hadOne) waits(worker);
+          });
+        });
+      })
+      .catch(() => {
+        // A browser that keeps nothing: the page works while there is a network.
+      });
+  }, REST_MS);
+}
+
+/** What the first picture needs comes first, ms. */
+const REST_MS = 1500;

@@ -1,0 +1,240 @@
+// The page that stands alone: opens and saves programs, shares them, and keeps those of before.
+
+import "./start.css";
+import { element } from "../panels";
+import { type Page, use } from "../shell";
+import { Core } from "./core";
+import type { File_ } from "./engine";
+import type { Example } from "./gallery";
+import { nameOf, sorted, tooLarge } from "./given";
+import { offline } from "./offline";
+import { MOST_EACH, find, keep, sizeOf } from "./recent";
+import { MOST_LINK, type Shared, fragmentOf, sharedIn } from "./share";
+import { Start } from "./start";
+
+const core = new Core();
+
+/** What is open. */
+let name = "";
+let files: File_[] = [];
+let page: Page | undefined;
+
+const encode = (text: string) => new TextEncoder().encode(text).buffer as ArrayBuffer;
+
+function download(fileName: string, bytes: Uint8Array): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "application/octet-stream" }));
+  link.download = fileName;
+  link.click();
+  // The browser has taken it by then.
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+/** When a program is put away: a long one once its path is there, ms. */
+const KEEP_AFTER_MS = 1000;
+const KEEP_LONG_AFTER_MS = 15_000;
+const LONG_BYTES = 2 ** 20;
+
+function remember(program: ArrayBuffer, machine?: string): void {
+  if (sizeOf({ program, files }) > MOST_EACH) return;
+  // The page gives the bytes away.
+  const kept = { name, program: program.slice(0), files, machine, at: Date.now() };
+  setTimeout(() => void keep(kept), program.byteLength > LONG_BYTES ? KEEP_LONG_AFTER_MS : KEEP_AFTER_MS);
+}
+
+interface Opening {
+  name: string;
+  program: ArrayBuffer;
+  files: File_[];
+  machine?: string;
+}
+
+/** Opens a program, once nothing that was typed would be lost. */
+function open(opening: Opening, isFromLink = false): void {
+  const { ui, editor, link } = page!;
+  const go = () => {
+    name = opening.name;
+    files = opening.files;
+    link.forget();
+    // The address is that of the program it was opened with.
+    if (!isFromLink && location.hash !== "") history.replaceState(null, "", location.pathname + location.search);
+    remember(opening.program, opening.machine);
+    document.querySelector<HTMLElement>("#share")!.hidden = false;
+    core.open(opening).catch((error: unknown) => ui.tell("error", `The page is not complete: ${String(error)}`));
+  };
+  if (!editor.dirty) return go();
+  ui.ask(`What you typed in ${name} is not saved.`, [
+    [`Open ${opening.name} and lose it`, go],
+    ["Cancel", () => {}],
+  ]);
+}
+
+async function openFiles(given: File[]): Promise<void> {
+  const { ui } = page!;
+  const { program, beside, machine } = sorted(given);
+  const complaint = given.map((file) => tooLarge(file.name, file.size)).find(Boolean);
+  if (complaint) return refuse(complaint);
+  let read: File_[];
+  let bytes: ArrayBuffer | undefined;
+  try {
+    read = await Promise.all(beside.map(async (file) => ({ path: nameOf(file.name), bytes: await file.arrayBuffer() })));
+    bytes = await program?.arrayBuffer();
+  } catch (error) {
+    return refuse(`A file cannot be read: ${String(error)}`);
+  }
+  if (!program || !bytes) return lay(read, machine);
+  // Machine files stay: the next program may be for the same machine.
+  const machines = files.filter(({ path }) => path.endsWith(".toml") && path !== "chordal.toml" && !read.some((own) => own.path === path));
+  const others = beside.filter((file) => !/\.toml$/i.test(file.name)).length;
+  open({ name: nameOf(program.name), program: bytes, files: [...read, ...machines], machine });
+  if (others > 0) ui.tell("note", `${program.name} is shown; ${others === 1 ? "1 other file lies" : `${others} other files lie`} next to it.`);
+}
+
+/** Files without a program lie next to the one that is open. */
+function lay(more: File_[], machine: string | undefined): void {
+  const { editor, link } = page!;
+  if (name === "") return refuse("These files belong to a program: choose it together with them.");
+  files = [...files.filter(({ path }) => !more.some((own) => own.path === path)), ...more];
+  editor.flush();
+  core.files(files);
+  // The same text runs again.
+  if (!machine) return link.tell("edit", { changes: [] });
+  chooseLater = machine;
+  link.tell("machine", { name: machine });
+}
+
+/** A machine file that is chosen as soon as it is in the list. */
+let chooseLater: string | undefined;
+
+function refuse(why: string): void {
+  page!.ui.tell("error", why);
+  start?.say(why);
+}
+
+function openTexts({ name: own, text, files: beside, machine }: Pick<Shared, "name" | "text" | "machine" | "files">, isFromLink = false): void {
+  const texts = beside.map(([path, content]) => ({ path, bytes: encode(content) }));
+  open({ name: nameOf(own), program: encode(text), files: texts, machine: machine ?? undefined }, isFromLink);
+}
+
+async function openLink(): Promise<boolean> {
+  try {
+    const shared = await sharedIn(location.hash);
+    if (shared) openTexts(shared, true);
+    return shared !== undefined;
+  } catch (error) {
+    refuse(error instanceof Error ? error.message : String(error));
+    return false;
+  }
+}
+
+async function share(): Promise<void> {
+  const { ui, editor } = page!;
+  const decoder = new TextDecoder("utf-8", { fatal: true });
+  const texts: [string, string][] = [];
+  try {
+    for (const { path, bytes } of files) texts.push([path, decoder.decode(bytes)]);
+  } catch {
+    return ui.tell("warning", "Files that are no text cannot be shared in a link: send the files.");
+  }
+  const machine = ui.machine.value || chosenAtOpening();
+  const fragment = await fragmentOf({ name, text: editor.view.state.doc.toString(), machine, files: texts });
+  const address = location.href.split("#")[0] + fragment;
+  if (address.length > MOST_LINK) {
+    return ui.tell("warning", `The link would have ${address.length.toLocaleString("en")} characters; up to ${MOST_LINK.toLocaleString("en")} can be shared. Send the file.`);
+  }
+  history.replaceState(null, "", fragment);
+  try {
+    await navigator.clipboard.writeText(address);
+    ui.tell("note", "The link is copied. The program is in the link itself: nothing was sent.");
+  } catch {
+    ui.tell("note", "The link is in the address bar. The program is in the link itself: nothing was sent.");
+  }
+}
+
+/** The machine or setup file that was opened with the program. */
+function chosenAtOpening(): string | null {
+  return sorted([{ name }, ...files.map(({ path }) => ({ name: path }))]).machine ?? null;
+}
+
+let start: Start | undefined;
+
+function furnish(own: Page): void {
+  page = own;
+  const { ui, editor } = own;
+  start = new Start({
+    files: (given) => void openFiles(given),
+    text: (text) => openTexts({ name: "pasted.nc", text, machine: null, files: [] }),
+    recent: (kept) => void find(kept).then((found) => found && open(found)),
+    example: (example: Example) => openTexts(example),
+  });
+  const button = (id: string, text: string, title: string, act: () => void) => {
+    const made = element("button", "", text);
+    Object.assign(made, { type: "button", id, title });
+    made.addEventListener("click", act);
+    return made;
+  };
+  ui.save.title = "Save: the browser keeps the file with its downloads (Ctrl-S)";
+  ui.save.before(button("open", "Open", "Open a program, an example, or machine files", () => start!.show()));
+  const sharing = button("share", "Share", "A link with the program in it", () => void share());
+  sharing.hidden = true;
+  ui.save.after(sharing);
+  // A machine file that was laid next to the program is the one that it runs on.
+  new MutationObserver(() => {
+    if (chooseLater === undefined || ![...ui.machine.options].some(({ value }) => value === chooseLater)) return;
+    ui.machine.value = chooseLater;
+    chooseLater = undefined;
+  }).observe(ui.machine, { childList: true });
+  core.onLost = (why) => {
+    const text = editor.view.state.doc.toString();
+    if (name === "") return ui.tell("error", `Chordal cannot start: ${why}.`);
+    ui.ask(`Chordal failed: ${why}. What you typed is still here.`, [
+      ["Begin again with it", () => {
+        editor.setDirty(false);
+        open({ name, program: encode(text), files, machine: ui.machine.value || (chosenAtOpening() ?? undefined) });
+      }],
+    ]);
+  };
+  dropped(document);
+  window.addEventListener("hashchange", () => void openLink());
+  void openLink().then((isOpen) => {
+    if (!isOpen) start!.show();
+  });
+  offline((load) => ui.ask("A newer version of this page is ready.", [["Load it", load], ["Later", () => {}]]));
+  // For the browser's tests.
+  Object.assign(window, { alone: { core, open, opened: () => ({ name, files }) } });
+}
+
+/** Files and texts that are dropped or pasted anywhere but in the text are opened. */
+function dropped(root: Document): void {
+  root.addEventListener("dragover", (event) => {
+    if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
+  });
+  root.addEventListener("drop", (event) => {
+    const given = [...(event.dataTransfer?.files ?? [])];
+    if (given.length === 0) return;
+    event.preventDefault();
+    start?.hide();
+    void openFiles(given);
+  }, true);
+  root.addEventListener("paste", (event) => {
+    if ((event.target as HTMLElement | null)?.closest?.(".cm-editor, input, textarea")) return;
+    const given = [...(event.clipboardData?.files ?? [])];
+    const text = event.clipboardData?.getData("text/plain") ?? "";
+    if (given.length === 0 && text.trim() === "") return;
+    event.preventDefault();
+    start?.hide();
+    if (given.length > 0) void openFiles(given);
+    else openTexts({ name: "pasted.nc", text, machine: null, files: [] });
+  });
+}
+
+use({
+  dial: (take) => core.dial(take),
+  lost: "",
+  saved: "Saved: the file is with the browser's downloads.",
+  keep: (fileName, bytes) => {
+    download(fileName, bytes);
+    remember(bytes.slice().buffer as ArrayBuffer);
+  },
+  furnish,
+});

@@ -1,0 +1,42 @@
+// What differs between the page that `chordal view` serves and the one that stands alone.
+
+import type { Editor } from "./editor";
+import type { layout } from "./layout";
+import type { Link } from "./link";
+
+/** The way to what answers: requests go out as text; answers come in as text, columns as bytes. */
+export interface Line {
+  readonly isOpen: boolean;
+  send(text: string): void;
+}
+
+/** The parts of the page that a shell may add to. */
+export interface Page {
+  ui: ReturnType<typeof layout>;
+  editor: Editor;
+  link: Link;
+}
+
+export interface Shell {
+  dial: (take: (data: string | ArrayBuffer) => void, closed: () => void) => Line;
+  /** What is said when nothing answers any more. */
+  lost: string;
+  /** What is said of a text that was saved. */
+  saved: string;
+  /** Takes a file that the browser is to keep. */
+  keep?: (name: string, bytes: Uint8Array) => void;
+  /** Adds what only this page has. */
+  furnish?: (page: Page) => void;
+}
+
+let own: Shell | undefined;
+
+/** Says which page this is, before the page is put together. */
+export function use(shell: Shell): void {
+  own = shell;
+}
+
+export function shell(): Shell {
+  if (!own) throw new Error("nobody said which page this is");
+  return own;
+}

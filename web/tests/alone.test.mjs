@@ -1,0 +1,228 @@
+// The page that stands alone: the tests of the page that `chordal view` serves, and what only this one does.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
+process.env.CHORDAL_ALONE = "1";
+const { ROOT, picture, reported, session } = await import("./browser.mjs");
+await import("./page.test.mjs");
+
+const PROFILE = join(ROOT, "examples/fadal/profile-g18.nc");
+const tests = session();
+const textOf = (page) => page.evaluate(() => window.chordal.editor.view.state.doc.toString());
+const toast = (page, words) => page.waitForFunction((words) => new RegExp(words).test(document.querySelector(".toast").innerText), words);
+
+/** Types behind the last line and waits for what comes of it. */
+async function type(page, text) {
+  await page.evaluate(() => {
+    const { view } = window.chordal.editor;
+    view.dispatch({ selection: { anchor: view.state.doc.length } });
+    view.focus();
+  });
+  await page.keyboard.type(text);
+}
+
+test("a start shows examples with what each shows, and one is opened", async () => {
+  const { page, complaints } = await tests.started();
+  await page.locator(".examples summary", { hasText: "Stock" }).click();
+  const card = page.locator(".examples .card", { hasText: "op1.nc" });
+  assert.match(await card.innerText(), /Operation 1: pocket and round groove/);
+  await picture(page, "alone-start");
+  await card.click();
+  await reported(page);
+  await page.waitForFunction(() => window.chordal.stock.shown?.() !== undefined || document.querySelector(".stock-slot").innerText !== "");
+  assert.match(await page.locator(".name").innerText(), /op1\.nc/);
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("the dialog of the start has nothing serious against it, light and dark", async () => {
+  const axe = readFileSync(join(ROOT, "web/node_modules/axe-core/axe.min.js"), "utf8");
+  const { page } = await tests.started();
+  await page.locator(".examples summary").first().click();
+  await page.evaluate(axe);
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    const { violations } = await page.evaluate(() => window.axe.run());
+    const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
+    assert.deepEqual(serious.map(({ id, nodes }) => `${colorScheme} ${id}: ${nodes.map(({ html }) => html).join(" ").slice(0, 300)}`), []);
+  }
+  await picture(page, "alone-start-dark");
+  await page.close();
+});
+
+test("files are dropped, a text is pasted, and what is open lately is kept and forgotten", async () => {
+  const { page } = await tests.started();
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.items.add(new File(["%\nO7\nG21 G90\nG0 X1. Y2.\nM30\n%\n"], "dropped.nc"));
+    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  });
+  await reported(page);
+  assert.match(await textOf(page), /O7/);
+  await page.locator("#open").click();
+  await page.locator("#paste").fill("G21\nG0 X5.\nM30\n");
+  await page.getByRole("button", { name: "Open the text" }).click();
+  await page.waitForFunction(() => /X5\./.test(window.chordal.editor.view.state.doc.toString()));
+  await page.reload();
+  const card = page.locator(".recents .card", { hasText: "dropped.nc" });
+  await page.locator("#start-title").waitFor();
+  // It is put away once the picture is there.
+  for (let times = 0; times < 20 && (await card.count()) === 0; times++) {
+    await page.waitForTimeout(200);
+    await page.getByRole("button", { name: "Close" }).click();
+    await page.locator("#open").click();
+  }
+  await card.click();
+  await reported(page);
+  assert.match(await textOf(page), /O7/);
+  await page.locator("#open").click();
+  await page.getByRole("button", { name: "Forget dropped.nc" }).click();
+  await page.waitForFunction(() => !/dropped/.test(document.querySelector(".recents").innerText));
+  await page.close();
+});
+
+test("a machine file that is chosen alone is the machine of the program", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "chordal-alone-"));
+  writeFileSync(join(folder, "mine.toml"), 'inherits = "haas-vf2"\ntitle = "Mine"\n');
+  writeFileSync(join(folder, "wrong.toml"), 'inherits = "haas-vf2"\ncolour = "red"\n');
+  const { page } = await tests.open(PROFILE, "--machine", "fadal-4020");
+  await page.setInputFiles("#files", join(folder, "mine.toml"));
+  await page.waitForFunction(() => document.querySelector("#machine").value === "mine.toml");
+  await page.waitForFunction(() => /Mine/.test(document.querySelector(".paths").innerText));
+  // One that is wrong says where and what.
+  await page.setInputFiles("#files", join(folder, "wrong.toml"));
+  await page.waitForFunction(() => /colour/.test(document.querySelector("#panel-problems").innerText));
+  await page.locator("#machine").selectOption("mine.toml");
+  await page.waitForFunction(() => document.querySelector("#counts").innerText !== "Cannot run");
+  await page.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+test("a link holds the program, and one that is damaged says so", async () => {
+  const { page } = await tests.open(PROFILE, "--machine", "fadal-4020");
+  await type(page, "(ä → 😀)");
+  await page.locator("#share").click();
+  await page.waitForFunction(() => location.hash.startsWith("#p="));
+  const [address, text] = [page.url(), await textOf(page)];
+  await page.evaluate(() => window.chordal.editor.setDirty(false));
+  await page.close();
+  const other = (await tests.started()).page;
+  await other.goto("about:blank");
+  await other.goto(address);
+  await reported(other);
+  assert.equal(await textOf(other), text);
+  assert.match(await other.evaluate(() => document.querySelector("#machine").selectedOptions[0].textContent), /Fadal/);
+  await other.evaluate(() => (location.hash = "#p=AAAA"));
+  await toast(other, "damaged");
+  assert.equal(await textOf(other), text);
+  // What is too long for a link is not cut off.
+  await other.evaluate(() => {
+    const words = Array.from({ length: 20_000 }, (_, at) => `(${Math.sin(at)})`).join("\n");
+    window.chordal.editor.view.dispatch({ changes: { from: 0, insert: words } });
+  });
+  await other.locator("#share").click();
+  await toast(other, "characters");
+  await other.evaluate(() => window.chordal.editor.setDirty(false));
+  await other.close();
+});
+
+test("whatever a file holds gets an answer, and the next one works", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "chordal-alone-"));
+  const line = join(folder, "line.nc");
+  writeFileSync(line, `${"G1 X1. Y2. ".repeat(90_000)}\n`);
+  const binary = join(folder, "picture.nc");
+  writeFileSync(binary, Buffer.from(Array.from({ length: 1_000_000 }, (_, at) => (at * 7919) % 256)));
+  const { page, complaints } = await tests.started();
+  await page.setInputFiles("#files", line);
+  await reported(page);
+  await page.waitForFunction(() => /[1-9]\d* error/.test(document.querySelector("#counts").innerText));
+  await page.setInputFiles("#files", binary);
+  await toast(page, "binary data");
+  await page.setInputFiles("#files", PROFILE);
+  await page.waitForFunction(() => /G18/.test(window.chordal.editor.view.state.doc.toString()) && window.chordal.report()?.errors === 0);
+  await page.setInputFiles("#files", join(ROOT, "examples/stock/op1.toml"));
+  assert.deepEqual(complaints, []);
+  await page.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+test("an edit overtakes the run of the text before", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "chordal-alone-"));
+  const path = join(folder, "long.ngc");
+  const rows = Array.from({ length: 150_000 }, (_, at) => `X${(at % 1000) / 10}Y${Math.floor(at / 1000) / 10}`);
+  writeFileSync(path, ["G21 G90 F1000", "G1 Z0", ...rows, "M30", ""].join("\n"));
+  const page = await tests.begin(path);
+  await reported(page);
+  const before = await page.evaluate(() => window.chordal.path().rows);
+  await page.evaluate(() => {
+    const { view } = window.chordal.editor;
+    // Two edits, the second while the first runs.
+    view.dispatch({ changes: { from: 0, insert: "G0 X1.\n" } });
+    window.chordal.editor.flush();
+    setTimeout(() => {
+      view.dispatch({ changes: { from: 0, insert: "G0 X2.\nG0 X3.\n" } });
+      window.chordal.editor.flush();
+    }, 150);
+  });
+  await page.waitForFunction((rows) => window.chordal.report()?.rows === rows, before + 3);
+  await page.waitForFunction(() => window.chordal.setpoints());
+  // What is asked meanwhile is answered.
+  await page.waitForSelector(".word-gcode");
+  await page.evaluate(() => window.chordal.editor.setDirty(false));
+  await page.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+test("a part of the interpreter that fails is told, and the page goes on", async () => {
+  const { page } = await tests.open(PROFILE, "--machine", "fadal-4020");
+  await page.waitForFunction(() => window.chordal.setpoints());
+  await page.evaluate(() => window.alone.core.fail(0));
+  await page.waitForFunction(() => /asked to panic/.test(document.querySelector("#panel-problems").innerText));
+  await type(page, "(A)");
+  await page.waitForFunction(() => document.querySelector("#counts").innerText === "0 errors");
+  await page.evaluate(() => window.alone.core.fail("answers"));
+  await toast(page, "asked to panic");
+  await page.evaluate(() => (window.before = window.chordal.report()));
+  await page.getByRole("button", { name: "Begin again with it" }).click();
+  await page.waitForFunction(() => window.chordal.report() && window.chordal.report() !== window.before);
+  assert.match(await textOf(page), /\(A\)$/);
+  await type(page, "(B)");
+  await page.waitForFunction(() => /\(A\)\(B\)$/.test(window.chordal.editor.view.state.doc.toString()));
+  await page.waitForFunction(() => document.querySelector("#counts").innerText === "0 errors");
+  await page.evaluate(() => window.chordal.editor.setDirty(false));
+  await page.close();
+});
+
+test("nothing is asked of another address, the page works without a network, and a newer one is offered", async () => {
+  const { page } = await tests.started();
+  await page.evaluate(async () => {
+    await navigator.serviceWorker.ready;
+    if (!navigator.serviceWorker.controller) await new Promise((done) => navigator.serviceWorker.addEventListener("controllerchange", done));
+  });
+  const versions = () => page.evaluate(() => caches.keys());
+  const [before] = await versions();
+  tests.server().changed["sw.js"] = (text) => text.replace(/VERSION = "\w+"/, 'VERSION = "newer"');
+  await page.reload();
+  await page.getByRole("button", { name: "Close" }).click();
+  await toast(page, "newer version");
+  await Promise.all([page.waitForEvent("load"), page.getByRole("button", { name: "Load it" }).click()]);
+  await page.waitForFunction(() => caches.keys().then((names) => names.length === 1 && names[0].endsWith(" newer")));
+  assert.ok(!before.endsWith(" newer"), before);
+  await page.close();
+  const foreign = tests.asked.filter((address) => !/^(blob:|data:|about:)/.test(address) && !address.startsWith(tests.url()));
+  assert.deepEqual(foreign, []);
+  tests.server().stop();
+  await tests.context().setOffline(true);
+  const { page: offline, complaints } = await tests.started();
+  await offline.locator(".examples summary", { hasText: "Haas" }).first().click();
+  await offline.locator(".examples .card", { hasText: "drilled-plate.nc" }).click();
+  await reported(offline);
+  await offline.waitForFunction(() => window.chordal.setpoints());
+  await picture(offline, "alone-offline");
+  assert.deepEqual(complaints, []);
+  await offline.close();
+});
