@@ -31,6 +31,10 @@ pub struct Corner {
 
 /// What comes after the move that is held.
 #[derive(Debug)]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "most of what waits is commands: a box would be one for each"
+)]
 pub(crate) enum Waiting {
     Command(Command),
     BlockDone(Origin, Box<Modal>),

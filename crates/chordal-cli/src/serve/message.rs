@@ -59,34 +59,48 @@ struct Object {
 const FORM: &str =
     r#"a question is {"id":1,"ask":"check","program":{"file":"part.nc"}}; see docs/serve.md"#;
 
+/// A line that is not a question: its `id`, as far as it can be read, and what is wrong.
+pub struct Refused {
+    pub id: Value,
+    pub told: Failure,
+}
+
+impl Refused {
+    fn of(id: &Value, told: Failure) -> Box<Refused> {
+        Box::new(Refused { id: id.clone(), told })
+    }
+}
+
 impl Message {
-    /// Reads a line; with what is wrong comes the `id` of the line, as far as it can be read.
-    pub fn read(line: &[u8]) -> Result<Message, (Value, Failure)> {
+    /// Reads a line.
+    pub fn read(line: &[u8]) -> Result<Message, Box<Refused>> {
         let wrong = |message: String| Failure::wrong(message, FORM);
-        let value: Value = serde_json::from_slice(line)
-            .map_err(|error| (Value::Null, wrong(format!("the line is not JSON: {error}"))))?;
+        let value: Value = serde_json::from_slice(line).map_err(|error| {
+            Refused::of(&Value::Null, wrong(format!("the line is not JSON: {error}")))
+        })?;
         let id = value.get("id").cloned().unwrap_or_default();
-        let object: Object = serde_json::from_value(value)
-            .map_err(|error| (id.clone(), wrong(format!("the line is not a question: {error}"))))?;
+        let object: Object = serde_json::from_value(value).map_err(|error| {
+            Refused::of(&id, wrong(format!("the line is not a question: {error}")))
+        })?;
         if !(id.is_null() || id.is_number() || id.is_string()) {
-            return Err((Value::Null, wrong("`id` is not a number or a text".into())));
+            return Err(Refused::of(&Value::Null, wrong("`id` is not a number or a text".into())));
         }
         match (object.ask, object.cancel) {
             (Some(ask), None) => {
                 let given = object.program.into_iter().chain(object.programs);
                 let programs = given.map(Asked::of).collect::<Result<Vec<_>, _>>();
-                let programs = programs.map_err(|told| (id.clone(), told))?;
+                let programs = programs.map_err(|told| Refused::of(&id, told))?;
                 let options = Value::Object(object.options);
                 let is_watched = object.watch;
                 if is_watched && programs.iter().all(|program| program.file.is_none()) {
                     let told = Failure::wrong("there is no file to watch", FORM);
-                    return Err((id, told));
+                    return Err(Refused::of(&id, told));
                 }
                 let question = Question { id, ask, programs, options, is_watched, times: 0 };
                 Ok(Message::Ask(Box::new(question)))
             }
             (None, Some(cancelled)) => Ok(Message::Cancel(cancelled)),
-            _ => Err((id, wrong("the line needs either `ask` or `cancel`".into()))),
+            _ => Err(Refused::of(&id, wrong("the line needs either `ask` or `cancel`".into()))),
         }
     }
 }

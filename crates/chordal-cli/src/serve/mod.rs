@@ -92,7 +92,11 @@ impl Serving {
     }
 
     fn take(&mut self, line: lines::Line) -> Result<(), Failure> {
-        match line.map_err(|told| (Value::Null, told)).and_then(|line| Message::read(&line)) {
+        let line = match line {
+            Ok(line) => line,
+            Err(told) => return self.tell(&json!({ "id": null, "error": told.json() })),
+        };
+        match Message::read(&line) {
             Ok(Message::Ask(question)) => self.waiting.push_back(*question),
             Ok(Message::Cancel(id)) => {
                 let before = self.waiting.len();
@@ -100,7 +104,9 @@ impl Serving {
                 let was_known = self.watching.forget(&id) || self.waiting.len() < before;
                 self.tell(&json!({ "id": id, "cancelled": was_known }))?;
             }
-            Err((id, told)) => self.tell(&json!({ "id": id, "error": told.json() }))?,
+            Err(refused) => {
+                self.tell(&json!({ "id": refused.id, "error": refused.told.json() }))?;
+            }
         }
         Ok(())
     }

@@ -435,10 +435,10 @@ fn missing_axes(old: &Job, target: &Machine, trace: &Trace) -> Vec<Refusal> {
             }
         }
         let Some(motion) = command.kind.motion() else { continue };
-        for axis in 0..first.len() {
+        for (axis, first) in first.iter_mut().enumerate() {
             let is_across = surface.is_some_and(|surface| surface.across == axis);
             if motion.from[axis] != motion.to[axis] && !is_across {
-                first[axis].get_or_insert(command);
+                first.get_or_insert(command);
             }
         }
     }

@@ -31,7 +31,7 @@ pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
             // It ends what is not active, or the control refuses it.
             Some((word, _)) if words_differ(context, code) => {
                 draft.remove(word, "nothing is active that it ends");
-                rest_of_code(draft, &[b'C', b'Y', b'R', b'Q']);
+                rest_of_code(draft, b"CYRQ");
                 Ok(())
             }
             _ => Ok(()),
