@@ -24,6 +24,8 @@ export interface Closed {
 
 /** Questions that are about a run: the worker that has it answers. */
 const ROUTES: Record<string, Kind> = { state: RUN, chords: RUN, other_text: COMPARE };
+/** Questions about words, for which this worker reads the whole text: they wait while the path comes through it. */
+const WORDS = new Set(["tokens", "hover", "definition", "outline"]);
 /** How long a long text waits for the first lines of the path, ms. */
 const HOLD_MS = 1000;
 
@@ -36,6 +38,9 @@ export function answers(port: Port): void {
   const wants = new Map<Kind, number>();
   /** The number of the run that each worker works on or for. */
   let run = 0;
+  let isRunning = false;
+  /** Questions that wait for the end of the run. */
+  let waiting: string[] = [];
   /** The page may show another program. */
   let isTold = false;
 
@@ -53,6 +58,7 @@ export function answers(port: Port): void {
       done: (told) => {
         if (kind === RUN) out.release();
         if (told !== "") guarded(() => engine.ran(told));
+        if (kind === RUN) askWaiting();
       },
       failed: (why, asked) => failed(kind, why, asked),
     });
@@ -70,6 +76,14 @@ export function answers(port: Port): void {
     else tell({ type: "no_stock", run, message, help });
     for (const id of asked) tell({ type: "error", id, message, help });
     out.release();
+    if (kind === RUN) askWaiting();
+  }
+
+  function askWaiting(): void {
+    isRunning = false;
+    const asked = waiting;
+    waiting = [];
+    for (const each of asked) guarded(() => engine.ask(each));
   }
 
   /** Gives out what is wanted, the newest of each kind. */
@@ -83,6 +97,7 @@ export function answers(port: Port): void {
   }
 
   function give(kind: Kind, job: Job): void {
+    if (kind === RUN) isRunning = true;
     if (kind !== COMPARE) return hands[kind].give(job);
     const handed = JSON.parse(new TextDecoder().decode(job.handed)) as { other: unknown; is_told?: boolean };
     const isNothing = handed.other === "nothing";
@@ -108,6 +123,7 @@ export function answers(port: Port): void {
       const { ask, id } = JSON.parse(message) as { ask: string; id: number };
       const kind = ROUTES[ask];
       if (kind !== undefined) hands[kind].ask(id, message);
+      else if (isRunning && WORDS.has(ask)) waiting.push(message);
       else guarded(() => engine.ask(message));
     } else if ("open" in message) {
       const { program, ...rest } = message.open;

@@ -86,7 +86,7 @@ pub fn engagement_text(found: &EngagementReport) -> String {
             row("torque ± 30 %", torque, &|nm| words.torque(nm));
         }
     }
-    if found.tools.is_empty() {
+    if found.tools.is_empty() && found.not_measured.is_empty() {
         text += "no move is cut from the stock\n";
     }
     match (&found.material, &found.material_word) {
