@@ -27,7 +27,6 @@ mod comp_range;
 mod compare;
 mod completions;
 mod convert;
-mod diff;
 mod engagement;
 mod explain;
 mod failure;
@@ -126,7 +125,7 @@ enum Command {
     Check(check::Args),
     Archive(archive::Args),
     Compare(compare::Args),
-    Diff(Box<diff::Args>),
+    Diff(Box<archive::diff::Args>),
     Convert(convert::Args),
     Transform(Box<transform::Args>),
     Restart(restart::Args),
@@ -157,7 +156,7 @@ impl Command {
             Command::Check(args) => check::run(args, terminal),
             Command::Archive(args) => archive::run(&args, terminal),
             Command::Compare(args) => compare::run(&args, terminal),
-            Command::Diff(args) => diff::run(&args, terminal),
+            Command::Diff(args) => archive::diff::run(&args, terminal),
             Command::Convert(args) => convert::run(&args, terminal),
             Command::Transform(args) => transform::run(&args, terminal),
             Command::Restart(mut args) => restart::run(&mut args, terminal),

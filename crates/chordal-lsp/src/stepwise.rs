@@ -38,7 +38,7 @@ use crate::worker::{Bench, Worker};
 /// server.hear(opened.into());
 /// assert!(server.has_work());
 /// let told = server.work();
-/// assert!(matches!(&told[..], [Message::Notification(told)] if told.method.contains("publish")));
+/// assert!(matches!(&told[0], Message::Notification(told) if told.method.contains("publish")));
 /// ```
 pub struct Stepwise {
     server: Option<Server<'static>>,

@@ -93,7 +93,7 @@ const TOOLS: [&str; 4] = [
 
 /// Words with which a block is tried: alone, and such as its code may need.
 const WORDS: [&str; 6] =
-    ["", "X5. Y6.", "X5. Y2. I1.5", "X5. Z-5. R2.", "X5. Z-5. R2. Q1. P1", "P1"];
+    ["", "X5. Y6.", "X5. Y2. I1.5", "X5. Z-5. R2.5", "X5. Z-5. R2.5 Q1. P1", "P1"];
 
 struct Ran {
     /// Everything that the program makes the machine do.

@@ -1,17 +1,14 @@
 //! Whole archives.
 
 mod check;
+pub mod diff;
 mod progress;
-
-pub use check::keep_programs;
-pub use progress::Meter;
 
 use std::path::{Path, PathBuf};
 
 use chordal::machine::ControlName;
 use chordal_load::{Given, Request};
 
-use crate::diff;
 use crate::failure::{Failure, Verdict};
 use crate::terminal::Terminal;
 

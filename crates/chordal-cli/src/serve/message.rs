@@ -6,7 +6,7 @@ use chordal_ask::{Failure, Files, Program, ProgramOptions, Request, options};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
-use super::watching::Stamp;
+use super::stamp::Stamp;
 
 /// A line.
 pub enum Message {

@@ -5,6 +5,7 @@
 
 mod lines;
 mod message;
+mod stamp;
 mod watching;
 
 use std::collections::VecDeque;

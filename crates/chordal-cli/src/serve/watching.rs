@@ -1,32 +1,14 @@
 //! Questions that are answered again when a file changes.
 
-use std::fs;
-use std::path::PathBuf;
-use std::time::{Duration, Instant, SystemTime};
+use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
 use super::message::Question;
+use super::stamp::Stamp;
 
 /// A file that is being written is read when it has been left alone for so long.
 const SETTLED: Duration = Duration::from_millis(100);
-
-/// A file as a look at it shows it.
-#[derive(Clone, PartialEq)]
-pub struct Stamp {
-    path: PathBuf,
-    /// Length and time; nothing where there is no file.
-    found: Option<(u64, Option<SystemTime>)>,
-}
-
-impl Stamp {
-    /// A file as it is now.
-    pub fn of(path: PathBuf) -> Stamp {
-        let about = fs::metadata(&path).ok();
-        let found = about.map(|about| (about.len(), about.modified().ok()));
-        Stamp { path, found }
-    }
-}
 
 /// The watched questions.
 #[derive(Default)]

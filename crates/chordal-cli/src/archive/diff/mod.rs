@@ -8,7 +8,9 @@ use chordal_archive::Disk;
 use chordal_archive::diff::{DiffOptions, DiffRow, Status, compare_all, write_table};
 use clap::ValueEnum;
 
-use crate::archive::{Machines, Meter, jobs, keep_programs};
+use super::check::keep_programs;
+use super::progress::Meter;
+use super::{Machines, jobs};
 use crate::failure::{Failure, Verdict};
 use crate::output;
 use crate::terminal::{Terminal, say};
