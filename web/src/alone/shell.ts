@@ -30,8 +30,7 @@ function download(fileName: string, bytes: Uint8Array): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
-/** When a program is put away: a long one once its path is there, ms. */
-const KEEP_AFTER_MS = 1000;
+/** A program is put away at once, so that closing the page does not lose it; a long one when its path is there, ms. */
 const KEEP_LONG_AFTER_MS = 15_000;
 const LONG_BYTES = 2 ** 20;
 
@@ -39,7 +38,8 @@ function remember(program: ArrayBuffer, machine?: string): void {
   if (sizeOf({ program, files }) > MOST_EACH) return;
   // The page gives the bytes away.
   const kept = { name, program: program.slice(0), files, machine, at: Date.now() };
-  setTimeout(() => void keep(kept), program.byteLength > LONG_BYTES ? KEEP_LONG_AFTER_MS : KEEP_AFTER_MS);
+  if (program.byteLength > LONG_BYTES) setTimeout(() => void keep(kept), KEEP_LONG_AFTER_MS);
+  else void keep(kept);
 }
 
 interface Opening {
