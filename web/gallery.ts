@@ -67,6 +67,6 @@ export function gallery(root: string): Group[] {
       }
       return { name, shows: shows(text), text, files, machine };
     });
-    return { title: TITLES[folder] ?? folder, examples };
+    return { title: TITLES[folder] ?? folder, folder, examples };
   }).filter(({ examples }) => examples.length > 0);
 }

@@ -54,6 +54,17 @@ test("the dialog of the start has nothing serious against it, light and dark", a
   await page.close();
 });
 
+test("an address names an example", async () => {
+  const { page } = await tests.started();
+  await page.goto(`${tests.url()}?example=haas/thread-mill.nc`);
+  await reported(page);
+  assert.match(await textOf(page), /THREAD HOB/);
+  await page.goto(`${tests.url()}?example=haas/none.nc`);
+  await page.getByText("There is no example haas/none.nc.").first().waitFor();
+  await page.locator("#start-title").waitFor();
+  await page.close();
+});
+
 test("files are dropped, a text is pasted, and what is open lately is kept and forgotten", async () => {
   const { page } = await tests.started();
   await page.evaluate(() => {

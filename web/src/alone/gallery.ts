@@ -15,7 +15,15 @@ export interface Example {
 
 export interface Group {
   title: string;
+  /** The folder of the examples. */
+  folder: string;
   examples: Example[];
+}
+
+/** The example of a path, as `haas/thread-mill.nc`. */
+export function named(groups: Group[], path: string): Example | undefined {
+  const [folder, name] = path.split("/");
+  return groups.find((group) => group.folder === folder)?.examples.find((example) => example.name === name);
 }
 
 let loaded: Promise<Group[]> | undefined;

@@ -5,7 +5,7 @@ import { element } from "../panels";
 import { type Page, use } from "../shell";
 import { Core } from "./core";
 import type { File_ } from "./engine";
-import type { Example } from "./gallery";
+import { type Example, gallery, named } from "./gallery";
 import { nameOf, sorted, tooLarge } from "./given";
 import { offline } from "./offline";
 import { MOST_EACH, find, keep, sizeOf } from "./recent";
@@ -127,6 +127,21 @@ async function openLink(): Promise<boolean> {
   }
 }
 
+/** Opens the example that the address names: `?example=haas/thread-mill.nc`, as pages link to it. */
+async function openExample(): Promise<boolean> {
+  const wanted = new URLSearchParams(location.search).get("example");
+  if (!wanted) return false;
+  try {
+    const example = named(await gallery(), wanted);
+    if (example) openTexts(example, true);
+    else refuse(`There is no example ${wanted}.`);
+    return example !== undefined;
+  } catch (error) {
+    refuse(`The examples cannot be read: ${String(error)}`);
+    return false;
+  }
+}
+
 async function share(): Promise<void> {
   const { ui, editor } = page!;
   const decoder = new TextDecoder("utf-8", { fatal: true });
@@ -196,7 +211,7 @@ function furnish(own: Page): void {
   };
   dropped(document);
   window.addEventListener("hashchange", () => void openLink());
-  void openLink().then((isOpen) => {
+  void openLink().then((isOpen) => isOpen || openExample()).then((isOpen) => {
     if (!isOpen) start!.show();
   });
   offline((load) => ui.ask("A newer version of this page is ready.", [["Load it", load], ["Later", () => {}]]));
