@@ -19,4 +19,5 @@ pub use answer::{Answer, Failure};
 pub use ask::ask;
 pub use chordal_load::Files;
 pub use columns::inline;
+pub use loading::setup_of;
 pub use request::{Program, ProgramOptions, Request, options};

@@ -1,9 +1,10 @@
 //! Programs and machines of a request.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use chordal::Machine;
-use chordal_load::{Files, Given, Input, Loaded, Loader, Text, machine};
+use chordal_editor::Setup;
+use chordal_load::{Files, Given, Input, Loaded, Loader, Text, machine, unsaved};
 
 use crate::answer::Failure;
 use crate::request::{Program, Request};
@@ -62,4 +63,26 @@ impl Asked {
     pub fn machine(&self, name: &str) -> Result<Machine, Failure> {
         Ok(machine::named_of(&self.files, name)?)
     }
+}
+
+/// What a text of an editor needs to run: a machine that the editor names comes before that of the request.
+///
+/// # Errors
+/// A sentence for people.
+pub fn setup_of(
+    path: Option<&Path>,
+    text: &[u8],
+    machine: Option<&str>,
+    mut request: chordal_load::Request,
+) -> Result<Setup, String> {
+    if let Some(name) = machine {
+        request.machine = Some(Given::Name(name.to_string()));
+    }
+    let loaded = unsaved(path, text.to_vec(), &request);
+    let loaded = loaded.map_err(|failure| failure.to_string())?;
+    let (why, program) = (loaded.why(), loaded.program);
+    let (mut texts, machine, options) = loaded.into_parts();
+    // The first is the text itself.
+    let beside = texts.split_off(1);
+    Ok(Setup { machine, why, options, program, beside })
 }

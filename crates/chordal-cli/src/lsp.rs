@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use chordal_ask::setup_of;
 use chordal_editor::Setup;
-use chordal_load::{Given, Request, unsaved};
+use chordal_load::Request;
 use chordal_lsp::{Opener, serve};
 
 use crate::failure::{Failure, Verdict};
@@ -37,17 +38,7 @@ impl Opener for Files {
         text: &[u8],
         machine: Option<&str>,
     ) -> Result<Setup, String> {
-        let mut request = self.request.clone();
-        if let Some(name) = machine {
-            request.machine = Some(Given::Name(name.to_string()));
-        }
-        let loaded = unsaved(path, text.to_vec(), &request);
-        let loaded = loaded.map_err(|failure| failure.to_string())?;
-        let (why, program) = (loaded.why(), loaded.program);
-        let (mut texts, machine, options) = loaded.into_parts();
-        // The first is the text itself.
-        let beside = texts.split_off(1);
-        Ok(Setup { machine, why, options, program, beside })
+        setup_of(path, text, machine, self.request.clone())
     }
 }
 

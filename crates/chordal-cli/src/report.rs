@@ -80,7 +80,7 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let mut out = Out::open(path, &args.file, format)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
-    let recognized = loaded.chosen.why(job.control().table.title);
+    let recognized = loaded.why();
     let stock = match &args.setup {
         Some(setup) => Some(stock::left(&job, &StockOptions::default(), Some(setup))?),
         None => None,

@@ -133,7 +133,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     Ok(verdict(&report))
 }
 
-fn verdict(report: &Report) -> Verdict {
+pub fn verdict(report: &Report) -> Verdict {
     if report.worst() == Some(Severity::Error) { Verdict::Problems } else { Verdict::Clean }
 }
 

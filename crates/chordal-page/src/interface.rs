@@ -223,7 +223,7 @@ pub extern "C" fn page_take_over() {
     };
     let end = message.len();
     let Ok(text) = String::from_utf8(message::cut(message, start, end)) else {
-        return refuse(0, "the text is no text", None);
+        return refuse(0, "the text is not UTF-8", None);
     };
     match view.take_over(handed, text) {
         Ok(told) => OUTPUT.set([told.unwrap_or_default().into_bytes(), Vec::new()]),

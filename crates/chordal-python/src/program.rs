@@ -227,10 +227,7 @@ impl Program {
     /// Why this machine, in a line; `None` where the caller said it.
     #[getter]
     fn recognized(&self, py: Python<'_>) -> PyResult<Option<String>> {
-        self.ask(py, |job| {
-            let told = self.loaded.chosen.why(job.control().table.title);
-            Ok(told)
-        })
+        self.ask(py, |_| Ok(self.loaded.why()))
     }
 
     /// The problems as the JSON of `chordal check --format json`, and each as text for people and as
@@ -539,7 +536,7 @@ impl Program {
     #[pyo3(signature = (date))]
     fn report_html(&self, py: Python<'_>, date: Option<&str>) -> PyResult<String> {
         self.ask(py, |job| {
-            let recognized = self.loaded.chosen.why(job.control().table.title);
+            let recognized = self.loaded.why();
             let gathered = gather(
                 job,
                 &About {

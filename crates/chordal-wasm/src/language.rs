@@ -6,8 +6,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+use chordal_ask::setup_of;
 use chordal_editor::Setup;
-use chordal_load::{Files, Given, Request, unsaved};
+use chordal_load::{Files, Request};
 use chordal_lsp::{Opener, Stepwise};
 use lsp_server::Message;
 use serde::{Deserialize, Serialize};
@@ -46,18 +47,8 @@ impl Opener for Brought {
         text: &[u8],
         machine: Option<&str>,
     ) -> Result<Setup, String> {
-        let request = Request {
-            machine: machine.map(|name| Given::Name(name.to_string())),
-            files: self.0.borrow().clone(),
-            ..Request::default()
-        };
-        let loaded = unsaved(path, text.to_vec(), &request);
-        let loaded = loaded.map_err(|failure| failure.to_string())?;
-        let (why, program) = (loaded.why(), loaded.program);
-        let (mut texts, machine, options) = loaded.into_parts();
-        // The first is the text itself.
-        let beside = texts.split_off(1);
-        Ok(Setup { machine, why, options, program, beside })
+        let request = Request { files: self.0.borrow().clone(), ..Request::default() };
+        setup_of(path, text, machine, request)
     }
 }
 

@@ -149,7 +149,7 @@ async function share(): Promise<void> {
   try {
     for (const { path, bytes } of files) texts.push([path, decoder.decode(bytes)]);
   } catch {
-    return ui.tell("warning", "Files that are no text cannot be shared in a link: send the files.");
+    return ui.tell("warning", "Files that are not text cannot be shared in a link: send the files.");
   }
   const machine = ui.machine.value || chosenAtOpening();
   const fragment = await fragmentOf({ name, text: editor.view.state.doc.toString(), machine, files: texts });

@@ -80,7 +80,11 @@ impl Serving {
     /// Takes what was asked in the meantime; waits for it where there is nothing to do. False when
     /// no more can come.
     fn take_lines(&mut self) -> Result<bool, Failure> {
-        let wait = if self.waiting.is_empty() { LOOK } else { Duration::ZERO };
+        let wait = match (self.waiting.is_empty(), self.watching.is_empty()) {
+            (false, _) => Duration::ZERO,
+            (true, false) => LOOK,
+            (true, true) => Duration::MAX,
+        };
         let mut next = self.lines.recv_timeout(wait);
         loop {
             match next {

@@ -24,6 +24,11 @@ struct Watched {
 }
 
 impl Watching {
+    /// Nothing is watched.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// Watches the files of a question.
     pub fn keep(&mut self, question: Question, read: Vec<Stamp>) {
         let (seen, since) = (read.clone(), Instant::now());

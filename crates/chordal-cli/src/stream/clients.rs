@@ -49,7 +49,7 @@ impl Clients {
     }
 
     /// Looks after the clients until a moment: new ones are told everything, heartbeats are answered.
-    pub fn wait_until(&mut self, due: Instant, seen: &mut Observations) {
+    pub fn wait_until(&mut self, due: Instant, seen: &Observations) {
         loop {
             self.look_after(seen);
             let left = due.saturating_duration_since(Instant::now());
@@ -66,15 +66,10 @@ impl Clients {
         if lines.is_empty() {
             return;
         }
-        self.connected.retain_mut(|client| {
-            // A client that comes now gets all of it at once.
-            let all = (!client.is_told).then(|| seen.all_lines());
-            client.is_told = true;
-            client.stream.write_all(all.as_ref().unwrap_or(&lines).as_bytes()).is_ok()
-        });
+        self.connected.retain_mut(|client| client.stream.write_all(lines.as_bytes()).is_ok());
     }
 
-    fn look_after(&mut self, seen: &mut Observations) {
+    fn look_after(&mut self, seen: &Observations) {
         while !self.is_blocking && self.connected.len() < MOST {
             match self.listener.accept() {
                 Ok((stream, _)) => self.add(stream),

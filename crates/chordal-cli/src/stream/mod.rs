@@ -9,13 +9,13 @@ use std::time::{Duration, Instant};
 
 use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::motion::{Level, Sample, Sampling};
-use chordal::{Job, Report, Severity};
+use chordal::{Job, Report};
 use chordal_export::report::{self, Detail};
 
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
 use crate::programs::{load_one, recognized};
-use crate::sample::{failure, period};
+use crate::sample::{failure, period, verdict};
 use crate::terminal::{Terminal, say};
 use clients::Clients;
 use shdr::Observations;
@@ -87,11 +87,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     loop {
         Playing::new(args, &job, &report, &mut clients).play(args, &job)?;
         if !args.repeat {
-            return Ok(if report.worst() == Some(Severity::Error) {
-                Verdict::Problems
-            } else {
-                Verdict::Clean
-            });
+            return Ok(verdict(&report));
         }
     }
 }
@@ -151,7 +147,7 @@ impl<'a, 'b> Playing<'a, 'b> {
             self.observations.set("block", &block(self.job, line));
         }
         let due = Duration::from_secs_f64(sample.time_s / self.rate);
-        self.clients.wait_until(self.began + due, &mut self.observations);
+        self.clients.wait_until(self.began + due, &self.observations);
         self.clients.send(&mut self.observations);
     }
 }

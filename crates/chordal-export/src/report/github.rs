@@ -18,9 +18,7 @@ fn annotation(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
     };
     let info = diagnostic.code.info();
     let title = property(&format!("{} {}", info.id, info.name));
-    let name = sources.get(diagnostic.primary.span.file).map_or("", |source| source.name());
-    // Where a folder is named `.`, its files begin with that; GitHub wants them without.
-    let file = property(name.strip_prefix("./").unwrap_or(name));
+    let file = property(file_of(diagnostic, sources));
     let at = match place(diagnostic.primary.span, sources) {
         Some(at) if at.start.line == at.end.line => {
             format!(",line={},col={},endColumn={}", at.start.line, at.start.column, at.end.column)
@@ -30,6 +28,12 @@ fn annotation(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
         None => String::new(),
     };
     format!("::{command} file={file}{at},title={title}::{}\n", data(&message(diagnostic)))
+}
+
+/// The file of a problem. Where a folder is named `.`, its files begin with that; who shows them wants them without.
+pub(super) fn file_of<'a>(diagnostic: &Diagnostic, sources: &'a SourceMap) -> &'a str {
+    let name = sources.get(diagnostic.primary.span.file).map_or("", |source| source.name());
+    name.strip_prefix("./").unwrap_or(name)
 }
 
 /// The message and what the control would show, and what to do.

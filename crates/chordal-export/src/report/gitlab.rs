@@ -1,9 +1,11 @@
 //! Problems as a Code Quality report of GitLab.
 
+use std::collections::BTreeMap;
+
 use chordal::{Diagnostic, Report, Severity, SourceMap};
 use serde_json::{Value, json};
 
-use super::github::message;
+use super::github::{file_of, message};
 use super::place::place;
 use crate::digest::sha256_hex;
 
@@ -22,9 +24,9 @@ impl Gitlab {
 
     /// Adds the problems of a program.
     pub fn add(&mut self, report: &Report, sources: &SourceMap) {
-        let mut same: std::collections::BTreeMap<String, u32> = Default::default();
+        let mut same: BTreeMap<String, u32> = BTreeMap::new();
         for diagnostic in &report.diagnostics {
-            let name = sources.get(diagnostic.primary.span.file).map_or("", |source| source.name());
+            let name = file_of(diagnostic, sources);
             let block = sources.words(diagnostic.primary.span);
             // Lines move when blocks are inserted above; the words and the sentence stay.
             let about =
@@ -55,6 +57,6 @@ fn problem(diagnostic: &Diagnostic, name: &str, print: &str, sources: &SourceMap
         "check_name": format!("{} {}", diagnostic.code.id(), diagnostic.code.info().name),
         "fingerprint": print,
         "severity": severity,
-        "location": { "path": name.strip_prefix("./").unwrap_or(name), "lines": { "begin": line } },
+        "location": { "path": name, "lines": { "begin": line } },
     })
 }
