@@ -2,6 +2,9 @@
 
 use crate::Axes;
 
+/// No run has more places: an arc of metres within a nanometre would have millions.
+const MOST_PLACES: usize = 500_000;
+
 /// Straight lines from place to place. σ is the length along them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Chords {
@@ -37,9 +40,9 @@ impl Chords {
     }
 
     /// The chords of another run with more places on long ones, where widths are looked for: so far from both
-    /// ends of a chord, and each time twice as far.
-    pub fn divide(&mut self, whole: &Chords, apart: f64) {
-        let Some(first) = whole.places.first() else { return };
+    /// ends of a chord, and each time twice as far. False where that would be too many.
+    pub fn divide(&mut self, whole: &Chords, apart: f64) -> bool {
+        let Some(first) = whole.places.first() else { return true };
         self.begin(*first);
         let mut ways = Vec::new();
         for (place, at) in whole.places.windows(2).zip(whole.at.windows(2)) {
@@ -59,7 +62,11 @@ impl Chords {
                 self.add(between, at[0] + way);
             }
             self.add(place[1], at[1]);
+            if self.places.len() > MOST_PLACES {
+                return false;
+            }
         }
+        true
     }
 
     /// The chords of another run with its inner places elsewhere, at the same σ.
@@ -269,5 +276,15 @@ mod tests {
                 assert!((mean - end).abs() <= 4.0 * f64::EPSILON * end.abs(), "{mean}, not {end}");
             }
         }
+    }
+
+    #[test]
+    fn places_on_long_chords_end_at_a_budget() {
+        let (whole, mut divided) = (line(), Chords::default());
+        assert!(divided.divide(&whole, 0.01));
+        let most: f64 = divided.at.windows(2).map(|at| at[1] - at[0]).fold(0.0, f64::max);
+        assert!(divided.length() == whole.length() && most <= 5.0, "{most}");
+        assert!(!divided.divide(&whole, 1e-30));
+        assert!(divided.places.len() < MOST_PLACES + 300);
     }
 }

@@ -92,7 +92,9 @@ impl Quickest {
         let mut best: Option<Curved> = None;
         for tolerance in std::iter::once(own).chain(lower) {
             let measure = measure.with_linear(tolerance);
-            self.divided.divide(chords, measure.places_apart());
+            if !self.divided.divide(chords, measure.places_apart()) {
+                break;
+            }
             let mut level_s = f64::INFINITY;
             for way in Way::ALL {
                 let mut candidate = self.spare.pop().unwrap_or_default();

@@ -71,6 +71,8 @@ const ROUNDS: usize = 10;
 const ROUNDING: f64 = 1e-9;
 /// So much is kept for what lies between the places of a phase that are looked at.
 const BETWEEN: f64 = 1e-5;
+/// Of a run no more cells are solved in vain for the sake of cruises: it then has no law.
+const MOST_IN_VAIN: usize = 40_000;
 /// No window has fewer cells.
 const FEWEST: usize = 8;
 
@@ -104,6 +106,8 @@ pub(crate) struct Planner {
     speeds: Vec<f64>,
     /// About the least time of the last run without jerk along the path, s.
     least_s: f64,
+    /// Where the last window without an answer began, σ.
+    failed_at: f64,
     pub work: Work,
 }
 
@@ -197,6 +201,7 @@ impl Planner {
 
     /// Lays a run, or a part of it, in cells: about its least time without jerk along the path, s.
     fn lay(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64) -> Option<f64> {
+        self.failed_at = f64::NAN;
         let is_laid = self.grid.lay(run, ends, (gap / USUAL_GAP).clamp(FINEST, 1.0));
         is_laid.then(|| self.own_cells(ends).map(|cell| self.cell_s(cell)).sum())
     }
@@ -244,6 +249,7 @@ impl Planner {
         gap: f64,
         parts: &mut Vec<Part>,
     ) -> Option<()> {
+        let (mut in_vain, mut failed_at) = (0, f64::NAN);
         while parts.len() <= self.cruises.len() {
             let index = parts.len();
             let part = if self.cruises.is_empty() {
@@ -253,9 +259,15 @@ impl Planner {
             };
             match part {
                 Some(part) => parts.push(part),
-                None if self.cruises.is_empty() => return None,
+                None if self.cruises.is_empty() || in_vain > MOST_IN_VAIN => return None,
                 // A cruise that is not reached in time is no ground to have no law.
                 None => {
+                    // What was joined at its end is not why it fails where it did before.
+                    if index == 0 && self.failed_at == failed_at {
+                        return None;
+                    }
+                    failed_at = if index == 0 { self.failed_at } else { f64::NAN };
+                    in_vain += self.grid.cells.len();
                     self.cruises
                         .drain(index.saturating_sub(1)..(index + 1).min(self.cruises.len()));
                     parts.truncate(index.saturating_sub(1));
@@ -368,7 +380,10 @@ impl Planner {
                 }
                 _ => Side::Rest,
             };
-            let solved = self.solve_or_wider(run, begin, to, end, gap)?;
+            let Some(solved) = self.solve_or_wider(run, begin, to, end, gap) else {
+                self.failed_at = if is_last { f64::NAN } else { self.grid.nodes[begin.from].at };
+                return None;
+            };
             if is_last {
                 return Some(());
             }
