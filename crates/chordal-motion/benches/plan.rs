@@ -1,4 +1,4 @@
-//! How many moves a second the fast level plans.
+//! How many moves a second the fast level plans, beside a bare copy of the same moves.
 
 mod rows;
 
@@ -22,6 +22,9 @@ fn bench(c: &mut Criterion) {
         group.throughput(Throughput::Elements(moves.len() as u64));
         group.bench_function(name, |b| b.iter(|| plan(black_box(&moves), joins)));
     }
+    let moves = surface(100_000);
+    group.throughput(Throughput::Elements(moves.len() as u64));
+    group.bench_function("surface copied", |b| b.iter_with_large_drop(|| black_box(&moves).clone()));
     group.finish();
 }
 
