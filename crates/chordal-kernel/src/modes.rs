@@ -95,6 +95,7 @@ impl Kernel<'_> {
     }
 
     /// What turns where the tool cuts: a live tool, or the spindle.
+    #[inline]
     pub(crate) fn turning(&self) -> SpindleState {
         self.state.live.map_or(self.state.spindle, |live| live.turns)
     }
@@ -167,6 +168,23 @@ impl Kernel<'_> {
             Some(surface) => surface.rev_per_s(x),
             None => self.state.rpm / 60.0,
         }
+    }
+
+    /// The speed of what turns during a cut that begins at a place of X, rev/s, and the cutting speed that is
+    /// kept in it.
+    #[inline]
+    pub(crate) fn spindle_of_feed(&self, x: f64) -> (f64, Option<SurfaceSpeed>) {
+        if self.state.live.is_none() && self.state.surface_speed.is_none() {
+            return (self.state.rpm / 60.0, None);
+        }
+        self.spindle_of_lathe(x)
+    }
+
+    #[cold]
+    fn spindle_of_lathe(&self, x: f64) -> (f64, Option<SurfaceSpeed>) {
+        // The spindle holds the part on a surface: it has no cutting speed.
+        let surface = if self.state.surface.is_some() { None } else { self.surface() };
+        (self.rev_per_s(x), surface)
     }
 
     /// The speed of the spindle, rev/min.

@@ -416,6 +416,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
+    #[inline]
     fn execute(&mut self, block: &mut Block) -> Flow {
         self.blocks += 1;
         self.kernel.origin = Origin {
@@ -424,7 +425,9 @@ impl<'a> Interpreter<'a> {
             call: self.kernel.call,
             cycle: false,
         };
-        if let Some(flow) = self.judged_by_firmware(block) {
+        if self.judge.is_some()
+            && let Some(flow) = self.judged_by_firmware(block)
+        {
             return flow;
         }
         let longest = self.control.parameters.longest_line;

@@ -90,7 +90,7 @@ impl Kernel<'_> {
     }
 
     /// The feed of a cutting move, with its checks.
-    #[inline]
+    #[inline(always)]
     pub fn feed_for(
         &mut self,
         at: &dyn Statement,
@@ -102,14 +102,14 @@ impl Kernel<'_> {
         let value = if angular { state.feed_angular } else { state.feed };
         // No F at all is a NaN, which is not above zero either.
         let value = value.unwrap_or(f64::NAN);
+        let (spindle_rev_per_s, surface) = self.spindle_of_feed(motion.from[0]);
         let feed = Feed {
             value,
             mode: state.feed_mode,
             along: FeedAlong::Path,
-            spindle_rev_per_s: self.rev_per_s(motion.from[0]),
+            spindle_rev_per_s,
             lead_change: 0.0,
-            // The spindle holds the part on a surface: it has no cutting speed.
-            surface: if state.surface.is_some() { None } else { self.surface() },
+            surface,
         };
         let each_block = state.feed_mode == FeedMode::InverseTime && !at.has_feed();
         let has_feed = value > 0.0;
