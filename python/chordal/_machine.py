@@ -68,8 +68,8 @@ class Machine:
 
     @property
     def control(self) -> str:
-        """The control that runs its programs: fadal, haas, fanuc, mitsubishi, linuxcnc, or of a lathe fanuc-lathe, haas-lathe,
-        mitsubishi-lathe, linuxcnc-lathe."""
+        """The control that runs its programs: fadal, haas, fanuc, mitsubishi, linuxcnc, grbl, grblhal,
+        fluidnc, or of a lathe fanuc-lathe, haas-lathe, mitsubishi-lathe, linuxcnc-lathe."""
         return self._machine.control
 
     @property

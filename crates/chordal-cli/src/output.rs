@@ -192,7 +192,7 @@ impl<'a> Outputs<'a> {
         for Target { path, format } in targets {
             let writer = open(path, *format, job).map_err(|error| failure(path, &error))?;
             if matches!(writer, Writer::Picture(..)) {
-                outputs.plot.get_or_insert_with(|| Plot::new(job));
+                outputs.plot.get_or_insert_with(|| Plot::picture(job));
             }
             outputs.writers.push((path.clone(), writer));
         }

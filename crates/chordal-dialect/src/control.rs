@@ -52,7 +52,7 @@ impl Control {
         let mut macros = *table.macros;
         macros.atan_full_circle = parameters.macro_angles_full_circle;
         macros.asin_full_circle = parameters.macro_angles_full_circle;
-        let control = Control {
+        let mut control = Control {
             table,
             parameters,
             macros,
@@ -60,7 +60,24 @@ impl Control {
             m_rows: by_number(table.m_codes),
             axes,
         };
+        control.drop_options();
         (control, errors)
+    }
+
+    /// Codes of options that the build of its firmware does not have are not there.
+    fn drop_options(&mut self) {
+        let options = self.table.firmware.map_or(&[][..], |firmware| firmware.optional);
+        for (option, codes) in options {
+            if self.parameters.build.has(*option) {
+                continue;
+            }
+            for (letter, code) in *codes {
+                let rows = if *letter == b'G' { &mut self.g_rows } else { &mut self.m_rows };
+                if let Some(row) = rows.get_mut(usize::from(*code)) {
+                    *row = None;
+                }
+            }
+        }
     }
 
     /// The row of a G code (ten times its number).

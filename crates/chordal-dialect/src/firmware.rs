@@ -60,7 +60,85 @@ pub enum Refusal {
     LengthAxis,
     /// A tool number above the largest.
     ToolNumber,
+    /// A value that must be above zero.
+    NotPositive,
+    /// A hole whose bottom is above its R level.
+    LevelOrder,
+    /// A spline in another plane than XY.
+    SplinePlane,
 }
+
+/// What a slash in a line does.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Slash {
+    /// It is dropped, wherever it stands.
+    Dropped,
+    /// The same, but at the begin of a line it takes the line away where block delete is on.
+    Deletes,
+    /// It is a character that begins no word.
+    Kept,
+}
+
+/// How a line of text becomes words.
+#[derive(Clone, Copy, Debug)]
+pub struct LineRules {
+    /// Most characters.
+    pub longest: usize,
+    /// Blanks and comments count among them.
+    pub counts_blanks: bool,
+    /// `%` on a line of its own marks the program, and says nothing.
+    pub percent_marks: bool,
+    /// A slash.
+    pub slash: Slash,
+    /// So many digits of a number count.
+    pub digits: u32,
+    /// Zeros in front are among them.
+    pub zeros_count: bool,
+    /// A `$` may begin a command or a setting of any name.
+    pub named_commands: bool,
+    /// Letters of its words.
+    pub letters: Letters,
+}
+
+/// What a firmware lets pass that its kin refuses.
+#[derive(Clone, Copy, Debug)]
+pub struct BlockRules {
+    /// G2 and G3 with a centre and no axis word: a full circle.
+    pub bare_circles: bool,
+    /// The axes that G43.1 takes.
+    pub length_axes: Letters,
+    /// G80 may stand next to a code that takes the axis words.
+    pub cancel_beside_once: bool,
+    /// G28 and G30 take the axis words also next to a motion.
+    pub reference_beside_motion: bool,
+}
+
+impl BlockRules {
+    /// GRBL 1.1.
+    pub const STRICT: BlockRules = BlockRules {
+        bare_circles: false,
+        length_axes: Letters::of("Z"),
+        cancel_beside_once: false,
+        reference_beside_motion: false,
+    };
+}
+
+/// What a build of a firmware has or not.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum BuildOption {
+    /// An output for mist: M7.
+    Mist,
+    /// A tool table: G43, G43.2, G10 L1.
+    ToolTable,
+    /// Parameters, expressions, flow control and calls.
+    Expressions,
+}
+
+/// The codes that a build option brings: letter and ten times the number.
+pub type OptionalCodes = (BuildOption, &'static [(u8, u16)]);
+
+/// Words that a code needs: its letter, ten times its number, and the letters of the words.
+pub type NeededWords = (u8, u16, &'static str);
 
 /// What a firmware says of a mistake.
 #[derive(Clone, Copy, Debug)]
@@ -104,12 +182,10 @@ pub enum DumpMeaning {
 /// How a firmware reads and judges a block.
 #[derive(Clone, Copy, Debug)]
 pub struct Firmware {
-    /// Most characters of a line, without blanks and comments.
-    pub longest_line: usize,
-    /// So many digits of a number count, zeros in front included.
-    pub digits: u32,
-    /// Letters of its words.
-    pub letters: Letters,
+    /// From text to words.
+    pub line: LineRules,
+    /// What passes.
+    pub block: BlockRules,
     /// Whole G numbers that have codes with a fraction: another fraction is an unknown code.
     pub with_fractions: &'static [u16],
     /// Whole G numbers whose fraction is not looked at.
@@ -118,8 +194,12 @@ pub struct Firmware {
     pub largest: [u32; 3],
     /// What an arc may differ: always, at most, and in parts of its radius; mm.
     pub arc: [f32; 3],
-    /// Its answers.
-    pub rows: &'static [RefusalRow],
+    /// Codes that not every build has.
+    pub optional: &'static [OptionalCodes],
+    /// Codes that need words.
+    pub needs: &'static [NeededWords],
+    /// Its answers: its own, and those that it has with its kin.
+    pub rows: [&'static [RefusalRow]; 2],
     /// What it prints for `$$`, as far as that is the machine's.
     pub dump: &'static [DumpRow],
 }
@@ -127,6 +207,6 @@ pub struct Firmware {
 impl Firmware {
     /// What it says of a mistake.
     pub fn row(&self, refusal: Refusal) -> Option<&'static RefusalRow> {
-        self.rows.iter().find(|row| row.refusal == refusal)
+        self.rows.into_iter().flatten().find(|row| row.refusal == refusal)
     }
 }

@@ -4,6 +4,8 @@ use chordal_command::Units;
 use chordal_kernel::rules::Rules;
 use chordal_syntax::{Decimal, Letters};
 
+use crate::firmware::BuildOption;
+
 /// How a number without a decimal point is read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum DecimalPoint {
@@ -108,10 +110,12 @@ pub struct Parameters {
     pub offset_number_optional: bool,
     /// Programs end with their last block as well as with M30 (GRBL).
     pub end_optional: bool,
-    /// Who sends the blocks takes M6 out of them and waits for the tool (GRBL, which has none itself).
-    pub sender_changes_tools: bool,
+    /// Who changes tools.
+    pub tool_change: ToolChanger,
     /// Who sends the blocks goes on after one that the control refuses.
     pub goes_on_after_refusal: bool,
+    /// What the build of its firmware has.
+    pub build: Build,
     /// A word that nothing uses and a code without its words stop the program (LinuxCNC).
     pub strict_words: bool,
     /// Letters that no block may have without a code that uses them, of those that most controls store.
@@ -174,6 +178,46 @@ pub struct Parameters {
     pub rules: Rules,
 }
 
+/// Who changes tools.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum ToolChanger {
+    /// The machine, or the control with its operator.
+    Machine,
+    /// Who sends the blocks takes M6 out of them and waits for the tool (GRBL, which has none itself).
+    Sender,
+    /// Nobody: M6 is an error.
+    Nobody,
+}
+
+/// What the build of a firmware has.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs, reason = "named as `BuildOption` is")]
+pub struct Build {
+    pub mist: bool,
+    pub tool_table: bool,
+    pub expressions: bool,
+}
+
+impl Build {
+    /// It has this option.
+    pub const fn has(self, option: BuildOption) -> bool {
+        match option {
+            BuildOption::Mist => self.mist,
+            BuildOption::ToolTable => self.tool_table,
+            BuildOption::Expressions => self.expressions,
+        }
+    }
+
+    /// The place of an option, to set it.
+    pub const fn option_mut(&mut self, option: BuildOption) -> &mut bool {
+        match option {
+            BuildOption::Mist => &mut self.mist,
+            BuildOption::ToolTable => &mut self.tool_table,
+            BuildOption::Expressions => &mut self.expressions,
+        }
+    }
+}
+
 /// Codes that call macros, by their numbers; 0 where there is none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Aliases {
@@ -227,8 +271,9 @@ impl Parameters {
         offset_zero_in_force: false,
         offset_number_optional: false,
         end_optional: false,
-        sender_changes_tools: false,
+        tool_change: ToolChanger::Machine,
         goes_on_after_refusal: false,
+        build: Build { mist: false, tool_table: false, expressions: false },
         strict_words: false,
         words_of_codes: Letters::NONE,
         m_groups: &[],

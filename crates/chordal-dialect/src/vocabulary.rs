@@ -7,7 +7,9 @@ pub(crate) use chordal_kernel::ToolValue;
 pub(crate) use chordal_kernel::rules::*;
 pub(crate) use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
-pub(crate) use crate::firmware::{Firmware, Refusal, RefusalRow};
+pub(crate) use crate::firmware::{
+    BlockRules, BuildOption, DumpMeaning, DumpRow, Firmware, LineRules, Refusal, RefusalRow, Slash,
+};
 pub(crate) use crate::macros::*;
 pub(crate) use crate::parameters::*;
 pub(crate) use crate::recognition::*;

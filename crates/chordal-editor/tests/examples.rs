@@ -1,6 +1,6 @@
 //! The examples of `explain` run on their controls.
 
-use chordal::control::{Action, CycleKind};
+use chordal::control::{Action, CycleKind, Field};
 use chordal::diagnostics::Source;
 use chordal::{Job, Machine, Severity, SourceMap};
 use chordal_editor::meaning::{View, codes, example};
@@ -38,6 +38,12 @@ fn every_example_runs_without_an_error() {
                 count += 1;
                 let mut machine = Machine::from_builtin(view.table.default_machine).unwrap();
                 machine.set("tools.1.diameter=\"6 mm\"").unwrap();
+                // Codes that not every build of a firmware has are there.
+                for setting in view.table.settings {
+                    if matches!(setting.field, Field::Build(_)) {
+                        machine.set(&format!("settings.\"{}\"=\"on\"", setting.name)).unwrap();
+                    }
+                }
                 // A left-hand tap turns the other way.
                 let left = row.action == Action::Cycle(CycleKind::LeftTap);
                 let turns = machine.turns();

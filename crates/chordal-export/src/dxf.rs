@@ -58,7 +58,7 @@ impl<W: Write> Dxf<W> {
     /// into chords.
     pub fn segment(&mut self, segment: &Segment) -> io::Result<()> {
         let bounds = segment.curve.bounds();
-        if !segment.known || !bounds.min.is_finite() || !bounds.max.is_finite() {
+        if !segment.is_drawn() || !bounds.min.is_finite() || !bounds.max.is_finite() {
             return Ok(());
         }
         match &segment.curve {

@@ -17,6 +17,8 @@ macro_rules! controls {
             HaasLathe haas_lathe "haas-lathe",
             MitsubishiLathe mitsubishi_lathe "mitsubishi-lathe",
             Grbl grbl "grbl",
+            Grblhal grblhal "grblhal",
+            Fluidnc fluidnc "fluidnc",
         }
     };
 }

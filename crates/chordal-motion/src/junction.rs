@@ -26,6 +26,9 @@ pub struct JunctionLaw {
     pub arc_tolerance_mm: f64,
     /// Ends of segments lie on whole steps of X, Y and Z, so many a mm (GRBL `$100` to `$102`); 0: anywhere.
     pub steps_per_mm: [f64; 3],
+    /// A segment is accelerated evenly, but only as much as a profile with the jerk of the axes would on average
+    /// (an option of grblHAL).
+    pub limited_jerk: bool,
 }
 
 /// Segments turn back where the cosine of the turn is less, and go straight on where it is more.
@@ -125,7 +128,7 @@ impl<P: PathPart> Junctions<P> {
         }
         let direction = away.map(|away| away / length);
         let speed = motion.speed.min(least(&limits.velocity(), &direction)).max(LEAST_SPEED);
-        let acceleration = least(&limits.acceleration(), &direction);
+        let acceleration = self.acceleration(&direction, speed, limits);
         let mut next =
             Segment { from, direction, length, acceleration, speed, entry: 0.0, tag: motion.tag };
         if let Some(last) = &self.last {
@@ -133,6 +136,25 @@ impl<P: PathPart> Junctions<P> {
         }
         self.last = Some(next);
         self.waiting.push_back(next);
+    }
+
+    /// The even acceleration of a segment. With limited jerk, the speed over the time in which a profile with that jerk
+    /// reaches it from rest.
+    fn acceleration(&self, direction: &Axes, speed: f64, limits: &Limits) -> f64 {
+        let most = least(&limits.acceleration(), direction);
+        if !self.law.limited_jerk {
+            return most;
+        }
+        let jerk = least(&limits.jerk(), direction);
+        let rise = most / jerk;
+        let gained = 0.5 * jerk * rise * rise;
+        let half = 0.5 * speed;
+        let time = if half > gained {
+            2.0 * (rise + (half - gained) / most)
+        } else {
+            2.0 * (speed / jerk).sqrt()
+        };
+        speed / time
     }
 
     /// The nearest place that motors can stand at.
@@ -226,213 +248,4 @@ fn least(limits: &Axes, direction: &Axes) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use std::f64::consts::{PI, TAU};
-
-    use chordal_geometry::{Arc, Curve, Line, Plane, Vec3};
-
-    use super::*;
-    use crate::limits::AxisLimit;
-    use crate::planner::{Level, Planner, PlannerOptions};
-    use crate::segment::MoveKind;
-
-    const LOOK_AHEAD: usize = 15;
-
-    fn law(deviation_mm: f64, blocks: usize) -> JunctionLaw {
-        JunctionLaw { deviation_mm, blocks, arc_tolerance_mm: 0.002, steps_per_mm: [0.0; 3] }
-    }
-
-    /// All axes alike: mm/min and mm/s².
-    fn limits(velocity: f64, acceleration: f64) -> Limits {
-        let axis = Some(AxisLimit { velocity: velocity / 60.0, acceleration, jerk: 1e9 });
-        Limits::new([axis, axis, axis, None, None, None]).expect("positive limits")
-    }
-
-    fn cut(curve: Curve, feed: f64) -> Move {
-        let corner = Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 };
-        let (rotary_from, rotary_to) = ([0.0; 3], [0.0; 3]);
-        let speed = feed / 60.0;
-        Move { curve, rotary_from, rotary_to, speed, corner, kind: MoveKind::Cut, tag: 1 }
-    }
-
-    /// Lines from place to place, mm, at a feed, mm/min.
-    fn lines(places: &[[f64; 2]], feed: f64) -> Vec<Move> {
-        let at = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
-        let each = places
-            .windows(2)
-            .map(|pair| cut(Curve::Line(Line { start: at(pair[0]), end: at(pair[1]) }), feed));
-        each.collect()
-    }
-
-    /// Equal lines along X.
-    fn row(count: usize, length: f64, feed: f64) -> Vec<Move> {
-        let places: Vec<[f64; 2]> = (0..=count).map(|k| [k as f64 * length, 0.0]).collect();
-        lines(&places, feed)
-    }
-
-    fn circle(radius: f64, angle: f64) -> Vec<Move> {
-        vec![cut(Arc::new(Plane::Xy.frame(), radius, angle, 0.0).into(), 3000.0)]
-    }
-
-    /// The stretches from rest to rest.
-    fn planned(moves: &[Move], limits: Limits, law: JunctionLaw) -> Vec<Stretch> {
-        let options = PlannerOptions { junctions: Some(law), ..PlannerOptions::new(Level::Fast) };
-        let mut planner = Planner::new(limits, options);
-        let mut stretches = Vec::new();
-        let mut take = |step: Step<'_>| {
-            if let Step::Stretch(stretch) = step {
-                stretches.push(stretch.clone());
-            }
-        };
-        for motion in moves {
-            planner.push(motion, &mut take).expect("a move");
-        }
-        planner.finish(&mut take);
-        stretches
-    }
-
-    fn time_s(moves: &[Move], limits: Limits, law: JunctionLaw) -> f64 {
-        planned(moves, limits, law).iter().map(Stretch::duration_s).sum()
-    }
-
-    #[track_caller]
-    fn takes(moves: &[Move], limits: Limits, law: JunctionLaw, expected_s: f64) {
-        let found = time_s(moves, limits, law);
-        let off = (found / expected_s - 1.0).abs();
-        assert!(off < 1e-3, "{found} s for {expected_s} s: {off:.1e}");
-    }
-
-    /// Times that GRBL's own planner gave, on steps of 1/40 mm.
-    #[test]
-    fn times_are_those_of_the_firmware() {
-        let router = limits(5000.0, 400.0);
-        let steps_per_mm = [40.0; 3];
-        let own = JunctionLaw { steps_per_mm, ..law(0.02, LOOK_AHEAD) };
-        let far = JunctionLaw { blocks: 100, ..own };
-        takes(&row(1, 100.0, 3000.0), router, own, 2.125);
-        takes(&lines(&[[0.0, 0.0], [300.0, 100.0]], f64::INFINITY), router, own, 3.8083);
-        let square = [[0.0, 0.0], [50.0, 0.0], [50.0, 50.0], [0.0, 50.0], [0.0, 0.0]];
-        takes(&lines(&square, 3000.0), router, own, 4.4257);
-        takes(&circle(20.0, TAU), router, own, 2.6386);
-        takes(&circle(20.0, TAU), router, far, 2.6386);
-        takes(&circle(2.0, TAU), router, own, 0.3815);
-        takes(&circle(2.0, TAU), router, far, 0.3789);
-        takes(&row(100, 1.0, 3000.0), router, own, 2.125);
-        takes(&row(1000, 0.1, 3000.0), router, own, 3.0463);
-        takes(&row(1000, 0.1, 1000.0), router, own, 6.0417);
-        takes(&row(1000, 0.1, 3000.0), router, far, 2.125);
-        // The standard build.
-        let small = limits(500.0, 10.0);
-        let own = JunctionLaw { steps_per_mm: [250.0; 3], ..law(0.01, LOOK_AHEAD) };
-        takes(&row(1, 100.0, 3000.0), small, own, 12.8333);
-        takes(&lines(&square, 3000.0), small, own, 26.995);
-        takes(&circle(20.0, TAU), small, own, 14.4318);
-    }
-
-    /// Two lines of 20 mm with a corner: entry and exit by hand.
-    #[test]
-    fn a_corner_is_passed_at_the_speed_of_its_detour() {
-        let router = limits(60_000.0, 400.0);
-        for degrees in [1.0_f64, 30.0, 90.0, 150.0, 179.0] {
-            let (sine, cosine) = degrees.to_radians().sin_cos();
-            let bend = [[0.0, 0.0], [20.0, 0.0], [20.0 + 20.0 * cosine, 20.0 * sine]];
-            let half = (degrees.to_radians() / 2.0).cos();
-            // The axes along the turn: the one that changes more has all of its acceleration.
-            let turn = [cosine - 1.0, sine];
-            let size = turn[0].hypot(turn[1]);
-            let most = (size / turn[0].abs()).min(size / turn[1].abs());
-            let junction = (400.0 * most * 0.02 * half / (1.0 - half)).sqrt();
-            // On one line speed would reach that of half the way, and on the second its own acceleration counts.
-            let second = 400.0 * (1.0 / cosine.abs()).min(1.0 / sine.abs());
-            let at_corner =
-                junction.min((2.0 * 400.0 * 20.0_f64).sqrt()).min(second.sqrt() * 40.0_f64.sqrt());
-            let leg = |acceleration: f64| {
-                let top = (at_corner * at_corner / 2.0 + acceleration * 20.0).sqrt();
-                (top + (top - at_corner)) / acceleration
-            };
-            let expected = leg(400.0) + leg(second);
-            let found = time_s(&lines(&bend, f64::INFINITY), router, law(0.02, LOOK_AHEAD));
-            assert!((found - expected).abs() < 1e-9, "{degrees}: {found} for {expected}");
-        }
-    }
-
-    /// No axis is faster or accelerated more than it can; speeds meet at every phase, and the way is whole.
-    #[test]
-    fn limits_hold_and_speeds_meet() {
-        let axes = [(3000.0, 200.0), (5000.0, 400.0), (600.0, 50.0)].map(|(v, acceleration)| {
-            Some(AxisLimit { velocity: v / 60.0, acceleration, jerk: 1e9 })
-        });
-        let limits = Limits::new([axes[0], axes[1], axes[2], None, None, None]).expect("limits");
-        let mut seed = 1_u64;
-        let mut random = || {
-            seed ^= seed << 13;
-            seed ^= seed >> 7;
-            seed ^= seed << 17;
-            (seed >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        for round in 0..100 {
-            let mut at = Vec3::new(0.0, 0.0, 0.0);
-            let mut moves = Vec::new();
-            for _ in 0..60 {
-                let size = 10f64.powf(-2.0 + 3.0 * random());
-                let mut away = || size * (random() - 0.5);
-                let end = Vec3::new(at.x + away(), at.y + away(), at.z + away());
-                let feed = [300.0, 2000.0, f64::INFINITY][(random() * 3.0) as usize];
-                moves.push(cut(Curve::Line(Line { start: at, end }), feed));
-                at = end;
-            }
-            let own = law(0.01, [1, 15, 100][round % 3]);
-            for stretch in planned(&moves, limits, own) {
-                let (mut speed, mut from, mut piece, mut begin) = (0.0, 0.0, 0, 0.0);
-                for phase in &stretch.phases {
-                    assert!((phase.speed - speed).abs() < 1e-9 && (phase.from - from).abs() < 1e-9);
-                    let end = phase.at(phase.duration_s);
-                    (speed, from) = (end.speed, end.sigma);
-                    let middle = phase.at(phase.duration_s / 2.0).sigma;
-                    while begin + stretch.pieces[piece].length < middle {
-                        begin += stretch.pieces[piece].length;
-                        piece += 1;
-                    }
-                    for (axis, limit) in axes.iter().enumerate() {
-                        let share = stretch.pieces[piece].start[1][axis].abs();
-                        let limit = limit.expect("an axis");
-                        assert!(share * phase.speed.max(speed) <= limit.velocity * (1.0 + 1e-12));
-                        let used = share * phase.acceleration.abs();
-                        assert!(used <= limit.acceleration * (1.0 + 1e-12), "{used}");
-                    }
-                }
-                assert!(speed.abs() < 1e-9);
-                let length: f64 = stretch.pieces.iter().map(|piece| piece.length).sum();
-                assert!((from - length).abs() < 1e-9 * length.max(1.0), "{from} of {length}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_line_cut_in_two_takes_as_long() {
-        let router = limits(5000.0, 400.0);
-        let whole = time_s(&row(4, 25.0, 3000.0), router, law(0.02, 100));
-        let halves = time_s(&row(8, 12.5, 3000.0), router, law(0.02, 100));
-        assert!((whole - halves).abs() < 1e-9, "{whole} and {halves}");
-    }
-
-    #[test]
-    fn without_deviation_every_segment_ends_at_rest() {
-        let router = limits(5000.0, 400.0);
-        let square = [[0.0, 0.0], [50.0, 0.0], [50.0, 50.0]];
-        let one = time_s(&row(1, 50.0, 3000.0), router, law(0.0, LOOK_AHEAD));
-        let two = time_s(&lines(&square, 3000.0), router, law(0.0, LOOK_AHEAD));
-        assert!((two - 2.0 * one).abs() < 1e-9);
-    }
-
-    #[test]
-    fn segments_of_an_arc_are_those_of_the_firmware() {
-        let law = law(0.01, LOOK_AHEAD);
-        let planner: Junctions<Piece> = Junctions::new(law);
-        // Radius 1, half and full turn, radius 10 and half of 1,000.
-        for (radius, angle, count) in [(1.0, PI, 24.0), (1.0, TAU, 49.0), (1000.0, PI, 785.0)] {
-            let arc = cut(Arc::new(Plane::Xy.frame(), radius, angle, 0.0).into(), 100.0);
-            assert_eq!(planner.segments_of(&arc), count);
-        }
-    }
-}
+mod tests;

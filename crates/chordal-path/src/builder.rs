@@ -1,6 +1,8 @@
 //! Commands into segments of path in one frame.
 
-use chordal_command::{AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position};
+use chordal_command::{
+    AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, SpindleState,
+};
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
 use chordal_machine::{AXES, Machine};
 
@@ -16,13 +18,51 @@ pub struct PathBuilder<'a> {
     frame: Frame,
     base: Option<(Position, AxisMask)>,
     tool: u32,
+    /// The speed of the spindle, 1/min; 0 while it stands.
+    rpm: f64,
+    /// No move has named Z yet, and with it a cut was made: a laser, a plotter.
+    flat: Flat,
+}
+
+/// Whether a program has only X and Y so far.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Flat {
+    /// Z was never moved, and nothing was cut.
+    Open,
+    /// The same, and something was cut.
+    Cut,
+    /// Z was moved or placed.
+    No,
+}
+
+impl Flat {
+    /// Follows a move; true where it lies flat although its height is not known.
+    fn follow(&mut self, motion: &Move, cuts: bool) -> bool {
+        const XY: AxisMask = AxisMask(0b11);
+        let both = motion.from_known.and(motion.to_known);
+        if motion.from_known.or(motion.to_known).has(2) || motion.from[2] != motion.to[2] {
+            *self = Flat::No;
+        }
+        let is_flat = both.covers(XY) && *self != Flat::No && (cuts || *self == Flat::Cut);
+        if is_flat {
+            *self = Flat::Cut;
+        }
+        is_flat
+    }
 }
 
 impl<'a> PathBuilder<'a> {
     /// A builder for one run; `offset` and `known` as
     /// [`initial_offset`](chordal_gcode::initial_offset) gives them.
     pub fn new(machine: &'a Machine, offset: Position, known: AxisMask) -> PathBuilder<'a> {
-        PathBuilder { machine, frame: Frame::new(offset, known), base: None, tool: 0 }
+        PathBuilder {
+            machine,
+            frame: Frame::new(offset, known),
+            base: None,
+            tool: 0,
+            rpm: 0.0,
+            flat: Flat::Open,
+        }
     }
 
     /// Follows a command and hands its segments on.
@@ -30,10 +70,19 @@ impl<'a> PathBuilder<'a> {
         if let CommandKind::Tool { number } | CommandKind::ToolNumber { number } = command.kind {
             self.tool = number;
         }
+        if let CommandKind::Spindle { state, rpm } = command.kind {
+            let turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
+            self.rpm = if turns { rpm } else { 0.0 };
+        }
         if self.frame.follow(command) {
             return;
         }
         let Some(motion) = command.kind.motion() else { return };
+        let is_flat = self.flat.follow(motion, command.kind.feed().is_some());
+        let mut push = |segment: &Segment| match is_flat {
+            true => push(&Segment { flat: true, ..*segment }),
+            false => push(segment),
+        };
         let shift = self.shift(command.kind.feed().is_some());
         match &command.kind {
             CommandKind::Rapid { motion, path } => {
@@ -111,7 +160,9 @@ impl<'a> PathBuilder<'a> {
             rotary_from: [motion.from[3], motion.from[4], motion.from[5]],
             rotary_to: [motion.to[3], motion.to[4], motion.to[5]],
             tool: self.tool,
+            rpm: self.rpm,
             known: is_known(motion),
+            flat: false,
             origin: command.origin,
         }
     }

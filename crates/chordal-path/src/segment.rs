@@ -35,10 +35,21 @@ pub struct Segment {
     pub rotary_to: [f64; 3],
     /// The tool in the spindle.
     pub tool: u32,
+    /// How fast the spindle turns, 1/min, 0 while it stands; of a laser its power.
+    pub rpm: f64,
     /// Both ends are known relative to the part, so that it can be drawn.
     pub known: bool,
+    /// Only X and Y are, and no move has named Z yet: it lies flat, as the cuts of a laser do, and can be drawn so.
+    pub flat: bool,
     /// The block that says so.
     pub origin: Origin,
+}
+
+impl Segment {
+    /// It can be drawn where it lies.
+    pub const fn is_drawn(&self) -> bool {
+        self.known || self.flat
+    }
 }
 
 /// X, Y and Z of a position.

@@ -571,7 +571,7 @@ impl Program {
 
 impl Program {
     fn plot(&self, job: &Job<'_>, width: u32, height: u32, dark: bool) -> (Plot, PlotOptions) {
-        let mut plot = Plot::new(job);
+        let mut plot = Plot::picture(job);
         let told = job.report_with(|_, segments| {
             segments.iter().for_each(|segment| plot.segment(segment));
         });

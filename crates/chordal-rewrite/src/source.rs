@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use chordal::Job;
 use chordal::control::table::Subroutines;
-use chordal::control::{Control, subroutine_head};
+use chordal::control::{Control, Units, subroutine_head};
 use chordal::diagnostics::{FileId, Span};
 use chordal::syntax::{Block, BlockKind, BlockReader, Letters, Word};
 use chordal_editor::{Program, Setup};
@@ -286,6 +286,19 @@ pub(crate) fn lacks_ends(cycle: TurnCycle, block: &Block) -> bool {
 /// It is the first of two blocks of a cycle, where the control has them in two.
 pub(crate) fn is_setup(cycle: TurnCycle, block: &Block, control: &Control) -> bool {
     control.parameters.rules.turning.two_blocks && lacks_ends(cycle, block)
+}
+
+/// Decimals with which the arcs of a control end on their circles, where a firmware judges each one as it is written: end,
+/// centre and start are each rounded along two axes.
+pub(crate) fn digits_of_arcs(control: &Control, units: Units, usual: u8) -> u8 {
+    const ROUNDED: f64 = 2.2;
+    let arc = &control.parameters.rules.arc;
+    let unit = if units == Units::Inch { 25.4 } else { 1.0 };
+    let is_enough = |digits: &u8| {
+        ROUNDED * unit * 0.1f64.powi(i32::from(*digits)) <= arc.radius_error_tolerance_mm
+    };
+    let more = (usual..=usual + 2).find(is_enough).unwrap_or(usual);
+    if arc.judged_before { more } else { usual }
 }
 
 /// A whole number not below zero.

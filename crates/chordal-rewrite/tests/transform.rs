@@ -393,3 +393,41 @@ fn coordinates_on_a_face_are_not_transformed() {
     }
     assert!(run(Step::NoNumbers).is_ok());
 }
+
+/// A firmware that judges each arc as it is written gets as many decimals as that needs.
+#[test]
+fn turned_and_scaled_arcs_of_a_router_are_not_refused() {
+    let mut seed = 11_u64;
+    let mut random = |from: f64, to: f64| {
+        seed ^= seed << 13;
+        seed ^= seed >> 7;
+        seed ^= seed << 17;
+        from + (to - from) * (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    for (units, unit, digits) in [("G20", 1.0 / 25.4, 4), ("G21", 1.0, 3)] {
+        for _ in 0..6 {
+            let mut text =
+                format!("{units} G90 G17 G94\nM3 S9000\nG0 X0 Y0 Z{:.3}\nG1 Z0 F10\n", 5.0 * unit);
+            let (mut x, mut y) = (0.0, 0.0);
+            let round = |value: f64| format!("{value:.digits$}").parse::<f64>().unwrap();
+            for _ in 0..20 {
+                let radius = 10f64.powf(random(-0.6, 2.0)) * unit;
+                let (from, sweep) = (random(0.0, 6.2), random(0.2, 5.0));
+                let (i, j) = (round(-radius * from.cos()), round(-radius * from.sin()));
+                let (radius, from) = (i.hypot(j), (-j).atan2(-i));
+                let end =
+                    [x + i + radius * (from + sweep).cos(), y + j + radius * (from + sweep).sin()];
+                let end = end.map(round);
+                text += &format!("G3 X{} Y{} I{i} J{j} F{}\n", end[0], end[1], 500.0 * unit);
+                [x, y] = end;
+            }
+            text += "M2\n";
+            let angle = random(1.0, 89.0_f64).to_radians();
+            let steps = [Step::Rotate { angle, about: [3.0, 4.0] }, Step::Scale(random(0.3, 0.9))];
+            let done = transform(&job(text.clone().into_bytes(), "grbl"), &steps);
+            let done = done.unwrap_or_else(|refusal| panic!("{refusal:?}\n{text}"));
+            let certificate = &done.certificate;
+            assert!(certificate.holds(), "{:?}\n{text}", certificate.comparison.differences);
+        }
+    }
+}

@@ -21,7 +21,7 @@ pub fn chords(job: &Job, tolerance_mm: f64, balanced: bool) -> Result<Vec<u8>, C
     }
     let mut gathered = Gathered::default();
     job.path(|segment| {
-        if !matches!(segment.curve, Curve::Line(_)) && segment.known {
+        if !matches!(segment.curve, Curve::Line(_)) && segment.is_drawn() {
             // One curve that cannot be cut says nothing of the others.
             if gathered.curve(&segment.curve, tolerance_mm, placement).is_err() {
                 gathered.left_out += 1;

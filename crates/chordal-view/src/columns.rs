@@ -62,7 +62,7 @@ impl Columns {
         let (start, end) = (segment.curve.start(), segment.curve.end());
         let origin = match self.origin {
             Some(origin) => origin,
-            None if segment.known => *self.origin.insert(end),
+            None if segment.is_drawn() => *self.origin.insert(end),
             None => Vec3::ZERO,
         };
         let near = |point: Vec3| {
@@ -127,7 +127,9 @@ fn kind_of(segment: &Segment, inserted: bool) -> u8 {
         SegmentKind::Spline => 4,
     };
     let flag = |is, flag| if is { flag } else { 0 };
-    kind | flag(segment.known, KNOWN) | flag(inserted, INSERTED) | flag(segment.origin.cycle, CYCLE)
+    kind | flag(segment.is_drawn(), KNOWN)
+        | flag(inserted, INSERTED)
+        | flag(segment.origin.cycle, CYCLE)
 }
 
 /// Along the path, mm/min; 0 where there is none.

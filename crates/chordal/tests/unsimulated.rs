@@ -6,7 +6,7 @@
 
 use chordal::control::table::LineRepeat;
 use chordal::control::{
-    Action, AfterCode, CONTROLS, CallCode, CodeRow, ControlTable, OnceCode, table,
+    Action, AfterCode, CONTROLS, CallCode, CodeRow, ControlTable, Field, OnceCode, table,
 };
 use chordal::{CommandKind, Job, Machine, Severity, Source, SourceMap};
 
@@ -133,6 +133,12 @@ fn run(machine: &Machine, block: &str) -> Ran {
 fn machine_of(table: &ControlTable) -> Machine {
     let mut machine = Machine::from_builtin(table.default_machine).unwrap();
     TOOLS.iter().for_each(|tool| machine.set(tool).unwrap());
+    // Codes that not every build of a firmware has are there.
+    for setting in table.settings {
+        if matches!(setting.field, Field::Build(_)) {
+            machine.set(&format!("settings.\"{}\"=\"on\"", setting.name)).unwrap();
+        }
+    }
     machine
 }
 

@@ -199,4 +199,11 @@ spiral or a cycle cannot follow. Remove the word, or cut to a point after the co
     r#"The arc of `,R` must touch both moves within their lengths, and `,C` takes its length from both. What an
 earlier corner took from the same move is no longer there. The message says how much fits. The path
 shows the corner as it is without the word."#;
+
+    InverseTimeArc = 445, "inverse-time-arc", Warning;
+    "an arc in inverse time (G93) that the control runs at another speed";
+    r#"GRBL, grblHAL and FluidNC cut an arc into straight segments. In inverse time they multiply F by the number of
+the segments, and then take the product for mm/min: `G93 G2 X20 I10 F30` of 78 segments runs at 2340 mm/min, and does
+not take the thirtieth part of a minute. Lines in G93 are right. Chordal gives the time that the control takes. Write arcs
+in G94."#;
 }

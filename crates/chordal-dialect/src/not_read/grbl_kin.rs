@@ -1,4 +1,4 @@
-//! Programs of firmwares that read more than GRBL 1.1, or otherwise: grblHAL, FluidNC, Smoothieware and their like.
+//! Programs of firmwares that read otherwise than GRBL does: Smoothieware, TinyG and their like.
 
 use super::NotRead;
 use crate::recognition::{Evidence, Sign, evidence};
@@ -6,25 +6,16 @@ use chordal_machine::ControlName;
 
 pub(super) const GRBL_KIN: NotRead = NotRead {
     name: "grbl-kin",
-    what: "a program for a kin of GRBL (grblHAL, FluidNC, Smoothieware, TinyG)",
-    why: "they read other words than GRBL 1.1, and are not followed yet; `--machine grbl` reads it as GRBL 1.1 would",
+    what: "a program for a kin of GRBL (Smoothieware, TinyG, Snapmaker, Onefinity)",
+    why: "they read lines otherwise than GRBL does, and are not followed; `--machine grbl` reads it as GRBL 1.1 would",
     signs: SIGNS,
     needed: 10,
     own: &[],
     shown_on: ControlName::Grbl,
 };
 
-const NAMES: &[&str] = &[
-    "GRBLHAL",
-    "FLUIDNC",
-    "SMOOTHIEWARE",
-    "SMOOTHIE",
-    "TINYG",
-    "G2CORE",
-    "SNAPMAKER",
-    "ONEFINITY",
-    "CARVERA",
-];
+const NAMES: &[&str] =
+    &["SMOOTHIEWARE", "SMOOTHIE", "TINYG", "G2CORE", "SNAPMAKER", "ONEFINITY", "CARVERA"];
 
 const SIGNS: &[Evidence] = &[
     evidence(Sign::Header(NAMES), 16, "the header names a kin of GRBL"),

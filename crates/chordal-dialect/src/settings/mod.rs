@@ -18,6 +18,7 @@ pub use self::frame::FrameField;
 pub use self::path_mode::PathField;
 pub(crate) use self::path_mode::{CORNER_ROUNDING, short_blocks};
 pub use self::turning::TurningField;
+use crate::firmware::BuildOption;
 use crate::parameters::*;
 
 /// How sure a default is.
@@ -97,6 +98,8 @@ pub enum Field {
     AfterRefusal,
     /// Who changes tools (GRBL).
     ToolChanger,
+    /// Whether the build of its firmware has something.
+    Build(BuildOption),
     /// Which system of G codes (Fanuc lathes No. 3401).
     CodeSystem,
     MacroAngles,
@@ -463,7 +466,8 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::LiveToolP => p.live_tool_p = count()?,
         Field::SecondSpindleP => p.second_spindle_p = count()?,
         Field::WaitCode { last } => p.wait_codes[usize::from(last)] = count()?,
-        Field::ToolChanger => p.sender_changes_tools = choose(word, TOOL_CHANGERS)?,
+        Field::ToolChanger => p.tool_change = choose(word, TOOL_CHANGERS)?,
+        Field::Build(option) => *p.build.option_mut(option) = flag()?,
         Field::AfterRefusal => p.goes_on_after_refusal = choose(word, AFTER_REFUSAL)?,
         Field::CodeSystem => {
             p.code_system = choose(word, CODE_SYSTEMS)?;
@@ -562,7 +566,8 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::LiveToolP => p.live_tool_p.to_string(),
         Field::SecondSpindleP => p.second_spindle_p.to_string(),
         Field::WaitCode { last } => p.wait_codes[usize::from(last)].to_string(),
-        Field::ToolChanger => name_of(p.sender_changes_tools, TOOL_CHANGERS),
+        Field::ToolChanger => name_of(p.tool_change, TOOL_CHANGERS),
+        Field::Build(option) => on(p.build.has(option)),
         Field::AfterRefusal => name_of(p.goes_on_after_refusal, AFTER_REFUSAL),
         Field::CodeSystem => name_of(p.code_system, CODE_SYSTEMS),
         Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
@@ -578,7 +583,11 @@ const FULL_CIRCLES_BY_RADIUS: &[(&str, FullCircleByRadius)] = &[
     ("straight", FullCircleByRadius::Straight),
 ];
 
-const TOOL_CHANGERS: &[(&str, bool)] = &[("sender", true), ("nobody", false)];
+const TOOL_CHANGERS: &[(&str, ToolChanger)] = &[
+    ("sender", ToolChanger::Sender),
+    ("nobody", ToolChanger::Nobody),
+    ("machine", ToolChanger::Machine),
+];
 
 const AFTER_REFUSAL: &[(&str, bool)] = &[("stop", false), ("continue", true)];
 

@@ -24,6 +24,7 @@ pub enum PathField {
     JunctionDeviation,
     JunctionBlocks,
     ArcTolerance,
+    JunctionJerk,
     /// Steps of X, Y or Z a mm, by the number of the axis.
     Steps(u8),
 }
@@ -142,6 +143,7 @@ pub(crate) fn set(
             let above_zero = Some(length()?).filter(|tolerance| *tolerance > 0.0);
             junctions(rules)?.arc_tolerance_mm = above_zero.ok_or("a length above zero")?;
         }
+        PathField::JunctionJerk => junctions(rules)?.limited_jerk = choose(word, SWITCH)?,
         PathField::JunctionBlocks => match value {
             SettingValue::Integer(count @ 1..=10_000) => junctions(rules)?.blocks = *count as u32,
             _ => return Err("a whole number, 1 or more".to_string()),
@@ -182,6 +184,9 @@ pub(crate) fn value_text(p: &Parameters, field: PathField) -> String {
         PathField::Steps(axis) => rules.junctions.map_or("none".to_string(), |junctions| {
             junctions.steps_per_mm[usize::from(axis.min(2))].to_string()
         }),
+        PathField::JunctionJerk => {
+            name_of(rules.junctions.is_some_and(|junctions| junctions.limited_jerk), SWITCH)
+        }
         PathField::JunctionBlocks => {
             rules.junctions.map_or("none".to_string(), |junctions| junctions.blocks.to_string())
         }

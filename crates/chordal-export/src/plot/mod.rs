@@ -98,6 +98,14 @@ impl Plot {
         Plot { store: Store::default(), inch, turned }
     }
 
+    /// The same for a picture file. Where the spindle may be a laser, and one tool cuts with several values of S, the
+    /// cuts are coloured by them, from least to most.
+    pub fn picture(job: &Job) -> Plot {
+        let mut plot = Plot::new(job);
+        plot.store.by_power = job.control().parameters.rules.spindle_by_hand;
+        plot
+    }
+
     /// Two runs in one picture: the first as a band, the second as a line in it. Where they go
     /// different ways, band and line part.
     pub fn overlay(jobs: [&Job; 2], names: [String; 2]) -> Plot {

@@ -118,6 +118,11 @@ impl Palette {
         self.tools[index % self.tools.len()]
     }
 
+    /// The colour of a step of the scale from least to most.
+    pub fn step(&self, step: usize) -> &'static str {
+        self.ramp[step.min(self.ramp.len() - 1)]
+    }
+
     /// How often all colours were used before.
     pub fn round(&self, index: usize) -> usize {
         index / self.tools.len()

@@ -51,11 +51,12 @@ impl Paths {
 
     fn at(store: &Store, panel: &Panel, unit: f64, resolution: f64) -> Paths {
         let mut rapids = Pen::new(panel, unit, resolution);
+        let groups = store.groups();
         let mut tools: Vec<Pen> =
-            store.tools().iter().map(|_| Pen::new(panel, unit, resolution)).collect();
+            groups.list.iter().map(|_| Pen::new(panel, unit, resolution)).collect();
         for (run, pieces) in store.runs() {
             let pen = match run.tool {
-                Some(index) => &mut tools[index],
+                Some(index) => &mut tools[groups.of_tool[index]],
                 None => &mut rapids,
             };
             pen.begin(run.start);

@@ -8,7 +8,7 @@ use super::layout::{Layout, MARGIN};
 use super::palette::Palette;
 use super::pen::Paths;
 use super::relief::Drawn;
-use super::store::Store;
+use super::store::{Group, Store, Stroke};
 use super::text::{escape, label, px};
 use super::turned::Turned;
 use super::view::{Panel, Rect};
@@ -266,18 +266,36 @@ fn paths(
         ));
     }
     let stroke = stroke_width(store, panel, unit);
+    let groups = store.groups();
     for (index, data) in paths.tools.iter().enumerate().filter(|(_, data)| !data.is_empty()) {
-        let number = store.tools()[index].number;
+        let group = &groups.list[index];
         // Of two programs the first is a band in which the second runs.
-        let is_band = store.overlay.is_some() && number == 1;
+        let is_band = store.overlay.is_some() && group.id == "tool-1";
         let stroke = px(if is_band { stroke * 3.5 } else { stroke });
         out.push_str(&format!(
-            "<path id=\"view-{}-tool-{number}\" d=\"{data}\" stroke=\"{}\" \
+            "<path id=\"view-{}-{}\" d=\"{data}\" stroke=\"{}\" \
              stroke-width=\"{stroke}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"{}/>\n",
             panel.view.title.to_lowercase(),
-            colors.tool(index),
-            tool_dash(colors, index, unit)
+            group.id,
+            stroke_color(colors, group.stroke),
+            stroke_dash(colors, group.stroke, unit)
         ));
+    }
+}
+
+/// The colour of a group of cuts.
+fn stroke_color(colors: &Palette, stroke: Stroke) -> &'static str {
+    match stroke {
+        Stroke::Tool(index) => colors.tool(index),
+        Stroke::Off => colors.rapid,
+        Stroke::Step(step) => colors.step(step),
+    }
+}
+
+fn stroke_dash(colors: &Palette, stroke: Stroke, unit: f64) -> String {
+    match stroke {
+        Stroke::Tool(index) => tool_dash(colors, index, unit),
+        Stroke::Off | Stroke::Step(_) => String::new(),
     }
 }
 
@@ -363,7 +381,7 @@ fn nothing(out: &mut String, store: &Store, layout: &Layout, colors: &Palette) {
 /// What a sign of the legend is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Sign {
-    Tool(usize),
+    Cut(Stroke),
     Rapid,
     Start,
     End,
@@ -403,12 +421,11 @@ impl Legend {
         if let Some(mm) = store.rapid_mm() {
             legend.add(Sign::Rapid, format!("rapid {}", length(mm)), room);
         }
-        let tools = store.tools();
-        for (index, tool) in tools.iter().enumerate() {
-            let name = store.name(tool);
-            let text = format!("{name}  {}", length(tool.cut_mm));
-            if !legend.add(Sign::Tool(index), text, room - 140.0) {
-                let text = format!("and {} more tools", tools.len() - index);
+        let groups: Vec<Group> = store.groups().list.into_iter().filter(is_listed).collect();
+        for (index, group) in groups.iter().enumerate() {
+            let text = format!("{}  {}", group.name, length(group.cut_mm));
+            if !legend.add(Sign::Cut(group.stroke), text, room - 140.0) {
+                let text = format!("and {} more tools", groups.len() - index);
                 legend.add(Sign::None, text, f64::INFINITY);
                 break;
             }
@@ -460,6 +477,11 @@ impl Legend {
     }
 }
 
+/// Steps of power that nothing was cut with are not listed.
+fn is_listed(group: &Group) -> bool {
+    group.cut_mm > 0.0 || matches!(group.stroke, Stroke::Tool(_))
+}
+
 fn sign(out: &mut String, sign: Sign, (x, y): (f64, f64), unit: f64, colors: &Palette) {
     let middle = (x + 20.0 * unit, y);
     let line = |color: &str, width: f64, dash: &str| {
@@ -473,8 +495,9 @@ fn sign(out: &mut String, sign: Sign, (x, y): (f64, f64), unit: f64, colors: &Pa
         )
     };
     match sign {
-        Sign::Tool(index) => {
-            out.push_str(&line(colors.tool(index), 3.5, &tool_dash(colors, index, unit)));
+        Sign::Cut(stroke) => {
+            let color = stroke_color(colors, stroke);
+            out.push_str(&line(color, 3.5, &stroke_dash(colors, stroke, unit)));
         }
         Sign::Rapid => {
             let dash = format!(" stroke-dasharray=\"{} {}\"", px(6.0 * unit), px(4.0 * unit));

@@ -31,12 +31,45 @@ pub(super) struct Run {
     first: usize,
 }
 
-/// A tool, as the legend says it.
+/// A tool, and the power that it has cut with where that is drawn.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tool {
     pub number: u32,
+    power: f64,
     pub cut_mm: f64,
 }
+
+/// How a group of cuts is drawn.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Stroke {
+    /// As this tool of the order of use.
+    Tool(usize),
+    /// As the rapids: a laser that is off.
+    Off,
+    /// With this step of the scale from least to most.
+    Step(usize),
+}
+
+/// Cuts that are drawn alike.
+#[derive(Clone, Debug)]
+pub(super) struct Group {
+    /// As the picture names them, and as the legend does.
+    pub id: String,
+    pub name: String,
+    pub cut_mm: f64,
+    pub stroke: Stroke,
+}
+
+/// What is drawn alike: the tools, or steps of power.
+#[derive(Clone, Debug)]
+pub(super) struct Groups {
+    pub list: Vec<Group>,
+    /// The group of each tool of [`Store::tools`].
+    pub of_tool: Vec<usize>,
+}
+
+/// Steps of power, as many as the scale has colours.
+const STEPS: usize = 5;
 
 /// The path, thinned when it grows large.
 #[derive(Debug)]
@@ -56,6 +89,8 @@ pub(super) struct Store {
     pub overlay: Option<[String; 2]>,
     /// The stock that is left.
     pub stock: Option<Relief>,
+    /// One tool with several powers is drawn by them: a laser.
+    pub by_power: bool,
 }
 
 impl Default for Store {
@@ -74,6 +109,7 @@ impl Default for Store {
             unknown: false,
             overlay: None,
             stock: None,
+            by_power: false,
         }
     }
 }
@@ -84,12 +120,12 @@ impl Store {
         let bounds = segment.curve.bounds();
         let finite = bounds.min.is_finite() && bounds.max.is_finite();
         let rapid = segment.kind == SegmentKind::Rapid;
-        if !segment.known || !finite {
+        if !segment.is_drawn() || !finite {
             // The way to the first place is never known; that is no loss.
             self.unknown |= !rapid;
             return;
         }
-        let tool = (!rapid).then(|| self.tool(segment.tool));
+        let tool = (!rapid).then(|| self.tool(segment.tool, segment.rpm));
         let length = if segment.length_mm.is_finite() { segment.length_mm } else { 0.0 };
         match tool {
             Some(index) => {
@@ -120,6 +156,58 @@ impl Store {
         }
     }
 
+    /// What is drawn alike.
+    pub fn groups(&self) -> Groups {
+        let most = self.tools.iter().map(|tool| tool.power).fold(0.0, f64::max);
+        if self.has_powers() && most > 0.0 {
+            return self.steps_of_power(most);
+        }
+        let mut list: Vec<Group> = Vec::new();
+        let mut of_tool = Vec::new();
+        for tool in &self.tools {
+            let id = format!("tool-{}", tool.number);
+            let place = list.iter().position(|group| group.id == id).unwrap_or_else(|| {
+                let stroke = Stroke::Tool(list.len());
+                list.push(Group { id, name: self.name(tool), cut_mm: 0.0, stroke });
+                list.len() - 1
+            });
+            list[place].cut_mm += tool.cut_mm;
+            of_tool.push(place);
+        }
+        Groups { list, of_tool }
+    }
+
+    /// A tool has cut with more than one power.
+    fn has_powers(&self) -> bool {
+        self.by_power
+            && self.tools.iter().any(|tool| {
+                self.tools
+                    .iter()
+                    .any(|other| other.number == tool.number && other.power != tool.power)
+            })
+    }
+
+    /// From nothing to the most, in equal steps.
+    fn steps_of_power(&self, most: f64) -> Groups {
+        let of_tool: Vec<usize> = self
+            .tools
+            .iter()
+            .map(|tool| (tool.power / most * STEPS as f64).ceil().clamp(0.0, STEPS as f64) as usize)
+            .collect();
+        let list = (0..=STEPS)
+            .map(|step| {
+                let own = self.tools.iter().zip(&of_tool).filter(|(_, of)| **of == step);
+                let top = most * step as f64 / STEPS as f64;
+                let name =
+                    if step == 0 { "S0, off".into() } else { format!("to S{}", number(top)) };
+                let stroke = if step == 0 { Stroke::Off } else { Stroke::Step(step - 1) };
+                let cut_mm = own.map(|(tool, _)| tool.cut_mm).sum();
+                Group { id: format!("power-{step}"), name, cut_mm, stroke }
+            })
+            .collect();
+        Groups { list, of_tool }
+    }
+
     /// What the legend calls a tool.
     pub fn name(&self, tool: &Tool) -> String {
         match (&self.overlay, tool.number) {
@@ -129,15 +217,29 @@ impl Store {
         }
     }
 
-    fn tool(&mut self, number: u32) -> usize {
+    fn tool(&mut self, number: u32, rpm: f64) -> usize {
+        let power = if self.by_power { self.known_power(rpm) } else { 0.0 };
         // The newest is the likely one, and there are few.
-        match self.tools.iter().rposition(|tool| tool.number == number) {
+        match self.tools.iter().rposition(|tool| tool.number == number && tool.power == power) {
             Some(index) => index,
             None => {
-                self.tools.push(Tool { number, cut_mm: 0.0 });
+                self.tools.push(Tool { number, power, cut_mm: 0.0 });
                 self.tools.len() - 1
             }
         }
+    }
+
+    /// A power; where there are very many already, to three digits.
+    fn known_power(&self, rpm: f64) -> f64 {
+        const MANY_POWERS: usize = 1000;
+        if !rpm.is_finite() || rpm <= 0.0 {
+            return 0.0;
+        }
+        if self.tools.len() < MANY_POWERS {
+            return rpm;
+        }
+        let digit = 10f64.powf(rpm.log10().floor() - 2.0);
+        (rpm / digit).round() * digit
     }
 
     /// Leaves out corners and curves that no drawing shows.
@@ -179,7 +281,7 @@ impl Store {
         self.rapid_mm = old.rapid_mm;
         (self.cuts, self.rapids) = (old.cuts, old.rapids);
         (self.start, self.end, self.unknown) = (old.start, old.end, old.unknown);
-        (self.overlay, self.stock) = (old.overlay, old.stock);
+        (self.overlay, self.stock, self.by_power) = (old.overlay, old.stock, old.by_power);
         self.limit = MANY.max(2 * self.pieces.len());
     }
 
@@ -252,4 +354,10 @@ impl Store {
         let near_rapids = Aabb { min: corner(self.rapids.min), max: corner(self.rapids.max) };
         Some(cuts.union(near_rapids))
     }
+}
+
+/// A power without decimals that say nothing.
+fn number(value: f64) -> String {
+    let text = format!("{value:.1}");
+    text.strip_suffix(".0").map_or(text.clone(), str::to_string)
 }

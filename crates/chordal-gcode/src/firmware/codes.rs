@@ -1,7 +1,8 @@
 //! What a code is to a firmware: who takes the axis words, and which mode it changes.
 
 use chordal_dialect::{
-    Action, CodeRow, Control, Group, ModeCode, MotionCode, OnceCode, ReadingCode, code_number,
+    Action, CodeRow, Control, Group, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode,
+    code_number,
 };
 use chordal_syntax::Decimal;
 
@@ -51,19 +52,28 @@ pub(super) fn byte(value: f32) -> u8 {
 /// What a code takes the axis words for.
 pub(super) fn axis_use(row: &'static CodeRow) -> Option<AxisUse> {
     match row.action {
-        Action::Motion(_) | Action::Once(OnceCode::Probe { .. }) => Some(AxisUse::Motion),
-        Action::Length(_) => Some(AxisUse::Length),
+        Action::Motion(_) | Action::Cycle(_) | Action::Once(OnceCode::Probe { .. }) => {
+            Some(AxisUse::Motion)
+        }
+        Action::Length(code) => length_axes(code),
         Action::Once(_) if takes_axes(row) => Some(AxisUse::Once),
+        Action::NotFollowed => Some(AxisUse::Once),
         Action::Once(_)
         | Action::Reading(_)
         | Action::Before(_)
         | Action::Mode(_)
-        | Action::Cycle(_)
         | Action::After(_)
         | Action::Call(_)
         | Action::NoEffect
-        | Action::NotSimulated
-        | Action::NotFollowed => None,
+        | Action::NotSimulated => None,
+    }
+}
+
+/// G43.1 and G49 ask for the axis words, whether they have them or not; G43 H does not.
+fn length_axes(code: LengthCode) -> Option<AxisUse> {
+    match code {
+        LengthCode::FromAxes | LengthCode::Cancel => Some(AxisUse::Length),
+        LengthCode::Plus | LengthCode::Minus | LengthCode::Add => None,
     }
 }
 
@@ -93,10 +103,12 @@ impl Modes {
                 | MotionCode::SpiralCcw
                 | MotionCode::Thread
                 | MotionCode::RigidTap
-                | MotionCode::Spline(_)
                 | MotionCode::SplineEnd
                 | MotionCode::Turn(_) => FirmwareMotion::Linear,
+                MotionCode::Spline(_) => FirmwareMotion::Spline(row.code),
             };
+        } else if row.action.cycle().is_some() {
+            self.motion = FirmwareMotion::Cycle;
         } else if let Action::Once(OnceCode::Probe { .. }) = row.action {
             self.motion = FirmwareMotion::Probe(row.code);
         } else if ends_motion(row) {
@@ -119,8 +131,11 @@ impl Modes {
             }
         } else if row.group == Group::Plane {
             self.plane = usize::from(row.code / 10 - 17);
+        } else if row.group == Group::ReturnLevel {
+            self.return_to_r = row.action == Action::Mode(ModeCode::ReturnToR);
         } else if row.group == Group::WorkOffset {
-            self.system = usize::from(row.code / 10 - 54);
+            // G59.1 comes after G59.
+            self.system = usize::from(row.code / 10 - 54 + row.code % 10);
         }
     }
 }

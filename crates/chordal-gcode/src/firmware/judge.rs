@@ -2,22 +2,24 @@
 //! the order in which the firmware looks for them.
 
 use chordal_diagnostics::TextRange;
-use chordal_dialect::firmware::{Firmware, Refusal};
-use chordal_dialect::{Action, CodeRow, Control, Group, LengthCode, OnceCode};
+use chordal_dialect::firmware::{Firmware, NeededWords, Refusal};
+use chordal_dialect::{
+    Action, BeforeCode, CodeRow, Control, Group, LengthCode, MotionCode, OnceCode, ToolChanger,
+};
 use chordal_syntax::{Decimal, Letters};
 
 use super::codes::{
     AxisUse, axis_use, byte, ends_motion, in_inch, is_machine_move, tenths, whole_number,
 };
-use super::line::{Fault, Line, ReadWord};
+use super::line::{Fault, ReadWord};
 use super::memory::{FirmwareMotion, Memory, Modes};
 
-const MM_PER_INCH: f32 = 25.4;
+pub(super) const MM_PER_INCH: f32 = 25.4;
 /// Letters whose values are not below zero.
 const NOT_NEGATIVE: Letters = Letters::of("FNPST");
 /// Letters that need no code.
 const STORED: Letters = Letters::of("NFST");
-const AXES: Letters = Letters::of("XYZ");
+pub(super) const AXES: Letters = Letters::of("XYZ");
 const CENTRES: Letters = Letters::of("IJK");
 /// Letters that a jog may have with its axes, and its G codes, ten times the number.
 const JOG: Letters = Letters::of("FNXYZ");
@@ -35,22 +37,23 @@ pub(super) struct Accepted {
 }
 
 /// A block while it is judged.
-struct Judged<'a> {
-    control: &'a Control,
-    firmware: &'a Firmware,
-    before: &'a Memory,
-    words: Vec<ReadWord>,
-    written: Letters,
+pub(super) struct Judged<'a> {
+    pub control: &'a Control,
+    pub firmware: &'a Firmware,
+    pub before: &'a Memory,
+    pub words: Vec<ReadWord>,
+    /// The letter of each code and its row.
+    pub codes: Vec<(u8, &'static CodeRow)>,
+    pub written: Letters,
     /// Words that nothing has used yet.
-    left: Letters,
-    modes: Modes,
-    axis_use: Option<AxisUse>,
-    once: Option<OnceCode>,
-    stores: Option<usize>,
-    length: Option<LengthCode>,
-    ends: bool,
-    groups: Vec<Group>,
-    whole: TextRange,
+    pub left: Letters,
+    pub modes: Modes,
+    pub axis_use: Option<AxisUse>,
+    pub once: Option<OnceCode>,
+    pub stores: Option<usize>,
+    pub length: Option<LengthCode>,
+    pub groups: Vec<Group>,
+    pub whole: TextRange,
 }
 
 /// Judges a line of words; `jog` where it follows `$J=`.
@@ -58,7 +61,7 @@ struct Judged<'a> {
 /// # Errors
 /// Its first mistake.
 pub(super) fn judge(
-    line: &mut Line,
+    words: impl Iterator<Item = Result<ReadWord, Fault>>,
     whole: TextRange,
     control: &Control,
     firmware: &Firmware,
@@ -70,6 +73,7 @@ pub(super) fn judge(
         firmware,
         before,
         words: Vec::new(),
+        codes: Vec::new(),
         written: Letters::NONE,
         left: Letters::NONE,
         modes: before.modes,
@@ -77,14 +81,13 @@ pub(super) fn judge(
         once: None,
         stores: None,
         length: None,
-        ends: false,
         groups: Vec::new(),
         whole,
     };
     if jog {
         (judged.modes.motion, judged.modes.inverse) = (FirmwareMotion::Linear, false);
     }
-    while let Some(word) = line.word() {
+    for word in words {
         judged.word(word?)?;
     }
     judged.block(jog)
@@ -105,7 +108,7 @@ impl Judged<'_> {
 
     fn value(&mut self, word: &ReadWord, letter: u8) -> Result<(), Fault> {
         let refuse = |refusal| Err(Fault::new(refusal, word.range));
-        if !self.firmware.letters.has(letter) {
+        if !self.firmware.line.letters.has(letter) {
             return refuse(Refusal::Unknown);
         }
         if letter == b'T' && word.value > self.firmware.largest[1] as f32 {
@@ -115,11 +118,19 @@ impl Judged<'_> {
             return refuse(Refusal::Repeated);
         }
         if NOT_NEGATIVE.has(letter) && word.value < 0.0 {
-            return refuse(Refusal::Negative);
+            // A way to a control point goes in either direction; which motion it is is known at the end of the block.
+            if letter != b'P' || !self.has_splines() {
+                return refuse(Refusal::Negative);
+            }
         }
         self.written.insert(letter);
         self.left.insert(letter);
         Ok(())
+    }
+
+    fn has_splines(&self) -> bool {
+        let is_spline = |row: &CodeRow| matches!(row.action.motion(), Some(MotionCode::Spline(_)));
+        self.control.table.g_codes.iter().any(is_spline)
     }
 
     fn code(&mut self, word: &ReadWord) -> Result<&'static CodeRow, Fault> {
@@ -131,27 +142,38 @@ impl Judged<'_> {
             Err(_) => self.kin(word).and_then(axis_use).filter(|of| *of != AxisUse::Once),
         };
         if axis_use.is_some() {
-            if self.axis_use.is_some() {
+            if self.axis_use.is_some() && !self.passes_reference(&row) {
                 return refuse(Refusal::AxisConflict);
             }
-            self.axis_use = axis_use;
+            self.axis_use = if self.axis_use.is_some() { Some(AxisUse::Once) } else { axis_use };
         }
         let row = row?;
         // G38.2 and its like are motions here, and G80 is none of them.
         let is_motion = axis_use == Some(AxisUse::Motion) || ends_motion(row);
         let group = if is_motion { Group::Motion } else { row.group };
-        if self.groups.contains(&group) {
+        if self.groups.contains(&group) && group != Group::Auxiliary {
             return refuse(Refusal::SameGroup);
         }
         self.groups.push(group);
+        self.codes.push((word.letter, row));
         if let Action::Length(code) = row.action {
             self.length = Some(code);
         }
         self.once = self.once.or(row.action.once().filter(|_| axis_use != Some(AxisUse::Motion)));
-        self.ends |= row.ends_program();
         self.stores = self.stores.or(row.stored_reference());
         self.modes.take(row);
         Ok(row)
+    }
+
+    /// A motion and a return to a stored point in one block, where the point takes the axis words.
+    fn passes_reference(&self, row: &Result<&'static CodeRow, Fault>) -> bool {
+        let returns =
+            |row: &CodeRow| matches!(row.action.once(), Some(OnceCode::ReturnToReference { .. }));
+        let moves = |row: &CodeRow| row.action.is_plain_motion();
+        let is_pair =
+            |new: &CodeRow, old: &CodeRow| returns(new) && moves(old) || moves(new) && returns(old);
+        self.firmware.block.reference_beside_motion
+            && row.as_ref().is_ok_and(|new| self.codes.iter().any(|(_, old)| is_pair(new, old)))
     }
 
     /// A code with the same whole number, where one with this fraction is not known.
@@ -175,32 +197,34 @@ impl Judged<'_> {
         let row = if is_code { of(number * 10 + hundredths as u16 / 10) } else { None };
         let takes_fractions = word.letter == b'G' && self.firmware.with_fractions.contains(&number);
         let is_known = word.letter == b'M' || of(number * 10).is_some() && !takes_fractions;
-        let by_sender = self.control.parameters.sender_changes_tools;
         match row {
-            Some(row) if row.group == Group::ToolChange && !by_sender => {
-                Err(Fault::new(Refusal::Unknown, word.range))
-            }
+            Some(row) if self.is_left_out(row) => Err(Fault::new(Refusal::Unknown, word.range)),
             Some(row) => Ok(row),
             None if hundredths != 0 && is_known => Err(Fault::new(Refusal::Fraction, word.range)),
             None => Err(Fault::new(Refusal::Unknown, word.range)),
         }
     }
 
-    fn number(&self, letter: u8) -> Option<f32> {
+    /// A tool change, where nobody changes tools.
+    fn is_left_out(&self, row: &CodeRow) -> bool {
+        self.control.parameters.tool_change == ToolChanger::Nobody && row.group == Group::ToolChange
+    }
+
+    pub fn number(&self, letter: u8) -> Option<f32> {
         self.words.iter().find(|word| word.letter == letter).map(|word| word.value)
     }
 
     /// Where a letter is written, or the whole block.
-    fn place(&self, letters: &str) -> TextRange {
+    pub fn place(&self, letters: &str) -> TextRange {
         let has = |word: &&ReadWord| letters.contains(char::from(word.letter));
         self.words.iter().find(has).map_or(self.whole, |word| word.range)
     }
 
-    fn refuse<T>(&self, refusal: Refusal, letters: &str) -> Result<T, Fault> {
+    pub fn refuse<T>(&self, refusal: Refusal, letters: &str) -> Result<T, Fault> {
         Err(Fault::new(refusal, self.place(letters)))
     }
 
-    fn refuse_measured<T>(
+    pub fn refuse_measured<T>(
         &self,
         refusal: Refusal,
         letters: &str,
@@ -209,11 +233,11 @@ impl Judged<'_> {
         Err(Fault { measured: Some(measured), ..Fault::new(refusal, self.place(letters)) })
     }
 
-    fn use_up(&mut self, letters: Letters) {
+    pub fn use_up(&mut self, letters: Letters) {
         self.left = self.left.without(letters);
     }
 
-    fn has_axes(&self) -> bool {
+    pub fn has_axes(&self) -> bool {
         self.written.meets(AXES)
     }
 
@@ -224,6 +248,10 @@ impl Judged<'_> {
         if self.number(b'N').is_some_and(|n| n.trunc() > self.firmware.largest[0] as f32) {
             return self.refuse(Refusal::LineNumber, "N");
         }
+        let is_spline = matches!(self.modes.motion, FirmwareMotion::Spline(_));
+        if !is_spline && self.number(b'P').is_some_and(|p| p < 0.0) {
+            return self.refuse(Refusal::Negative, "P");
+        }
         let feed = self.feed(jog)?;
         if self.once == Some(OnceCode::Dwell) {
             if !self.written.has(b'P') {
@@ -231,19 +259,10 @@ impl Judged<'_> {
             }
             self.use_up(Letters::of("P"));
         }
-        let only_z = self.written.has(b'Z') && !self.written.meets(Letters::of("XY"));
-        if self.length == Some(LengthCode::FromAxes) && !only_z {
-            return self.refuse(Refusal::LengthAxis, "XYG");
-        }
+        self.needed_words()?;
         let mut after = self.before.clone();
         (after.modes, after.feed) = (self.modes, feed);
-        if let Some(code) = self.length {
-            after.length = match code {
-                LengthCode::Cancel => 0.0,
-                LengthCode::FromAxes => self.axis(2).unwrap_or(0.0),
-                LengthCode::Plus | LengthCode::Minus | LengthCode::Add => after.length,
-            };
-        }
+        self.take_length(&mut after)?;
         let target = self.once_codes(&mut after)?;
         self.motion(&mut after, target, feed)?;
         self.use_up(STORED);
@@ -258,10 +277,81 @@ impl Judged<'_> {
             self.check_jog()?;
             (after.modes, after.feed) = (self.before.modes, self.before.feed);
         }
-        if self.ends {
+        if self.codes.iter().any(|(_, row)| row.ends_program()) {
             after.end_program();
         }
+        self.keep_modes(&mut after);
         Ok(self.accepted(after))
+    }
+
+    /// Words that codes cannot be without, and those that they take.
+    fn needed_words(&mut self) -> Result<(), Fault> {
+        for (letter, row) in self.codes.clone() {
+            let is_own = |(of, code, _): &&NeededWords| *of == letter && *code == row.code;
+            if let Some((_, _, words)) = self.firmware.needs.iter().find(is_own)
+                && !Letters::of(words).within(self.written)
+            {
+                return self.refuse(Refusal::NoValue, if letter == b'G' { "G" } else { "M" });
+            }
+            // What moves or writes asks for its words itself.
+            let by_itself = row.action.motion().is_some()
+                || row.action.cycle().is_some()
+                || row.action.once().is_some();
+            if !by_itself {
+                self.use_up(row.words);
+            }
+        }
+        Ok(())
+    }
+
+    fn take_length(&self, after: &mut Memory) -> Result<(), Fault> {
+        match self.length {
+            Some(LengthCode::Cancel) => after.length = [0.0; 3],
+            Some(LengthCode::FromAxes) => {
+                let axes = self.firmware.block.length_axes;
+                let others = AXES.without(axes);
+                if !self.written.meets(axes) || self.written.meets(others) {
+                    let letters: String = others.iter().chain(['G']).collect();
+                    return self.refuse(Refusal::LengthAxis, &letters);
+                }
+                for (axis, length) in after.length.iter_mut().enumerate() {
+                    *length = self.axis(axis).unwrap_or(*length);
+                }
+            }
+            // The tool table says it.
+            Some(LengthCode::Plus | LengthCode::Minus | LengthCode::Add) | None => {}
+        }
+        Ok(())
+    }
+
+    /// M70 to M73.
+    fn keep_modes(&self, after: &mut Memory) {
+        for (_, row) in &self.codes {
+            let Action::Before(code) = row.action else { continue };
+            match code {
+                BeforeCode::SaveModes { .. } => {
+                    after.kept = Some((self.before.modes, self.before.feed))
+                }
+                BeforeCode::ForgetModes => after.kept = None,
+                BeforeCode::RestoreModes => {
+                    if let Some((modes, feed)) = after.kept {
+                        after.modes = Modes { motion: after.modes.motion, ..modes };
+                        after.feed = feed;
+                    }
+                }
+                BeforeCode::ToolChange
+                | BeforeCode::SetToolNumber
+                | BeforeCode::SpindleCw
+                | BeforeCode::SpindleCcw
+                | BeforeCode::SpindleOrient
+                | BeforeCode::LiveToolCw
+                | BeforeCode::LiveToolCcw
+                | BeforeCode::CAxisOn
+                | BeforeCode::CoolantMist
+                | BeforeCode::CoolantFlood
+                | BeforeCode::CoolantThroughTool => {}
+            }
+        }
     }
 
     /// The words that act.
@@ -274,12 +364,12 @@ impl Judged<'_> {
             |word: &ReadWord| unused.has(word.letter) || stays && is_machine_move(control, word);
         let writes = self.once == Some(OnceCode::SetData);
         let in_mm = self.modes.inch && self.leaves_inverse();
-        let probe = self.implied_probe();
+        let implied = self.implied_code();
         let (mut dropped, mut words): (Vec<ReadWord>, Vec<ReadWord>) =
             self.words.into_iter().partition(is_unused);
         // A zero, as posts write it, says nothing.
         dropped.retain(|word| !CENTRES.has(word.letter) || word.value != 0.0);
-        words.splice(0..0, probe);
+        words.splice(0..0, implied);
         for word in &mut words {
             match word.letter {
                 // Numbers of offsets are cut to whole ones, and L to a byte.
@@ -307,9 +397,16 @@ impl Judged<'_> {
         Letters::NONE
     }
 
-    /// The code of a probe move, in a block that only has its axes.
-    fn implied_probe(&self) -> Option<ReadWord> {
-        let FirmwareMotion::Probe(code) = self.modes.motion else { return None };
+    /// The code of a probe move or a spline, in a block that only has its words: elsewhere they are not modal.
+    fn implied_code(&self) -> Option<ReadWord> {
+        let code = match self.modes.motion {
+            FirmwareMotion::Probe(code) | FirmwareMotion::Spline(code) => code,
+            FirmwareMotion::Rapid
+            | FirmwareMotion::Linear
+            | FirmwareMotion::Arc
+            | FirmwareMotion::Cycle
+            | FirmwareMotion::None => return None,
+        };
         let is_written = self.groups.contains(&Group::Motion);
         if is_written || self.axis_use != Some(AxisUse::Motion) {
             return None;
@@ -350,179 +447,8 @@ impl Judged<'_> {
     }
 
     /// An axis word, mm.
-    fn axis(&self, axis: usize) -> Option<f32> {
+    pub fn axis(&self, axis: usize) -> Option<f32> {
         let value = self.number(b"XYZ"[axis])?;
         Some(if self.modes.inch { value * MM_PER_INCH } else { value })
-    }
-
-    /// Codes that take the axis words, and those that store a place; where the block goes.
-    fn once_codes(&mut self, after: &mut Memory) -> Result<[f32; 3], Fault> {
-        if self.once == Some(OnceCode::SetData) {
-            self.set_data(after)?;
-            return Ok(after.position);
-        }
-        if self.once == Some(OnceCode::PresetPosition) {
-            if !self.has_axes() {
-                return self.refuse(Refusal::NoAxes, "G");
-            }
-            for axis in 0..3 {
-                if let Some(value) = self.axis(axis) {
-                    after.preset[axis] =
-                        after.position[axis] - after.system()[axis] - value - after.length_of(axis);
-                }
-            }
-            return Ok(after.position);
-        }
-        let mut target = after.position;
-        if self.axis_use != Some(AxisUse::Length) {
-            for (axis, target) in target.iter_mut().enumerate() {
-                let Some(value) = self.axis(axis) else { continue };
-                *target = if self.once == Some(OnceCode::MachineCoordinates) {
-                    value
-                } else if self.modes.incremental {
-                    after.position[axis] + value
-                } else {
-                    value + (after.system()[axis] + after.preset[axis]) + after.length_of(axis)
-                };
-            }
-        }
-        if let Some(OnceCode::ReturnToReference { second }) = self.once {
-            let stored = after.stored[usize::from(second)];
-            for (axis, stored) in stored.into_iter().enumerate() {
-                if !self.has_axes() || self.axis(axis).is_some() {
-                    after.position[axis] = stored;
-                }
-            }
-        }
-        if let Some(number) = self.stores {
-            after.stored[number] = after.position;
-        }
-        if let Some(OnceCode::ClearPreset { .. }) = self.once {
-            after.preset = [0.0; 3];
-        }
-        let cuts_straight =
-            matches!(self.modes.motion, FirmwareMotion::Rapid | FirmwareMotion::Linear);
-        if self.once == Some(OnceCode::MachineCoordinates) && !cuts_straight {
-            return self.refuse(Refusal::MachineMotion, "G");
-        }
-        Ok(target)
-    }
-
-    fn set_data(&mut self, after: &mut Memory) -> Result<(), Fault> {
-        if !self.has_axes() {
-            return self.refuse(Refusal::NoAxes, "G");
-        }
-        if !self.written.meets(Letters::of("PL")) {
-            return self.refuse(Refusal::NoValue, "G");
-        }
-        let system = self.number(b'P').unwrap_or(0.0).trunc();
-        if system > self.firmware.largest[2] as f32 {
-            return self.refuse(Refusal::WorkOffset, "P");
-        }
-        let kind = byte(self.number(b'L').unwrap_or(0.0));
-        let from_position = kind == 20;
-        if kind != 2 && !from_position || kind == 2 && self.written.has(b'R') {
-            return self.refuse(Refusal::Unknown, "LG");
-        }
-        self.use_up(Letters::of("PL"));
-        let index = match system as usize {
-            0 => after.modes.system,
-            number => number - 1,
-        };
-        for axis in 0..3 {
-            let Some(value) = self.axis(axis) else { continue };
-            after.systems[index][axis] = match from_position {
-                true => after.position[axis] - after.preset[axis] - value - after.length_of(axis),
-                false => value,
-            };
-        }
-        Ok(())
-    }
-
-    /// The motion in force, and the position after it.
-    fn motion(&mut self, after: &mut Memory, target: [f32; 3], feed: f32) -> Result<(), Fault> {
-        let motion = self.modes.motion;
-        if motion == FirmwareMotion::None {
-            return if self.has_axes() {
-                self.refuse(Refusal::AxesWithoutMotion, "XYZ")
-            } else {
-                Ok(())
-            };
-        }
-        if self.axis_use != Some(AxisUse::Motion) {
-            return Ok(());
-        }
-        if motion != FirmwareMotion::Rapid && feed == 0.0 {
-            return self.refuse(Refusal::NoFeed, "GXYZ");
-        }
-        match motion {
-            FirmwareMotion::None => {}
-            FirmwareMotion::Rapid | FirmwareMotion::Linear => {
-                if !self.has_axes() {
-                    self.axis_use = None;
-                    return Ok(());
-                }
-            }
-            FirmwareMotion::Arc => self.arc(after.position, target)?,
-            FirmwareMotion::Probe(_) => {
-                if !self.has_axes() {
-                    return self.refuse(Refusal::NoAxes, "G");
-                }
-                if target == after.position {
-                    return self.refuse(Refusal::SamePlace, "XYZ");
-                }
-            }
-        }
-        after.position = target;
-        Ok(())
-    }
-
-    fn arc(&mut self, from: [f32; 3], to: [f32; 3]) -> Result<(), Fault> {
-        if !self.has_axes() {
-            return self.refuse(Refusal::NoAxes, "G");
-        }
-        let [a, b] = self.modes.plane_axes();
-        let letters = |of: &[u8; 3]| {
-            let mut letters = Letters::NONE;
-            [a, b].into_iter().for_each(|axis| letters.insert(of[axis]));
-            letters
-        };
-        if !self.written.meets(letters(b"XYZ")) {
-            return self.refuse(Refusal::NoPlaneAxes, "XYZ");
-        }
-        let unit = if self.modes.inch { MM_PER_INCH } else { 1.0 };
-        let (x, y) = (to[a] - from[a], to[b] - from[b]);
-        if let Some(radius) = self.number(b'R') {
-            self.use_up(Letters::of("R"));
-            if from == to {
-                return self.refuse(Refusal::SamePlace, "R");
-            }
-            let radius = radius * unit;
-            if 4.0 * radius * radius - x * x - y * y < 0.0 {
-                let half = 0.5 * (x * x + y * y).sqrt();
-                let measured = format!("R is {radius} mm, and half the distance {half} mm");
-                return self.refuse_measured(Refusal::Radius, "R", measured);
-            }
-            return Ok(());
-        }
-        if !self.written.meets(letters(b"IJK")) {
-            return self.refuse(Refusal::NoCenter, "IJKG");
-        }
-        self.use_up(Letters::of("IJK"));
-        let center = |axis: usize| self.number(b"IJK"[axis]).unwrap_or(0.0) * unit;
-        let size = |x: f32, y: f32| (x * x + y * y).sqrt();
-        let radius = size(center(a), center(b));
-        let at_end = size(x - center(a), y - center(b));
-        let off = (at_end - radius).abs();
-        let [always, most, share] = self.firmware.arc;
-        if off > always && (off > most || off > share * radius) {
-            let allowed = always.max(most.min(share * radius));
-            let measured = format!(
-                "the radius is {radius} mm at the start and {at_end} mm at the end: {off} mm apart, and {allowed} \
-                 mm are allowed"
-            );
-            return self.refuse_measured(Refusal::OffCircle, "IJK", measured);
-        }
-        Ok(())
     }
 }

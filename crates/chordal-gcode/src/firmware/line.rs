@@ -1,7 +1,7 @@
 //! A line as a firmware reads it: what it drops, and numbers of few digits in single precision.
 
 use chordal_diagnostics::TextRange;
-use chordal_dialect::firmware::{Firmware, Refusal};
+use chordal_dialect::firmware::{LineRules, Refusal, Slash};
 use chordal_syntax::Decimal;
 
 /// A word: its value as the firmware computes with it, and as it was read.
@@ -28,20 +28,26 @@ impl Fault {
 }
 
 /// The characters of a line that count, each with its offset in the text.
-#[derive(Debug, Default)]
-pub(super) struct Line {
+#[derive(Debug)]
+pub(super) struct Line<'a> {
     characters: Vec<(u8, u32)>,
     at: usize,
-    digits: u32,
+    rules: &'a LineRules,
 }
 
-impl Line {
-    /// Drops blanks, slashes and comments: one in parentheses ends at the first `)` or with the line.
+impl<'a> Line<'a> {
+    /// Drops blanks and comments, and slashes where they are not kept: a comment in parentheses ends at the first `)`
+    /// or with the line. `deletes`: block delete is on.
     ///
     /// # Errors
     /// More characters than the line of the firmware holds.
-    pub fn of(text: &[u8], from: u32, firmware: &Firmware) -> Result<Line, Fault> {
-        let mut line = Line { digits: firmware.digits, ..Line::default() };
+    pub fn of(
+        text: &[u8],
+        from: u32,
+        rules: &'a LineRules,
+        deletes: bool,
+    ) -> Result<Line<'a>, Fault> {
+        let mut line = Line { characters: Vec::new(), at: 0, rules };
         let mut in_comment = false;
         for (byte, offset) in text.iter().zip(from..) {
             match byte {
@@ -49,22 +55,39 @@ impl Line {
                 _ if in_comment => {}
                 b'(' => in_comment = true,
                 b';' => break,
-                0..=b' ' | b'/' => {}
+                0..=b' ' => {}
+                b'/' if rules.slash != Slash::Kept => {
+                    let takes_line = line.is_empty() && rules.slash == Slash::Deletes && deletes;
+                    if takes_line {
+                        return Ok(line);
+                    }
+                }
                 _ => line.characters.push((byte.to_ascii_uppercase(), offset)),
             }
         }
-        match line.characters.get(firmware.longest_line) {
-            Some((_, first)) => Err(Fault {
-                measured: Some(format!("it has {}", line.characters.len())),
-                ..Fault::new(Refusal::TooLong, TextRange::new(*first, first + 1))
-            }),
-            None => Ok(line),
+        let counted =
+            if rules.counts_blanks { text.trim_ascii_end().len() } else { line.characters.len() };
+        if counted > rules.longest {
+            let first = match line.characters.get(rules.longest) {
+                Some((_, first)) if !rules.counts_blanks => *first,
+                _ => from + rules.longest as u32,
+            };
+            return Err(Fault {
+                measured: Some(format!("it has {counted}")),
+                ..Fault::new(Refusal::TooLong, TextRange::new(first, first + 1))
+            });
         }
+        Ok(line)
     }
 
     /// Nothing is on it.
     pub fn is_empty(&self) -> bool {
         self.characters.is_empty()
+    }
+
+    /// A percent sign that marks the program.
+    pub fn is_mark(&self) -> bool {
+        self.rules.percent_marks && matches!(self.characters[..], [(b'%', _)])
     }
 
     /// The text of a system command (`$H`), without its `$`.
@@ -105,11 +128,14 @@ impl Line {
             self.at += 1;
         }
         let (mut digits, mut whole, mut exponent, mut has_point) = (0_u32, 0_u32, 0_i32, false);
+        let mut is_number = false;
         while let Some((byte, _)) = self.peek() {
             match byte {
                 b'0'..=b'9' => {
-                    digits += 1;
-                    if digits <= self.digits {
+                    is_number = true;
+                    let in_front = whole == 0 && byte == b'0' && !has_point;
+                    digits += u32::from(self.rules.zeros_count || !in_front);
+                    if digits <= self.rules.digits {
                         exponent -= i32::from(has_point);
                         whole = whole.wrapping_mul(10).wrapping_add(u32::from(byte - b'0'));
                     } else {
@@ -121,7 +147,7 @@ impl Line {
             }
             self.at += 1;
         }
-        (digits > 0).then(|| {
+        is_number.then(|| {
             (single(whole, exponent, negative), decimal(whole, exponent, has_point, negative))
         })
     }

@@ -1,5 +1,7 @@
 //! What a firmware remembers from block to block, in single precision.
 
+use chordal_syntax::Letters;
+
 /// The motion in force.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum FirmwareMotion {
@@ -8,6 +10,10 @@ pub(super) enum FirmwareMotion {
     Arc,
     /// With its code, ten times the number.
     Probe(u16),
+    /// A spline by one block, the same.
+    Spline(u16),
+    /// A canned cycle.
+    Cycle,
     None,
 }
 
@@ -23,12 +29,29 @@ pub(super) struct Modes {
     pub plane: usize,
     /// Which work offset, from 0.
     pub system: usize,
+    /// Cycles return to R, not to the level before them.
+    pub return_to_r: bool,
 }
 
 impl Modes {
     /// The axes of the plane.
     pub fn plane_axes(&self) -> [usize; 2] {
         [[0, 1], [2, 0], [1, 2]][self.plane.min(2)]
+    }
+}
+
+/// What a canned cycle remembers: levels along its axis, mm, and the letters that it has had.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct HoleMemory {
+    pub initial: f32,
+    pub r: f32,
+    pub z: f32,
+    pub letters: Letters,
+}
+
+impl HoleMemory {
+    pub fn moved(self, by: f32) -> HoleMemory {
+        HoleMemory { initial: self.initial + by, r: self.r + by, z: self.z + by, ..self }
     }
 }
 
@@ -42,12 +65,17 @@ pub(super) struct Memory {
     pub position: [f32; 3],
     /// The work offsets.
     pub systems: Vec<[f32; 3]>,
-    /// G92.
+    /// G92, and what is kept of it where it is switched off.
     pub preset: [f32; 3],
-    /// The tool length along Z.
-    pub length: f32,
+    pub kept_preset: [f32; 3],
+    /// The tool length.
+    pub length: [f32; 3],
     /// The places of G28 and G30.
     pub stored: [[f32; 3]; 2],
+    /// The cycle that is active.
+    pub hole: Option<HoleMemory>,
+    /// Modes and feed that M70 keeps.
+    pub kept: Option<(Modes, f32)>,
 }
 
 impl Memory {
@@ -60,9 +88,20 @@ impl Memory {
             incremental: false,
             plane: 0,
             system: 0,
+            return_to_r: false,
         };
-        let (preset, stored) = ([0.0; 3], [[0.0; 3]; 2]);
-        Memory { modes, feed: 0.0, position, systems, preset, length: 0.0, stored }
+        Memory {
+            modes,
+            feed: 0.0,
+            position,
+            systems,
+            preset: [0.0; 3],
+            kept_preset: [0.0; 3],
+            length: [0.0; 3],
+            stored: [[0.0; 3]; 2],
+            hole: None,
+            kept: None,
+        }
     }
 
     /// The work offset in force.
@@ -70,15 +109,16 @@ impl Memory {
         self.systems.get(self.modes.system).copied().unwrap_or_default()
     }
 
-    /// The tool length, of Z alone.
-    pub fn length_of(&self, axis: usize) -> f32 {
-        if axis == 2 { self.length } else { 0.0 }
+    /// The machine coordinate of an absolute word.
+    pub fn machine(&self, axis: usize, value: f32) -> f32 {
+        value + (self.system()[axis] + self.preset[axis]) + self.length[axis]
     }
 
     /// M2 and M30 set modes back.
     pub fn end_program(&mut self) {
         let modes = &mut self.modes;
         (modes.motion, modes.plane, modes.system) = (FirmwareMotion::Linear, 0, 0);
-        (modes.incremental, modes.inverse) = (false, false);
+        (modes.incremental, modes.inverse, modes.return_to_r) = (false, false, false);
+        self.hole = None;
     }
 }

@@ -4,7 +4,9 @@
 //! |---|---|
 //! | `line.rs` | the characters that count, words, numbers |
 //! | `codes.rs` | what a code takes and changes |
-//! | `judge.rs` | the first mistake of a block |
+//! | `judge.rs` | the words of a block, and its first mistake |
+//! | `once.rs` | codes that take the axis words, and what they write |
+//! | `motion.rs` | straight lines, arcs, splines, cycles |
 //! | `memory.rs` | what the next verdict depends on |
 //!
 //! A block that passes goes on to the interpreter, with its words as the firmware has read them; one that does not
@@ -14,6 +16,8 @@ mod codes;
 mod judge;
 mod line;
 mod memory;
+mod motion;
+mod once;
 
 use chordal_diagnostics::TextRange;
 use chordal_dialect::Control;
@@ -37,8 +41,8 @@ pub(crate) enum Verdict {
     Words(Vec<Word>),
     /// `$H`: the machine goes to its switches.
     Homing,
-    /// `$J=`: a jog.
-    Jog,
+    /// `$J=`: a jog, with its words.
+    Jog(Vec<Word>),
     /// `$120=400`: a setting.
     Setting,
     /// It is refused.
@@ -65,16 +69,27 @@ impl Judge {
         self.memory.position
     }
 
-    /// Reads and judges the line of a block; one that acts has the firmware's words then.
+    /// The tool length that the table of the control gives, mm.
+    pub fn set_length(&mut self, length: [f64; 3]) {
+        self.memory.length = length.map(|value| value as f32);
+    }
+
+    /// Reads and judges the line of a block; one that acts has the firmware's words then. `deletes`: block delete is on.
+    /// `resolved`: the values of its expressions are in its words.
     pub fn take(
         &mut self,
         block: &mut Block,
         text: &[u8],
         control: &Control,
         firmware: &Firmware,
+        deletes: bool,
+        resolved: bool,
     ) -> Verdict {
         let whole = block.range;
-        let verdict = self.line(whole.slice(text), whole, control, firmware);
+        let verdict = match resolved {
+            true => self.resolved(block, control, firmware),
+            false => self.line(whole.slice(text), whole, control, firmware, deletes),
+        };
         block.problems.clear();
         block.delete = None;
         block.expressions = false;
@@ -97,15 +112,38 @@ impl Judge {
         whole: TextRange,
         control: &Control,
         firmware: &Firmware,
+        deletes: bool,
     ) -> Result<Option<Accepted>, Verdict> {
-        let mut line = Line::of(text, whole.start, firmware).map_err(Verdict::Refused)?;
-        if line.is_empty() {
+        let mut line =
+            Line::of(text, whole.start, &firmware.line, deletes).map_err(Verdict::Refused)?;
+        if line.is_empty() || line.is_mark() {
             return Ok(None);
         }
         if let Some(command) = line.command() {
             return Err(self.command(&command, &mut line, whole, control, firmware));
         }
-        let accepted = judge::judge(&mut line, whole, control, firmware, &self.memory, false);
+        let words = std::iter::from_fn(|| line.word());
+        let accepted = judge::judge(words, whole, control, firmware, &self.memory, false);
+        accepted.map(Some).map_err(Verdict::Refused)
+    }
+
+    /// Judges words whose expressions have their values.
+    fn resolved(
+        &self,
+        block: &Block,
+        control: &Control,
+        firmware: &Firmware,
+    ) -> Result<Option<Accepted>, Verdict> {
+        let read = block.words.iter().filter_map(|word| {
+            let number = word.number()?;
+            Some(Ok(ReadWord {
+                letter: word.letter,
+                value: number.to_f64() as f32,
+                number,
+                range: word.range,
+            }))
+        });
+        let accepted = judge::judge(read, block.range, control, firmware, &self.memory, false);
         accepted.map(Some).map_err(Verdict::Refused)
     }
 
@@ -119,10 +157,11 @@ impl Judge {
     ) -> Verdict {
         if command.starts_with("J=") {
             line.skip("$J=".len());
-            return match judge::judge(line, whole, control, firmware, &self.memory, true) {
+            let words = std::iter::from_fn(|| line.word());
+            return match judge::judge(words, whole, control, firmware, &self.memory, true) {
                 Ok(accepted) => {
                     self.memory.position = accepted.after.position;
-                    Verdict::Jog
+                    Verdict::Jog(accepted.words.iter().map(word_of).collect())
                 }
                 Err(fault) => Verdict::Refused(fault),
             };
@@ -136,6 +175,7 @@ impl Judge {
         match command {
             _ if COMMANDS.contains(&command) || command.is_empty() => Verdict::Nothing,
             _ if is_text || is_number(name) && value.parse::<f32>().is_ok() => Verdict::Setting,
+            _ if firmware.line.named_commands && !is_number(name) => Verdict::Setting,
             _ if is_number(name) => Verdict::Refused(Fault::new(Refusal::NoNumber, whole)),
             _ => Verdict::Refused(Fault::new(Refusal::UnknownCommand, whole)),
         }

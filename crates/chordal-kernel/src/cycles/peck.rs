@@ -76,17 +76,22 @@ impl Kernel<'_> {
             if dwell_each {
                 self.wait(hole.words.dwell_s);
             }
+            self.wait(Some(rules.dwell_each_s));
             let due = return_after.is_some_and(|k| total - returned_at >= k - LEVEL_EPSILON_MM);
             if full || due {
                 returned_at = total;
-                self.level(hole, hole.r + above);
+                let to_clear = full && rules.returns_to_clear;
+                self.level(hole, if to_clear { hole.clear } else { hole.r + above });
             }
-            self.level(hole, (depth + lift).min(hole.r));
+            if !(full && rules.feeds_down) {
+                self.level(hole, (depth + lift).min(hole.r));
+            }
         }
         self.feed_to(at, hole, hole.z);
         if dwell_each || rules.dwell == PeckDwell::Bottom {
             self.wait(hole.words.dwell_s);
         }
+        self.wait(Some(rules.dwell_each_s));
     }
 
     fn peck_steps(&self, hole: &Hole) -> Steps {

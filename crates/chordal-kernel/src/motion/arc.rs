@@ -1,6 +1,8 @@
 //! Arcs, helices and full circles: by centre or by radius, with the mismatch that a control allows.
 
-use chordal_command::{ArcShape, AxisMask, CommandKind, FeedAlong, Move, Position, Side};
+use chordal_command::{
+    ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, Side,
+};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::{
     ArcSweep, Direction, Plane, RadiusError, Vec3, arc_sweep, center_from_radius,
@@ -269,12 +271,42 @@ impl Kernel<'_> {
         let motion = self.moved_to(arc_end, named);
         let mut feed = self.feed_for(at, &motion, Some(&shape));
         feed.along = self.feed_along(&motion, plane);
+        self.take_speed_of_segments(at, &shape, &mut feed);
         self.emit(CommandKind::Arc { motion, shape, feed });
         if rest {
             let motion = self.moved_to(target, named);
             feed.along = FeedAlong::Path;
             self.emit(CommandKind::Line { motion, feed });
         }
+    }
+
+    /// Inverse time on a control that cuts arcs into segments: F times their number is their speed in mm/min.
+    fn take_speed_of_segments(&mut self, at: &dyn Statement, shape: &ArcShape, feed: &mut Feed) {
+        let Some(junctions) = self.rules.path.junctions else { return };
+        if feed.mode != FeedMode::InverseTime || feed.value.is_nan() || feed.value <= 0.0 {
+            return;
+        }
+        let count = junctions.segments(shape.radius_from, shape.sweep);
+        if count < 1.0 {
+            return;
+        }
+        let each_minute = feed.value * 60.0;
+        (feed.value, feed.mode) = (feed.value * count, FeedMode::PerTime);
+        if std::mem::replace(&mut self.reported.inverse_time_arc, true) {
+            return;
+        }
+        let length = (shape.radius_from * shape.sweep).abs();
+        let meant = self.length_text(length * each_minute);
+        let runs = self.length_text(each_minute * count);
+        let message = format!(
+            "an arc in inverse time runs at {runs}/min here, not at {meant}/min: the control multiplies F by the \
+             {count} segments of the arc and takes that for mm/min"
+        );
+        self.report(
+            Diagnostic::new(Code::InverseTimeArc, at.span(), message)
+                .label("the first one in this program")
+                .help("write G94 and a feed per minute before arcs"),
+        );
     }
 
     /// F of a helix; a flat arc is the same either way.

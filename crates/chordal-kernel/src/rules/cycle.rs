@@ -237,6 +237,12 @@ pub struct PeckRules {
     pub p_is_lift: bool,
     /// P of G83 is the clearance, not a time (Fadal, older).
     pub p_is_clearance: bool,
+    /// Pecks of G83 return to the level of G98 or G99, not to R (grblHAL).
+    pub returns_to_clear: bool,
+    /// After such a return the tool feeds down, also where it has drilled (grblHAL).
+    pub feeds_down: bool,
+    /// A dwell at the bottom of every peck, whatever P, s (grblHAL).
+    pub dwell_each_s: f64,
 }
 
 /// Taps.
@@ -393,6 +399,9 @@ impl CycleRules {
             dwell: PeckDwell::None,
             p_is_lift: false,
             p_is_clearance: false,
+            returns_to_clear: false,
+            feeds_down: false,
+            dwell_each_s: 0.0,
         },
         tap: TapRules {
             exchanged_off_xy: false,

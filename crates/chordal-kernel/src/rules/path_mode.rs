@@ -36,6 +36,18 @@ pub struct JunctionRules {
     pub arc_tolerance_mm: f64,
     /// Segments end on whole steps of X, Y and Z, so many a mm.
     pub steps_per_mm: [f64; 3],
+    /// A segment is accelerated less, as a jerk limit would do it (grblHAL).
+    pub limited_jerk: bool,
+}
+
+impl JunctionRules {
+    /// How many segments it cuts an arc into, of a radius in mm and an angle in rad.
+    pub fn segments(&self, radius_mm: f64, angle_rad: f64) -> f64 {
+        let tolerance = self.arc_tolerance_mm;
+        let half_step = (tolerance * (2.0 * radius_mm - tolerance)).max(0.0).sqrt();
+        let count = (0.5 * angle_rad * radius_mm).abs() / half_step;
+        if count.is_finite() { count.floor() } else { 0.0 }
+    }
 }
 
 /// How a control passes the ends of moves. Lengths are mm.

@@ -39,6 +39,9 @@ impl Kind {
 /// Their G73 to G76 are other cycles; `turning.rs` has their faults.
 const LATHES: &[&str] = &["fanuc-lathe", "haas-lathe", "linuxcnc-lathe", "mitsubishi-lathe"];
 
+/// Many of their machines have a spindle that is switched by hand, and their programs need no end.
+const SMALL: &[&str] = &["grbl", "grblhal", "fluidnc"];
+
 /// The feed of a hole begins where the tool is.
 const NO_R: &[&str] =
     &["fadal", "haas", "fanuc-lathe", "haas-lathe", "linuxcnc-lathe", "mitsubishi-lathe"];
@@ -55,6 +58,8 @@ pub const KINDS: &[Kind] = &[
         "linuxcnc",
         "linuxcnc-lathe",
         "grbl",
+        "grblhal",
+        "fluidnc",
     ]),
     kind("comment not closed", open_comment, &["CH104"]).not_on(&["fadal"]),
     kind("decimal point forgotten", lost_point, &["CH305"]).not_on(&[
@@ -62,6 +67,8 @@ pub const KINDS: &[Kind] = &[
         "linuxcnc",
         "linuxcnc-lathe",
         "grbl",
+        "grblhal",
+        "fluidnc",
     ]),
     // Codes.
     kind("unknown G code", unknown_g, &["CH301"]),
@@ -89,7 +96,7 @@ pub const KINDS: &[Kind] = &[
     kind("no feed", no_feed, &["CH406", "CH745"]),
     kind("feed of zero", zero_feed, &["CH303", "CH406", "CH745", "CH814"]),
     // Many GRBL machines have a spindle that is switched by hand, and its programs need no end.
-    kind("spindle not started", no_spindle, &["CH413", "CH814"]).at(first_cut).not_on(&["grbl"]),
+    kind("spindle not started", no_spindle, &["CH413", "CH814"]).at(first_cut).not_on(SMALL),
     kind("rapid instead of feed in a contour", rapid_cut, &["CH602"]),
     // Cycles.
     // There the feed begins where the tool is.
@@ -101,7 +108,7 @@ pub const KINDS: &[Kind] = &[
     // Programs.
     kind("called program is not there", lost_program, &["CH201", "CH202"]),
     kind("call without its number", call_without_number, &["CH202", "CH308"]),
-    kind("no end of program", no_end, &["CH205"]).at(last_line).not_on(&["grbl"]),
+    kind("no end of program", no_end, &["CH205"]).at(last_line).not_on(SMALL),
     // Macros.
     kind("jump to a number that is not there", lost_label, &["CH202"]),
     kind("bracket not closed", open_bracket, &["CH701", "CH700", "CH704"]),

@@ -1,14 +1,19 @@
 //! Arcs: centres and turns as the new control reads them, and the feed of a helix.
 
 use chordal::CommandKind;
-use chordal::control::{FeedAlong, FeedMode, Units};
+use chordal::control::{ArcShape, Control, FeedAlong, FeedMode, Units};
 use chordal::syntax::Letters;
 
 use super::context::Context;
 use super::draft::{Draft, Expand};
 use super::numbers;
 use super::spiral;
-use super::trace::Exec;
+use super::trace::{Exec, moves};
+
+/// An arc must name an axis of its plane, also where it ends at its start.
+pub(super) fn needs_axes(to: &Control) -> bool {
+    to.table.firmware.is_some_and(|firmware| !firmware.block.bare_circles)
+}
 
 impl Context<'_> {
     /// Centres and radii as the new control reads them, and forms that it does not have.
@@ -41,6 +46,7 @@ impl Context<'_> {
         {
             return Err(Expand(format!("{} reads centres in another way", self.to.table.title)));
         }
+        self.named_axes(draft, at, run, shape)?;
         let (a, b, _) = shape.plane.axes();
         if self.to.table.strict_center_words {
             for word in 0..draft.block.words.len() {
@@ -53,6 +59,36 @@ impl Context<'_> {
                 }
             }
         }
+        Ok(())
+    }
+
+    /// The end of a full circle, where the new control must have it.
+    fn named_axes(
+        &self,
+        draft: &mut Draft,
+        at: usize,
+        run: &Exec,
+        shape: &ArcShape,
+    ) -> Result<(), Expand> {
+        let (a, b, _) = shape.plane.axes();
+        let [first, second] = [a, b].map(|axis| b"XYZ"[axis]);
+        let letters = draft.block.letters();
+        if !needs_axes(self.to) || letters.has(first) || letters.has(second) {
+            return Ok(());
+        }
+        let reason = format!("{} needs the end point of a full circle", self.to.table.title);
+        if self.trace.facts[at].runs > 1 {
+            return Err(Expand(reason));
+        }
+        let moves = moves(self.trace.commands_of(run)).last();
+        let Some(to) = moves.and_then(|command| command.kind.motion()).map(|motion| motion.to)
+        else {
+            return Ok(());
+        };
+        let place = if run.after.incremental { 0.0 } else { to[a] };
+        let units = run.after.units;
+        let text = numbers::length(place, units, numbers::digits(self.to, units), self.style());
+        draft.append(format!("{}{text}", char::from(first)), reason);
         Ok(())
     }
 

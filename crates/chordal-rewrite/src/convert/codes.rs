@@ -1,7 +1,7 @@
 //! G and M codes of one control on another: by what they do.
 
 use chordal::control::table::{CodeRow, Group, code_name, code_number};
-use chordal::control::{Action, AfterCode, ModeCode, OnceCode, PathCode, ReadingCode};
+use chordal::control::{Action, AfterCode, LengthCode, ModeCode, OnceCode, PathCode, ReadingCode};
 use chordal::control::{Control, UnitCodes, WorkName};
 
 use super::draft::{Draft, Expand};
@@ -209,6 +209,16 @@ fn one(
         | Action::NotSimulated
         | Action::NotFollowed => {}
     }
+    if own.action == Action::Length(LengthCode::Cancel)
+        && from.table.firmware.is_none()
+        && to.table.firmware.is_some()
+        && draft.block.letters().meets(chordal::syntax::Letters::of("XYZ"))
+        && let Some(new) = name(own.action, to, style)
+    {
+        draft.remove(at, format!("{title} ignores axis words next to {new}: in a block before"));
+        draft.before.push(new);
+        return Ok(());
+    }
     // The same number for the same thing is the rule.
     if there.is_some_and(|row| same(row.action, own.action) && is_chosen(row, to)) {
         return Ok(());
@@ -286,6 +296,12 @@ fn without_such_a_code(
                 format!("{title} reports a probe without a touch in another way"),
             );
         }
+        Action::Length(LengthCode::Plus | LengthCode::Cancel) if !has_lengths(to) => {
+            draft.remove(at, without_lengths(to));
+            if let Some(h) = draft.place(b'H') {
+                draft.remove(h, without_lengths(to));
+            }
+        }
         Action::Before(_)
         | Action::Length(_)
         | Action::Motion(_)
@@ -297,6 +313,16 @@ fn without_such_a_code(
         | Action::NotFollowed => return Err(missing(own, to)),
     }
     Ok(())
+}
+
+/// It has a table of tool lengths. Where it has none, each tool is set to the work zero by itself.
+pub(crate) fn has_lengths(control: &Control) -> bool {
+    row(Action::Length(LengthCode::Plus), control).is_some()
+}
+
+/// Why the length of a tool is left out.
+pub(crate) fn without_lengths(to: &Control) -> String {
+    format!("{} has no tool table: set Z to the work zero with each tool", to.table.title)
 }
 
 fn mode_without_a_code(

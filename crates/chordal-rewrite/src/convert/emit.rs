@@ -13,6 +13,7 @@ use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::{Command, CommandKind};
 
 use super::Refusal;
+use super::arcs;
 use super::codes;
 use super::context::Context;
 use super::numbers;
@@ -231,6 +232,7 @@ impl<'a> Emitter<'a> {
                 self.line(&[code, format!("Q{number}")]);
             }
             CommandKind::ToolSelect { .. } | CommandKind::Idle | CommandKind::Message(_) => {}
+            CommandKind::ToolLength { .. } if !codes::has_lengths(self.to) => {}
             CommandKind::ToolLength { number: None, .. } => {
                 let code = self.due(Action::Length(LengthCode::Cancel))?;
                 self.pending.push(code);
@@ -414,7 +416,8 @@ impl<'a> Emitter<'a> {
         let is_full = (shape.sweep.abs() - turn).abs() < 1e-9;
         let in_plane =
             |word: &String| [a, b].iter().any(|axis| word.starts_with(LINEAR_AXES[*axis]));
-        if !is_full && !words.iter().any(in_plane) {
+        let must_name = arcs::needs_axes(self.to);
+        if (!is_full || must_name) && !words.iter().any(in_plane) {
             words.push(format!("{}{}", LINEAR_AXES[a], self.place(a, motion.to[a])));
         }
         let absolute =

@@ -37,8 +37,10 @@ mod turning;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use chordal::control::{RapidPath, RotarySurface, Side, SurfaceShape};
-use chordal::machine::{AXIS_LETTERS, RapidShape, WorkOffset, mirrored_tip, work_offset_name};
+use chordal::control::{Field, RapidPath, RotarySurface, Side, SurfaceShape};
+use chordal::machine::{
+    AXIS_LETTERS, RapidShape, Setting, SettingValue, WorkOffset, mirrored_tip, work_offset_name,
+};
 
 use chordal::{Code, CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
 use chordal_compare::{Blocks, Category, Difference, FreePasses, Value};
@@ -276,8 +278,11 @@ fn proof(
     };
     let surface = [old, new].map(trace::surface_lines);
     let turns = old.control().table.turns();
+    // Without a tool table each tool is set to the work zero.
+    let no_lengths = ![old, new].map(Job::control).into_iter().all(codes::has_lengths);
     let is_expected = |difference: &Difference| {
         is_of_machine(difference, turns)
+            || (no_lengths && difference.category == Category::LengthOffset)
             || (printed && difference.category == Category::Output)
             || follows_the_diameter(difference, &surface)
     };
@@ -493,6 +498,7 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
         RapidPath::Straight => RapidShape::Straight,
     });
     machine.tools = old.tools.clone();
+    goes_on_after_refusal(&mut machine);
     if job.control().table.turns() {
         machine.spindle_max_rpm = old.spindle_max_rpm;
         // A dog-leg bends where the faster axis arrives: X and Z of lathes have speeds of their own.
@@ -521,6 +527,17 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
         .map(|(name, offset)| (renamed(name, target), *offset))
         .collect::<BTreeMap<String, WorkOffset>>();
     machine
+}
+
+/// One block that a firmware refuses does not hide what comes after it: each is found.
+fn goes_on_after_refusal(machine: &mut Machine) {
+    let table = chordal::control::table(machine.control);
+    if let Some(setting) =
+        table.settings.iter().find(|setting| setting.field == Field::AfterRefusal)
+    {
+        let value = SettingValue::Text("continue".into());
+        machine.settings.insert(setting.name.into(), Setting { value, location: None });
+    }
 }
 
 /// The name under which the target has a work offset: E7 is G54.1 P1 and G154 P1.

@@ -4,7 +4,7 @@ use chordal::control::table::{ControlTable, DwellWord};
 use chordal::control::{Control, DecimalPoint, Units};
 use chordal::syntax::Decimal;
 
-use crate::source::Style;
+use crate::source::{Style, digits_of_arcs};
 
 /// A length in program units: at most so many digits after the point, which is always written.
 pub(crate) fn length(mm: f64, units: Units, digits: usize, style: Style) -> String {
@@ -44,7 +44,7 @@ pub(crate) fn digits(control: &Control, units: Units) -> usize {
         Units::Inch => control.parameters.rules.increment_digits_inch,
         Units::Millimetre => control.parameters.rules.increment_digits_mm,
     };
-    usize::from(digits)
+    usize::from(digits_of_arcs(control, units, digits))
 }
 
 /// How many digits after its end a number without a point has.

@@ -158,7 +158,9 @@ impl Context<'_> {
         let Some(number) = whole(Some(&draft.block.words[h])).filter(|_| !own) else { return };
         let title = self.to.table.title;
         let written = draft.written(h);
-        if number == 0 {
+        if number == 0 && !codes::has_lengths(self.to) {
+            draft.remove(h, codes::without_lengths(self.to));
+        } else if number == 0 {
             let Some(code) = codes::name(Action::Length(LengthCode::Cancel), self.to, self.style())
             else {
                 return;
@@ -176,6 +178,8 @@ impl Context<'_> {
         {
             let gap = if self.style().spaced { " " } else { "" };
             draft.replace(h, format!("{code}{gap}{written}"), format!("{title} needs G43 with H"));
+        } else {
+            draft.remove(h, codes::without_lengths(self.to));
         }
     }
 

@@ -67,6 +67,8 @@ impl Structure {
                 let head = source.heads.iter().find(|head| **head == main.start);
                 let number = head.and_then(|head| whole(source.blocks[*head].word(b'O')));
                 match number {
+                    // It has no program numbers.
+                    Some(_) if largest == 0 => None,
                     Some(number) if number > largest => {
                         Some(free(&mut taken, number % 10_000, largest))
                     }
@@ -148,7 +150,9 @@ impl Places<'_> {
             (None, None) => number,
         };
         let numbers = self.to.table.program_numbers;
-        if new != number {
+        if numbers.largest == 0 {
+            draft.remove(word, format!("{} has no program numbers", self.to.table.title));
+        } else if new != number {
             let reason = format!(
                 "{} allows program numbers up to O{}",
                 self.to.table.title, numbers.largest

@@ -29,7 +29,15 @@ impl<'a> Context<'a> {
         let mut draft = Draft::new(self.source.text, block, self.style().spaced);
         match block.kind {
             BlockKind::Words => {}
-            BlockKind::Percent => return Ok(draft),
+            BlockKind::Percent => {
+                let firmware = self.to.table.firmware;
+                if firmware.is_some_and(|firmware| !firmware.line.percent_marks) {
+                    let reason = format!("{} has no percent sign", self.to.table.title);
+                    draft.note("%".into(), String::new(), reason);
+                    draft.instead = Some(Vec::new());
+                }
+                return Ok(draft);
+            }
             BlockKind::Folder => return Ok(draft),
             BlockKind::Macro(_) if self.keeps_macros() => {}
             // The contour of a cycle that the new control does not have.

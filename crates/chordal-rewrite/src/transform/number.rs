@@ -5,6 +5,8 @@ use chordal::control::{DecimalPoint, ExcessDecimals, Units};
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockReader};
 
+use crate::source::digits_of_arcs;
+
 /// More decimals than these are not written, whatever the program does.
 const MOST_DECIMALS: u8 = 6;
 
@@ -15,6 +17,8 @@ pub(super) struct Style {
     leading_zero: bool,
     /// The most decimals of a length.
     decimals: u8,
+    /// Decimals that lengths are rounded to at least, in inch and in millimetres.
+    usual: [u8; 2],
     /// Decimals that the control keeps, in inch and in millimetres.
     kept: [u8; 2],
     /// Blanks stand between words.
@@ -57,6 +61,8 @@ impl Style {
         Style {
             leading_zero: zeros >= bare,
             decimals,
+            usual: [(Units::Inch, 4), (Units::Millimetre, 3)]
+                .map(|(units, usual)| digits_of_arcs(control, units, usual)),
             kept: [Units::Inch, Units::Millimetre].map(|units| kept(control, units)),
             spaced: spaced >= tight,
             with_point: points >= none
@@ -66,10 +72,7 @@ impl Style {
 
     /// Decimals that a length in these units is rounded to where it does not come out even.
     pub(super) fn digits(&self, units: Units) -> u8 {
-        let usual = match units {
-            Units::Inch => 4,
-            Units::Millimetre => 3,
-        };
+        let usual = self.usual[usize::from(units == Units::Millimetre)];
         self.decimals.clamp(usual, MOST_DECIMALS).min(self.kept(units))
     }
 

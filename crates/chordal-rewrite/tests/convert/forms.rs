@@ -290,3 +290,34 @@ fn corners_are_kept_or_written_out() {
     let plain = format!("{begin}G1 X20. ,R500 F100.\nY20.\nM30\n");
     assert!(on("fanuc-30i", &plain, "mitsubishi-m700").contains(",R"));
 }
+
+#[test]
+fn a_control_without_tool_lengths_percent_and_program_numbers() {
+    let text = "%\nO1001 (PLATE)\nG21 G17 G90 G40 G49 G80\nT1 M6\nG54 G0 X10. Y5. S900 M3\nG43 H1 Z5.\nG1 Z-1. F100.\n\
+                G2 I-4. F200.\nG0 Z5.\nG81 X20. Z-2. R1. F80.\nX30.\nG80\nG4 P500\nM30\n%\n";
+    let router = on("haas-vf2", text, "grbl");
+    assert!(router.contains("\nG0 Z5.") || router.contains("\nZ5."), "{router}");
+    assert!(
+        router.contains("G2 X10. I-4. F200.") || router.contains("G2 I-4. F200. X10."),
+        "{router}"
+    );
+    for lacking in ["G43", "H1", "G81", "G80 \n"] {
+        assert!(
+            !router.lines().any(|line| !line.starts_with('(') && line.contains(lacking)),
+            "{router}"
+        );
+    }
+    assert!(router.contains("G4 P0.5"), "{router}");
+    // Cycles and full circles without an end stay where the control has them.
+    let hal = on("haas-vf2", text, "grblhal");
+    assert!(hal.contains("G81 X20. Z-2. R1. F80.") && hal.contains("G2 I-4. F200."), "{hal}");
+    assert!(!hal.contains("G43"), "{hal}");
+}
+
+#[test]
+fn from_a_router_to_a_mill() {
+    let text = "G21 G90 G17 G94\nM3 S9000\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F200\nG2 X0 Y0 I5 F400\nG4 P1\nG0 Z5\nM5\nM2\n";
+    let mill = on("grbl", text, "haas-vf2");
+    assert!(mill.contains("G2 X0. Y0. I5. F400."), "{mill}");
+    assert!(mill.contains("G4 P1.") || mill.contains("G4 P1000"), "{mill}");
+}

@@ -52,6 +52,7 @@ impl MachineLimits {
                 blocks: rules.blocks as usize,
                 arc_tolerance_mm: rules.arc_tolerance_mm,
                 steps_per_mm: rules.steps_per_mm,
+                limited_jerk: rules.limited_jerk,
             });
         for axis in Axis::ALL {
             let Some(given) = machine.axis(axis) else { continue };

@@ -87,6 +87,7 @@ pub(super) const M_CODES: &[CodeRow] = &[
     row(40, Group::Spindle, Before(SpindleCcw), "", "spindle counter-clockwise, or the laser by speed"),
     row(50, Group::Spindle, After(SpindleStop), "", "spindle stop"),
     row(60, Group::ToolChange, Before(ToolChange), "", "tool change, by the sender alone"),
+    row(70, Group::Coolant, Before(CoolantMist), "", "mist on, in builds that have it"),
     row(80, Group::Coolant, Before(CoolantFlood), "", "coolant on"),
     row(90, Group::Coolant, After(CoolantOff), "", "coolant off"),
     row(300, Group::Stopping, After(ProgramEnd { rewind: true }), "", "program end and rewind"),

@@ -1,34 +1,47 @@
 //! How GRBL 1.1 reads and judges a block, and the numbers of its answers.
 
-use crate::firmware::{DumpMeaning, DumpRow};
 use crate::vocabulary::*;
 use chordal_machine::Axis;
 use chordal_syntax::Letters;
 
 pub(super) static FIRMWARE: Firmware = Firmware {
-    longest_line: 79,
-    digits: 8,
-    letters: Letters::of("FIJKLNPRSTXYZ"),
+    line: LineRules {
+        longest: 79,
+        counts_blanks: false,
+        percent_marks: false,
+        slash: Slash::Dropped,
+        digits: 8,
+        zeros_count: true,
+        named_commands: false,
+        letters: Letters::of("FIJKLNPRSTXYZ"),
+    },
+    block: BlockRules::STRICT,
     with_fractions: &[28, 30, 38, 43, 61, 90, 91, 92],
     any_fraction: &[49],
     largest: [10_000_000, 255, 6],
-    arc: [0.005, 0.5, 0.001],
-    rows: ROWS,
+    arc: ARC,
+    optional: &[(BuildOption::Mist, &[(b'M', 70)])],
+    needs: &[],
+    rows: [ROWS, &[]],
     dump: DUMP,
 };
 
-const ROWS: &[RefusalRow] = &[
+/// What an arc may differ: 5 µm always, otherwise a thousandth of the radius, half a millimetre at most.
+pub(in crate::controls) const ARC: [f32; 3] = [0.005, 0.5, 0.001];
+
+/// The answers that the whole family has.
+pub(in crate::controls) const ROWS: &[RefusalRow] = &[
     answer(
         1,
         Refusal::NoLetter,
         "a word begins with a letter, and this is none",
-        "remove it: GRBL has no `%`, no `*`, no `#` and no brackets",
+        "remove it: this firmware has no `%`, no `*`, no `#` and no brackets",
     ),
     answer(2, Refusal::NoNumber, "this letter has no number", "write the number after it"),
     answer(
         3,
         Refusal::UnknownCommand,
-        "GRBL does not have this system command",
+        "this firmware does not have this system command",
         "check it: `$H` homes, `$X` unlocks, `$$` lists the settings",
     ),
     answer(4, Refusal::Negative, "this word may not be below zero", "write it without the sign"),
@@ -47,8 +60,8 @@ const ROWS: &[RefusalRow] = &[
     answer(
         20,
         Refusal::Unknown,
-        "GRBL does not have this word",
-        "remove it, or choose the post for GRBL: it has no tool change, cycles or cutter compensation",
+        "this firmware does not have this word",
+        "remove it, or choose the post for this control: what it has is on its reference page",
     ),
     answer(21, Refusal::SameGroup, "this code and one before it exclude each other", "keep one of them"),
     answer(
@@ -67,12 +80,17 @@ const ROWS: &[RefusalRow] = &[
     answer(25, Refusal::Repeated, "this letter stands in the block twice", "keep one of them"),
     answer(26, Refusal::NoAxes, "this code needs an axis word", "write X, Y or Z"),
     answer(27, Refusal::LineNumber, "a line number is at most 10000000", "write a smaller one, or none"),
-    answer(28, Refusal::NoValue, "this code needs a word P or L", "write P; for G4 it is seconds"),
-    answer(29, Refusal::WorkOffset, "G10 knows P0 to P6", "P1 is G54, P6 is G59"),
+    answer(
+        28,
+        Refusal::NoValue,
+        "a word that this code needs is missing",
+        "write it: P with G4 in seconds, P or L with G10, R and the depth with a cycle, Q with pecks",
+    ),
+    answer(29, Refusal::WorkOffset, "G10 does not have a work offset of this number", "P1 is G54, P6 is G59, and P0 is the active one"),
     answer(
         30,
         Refusal::MachineMotion,
-        "G53 moves with G0 or G1 alone, and another motion is in force",
+        "G53 moves with G0 or G1 alone, and another motion is active",
         "write G0 or G1 in this block",
     ),
     answer(
@@ -111,7 +129,8 @@ const ROWS: &[RefusalRow] = &[
     answer(38, Refusal::ToolNumber, "a tool number is at most 255", "write a smaller one"),
 ];
 
-const fn answer(
+/// Writes a row of answers.
+pub(in crate::controls) const fn answer(
     number: u8,
     refusal: Refusal,
     message: &'static str,
@@ -120,7 +139,8 @@ const fn answer(
     RefusalRow { refusal, number, message, help }
 }
 
-const DUMP: &[DumpRow] = &[
+/// The settings of the machine, as the family numbers them.
+pub(in crate::controls) const DUMP: &[DumpRow] = &[
     dump(11, DumpMeaning::JunctionDeviation),
     dump(12, DumpMeaning::ArcTolerance),
     dump(100, DumpMeaning::Steps(Axis::X)),

@@ -2,11 +2,11 @@
 
 mod alarms;
 mod codes;
-mod firmware;
+pub(in crate::controls) mod firmware;
 mod post;
 mod recognition;
-mod rules;
-mod settings;
+pub(in crate::controls) mod rules;
+pub(in crate::controls) mod settings;
 
 use crate::vocabulary::*;
 
@@ -57,7 +57,8 @@ pub static TABLE: ControlTable = ControlTable {
     default_machine: "grbl",
 };
 
-const LEXICON: Lexicon = Lexicon {
+/// Comments, and nothing that a number could not begin with: the firmware reads its lines itself.
+pub(in crate::controls) const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
     semicolon: Semicolon::Comment,
     star_comment: false,
@@ -74,5 +75,6 @@ const LEXICON: Lexicon = Lexicon {
 const SET_DATA: &[(u16, DataTarget)] =
     &[(2, DataTarget::WorkOffset), (20, DataTarget::WorkOffsetFromPosition)];
 
-const DWELL: &[DwellWord] =
+/// P is in seconds.
+pub(in crate::controls) const DWELL: &[DwellWord] =
     &[DwellWord { letter: b'P', integer_s: 1.0, point_s: 1.0, takes_point: true }];

@@ -3,7 +3,7 @@
 use crate::vocabulary::*;
 use chordal_command::Units;
 
-pub(super) const PARAMETERS: Parameters = Parameters {
+pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     excess_decimals: ExcessDecimals::Exact,
     decimal_point: DecimalPoint::Calculator,
     center_and_radius: CenterAndRadius::Refused,
@@ -12,7 +12,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     offset_zero_in_force: true,
     offset_number_optional: true,
     end_optional: true,
-    sender_changes_tools: true,
+    tool_change: ToolChanger::Sender,
     rules: Rules {
         units: Units::Millimetre,
         rapid: RapidPath::Straight,
@@ -29,6 +29,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
                 blocks: 15,
                 arc_tolerance_mm: 0.002,
                 steps_per_mm: [250.0; 3],
+                limited_jerk: false,
             }),
             ..PathRules::COMMON
         },

@@ -3,14 +3,7 @@
 use crate::vocabulary::*;
 
 pub(super) const SETTINGS: &[Setting] = &[
-    setting(
-        "on error",
-        Field::AfterRefusal,
-        &[],
-        "what the sender does after a block that GRBL refuses: `stop` or `continue`",
-        Certainty::Trade,
-        "senders; GRBL itself goes on with the next block",
-    ),
+    ON_ERROR,
     setting(
         "M6",
         Field::ToolChanger,
@@ -19,34 +12,66 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Trade,
         "senders; GRBL itself refuses M6",
     ),
-    setting(
-        "$11",
-        Field::Path(PathField::JunctionDeviation),
-        &[],
-        "junction deviation: how fast corners are passed; 0 stops at each",
-        Certainty::Documented,
-        "settings",
-    ),
-    setting(
-        "$12",
-        Field::Path(PathField::ArcTolerance),
-        &[],
-        "arc tolerance: how far the segments of an arc are from it",
-        Certainty::Documented,
-        "settings",
-    ),
+    build("mist coolant", BuildOption::Mist, "the build has M7: `on` or `off`"),
+    DEVIATION,
+    ARC_TOLERANCE,
+    STEPS[0],
+    STEPS[1],
+    STEPS[2],
+    BLOCKS,
+];
+
+/// What a sender does after an error.
+pub(in crate::controls) const ON_ERROR: Setting = setting(
+    "on error",
+    Field::AfterRefusal,
+    &[],
+    "what the sender does after a block that the firmware refuses: `stop` or `continue`",
+    Certainty::Trade,
+    "senders; the firmware itself goes on with the next block",
+);
+
+/// `$11`.
+pub(in crate::controls) const DEVIATION: Setting = setting(
+    "$11",
+    Field::Path(PathField::JunctionDeviation),
+    &[],
+    "junction deviation: how fast corners are passed; 0 stops at each",
+    Certainty::Documented,
+    "settings",
+);
+
+/// `$12`.
+pub(in crate::controls) const ARC_TOLERANCE: Setting = setting(
+    "$12",
+    Field::Path(PathField::ArcTolerance),
+    &[],
+    "arc tolerance: how far the segments of an arc are from it",
+    Certainty::Documented,
+    "settings",
+);
+
+/// `$100` to `$102`.
+pub(in crate::controls) const STEPS: [Setting; 3] = [
     steps("$100", 0, "steps of X a mm: segments end on whole steps"),
     steps("$101", 1, "steps of Y a mm"),
     steps("$102", 2, "steps of Z a mm"),
-    setting(
-        "planner blocks",
-        Field::Path(PathField::JunctionBlocks),
-        &[],
-        "segments that are known ahead, with the one under way",
-        Certainty::Documented,
-        "BLOCK_BUFFER_SIZE of the build, less one",
-    ),
 ];
+
+/// The length of the queue.
+pub(in crate::controls) const BLOCKS: Setting = setting(
+    "planner blocks",
+    Field::Path(PathField::JunctionBlocks),
+    &[],
+    "segments that are known ahead, with the one under way",
+    Certainty::Documented,
+    "BLOCK_BUFFER_SIZE of the build, less one",
+);
+
+/// What a build has or not.
+pub(in crate::controls) const fn build(name: &'static str, option: BuildOption, text: &'static str) -> Setting {
+    setting(name, Field::Build(option), &[], text, Certainty::Documented, "options of the build")
+}
 
 const fn steps(name: &'static str, axis: u8, text: &'static str) -> Setting {
     let field = Field::Path(PathField::Steps(axis));

@@ -9,6 +9,7 @@ mod rules;
 mod settings;
 mod words;
 
+pub(in crate::controls) use macros::RULES as MACRO_RULES;
 pub(in crate::controls) use rules::PARAMETERS;
 
 use crate::vocabulary::*;

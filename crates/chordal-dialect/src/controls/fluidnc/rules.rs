@@ -1,0 +1,12 @@
+//! How FluidNC moves and cuts.
+
+use super::super::grbl::rules::PARAMETERS as FAMILY;
+use crate::vocabulary::*;
+
+/// As GRBL 1.1 does, with parameters and expressions, and a tool changer of its own.
+pub(super) const PARAMETERS: Parameters = Parameters {
+    tool_change: ToolChanger::Machine,
+    build: Build { expressions: true, ..FAMILY.build },
+    nesting: 10,
+    ..FAMILY
+};

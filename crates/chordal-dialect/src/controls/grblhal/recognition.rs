@@ -1,0 +1,16 @@
+//! Signs by which programs of grblHAL are recognized: the name, and machines that are sold with it.
+
+use crate::vocabulary::*;
+
+const NAMES: &[&str] = &["GRBLHAL", "ALTMILL", "SUPERLONGBOARD", "FLEXI-HAL"];
+
+/// All else that they have GRBL and others have too.
+pub(super) static KIND: MachineKind = MachineKind { turns: false, signs: SIGNS, needed: 10 };
+
+const SIGNS: &[Evidence] = &[
+    evidence(Sign::Header(NAMES), 16, "the header names grblHAL or a machine that has it"),
+    evidence(Sign::Comment(NAMES), 12, "a comment names grblHAL or a machine that has it"),
+];
+
+pub(super) const EVIDENCE: &[Evidence] =
+    &[evidence(Sign::Block("M3 S !T"), 1, "M3 starts the spindle")];

@@ -1,0 +1,36 @@
+//! The settings of grblHAL, and of who sends it programs.
+
+use super::super::grbl::settings::{ARC_TOLERANCE, BLOCKS, DEVIATION, ON_ERROR, STEPS, build};
+use crate::vocabulary::*;
+
+pub(super) const SETTINGS: &[Setting] = &[
+    ON_ERROR,
+    build("tool table", BuildOption::ToolTable, "the build has a tool table, and with it G43 H: `on` or `off`"),
+    build(
+        "expressions",
+        BuildOption::Expressions,
+        "the build has parameters, expressions, O words, M98 and G65: `on` or `off`",
+    ),
+    DEVIATION,
+    ARC_TOLERANCE,
+    setting(
+        "$28",
+        Field::ChipBreak,
+        &[],
+        "retract of a chip-breaking peck (G73)",
+        Certainty::Documented,
+        "settings",
+    ),
+    STEPS[0],
+    STEPS[1],
+    STEPS[2],
+    BLOCKS,
+    setting(
+        "jerk",
+        Field::Path(PathField::JunctionJerk),
+        &[],
+        "the build limits jerk, by the `max_jerk` of the axes: `on` or `off`",
+        Certainty::Documented,
+        "options of the build",
+    ),
+];

@@ -1,0 +1,42 @@
+%
+(machine: grblhal)
+(A bracket of aluminium: four holes in pecks, a bore as a helix, the outline. Posted for grblHAL.)
+G21 G90 G17 G94 G40 G49
+G54
+(3 MM DRILL)
+T1 M6
+M3 S9000
+G0 Z20
+G0 X8 Y8
+G99 G83 X8 Y8 Z-8 R2 Q2.5 F120
+X72
+Y42
+X8
+G80
+G0 Z20
+M5
+(6 MM END MILL)
+T2 M6
+M3 S14000
+G0 X46 Y25
+G0 Z2
+G1 Z0 F200
+(A BORE OF 18 MM IN FOUR TURNS)
+G3 X46 Y25 Z-8 I-6 J0 P4 F600
+G3 I-6
+G0 Z20
+(OUTLINE)
+G0 X-8 Y-3
+G0 Z2
+G1 Z-8 F200
+G1 X80 F700
+G3 X83 Y0 J3
+G1 Y50
+G3 X80 Y53 I-3
+G1 X0
+G3 X-3 Y50 J-3
+G1 Y-8
+G0 Z20
+M5
+M30
+%
