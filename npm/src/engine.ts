@@ -1,15 +1,10 @@
 import { ChordalError } from "./error.js";
+import { Ended, Module, NoRoom } from "./memory.js";
 import type { Answer, Question } from "./question.js";
 
 /** What the module offers. */
 interface Exports {
-  memory: WebAssembly.Memory;
-  chordal_input(length: number): number;
   chordal_ask(): number;
-  chordal_parts(): number;
-  chordal_part(index: number): number;
-  chordal_part_length(index: number): number;
-  chordal_forget(): void;
 }
 
 /** Where the module comes from: its bytes, its address, a response, or itself. */
@@ -19,9 +14,7 @@ export type Source = BufferSource | URL | string | Response | WebAssembly.Module
 const KEPT_BYTES = 256 * 1024 * 1024;
 
 let module: Promise<WebAssembly.Module> | undefined;
-let instance: Exports | undefined;
-/** The words of the panic that ended the module. */
-let panic: string | undefined;
+let instance: Module<Exports> | undefined;
 
 /** Loads the module; without a source it is `chordal.wasm` next to this file. Later calls change nothing. */
 export function init(source?: Source): Promise<void> {
@@ -38,17 +31,20 @@ export async function ask(question: Question): Promise<Answer> {
   await init();
   const compiled = await module;
   if (compiled === undefined) throw new ChordalError("inside", "the module was not loaded");
-  instance ??= await start(compiled);
+  instance ??= await Module.start<Exports>(compiled);
   const used = instance;
   try {
     const answer = askOf(used, question);
     if (used.memory.buffer.byteLength > KEPT_BYTES) instance = undefined;
     return answer;
   } catch (error) {
-    if (error instanceof ChordalError) throw error;
-    // Whatever ended it, its memory cannot be trusted: the next question gets a new one.
+    if (error instanceof NoRoom) {
+      throw new ChordalError("use", `a request of ${error.bytes} bytes has no room in memory`, "split the program");
+    }
+    if (!(error instanceof Ended)) throw error;
+    // The next question gets a new one.
     instance = undefined;
-    throw ended(error);
+    throw new ChordalError("inside", `Chordal failed: ${error.message}`, "please report it with the program; the next call works");
   }
 }
 
@@ -74,44 +70,15 @@ async function compile(response: Response): Promise<WebAssembly.Module> {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
-async function start(compiled: WebAssembly.Module): Promise<Exports> {
-  let memory: WebAssembly.Memory | undefined;
-  const panicked = (pointer: number, length: number): void => {
-    if (memory !== undefined) panic = textAt(memory, pointer, length);
-  };
-  const made = await WebAssembly.instantiate(compiled, { chordal: { panicked } });
-  const exports = made.exports as unknown as Exports;
-  memory = exports.memory;
-  return exports;
-}
-
-function askOf(used: Exports, question: Question): Answer {
-  panic = undefined;
-  const length = question.reduce((sum, bytes) => sum + bytes.length, 0);
-  const pointer = length < 2 ** 31 ? used.chordal_input(length) >>> 0 : 0;
-  if (pointer === 0) {
-    throw new ChordalError("use", `a request of ${length} bytes has no room in memory`, "split the program");
-  }
-  let at = pointer;
-  for (const bytes of question) {
-    new Uint8Array(used.memory.buffer, at, bytes.length).set(bytes);
-    at += bytes.length;
-  }
-  const failed = used.chordal_ask() !== 0;
-  const text = textAt(used.memory, used.chordal_part(0) >>> 0, used.chordal_part_length(0) >>> 0);
-  const parts: ArrayBuffer[] = [];
-  for (let index = 1; index < used.chordal_parts(); index++) {
-    const start = used.chordal_part(index) >>> 0;
-    // The one copy: what lies in the module is gone with the next question.
-    parts.push((used.memory.buffer as ArrayBuffer).slice(start, start + (used.chordal_part_length(index) >>> 0)));
-  }
-  used.chordal_forget();
+function askOf(used: Module<Exports>, question: Question): Answer {
+  const { failed, text, parts } = used.call(question, (own) => {
+    const failed = own.chordal_ask() !== 0;
+    const parts: ArrayBuffer[] = [];
+    for (let index = 1; index < used.parts; index++) parts.push(used.part(index));
+    return { failed, text: used.text(0), parts };
+  });
   if (failed) throw failure(text);
   return { text, parts };
-}
-
-function textAt(memory: WebAssembly.Memory, pointer: number, length: number): string {
-  return new TextDecoder().decode(new Uint8Array(memory.buffer, pointer >>> 0, length >>> 0));
 }
 
 function failure(text: string): ChordalError {
@@ -121,13 +88,6 @@ function failure(text: string): ChordalError {
     help: string | null;
   };
   return new ChordalError(kind, message, help ?? undefined);
-}
-
-/** The module ended: a panic, no memory, or too little stack. */
-function ended(error: unknown): ChordalError {
-  const why = panic ?? `it ended without a word (${String(error)}); it may have had too little memory`;
-  panic = undefined;
-  return new ChordalError("inside", `Chordal failed: ${why}`, "please report it with the program; the next call works");
 }
 
 /** The memory of the module at work, for tests. */

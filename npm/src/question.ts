@@ -1,4 +1,5 @@
 import { ChordalError } from "./error.js";
+import { messageOf } from "./memory.js";
 
 /** A text as JavaScript has it. A string is sent as UTF-8. */
 export type Text = string | Uint8Array | ArrayBuffer;
@@ -42,7 +43,7 @@ export function bytesOf(text: unknown, what: string): Uint8Array {
   throw new ChordalError("use", `${what} is ${is}`, "give a string, a Uint8Array or an ArrayBuffer");
 }
 
-/** A question: a length, a JSON object, the texts that it names. */
+/** A question: a message whose object names the texts. */
 export function questionOf(ask: string, programs: Program[], files: File[], options: object): Question {
   const head = {
     ask,
@@ -50,10 +51,7 @@ export function questionOf(ask: string, programs: Program[], files: File[], opti
     files: files.map((file) => ({ path: file.path, bytes: file.text.length })),
     options,
   };
-  const object = new TextEncoder().encode(jsonOf(head));
-  const length = new Uint8Array(4);
-  new DataView(length.buffer).setUint32(0, object.length, true);
-  return [length, object, ...programs.map((program) => program.text), ...files.map((file) => file.text)];
+  return messageOf(jsonOf(head), [...programs.map((program) => program.text), ...files.map((file) => file.text)]);
 }
 
 /** JSON of options; what cannot be written so is refused and not left out. */

@@ -29,6 +29,8 @@ export interface Page {
   units: () => Units;
   name: () => string;
   goTo: (line: number) => void;
+  /** How to compare with a program of another file. */
+  another: string;
   /** A line for the picture. */
   tell: (text: string) => void;
   /** The pane is to be seen. */
@@ -56,7 +58,8 @@ export function againstProgram(page: Page) {
     other: (shown) => view.showOther(shown),
     end: () => link.tell("against", { other: "nothing" satisfies Other }),
   });
-  panel.clear(NOTHING, false);
+  const nothing = `Choose what to compare the program with. ${page.another}`;
+  panel.clear(nothing, false);
 
   function begin(told: Against): void {
     panel.chosen(told.other, told.own_text ? told.machine?.title : undefined);
@@ -65,7 +68,7 @@ export function againstProgram(page: Page) {
     against = told.other === "nothing" ? undefined : told;
     path = new Path();
     hasBegun = false;
-    if (!against) return end(NOTHING);
+    if (!against) return end(nothing);
     tellPaths();
     panel.waiting();
   }
@@ -167,9 +170,13 @@ export function againstProgram(page: Page) {
   return {
     /** What there is to choose from, for a program that was opened now. */
     offer(told: Hello): void {
-      if (against) end(NOTHING);
+      if (against) end(nothing);
       panel.offer(told);
+      panel.chosen("nothing");
+      panel.tolerance(told.tolerance_mm);
     },
+    /** There is more to choose from. */
+    offerMore: panel.offer,
     walk,
     /** Takes what is about the other program; false where it is about something else. */
     take(told: Told): boolean {
@@ -222,5 +229,3 @@ export function againstProgram(page: Page) {
     shown: () => ({ path, found, chosen }),
   };
 }
-
-const NOTHING = "Choose what to compare the program with. For another file, start `chordal view` with `--against FILE`.";

@@ -113,7 +113,8 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
 
   return {
     /** What there is to choose from. */
-    offer({ against: named, machines, tolerance_mm }: Hello): void {
+    offer({ against: named, machines }: Pick<Hello, "against" | "machines">): void {
+      const { value } = against;
       against.replaceChildren(new Option("nothing", "nothing"));
       if (named && !named.own_text) against.append(new Option(named.name.split(/[\\/]/).pop()!, "named"));
       if (named?.own_text) against.append(new Option("this program, as the command line says", "named"));
@@ -122,7 +123,10 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
       group.append(new Option("the machine recognized from the program", "machine "));
       for (const { name, title } of machines) group.append(new Option(title, `machine ${name}`));
       against.append(group);
-      toleranceMm = tolerance_mm;
+      if ([...against.options].some((option) => option.value === value)) against.value = value;
+    },
+    tolerance(mm: number): void {
+      toleranceMm = mm;
       showTolerance();
     },
     /** What was chosen; the same text, on the machine of this title. */

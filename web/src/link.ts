@@ -243,7 +243,7 @@ export type Told =
   | ({ type: "stock_report" } & StockReport)
   | { type: "no_stock"; run: number; message: string | null; help: string | null }
   | ({ type: "hello" } & Hello)
-  | { type: "machines"; machines: Hello["machines"] }
+  | ({ type: "machines" } & Pick<Hello, "machines" | "against">)
   | ({ type: "against" } & Against)
   | { type: "against_refused"; version: number; other: Other; message: string; help?: string | null }
   | { type: "against_end"; version: number; rows: number; rows_left_out: number }

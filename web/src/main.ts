@@ -51,9 +51,8 @@ const timeline = new Timeline(ui.timeline);
 const editor = new Editor(ui.code, {
   typed: (changes) => link.tell("edit", { changes }),
   cursor: (line, byUser) => {
-    if (!byUser) return;
-    if (!timeline.isPlaying) view.showDone(Infinity);
-    cursorAt(line, true);
+    if (byUser) putCursor(line);
+    else shell().follow?.(line);
   },
   save: () => void save(false),
   definition: (line, column) => void goToDefinition(line, column),
@@ -93,6 +92,7 @@ const against = againstProgram({
     editor.goTo(line);
     cursorAt(line, true);
   },
+  another: shell().another,
   tell: ui.comparison,
   open: () => ui.show("compare"),
 });
@@ -138,6 +138,7 @@ function take(told: Told): void {
       break;
     case "machines":
       ui.offerMachines(told.machines);
+      against.offerMore(told);
       break;
     case "run":
       begin(told);
@@ -409,6 +410,11 @@ function cursorAt(line: number, wasPut = false): void {
   void tellState(done, line);
 }
 
+function putCursor(line: number): void {
+  if (!timeline.isPlaying) view.showDone(Infinity);
+  cursorAt(line, true);
+}
+
 /** One question at a time: of those that come meanwhile only the last is asked. */
 let stateAsked = false;
 let stateNext: [number, number, number?] | undefined;
@@ -666,7 +672,7 @@ window.addEventListener("beforeunload", (event) => {
   if (editor.dirty) event.preventDefault();
 });
 
-shell().furnish?.({ ui, editor, link });
+shell().furnish?.({ ui, editor, link, cursorAt: putCursor });
 
 // For the browser's tests and for measurements.
 Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, stock, turned, path: () => path, report: () => report, setpoints: () => setpoints } });

@@ -15,6 +15,8 @@ export interface Page {
   ui: ReturnType<typeof layout>;
   editor: Editor;
   link: Link;
+  /** Shows the path of a line, as if the cursor was put there. */
+  cursorAt: (line: number) => void;
 }
 
 export interface Shell {
@@ -23,8 +25,12 @@ export interface Shell {
   lost: string;
   /** What is said of a text that was saved. */
   saved: string;
+  /** How to compare with a program of another file. */
+  another: string;
   /** Takes a file that the browser is to keep. */
   keep?: (name: string, bytes: Uint8Array) => void;
+  /** Hears of the line that is shown, where the page went there. */
+  follow?: (line: number) => void;
   /** Adds what only this page has. */
   furnish?: (page: Page) => void;
 }

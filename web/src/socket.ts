@@ -22,4 +22,5 @@ use({
   dial,
   lost: "Chordal has ended, or the connection is lost. Start `chordal view` again. What you typed since the last save is still here: copy it.",
   saved: "Saved.",
+  another: "For another file, start `chordal view` with `--against FILE`.",
 });

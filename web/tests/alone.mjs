@@ -39,6 +39,23 @@ export async function folderServer(folder = folderOf()) {
   };
 }
 
+/** A server elsewhere: paths with texts that any page may read, but for those that begin with `/closed`. */
+export async function otherServer(texts) {
+  const asked = [];
+  const server = createServer((request, response) => {
+    asked.push(request.url);
+    const open = request.url.startsWith("/closed") ? {} : { "access-control-allow-origin": "*" };
+    const found = texts[request.url];
+    if (found === undefined) return response.writeHead(404, open).end("<h1>none</h1>");
+    const type = request.url.endsWith(".html") ? "text/html" : "text/plain";
+    response.writeHead(200, { ...open, "content-type": type }).end(found);
+  });
+  // A test that fails leaves nothing that keeps it from ending.
+  server.unref();
+  await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
+  return { url: `http://127.0.0.1:${server.address().port}`, asked, stop: () => server.close() };
+}
+
 /** The files that `chordal view` would find: the program, what lies next to it, and what the options name. */
 function filesOf(file, options, scratch) {
   const folder = dirname(file);

@@ -7,11 +7,14 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 process.env.CHORDAL_ALONE = "1";
+const { otherServer } = await import("./alone.mjs");
 const { ROOT, picture, reported, session } = await import("./browser.mjs");
 await import("./page.test.mjs");
 
 const PROFILE = join(ROOT, "examples/fadal/profile-g18.nc");
 const tests = session();
+/** Servers elsewhere that these tests name. */
+const linked = [];
 const textOf = (page) => page.evaluate(() => window.chordal.editor.view.state.doc.toString());
 const toast = (page, words) => page.waitForFunction((words) => new RegExp(words).test(document.querySelector(".toast").innerText), words);
 
@@ -63,6 +66,113 @@ test("an address names an example", async () => {
   await page.getByText("There is no example haas/none.nc.").first().waitFor();
   await page.locator("#start-title").waitFor();
   await page.close();
+});
+
+const OLD = "%\nO1\nG21 G90 G54 S900 M3\nG0 X0. Y0. Z5.\nG1 Z0. F100.\nX10.\nM98 P2\nM30\n%\n";
+const NEW = OLD.replace("X10.", "X10.5");
+const DOWN = "%\nO2\nG91 G1 Y3. F100.\nG90\nM99\n%\n";
+
+test("an address names programs elsewhere, which are loaded and compared", async () => {
+  const other = await otherServer({ "/old/part.nc": OLD, "/new/part.nc": NEW, "/O2.nc": DOWN });
+  linked.push(other.url);
+  const { page, complaints } = await tests.started();
+  const words = new URLSearchParams([["program", `${other.url}/old/part.nc`], ["file", `${other.url}/O2.nc`], ["against", `${other.url}/new/part.nc`], ["machine", "haas-vf2"]]);
+  await page.goto(`${tests.url()}?${words}`);
+  await reported(page);
+  assert.equal(await textOf(page), OLD);
+  assert.equal(await page.locator("#counts").innerText(), "0 errors");
+  await page.locator("#tab-compare").click();
+  await page.locator(".verdict.different").waitFor();
+  assert.match(await page.locator(".verdict").innerText(), /0\.5 mm/);
+  assert.match(await page.locator(".paths").innerText(), /part\.nc on Haas[^]*part \(2\)\.nc on Haas/);
+  await picture(page, "alone-address");
+  assert.deepEqual(other.asked.sort(), ["/O2.nc", "/new/part.nc", "/old/part.nc"]);
+  assert.deepEqual(complaints, []);
+  // Nothing else is asked there, and nothing at another address.
+  const byName = other.url.replace("127.0.0.1", "localhost");
+  linked.push(byName);
+  const isAsked = (address) => page.evaluate((address) => fetch(address).then(() => true, () => false), address);
+  assert.equal(await isAsked(`${byName}/old/part.nc`), false);
+  await page.goto(tests.url());
+  await page.locator("#start-title").waitFor();
+  assert.equal(await isAsked(`${other.url}/old/part.nc`), false);
+  assert.equal(other.asked.length, 3);
+  other.stop();
+  await page.close();
+});
+
+test("a program that cannot be loaded from an address is told why, and the page goes on", async () => {
+  const other = await otherServer({ "/closed/part.nc": OLD, "/part.html": "<p>part.nc</p>" });
+  linked.push(other.url);
+  const gone = await otherServer({});
+  linked.push(gone.url);
+  gone.stop();
+  const { page } = await tests.started();
+  const host = new URL(other.url).host;
+  for (const [address, sentence] of [
+    [`${other.url}/closed/part.nc`, `part.nc cannot be loaded: ${host} does not allow other pages to read it (CORS). Save the file, and open it here.`],
+    [`${other.url}/none.nc`, `none.nc cannot be loaded: ${host} answers 404 Not Found.`],
+    [`${other.url}/part.html`, `part.html cannot be loaded: there is a page at ${host}, not a program. Give the address of the file itself.`],
+    [`${gone.url}/part.nc`, `part.nc cannot be loaded: ${new URL(gone.url).host} does not answer, or sends the browser to another address. Save the file, and open it here.`],
+    ["file:///etc/passwd", "file:///etc/passwd is not the address of a program: it begins with https:// or http://."],
+  ]) {
+    await page.locator("#address").fill(address);
+    await Promise.all([page.waitForEvent("load"), page.getByRole("button", { name: "Load", exact: true }).click()]);
+    await page.locator(".start-message", { hasText: /\S/ }).waitFor();
+    assert.equal(await page.locator(".start-message").innerText(), sentence);
+  }
+  await picture(page, "alone-address-refused");
+  await page.locator("#paste").fill(OLD);
+  await page.getByRole("button", { name: "Open the text" }).click();
+  await reported(page);
+  // The address is not that of this program.
+  assert.equal(page.url(), tests.url());
+  other.stop();
+  await page.close();
+});
+
+test("another file is compared with the program, and follows what is typed", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "chordal-alone-"));
+  const [a, b] = ["a.nc", "b.nc"].map((name) => join(folder, name));
+  writeFileSync(a, OLD.replace("M98 P2\n", ""));
+  writeFileSync(b, NEW.replace("M98 P2\n", ""));
+  const { page, complaints } = await tests.open(a, "--machine", "haas-vf2");
+  await page.locator("#tab-compare").click();
+  const verdict = page.locator(".verdict");
+  assert.match(await verdict.innerText(), /“Another file…” opens a second program/);
+  await page.setInputFiles("#another", b);
+  await page.locator(".verdict.different").waitFor();
+  assert.equal(await page.locator("#against").evaluate((select) => select.selectedOptions[0].textContent), "b.nc");
+  assert.match(await page.locator(".paths").innerText(), /a\.nc on Haas[^]*b\.nc on Haas/);
+  await picture(page, "alone-another");
+  await page.evaluate(() => {
+    const { view } = window.chordal.editor;
+    const at = view.state.doc.toString().indexOf("X10.") + 4;
+    view.dispatch({ changes: { from: at, insert: "5" } });
+    window.chordal.editor.flush();
+  });
+  await page.waitForFunction(() => /same/.test(document.querySelector(".verdict").className));
+  // Read the other program, then compare with itself on another machine, and with the file again.
+  await page.setInputFiles("#another", a);
+  await page.locator(".verdict.different").waitFor();
+  await page.locator(".difference .read").first().click();
+  await page.locator(".elsewhere h2", { hasText: "a (2).nc, read only" }).waitFor();
+  await page.keyboard.press("Escape");
+  await page.locator("#against").selectOption("machine fanuc-30i");
+  await page.waitForFunction(() => /Fanuc/.test(document.querySelector(".paths").innerText));
+  await page.locator("#against").selectOption("named");
+  await page.locator(".verdict.different").waitFor();
+  // A part that fails, and a file that is no program.
+  await page.evaluate(() => window.alone.core.fail(2));
+  await page.setInputFiles("#another", b);
+  await page.waitForFunction(() => /same/.test(document.querySelector(".verdict").className));
+  writeFileSync(b, Buffer.from(Array.from({ length: 10_000 }, (_, at) => (at * 7919) % 256)));
+  await page.setInputFiles("#another", b);
+  await page.waitForFunction(() => !/waiting|same/.test(document.querySelector(".verdict").className));
+  assert.deepEqual(complaints, []);
+  await page.evaluate(() => window.chordal.editor.setDirty(false));
+  await page.close();
+  rmSync(folder, { recursive: true, force: true });
 });
 
 test("files are dropped, a text is pasted, and what is open lately is kept and forgotten", async () => {
@@ -225,7 +335,7 @@ test("nothing is asked of another address, the page works without a network, and
   assert.ok(!before.endsWith(" newer"), before);
   await page.close();
   const foreign = tests.asked.filter((address) => !/^(blob:|data:|about:)/.test(address) && !address.startsWith(tests.url()));
-  assert.deepEqual(foreign, []);
+  assert.deepEqual(foreign.filter((address) => !linked.some((url) => address.startsWith(url))), []);
   tests.server().stop();
   await tests.context().setOffline(true);
   const { page: offline, complaints } = await tests.started();

@@ -157,7 +157,7 @@ struct Shown {
     /// The name for people, where it is not that of the file.
     title: Option<String>,
     loader: Loader,
-    against: Option<Against>,
+    against: Option<Arc<Against>>,
 }
 
 impl Shown {
@@ -186,7 +186,7 @@ impl Shown {
     }
 
     fn against(self, against: Against) -> Shown {
-        Shown { against: Some(against), ..self }
+        Shown { against: Some(Arc::new(against)), ..self }
     }
 }
 
@@ -251,8 +251,8 @@ impl Programs for Shown {
         std::fs::read(name).map_err(|error| reason(&error))
     }
 
-    fn against(&self) -> Option<&Against> {
-        self.against.as_ref()
+    fn against(&self) -> Option<Arc<Against>> {
+        self.against.clone()
     }
 
     fn machines(&self) -> Vec<MachineChoice> {

@@ -1,14 +1,15 @@
 //! The program and the files that the page was given: nothing is looked for anywhere else.
 
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use chordal_editor::Program;
 use chordal_load::{Files, Given as GivenMachine, Input, Loader, Request, machine};
-use chordal_view::{MachineChoice, Outbox, Programs, Refusal, builtin_machines, refusal};
+use chordal_memory::{Message, TornMessage};
+use chordal_view::{Against, MachineChoice, Outbox, Programs, Refusal, builtin_machines, refusal};
 use serde_json::json;
 
-use crate::message::{self, Begin};
+use crate::begin::{self, Begin};
 
 /// A program and its files.
 pub struct Given {
@@ -24,29 +25,38 @@ pub struct Given {
 struct Beside {
     files: Files,
     machines: Vec<MachineChoice>,
+    against: Option<Arc<Against>>,
+}
+
+/// The program that is compared with.
+struct Second {
+    name: String,
+    bytes: Vec<u8>,
+    machine: Option<String>,
+    files: Files,
 }
 
 impl Given {
     /// Out of a message.
-    pub fn read(bytes: Vec<u8>, out: Outbox) -> Result<Given, String> {
-        let (begin, start) = message::read(&bytes)?;
-        let Begin { name, program, files, machine } = begin;
-        let end = start.saturating_add(program.unwrap_or(0));
-        let rest = bytes.get(end..).ok_or("the message ends too early")?;
-        let beside = Mutex::new(Beside::read(files, rest)?);
-        let program = Mutex::new(program.map(|_| message::cut(bytes, start, end)));
+    pub fn read(bytes: Vec<u8>, out: Outbox) -> Result<Given, TornMessage> {
+        let (begin, mut rest) = Message::read(bytes)?;
+        let Begin { name, program, files, machine, against } = begin;
+        let beside = Mutex::new(Beside::read(files, against, &mut rest)?);
+        // The program comes last: it keeps the memory of the message.
+        let program = Mutex::new(program.then(|| rest.rest()));
         Ok(Given { name, program, machine, beside, out })
     }
 
-    /// Other files lie next to the program now; the page is told of their machines.
-    pub fn renew(&self, bytes: &[u8]) -> Result<(), String> {
-        let (Begin { files, .. }, start) = message::read(bytes)?;
-        let beside = Beside::read(files, &bytes[start..])?;
+    /// Other files lie next to the program now, or it has another one to be compared with; the page is told of both.
+    pub fn renew(&self, bytes: Vec<u8>) -> Result<(), TornMessage> {
+        let (Begin { files, against, .. }, mut rest) = Message::read(bytes)?;
+        let beside = Beside::read(files, against, &mut rest)?;
+        let against = beside.against.as_ref().map(|against| against.told());
         let machines = beside.machines.iter();
         let machines: Vec<_> =
             machines.map(|each| json!({ "name": each.name, "title": each.title })).collect();
         *self.beside() = beside;
-        self.out.json(&json!({ "type": "machines", "machines": machines }));
+        self.out.json(&json!({ "type": "machines", "machines": machines, "against": against }));
         Ok(())
     }
 
@@ -56,11 +66,15 @@ impl Given {
 }
 
 impl Beside {
-    fn read(named: Vec<message::File>, mut rest: &[u8]) -> Result<Beside, String> {
+    fn read(
+        named: Vec<begin::File>,
+        other: Option<begin::Other>,
+        rest: &mut Message,
+    ) -> Result<Beside, TornMessage> {
         let mut files = Vec::new();
         let mut names = Vec::new();
         for file in named {
-            let bytes = message::take(&mut rest, file.bytes)?;
+            let bytes = rest.take(file.bytes)?;
             if is_machine_file(&file.path) {
                 names.push(file.path.clone());
             }
@@ -74,8 +88,32 @@ impl Beside {
                 .map_or_else(|_| name.clone(), |it| format!("{} ({name})", it.title));
             MachineChoice { name, title }
         }));
-        Ok(Beside { files, machines })
+        let mut against = None;
+        if let Some(begin::Other { name, bytes, machine }) = other {
+            let bytes = rest.take(bytes)?;
+            let programs = Arc::new(Second { name, bytes, machine, files: files.clone() });
+            let options = Default::default();
+            against = Some(Arc::new(Against { programs, own_text: false, options }));
+        }
+        Ok(Beside { files, machines, against })
     }
+}
+
+/// A text with what lies next to it.
+fn opened(
+    files: Files,
+    machine: Option<String>,
+    name: &str,
+    text: Vec<u8>,
+) -> Result<Program, Refusal> {
+    let machine = machine.map(GivenMachine::Name);
+    let loader = Loader::new(Request { machine, files, ..Request::default() });
+    let input = Input { path: Some(PathBuf::from(name)), root: None };
+    let named_in = |file: &Path| {
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        format!("named in {name} next to it")
+    };
+    chordal_view::open(loader.map_err(|error| refusal(&error))?, &input, name, text, named_in)
 }
 
 /// A file that a machine or a setup may be in. That of a folder counts without being chosen.
@@ -117,19 +155,9 @@ impl Programs for Given {
             });
         }
         let machine = machine.map(str::to_string).or_else(|| self.machine.clone());
-        let request = Request {
-            machine: machine.map(GivenMachine::Name),
-            files: beside.files.clone(),
-            ..Request::default()
-        };
+        let files = beside.files.clone();
         drop(beside);
-        let loader = Loader::new(request).map_err(|error| refusal(&error))?;
-        let input = Input { path: Some(PathBuf::from(&self.name)), root: None };
-        let named_in = |file: &Path| {
-            let name = file.file_name().unwrap_or_default().to_string_lossy();
-            format!("named in {name} next to it")
-        };
-        chordal_view::open(loader, &input, &self.name, text, named_in)
+        opened(files, machine, &self.name, text)
     }
 
     fn machines(&self) -> Vec<MachineChoice> {
@@ -140,5 +168,28 @@ impl Programs for Given {
         let beside = self.beside();
         let bytes = beside.files.bytes(Path::new(name));
         bytes.map_err(|_| "open it together with the setup file".to_string())
+    }
+
+    fn against(&self) -> Option<Arc<Against>> {
+        self.beside().against.clone()
+    }
+}
+
+impl Programs for Second {
+    fn name(&self) -> String {
+        self.name.clone()
+    }
+
+    fn read(&self) -> Result<Vec<u8>, Refusal> {
+        Ok(self.bytes.clone())
+    }
+
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
+        let machine = machine.map(str::to_string).or_else(|| self.machine.clone());
+        opened(self.files.clone(), machine, &self.name, text)
+    }
+
+    fn machines(&self) -> Vec<MachineChoice> {
+        Vec::new()
     }
 }

@@ -1,26 +1,22 @@
-//! How messages lie in memory.
+//! What JavaScript calls, and what it hears.
 //!
-//! `page_input(n)` gives the place for a message of so many bytes. Then the view of a page takes `page_begin()`, from
-//! then on its requests (`page_ask()`), and is told of runs (`page_ran()`). What is to be done elsewhere goes out through
-//! `want`; `page_hand_over()` gives what a view elsewhere needs for it, which takes `page_serve()` and then `page_take_over()`.
-//! Answers and columns go out through `send`, while it works. `page_output(i)` and `page_output_length(i)` give the places of
-//! what a call came to. Pointers only go out: nothing here reads memory by a number that JavaScript gives.
+//! Messages lie in memory as `chordal-memory` says. The view of a page takes `page_begin()`, from then on its requests
+//! (`page_ask()`), and is told of runs (`page_ran()`). What is to be done elsewhere goes out through `want`; `page_hand_over()`
+//! gives what a view elsewhere needs for it, which takes `page_serve()` and then `page_take_over()`. Answers and columns go
+//! out through `send`, while it works.
 
 #![allow(unsafe_code, reason = "names that JavaScript calls, and the functions that it offers")]
 
 use std::cell::RefCell;
-use std::panic;
 use std::sync::Arc;
 
+use chordal_memory::{Message, input, leave};
 use chordal_view::{Handed, Outbox, Port, Request, View, Work, builtin_machines};
 use serde_json::json;
 
 use crate::given::Given;
-use crate::message;
 
 thread_local! {
-    static INPUT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
-    static OUTPUT: RefCell<[Vec<u8>; 2]> = const { RefCell::new([Vec::new(), Vec::new()]) };
     static VIEW: RefCell<Option<Arc<View>>> = const { RefCell::new(None) };
     static GIVEN: RefCell<Option<Arc<Given>>> = const { RefCell::new(None) };
 }
@@ -28,8 +24,6 @@ thread_local! {
 #[cfg(target_family = "wasm")]
 #[link(wasm_import_module = "chordal")]
 unsafe extern "C" {
-    /// Takes the words of a panic, before the module ends.
-    fn panicked(text: *const u8, length: usize);
     /// Takes a text (0), columns (1), or columns that the first picture need not wait for (2).
     fn send(kind: u32, bytes: *const u8, length: usize);
     /// Takes work that is to be done: its kind and its number.
@@ -44,18 +38,6 @@ mod nobody {
 }
 #[cfg(not(target_family = "wasm"))]
 use nobody::{send, want};
-
-/// Gives the words of a panic to JavaScript.
-fn tell_of_panics() {
-    #[cfg(target_family = "wasm")]
-    panic::set_hook(Box::new(|info| {
-        let text = info.to_string();
-        // SAFETY: JavaScript reads so many bytes at the pointer before it returns.
-        unsafe { panicked(text.as_ptr(), text.len()) }
-    }));
-    #[cfg(not(target_family = "wasm"))]
-    drop(panic::take_hook());
-}
 
 /// The way to the page.
 struct Page;
@@ -113,7 +95,7 @@ fn refuse(id: u64, message: &str, help: Option<&str>) {
 
 fn made() -> Option<Arc<View>> {
     let out = Outbox::new(Page);
-    match Given::read(INPUT.take(), out.clone()) {
+    match Given::read(input(), out.clone()) {
         Ok(given) => {
             let given = Arc::new(given);
             let view = Arc::new(View::new(given.clone(), out));
@@ -122,7 +104,7 @@ fn made() -> Option<Arc<View>> {
             Some(view)
         }
         Err(error) => {
-            refuse(0, &error, Some("load the page again"));
+            refuse(0, &format!("the message {error}"), Some("load the page again"));
             None
         }
     }
@@ -134,21 +116,7 @@ pub extern "C" fn page_prepare() {
     builtin_machines();
 }
 
-/// The place for a message; null where there is no memory for it.
-#[unsafe(no_mangle)]
-pub extern "C" fn page_input(length: usize) -> *mut u8 {
-    tell_of_panics();
-    page_forget();
-    INPUT.with_borrow_mut(|input| {
-        if input.try_reserve_exact(length).is_err() {
-            return std::ptr::null_mut();
-        }
-        input.resize(length, 0);
-        input.as_mut_ptr()
-    })
-}
-
-/// Begins the view of a page: the message is a [`message::Begin`] with a program. 1 where `page_text()` is due next.
+/// Begins the view of a page: the message is a [`crate::begin::Begin`] with a program. 1 where `page_text()` is due next.
 #[unsafe(no_mangle)]
 pub extern "C" fn page_begin() -> u32 {
     let Some(view) = made() else { return 0 };
@@ -164,17 +132,16 @@ pub extern "C" fn page_text() {
     }
 }
 
-/// Other files lie next to the program from now on: the message is a [`message::Begin`] without a program.
+/// Other files lie next to the program from now on: the message is a [`crate::begin::Begin`] without a program.
 #[unsafe(no_mangle)]
 pub extern "C" fn page_files() {
-    let bytes = INPUT.take();
     let given = GIVEN.with_borrow(Clone::clone);
-    if let Some(Err(error)) = given.map(|given| given.renew(&bytes)) {
-        refuse(0, &error, Some("load the page again"));
+    if let Some(Err(error)) = given.map(|given| given.renew(input())) {
+        refuse(0, &format!("the message {error}"), Some("load the page again"));
     }
 }
 
-/// Begins a view that works for another one: the message is a [`message::Begin`] without a program.
+/// Begins a view that works for another one: the message is a [`crate::begin::Begin`] without a program.
 #[unsafe(no_mangle)]
 pub extern "C" fn page_serve() {
     made();
@@ -183,7 +150,7 @@ pub extern "C" fn page_serve() {
 /// Answers the request of a page.
 #[unsafe(no_mangle)]
 pub extern "C" fn page_ask() {
-    let text = INPUT.take();
+    let text = input();
     let Some(view) = view() else { return refuse(0, "no program is open", None) };
     match serde_json::from_slice::<Request>(&text) {
         Ok(request) => view.answer(request, &mut tell_work),
@@ -194,7 +161,7 @@ pub extern "C" fn page_ask() {
 /// A view elsewhere has run the program: the message is the output of its `page_take_over`.
 #[unsafe(no_mangle)]
 pub extern "C" fn page_ran() {
-    let told = String::from_utf8_lossy(&INPUT.take()).into_owned();
+    let told = String::from_utf8_lossy(&input()).into_owned();
     if let Some(view) = view()
         && let Err(error) = view.ran_elsewhere(&told, &mut tell_work)
     {
@@ -202,52 +169,30 @@ pub extern "C" fn page_ran() {
     }
 }
 
-/// What a view elsewhere needs to do this work: outputs 0 and 1 are parts of its message. 0 where nobody wants it any more.
+/// What a view elsewhere needs to do this work: parts 0 and 1 go into its message. 0 where nobody wants it any more.
 #[unsafe(no_mangle)]
 pub extern "C" fn page_hand_over(kind: u32, number: f64) -> u32 {
     let handed = view().and_then(|view| view.hand_over(work_of(kind, number)));
     let Some((handed, text)) = handed else { return 0 };
     let handed = json!(handed).to_string().into_bytes();
-    OUTPUT.set([handed, text.into_bytes()]);
+    leave(vec![handed, text.into_bytes()]);
     1
 }
 
-/// Does the work of another view: the message is a [`Handed`] and the text. Output 0 is for its `page_ran`, where it has bytes.
+/// Does the work of another view: the message is a [`Handed`] and the text. Part 0 is for its `page_ran`, where it has bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn page_take_over() {
-    let message = INPUT.take();
+    let message = input();
     let Some(view) = view() else { return };
-    let (handed, start) = match message::read::<Handed>(&message) {
-        Ok(read) => read,
-        Err(error) => return refuse(0, &error, None),
+    let (handed, text) = match Message::read::<Handed>(message) {
+        Ok((handed, rest)) => (handed, String::from_utf8(rest.rest())),
+        Err(error) => return refuse(0, &format!("the message {error}"), None),
     };
-    let end = message.len();
-    let Ok(text) = String::from_utf8(message::cut(message, start, end)) else {
-        return refuse(0, "the text is not UTF-8", None);
-    };
+    let Ok(text) = text else { return refuse(0, "the text is not UTF-8", None) };
     match view.take_over(handed, text) {
-        Ok(told) => OUTPUT.set([told.unwrap_or_default().into_bytes(), Vec::new()]),
+        Ok(told) => leave(vec![told.unwrap_or_default().into_bytes()]),
         Err(refusal) => refuse(0, &refusal.message, refusal.help.as_deref()),
     }
-}
-
-/// Where a part of the output lies.
-#[unsafe(no_mangle)]
-pub extern "C" fn page_output(index: usize) -> *const u8 {
-    OUTPUT.with_borrow(|parts| parts.get(index).map_or(std::ptr::null(), Vec::as_ptr))
-}
-
-/// How many bytes it has.
-#[unsafe(no_mangle)]
-pub extern "C" fn page_output_length(index: usize) -> usize {
-    OUTPUT.with_borrow(|parts| parts.get(index).map_or(0, Vec::len))
-}
-
-/// Gives the memory of message and output back.
-#[unsafe(no_mangle)]
-pub extern "C" fn page_forget() {
-    INPUT.take();
-    OUTPUT.take();
 }
 
 /// Panics, so that the tests can see how the page goes on after one.

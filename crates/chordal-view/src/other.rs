@@ -130,7 +130,7 @@ impl Comparing {
     fn open(&self, ran: &Ran, other: &Other) -> Result<Option<(Origin, Program)>, Refusal> {
         let is_new = |origin: &Origin| self.shown.as_ref().is_none_or(|it| it.origin != *origin);
         let named = self.programs.against().filter(|_| *other == Other::Named);
-        if let Some(Against { programs, own_text: false, .. }) = named {
+        if let Some(Against { programs, own_text: false, .. }) = named.as_deref() {
             let bytes = programs.read()?;
             let origin = Origin::File(Content::of(&bytes));
             if !is_new(&origin) {

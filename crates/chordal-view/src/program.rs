@@ -7,6 +7,7 @@ use chordal::Machine;
 use chordal::machine::builtin_names;
 use chordal_compare::Options;
 use chordal_editor::Program;
+use serde_json::{Value, json};
 
 /// Why a program cannot be run at all: in words for people.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,7 +27,7 @@ pub struct MachineChoice {
     pub title: String,
 }
 
-/// What the command line says that a program is compared with.
+/// The other program, which one is compared with.
 pub struct Against {
     /// Finds the other program; its machine is the one that it takes by itself.
     pub programs: Arc<dyn Programs>,
@@ -34,6 +35,13 @@ pub struct Against {
     pub own_text: bool,
     /// What counts as a difference; the page may set another tolerance.
     pub options: Options,
+}
+
+impl Against {
+    /// As a page is told of it.
+    pub fn told(&self) -> Value {
+        json!({ "name": self.programs.name(), "own_text": self.own_text })
+    }
 }
 
 /// Finds what a program needs, as the command line says.
@@ -83,8 +91,8 @@ pub trait Programs: Send + Sync + 'static {
         Err(format!("there is no file {name}"))
     }
 
-    /// What the program is compared with, where the command line says it.
-    fn against(&self) -> Option<&Against> {
+    /// What the program is compared with, where the command line says it, or a page without one.
+    fn against(&self) -> Option<Arc<Against>> {
         None
     }
 }

@@ -150,7 +150,7 @@ impl View {
             ran: None,
             elsewhere: None,
             other: if against.is_some() { Other::Named } else { Other::Nothing },
-            tolerance_mm: against.map_or(0.0, |against| against.options.tolerance_mm),
+            tolerance_mm: against.as_ref().map_or(0.0, |against| against.options.tolerance_mm),
             columns: USUAL_COLUMNS,
             beside: None,
         };
@@ -249,16 +249,13 @@ impl View {
             .iter()
             .map(|machine| json!({ "name": machine.name, "title": machine.title }))
             .collect();
-        let against = self.programs.against();
+        let against = self.programs.against().map(|against| against.told());
         self.out.json(&json!({
             "type": "hello",
             "name": self.programs.name(),
             "writable": self.programs.is_writable(),
             "machines": machines,
-            "against": against.map(|against| json!({
-                "name": against.programs.name(),
-                "own_text": against.own_text,
-            })),
+            "against": against,
             "tolerance_mm": self.held().tolerance_mm,
         }));
     }

@@ -82,7 +82,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
     // Apart from the view for its tests alone.
     ("chordal-server", &["chordal-view", "chordal", "chordal-compare", "chordal-editor"]),
-    ("chordal-page", &["chordal-editor", "chordal-load", "chordal-view"]),
+    ("chordal-memory", &[]),
+    ("chordal-page", &["chordal-editor", "chordal-load", "chordal-memory", "chordal-view"]),
     (
         "chordal-cli",
         &[
@@ -124,7 +125,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-rewrite",
         ],
     ),
-    ("chordal-wasm", &["chordal-ask", "chordal-editor", "chordal-load", "chordal-lsp"]),
+    (
+        "chordal-wasm",
+        &["chordal-ask", "chordal-editor", "chordal-load", "chordal-lsp", "chordal-memory"],
+    ),
     ("chordal-wheel", &["chordal-python", "chordal-cli"]),
 ];
 

@@ -2,11 +2,16 @@
 import * as vscode from "vscode";
 import { LanguageClient } from "vscode-languageclient/browser";
 
+import { PathPanel } from "./panel.js";
 import { initializationOptions } from "./server.js";
 import { DEEPEST, isNeeded, isOpen, MOST_BYTES, MOST_FILES, NEEDED, pathOf } from "./web-files.js";
 
 let client: LanguageClient | undefined;
 let worker: Worker | undefined;
+
+/** What programs may need, by their paths, as it was brought last. */
+let brought: Record<string, string> = {};
+let panel: PathPanel | undefined;
 
 /** The addresses of files as the editor knows them, by their paths: the server speaks of paths. */
 const known = new Map<string, vscode.Uri>();
@@ -17,18 +22,21 @@ function toServer(uri: vscode.Uri): string {
   return path;
 }
 
+function machine(): string {
+  return vscode.workspace.getConfiguration("chordal").get("machine", "");
+}
+
 async function start(context: vscode.ExtensionContext): Promise<void> {
   const dist = vscode.Uri.joinPath(context.extensionUri, "dist");
   const module = await vscode.workspace.fs.readFile(vscode.Uri.joinPath(dist, "chordal.wasm"));
   worker = new Worker(vscode.Uri.joinPath(dist, "worker.js").toString(true));
   worker.postMessage({ module });
-  const machine = vscode.workspace.getConfiguration("chordal").get("machine", "");
   client = new LanguageClient(
     "chordal",
     "Chordal",
     {
       documentSelector: [{ language: "nc" }],
-      initializationOptions: initializationOptions({ command: "", machine }),
+      initializationOptions: initializationOptions({ command: "", machine: machine() }),
       synchronize: { configurationSection: "chordal" },
       uriConverters: {
         code2Protocol: toServer,
@@ -64,6 +72,8 @@ async function bringFiles(): Promise<void> {
     }
     folders = below;
   }
+  brought = files;
+  panel?.filesChanged();
   await client?.sendNotification("chordal/files", files);
 }
 
@@ -85,6 +95,20 @@ async function read(uri: vscode.Uri): Promise<Uint8Array | undefined> {
   }
 }
 
+/** Shows the path of the program in the active editor. */
+async function view(): Promise<void> {
+  const editor = vscode.window.activeTextEditor;
+  if (editor === undefined) {
+    void vscode.window.showInformationMessage("Open a program first.");
+    return;
+  }
+  try {
+    await panel?.show(editor);
+  } catch (error) {
+    void vscode.window.showErrorMessage(`The path cannot be shown: ${String(error)}`);
+  }
+}
+
 async function stop(): Promise<void> {
   const running = client;
   client = undefined;
@@ -103,17 +127,15 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   watcher.onDidChange(changed);
   watcher.onDidCreate(changed);
   watcher.onDidDelete(changed);
+  panel = new PathPanel(vscode.Uri.joinPath(context.extensionUri, "dist", "view"), () => brought, machine);
   context.subscriptions.push(
     watcher,
     vscode.commands.registerCommand("chordal.restart", async () => {
       await stop();
       await start(context);
     }),
-    vscode.commands.registerCommand("chordal.view", () => {
-      void vscode.window.showInformationMessage(
-        "The path is shown by the command chordal, which cannot be started in a browser.",
-      );
-    }),
+    vscode.commands.registerCommand("chordal.view", view),
+    panel.listen(),
   );
   await start(context);
 }

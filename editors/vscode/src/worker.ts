@@ -1,12 +1,8 @@
 // The language server in a worker: messages of the editor in, messages for the editor out.
+import { Module, NoRoom } from "../../../npm/src/memory.js";
 
 interface Exports {
-  memory: WebAssembly.Memory;
-  chordal_input(length: number): number;
-  chordal_language(): number;
-  chordal_part(index: number): number;
-  chordal_part_length(index: number): number;
-  chordal_forget(): void;
+  chordal_language(): void;
 }
 
 /** What the module says to a step. */
@@ -25,8 +21,7 @@ interface Scope {
 
 const scope = globalThis as unknown as Scope;
 const waiting: unknown[] = [];
-let server: Exports | undefined;
-let panic = "";
+let server: Module<Exports> | undefined;
 let isDue = false;
 
 scope.onmessage = ({ data }) => {
@@ -40,13 +35,7 @@ scope.onmessage = ({ data }) => {
 };
 
 async function load(bytes: Uint8Array<ArrayBuffer>): Promise<void> {
-  let memory: WebAssembly.Memory | undefined;
-  const panicked = (pointer: number, length: number): void => {
-    if (memory !== undefined) panic = textAt(memory, pointer, length);
-  };
-  const made = await WebAssembly.instantiate(bytes, { chordal: { panicked } });
-  server = made.instance.exports as unknown as Exports;
-  memory = server.memory;
+  server = await Module.start<Exports>(await WebAssembly.compile(bytes));
   waiting.splice(0).forEach(take);
 }
 
@@ -70,26 +59,20 @@ function step(next: Step): void {
 
 function ask(next: Step): Told {
   const nothing: Told = { messages: [], more: false, problem: null };
-  if (server === undefined) return nothing;
-  const bytes = new TextEncoder().encode(JSON.stringify(next));
+  const used = server;
+  if (used === undefined) return nothing;
   try {
-    const pointer = server.chordal_input(bytes.length) >>> 0;
-    if (pointer === 0) return nothing;
-    new Uint8Array(server.memory.buffer, pointer, bytes.length).set(bytes);
-    server.chordal_language();
-    const text = textAt(server.memory, server.chordal_part(0), server.chordal_part_length(0));
-    server.chordal_forget();
+    const text = used.call([new TextEncoder().encode(JSON.stringify(next))], (own) => {
+      own.chordal_language();
+      return used.text(0);
+    });
     return JSON.parse(text) as Told;
   } catch (error) {
-    // Its memory cannot be trusted any more.
+    if (error instanceof NoRoom) return nothing;
     server = undefined;
-    const why = panic === "" ? String(error) : panic;
+    const why = error instanceof Error ? error.message : String(error);
     const message = `Chordal failed: ${why}. Please report it with the program. "Restart the language server" starts it again.`;
     const shown = { method: "window/showMessage", params: { type: 1, message } };
     return { ...nothing, messages: [shown] };
   }
-}
-
-function textAt(memory: WebAssembly.Memory, pointer: number, length: number): string {
-  return new TextDecoder().decode(new Uint8Array(memory.buffer, pointer >>> 0, length >>> 0));
 }

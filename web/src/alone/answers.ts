@@ -1,6 +1,6 @@
 // The worker that answers the page, as a server would: it holds the text, and gives what takes long to other workers.
 
-import { COMPARE, CUT, Engine, type File_, type Hear, type Job, type Kind, type Opened, PLAN, RUN } from "./engine";
+import { type Against, COMPARE, CUT, Engine, type File_, type Hear, type Job, type Kind, type Opened, PLAN, RUN } from "./engine";
 import { Hand, type Works } from "./hand";
 import { Outgoing } from "./outgoing";
 import type { Port } from "./worker";
@@ -10,6 +10,8 @@ export type ToAnswers =
   | { open: Opened }
   /** What lies next to the program now. */
   | { files: File_[] }
+  /** What it is compared with now. */
+  | { against: Against }
   /** So many more messages with columns were taken by the page. */
   | { taken: number }
   /** For tests: one of the workers fails. */
@@ -30,6 +32,12 @@ const WORDS = new Set(["tokens", "hover", "definition", "outline"]);
 const HOLD_MS = 1000;
 
 const NAMES: Record<Kind, string> = { [RUN]: "paths", [PLAN]: "times", [COMPARE]: "others", [CUT]: "stocks" };
+
+/** Only the worker that compares reads the other program: the rest need its name. */
+function withoutText(opened: Omit<Opened, "program">): Omit<Opened, "program"> {
+  const { against } = opened;
+  return against ? { ...opened, against: { ...against, program: new ArrayBuffer(0) } } : opened;
+}
 
 export function answers(port: Port): void {
   let module: WebAssembly.Module;
@@ -53,7 +61,7 @@ export function answers(port: Port): void {
       worker.postMessage({ module });
       return worker;
     };
-    return new Hand(start, () => opened, {
+    return new Hand(start, () => (kind === COMPARE ? opened : withoutText(opened)), {
       out: (data) => out.put(data, kind === RUN && data instanceof ArrayBuffer),
       done: (told) => {
         if (kind === RUN) out.release();
@@ -131,7 +139,7 @@ export function answers(port: Port): void {
       out.hold();
       setTimeout(() => out.release(), HOLD_MS);
       guarded(() => {
-        if (!engine.begin({ ...rest, program })) return;
+        if (!engine.begin({ ...withoutText(rest), program })) return;
         // The run first: its picture is made while the text goes over.
         handOut();
         engine.text();
@@ -139,7 +147,11 @@ export function answers(port: Port): void {
     } else if ("files" in message) {
       opened = { ...opened, files: message.files };
       Object.values(hands).forEach((each) => each.renew());
-      guarded(() => engine.files(opened.name, message.files));
+      guarded(() => engine.files(withoutText(opened)));
+    } else if ("against" in message) {
+      opened = { ...opened, against: message.against };
+      hands[COMPARE].renew();
+      guarded(() => engine.files(withoutText(opened)));
     } else if ("taken" in message) {
       out.taken(message.taken);
     } else if ("fail" in message) {

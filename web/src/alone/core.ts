@@ -2,19 +2,7 @@
 
 import type { Line } from "../shell";
 import type { Closed, ToAnswers } from "./answers";
-import type { File_, Kind, Opened } from "./engine";
-
-/** The address of the module, whose name changes with it. */
-declare const MODULE: string;
-
-async function compile(): Promise<WebAssembly.Module> {
-  const response = await fetch(new URL(MODULE, document.baseURI));
-  if (!response.ok) throw new Error(`${MODULE}: ${response.status} ${response.statusText}`);
-  // Only a response of its own type can be compiled while it comes.
-  const type = response.headers.get("content-type")?.split(";")[0]?.trim();
-  if (type === "application/wasm") return WebAssembly.compileStreaming(response);
-  return WebAssembly.compile(await response.arrayBuffer());
-}
+import type { Against, File_, Kind, Opened } from "./engine";
 
 /** How long a page that does not draw lets columns wait, ms. */
 const UNDRAWN_MS = 100;
@@ -34,21 +22,24 @@ function counted(told: (count: number) => void): () => void {
 }
 
 export class Core {
-  private compiled = compile();
   private worker: Worker;
   private isUsed = false;
   private take: (data: string | ArrayBuffer) => void = () => {};
   /** Nothing answers any more, and why. */
   onLost: (why: string) => void = () => {};
 
-  constructor() {
+  /** `make` starts a worker of `worker.ts` under a name. */
+  constructor(
+    private compiled: Promise<WebAssembly.Module>,
+    private make: (name: string) => Worker,
+  ) {
     // Started before a program is there.
     this.worker = this.start();
     this.compiled.catch((error: unknown) => this.onLost(`the page is not complete: ${String(error)}`));
   }
 
   private start(): Worker {
-    const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "answers" });
+    const worker = this.make("answers");
     const count = counted((taken) => worker.postMessage({ taken } satisfies ToAnswers));
     worker.onmessage = (event: MessageEvent<string | ArrayBuffer | Closed>) => {
       const { data } = event;
@@ -102,6 +93,11 @@ export class Core {
   /** Other files lie next to the program now. */
   files(files: File_[]): void {
     this.worker.postMessage({ files } satisfies ToAnswers);
+  }
+
+  /** The program is compared with another one, once the page asks for it. */
+  against(against: Against): void {
+    this.worker.postMessage({ against } satisfies ToAnswers);
   }
 
   /** For tests: a part of the interpreter fails. */

@@ -1,10 +1,10 @@
 // The interpreter as WebAssembly, in a worker: messages into its memory, answers and columns out of it.
 // See crates/chordal-page/src/interface.rs.
 
+import { Module, messageOf } from "../../../npm/src/memory";
+
 interface Exports {
-  memory: WebAssembly.Memory;
   page_prepare(): void;
-  page_input(length: number): number;
   page_begin(): number;
   page_text(): void;
   page_files(): void;
@@ -13,9 +13,6 @@ interface Exports {
   page_ran(): void;
   page_hand_over(kind: number, number: number): number;
   page_take_over(): void;
-  page_output(index: number): number;
-  page_output_length(index: number): number;
-  page_forget(): void;
   page_panic(): void;
 }
 
@@ -40,6 +37,15 @@ export interface Opened {
   files: File_[];
   /** The machine that it runs on unless another one is chosen: a name, or the path of one of the files. */
   machine?: string;
+  /** The program that it is compared with. */
+  against?: Against;
+}
+
+/** Another program, with the same files next to it. */
+export interface Against {
+  name: string;
+  program: ArrayBuffer;
+  machine?: string;
 }
 
 export interface File_ {
@@ -53,126 +59,88 @@ export interface Job {
   text: ArrayBuffer;
 }
 
-/** The module ended: a panic, no memory, or too little stack. */
-export class Ended extends Error {}
-
 const encoder = new TextEncoder();
 
-/** The length of an object, the object, the bytes that it names. */
-function framed(object: Uint8Array, rest: ArrayBuffer[]): Uint8Array[] {
-  const length = new Uint8Array(4);
-  new DataView(length.buffer).setUint32(0, object.length, true);
-  return [length, object, ...rest.map((bytes) => new Uint8Array(bytes))];
-}
+type Beginning = Omit<Opened, "program"> & { program?: ArrayBuffer };
 
-function beginning(name: string, program: ArrayBuffer | undefined, files: File_[], machine?: string): Uint8Array[] {
+function beginning({ name, program, files, machine, against }: Beginning): Uint8Array[] {
   const head = {
     name,
-    program: program?.byteLength ?? null,
+    program: program !== undefined,
     files: files.map(({ path, bytes }) => ({ path, bytes: bytes.byteLength })),
     machine: machine ?? null,
+    against: against ? { name: against.name, bytes: against.program.byteLength, machine: against.machine ?? null } : null,
   };
-  const rest = files.map(({ bytes }) => bytes);
-  return framed(encoder.encode(JSON.stringify(head)), program ? [program, ...rest] : rest);
+  // The program comes last: it keeps the memory of the message.
+  const rest = [...files.map(({ bytes }) => bytes), against?.program, program].filter((bytes) => bytes !== undefined);
+  return messageOf(JSON.stringify(head), rest.map((bytes) => new Uint8Array(bytes)));
 }
 
 export class Engine {
-  private panic: string | undefined;
-
-  private constructor(private module: Exports) {}
+  private constructor(private module: Module<Exports>) {}
 
   static async start(compiled: WebAssembly.Module, hear: Hear): Promise<Engine> {
-    const engine = new Engine(undefined as unknown as Exports);
     const decoder = new TextDecoder();
-    const at = (pointer: number, length: number) => new Uint8Array(engine.module.memory.buffer, pointer >>> 0, length >>> 0);
-    const imports = {
-      panicked: (pointer: number, length: number) => (engine.panic = decoder.decode(at(pointer, length))),
-      send: (kind: number, pointer: number, length: number) => {
-        const bytes = at(pointer, length);
+    const module = await Module.start<Exports>(compiled, (at) => ({
+      send: (kind, pointer, length) => {
+        const bytes = at(pointer!, length!);
         // The one copy: what lies in the module is gone when this returns.
-        hear.send(kind === 0 ? decoder.decode(bytes) : bytes.slice().buffer, kind === 2);
+        hear.send(kind === 0 ? decoder.decode(bytes) : (bytes.slice().buffer as ArrayBuffer), kind === 2);
       },
-      want: (kind: number, number: number) => hear.want(kind as Kind, number),
-    };
-    const made = await WebAssembly.instantiate(compiled, { chordal: imports });
-    engine.module = made.exports as unknown as Exports;
-    engine.module.page_prepare();
-    return engine;
+      want: (kind, number) => hear.want(kind as Kind, number!),
+    }));
+    module.call([], (own) => own.page_prepare());
+    return new Engine(module);
   }
 
   /** Begins the view of a page; whether its text can be sent. */
-  begin({ name, program, files, machine }: Opened): boolean {
-    return this.call(beginning(name, program, files, machine), () => this.module.page_begin() === 1);
+  begin(opened: Opened): boolean {
+    return this.module.call(beginning(opened), (own) => own.page_begin() === 1);
   }
 
   /** Sends the page the text. */
   text(): void {
-    this.call([], () => this.module.page_text());
+    this.module.call([], (own) => own.page_text());
   }
 
-  /** Other files lie next to the program now. */
-  files(name: string, files: File_[]): void {
-    this.call(beginning(name, undefined, files), () => this.module.page_files());
+  /** Other files lie next to the program now, or it is compared with another one. */
+  files(opened: Omit<Opened, "program">): void {
+    this.module.call(beginning(opened), (own) => own.page_files());
   }
 
   /** Begins a view that works for another one. */
-  serve({ name, files, machine }: Omit<Opened, "program">): void {
-    this.call(beginning(name, undefined, files, machine), () => this.module.page_serve());
+  serve(opened: Omit<Opened, "program">): void {
+    this.module.call(beginning(opened), (own) => own.page_serve());
   }
 
   ask(text: string): void {
-    this.call([encoder.encode(text)], () => this.module.page_ask());
+    this.module.call([encoder.encode(text)], (own) => own.page_ask());
   }
 
   /** A view elsewhere has run the program. */
   ran(told: string): void {
-    this.call([encoder.encode(told)], () => this.module.page_ran());
+    this.module.call([encoder.encode(told)], (own) => own.page_ran());
   }
 
   /** What a view elsewhere needs; nothing where nobody wants the work any more. */
   handOver(kind: Kind, number: number): Job | undefined {
-    return this.call([], () => {
-      if (this.module.page_hand_over(kind, number) === 0) return undefined;
-      return { handed: this.output(0), text: this.output(1) };
+    return this.module.call([], (own) => {
+      if (own.page_hand_over(kind, number) === 0) return undefined;
+      return { handed: this.module.part(0), text: this.module.part(1) };
     });
   }
 
   /** Does the work of another view; after a run gives what that one is to be told. */
   takeOver({ handed, text }: Job): string {
-    return this.call(framed(new Uint8Array(handed), [text]), () => {
-      this.module.page_take_over();
-      return new TextDecoder().decode(this.output(0));
+    const json = new TextDecoder().decode(handed);
+    return this.module.call(messageOf(json, [new Uint8Array(text)]), (own) => {
+      own.page_take_over();
+      return this.module.text(0);
     });
   }
 
   /** For tests. */
   fail(): void {
-    this.call([], () => this.module.page_panic());
-  }
-
-  private output(index: number): ArrayBuffer {
-    const start = this.module.page_output(index) >>> 0;
-    return (this.module.memory.buffer as ArrayBuffer).slice(start, start + (this.module.page_output_length(index) >>> 0));
-  }
-
-  /** Puts a message into memory and calls what takes it. */
-  private call<T>(parts: Uint8Array[], act: () => T): T {
-    this.panic = undefined;
-    try {
-      const length = parts.reduce((sum, bytes) => sum + bytes.length, 0);
-      const pointer = this.module.page_input(length) >>> 0;
-      if (pointer === 0) throw new Ended(`a message of ${length} bytes has no room in memory`);
-      let at = pointer;
-      for (const bytes of parts) {
-        new Uint8Array(this.module.memory.buffer, at, bytes.length).set(bytes);
-        at += bytes.length;
-      }
-      const answer = act();
-      this.module.page_forget();
-      return answer;
-    } catch (error) {
-      if (error instanceof Ended) throw error;
-      throw new Ended(this.panic ?? `it ended without a word (${String(error)}); it may have had too little memory`);
-    }
+    this.module.call([], (own) => own.page_panic());
   }
 }

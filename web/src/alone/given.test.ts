@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { MOST_BYTES, nameOf, sorted, tooLarge } from "./given";
+import { MOST_BYTES, apart, nameOf, sorted, tooLarge } from "./given";
 
 const files = (...names: string[]) => names.map((name) => ({ name }));
 
@@ -25,4 +25,10 @@ test("a name is one that a file can have", () => {
 test("a file that is too large is refused with its size", () => {
   expect(tooLarge("a.nc", MOST_BYTES)).toBe(undefined);
   expect(tooLarge("a.nc", 700 * 2 ** 20)).toMatch(/a\.nc has 700 MiB; this page takes up to 256 MiB/);
+});
+
+test("a second program of the same name can be told from the first", () => {
+  expect(apart("part.nc", "part.nc")).toBe("part (2).nc");
+  expect(apart("O1", "O1")).toBe("O1 (2)");
+  expect(apart("new.nc", "part.nc")).toBe("new.nc");
 });

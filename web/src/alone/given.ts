@@ -18,6 +18,11 @@ export function nameOf(path: string): string {
   return plain === "" || /^\.+$/.test(plain) ? "program.nc" : plain;
 }
 
+/** The name of a second program that can be told from the first: `part (2).nc`. */
+export function apart(name: string, first: string): string {
+  return name === first ? name.replace(/(\.\w+)?$/, " (2)$1") : name;
+}
+
 /** The first file that is not of a kind that lies next to programs is the program; other programs lie next to it. */
 export function sorted<T extends { name: string }>(files: T[]): Sorted<T> {
   const program = files.find(({ name }) => !BESIDE.test(name));

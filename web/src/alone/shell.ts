@@ -3,20 +3,36 @@
 import "./start.css";
 import { element } from "../panels";
 import { type Page, use } from "../shell";
+import { type Asked, asked, asking, fetched, fileOf } from "./address";
 import { Core } from "./core";
-import type { File_ } from "./engine";
+import type { Against, File_, Opened } from "./engine";
 import { type Example, gallery, named } from "./gallery";
-import { nameOf, sorted, tooLarge } from "./given";
+import { apart, nameOf, sorted, tooLarge } from "./given";
 import { offline } from "./offline";
 import { MOST_EACH, find, keep, sizeOf } from "./recent";
 import { MOST_LINK, type Shared, fragmentOf, sharedIn } from "./share";
 import { Start } from "./start";
 
-const core = new Core();
+/** The address of the module, whose name changes with it. */
+declare const MODULE: string;
+
+async function compile(): Promise<WebAssembly.Module> {
+  const response = await fetch(new URL(MODULE, document.baseURI));
+  if (!response.ok) throw new Error(`${MODULE}: ${response.status} ${response.statusText}`);
+  // Only a response of its own type can be compiled while it comes.
+  const type = response.headers.get("content-type")?.split(";")[0]?.trim();
+  if (type === "application/wasm") return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+const core = new Core(compile(), (name) => new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name }));
 
 /** What is open. */
 let name = "";
 let files: File_[] = [];
+let against: Against | undefined;
+/** The machine that was opened with it. */
+let machineAtOpening: string | undefined;
 let page: Page | undefined;
 
 const encode = (text: string) => new TextEncoder().encode(text).buffer as ArrayBuffer;
@@ -42,22 +58,16 @@ function remember(program: ArrayBuffer, machine?: string): void {
   else void keep(kept);
 }
 
-interface Opening {
-  name: string;
-  program: ArrayBuffer;
-  files: File_[];
-  machine?: string;
-}
-
 /** Opens a program, once nothing that was typed would be lost. */
-function open(opening: Opening, isFromLink = false): void {
+function open(opening: Opened, isFromLink = false): void {
   const { ui, editor, link } = page!;
   const go = () => {
     name = opening.name;
-    files = opening.files;
+    ({ files, against } = opening);
+    machineAtOpening = opening.machine;
     link.forget();
     // The address is that of the program it was opened with.
-    if (!isFromLink && location.hash !== "") history.replaceState(null, "", location.pathname + location.search);
+    if (!isFromLink && location.hash + location.search !== "") history.replaceState(null, "", location.pathname);
     remember(opening.program, opening.machine);
     document.querySelector<HTMLElement>("#share")!.hidden = false;
     core.open(opening).catch((error: unknown) => ui.tell("error", `The page is not complete: ${String(error)}`));
@@ -71,23 +81,42 @@ function open(opening: Opening, isFromLink = false): void {
 
 async function openFiles(given: File[]): Promise<void> {
   const { ui } = page!;
-  const { program, beside, machine } = sorted(given);
-  const complaint = given.map((file) => tooLarge(file.name, file.size)).find(Boolean);
-  if (complaint) return refuse(complaint);
-  let read: File_[];
-  let bytes: ArrayBuffer | undefined;
-  try {
-    read = await Promise.all(beside.map(async (file) => ({ path: nameOf(file.name), bytes: await file.arrayBuffer() })));
-    bytes = await program?.arrayBuffer();
-  } catch (error) {
-    return refuse(`A file cannot be read: ${String(error)}`);
-  }
+  const found = await readAll(given);
+  if (!found) return;
+  const { program, bytes, beside, read, machine } = found;
   if (!program || !bytes) return lay(read, machine);
   // Machine files stay: the next program may be for the same machine.
   const machines = files.filter(({ path }) => path.endsWith(".toml") && path !== "chordal.toml" && !read.some((own) => own.path === path));
   const others = beside.filter((file) => !/\.toml$/i.test(file.name)).length;
   open({ name: nameOf(program.name), program: bytes, files: [...read, ...machines], machine });
   if (others > 0) ui.tell("note", `${program.name} is shown; ${others === 1 ? "1 other file lies" : `${others} other files lie`} next to it.`);
+}
+
+/** The program among files and what lies next to it, read; nothing where that cannot be. */
+async function readAll(given: File[]) {
+  const complaint = given.map((file) => tooLarge(file.name, file.size)).find(Boolean);
+  if (complaint) return refuse(complaint);
+  const { program, beside, machine } = sorted(given);
+  try {
+    const read = await Promise.all(beside.map(async (file) => ({ path: nameOf(file.name), bytes: await file.arrayBuffer() })));
+    return { program, bytes: await program?.arrayBuffer(), beside, read, machine };
+  } catch (error) {
+    return refuse(`A file cannot be read: ${String(error)}`);
+  }
+}
+
+/** Compares the program with that of another file, on the same machine unless one comes with it. */
+async function compareWith(given: File[]): Promise<void> {
+  const { editor, link } = page!;
+  const found = await readAll(given);
+  if (!found) return;
+  const { program, bytes, read, machine } = found;
+  if (!program || !bytes) return refuse("There is no program among these files.");
+  if (read.length > 0) lay(read, undefined);
+  against = { name: apart(nameOf(program.name), name), program: bytes, machine: machine ?? chosenMachine() };
+  editor.flush();
+  core.against(against);
+  link.tell("against", { other: "named" });
 }
 
 /** Files without a program lie next to the one that is open. */
@@ -106,7 +135,7 @@ function lay(more: File_[], machine: string | undefined): void {
 /** A machine file that is chosen as soon as it is in the list. */
 let chooseLater: string | undefined;
 
-function refuse(why: string): void {
+function refuse(why: string): undefined {
   page!.ui.tell("error", why);
   start?.say(why);
 }
@@ -142,6 +171,34 @@ async function openExample(): Promise<boolean> {
   }
 }
 
+/** Loading that takes longer is said, ms. */
+const SLOW_MS = 500;
+
+/** Opens the program that the address names: `?program=https://…`. */
+async function openAddress(): Promise<boolean> {
+  let slow: ReturnType<typeof setTimeout> | undefined;
+  try {
+    const wanted = asked(location.search, document.baseURI);
+    if (!wanted) return false;
+    slow = setTimeout(() => page!.ui.tell("note", `Loading ${fileOf(wanted.program)} from ${wanted.program.host}…`), SLOW_MS);
+    open(await openingOf(wanted), true);
+    return true;
+  } catch (error) {
+    refuse(error instanceof Error ? error.message : String(error));
+    return false;
+  } finally {
+    clearTimeout(slow);
+  }
+}
+
+async function openingOf({ program, files: beside, against: other, machine }: Asked): Promise<Opened> {
+  const [bytes, otherBytes, ...rest] = await Promise.all([fetched(program), other && fetched(other), ...beside.map(fetched)]);
+  const read = beside.map((url, at) => ({ path: fileOf(url), bytes: rest[at]! }));
+  const on = machine ?? sorted([{ name: fileOf(program) }, ...read.map(({ path }) => ({ name: path }))]).machine;
+  const against = other && otherBytes && { name: apart(fileOf(other), fileOf(program)), program: otherBytes, machine: on };
+  return { name: fileOf(program), program: bytes, files: read, machine: on, against };
+}
+
 async function share(): Promise<void> {
   const { ui, editor } = page!;
   const decoder = new TextDecoder("utf-8", { fatal: true });
@@ -151,13 +208,13 @@ async function share(): Promise<void> {
   } catch {
     return ui.tell("warning", "Files that are not text cannot be shared in a link: send the files.");
   }
-  const machine = ui.machine.value || chosenAtOpening();
+  const machine = chosenMachine() ?? null;
   const fragment = await fragmentOf({ name, text: editor.view.state.doc.toString(), machine, files: texts });
-  const address = location.href.split("#")[0] + fragment;
+  const address = location.origin + location.pathname + fragment;
   if (address.length > MOST_LINK) {
     return ui.tell("warning", `The link would have ${address.length.toLocaleString("en")} characters; up to ${MOST_LINK.toLocaleString("en")} can be shared. Send the file.`);
   }
-  history.replaceState(null, "", fragment);
+  history.replaceState(null, "", address);
   try {
     await navigator.clipboard.writeText(address);
     ui.tell("note", "The link is copied. The program is in the link itself: nothing was sent.");
@@ -166,9 +223,10 @@ async function share(): Promise<void> {
   }
 }
 
-/** The machine or setup file that was opened with the program. */
-function chosenAtOpening(): string | null {
-  return sorted([{ name }, ...files.map(({ path }) => ({ name: path }))]).machine ?? null;
+/** The machine that was chosen, or opened with the program. */
+function chosenMachine(): string | undefined {
+  const { machine } = sorted([{ name }, ...files.map(({ path }) => ({ name: path }))]);
+  return page!.ui.machine.value || machine || machineAtOpening;
 }
 
 let start: Start | undefined;
@@ -181,7 +239,10 @@ function furnish(own: Page): void {
     text: (text) => openTexts({ name: "pasted.nc", text, machine: null, files: [] }),
     recent: (kept) => void find(kept).then((found) => found && open(found)),
     example: (example: Example) => openTexts(example),
+    // With the address in it the page may load what is there.
+    address: (text) => location.assign(asking(text)),
   });
+  offerAnother(ui.panels.compare);
   const button = (id: string, text: string, title: string, act: () => void) => {
     const made = element("button", "", text);
     Object.assign(made, { type: "button", id, title });
@@ -205,18 +266,33 @@ function furnish(own: Page): void {
     ui.ask(`Chordal failed: ${why}. What you typed is still here.`, [
       ["Begin again with it", () => {
         editor.setDirty(false);
-        open({ name, program: encode(text), files, machine: ui.machine.value || (chosenAtOpening() ?? undefined) });
+        open({ name, program: encode(text), files, machine: chosenMachine(), against });
       }],
     ]);
   };
   dropped(document);
   window.addEventListener("hashchange", () => void openLink());
-  void openLink().then((isOpen) => isOpen || openExample()).then((isOpen) => {
+  void openLink().then((isOpen) => isOpen || openExample()).then((isOpen) => isOpen || openAddress()).then((isOpen) => {
     if (!isOpen) start!.show();
   });
   offline((load) => ui.ask("A newer version of this page is ready.", [["Load it", load], ["Later", () => {}]]));
   // For the browser's tests.
   Object.assign(window, { alone: { core, open, opened: () => ({ name, files }) } });
+}
+
+/** The choice of another file to compare with. */
+function offerAnother(panel: HTMLElement): void {
+  const input = element("input");
+  Object.assign(input, { type: "file", multiple: true, id: "another", hidden: true });
+  input.addEventListener("change", () => {
+    const given = [...(input.files ?? [])];
+    input.value = "";
+    if (given.length > 0) void compareWith(given);
+  });
+  const choose = element("button", "", "Another file…");
+  Object.assign(choose, { type: "button", title: "Compare with another file, chosen with its machine file where it needs one" });
+  choose.addEventListener("click", () => input.click());
+  panel.querySelector("#against")!.closest("label")!.after(choose, input);
 }
 
 /** Files and texts that are dropped or pasted anywhere but in the text are opened. */
@@ -246,6 +322,7 @@ function dropped(root: Document): void {
 use({
   dial: (take) => core.dial(take),
   lost: "",
+  another: "“Another file…” opens a second program.",
   saved: "Saved: the file is with the browser's downloads.",
   keep: (fileName, bytes) => {
     download(fileName, bytes);

@@ -9,6 +9,7 @@ export interface Chosen {
   text: (text: string) => void;
   recent: (name: string) => void;
   example: (example: Example) => void;
+  address: (text: string) => void;
 }
 
 function button(text: string, act: () => void, className = ""): HTMLButtonElement {
@@ -58,17 +59,26 @@ export class Start {
       paste.value = "";
       this.done(() => this.chosen.text(value));
     });
+    const address = element("input");
+    Object.assign(address, { type: "url", id: "address", placeholder: "https://" });
+    const addressLabel = element("label", "address", "Or load it from an address");
+    addressLabel.append(address);
+    const load = button("Load", () => {
+      if (address.value.trim() !== "") this.chosen.address(address.value.trim());
+    });
     this.message.setAttribute("role", "status");
     const own = element("section", "own");
-    own.append(label, element("p", "hint", "Or drop files anywhere on the page."), pasteLabel, run);
+    own.append(label, element("p", "hint", "Or drop files anywhere on the page."), pasteLabel, run, addressLabel, load);
     this.root.append(head, privacy, this.message, own, this.recents, this.examples);
     document.body.append(this.root);
+    // What was wrong is seen until something else is chosen.
+    this.say("");
+    this.root.addEventListener("close", () => this.say(""));
   }
 
   show(): void {
     if (this.root.open) return;
     this.root.showModal();
-    this.say("");
     void list().then((entries) => this.showRecents(entries));
     if (this.examples.childElementCount === 0) {
       gallery().then(

@@ -1,6 +1,6 @@
 // A worker that does what takes long, for the one that answers. It is ended when what it does is not wanted any more.
 
-import { Ended, Engine, type Job, type Opened } from "./engine";
+import { Engine, type Job, type Opened } from "./engine";
 import type { Port } from "./worker";
 
 export type ToWork =
@@ -43,7 +43,7 @@ export function works(port: Port): void {
   let before: Promise<void> = Promise.resolve();
   port.onmessage = (event: MessageEvent<ToWork>) => {
     before = before.then(() => take(event.data)).catch((error: unknown) => {
-      post({ failed: error instanceof Ended ? error.message : String(error) });
+      post({ failed: error instanceof Error ? error.message : String(error) });
     });
   };
 }

@@ -22,7 +22,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 pub struct Shown {
     pub path: Option<PathBuf>,
     pub text: Mutex<Vec<u8>>,
-    pub against: Option<Against>,
+    pub against: Option<Arc<Against>>,
     /// A setup file; without one the machine is a built-in one.
     pub setup: Option<String>,
 }
@@ -45,7 +45,7 @@ impl Shown {
     pub fn against(self, other: Shown, own_text: bool) -> Shown {
         let programs = Arc::new(other);
         let against = Against { programs, own_text, options: Options::default() };
-        Shown { against: Some(against), ..self }
+        Shown { against: Some(Arc::new(against)), ..self }
     }
 }
 
@@ -85,8 +85,8 @@ impl Programs for Shown {
         Ok(Program::set_up("part.nc", text, setup).expect("settings that the control knows"))
     }
 
-    fn against(&self) -> Option<&Against> {
-        self.against.as_ref()
+    fn against(&self) -> Option<Arc<Against>> {
+        self.against.clone()
     }
 
     fn machines(&self) -> Vec<MachineChoice> {
