@@ -65,7 +65,9 @@ function filesOf(file, options, scratch) {
   const machine = of("--machine")[0] ?? of("--as")[0];
   if (machine) {
     const path = join(scratch, "machine.toml");
-    writeFileSync(path, `inherits = "${machine}"\n${of("--set").join("\n")}\n`);
+    // The command takes lengths without quotes, a machine file does not.
+    const set = of("--set").map((assignment) => assignment.replace(/=\s*(-?[\d.]+\s?[a-z]+)$/, '="$1"'));
+    writeFileSync(path, `inherits = "${machine}"\n${set.join("\n")}\n`);
     files.push(path);
   }
   const setup = of("--setup")[0];
