@@ -19,7 +19,7 @@ fn program(example: &str, spindle: &str, turns: bool, stations: bool, small: boo
     }
     if small {
         return format!(
-            "G21 G17 G40 G49 G90\nS500 {spindle}\nG0 X0 Y0\nG0 Z30.\nG1 Z10. F200.\n{example}\nM30\n"
+            "G21 G17 G40 G49 G90\nS500 {spindle}\nG0 X0 Y0\nG0 Z30.\nG1 Z10. F200.\n{example}\nM30\nO1000\nM99\n"
         );
     }
     format!(

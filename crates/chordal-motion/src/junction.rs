@@ -248,4 +248,36 @@ fn least(limits: &Axes, direction: &Axes) -> f64 {
 }
 
 #[cfg(test)]
-mod tests;
+mod tests {
+    use std::f64::consts::{PI, TAU};
+
+    use chordal_geometry::{Arc, Plane};
+
+    use super::*;
+    use crate::segment::MoveKind;
+
+    #[test]
+    fn segments_of_an_arc_are_those_of_the_firmware() {
+        let law = JunctionLaw {
+            deviation_mm: 0.01,
+            blocks: 15,
+            arc_tolerance_mm: 0.002,
+            steps_per_mm: [0.0; 3],
+            limited_jerk: false,
+        };
+        let planner: Junctions<Piece> = Junctions::new(law);
+        // Radius 1, half and full turn, radius 10 and half of 1,000.
+        for (radius, angle, count) in [(1.0, PI, 24.0), (1.0, TAU, 49.0), (1000.0, PI, 785.0)] {
+            let arc = Move {
+                curve: Arc::new(Plane::Xy.frame(), radius, angle, 0.0).into(),
+                rotary_from: [0.0; 3],
+                rotary_to: [0.0; 3],
+                speed: 100.0,
+                corner: Corner::Stop,
+                kind: MoveKind::Cut,
+                tag: 1,
+            };
+            assert_eq!(planner.segments_of(&arc), count);
+        }
+    }
+}

@@ -59,6 +59,8 @@ mod cursor;
 mod curve;
 mod dense;
 mod junction;
+#[cfg(test)]
+mod junction_times;
 mod law;
 mod limits;
 mod piece;

@@ -266,6 +266,10 @@ impl Judged<'_> {
         let target = self.once_codes(&mut after)?;
         self.motion(&mut after, target, feed)?;
         self.use_up(STORED);
+        if self.control.parameters.build.expressions {
+            // The head of what M98 calls.
+            self.use_up(Letters::of("O"));
+        }
         if self.axis_use.is_some() {
             self.use_up(AXES);
         }

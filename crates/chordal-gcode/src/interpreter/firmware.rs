@@ -89,6 +89,7 @@ impl Interpreter<'_> {
         block.push(Word { letter: b'G', register: None, comma: false, value: number, range });
         words.into_iter().for_each(|word| block.push(word));
         self.kernel.set_feed_mode(FeedMode::PerTime);
+        self.carried_out = true;
         self.carry_out(block);
         self.set_units(units);
         self.kernel.set_incremental(incremental);

@@ -370,7 +370,7 @@ pub fn division_by_zero(part: &Part, line: &Line) -> Planted {
     let divided = format!("{open}{}{close}/0", value.trim());
     Some(match part.control {
         // Operators stand in brackets there.
-        "linuxcnc" | "linuxcnc-lathe" => format!("{target}=[{divided}]"),
+        "linuxcnc" | "linuxcnc-lathe" | "fluidnc" => format!("{target}=[{divided}]"),
         _ => format!("{target}={divided}"),
     })
 }

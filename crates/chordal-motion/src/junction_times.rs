@@ -4,10 +4,12 @@ use std::f64::consts::{PI, TAU};
 
 use chordal_geometry::{Arc, Curve, Line, Plane, Vec3};
 
-use super::*;
-use crate::limits::AxisLimit;
+use crate::Axes;
+use crate::junction::JunctionLaw;
+use crate::limits::{AxisLimit, Limits};
 use crate::planner::{Level, Planner, PlannerOptions};
-use crate::segment::MoveKind;
+use crate::segment::{Corner, Move, MoveKind};
+use crate::trajectory::{Step, Stretch};
 
 const LOOK_AHEAD: usize = 15;
 
@@ -201,17 +203,6 @@ fn without_deviation_every_segment_ends_at_rest() {
     let one = time_s(&row(1, 50.0, 3000.0), router, law(0.0, LOOK_AHEAD));
     let two = time_s(&lines(&square, 3000.0), router, law(0.0, LOOK_AHEAD));
     assert!((two - 2.0 * one).abs() < 1e-9);
-}
-
-#[test]
-fn segments_of_an_arc_are_those_of_the_firmware() {
-    let law = law(0.01, LOOK_AHEAD);
-    let planner: Junctions<Piece> = Junctions::new(law);
-    // Radius 1, half and full turn, radius 10 and half of 1,000.
-    for (radius, angle, count) in [(1.0, PI, 24.0), (1.0, TAU, 49.0), (1000.0, PI, 785.0)] {
-        let arc = cut(Arc::new(Plane::Xy.frame(), radius, angle, 0.0).into(), 100.0);
-        assert_eq!(planner.segments_of(&arc), count);
-    }
 }
 
 /// Straight lines between places, mm, each at its feed, mm/s.
