@@ -24,7 +24,8 @@ fn bench(c: &mut Criterion) {
     }
     let moves = surface(100_000);
     group.throughput(Throughput::Elements(moves.len() as u64));
-    group.bench_function("surface copied", |b| b.iter_with_large_drop(|| black_box(&moves).clone()));
+    group
+        .bench_function("surface copied", |b| b.iter_with_large_drop(|| black_box(&moves).clone()));
     group.finish();
 }
 
