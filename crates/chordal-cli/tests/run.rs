@@ -183,3 +183,27 @@ fn several_programs_need_a_pattern() {
         ]
     );
 }
+
+#[test]
+fn a_picture_of_a_laser_has_its_powers() {
+    let folder = Folder::with_part();
+    let cuts = |powers: &[u32]| {
+        let lines = powers.iter().enumerate();
+        let lines: String =
+            lines.map(|(y, s)| format!("G0 X0 Y{y} S0\nG1 X10 S{s} F900\n")).collect();
+        format!("G21 G90\nM4 S0\n{lines}M5\nM30\n")
+    };
+    let legend = |powers: &[u32]| {
+        folder.write("laser.nc", cuts(powers));
+        folder.run(&["run", "laser.nc", "-m", "grbl", "-o", "laser.svg"]).ends(0);
+        folder.read("laser.svg")
+    };
+    let two = legend(&[350, 1000, 350]);
+    assert!(two.contains(">S350  20.00 mm<") && two.contains(">S1000  10.00 mm<"), "{two}");
+    // Steps of a fifth of the most.
+    let many = legend(&[1000, 850, 300, 250]);
+    assert!(many.contains(">S250 to S300  20.00 mm<"), "{many}");
+    assert!(many.contains(">S850 to S1000  20.00 mm<"), "{many}");
+    // One power is no scale.
+    assert!(!legend(&[350, 350]).contains(">S350"));
+}

@@ -197,9 +197,8 @@ impl Store {
         let list = (0..=STEPS)
             .map(|step| {
                 let own = self.tools.iter().zip(&of_tool).filter(|(_, of)| **of == step);
-                let top = most * step as f64 / STEPS as f64;
-                let name =
-                    if step == 0 { "S0, off".into() } else { format!("to S{}", number(top)) };
+                let powers = own.clone().map(|(tool, _)| tool.power);
+                let name = if step == 0 { "S0, off".to_string() } else { named(powers) };
                 let stroke = if step == 0 { Stroke::Off } else { Stroke::Step(step - 1) };
                 let cut_mm = own.map(|(tool, _)| tool.cut_mm).sum();
                 Group { id: format!("power-{step}"), name, cut_mm, stroke }
@@ -353,6 +352,17 @@ impl Store {
         };
         let near_rapids = Aabb { min: corner(self.rapids.min), max: corner(self.rapids.max) };
         Some(cuts.union(near_rapids))
+    }
+}
+
+/// The powers of a step: the one, or from the least to the most.
+fn named(powers: impl Iterator<Item = f64>) -> String {
+    let (least, most) =
+        powers.fold((f64::INFINITY, 0.0_f64), |(a, b), power| (a.min(power), b.max(power)));
+    if least < most {
+        format!("S{} to S{}", number(least), number(most))
+    } else {
+        format!("S{}", number(most))
     }
 }
 
