@@ -120,17 +120,23 @@ export function layout(root: HTMLElement) {
   tolerance.setAttribute("aria-label", "Tolerance of the chords");
   const [balancedLabel, balanced] = check("inside and outside", false);
   balancedLabel.title = "The ends of the chords outside the arc and their middles inside it, by the same distance";
+  const [ownLabel, ownChords] = check("as the control cuts", true);
+  ownLabel.title = "The segments that the control itself cuts arcs into";
+  ownLabel.hidden = true;
+  ownChords.id = "own-chords";
   const chordText = element("output", "chord-text");
   chordText.setAttribute("aria-live", "polite");
   const chordControls = element("span", "chord-controls");
-  chordControls.append(tolerance, balancedLabel, chordText);
+  chordControls.append(ownLabel, tolerance, balancedLabel, chordText);
   chordControls.hidden = true;
   const changed = () => {
     chordControls.hidden = !chordsOn.checked;
+    tolerance.hidden = balancedLabel.hidden = api.ownChords();
     api.onChords();
   };
   chordsOn.addEventListener("change", changed);
   balanced.addEventListener("change", changed);
+  ownChords.addEventListener("change", changed);
   let timer = 0;
   tolerance.addEventListener("input", () => {
     window.clearTimeout(timer);
@@ -282,6 +288,13 @@ export function layout(root: HTMLElement) {
     show,
     shown: () => shown,
     chordTolerance: () => 10 ** Number(tolerance.value),
+    /** Whether the chords are those that the control itself cuts. */
+    ownChords: () => !ownLabel.hidden && ownChords.checked,
+    /** The control itself cuts arcs, or it does not. */
+    offerOwnChords(is: boolean): void {
+      ownLabel.hidden = !is;
+      tolerance.hidden = balancedLabel.hidden = api.ownChords();
+    },
     chordsTold: (text: string) => (chordText.textContent = text),
     /** Why the box of the machine is not shown; empty where it is, or where nobody asked for it. */
     travelWhy(text: string): void {

@@ -76,6 +76,8 @@ export interface Report {
   /** Where the path is not known from; none where the whole run was followed. */
   not_verified_from: { file: string; line: number; own: boolean } | null;
   inch: boolean;
+  /** How far the segments may be from arcs that the control itself cuts them into; null where it does not. */
+  own_chords_mm: number | null;
   output: string[];
   cut_length_mm: number;
   rapid_length_mm: number;

@@ -322,6 +322,7 @@ function finish(told: Report): void {
     tellReadout(timeline.time);
   }
   cursorAt(editor.line);
+  ui.offerOwnChords(told.own_chords_mm !== null);
   if (ui.chordsOn.checked) askChords();
 }
 
@@ -568,9 +569,9 @@ function askChords(): void {
     ui.chordsTold("");
     return;
   }
-  const mm = ui.chordTolerance();
+  const mm = (ui.ownChords() && report?.own_chords_mm) || ui.chordTolerance();
   ui.chordsTold(chordTolerance(mm));
-  link.tell("chords", { tolerance_mm: mm, balanced: ui.balanced.checked });
+  link.tell("chords", { tolerance_mm: mm, balanced: ui.balanced.checked, as_control: ui.ownChords() });
 }
 
 editor.onDirty = (dirty) => ui.setDirty(dirty);

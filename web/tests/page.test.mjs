@@ -160,6 +160,24 @@ test("the slider draws chords, fewer with a larger tolerance", async () => {
   await page.close();
 });
 
+test("a control that cuts arcs itself has its own chords", async () => {
+  const { page } = await show(join(ROOT, "examples/grbl/sign.nc"));
+  await page.locator("#chords").check();
+  const told = (pattern) => page.waitForFunction(
+    (text) => new RegExp(text).test(document.querySelector(".chord-text").innerText), pattern);
+  await told("0.002 mm: [\\d,]+ chords? on .*chord error 0.00\\d+ mm");
+  assert.equal(await page.locator("#tolerance").isVisible(), false);
+  await picture(page, "chords-own");
+  await page.locator("#own-chords").uncheck();
+  await told("Tolerance 0.32");
+  assert.ok(await page.locator("#tolerance").isVisible());
+  await page.close();
+  const other = await show(PROFILE);
+  await other.page.locator("#chords").check();
+  assert.equal(await other.page.locator("#own-chords").isVisible(), false);
+  await other.page.close();
+});
+
 test("dark follows the system and the switch", async () => {
   const { page } = await show(PROFILE);
   const back = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);

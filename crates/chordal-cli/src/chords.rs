@@ -80,7 +80,7 @@ enum Writer<'a> {
 
 impl<'a> Writer<'a> {
     fn new(out: Out, format: RowFormat, args: &Args, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
-        let (tolerance, placement) = match own_segments(job).filter(|_| args.as_control) {
+        let (tolerance, placement) = match job.own_chords_mm().filter(|_| args.as_control) {
             Some(tolerance) => (tolerance, Placement::RoundedDown),
             None => (args.tolerance, args.placement.inside()),
         };
@@ -111,15 +111,10 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// How far the control's own segments of arcs may be from them, mm; `None` where it has none.
-fn own_segments(job: &Job) -> Option<f64> {
-    Some(job.control().parameters.rules.path.junctions?.arc_tolerance_mm)
-}
-
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let output = Output::of(args.output.as_deref(), args.format, RowFormat::Csv, "chords")?;
     let goes = |job: &Job| {
-        if !args.as_control || own_segments(job).is_some() {
+        if !args.as_control || job.own_chords_mm().is_some() {
             return Ok(());
         }
         let title = job.control().table.title;

@@ -9,12 +9,28 @@ use crate::frame::Frame;
 /// Chords that are sent at most.
 const MOST: u64 = 1_000_000;
 
-/// Cuts every arc of a job into chords within a tolerance, mm.
+/// Which chords are asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted {
+    /// mm.
+    pub tolerance_mm: f64,
+    /// Corners on both sides of the curve.
+    pub balanced: bool,
+    /// Those that the control itself cuts, where it does; whatever the tolerance.
+    pub as_control: bool,
+}
+
+/// Cuts every arc of a job into chords within a tolerance.
 ///
 /// # Errors
 /// A tolerance that is not above zero.
-pub fn chords(job: &Job, tolerance_mm: f64, balanced: bool) -> Result<Vec<u8>, ChordError> {
-    let placement = if balanced { Placement::Balanced } else { Placement::Inscribed };
+pub fn chords(job: &Job, wanted: &Wanted) -> Result<Vec<u8>, ChordError> {
+    let own = job.own_chords_mm().filter(|_| wanted.as_control);
+    let (tolerance_mm, placement) = match own {
+        Some(tolerance_mm) => (tolerance_mm, Placement::RoundedDown),
+        None if wanted.balanced => (wanted.tolerance_mm, Placement::Balanced),
+        None => (wanted.tolerance_mm, Placement::Inscribed),
+    };
     let is_positive = tolerance_mm > 0.0;
     if !is_positive {
         return Err(ChordError::Tolerance(tolerance_mm));

@@ -83,6 +83,9 @@ pub enum Ask {
         /// Corners on both sides of the curve.
         #[serde(default)]
         balanced: bool,
+        /// Those that the control itself cuts, whatever the tolerance.
+        #[serde(default)]
+        as_control: bool,
     },
     /// What is active once so many pieces of path are done and a line is reached.
     State {

@@ -297,7 +297,9 @@ impl View {
                 told["id"] = json!(id);
                 self.out.json(&told);
             }
-            Ask::Chords { tolerance_mm, balanced } => self.chords(id, tolerance_mm, balanced),
+            Ask::Chords { tolerance_mm, balanced, as_control } => {
+                self.chords(id, &chords::Wanted { tolerance_mm, balanced, as_control });
+            }
             Ask::State { done, line } => {
                 let ran = self.held().ran.clone();
                 let mut state = ran.map(|ran| ran.modal.at(done, line));
@@ -465,11 +467,11 @@ impl View {
         }
     }
 
-    fn chords(&self, id: u64, tolerance_mm: f64, balanced: bool) {
+    fn chords(&self, id: u64, wanted: &chords::Wanted) {
         let Some(ran) = self.held().ran.clone() else {
             return self.out.refuse(id, "no program has run yet", None);
         };
-        match chords::chords(&ran.program.job(), tolerance_mm, balanced) {
+        match chords::chords(&ran.program.job(), wanted) {
             Ok(frame) => self.out.binary(frame),
             Err(error) => {
                 self.out.refuse(id, &error.to_string(), Some("give a tolerance above zero"))

@@ -164,6 +164,12 @@ impl<'a> Job<'a> {
         &self.control
     }
 
+    /// How far the segments that the control itself cuts arcs into may be from them, mm; `None` where it is not
+    /// known to cut them.
+    pub fn own_chords_mm(&self) -> Option<f64> {
+        Some(self.control().parameters.rules.path.junctions?.arc_tolerance_mm)
+    }
+
     /// Runs the main programs of the first text, one after the other, and pushes commands
     /// and diagnostics into a sink: the programmed ones, before cutter compensation.
     pub fn run<S: RunSink>(&self, sink: &mut S) -> Vec<Outcome> {
