@@ -94,7 +94,7 @@ test("twenty tools have twenty colours", () => {
 
 const batch = { tool: Uint32Array.of(0, 9), feed: Float32Array.of(100, 200) } as Batch;
 const lines = { points: Float32Array.of(0, 0, 0, 10, 0, 0, 10, 0, 0, 10, 0, -4), rows: undefined, count: 2 };
-const scale: Scale = { by: "tool", tools: [9, 0], feeds: [100, 200], depths: [-4, 0] };
+const scale: Scale = { by: "tool", tools: [9, 0], feeds: [100, 200], depths: [-4, 0], powers: [0, 1000] };
 
 test("a tool has the colour of its place in the order of first cuts, not of its number", () => {
   const colors = colorsOf(LIGHT, scale, batch, lines);
@@ -108,6 +108,13 @@ test("by depth each end of a line has the colour of its height", () => {
   expect([...colors.slice(0, 3)]).toEqual(high);
   expect([...colors.slice(6, 9)]).toEqual(high);
   expect([...colors.slice(9, 12)]).toEqual(low);
+});
+
+test("by power a line has the colour of its S, from off to the most", () => {
+  const laser = { ...batch, power: Float32Array.of(0, 1000) } as Batch;
+  const colors = colorsOf(LIGHT, { ...scale, by: "power" }, laser, lines);
+  expect([...colors.slice(0, 3)]).toEqual(rgb(LIGHT.ramp[0]!));
+  expect([...colors.slice(9, 12)]).toEqual(rgb(LIGHT.ramp.at(-1)!));
 });
 
 test("by feed a line has the colour of its feed", () => {

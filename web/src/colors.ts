@@ -4,7 +4,7 @@ import type { Lines } from "./lines";
 import { DARK_SHEET, LIGHT_SHEET } from "./palette";
 import type { Batch } from "./path";
 
-export type ColorBy = "tool" | "speed" | "depth";
+export type ColorBy = "tool" | "speed" | "depth" | "power";
 
 export interface Palette {
   background: string;
@@ -129,13 +129,16 @@ export interface Scale {
   feeds: Range;
   /** Lowest and highest place of a cut, relative to the origin, mm. */
   depths: Range;
+  /** From a laser that is off to the most S of a cut. */
+  powers: Range;
 }
 
-/** The colours of both ends of each line, by the tool or the feed of its row, or by its height. */
-export function colorsOf(palette: Palette, { by, tools, feeds, depths }: Scale, { tool, feed }: Batch, lines: Lines): Uint8Array {
+/** The colours of both ends of each line, by the tool, the feed or the power of its row, or by its height. */
+export function colorsOf(palette: Palette, { by, tools, feeds, depths, powers }: Scale, { tool, feed, power }: Batch, lines: Lines): Uint8Array {
   const steps: Rgb[] = [];
   for (let step = 0; step <= RAMP_STEPS && by !== "tool"; step++) steps.push(rampColor(palette, step, [0, RAMP_STEPS]));
   const onRamp = (value: number, range: Range) => steps[Math.round(shareOf(value, range) * RAMP_STEPS)]!;
+  const ofRow = (row: number) => (by === "power" ? onRamp(power?.[row] ?? 0, powers) : onRamp(feed[row]!, feeds));
   const ofTool = new Map(tools.map((number, index) => [number, rgb(toolColor(palette, index))]));
   const first = rgb(toolColor(palette, 0));
   const colors = new Uint8Array(6 * lines.count);
@@ -144,7 +147,7 @@ export function colorsOf(palette: Palette, { by, tools, feeds, depths }: Scale, 
   let color: Rgb = [0, 0, 0];
   for (let at = 0; at < lines.count; at++) {
     const row = lines.rows ? lines.rows[at]! : at;
-    if (row !== last && by !== "depth") color = by === "tool" ? (ofTool.get(tool[row]!) ?? first) : onRamp(feed[row]!, feeds);
+    if (row !== last && by !== "depth") color = by === "tool" ? (ofTool.get(tool[row]!) ?? first) : ofRow(row);
     last = row;
     for (let end = 0; end < 2; end++) {
       if (by === "depth") color = onRamp(points[6 * at + 3 * end + 2]!, depths);

@@ -9,7 +9,7 @@ import { setRich } from "./rich";
 import type { Section } from "./scene";
 import type { ViewName } from "./eye";
 import { sectionControls } from "./section";
-import { type Units, angles, coordinate, counted, length, programmed, speed } from "./units";
+import { type Units, angles, coordinate, count, counted, length, programmed, speed } from "./units";
 
 export type PanelName = "problems" | "outline" | "state" | "times" | "compare";
 
@@ -102,6 +102,7 @@ export function layout(root: HTMLElement) {
   for (const [value, text] of [["tool", "By tool"], ["speed", "By feed"], ["depth", "By depth"]] as const) {
     color.append(new Option(text, value));
   }
+  const byPower = new Option("By power (S)", "power");
   color.addEventListener("change", () => api.onColor(color.value as ColorBy));
   const [rapidsLabel, rapids] = check("Rapids", true);
   const [toolLabel, toolOn] = check("Tool", true);
@@ -348,6 +349,15 @@ export function layout(root: HTMLElement) {
           ? [counted(report.errors, "error"), ...(report.warnings > 0 ? [counted(report.warnings, "warning")] : [])].join(", ")
           : "";
     },
+    /** S of the cuts differs, or it does not. */
+    offerPower(is: boolean): void {
+      if (is) color.append(byPower);
+      else if (color.value === "power") {
+        color.value = "tool";
+        api.onColor("tool");
+      }
+      if (!is) byPower.remove();
+    },
     /** What the colours of the cuts mean. */
     legend(by: ColorBy, path: Path, report: Report | undefined, machine: MachineInfo | undefined, palette: Palette): void {
       const units = { inch: report?.inch ?? false };
@@ -367,9 +377,19 @@ export function layout(root: HTMLElement) {
       const ramp = element("span", "ramp");
       ramp.style.background = `linear-gradient(90deg, ${palette.ramp.join(", ")})`;
       const z = path.origin[2];
-      const [low, high] = by === "speed" ? [path.minFeed, path.maxFeed] : [path.depths[0] + z, path.depths[1] + z];
+      const ranges = {
+        speed: [path.minFeed, path.maxFeed],
+        depth: [path.depths[0] + z, path.depths[1] + z],
+        power: [0, path.maxPower],
+      } as const;
+      const [low, high] = ranges[by];
       if (!(low <= high)) return void legend.append(element("span", "key", by === "speed" ? "No cut has a feed." : "No cuts."));
-      const text = (value: number) => (by === "speed" ? speed(units, value) : `Z ${length(units, value)}`);
+      const texts = {
+        speed: (value: number) => speed(units, value),
+        depth: (value: number) => `Z ${length(units, value)}`,
+        power: (value: number) => `S ${count(value)}`,
+      };
+      const text = texts[by];
       legend.append(text(low), ramp, text(high));
     },
     readout(at: Vec3, turn: Vec3, mmPerMin: number, units: Units): void {

@@ -307,6 +307,7 @@ function finish(told: Report): void {
   const { zeros, machine: at } = told.places;
   view.setFixed(zeros.map((zero) => zero.at), travelBox(at));
   tellTravel();
+  ui.offerPower(path.minPower < path.maxPower);
   tellColors();
   const depths = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
   ui.section.offer(path.tools, depths.map((z) => z! + path.origin[2]) as [number, number], { inch: told.inch });

@@ -33,6 +33,8 @@ export interface Batch {
   programmed?: Float32Array;
   /** A, B and C at both ends of each row, rad, where one of them is not zero. */
   turns?: Float32Array;
+  /** S of each row, where it may be the power of a laser. */
+  power?: Float32Array;
   /** Splines, and rows that a turning part bends: points along them. */
   curves?: Map<number, Float32Array>;
 }
@@ -52,6 +54,7 @@ export function batchOf(frame: Frame): Batch {
     line: u32(frame, "line"),
     file: u8(frame, "file"),
     feed: f32(frame, "feed"),
+    ...("power" in frame.columns ? { power: f32(frame, "power") } : {}),
     arcRows: u32(frame, "arc_rows"),
     arcs: f32(frame, "arcs"),
     ...("spline_rows" in frame.columns ? { curves: splinesOf(frame) } : {}),
@@ -93,6 +96,9 @@ export class Path {
   private highestAcross = -Infinity;
   maxFeed = 0;
   minFeed = Infinity;
+  /** Least and most S of cuts, where it may be the power of a laser. */
+  minPower = Infinity;
+  maxPower = 0;
   bounds: Bounds | undefined;
   /** First and last row of each line of the program itself, plus one; 0: the line moves nothing. */
   private firstRow = new Uint32Array(1024);
@@ -107,7 +113,7 @@ export class Path {
   }
 
   private note(batch: Batch): void {
-    const { points, kind, tool, line, file, feed } = batch;
+    const { points, kind, tool, line, file, feed, power } = batch;
     const low: Vec3 = this.bounds ? [...this.bounds.low] : [Infinity, Infinity, Infinity];
     const high: Vec3 = this.bounds ? [...this.bounds.high] : [-Infinity, -Infinity, -Infinity];
     let lastTool = -1;
@@ -121,6 +127,10 @@ export class Path {
       if (kindOf(kind[row]!) !== RAPID && feed[row]! > 0) {
         this.maxFeed = Math.max(this.maxFeed, feed[row]!);
         this.minFeed = Math.min(this.minFeed, feed[row]!);
+      }
+      if (power && kindOf(kind[row]!) !== RAPID) {
+        this.maxPower = Math.max(this.maxPower, power[row]!);
+        this.minPower = Math.min(this.minPower, power[row]!);
       }
       if (!(kind[row]! & KNOWN)) continue;
       if (kindOf(kind[row]!) !== RAPID) {

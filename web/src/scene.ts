@@ -217,8 +217,8 @@ export class PathView {
 
   /** The colours of both ends of each line. */
   private colors(batch: Batch, lines: Lines): Uint8Array {
-    const { cutters, minFeed, maxFeed, depths } = this.path;
-    return colorsOf(this.palette, { by: this.colorBy, tools: cutters, feeds: [minFeed, maxFeed], depths }, batch, lines);
+    const { cutters, minFeed, maxFeed, depths, maxPower } = this.path;
+    return colorsOf(this.palette, { by: this.colorBy, tools: cutters, feeds: [minFeed, maxFeed], depths, powers: [0, maxPower] }, batch, lines);
   }
 
   /** Gives all lines their colours anew, a part at a time. */

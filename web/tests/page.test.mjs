@@ -178,6 +178,17 @@ test("a control that cuts arcs itself has its own chords", async () => {
   await other.page.close();
 });
 
+test("a laser is coloured by power, and nothing else is", async () => {
+  const laser = await show(join(ROOT, "examples/grbl/engraving-laser.nc"));
+  await laser.page.locator("#color").selectOption("power");
+  await laser.page.waitForFunction(() => /S 0[\s\S]*S 600/.test(document.querySelector(".legend").innerText));
+  await picture(laser.page, "power");
+  await laser.page.close();
+  const { page } = await show(PROFILE);
+  assert.equal(await page.locator("#color option[value=power]").count(), 0);
+  await page.close();
+});
+
 test("dark follows the system and the switch", async () => {
   const { page } = await show(PROFILE);
   const back = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);

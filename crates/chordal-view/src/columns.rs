@@ -41,6 +41,9 @@ pub struct Columns {
     file: Vec<u8>,
     line: Vec<u32>,
     feed: Vec<f32>,
+    /// S of each row, where it may be the power of a laser.
+    power: Vec<f32>,
+    has_power: bool,
     arc_rows: Vec<u32>,
     arcs: Vec<f32>,
     spline_rows: Vec<u32>,
@@ -52,6 +55,11 @@ pub struct Columns {
 }
 
 impl Columns {
+    /// With S of each row or without.
+    pub fn new(has_power: bool) -> Columns {
+        Columns { has_power, ..Columns::default() }
+    }
+
     /// How many rows there are.
     pub fn rows(&self) -> usize {
         self.kind.len()
@@ -76,6 +84,9 @@ impl Columns {
         self.file.push(u8::try_from(segment.origin.span.file.0).unwrap_or(u8::MAX));
         self.line.push(segment.origin.line);
         self.feed.push(feed_of(segment));
+        if self.has_power {
+            self.power.push(segment.rpm as f32);
+        }
         let turns = segment.rotary_from.into_iter().chain(segment.rotary_to);
         self.turns.extend(turns.map(|angle| angle as f32));
         if let Some(record) = arc_record(&segment.curve, near) {
@@ -92,12 +103,16 @@ impl Columns {
 
     /// The rows as a frame, and none are left.
     pub fn take(&mut self, header: &Value) -> Vec<u8> {
-        let rows = std::mem::replace(self, Columns { origin: self.origin, ..Columns::default() });
+        let next = Columns { origin: self.origin, ..Columns::new(self.has_power) };
+        let rows = std::mem::replace(self, next);
         let mut frame = Frame::default();
         frame.column("points", &rows.points);
         frame.column("line", &rows.line);
         frame.column("tool", &rows.tool);
         frame.column("feed", &rows.feed);
+        if rows.has_power {
+            frame.column("power", &rows.power);
+        }
         frame.column("arc_rows", &rows.arc_rows);
         frame.column("arcs", &rows.arcs);
         if !rows.spline_rows.is_empty() {

@@ -11,6 +11,7 @@ use chordal_export::{comparison_headline, comparison_names, difference_words};
 use serde_json::{Value, json};
 
 use crate::answer;
+use crate::columns::Columns;
 use crate::content::Content;
 use crate::outbox::Outbox;
 use crate::program::{Against, Programs, Refusal};
@@ -172,7 +173,7 @@ impl Comparing {
         }));
         let header = json!({ "type": "against_path", "version": version });
         let size = program.text().len();
-        let mut rows = Rows(PathStream::new(header, size, &self.out, wanted));
+        let mut rows = Rows(PathStream::new(header, size, Columns::default(), &self.out, wanted));
         job.report_watched(&mut rows);
         if !wanted.is_wanted() {
             return None;

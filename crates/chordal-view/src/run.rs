@@ -40,10 +40,11 @@ pub fn run(
 ) -> Option<(Ran, Value)> {
     let (offset, known) = initial_offset(job.machine(), job.control());
     let header = json!({ "type": "path", "run": number });
+    let rows = Columns::new(job.control().parameters.rules.spindle_by_hand);
     let mut sending = Sending {
         number,
         out,
-        rows: PathStream::new(header, program.text().len(), out, wanted),
+        rows: PathStream::new(header, program.text().len(), rows, out, wanted),
         contour: Columns::default(),
         programmed: PathBuilder::new(job.machine(), offset, known),
         compensated: false,

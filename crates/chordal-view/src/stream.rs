@@ -31,15 +31,21 @@ pub struct PathStream<'m> {
 }
 
 impl<'m> PathStream<'m> {
-    /// The path of a program whose text has so many bytes.
-    pub fn new(header: Value, size: usize, out: &'m Outbox, wanted: &'m Wanted) -> PathStream<'m> {
+    /// The path of a program whose text has so many bytes, in these columns.
+    pub fn new(
+        header: Value,
+        size: usize,
+        rows: Columns,
+        out: &'m Outbox,
+        wanted: &'m Wanted,
+    ) -> PathStream<'m> {
         PathStream {
             header,
             out,
             wanted,
             is_given_up: false,
             size: size.max(1) as f64,
-            rows: Columns::default(),
+            rows,
             sent: 0,
             left_out: 0,
         }
