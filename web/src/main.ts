@@ -406,7 +406,9 @@ function cursorAt(line: number, wasPut = false): void {
   view.markRows(rows);
   const done = rows ? rows[1] + 1 : path.doneAfterLine(line);
   if (!timeline.isPlaying) {
-    showTool(done > 0 ? done - 1 : 0, 1);
+    // Before the first move between known places the tool is where that begins.
+    if (path.isKnown(done - 1)) showTool(done - 1, 1);
+    else showTool(path.firstKnown ?? 0, 0);
     if (wasPut) goToMoment(done, undefined);
   }
   void tellState(done, line);

@@ -37,6 +37,16 @@ describe("the scale of depths", () => {
   });
 });
 
+it("the first known row is the first whose ends are known", () => {
+  const path = new Path();
+  expect(path.firstKnown).toBeUndefined();
+  const kind = Uint8Array.of(1, 1 | KNOWN, 1 | KNOWN);
+  path.add(batch(0, [1], [0, 0, 0, 0, 0, 0], { kind: Uint8Array.of(1) }), [0, 0, 0]);
+  path.add(batch(1, [2, 3, 4], new Array(18).fill(0), { kind }), [0, 0, 0]);
+  expect(path.firstKnown).toBe(2);
+  expect([0, 1, 2, 3, 4].map((row) => path.isKnown(row))).toEqual([false, false, true, true, false]);
+});
+
 describe("arcs", () => {
   it("have places on the exact curve", () => {
     const middle = arcPoint(quarter, 0, 0.5);

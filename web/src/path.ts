@@ -94,6 +94,8 @@ export class Path {
   /** Lowest and highest place of all cuts, and the highest of those that move across, relative to the origin, mm. */
   private heights: [number, number] = [Infinity, -Infinity];
   private highestAcross = -Infinity;
+  /** The first row whose ends are known. */
+  firstKnown: number | undefined;
   maxFeed = 0;
   minFeed = Infinity;
   /** Least and most S of cuts, where it may be the power of a laser. */
@@ -119,6 +121,7 @@ export class Path {
     let lastTool = -1;
     let lastCutter = -1;
     for (let row = 0; row < batch.rows; row++) {
+      if (kind[row]! & KNOWN) this.firstKnown ??= batch.first + row;
       if (file[row] === 0) this.noteLine(line[row]!, batch.first + row);
       if (tool[row] !== lastTool) {
         lastTool = tool[row]!;
@@ -222,6 +225,12 @@ export class Path {
       if (rows) return rows[1] + 1;
     }
     return 0;
+  }
+
+  /** Whether both ends of a row are known places. */
+  isKnown(row: number): boolean {
+    const found = this.find(row);
+    return found !== undefined && (found[0].kind[found[1]]! & KNOWN) !== 0;
   }
 
   /** The batch that has a row, and its place in it. */
