@@ -130,9 +130,12 @@ export function layout(root: HTMLElement) {
   const chordControls = element("span", "chord-controls");
   chordControls.append(ownLabel, tolerance, balancedLabel, chordText);
   chordControls.hidden = true;
-  const changed = () => {
+  const showChordControls = () => {
     chordControls.hidden = !chordsOn.checked;
     tolerance.hidden = balancedLabel.hidden = api.ownChords();
+  };
+  const changed = () => {
+    showChordControls();
     api.onChords();
   };
   chordsOn.addEventListener("change", changed);
@@ -294,7 +297,7 @@ export function layout(root: HTMLElement) {
     /** The control itself cuts arcs, or it does not. */
     offerOwnChords(is: boolean): void {
       ownLabel.hidden = !is;
-      tolerance.hidden = balancedLabel.hidden = api.ownChords();
+      showChordControls();
     },
     chordsTold: (text: string) => (chordText.textContent = text),
     /** Why the box of the machine is not shown; empty where it is, or where nobody asked for it. */

@@ -99,6 +99,8 @@ test("a step of playback draws some tiles, not the stock", async () => {
 
 test("colours, a cut through the part, and coarser columns", async () => {
   const { page, complaints } = await show(PROGRAM, SETUP);
+  // The tool stands before the part.
+  await page.getByLabel("Tool", { exact: true }).uncheck();
   /** A pixel where a place of the part is. */
   const pixel = async (x, y, z) => {
     await complete(page);

@@ -80,10 +80,8 @@ enum Writer<'a> {
 
 impl<'a> Writer<'a> {
     fn new(out: Out, format: RowFormat, args: &Args, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
-        let (tolerance, placement) = match job.own_chords_mm().filter(|_| args.as_control) {
-            Some(tolerance) => (tolerance, Placement::RoundedDown),
-            None => (args.tolerance, args.placement.inside()),
-        };
+        let own = job.own_chords().filter(|_| args.as_control);
+        let (tolerance, placement) = own.unwrap_or((args.tolerance, args.placement.inside()));
         if let Some(format) = format.columns() {
             let rows = ChordColumns::new(job, tolerance, placement);
             let file = ColumnFile::new(out, format, rows)?;
@@ -114,7 +112,7 @@ impl<'a> Writer<'a> {
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let output = Output::of(args.output.as_deref(), args.format, RowFormat::Csv, "chords")?;
     let goes = |job: &Job| {
-        if !args.as_control || job.own_chords_mm().is_some() {
+        if !args.as_control || job.own_chords().is_some() {
             return Ok(());
         }
         let title = job.control().table.title;

@@ -267,11 +267,17 @@ fn inscribed_count(w: &Winding, tolerance: f64) -> Result<u64, ChordError> {
     whole(w.theta / (2.0 * half_step_inscribed(ratio)))
 }
 
-/// The chord is taken for the step: so the control unit that rounds down computes it.
 fn rounded_down(w: &Winding, tolerance: f64) -> Result<u64, ChordError> {
-    let half_chord = (tolerance * (2.0 * w.r0 - tolerance)).max(0.0).sqrt();
-    let count = (0.5 * w.theta * w.r0 / half_chord).floor();
-    if half_chord > 0.0 { whole(count.max(1.0)) } else { Ok(1) }
+    whole(chords_in_whole(w.r0, w.theta, tolerance).max(1.0))
+}
+
+/// How many chords of a tolerance fit in an arc in whole, by its radius and its angle in rad, neither negative; zero
+/// where the circle has none. The chord is taken for the step, as the control units do that round down
+/// ([`Placement::RoundedDown`]).
+#[must_use]
+pub fn chords_in_whole(radius: f64, angle: f64, tolerance: f64) -> f64 {
+    let half_chord = (tolerance * (2.0 * radius - tolerance)).max(0.0).sqrt();
+    if half_chord > 0.0 { (0.5 * angle * radius / half_chord).floor() } else { 0.0 }
 }
 
 fn balanced(winding: Winding, tolerance: f64) -> Result<(Spacing, u64), ChordError> {

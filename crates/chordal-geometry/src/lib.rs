@@ -64,7 +64,7 @@ pub use aabb::Aabb;
 pub use arc::{Arc, Derivatives};
 pub use axes::{AXES, AXIS_LETTERS, AXIS_NAMES, PerAxis};
 pub use bspline::{Spline, SplineError};
-pub use chords::{ChordError, Chords, MAX_CHORDS, Placement};
+pub use chords::{ChordError, Chords, MAX_CHORDS, Placement, chords_in_whole};
 pub use curve::Curve;
 pub use fit::{
     ArcFit, ArcSweep, RadiusError, arc_from_center, arc_sweep, center_from_radius,

@@ -1,4 +1,4 @@
-//! How many moves a second the fast level plans, beside a bare copy of the same moves.
+//! How many moves a second the fast level plans, next to a bare copy of the same moves.
 
 mod rows;
 

@@ -45,7 +45,7 @@ pub fn report(report: &Report, job: &Job) -> Value {
             "own": report.not_verified_from.is_some_and(|span| span.file == FileId(0)),
         })),
         "inch": report.summary.inch,
-        "own_chords_mm": job.own_chords_mm(),
+        "own_chords_mm": job.own_chords().map(|(tolerance_mm, _)| tolerance_mm),
         "output": report.output.iter().take(MOST).collect::<Vec<_>>(),
         "cut_length_mm": report.summary.feed_length_mm,
         "rapid_length_mm": report.summary.rapid_length_mm,

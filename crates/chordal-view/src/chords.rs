@@ -5,32 +5,19 @@ use chordal::geometry::{Arc, ChordError, Curve, ParamCurve, Placement, Vec3};
 use serde_json::{Value, json};
 
 use crate::frame::Frame;
+use crate::request::AskedChords;
 
 /// Chords that are sent at most.
 const MOST: u64 = 1_000_000;
-
-/// Which chords are asked for.
-#[derive(Clone, Copy, Debug)]
-pub struct Wanted {
-    /// mm.
-    pub tolerance_mm: f64,
-    /// Corners on both sides of the curve.
-    pub balanced: bool,
-    /// Those that the control itself cuts, where it does; whatever the tolerance.
-    pub as_control: bool,
-}
 
 /// Cuts every arc of a job into chords within a tolerance.
 ///
 /// # Errors
 /// A tolerance that is not above zero.
-pub fn chords(job: &Job, wanted: &Wanted) -> Result<Vec<u8>, ChordError> {
-    let own = job.own_chords_mm().filter(|_| wanted.as_control);
-    let (tolerance_mm, placement) = match own {
-        Some(tolerance_mm) => (tolerance_mm, Placement::RoundedDown),
-        None if wanted.balanced => (wanted.tolerance_mm, Placement::Balanced),
-        None => (wanted.tolerance_mm, Placement::Inscribed),
-    };
+pub fn chords(job: &Job, asked: &AskedChords) -> Result<Vec<u8>, ChordError> {
+    let placement = if asked.balanced { Placement::Balanced } else { Placement::Inscribed };
+    let own = job.own_chords().filter(|_| asked.as_control);
+    let (tolerance_mm, placement) = own.unwrap_or((asked.tolerance_mm, placement));
     let is_positive = tolerance_mm > 0.0;
     if !is_positive {
         return Err(ChordError::Tolerance(tolerance_mm));

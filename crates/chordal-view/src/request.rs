@@ -28,6 +28,19 @@ pub enum Other {
     Machine(Option<String>),
 }
 
+/// Which chords are to stand for arcs.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+pub struct AskedChords {
+    /// mm.
+    pub tolerance_mm: f64,
+    /// Corners on both sides of the curve.
+    #[serde(default)]
+    pub balanced: bool,
+    /// Those that the control itself cuts, where it does; whatever the tolerance.
+    #[serde(default)]
+    pub as_control: bool,
+}
+
 /// A request and the number that its answer bears.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct Request {
@@ -76,17 +89,8 @@ pub enum Ask {
         /// From 1.
         line: u32,
     },
-    /// The chords that stand for arcs within a tolerance.
-    Chords {
-        /// mm.
-        tolerance_mm: f64,
-        /// Corners on both sides of the curve.
-        #[serde(default)]
-        balanced: bool,
-        /// Those that the control itself cuts, whatever the tolerance.
-        #[serde(default)]
-        as_control: bool,
-    },
+    /// The chords that stand for arcs.
+    Chords(AskedChords),
     /// What is active once so many pieces of path are done and a line is reached.
     State {
         /// Pieces of path that are done.

@@ -24,7 +24,7 @@ use crate::frame::Frame;
 use crate::other::{Comparing, text_around};
 use crate::outbox::Outbox;
 use crate::program::Programs;
-use crate::request::{Ask, Other, Request};
+use crate::request::{Ask, AskedChords, Other, Request};
 use crate::run::{Ran, run};
 use crate::stock::{Cutting, USUAL_COLUMNS};
 use crate::wanted::Wanted;
@@ -297,9 +297,7 @@ impl View {
                 told["id"] = json!(id);
                 self.out.json(&told);
             }
-            Ask::Chords { tolerance_mm, balanced, as_control } => {
-                self.chords(id, &chords::Wanted { tolerance_mm, balanced, as_control });
-            }
+            Ask::Chords(asked) => self.chords(id, &asked),
             Ask::State { done, line } => {
                 let ran = self.held().ran.clone();
                 let mut state = ran.map(|ran| ran.modal.at(done, line));
@@ -467,11 +465,11 @@ impl View {
         }
     }
 
-    fn chords(&self, id: u64, wanted: &chords::Wanted) {
+    fn chords(&self, id: u64, asked: &AskedChords) {
         let Some(ran) = self.held().ran.clone() else {
             return self.out.refuse(id, "no program has run yet", None);
         };
-        match chords::chords(&ran.program.job(), wanted) {
+        match chords::chords(&ran.program.job(), asked) {
             Ok(frame) => self.out.binary(frame),
             Err(error) => {
                 self.out.refuse(id, &error.to_string(), Some("give a tolerance above zero"))

@@ -5,6 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic, FileId, Source, SourceMap, Span};
 use chordal_dialect::Control;
 use chordal_dialect::SettingError;
 use chordal_gcode::{Interrupt, Library, Program, RunOptions, WordAddress, initial_offset};
+use chordal_geometry::Placement;
 use chordal_kernel::Outcome;
 use chordal_kernel::{Checkpoint, Language, Ran, RunSink};
 use chordal_machine::{Machine, PerAxis};
@@ -164,10 +165,11 @@ impl<'a> Job<'a> {
         &self.control
     }
 
-    /// How far the segments that the control itself cuts arcs into may be from them, mm; `None` where it is not
-    /// known to cut them.
-    pub fn own_chords_mm(&self) -> Option<f64> {
-        Some(self.control().parameters.rules.path.junctions?.arc_tolerance_mm)
+    /// The chords that the control itself cuts arcs into: how far they may be from them, mm, and where they lie;
+    /// `None` where it is not known to cut them.
+    pub fn own_chords(&self) -> Option<(f64, Placement)> {
+        let junctions = self.control().parameters.rules.path.junctions?;
+        Some((junctions.arc_tolerance_mm, Placement::RoundedDown))
     }
 
     /// Runs the main programs of the first text, one after the other, and pushes commands

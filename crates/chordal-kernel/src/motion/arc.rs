@@ -5,7 +5,7 @@ use chordal_command::{
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::{
-    ArcSweep, Direction, Plane, RadiusError, Vec3, arc_sweep, center_from_radius,
+    ArcSweep, Direction, Plane, RadiusError, Vec3, arc_sweep, center_from_radius, chords_in_whole,
 };
 
 use crate::frames::InPlane;
@@ -286,8 +286,9 @@ impl Kernel<'_> {
         if feed.mode != FeedMode::InverseTime || feed.value.is_nan() || feed.value <= 0.0 {
             return;
         }
-        let count = junctions.segments(shape.radius_from, shape.sweep);
-        if count < 1.0 {
+        let (radius, angle) = (shape.radius_from, shape.sweep.abs());
+        let count = chords_in_whole(radius, angle, junctions.arc_tolerance_mm);
+        if !count.is_finite() || count < 1.0 {
             return;
         }
         let each_minute = feed.value * 60.0;

@@ -40,16 +40,6 @@ pub struct JunctionRules {
     pub limited_jerk: bool,
 }
 
-impl JunctionRules {
-    /// How many segments it cuts an arc into, of a radius in mm and an angle in rad.
-    pub fn segments(&self, radius_mm: f64, angle_rad: f64) -> f64 {
-        let tolerance = self.arc_tolerance_mm;
-        let half_step = (tolerance * (2.0 * radius_mm - tolerance)).max(0.0).sqrt();
-        let count = (0.5 * angle_rad * radius_mm).abs() / half_step;
-        if count.is_finite() { count.floor() } else { 0.0 }
-    }
-}
-
 /// How a control passes the ends of moves. Lengths are mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PathRules {

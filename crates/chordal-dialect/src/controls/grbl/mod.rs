@@ -11,7 +11,10 @@ pub(in crate::controls) mod settings;
 use crate::vocabulary::*;
 
 /// GRBL 1.1.
-pub static TABLE: ControlTable = ControlTable {
+pub static TABLE: ControlTable = FAMILY;
+
+/// Its kin on larger boards differ in codes, settings and answers.
+pub(in crate::controls) const FAMILY: ControlTable = ControlTable {
     name: "grbl",
     title: "GRBL",
     source: "GRBL 1.1h, its source and its list of error codes",
@@ -58,7 +61,7 @@ pub static TABLE: ControlTable = ControlTable {
 };
 
 /// Comments, and nothing that a number could not begin with: the firmware reads its lines itself.
-pub(in crate::controls) const LEXICON: Lexicon = Lexicon {
+const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
     semicolon: Semicolon::Comment,
     star_comment: false,
@@ -72,9 +75,13 @@ pub(in crate::controls) const LEXICON: Lexicon = Lexicon {
     grammar: &MacroGrammar::FANUC,
 };
 
+/// The same where a build has parameters, expressions and O words.
+pub(in crate::controls) const LEXICON_OF_EXPRESSIONS: Lexicon =
+    Lexicon { o_words: true, grammar: &MacroGrammar::LINUXCNC, ..LEXICON };
+
 const SET_DATA: &[(u16, DataTarget)] =
     &[(2, DataTarget::WorkOffset), (20, DataTarget::WorkOffsetFromPosition)];
 
 /// P is in seconds.
-pub(in crate::controls) const DWELL: &[DwellWord] =
+const DWELL: &[DwellWord] =
     &[DwellWord { letter: b'P', integer_s: 1.0, point_s: 1.0, takes_point: true }];

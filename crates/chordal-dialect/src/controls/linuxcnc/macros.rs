@@ -3,10 +3,7 @@
 use crate::vocabulary::*;
 
 /// "Overview", numbered and named parameters, expressions, binary operators, functions.
-pub(super) static MACROS: MacroRules = RULES;
-
-/// For controls that read as it does.
-pub(in crate::controls) const RULES: MacroRules = MacroRules {
+pub(in crate::controls) static MACROS: MacroRules = MacroRules {
     form: MacroForm::OWords,
     comments_act: true,
     locals: 30,

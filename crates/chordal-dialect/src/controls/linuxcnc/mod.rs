@@ -9,7 +9,7 @@ mod rules;
 mod settings;
 mod words;
 
-pub(in crate::controls) use macros::RULES as MACRO_RULES;
+pub(in crate::controls) use macros::MACROS;
 pub(in crate::controls) use rules::PARAMETERS;
 
 use crate::vocabulary::*;
@@ -53,7 +53,7 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
     work_names: WorkNaming { extended: "G59", by_e: false },
     program_numbers: ProgramNumbers { largest: 99999, digits: 1, required: false },
     call_start_label: None,
-    macros: &macros::MACROS,
+    macros: &MACROS,
     turning_alarms: &[],
     systems: &[],
     radial_cycles: &[],
