@@ -38,7 +38,8 @@ let times: Times | undefined;
 let timesMessage: string | undefined;
 let setpoints: Setpoints | undefined;
 let programName = "";
-let row = 0;
+/** Where the tool stands: at a share of a row, or at a place on it. */
+let standing: [row: number, share: number, place?: Vec3, turn?: Vec3] = [0, 1];
 
 const isDark = () =>
   document.documentElement.dataset.theme
@@ -227,7 +228,9 @@ function startPath(): void {
 
 function takeFrame(frame: Frame): void {
   const { header } = frame;
-  if (stock.takeFrame(frame) || turned.takeFrame(frame)) return;
+  if (stock.takeFrame(frame)) return;
+  // A tool that stands already is drawn among the sections from now on.
+  if (turned.takeFrame(frame)) return showTool(...standing);
   if (header.type === "engagement") {
     if (header.run === run) timeline.setEngaged(engagedOf(frame));
     return;
@@ -446,9 +449,10 @@ async function tellState(done: number, line: number, inSubprogram?: number): Pro
   showState(ui.panels.state, told.state ?? undefined, at, { line, kind, inSubprogram }, machine?.factors);
 }
 
-/** The tool stands at a share of a row. */
-function showTool(at: number, share: number, place?: Vec3, turn?: Vec3): void {
-  row = at;
+/** Draws the tool where it stands. */
+function showTool(...where: typeof standing): void {
+  standing = where;
+  const [at, share, place, turn] = where;
   const found = path.find(at);
   const number = found ? found[0].tool[found[1]]! : 0;
   shapeTool(number);
@@ -534,7 +538,7 @@ function showLine(at: number, line: { line: number; own: boolean }): void {
 timeline.onStep = (direction) => {
   if (!setpoints) return;
   timeline.pause();
-  seekRow(stepRow(path, row, direction));
+  seekRow(stepRow(path, standing[0], direction));
 };
 timeline.onToCursor = () => {
   const rows = path.rowsOfLine(editor.line);
@@ -604,7 +608,7 @@ ui.onPanel = () => {
 ui.onChords = askChords;
 ui.rapids.addEventListener("change", () => view.showRapids(ui.rapids.checked));
 ui.travel.addEventListener("change", tellTravel);
-ui.toolOn.addEventListener("change", () => showTool(row, 1));
+ui.toolOn.addEventListener("change", () => showTool(...standing));
 
 const measure = measuring({
   view,
