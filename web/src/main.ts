@@ -3,16 +3,18 @@
 import "./style.css";
 import { type ColorBy, DARK, LIGHT, toolColor } from "./colors";
 import { againstProgram } from "./against";
+import { chordsText, toleranceText } from "./chordtexts";
 import { Editor } from "./editor";
 import { Elsewhere } from "./elsewhere";
 import { type Frame, f32, u32, u8 } from "./frame";
 import { Later } from "./later";
+import { onKeys } from "./keys";
 import { layout } from "./layout";
 import { measuring } from "./measuring";
 import { drawAxes } from "./axes";
 import { Link, type MachineInfo, type Report, type Times, type Told } from "./link";
 import { notVerified, showOutline, showState, showTimes } from "./panels";
-import { type Bounds, Path, type Vec3, batchOf, kindOf } from "./path";
+import { Path, type Vec3, batchOf, kindOf } from "./path";
 import { Problems } from "./problems";
 import { Kinematics, unknownTurns } from "./turn";
 import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
@@ -22,9 +24,10 @@ import { shell } from "./shell";
 import { engagedOf } from "./engaged";
 import { stockOfProgram } from "./stock";
 import { Timeline } from "./timeline";
+import { travelBox, whyNoTravel } from "./travel";
 import { turnedOfProgram } from "./turned";
 import { askWords, words } from "./words";
-import { type Units, count, counted, length } from "./units";
+import type { Units } from "./units";
 
 const ui = layout(document.querySelector<HTMLElement>("#app")!);
 
@@ -268,7 +271,7 @@ function takeFrame(frame: Frame): void {
       break;
     case "chords":
       view.setChords(f32(frame, "points"), header.origin as Vec3);
-      ui.chordsTold(chordsText(header));
+      ui.chordsTold(chordsText(units(), header));
       break;
     case "setpoints": {
       if (header.run !== run) break;
@@ -308,7 +311,7 @@ function finish(told: Report): void {
   ui.progress(1);
   void view.finish();
   const { zeros, machine: at } = told.places;
-  view.setFixed(zeros.map((zero) => zero.at), travelBox(at));
+  view.setFixed(zeros.map((zero) => zero.at), travelBox(machine, at));
   tellTravel();
   ui.offerPower(path.minPower < path.maxPower);
   tellColors();
@@ -330,22 +333,6 @@ function finish(told: Report): void {
   if (ui.chordsOn.checked) askChords();
 }
 
-/** The chords of the slider: how many, and how far they are from the arcs. */
-function chordsText(header: Frame["header"]): string {
-  const units = { inch: report?.inch ?? false };
-  const { chords, curves, left_out, error_mm, tolerance_mm } = header;
-  if (Number(curves) === 0) return "No arcs in this program";
-  const error = typeof error_mm === "number"
-    ? `chord error ${length(units, error_mm, true, 2)}`
-    : `chord error at most ${length(units, Number(tolerance_mm), true, 2)}`;
-  const hidden = Number(left_out) > 0 ? `, ${count(Number(left_out))} not drawn` : "";
-  return `${chordTolerance(Number(tolerance_mm))}: ${counted(Number(chords), "chord")} on ${counted(Number(curves), "curve")}, ${error}${hidden}`;
-}
-
-function chordTolerance(mm: number): string {
-  return `Tolerance ${length({ inch: report?.inch ?? false }, mm, true, 2)}`;
-}
-
 /** Which colour is which tool, and that of the first for the whole path. */
 function tellColors(): void {
   if (report) ui.legend(colorBy, path, report, machine, palette());
@@ -358,32 +345,11 @@ function emptyText(told: Report): string {
   return "The program does not move any axis.";
 }
 
-/** The box that the machine reaches, in the frame of the run, where the offsets are known. */
-function travelBox(at: (number | null)[] | null): Bounds | undefined {
-  if (!at || !machine) return undefined;
-  const ends = [0, 1, 2].map((axis) => {
-    const travel = machine!.travel[axis];
-    const offset = at[axis];
-    return travel && offset !== null && offset !== undefined ? [travel[0] - offset, travel[1] - offset] : undefined;
-  });
-  if (ends.some((end) => !end)) return undefined;
-  return { low: ends.map((end) => end![0]) as Vec3, high: ends.map((end) => end![1]) as Vec3 };
-}
-
 /** Shows the box of the machine where somebody wants it, or says why it cannot be shown. */
 function tellTravel(): void {
   const { checked } = ui.travel;
   view.showTravel(checked);
-  const at = report?.places.machine;
-  if (!checked || !report || !machine || travelBox(at ?? null)) return ui.travelWhy("");
-  const missing = (of: (axis: number) => unknown) => ["X", "Y", "Z"].filter((_, axis) => of(axis) === null || of(axis) === undefined);
-  const limits = missing((axis) => machine!.travel[axis]);
-  const offsets = missing((axis) => at?.[axis]);
-  ui.travelWhy(
-    limits.length > 0
-      ? `Travel is not shown: the machine file gives no travel of ${limits.join(", ")}.`
-      : `Travel is not shown: the offsets of ${offsets.join(", ")} are not known. Give work offsets and tool lengths in the machine file, or with \`--set\`.`,
-  );
+  ui.travelWhy(checked && report && machine ? whyNoTravel(machine, report.places.machine) : "");
 }
 
 function tellProblems(): void {
@@ -577,7 +543,7 @@ function askChords(): void {
     return;
   }
   const mm = (ui.ownChords() && report?.own_chords_mm) || ui.chordTolerance();
-  ui.chordsTold(chordTolerance(mm));
+  ui.chordsTold(toleranceText(units(), mm));
   link.tell("chords", { tolerance_mm: mm, balanced: ui.balanced.checked, as_control: ui.ownChords() });
 }
 
@@ -644,38 +610,7 @@ ui.canvas.addEventListener("pointerup", (event) => {
 
 view.onDrawn = () => drawAxes(ui.axes, view.axes());
 
-document.addEventListener("keydown", (event) => {
-  const target = event.target as HTMLElement;
-  if (event.ctrlKey || event.metaKey || event.altKey) return;
-  if (event.key === "F9") {
-    event.preventDefault();
-    return against.walk(event.shiftKey ? -1 : 1);
-  }
-  if (target.closest(".cm-editor, input:not([type=range]):not([type=checkbox]), select, textarea")) return;
-  if (event.key === " " && target.closest("button, summary, input")) return;
-  const act: Record<string, () => void> = {
-    " ": () => timeline.toggle(),
-    ",": () => timeline.onStep(-1),
-    ".": () => timeline.onStep(1),
-    r: () => timeline.onToCursor(),
-    "[": () => timeline.faster(-1),
-    "]": () => timeline.faster(1),
-    "1": () => view.setView("top"),
-    "2": () => view.setView("front"),
-    "3": () => view.setView("right"),
-    "4": () => view.setView("iso"),
-    f: () => view.fit(),
-    m: () => measure.set(!measure.isOn),
-    n: () => against.walk(1),
-    p: () => against.walk(-1),
-    escape: () => measure.set(false),
-  };
-  const chosen = act[event.key.toLowerCase()];
-  if (!chosen) return;
-  event.preventDefault();
-  chosen();
-});
-
+onKeys({ timeline, view, measure, walk: (direction) => against.walk(direction) });
 window.addEventListener("beforeunload", (event) => {
   if (editor.dirty) event.preventDefault();
 });
