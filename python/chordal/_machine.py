@@ -69,7 +69,7 @@ class Machine:
     @property
     def control(self) -> str:
         """The control that runs its programs: fadal, haas, fanuc, mitsubishi, linuxcnc, grbl, grblhal,
-        fluidnc, or of a lathe fanuc-lathe, haas-lathe, mitsubishi-lathe, linuxcnc-lathe."""
+        fluidnc, mach3, or of a lathe fanuc-lathe, haas-lathe, mitsubishi-lathe, linuxcnc-lathe."""
         return self._machine.control
 
     @property

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
         "grbl",
         "grblhal",
         "fluidnc",
+        "mach3",
         "fanuc-lathe",
         "haas-lathe",
         "mitsubishi-lathe",

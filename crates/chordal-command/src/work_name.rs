@@ -5,8 +5,17 @@
 pub struct WorkNaming {
     /// The code of the extended systems: `G54.1`, `G154`.
     pub extended: &'static str,
+    /// The number of the first of them: 1, or 7 where the same code counts G54 to G59 as 1 to 6 (Mach3).
+    pub first: u16,
     /// A word E chooses the system, and G54 to G59 are other names of E1 to E6: one table.
     pub by_e: bool,
+}
+
+impl WorkNaming {
+    /// The name of the extended system with a number, counted from 1.
+    pub fn extended_key(self, number: u16) -> String {
+        format!("{} P{}", self.extended, u32::from(number) + u32::from(self.first) - 1)
+    }
 }
 
 /// The active work coordinate system.
@@ -36,11 +45,20 @@ impl WorkName {
         }
     }
 
+    /// The system with a number that is counted so; 0 has none.
+    pub fn counted(number: u16) -> Option<WorkName> {
+        match number {
+            0 => None,
+            1..=6 => Some(WorkName::G(number + 53)),
+            _ => Some(WorkName::Extended(number - 6)),
+        }
+    }
+
     /// The name in a machine file; extended systems by the control's own code.
     pub fn key(self, naming: WorkNaming) -> String {
         match self {
             WorkName::G(number) => format!("G{number}"),
-            WorkName::Extended(number) => format!("{} P{number}", naming.extended),
+            WorkName::Extended(number) => naming.extended_key(number),
             WorkName::G59(number) => format!("G59.{number}"),
             WorkName::E(number) => format!("E{number}"),
             WorkName::Machine => "machine".into(),

@@ -108,6 +108,8 @@ pub enum ModeCode {
     /// G59.1 to G59.3.
     WorkOffsetPoint(u16),
     WorkOffsetExtended,
+    /// G59, or the work offset P, counted from G54 on as 1 (Mach3).
+    WorkOffsetCounted,
     /// The present machine position becomes reference point 1 (G28.1) or 2 (G30.1).
     StoreReference {
         second: bool,
@@ -281,6 +283,8 @@ pub enum AfterCode {
     ProgramEnd {
         rewind: bool,
     },
+    /// The program starts again from its first line (Mach3 M47).
+    ProgramAgain,
     /// A custom M code, which the table does not have.
     ShopCode,
     RunCycleHere,
@@ -334,6 +338,7 @@ impl ModeCode {
             ModeCode::WorkOffset(_)
                 | ModeCode::WorkOffsetPoint(_)
                 | ModeCode::WorkOffsetExtended
+                | ModeCode::WorkOffsetCounted
                 | ModeCode::WorkOffsetNumbered(_)
         )
     }

@@ -220,6 +220,8 @@ pub struct MacroRules {
     pub macro_b: bool,
     /// How macro statements are written.
     pub form: MacroForm,
+    /// O words are flow control; elsewhere `o100 if` is an error.
+    pub o_flow: bool,
     /// Comments may print, stop and show text (`(PRINT, X is #1)`).
     pub comments_act: bool,
     /// Number of the last local variable; each level of macro calls has its own.
@@ -289,6 +291,7 @@ impl MacroRules {
     pub const NONE: MacroRules = MacroRules {
         macro_b: false,
         form: MacroForm::None,
+        o_flow: true,
         comments_act: false,
         locals: 0,
         common: &[],

@@ -136,6 +136,12 @@ pub struct Parameters {
     pub length_must_match_tool: bool,
     /// The codes that choose inch and millimetres.
     pub unit_codes: UnitCodes,
+    /// The count of M98 may stand in Q where there is no L (Mach3).
+    pub calls_counted_by_q: bool,
+    /// Where a file is one program, M98 finds `O5` above the call too, not only below it (Mach3).
+    pub calls_upwards: bool,
+    /// The time of G4 counts in so many of its units: 0.001 where a setting makes seconds milliseconds.
+    pub dwell_factor: f64,
     /// `M98 P` looks only for a program of the file, not in the folder.
     pub calls_within_file: bool,
     /// `M99 P` jumps in the running program instead of the calling one.
@@ -284,6 +290,9 @@ impl Parameters {
         packed_calls: false,
         length_must_match_tool: false,
         unit_codes: UnitCodes::G20,
+        calls_counted_by_q: false,
+        calls_upwards: false,
+        dwell_factor: 1.0,
         calls_within_file: false,
         return_label_in_callee: false,
         fixed_routine_count: FixedRoutineCount::Repeat,

@@ -13,6 +13,8 @@ pub struct WordRule {
     pub help: &'static str,
     /// What the control shows; nothing where it goes on.
     pub alarm: Option<&'static str>,
+    /// The control does something that is not followed: from here on the path is not known.
+    pub loses_path: bool,
 }
 
 /// What has to hold for the words of a block.
@@ -22,6 +24,8 @@ pub enum WordTest {
     OneOf(&'static str),
     /// The letter is written, with any value.
     Written(u8),
+    /// None of these letters is written.
+    Absent(&'static str),
     /// The two letters are not both written.
     NotBoth(u8, u8),
     /// A letter that is written has a value in this range.
@@ -44,6 +48,7 @@ impl WordTest {
                 values.peek().is_some() && values.all(|value| value >= 0.0)
             }
             WordTest::Written(letter) => value(letter).is_some(),
+            WordTest::Absent(letters) => letters.bytes().all(|letter| value(letter).is_none()),
             WordTest::NotBoth(first, second) => value(first).is_none() || value(second).is_none(),
             WordTest::Within(letter, least, most) => {
                 value(letter).is_none_or(|value| (least..=most).contains(&value))

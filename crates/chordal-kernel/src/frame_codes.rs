@@ -5,7 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
 use chordal_machine::{AXES, PerAxis};
 
-use crate::frames::{Factors, Frames, InPlane, Rotation, Scaling};
+use crate::frames::{Factors, Frames, InPlane, Polar, Rotation, Scaling};
 use crate::kernel::Kernel;
 use crate::rules::UnequalArcs;
 use crate::statement::{Statement, What};
@@ -50,6 +50,14 @@ impl Kernel<'_> {
             frames.set_rotation(Some(Rotation { plane, center, degrees }));
         });
         self.note_jump(&place);
+    }
+
+    /// End points are a radius and an angle from here on, or coordinates again.
+    pub fn set_polar(&mut self, on: bool) {
+        let (a, b, _) = self.state.plane.axes();
+        let here = [self.state.position[a], self.state.position[b]];
+        let pole = self.rules.frames.polar_about_start.then_some(here);
+        self.state.polar = on.then_some(Polar { angle: None, pole });
     }
 
     /// Scaling about a centre; `word` gives the factors.

@@ -98,7 +98,7 @@ impl Lines {
     }
 
     fn kernel<'a>(&'a self, sink: &'a mut (dyn RunSink + 'a)) -> Kernel<'a> {
-        let naming = WorkNaming { extended: "G54.1", by_e: false };
+        let naming = WorkNaming { extended: "G54.1", first: 1, by_e: false };
         let offsets = Offsets::new(&self.machine, WorkName::G(54), naming);
         let state = State::new(&self.rules, offsets, [0.0; AXES]);
         let alarms = Alarms {

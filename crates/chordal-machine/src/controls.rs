@@ -19,6 +19,7 @@ macro_rules! controls {
             Grbl grbl "grbl",
             Grblhal grblhal "grblhal",
             Fluidnc fluidnc "fluidnc",
+            Mach3 mach3 "mach3",
         }
     };
 }

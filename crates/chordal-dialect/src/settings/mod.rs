@@ -102,6 +102,8 @@ pub enum Field {
     Build(BuildOption),
     /// Which system of G codes (Fanuc lathes No. 3401).
     CodeSystem,
+    /// What the time of G4 counts in (Mach3).
+    DwellUnit,
     MacroAngles,
     /// A G code that calls a macro, by its place.
     AliasG(u8),
@@ -474,6 +476,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
             // Inch and millimetres are G70 and G71 in C.
             p.unit_codes = if p.code_system == 2 { UnitCodes::G70 } else { UnitCodes::G20 };
         }
+        Field::DwellUnit => p.dwell_factor = choose(word, DWELL_UNITS)?,
         Field::MacroAngles => {
             p.macro_angles_full_circle = choose(word, MACRO_ANGLES)?;
         }
@@ -570,6 +573,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::Build(option) => on(p.build.has(option)),
         Field::AfterRefusal => name_of(p.goes_on_after_refusal, AFTER_REFUSAL),
         Field::CodeSystem => name_of(p.code_system, CODE_SYSTEMS),
+        Field::DwellUnit => name_of(p.dwell_factor, DWELL_UNITS),
         Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
         Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
         Field::AliasM(at) => p.aliases.m[at as usize].to_string(),
@@ -590,6 +594,8 @@ const TOOL_CHANGERS: &[(&str, ToolChanger)] = &[
 ];
 
 const AFTER_REFUSAL: &[(&str, bool)] = &[("stop", false), ("continue", true)];
+
+const DWELL_UNITS: &[(&str, f64)] = &[("s", 1.0), ("ms", 0.001)];
 
 const X_WORDS: &[(&str, bool)] = &[("radii", true), ("diameters", false)];
 

@@ -361,6 +361,7 @@ fn settings_of_mode(code: ModeCode) -> &'static [Field] {
         | ModeCode::WorkOffset(_)
         | ModeCode::WorkOffsetPoint(_)
         | ModeCode::WorkOffsetExtended
+        | ModeCode::WorkOffsetCounted
         | ModeCode::WorkOffsetNumbered(_)
         | ModeCode::ReturnInitial
         | ModeCode::ReturnToR

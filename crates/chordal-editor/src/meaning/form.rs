@@ -94,6 +94,7 @@ fn of_mode(mode: ModeCode) -> Option<(Option<&'static str>, &'static str)> {
         }
         ModeCode::CompensationOff => Some((Some("G1"), "X20. F200.")),
         ModeCode::WorkOffsetExtended => Some((None, "P1")),
+        ModeCode::WorkOffsetCounted => Some((None, "P7")),
         ModeCode::PlaneXy
         | ModeCode::PlaneZx
         | ModeCode::PlaneYz
@@ -136,7 +137,8 @@ fn of_once(once: OnceCode, view: &View) -> Option<String> {
         OnceCode::Dwell => {
             let word = view.table.dwell.first()?;
             let (letter, point) = (char::from(word.letter), word.takes_point);
-            let second = if point { 1.0 / word.point_s } else { 1.0 / word.integer_s };
+            let unit = if point { word.point_s } else { word.integer_s };
+            let second = 1.0 / (unit * view.parameters.dwell_factor);
             format!("{letter}{second}{}", if point { "." } else { "" })
         }
         OnceCode::SetData => {
@@ -150,11 +152,19 @@ fn of_once(once: OnceCode, view: &View) -> Option<String> {
         OnceCode::Turning(TurnCycle::LineThread) => "P1.5 Z-20. I-1. J0.2 K0.92".into(),
         // The contour stands in blocks of its own.
         OnceCode::Turning(_) => return None,
+        OnceCode::Rotation if view.parameters.rules.frames.rotation_center_by_ab => {
+            "A0 B0 R30.".into()
+        }
         OnceCode::Rotation => "X0 Y0 R30.".into(),
         OnceCode::ReturnToReference { second: false } => "Z30.".into(),
         OnceCode::MachineCoordinates => "Z0".into(),
         OnceCode::LocalShift => "X10. Y10.".into(),
         OnceCode::PresetPosition | OnceCode::Mirror { .. } => "X0".into(),
+        OnceCode::CircularPocketCw | OnceCode::CircularPocketCcw
+            if view.parameters.rules.pocket_is_one_circle =>
+        {
+            "I12. F200.".into()
+        }
         OnceCode::CircularPocketCw | OnceCode::CircularPocketCcw => "I12. D1 F200.".into(),
         OnceCode::ReturnToReference { second: true }
         | OnceCode::ReturnFromReference

@@ -175,6 +175,14 @@ fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
             _ => return None,
         },
         OnceCode::CornerArcAlone => return corner_arc(letter).map(str::to_string),
+        OnceCode::CircularPocketCw | OnceCode::CircularPocketCcw
+            if view.parameters.rules.pocket_is_one_circle =>
+        {
+            match letter {
+                b'I' => "radius of the circle of the tool's centre",
+                _ => return None,
+            }
+        }
         OnceCode::CircularPocketCw | OnceCode::CircularPocketCcw => match letter {
             b'I' => "radius of the first circle; of the finished circle where K is not given",
             b'K' => "radius of the finished circle",
@@ -194,10 +202,21 @@ fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
             b'S' => "spindle speed",
             _ => return None,
         },
+        OnceCode::Rotation if view.parameters.rules.frames.rotation_center_by_ab => match letter {
+            b'A' => "centre of the rotation, in X",
+            b'B' => "centre of the rotation, in Y",
+            b'R' => "angle of the rotation in degrees, counter-clockwise",
+            b'I' => "the angle is added to the one in force; Chordal does not follow it",
+            _ => return None,
+        },
         OnceCode::Rotation => match letter {
             b'R' => "angle of the rotation in degrees, counter-clockwise",
             b'I' | b'J' | b'K' => "axis of the rotation in space; Chordal does not follow it",
             b'X' | b'Y' | b'Z' => "centre of the rotation",
+            _ => return None,
+        },
+        OnceCode::Scaling if view.parameters.rules.frames.factors_by_axes => match letter {
+            b'X' | b'Y' | b'Z' => "factor of the words of this axis",
             _ => return None,
         },
         OnceCode::Scaling => match letter {
@@ -244,12 +263,17 @@ fn mode(code: ModeCode, letter: u8) -> Option<String> {
         },
         ModeCode::CompensationLeft | ModeCode::CompensationRight => match letter {
             b'D' => "number of the radius offset; D0 is a radius of zero",
+            b'P' => "size of the cutter; Chordal does not follow it",
             b'I' | b'J' | b'K' => "direction of the offset at the end of this block",
             _ => return None,
         },
         ModeCode::CompensationLeftBy | ModeCode::CompensationRightBy => match letter {
             b'D' => "diameter of the tool; below zero it goes on the other side",
             b'L' => "position of the tip of a turning tool, 0 to 9",
+            _ => return None,
+        },
+        ModeCode::WorkOffsetCounted => match letter {
+            b'P' => "number of the work offset; P1 is G54",
             _ => return None,
         },
         ModeCode::WorkOffsetExtended => match letter {
@@ -385,7 +409,9 @@ pub fn dwell_text(word: &DwellWord) -> String {
 
 fn dwell(letter: u8, view: &View) -> Option<String> {
     let word = view.table.dwell.iter().find(|word| word.letter == letter)?;
-    Some(format!("time: {}", dwell_text(word)))
+    let factor = view.parameters.dwell_factor;
+    let (integer_s, point_s) = (word.integer_s * factor, word.point_s * factor);
+    Some(format!("time: {}", dwell_text(&DwellWord { integer_s, point_s, ..*word })))
 }
 
 /// I, J and K: centre of an arc along X, Y or Z.
@@ -432,6 +458,7 @@ fn call(letter: u8, view: &View) -> Option<String> {
         }
         b'P' => "program number",
         b'L' => "how often it runs",
+        b'Q' if view.parameters.calls_counted_by_q => "the same, where there is no L",
         _ if view.table.call_start_label == Some(letter) => {
             "N number at which the subprogram begins"
         }

@@ -180,6 +180,7 @@ impl Interpreter<'_> {
         }
         self.watch_spatial(block, codes);
         self.check_word_rules(block, codes);
+        self.check_multiplied_words(block, codes);
         self.take_registers(block);
         self.take_letters(block, codes);
         // G41 beside a pocket names its side; the cycle offsets by itself.

@@ -159,8 +159,10 @@ impl Interpreter<'_> {
             };
         };
         let Some(written) = self.count(&word) else { return };
-        let times = match block.letters().has(b'L') {
-            true => self.count_of(block, b'L').unwrap_or(1),
+        let by_q = self.control.parameters.calls_counted_by_q && !block.letters().has(b'L');
+        let letter = if by_q { b'Q' } else { b'L' };
+        let times = match block.letters().has(letter) {
+            true => self.count_of(block, letter).unwrap_or(1),
             false => 1,
         };
         if self.control.table.lexicon.o_words
@@ -210,12 +212,12 @@ impl Interpreter<'_> {
     fn report_call_without_program(&mut self, block: &Block, at: usize) {
         let span = self.span(block.words[at].range);
         let text = self.reader.text();
-        let by_path = block.comments.iter().any(|c| c.slice(text).contains(&b'/'));
-        if !by_path {
+        let named = |c: &TextRange| c.slice(text).iter().any(|byte| matches!(byte, b'/' | b'.'));
+        if !block.comments.iter().any(named) {
             let message = "M98 without a program number".to_string();
             return self.kernel.missing_word(span, message, "write P and the program's number");
         }
-        let message = "a subprogram named by its path in a comment is not followed";
+        let message = "a subprogram named by its file in a comment is not followed";
         self.lose_path(span.range, message.into());
     }
 
@@ -347,20 +349,20 @@ impl Interpreter<'_> {
             Some(label) => self.jump(block, at, label),
             None => {
                 let span = self.span(block.words[at].range);
-                self.report_repeat(span);
+                self.report_repeat(span, "M99 in the main program");
                 Flow::End(EndReason::Repeats)
             }
         }
     }
 
-    /// M99 in a main program. One that takes no tool and starts no spindle is a subprogram whose caller is elsewhere.
-    fn report_repeat(&mut self, span: Span) {
+    /// M99 in a main program, or M47. One that takes no tool and starts no spindle is a subprogram whose caller is elsewhere.
+    pub(super) fn report_repeat(&mut self, span: Span, what: &str) {
         let state = &self.kernel.state;
         let is_part = state.tool == 0 && state.spindle == SpindleState::Off && state.rpm == 0.0;
         let said = Diagnostic::new(
             Code::EndlessLoop,
             span,
-            "M99 in the main program starts it again without end",
+            format!("{what} starts the program again without end"),
         );
         self.kernel.report(match is_part {
             true => said

@@ -1,8 +1,9 @@
 //! Words of mirror, scaling, rotation and polar coordinates.
 
-use chordal_command::{AxisMask, Position};
+use chordal_command::{AxisMask, Position, Side};
 use chordal_diagnostics::{Code, Diagnostic};
-use chordal_dialect::code_number;
+use chordal_dialect::{Action, CodeRow, Group, OnceCode, code_number};
+use chordal_geometry::Plane;
 use chordal_kernel::PolarWords;
 use chordal_kernel::frames::Factors;
 use chordal_machine::AXES;
@@ -24,6 +25,9 @@ impl Interpreter<'_> {
             // Three words of direction: a rotation about any axis.
             return self.not_followed(&block.words[at], "a rotation about an axis by I, J and K");
         }
+        if self.control.parameters.rules.frames.rotation_center_by_ab {
+            return self.rotation_about_ab(block, at);
+        }
         let values = self.axis_words(block);
         let (a, b, _) = self.kernel.state.plane.axes();
         self.unused_axes(block, |axis, _| axis == a || axis == b);
@@ -31,10 +35,23 @@ impl Interpreter<'_> {
         self.kernel.rotate(&self.at(block), [values[a], values[b]], degrees);
     }
 
+    /// G68 of Mach3: A and B are the centre.
+    fn rotation_about_ab(&mut self, block: &Block, at: usize) {
+        if self.kernel.state.plane != Plane::Xy {
+            return self.not_followed(&block.words[at], "a rotation outside of G17");
+        }
+        let center = [b'A', b'B'].map(|letter| self.length_of(block, letter));
+        let degrees = self.angle_of(block, b'R');
+        self.kernel.rotate(&self.at(block), center, degrees);
+    }
+
     /// G51: a centre, and P for all axes or I, J and K for one each.
     pub(super) fn scaling(&mut self, block: &Block, at: usize) {
         if !self.control.parameters.rules.frames.has_scaling {
             return self.lacks_option(block, at, Code::ScalingOption, "scaling");
+        }
+        if self.control.parameters.rules.frames.factors_by_axes {
+            return self.scaling_by_axes(block);
         }
         let center = self.axis_words(block);
         let rotary = self.control.parameters.rules.frames.scales_rotary;
@@ -49,6 +66,61 @@ impl Interpreter<'_> {
             Factors::Omitted
         };
         self.kernel.scale(&self.at(block), &center, factors);
+    }
+
+    /// G51 of Mach3: X, Y and Z are factors.
+    fn scaling_by_axes(&mut self, block: &Block) {
+        let each = [b'X', b'Y', b'Z'].map(|letter| self.factor_of(block, letter));
+        if each.iter().all(Option::is_none) {
+            let span = self.span(block.range);
+            let message = "a scaling without a factor".to_string();
+            return self.kernel.missing_word(span, message, "write the factors with X, Y and Z");
+        }
+        self.kernel.scale(&self.at(block), &[Some(0.0); AXES], Factors::Each(each));
+    }
+
+    /// A block while words are multiplied: of lines, of arcs by their centre, and of what has no lengths it is
+    /// known what becomes of them.
+    pub(super) fn check_multiplied_words(
+        &mut self,
+        block: &Block,
+        codes: &[(&'static CodeRow, usize)],
+    ) {
+        let state = &self.kernel.state;
+        let by_axes = self.control.parameters.rules.frames.factors_by_axes;
+        if !by_axes || state.frames.scaling().is_none() {
+            return;
+        }
+        let has_no_lengths = |group: Group| {
+            matches!(
+                group,
+                Group::Distance
+                    | Group::ArcDistance
+                    | Group::FeedMode
+                    | Group::SpindleMode
+                    | Group::Scaling
+                    | Group::PathMode
+                    | Group::Stopping
+                    | Group::Spindle
+                    | Group::Coolant
+                    | Group::ToolChange
+                    | Group::Calling
+            )
+        };
+        let known = |row: &CodeRow| {
+            row.action.is_plain_motion()
+                || row.action == Action::Once(OnceCode::Dwell)
+                || has_no_lengths(row.group)
+        };
+        let unknown = codes.iter().any(|(row, _)| !known(row));
+        let lengths = block.letters().meets(Letters::of("RUVWABC"));
+        let frames = state.frames.rotation().is_some() || state.polar.is_some();
+        let cuts = state.side != Side::Off || state.cycle.is_some();
+        if !block.is_idle() && (unknown || lengths || frames || cuts) {
+            let message =
+                "words are multiplied (G51), which is followed for lines and arcs by I, J, K alone";
+            self.lose_path(block.range, message.to_string());
+        }
     }
 
     /// G51.1 and Haas G101.
@@ -118,6 +190,9 @@ impl Interpreter<'_> {
                 named.insert(axis);
             }
         }
+        if (polar.radius, polar.angle) != (None, None) {
+            self.check_polar_about_start(block);
+        }
         if (polar.radius, polar.angle) != (None, None)
             && let Some(state) = &mut self.kernel.state.polar
         {
@@ -126,5 +201,26 @@ impl Interpreter<'_> {
             named.insert(b);
         }
         (target, named)
+    }
+
+    /// Polar words about a place are known for straight moves of the XY plane in G90 alone.
+    fn check_polar_about_start(&mut self, block: &Block) {
+        let state = &self.kernel.state;
+        if state.polar.is_none_or(|polar| polar.pole.is_none()) {
+            return;
+        }
+        let drills = block
+            .all(b'G')
+            .any(|word| self.control.row_of(word).is_some_and(|row| row.action.cycle().is_some()));
+        let what = if state.incremental {
+            "polar words in G91"
+        } else if state.plane != Plane::Xy {
+            "polar words outside of G17"
+        } else if drills || state.cycle.is_some() || self.moves_on_arc(block) {
+            "polar words beside G0 and G1"
+        } else {
+            return;
+        };
+        self.lose_path(block.range, format!("{what} are not followed"));
     }
 }

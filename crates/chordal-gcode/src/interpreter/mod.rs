@@ -41,6 +41,7 @@ mod turning;
 mod turning_contour;
 mod turning_subroutine;
 mod turning_tool;
+mod work_offsets;
 
 pub use self::calls::subroutine_head;
 

@@ -167,6 +167,7 @@ impl Interpreter<'_> {
                 self.kernel.select_work(WorkName::Extended(number));
             }
             ModeCode::WorkOffsetExtended => self.select_extended_work(block, at),
+            ModeCode::WorkOffsetCounted => self.select_counted_work(block, at),
             ModeCode::Path(code) => self.take_path_mode(block, row, code, at),
             ModeCode::Overrides { on, rapid } => {
                 self.kernel.set_overrides(Some(on), rapid.then_some(on));
@@ -176,7 +177,7 @@ impl Interpreter<'_> {
             ModeCode::ReturnToR => self.kernel.state.return_to_r = true,
             ModeCode::RotationOff => self.kernel.end_rotation(&self.at(block)),
             ModeCode::ScalingOff => self.kernel.end_scaling(),
-            ModeCode::Polar { on } => self.kernel.state.polar = on.then(Default::default),
+            ModeCode::Polar { on } => self.kernel.set_polar(on),
             ModeCode::CancelCycle => self.kernel.cancel_cycle(),
             ModeCode::ModalSubroutine => self.begin_modal_subroutine(block, at),
             ModeCode::ModalCallOff => self.end_modal_call(),
@@ -418,6 +419,12 @@ impl Interpreter<'_> {
                 self.kernel.set_spindle(SpindleState::Off);
                 self.kernel.emit(CommandKind::End);
                 return Flow::End(EndReason::ProgramEnd);
+            }
+            AfterCode::ProgramAgain => {
+                let span = self.span(block.words[at].range);
+                let name = self.code_text(block, at);
+                self.report_repeat(span, &name);
+                return Flow::End(EndReason::Repeats);
             }
             AfterCode::ShopCode => self.carry_out_shop_code(block, codes, at),
             AfterCode::RunCycleHere => self.run_cycle_here(block, at),

@@ -11,6 +11,7 @@ use chordal_kernel::rules::LeadLength;
 use chordal_syntax::{Block, Letters, Value};
 
 use super::Interpreter;
+use super::work_offsets::counted;
 use chordal_command::telling_number;
 
 /// Where G10 takes the offsets of a tool from.
@@ -51,33 +52,6 @@ impl Interpreter<'_> {
         }
         let name = if number == 0 { WorkName::Machine } else { WorkName::E(number as u16) };
         self.kernel.select_work(name);
-    }
-
-    /// G54.1 P, G154 P.
-    pub(super) fn select_extended_work(&mut self, block: &Block, at: usize) {
-        match self.count_of(block, b'P') {
-            Some(number) if (1..=300).contains(&number) => {
-                let name = WorkName::Extended(number as u16);
-                self.warn_of_work_change(block, at, name);
-                self.kernel.select_work(name);
-            }
-            Some(number) => {
-                let span = self.words_span(block, Letters::of("P"));
-                self.kernel.report(
-                    Diagnostic::new(
-                        Code::BadWordValue,
-                        span,
-                        format!("there is no extended work offset P{number}"),
-                    )
-                    .help("extended work offsets begin with P1"),
-                );
-            }
-            None => {
-                let span = self.span(block.words[at].range);
-                let message = "an extended work offset without its number".to_string();
-                self.kernel.missing_word(span, message, "write P and the number after the code");
-            }
-        }
     }
 
     /// H of another tool than the one in the spindle.
@@ -306,7 +280,7 @@ impl Interpreter<'_> {
     }
 
     /// True when the motion of this block is an arc, by its own code or the one in force.
-    fn moves_on_arc(&self, block: &Block) -> bool {
+    pub(super) fn moves_on_arc(&self, block: &Block) -> bool {
         let arc_words = self.has_arc_words(block);
         if self.control.table.motion == MotionModality::Armed {
             return arc_words;
@@ -437,6 +411,7 @@ impl Interpreter<'_> {
         };
         let name = match number {
             n if table.work_names.by_e => return Some(format!("E{n}")),
+            n if table.work_names.first > 1 => counted(n)?,
             0 if parameters.offset_zero_in_force => self.kernel.state.offsets.active(),
             0 => return Some("EXT".into()),
             n @ 1..=6 => WorkName::G(n as u16 + 53),

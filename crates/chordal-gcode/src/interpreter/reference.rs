@@ -138,7 +138,7 @@ impl Interpreter<'_> {
         };
         let Some(number) = self.literal(&word) else { return };
         let unit = if number.has_point { rule.point_s } else { rule.integer_s };
-        let seconds = number.to_f64() * unit;
+        let seconds = number.to_f64() * unit * self.control.parameters.dwell_factor;
         if number.has_point && !rule.takes_point {
             self.report_point_of_dwell(&word, number, seconds);
         }

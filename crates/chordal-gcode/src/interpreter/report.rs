@@ -170,6 +170,10 @@ impl Interpreter<'_> {
             };
             let span = self.span(block.range);
             let message = format!("{} {}", row.name(code.0), broken.message);
+            if broken.loses_path {
+                self.lose_path(block.range, message);
+                continue;
+            }
             let diagnostic = Diagnostic::new(Code::BadWordValue, span, message).help(broken.help);
             match broken.alarm {
                 Some(alarm) => self.report_refused(diagnostic, alarm),

@@ -84,6 +84,12 @@ impl Kernel<'_> {
         let (approach, back) = (rules.approach, rules.bore.back);
         match approach {
             Approach::PlaceThenLevel => self.go_to_place(place, named, hole.axis),
+            Approach::FromAboveR => {
+                if self.state.position[hole.axis] < hole.r {
+                    self.level(hole, hole.r);
+                }
+                self.go_to_place(place, named, hole.axis);
+            }
             Approach::ByClearLevel => {
                 let mut target = place;
                 let now = self.state.believed.unwrap_or(self.state.position)[hole.axis];

@@ -10,6 +10,8 @@ use super::map::sin_cos_degrees;
 pub struct Polar {
     /// The last angle that was given, degrees.
     pub angle: Option<f64>,
+    /// The place that radius and angle are counted from, where it is not the work origin.
+    pub pole: Option<[f64; 2]>,
 }
 
 /// The polar words of a statement.
@@ -34,9 +36,10 @@ impl Polar {
         let (a, b, _) = plane.axes();
         let pole = match words.radius {
             Some(_) if incremental => [from[a], from[b]],
-            _ => [0.0, 0.0],
+            _ => self.pole.unwrap_or_default(),
         };
-        let (x, y) = (from[a], from[b]);
+        let center = self.pole.unwrap_or_default();
+        let (x, y) = (from[a] - center[0], from[b] - center[1]);
         let present = libm::atan2(y, x).to_degrees();
         let radius = words.radius.unwrap_or_else(|| libm::hypot(x, y));
         let last = self.angle.unwrap_or(present);

@@ -66,6 +66,25 @@ impl Kernel<'_> {
         }
     }
 
+    /// Out along X by a radius, once round the present place, and back.
+    pub fn mill_circle(&mut self, at: &dyn Statement, radius: f64, direction: Direction) {
+        let center = Vec2::new(self.state.position[0], self.state.position[1]);
+        let out = Vec2::new(center.a + radius, center.b);
+        let steps = [
+            Step::Line { to: out },
+            Step::Arc { to: out, center, sweep: direction.sign() * core::f64::consts::TAU },
+            Step::Line { to: center },
+        ];
+        let motion = Move {
+            from: self.state.position,
+            to: self.state.position,
+            from_known: self.state.known,
+            to_known: self.state.known,
+        };
+        let feed = self.feed_for(at, &motion, None);
+        self.follow(&steps, feed, AxisMask::NONE);
+    }
+
     /// Warns of rings further apart than the tool is wide, or of a core in the middle.
     pub fn note_ridges(&mut self, at: &dyn Statement, radii: &[f64], tool: f64) {
         // One circle alone finishes a bore that is there; D0 says nothing of the tool.

@@ -159,6 +159,8 @@ pub enum Approach {
     /// In the plane at the present level where that is above R, else straight to the place at
     /// the level of the return; up to R first where the initial level is below it (LinuxCNC).
     ByClearLevel,
+    /// Up to R where the tool is below it, in the plane at that level, then down to R (Mach3).
+    FromAboveR,
 }
 
 /// What P does in a pecking cycle.

@@ -9,6 +9,14 @@ pub struct FrameRules {
     pub omitted_angle_deg: f64,
     /// The angle of a rotation is modal: one that is left out is the last.
     pub angle_is_kept: bool,
+    /// A and B are the centre of a rotation, in X and Y of the XY plane (Mach3).
+    pub rotation_center_by_ab: bool,
+    /// The words of the axes are the factors of a scaling about the work zero, and only lines and arcs with
+    /// I, J, K are known to be scaled (Mach3).
+    pub factors_by_axes: bool,
+    /// Polar end points are counted from where the tool stood when they came into force, and only straight
+    /// moves of the XY plane in G90 are known to have them (Mach3).
+    pub polar_about_start: bool,
     /// The centre of a scaling is counted from the present place in G91.
     pub center_by_mode: bool,
     /// Scaling without a centre on an axis leaves that axis alone; otherwise its centre is the present place.
@@ -64,6 +72,9 @@ impl FrameRules {
         angle_adds: false,
         omitted_angle_deg: 0.0,
         angle_is_kept: false,
+        rotation_center_by_ab: false,
+        factors_by_axes: false,
+        polar_about_start: false,
         center_by_mode: false,
         scales_named_axes: false,
         scales_rotary: false,

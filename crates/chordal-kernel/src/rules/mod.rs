@@ -73,6 +73,9 @@ pub struct Rules {
     pub length_is_copied: bool,
     /// G28 without axis words sends all axes home.
     pub bare_home_moves_all: bool,
+    /// A circular pocket is one circle about the present place: out along X by I, round and back, without the
+    /// radius of a tool (Mach3).
+    pub pocket_is_one_circle: bool,
     /// Largest stepover of fixed pocket routines, mm; never more than leaves nothing standing.
     pub pocket_stepover_mm: f64,
     /// Canned cycles.
@@ -138,6 +141,7 @@ impl Rules {
         shift_is_preset: false,
         length_is_copied: false,
         bare_home_moves_all: false,
+        pocket_is_one_circle: false,
         pocket_stepover_mm: f64::INFINITY,
         cycles: CycleRules::COMMON,
         path: PathRules::COMMON,

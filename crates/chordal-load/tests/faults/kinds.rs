@@ -60,6 +60,7 @@ pub const KINDS: &[Kind] = &[
         "grbl",
         "grblhal",
         "fluidnc",
+        "mach3",
     ]),
     kind("comment not closed", open_comment, &["CH104"]).not_on(&["fadal"]),
     kind("decimal point forgotten", lost_point, &["CH305"]).not_on(&[
@@ -69,6 +70,7 @@ pub const KINDS: &[Kind] = &[
         "grbl",
         "grblhal",
         "fluidnc",
+        "mach3",
     ]),
     // Codes.
     kind("unknown G code", unknown_g, &["CH301"]),
@@ -78,6 +80,7 @@ pub const KINDS: &[Kind] = &[
         "fanuc-lathe",
         "mitsubishi",
         "mitsubishi-lathe",
+        "mach3",
     ]),
     kind("G0 and G1 in one block", two_motions, &["CH302"]),
     kind("G54 and G55 in one block", two_offsets, &["CH302"]).not_on(&["fadal"]),
@@ -87,9 +90,12 @@ pub const KINDS: &[Kind] = &[
     kind("neither centre nor radius", no_centre, &["CH405"]),
     kind("centre letter of another plane", other_plane, &["CH404"]),
     // Cutter compensation.
-    kind("compensation starts in an arc", starts_in_arc, &["CH501"])
-        .not_on(&["linuxcnc", "linuxcnc-lathe"]),
-    kind("compensation without D", no_d, &["CH503"]).not_on(&["fadal", "linuxcnc"]),
+    kind("compensation starts in an arc", starts_in_arc, &["CH501"]).not_on(&[
+        "linuxcnc",
+        "linuxcnc-lathe",
+        "mach3",
+    ]),
+    kind("compensation without D", no_d, &["CH503"]).not_on(&["fadal", "linuxcnc", "mach3"]),
     kind("G40 forgotten", no_g40, &["CH505", "CH522", "CH523"]).at(end_of_compensation),
     kind("length of another tool", other_length, &["CH604"]),
     // Feed and spindle.

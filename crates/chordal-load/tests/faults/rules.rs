@@ -199,7 +199,7 @@ pub fn no_d(part: &Part, line: &Line) -> Planted {
 pub fn no_g40(_: &Part, line: &Line) -> Planted {
     let word = line.g(&["40"])?;
     // Not those of the first line, where nothing is on.
-    line.g(&["17", "80", "49", "99"]).is_none().then(|| line.without(word))
+    line.g(&["17", "80", "49", "99", "91.1"]).is_none().then(|| line.without(word))
 }
 
 /// The first line after it that returns in X or Y, changes the tool or ends.
@@ -370,7 +370,7 @@ pub fn division_by_zero(part: &Part, line: &Line) -> Planted {
     let divided = format!("{open}{}{close}/0", value.trim());
     Some(match part.control {
         // Operators stand in brackets there.
-        "linuxcnc" | "linuxcnc-lathe" | "fluidnc" => format!("{target}=[{divided}]"),
+        "linuxcnc" | "linuxcnc-lathe" | "fluidnc" | "mach3" => format!("{target}=[{divided}]"),
         _ => format!("{target}={divided}"),
     })
 }

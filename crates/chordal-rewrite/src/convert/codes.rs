@@ -95,7 +95,11 @@ pub(crate) fn work_offset(name: WorkName, control: &Control, style: Style) -> Op
     }
     match number {
         0 => None,
-        1..=6 => self::name(Action::Mode(ModeCode::WorkOffset(53 + number as u16)), control, style),
+        1..=6 => self::name(Action::Mode(ModeCode::WorkOffset(53 + number as u16)), control, style)
+            .or_else(|| {
+                let counted = Action::Mode(ModeCode::WorkOffsetCounted);
+                self::name(counted, control, style).filter(|_| number == 6)
+            }),
         _ => {
             let point = self::name(
                 Action::Mode(ModeCode::WorkOffsetPoint(number as u16 - 6)),
@@ -103,9 +107,14 @@ pub(crate) fn work_offset(name: WorkName, control: &Control, style: Style) -> Op
                 style,
             );
             point.or_else(|| {
-                let code = self::name(Action::Mode(ModeCode::WorkOffsetExtended), control, style)?;
                 let gap = if style.spaced { " " } else { "" };
-                Some(format!("{code}{gap}P{}", number - 6))
+                let extended = Action::Mode(ModeCode::WorkOffsetExtended);
+                if let Some(code) = self::name(extended, control, style) {
+                    return Some(format!("{code}{gap}P{}", number - 6));
+                }
+                let counted = Action::Mode(ModeCode::WorkOffsetCounted);
+                let code = self::name(counted, control, style)?;
+                Some(format!("{code}{gap}P{number}"))
             })
         }
     }
@@ -367,6 +376,7 @@ fn mode_without_a_code(
         | ModeCode::WorkOffset(_)
         | ModeCode::WorkOffsetPoint(_)
         | ModeCode::WorkOffsetExtended
+        | ModeCode::WorkOffsetCounted
         | ModeCode::WorkOffsetNumbered(_)
         | ModeCode::ReturnInitial
         | ModeCode::ReturnToR
@@ -431,7 +441,9 @@ fn offset_code(
         ModeCode::WorkOffset(number) => WorkName::G(number),
         ModeCode::WorkOffsetPoint(number) => WorkName::G59(number),
         ModeCode::WorkOffsetNumbered(number) => WorkName::Extended(number),
-        ModeCode::WorkOffsetExtended
+        ModeCode::WorkOffsetCounted if p.is_none() => WorkName::G(59),
+        ModeCode::WorkOffsetCounted
+        | ModeCode::WorkOffsetExtended
         | ModeCode::PlaneXy
         | ModeCode::PlaneZx
         | ModeCode::PlaneYz
@@ -464,7 +476,12 @@ fn offset_code(
                 return Ok(());
             }
             draft.set(p.unwrap_or(at), "");
-            WorkName::Extended(number)
+            if code == ModeCode::WorkOffsetCounted {
+                let none = || Expand("there is no work offset 0".into());
+                WorkName::counted(number).ok_or_else(none)?
+            } else {
+                WorkName::Extended(number)
+            }
         }
     };
     let new = work_offset(name, to, style).ok_or_else(|| {

@@ -545,7 +545,11 @@ fn renamed(name: &str, target: &Machine) -> String {
     let table = chordal::control::table(target.control);
     let number = |text: &str| text.trim().parse::<u32>().ok();
     let ordinal = match name.split_once(" P") {
-        Some((_, extended)) => number(extended).map(|number| number + 6),
+        Some((code, extended)) => {
+            // Mach3 counts G54 to G59 with them.
+            let before = if code == "G59" { 0 } else { 6 };
+            number(extended).map(|number| number + before)
+        }
         None => match name.strip_prefix("G59.") {
             Some(point) => number(point).map(|number| number + 6),
             None => name
@@ -558,7 +562,7 @@ fn renamed(name: &str, target: &Machine) -> String {
     let new = match (table.work_names.by_e, ordinal) {
         (true, _) => format!("E{ordinal}"),
         (false, 1..=6) => format!("G{}", 53 + ordinal),
-        (false, _) => format!("{} P{}", table.work_names.extended, ordinal.saturating_sub(6)),
+        (false, _) => table.work_names.extended_key(ordinal.saturating_sub(6) as u16),
     };
     work_offset_name(&new).unwrap_or(new)
 }

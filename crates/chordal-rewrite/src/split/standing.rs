@@ -186,6 +186,7 @@ impl Said {
             | AfterCode::ProgramStop
             | AfterCode::OptionalStop
             | AfterCode::ProgramEnd { .. }
+            | AfterCode::ProgramAgain
             | AfterCode::ShopCode
             | AfterCode::RunCycleHere => {}
         }

@@ -91,6 +91,19 @@ const LINUXCNC_OPERATORS: &[OperatorRow] = &[
     op("OR", Operator::Or, 1),
 ];
 
+/// The RS274/NGC interpreter of before LinuxCNC: AND, OR and XOR bind like `+`.
+const RS274_OPERATORS: &[OperatorRow] = &[
+    op("**", Operator::Power, 3),
+    op("*", Operator::Multiply, 2),
+    op("/", Operator::Divide, 2),
+    op("MOD", Operator::Modulo, 2),
+    op("+", Operator::Add, 1),
+    op("-", Operator::Subtract, 1),
+    op("AND", Operator::And, 1),
+    op("XOR", Operator::Xor, 1),
+    op("OR", Operator::Or, 1),
+];
+
 /// Fadal manual 2003, section 18.
 const FADAL_OPERATORS: &[OperatorRow] = &[
     op("*", Operator::Multiply, 4),
@@ -243,6 +256,10 @@ impl MacroGrammar {
         bracket_limit: None,
         ..MacroGrammar::FANUC
     };
+
+    /// Mach3: numbered parameters alone, and no comparisons.
+    pub const MACH3: MacroGrammar =
+        MacroGrammar { operators: RS274_OPERATORS, names: false, ..MacroGrammar::LINUXCNC };
 
     /// Fadal `#` lines.
     pub const FADAL: MacroGrammar = MacroGrammar {

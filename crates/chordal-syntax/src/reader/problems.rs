@@ -153,11 +153,12 @@ impl BlockReader<'_> {
     }
 }
 
-/// `1O.` in `X1O.Y5.`: a digit, the letter O, and a point or a digit after it.
+/// `1O.` in `X1O.Y5.`: a digit, the letter O, and a point or a digit after it; `O.` at its begin.
 fn is_packed_slip(token: &[u8]) -> bool {
-    token.windows(3).any(|part| {
-        part[0].is_ascii_digit()
-            && matches!(part[1], b'O' | b'o')
-            && (part[2].is_ascii_digit() || part[2] == b'.')
-    })
+    matches!(token, [b'O' | b'o', b'.', ..])
+        || token.windows(3).any(|part| {
+            part[0].is_ascii_digit()
+                && matches!(part[1], b'O' | b'o')
+                && (part[2].is_ascii_digit() || part[2] == b'.')
+        })
 }

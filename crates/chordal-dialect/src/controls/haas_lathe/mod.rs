@@ -26,7 +26,7 @@ pub static TABLE: ControlTable = ControlTable {
     dwell_alone_stops: false,
     open_m_codes: false,
     last_of_group_counts: false,
-    work_names: WorkNaming { extended: "G154", by_e: false },
+    work_names: WorkNaming { extended: "G154", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 99999, digits: 5, required: true },
     call_start_label: None,
     macros: LATHE_MACROS,

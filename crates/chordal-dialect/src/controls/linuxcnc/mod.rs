@@ -5,7 +5,7 @@ mod codes;
 mod macros;
 mod post;
 mod recognition;
-mod rules;
+pub(in crate::controls) mod rules;
 mod settings;
 mod words;
 
@@ -50,7 +50,7 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
     face: None,
     cylinder: None,
     spindle_stops_at_tool_change: true,
-    work_names: WorkNaming { extended: "G59", by_e: false },
+    work_names: WorkNaming { extended: "G59", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 99999, digits: 1, required: false },
     call_start_label: None,
     macros: &MACROS,
@@ -65,7 +65,7 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
     default_machine: "linuxcnc-mill",
 };
 
-const LEXICON: Lexicon = Lexicon {
+pub(in crate::controls) const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::Closed,
     semicolon: Semicolon::Comment,
     star_comment: false,

@@ -6,7 +6,7 @@ const NAMES: &[&str] =
     &["LINUXCNC", "EMC2", "EMC", "MACHINEKIT", "RS274NGC", "RS274", "PATHPILOT", "TORMACH", "LINUXCNC POST"];
 
 /// Controls of their own that are nearest to it.
-const NEAR: &[&str] = &["MACH3", "MACH4", "MACH2", "MASSO", "UCCNC", "PLANETCNC"];
+const NEAR: &[&str] = &["MACH4", "MASSO", "PLANETCNC"];
 
 pub(super) const EVIDENCE: &[Evidence] = &[
     evidence(Sign::Header(NAMES), 12, "the header names LinuxCNC"),

@@ -61,7 +61,7 @@ const M_GROUPS: &[&[u16]] = &[
     &[480, 490, 500, 510, 520, 530],
 ];
 
-const CYCLES: CycleRules = CycleRules {
+pub(in crate::controls) const CYCLES: CycleRules = CycleRules {
     axis: DrillingAxis::PlaneNormal,
     fires_on: FiringWords::AnyAxis,
     incremental: IncrementalLevels::ReadAgain,
@@ -97,7 +97,7 @@ const CYCLES: CycleRules = CycleRules {
 };
 
 /// LinuxCNC 2.9, as its interpreter does it.
-const COMPENSATION: CompensationRules = CompensationRules {
+pub(in crate::controls) const COMPENSATION: CompensationRules = CompensationRules {
     tangent_rad: 0.05,
     off_at_once: true,
     cusps_meet: true,

@@ -90,7 +90,7 @@ const fn rule(
     help: &'static str,
     alarm: &'static str,
 ) -> WordRule {
-    WordRule { code: (b'M', code), test, message, help, alarm: Some(alarm) }
+    WordRule { code: (b'M', code), test, message, help, alarm: Some(alarm), loses_path: false }
 }
 
 /// A digital output by P.
@@ -117,5 +117,6 @@ const fn value(code: u16) -> WordRule {
         message: "without Q sets the output to -1",
         help: "write the value with Q",
         alarm: None,
+        loses_path: false,
     }
 }

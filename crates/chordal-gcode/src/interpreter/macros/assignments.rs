@@ -30,6 +30,12 @@ impl Interpreter<'_> {
         let line = block.line;
         let first = range.slice(self.reader.text()).first().copied().unwrap_or(b' ');
         if first.eq_ignore_ascii_case(&b'O') {
+            if !self.rules().o_flow {
+                let title = self.control.table.title;
+                let message = format!("{title} has no flow control by O words: LinuxCNC has");
+                self.lose_path(range, message);
+                return Flow::Next;
+            }
             return self.flow_line(range);
         }
         let mut pending = Vec::new();

@@ -23,6 +23,9 @@ impl Interpreter<'_> {
         at: usize,
         direction: Direction,
     ) {
+        if self.control.parameters.rules.pocket_is_one_circle {
+            return self.one_circle(block, at, direction);
+        }
         let Some(tool) = self.pocket_start(block, at) else { return };
         let Some(radii) = self.circular_radii(block, at, tool) else { return };
         self.kernel.note_ridges(&self.at(block), &radii, tool);
@@ -45,16 +48,39 @@ impl Interpreter<'_> {
         self.kernel.mill_circles(&self.at(block), &pocket);
     }
 
-    /// What all pockets of one block ask for; the radius of the tool, mm.
-    pub(super) fn pocket_start(&mut self, block: &Block, at: usize) -> Option<f64> {
-        let span = self.span(block.words[at].range);
+    /// G12 and G13 of Mach3: I alone is how far the centre of the tool goes out.
+    fn one_circle(&mut self, block: &Block, at: usize, direction: Direction) {
+        self.unused_axes(block, |_, _| false);
+        if !self.may_have_pocket(block, at) {
+            return;
+        }
+        let radius = self.length_of(block, b'I').filter(|radius| radius.abs() > SAME_MM);
+        let Some(radius) = radius else {
+            let message =
+                "a circular pocket without I, the radius of the circle of the tool's centre";
+            return self.refuse_pocket(block, at, message, "give I");
+        };
+        self.kernel.mill_circle(&self.at(block), radius, direction);
+    }
+
+    /// Pockets are milled in the XY plane without compensation.
+    fn may_have_pocket(&mut self, block: &Block, at: usize) -> bool {
         if self.kernel.state.plane != Plane::Xy {
             self.refuse_pocket(block, at, "pockets are milled only in G17", "choose G17 before");
-            return None;
+            return false;
         }
         if self.kernel.state.side != Side::Off {
             let message = "a pocket cycle while cutter compensation is on";
             self.refuse_pocket(block, at, message, "cancel compensation with G40 before it");
+            return false;
+        }
+        true
+    }
+
+    /// What all pockets of one block ask for; the radius of the tool, mm.
+    pub(super) fn pocket_start(&mut self, block: &Block, at: usize) -> Option<f64> {
+        let span = self.span(block.words[at].range);
+        if !self.may_have_pocket(block, at) {
             return None;
         }
         let Some(number) = self.kernel.state.radius_offset else {

@@ -114,7 +114,10 @@ impl<'a> Interpreter<'a> {
         let from = self.reader.position().offset;
         let heads = &self.macros.owords.heads[&program];
         let mut ahead = heads.iter().filter(|(_, place)| place.offset >= from);
-        let place = ahead.find(|(other, _)| *other == number).map(|(_, place)| *place)?;
+        let is_meant = |head: &&(u32, TextPosition)| head.0 == number;
+        let upwards = self.control.parameters.calls_upwards;
+        let above = || heads.iter().find(is_meant).filter(|_| upwards);
+        let (_, place) = *ahead.find(is_meant).or_else(above)?;
         self.macros.owords.called.insert((program, number), place);
         Some(place)
     }

@@ -1,0 +1,16 @@
+//! How Mach3 wants a program begun and ended.
+
+use crate::post::Post;
+
+pub(super) const POST: Post = Post {
+    remark: ["(", ")"],
+    open: &["(Mach3: {title})"],
+    begin: &[
+        "{units} G17 G90 G94 G91.1 G40 G49 G80 G64",
+        "T{tool} M6",
+        "G54 G0 {start} {spindle} M3",
+        "G43 H{tool} {clear} M8",
+    ],
+    end: &["G0 {clear} M9", "M5", "G49", "M30"],
+    two_digits: false,
+};

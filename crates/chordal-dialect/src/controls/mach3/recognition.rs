@@ -1,0 +1,43 @@
+//! Signs by which programs of Mach3 are recognized, and of controls that read as it does.
+
+use crate::vocabulary::*;
+
+const NAMES: &[&str] = &[
+    "MACH3",
+    "MACH3MILL",
+    "MACH3-MM",
+    "MACH3-CV",
+    "MACH 3",
+    "MACH2/3",
+    "MACH2",
+    "ARTSOFT",
+    "LAZYCAM",
+];
+
+/// Made to read the same programs.
+const NEAR: &[&str] = &["UCCNC"];
+
+pub(super) const EVIDENCE: &[Evidence] = &[
+    evidence(Sign::Header(NAMES), 14, "the header names Mach3"),
+    evidence(Sign::Comment(NAMES), 9, "a comment names Mach3"),
+    evidence(Sign::Header(NEAR), 9, "the header names a control that reads as Mach3"),
+    evidence(Sign::Comment(NEAR), 6, "a comment names a control that reads as Mach3"),
+    evidence(Sign::Block("M47"), 6, "M47 starts the program again"),
+    evidence(Sign::Block("G68 A B R"), 8, "G68 with A and B turns about a centre"),
+    evidence(Sign::Block("G59 P"), 6, "G59 P chooses one of 254 work offsets"),
+    evidence(Sign::Block("M98 P Q !L"), 3, "Q of M98 counts"),
+    evidence(Sign::Block("G70|G71 G91.1|G90.1"), 6, "G70 or G71 chooses the unit beside arc centres"),
+    evidence(Sign::Block("G40 G49 G91.1"), 4, "arc centres are chosen with compensation and length off"),
+    evidence(
+        Sign::Block("G0 G17 G40 G49 G50 G80 G90 !G69 !G94 !G98"),
+        3,
+        "its wizards begin with G49 G40 G17 G80 G50 G90",
+    ),
+    evidence(Sign::Block("G40 G53:bare G91.1"), 4, "the first block has G53 without an axis"),
+    evidence(Sign::Block("G12|G13 I !K !Q !D !X !Y !Z"), 3, "I alone is the radius of a circular pocket"),
+    evidence(Sign::Block("G90.1"), 5, "G90.1 sets absolute arc centres"),
+    evidence(Sign::Block("G91.1"), 4, "G91.1 sets incremental arc centres"),
+    evidence(Sign::Block("G92.2|G92.3"), 4, "G92.2 switches an offset off"),
+    evidence(Sign::Block("G28.1"), 2, "G28.1 goes to the home switches"),
+    evidence(Sign::Block("M2"), 1, "M2 ends the program"),
+];

@@ -1,0 +1,47 @@
+//! How Mach3 moves, cuts and drills: as the older interpreter that LinuxCNC's comes from.
+
+use super::super::linuxcnc::PARAMETERS as FAMILY;
+use super::super::linuxcnc::rules::CYCLES as FAMILY_CYCLES;
+use crate::vocabulary::*;
+
+/// How strictly it judges words that nothing uses is not known: they are said, and stop nothing.
+pub(super) const PARAMETERS: Parameters = Parameters {
+    offset_zero_in_force: false,
+    end_required: false,
+    strict_words: false,
+    m_groups: M_GROUPS,
+    longest_line: 0,
+    unit_codes: UnitCodes::Both,
+    calls_within_file: true,
+    calls_counted_by_q: true,
+    calls_upwards: true,
+    rules: Rules {
+        starts_without_motion: false,
+        pocket_is_one_circle: true,
+        cycles: CYCLES,
+        frames: FRAMES,
+        ..FAMILY.rules
+    },
+    ..FAMILY
+};
+
+/// The modal groups of M codes, ten times the number; M7 and M8 go together.
+const M_GROUPS: &[&[u16]] = &[&[0, 10, 20, 300, 470], &[30, 40, 50], &[480, 490]];
+
+/// A dwell that is left out is none.
+const CYCLES: CycleRules = CycleRules {
+    needs_p: false,
+    approach: Approach::FromAboveR,
+    bore: BoreRules { spindle_must_turn: false, ..FAMILY_CYCLES.bore },
+    ..FAMILY_CYCLES
+};
+
+/// G68 by A, B and R; G16 about the place where the tool stands.
+const FRAMES: FrameRules = FrameRules {
+    rotation_center_by_ab: true,
+    factors_by_axes: true,
+    unequal_arcs: UnequalArcs::Refused,
+    polar_about_start: true,
+    work_rotation: false,
+    ..FAMILY.rules.frames
+};

@@ -1,0 +1,70 @@
+//! Work offsets that a word P numbers.
+
+use chordal_command::WorkName;
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_syntax::{Block, Letters};
+
+use super::Interpreter;
+
+/// The last work offset where one code counts all of them (Mach3).
+const MOST_COUNTED: u32 = 254;
+
+/// The work offset with a number of [`ModeCode::WorkOffsetCounted`].
+pub(super) fn counted(number: u32) -> Option<WorkName> {
+    WorkName::counted(u16::try_from(number).ok().filter(|n| u32::from(*n) <= MOST_COUNTED)?)
+}
+
+impl Interpreter<'_> {
+    /// G54.1 P, G154 P.
+    pub(super) fn select_extended_work(&mut self, block: &Block, at: usize) {
+        match self.count_of(block, b'P') {
+            Some(number) if (1..=300).contains(&number) => {
+                let name = WorkName::Extended(number as u16);
+                self.warn_of_work_change(block, at, name);
+                self.kernel.select_work(name);
+            }
+            Some(number) => {
+                let span = self.words_span(block, Letters::of("P"));
+                self.kernel.report(
+                    Diagnostic::new(
+                        Code::BadWordValue,
+                        span,
+                        format!("there is no extended work offset P{number}"),
+                    )
+                    .help("extended work offsets begin with P1"),
+                );
+            }
+            None => {
+                let span = self.span(block.words[at].range);
+                let message = "an extended work offset without its number".to_string();
+                self.kernel.missing_word(span, message, "write P and the number after the code");
+            }
+        }
+    }
+
+    /// G59, or G59 with P, the number of any work offset.
+    pub(super) fn select_counted_work(&mut self, block: &Block, at: usize) {
+        let number = match block.letters().has(b'P') {
+            true => self.count_of(block, b'P'),
+            false => Some(6),
+        };
+        let Some(number) = number else { return };
+        match counted(number) {
+            Some(name) => {
+                self.warn_of_work_change(block, at, name);
+                self.select_work(name);
+            }
+            None => {
+                let span = self.words_span(block, Letters::of("P"));
+                self.kernel.report(
+                    Diagnostic::new(
+                        Code::BadWordValue,
+                        span,
+                        format!("there is no work offset P{number}"),
+                    )
+                    .help(format!("P1 to P6 are G54 to G59, and P{MOST_COUNTED} is the last")),
+                );
+            }
+        }
+    }
+}
