@@ -258,7 +258,7 @@ def answered(control, line, before):
 
 # --- Chordal -----------------------------------------------------------------------------------------------------------------
 
-SETTINGS = ["settings.on error=continue", "settings.M6=nobody"] + [f'axes.{axis}.travel=["-1000 m", "1000 m"]' for axis in AXES]
+SETTINGS = ["settings.on error=continue", "settings.M6=nobody"] + [f'axes.{axis}.travel=["-100000 m", "100000 m"]' for axis in AXES]
 
 
 def chordal_answers(command, programs, folder):

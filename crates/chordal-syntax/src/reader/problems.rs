@@ -153,12 +153,13 @@ impl BlockReader<'_> {
     }
 }
 
-/// `1O.` in `X1O.Y5.`: a digit, the letter O, and a point or a digit after it; `O.` at its begin.
+/// `1O.` in `X1O.Y5.`, `.O0` in `X4.O00F90.`, `-O.` in `Z-O.5F30.`: the letter O before a point or a digit, at the
+/// begin before a point alone.
 fn is_packed_slip(token: &[u8]) -> bool {
-    matches!(token, [b'O' | b'o', b'.', ..])
-        || token.windows(3).any(|part| {
-            part[0].is_ascii_digit()
-                && matches!(part[1], b'O' | b'o')
-                && (part[2].is_ascii_digit() || part[2] == b'.')
-        })
+    let is_within = |part: &[u8]| {
+        matches!(part[0], b'0'..=b'9' | b'.' | b'+' | b'-')
+            && matches!(part[1], b'O' | b'o')
+            && matches!(part[2], b'0'..=b'9' | b'.')
+    };
+    matches!(token, [b'O' | b'o', b'.', ..]) || token.windows(3).any(is_within)
 }
