@@ -4,7 +4,7 @@ G70 G90 G91.1 G40 G17 G49 G80
 G54 G64
 M3 S16000
 G4 P3
-(finger holes: one circle at each of two depths)
+(Finger holes, one circle at each of two depths)
 G0 Z.5
 G0 X3. Y2.25
 G1 Z-.25 F30.
@@ -18,7 +18,7 @@ G12 I.375 F80.
 G1 Z-.52 F30.
 G12 I.375 F80.
 G0 Z.5
-(dowels)
+(Dowels)
 G0 X.75 Y.75
 M98 P200 L3
 M5
