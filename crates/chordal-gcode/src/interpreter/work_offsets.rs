@@ -9,7 +9,7 @@ use super::Interpreter;
 /// The last work offset where one code counts all of them (Mach3).
 const MOST_COUNTED: u32 = 254;
 
-/// The work offset with a number of [`ModeCode::WorkOffsetCounted`].
+/// The work offset that a counted P names.
 pub(super) fn counted(number: u32) -> Option<WorkName> {
     WorkName::counted(u16::try_from(number).ok().filter(|n| u32::from(*n) <= MOST_COUNTED)?)
 }
