@@ -108,6 +108,9 @@ test("of a long path the picture that is kept follows what is done", async () =>
   const lines = [SQUARE.slice(0, SQUARE.indexOf("X40."))];
   for (let at = 0; at < 12_000; at++) lines.push(`X${((at % 100) + Math.sin(at)).toFixed(3)} Y${(at / 100).toFixed(3)}`);
   const { page } = await show(written("long.nc", `${lines.join("\n")}\nM30\n%\n`), "--machine", "haas-vf2");
+  // On any machine the path is too long for one frame, however fast that has become: a picture is kept, with edges
+  // that are not smoothed.
+  await page.evaluate(() => Object.assign(window.chordal.view.painter.slices, { lines: 8_000, took: () => {} }));
   // Sparse places, so that no other line crosses them.
   await page.evaluate(() => window.chordal.view.setView("top"));
   await settled(page);
@@ -125,8 +128,7 @@ test("of a long path the picture that is kept follows what is done", async () =>
   });
   await settled(page);
   await page.evaluate(() => window.chordal.view.markRows(undefined));
-  // A machine that has become faster meanwhile smooths edges: a quarter of a thin line's strength.
-  assert.ok((await strength(9_000)) > 0.7 * whole);
+  assert.ok((await strength(9_000)) > 0.9 * whole);
   assert.ok((await strength(11_990)) < 0.6 * whole);
   await page.close();
 });
