@@ -10,7 +10,7 @@ use crate::macros::MacroRules;
 use crate::parameters::Parameters;
 use crate::scale::Scale;
 use crate::settings::{self, SettingError};
-use crate::table::{CodeRow, ControlTable, code_number};
+use crate::table::{CodeRow, ControlTable, DwellWord, code_number};
 
 /// The table of a control.
 pub fn table(name: ControlName) -> &'static ControlTable {
@@ -62,6 +62,11 @@ impl Control {
         };
         control.drop_options();
         (control, errors)
+    }
+
+    /// The time words of a dwell.
+    pub fn dwell_words(&self) -> impl Iterator<Item = DwellWord> {
+        self.table.dwell_words(&self.parameters)
     }
 
     /// Codes of options that the build of its firmware does not have are not there.

@@ -235,6 +235,13 @@ pub struct DwellWord {
     pub takes_point: bool,
 }
 
+impl DwellWord {
+    /// Seconds in one unit of a number that has a decimal point or none.
+    pub fn unit_s(self, has_point: bool) -> f64 {
+        if has_point { self.point_s } else { self.integer_s }
+    }
+}
+
 /// Everything that makes a control.
 #[derive(Debug)]
 pub struct ControlTable {
@@ -394,6 +401,16 @@ pub enum ArcTurns {
 }
 
 impl ControlTable {
+    /// The time words of a dwell, in the units that the parameters give them.
+    pub fn dwell_words(&self, parameters: &Parameters) -> impl Iterator<Item = DwellWord> {
+        let factor = parameters.dwell_factor;
+        self.dwell.iter().map(move |word| DwellWord {
+            integer_s: word.integer_s * factor,
+            point_s: word.point_s * factor,
+            ..*word
+        })
+    }
+
     /// The row of a G code (ten times its number).
     pub fn g_code(&self, code: u16) -> Option<&'static CodeRow> {
         let index = self.g_codes.binary_search_by_key(&code, |row| row.code).ok()?;

@@ -34,17 +34,6 @@ G43 Z12.
 G90 G1 X1. Y1. Z1. F50.
 M30
 ";
-/// The same where G43 needs its number.
-const NUMBERED_TAIL: &str = "\
-X3.
-G80 G1 X20. Y5. Z10.
-G41 D1 X30. Y9.
-X52.
-G40 X80.
-G43 H1 Z12.
-G90 G1 X1. Y1. Z1. F50.
-M30
-";
 /// The same for a lathe with X and Z: it has no lengths to choose, and G1 ends its passes.
 const LATHE_HEAD: &str = "\
 G21 G98 G18 G40 G80
@@ -86,13 +75,14 @@ M30
 ";
 
 /// What stands before and after a block on a machine.
-fn around(machine: &Machine) -> (&'static str, &'static str) {
-    match machine.turns() {
+fn around(machine: &Machine) -> (&'static str, String) {
+    let (head, tail) = match machine.turns() {
         true => (LATHE_HEAD, LATHE_TAIL),
         false if table(machine.control).firmware.is_some() => (SMALL_HEAD, SMALL_TAIL),
-        false if needs_number(table(machine.control)) => (HEAD, NUMBERED_TAIL),
         false => (HEAD, TAIL),
-    }
+    };
+    let number = if needs_number(table(machine.control)) { "G43 H1" } else { "G43" };
+    (head, tail.replace("G43", number))
 }
 
 /// G43 without H is not followed.

@@ -24,7 +24,7 @@ X10 Y0 (= line to X5.857864 Y24.142136)
 Z-1 (= line to Z-1)
 G91 X1 Y1 (= line | ! CH312 "in G91")
 G90
-G2 X5 Y90 R20 (= ! CH312 "beside G0 and G1")
+G2 X5 Y90 R20 (= ! CH312 "polar words of arcs and cycles are not followed")
 G15
 G1 X10 Y10 (= line to X10 Y10)
 (A turn about X10 Y10 by 90 degrees.)

@@ -5,6 +5,7 @@ G0 X0 Y0
 M98 P1234 L2
 M98 P5 Q3
 M98 P77 (= ! CH201 "O77")
+M98 (SIDE 2. AGAIN) (= ! CH308 "without a program number")
 M98 (part-2.tap) (= ! CH312 "named by its file")
 G90 G0 X0 (= rapid to X0)
 M30

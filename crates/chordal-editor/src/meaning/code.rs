@@ -168,7 +168,7 @@ fn alarms(action: Action, table: &ControlTable) -> Vec<(Code, &'static str)> {
 /// What the table says of an action in addition to its settings.
 fn facts_of_action(action: Action, view: &View, several: bool, facts: &mut Facts) {
     if action == Action::Once(OnceCode::Dwell) {
-        for word in view.table.dwell.iter().filter(|_| several) {
+        for word in view.table.dwell_words(&view.parameters).filter(|_| several) {
             facts.add("time", &dwell_text(word));
         }
         if view.table.dwell_alone_stops {

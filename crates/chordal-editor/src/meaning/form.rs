@@ -135,10 +135,9 @@ fn of_call(call: CallCode) -> Option<&'static str> {
 fn of_once(once: OnceCode, view: &View) -> Option<String> {
     Some(match once {
         OnceCode::Dwell => {
-            let word = view.table.dwell.first()?;
+            let word = view.table.dwell_words(&view.parameters).next()?;
             let (letter, point) = (char::from(word.letter), word.takes_point);
-            let unit = if point { word.point_s } else { word.integer_s };
-            let second = 1.0 / (unit * view.parameters.dwell_factor);
+            let second = 1.0 / word.unit_s(point);
             format!("{letter}{second}{}", if point { "." } else { "" })
         }
         OnceCode::SetData => {

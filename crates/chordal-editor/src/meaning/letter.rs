@@ -64,7 +64,7 @@ pub fn letter_meanings(letter: u8, view: &View) -> Vec<String> {
         }
         _ => {}
     }
-    for word in table.dwell.iter().filter(|word| word.letter == letter) {
+    for word in table.dwell_words(parameters).filter(|word| word.letter == letter) {
         add(&format!("time of a dwell: {}", dwell_text(word)));
     }
     if letter == b'L' {

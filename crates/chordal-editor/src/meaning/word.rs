@@ -396,7 +396,7 @@ fn called(code: CallCode, letter: u8, view: &View) -> Option<String> {
 }
 
 /// `P1 is 0.001 s, P1. is 1 s`.
-pub fn dwell_text(word: &DwellWord) -> String {
+pub fn dwell_text(word: DwellWord) -> String {
     let (letter, whole, point) = (char::from(word.letter), word.integer_s, word.point_s);
     if !word.takes_point {
         format!("{letter}1 is {whole} s; a point is an alarm")
@@ -408,10 +408,8 @@ pub fn dwell_text(word: &DwellWord) -> String {
 }
 
 fn dwell(letter: u8, view: &View) -> Option<String> {
-    let word = view.table.dwell.iter().find(|word| word.letter == letter)?;
-    let factor = view.parameters.dwell_factor;
-    let (integer_s, point_s) = (word.integer_s * factor, word.point_s * factor);
-    Some(format!("time: {}", dwell_text(&DwellWord { integer_s, point_s, ..*word })))
+    let word = view.table.dwell_words(&view.parameters).find(|word| word.letter == letter)?;
+    Some(format!("time: {}", dwell_text(word)))
 }
 
 /// I, J and K: centre of an arc along X, Y or Z.

@@ -212,8 +212,14 @@ impl Interpreter<'_> {
     fn report_call_without_program(&mut self, block: &Block, at: usize) {
         let span = self.span(block.words[at].range);
         let text = self.reader.text();
-        let named = |c: &TextRange| c.slice(text).iter().any(|byte| matches!(byte, b'/' | b'.'));
-        if !block.comments.iter().any(named) {
+        // A path, or a name with an extension; a point in a sentence names no file.
+        let has_extension = |text: &[u8]| {
+            text.windows(3).any(|part| {
+                part[0].is_ascii_alphanumeric() && part[1] == b'.' && part[2].is_ascii_alphabetic()
+            })
+        };
+        let names_file = |text: &[u8]| text.contains(&b'/') || has_extension(text);
+        if !block.comments.iter().any(|comment| names_file(comment.slice(text))) {
             let message = "M98 without a program number".to_string();
             return self.kernel.missing_word(span, message, "write P and the program's number");
         }

@@ -217,7 +217,7 @@ impl Interpreter<'_> {
         } else if state.plane != Plane::Xy {
             "polar words outside of G17"
         } else if drills || state.cycle.is_some() || self.moves_on_arc(block) {
-            "polar words beside G0 and G1"
+            "polar words of arcs and cycles"
         } else {
             return;
         };

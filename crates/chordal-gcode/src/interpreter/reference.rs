@@ -119,8 +119,8 @@ impl Interpreter<'_> {
     }
 
     fn dwell(&mut self, block: &Block, at: usize) {
-        let words = self.control.table.dwell;
-        let found = words.iter().find_map(|rule| block.last(rule.letter).map(|word| (rule, *word)));
+        let mut words = self.control.dwell_words();
+        let found = words.find_map(|rule| block.last(rule.letter).map(|word| (rule, *word)));
         if !self.control.parameters.dwell_with_motion {
             let time = found.map(|(rule, _)| rule.letter);
             self.unused_axes(block, |_, letter| Some(letter) == time);
@@ -132,13 +132,12 @@ impl Interpreter<'_> {
             }
             let span = self.span(block.words[at].range);
             let letters: Vec<String> =
-                words.iter().map(|rule| (rule.letter as char).to_string()).collect();
+                self.control.dwell_words().map(|rule| (rule.letter as char).to_string()).collect();
             let help = format!("give the time with {}", letters.join(", "));
             return self.kernel.missing_word(span, "a dwell without a time".into(), &help);
         };
         let Some(number) = self.literal(&word) else { return };
-        let unit = if number.has_point { rule.point_s } else { rule.integer_s };
-        let seconds = number.to_f64() * unit * self.control.parameters.dwell_factor;
+        let seconds = number.to_f64() * rule.unit_s(number.has_point);
         if number.has_point && !rule.takes_point {
             self.report_point_of_dwell(&word, number, seconds);
         }
@@ -158,7 +157,7 @@ impl Interpreter<'_> {
 
     fn report_point_of_dwell(&mut self, word: &Word, number: Decimal, seconds: f64) {
         let letter = word.letter as char;
-        let others = self.control.table.dwell.iter().filter(|rule| rule.takes_point);
+        let others = self.control.dwell_words().filter(|rule| rule.takes_point);
         let others: Vec<String> =
             others.map(|rule| format!("{}{number}", rule.letter as char)).collect();
         self.kernel.report(

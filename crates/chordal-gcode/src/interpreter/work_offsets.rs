@@ -23,17 +23,11 @@ impl Interpreter<'_> {
                 self.warn_of_work_change(block, at, name);
                 self.kernel.select_work(name);
             }
-            Some(number) => {
-                let span = self.words_span(block, Letters::of("P"));
-                self.kernel.report(
-                    Diagnostic::new(
-                        Code::BadWordValue,
-                        span,
-                        format!("there is no extended work offset P{number}"),
-                    )
-                    .help("extended work offsets begin with P1"),
-                );
-            }
+            Some(number) => self.report_no_offset(
+                block,
+                format!("there is no extended work offset P{number}"),
+                "extended work offsets begin with P1",
+            ),
             None => {
                 let span = self.span(block.words[at].range);
                 let message = "an extended work offset without its number".to_string();
@@ -54,17 +48,16 @@ impl Interpreter<'_> {
                 self.warn_of_work_change(block, at, name);
                 self.select_work(name);
             }
-            None => {
-                let span = self.words_span(block, Letters::of("P"));
-                self.kernel.report(
-                    Diagnostic::new(
-                        Code::BadWordValue,
-                        span,
-                        format!("there is no work offset P{number}"),
-                    )
-                    .help(format!("P1 to P6 are G54 to G59, and P{MOST_COUNTED} is the last")),
-                );
-            }
+            None => self.report_no_offset(
+                block,
+                format!("there is no work offset P{number}"),
+                &format!("P1 to P6 are G54 to G59, and P{MOST_COUNTED} is the last"),
+            ),
         }
+    }
+
+    fn report_no_offset(&mut self, block: &Block, message: String, help: &str) {
+        let span = self.words_span(block, Letters::of("P"));
+        self.kernel.report(Diagnostic::new(Code::BadWordValue, span, message).help(help));
     }
 }

@@ -93,30 +93,17 @@ pub(crate) fn work_offset(name: WorkName, control: &Control, style: Style) -> Op
     if table.work_names.by_e {
         return Some(format!("E{number}"));
     }
+    let code = |mode| self::name(Action::Mode(mode), control, style);
+    let gap = if style.spaced { " " } else { "" };
+    let by_p = |mode, p| code(mode).map(|code| format!("{code}{gap}P{p}"));
     match number {
         0 => None,
-        1..=6 => self::name(Action::Mode(ModeCode::WorkOffset(53 + number as u16)), control, style)
-            .or_else(|| {
-                let counted = Action::Mode(ModeCode::WorkOffsetCounted);
-                self::name(counted, control, style).filter(|_| number == 6)
-            }),
-        _ => {
-            let point = self::name(
-                Action::Mode(ModeCode::WorkOffsetPoint(number as u16 - 6)),
-                control,
-                style,
-            );
-            point.or_else(|| {
-                let gap = if style.spaced { " " } else { "" };
-                let extended = Action::Mode(ModeCode::WorkOffsetExtended);
-                if let Some(code) = self::name(extended, control, style) {
-                    return Some(format!("{code}{gap}P{}", number - 6));
-                }
-                let counted = Action::Mode(ModeCode::WorkOffsetCounted);
-                let code = self::name(counted, control, style)?;
-                Some(format!("{code}{gap}P{number}"))
-            })
-        }
+        1..=5 => code(ModeCode::WorkOffset(53 + number as u16)),
+        // Where one code counts all of them it is this one without P.
+        6 => code(ModeCode::WorkOffset(59)).or_else(|| code(ModeCode::WorkOffsetCounted)),
+        _ => code(ModeCode::WorkOffsetPoint(number as u16 - 6))
+            .or_else(|| by_p(ModeCode::WorkOffsetExtended, number - 6))
+            .or_else(|| by_p(ModeCode::WorkOffsetCounted, number)),
     }
 }
 

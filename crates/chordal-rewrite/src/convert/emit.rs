@@ -209,7 +209,7 @@ impl<'a> Emitter<'a> {
             }
             CommandKind::Dwell { seconds, .. } => {
                 self.flush();
-                let word = numbers::dwell_word(*seconds, self.to.table);
+                let word = numbers::dwell_word(*seconds, self.to);
                 let code = self.due(Action::Once(OnceCode::Dwell))?;
                 self.line(&[code, word.unwrap_or_default()]);
             }

@@ -1,6 +1,6 @@
 //! Numbers as the new control reads them.
 
-use chordal::control::table::{ControlTable, DwellWord};
+use chordal::control::table::DwellWord;
 use chordal::control::{Control, DecimalPoint, Units};
 use chordal::syntax::Decimal;
 
@@ -94,13 +94,13 @@ fn with_point(number: Decimal, hidden: u8) -> String {
 }
 
 /// The word of a dwell of so many seconds.
-pub(crate) fn dwell_word(seconds: f64, table: &ControlTable) -> Option<String> {
-    let word = table.dwell.iter().find(|word| word.letter == b'P').or(table.dwell.first())?;
-    Some(time_word(seconds, word))
+pub(crate) fn dwell_word(seconds: f64, control: &Control) -> Option<String> {
+    let by_p = control.dwell_words().find(|word| word.letter == b'P');
+    Some(time_word(seconds, by_p.or_else(|| control.dwell_words().next())?))
 }
 
 /// A time as a word counts it: a whole number where it is one.
-pub(crate) fn time_word(seconds: f64, word: &DwellWord) -> String {
+pub(crate) fn time_word(seconds: f64, word: DwellWord) -> String {
     let letter = char::from(word.letter);
     let units = seconds / word.integer_s;
     if (units - units.round()).abs() < 1e-6 && units < 1e9 {

@@ -2,7 +2,7 @@
 
 use chordal::CommandKind;
 use chordal::control::table::{Group, LineRepeat, MotionModality, Subroutines};
-use chordal::control::{Action, CallCode, MotionCode, OnceCode, ReadingCode};
+use chordal::control::{Action, CallCode, Control, MotionCode, OnceCode, ReadingCode};
 use chordal::control::{Units, subroutine_head};
 use chordal::syntax::{BlockKind, Letters};
 
@@ -199,19 +199,14 @@ impl<'a> Context<'a> {
         let Some(seconds) = seconds else { return };
         for word in 0..draft.block.words.len() {
             let own = draft.block.words[word];
-            let Some(row) = self.from.table.dwell.iter().find(|row| row.letter == own.letter)
-            else {
-                continue;
-            };
+            let of = |control: &Control| control.dwell_words().find(|row| row.letter == own.letter);
+            let Some(row) = of(self.from) else { continue };
             let Some(number) = own.number() else { continue };
-            let there = self.to.table.dwell.iter().find(|row| row.letter == own.letter);
-            let unit = |row: &chordal::control::table::DwellWord| {
-                if number.has_point { row.point_s } else { row.integer_s }
-            };
-            if there.is_some_and(|there| unit(there) == unit(row)) {
+            let unit = row.unit_s(number.has_point);
+            if of(self.to).is_some_and(|there| there.unit_s(number.has_point) == unit) {
                 continue;
             }
-            if let Some(new) = numbers::dwell_word(seconds, self.to.table) {
+            if let Some(new) = numbers::dwell_word(seconds, self.to) {
                 draft.replace(
                     word,
                     new,

@@ -46,6 +46,12 @@ fn dwells_in_the_unit_of_the_control() {
     let text = "G20 S100 M3\nG0 X0 Y0 Z0\nG4 P500\nM2\n";
     let linux = "G20 S100 M3\nG0 X0 Y0 Z0\nG4 P0.5\nM2";
     assert_eq!(on("fadal-4020", text, "linuxcnc-mill"), linux);
+    // A setting makes its units milliseconds.
+    let mut own = machine("mach3-mill");
+    own.set("settings.\"G04 Dwell in ms\"=\"on\"").expect("a good assignment");
+    let text = "G20 G90 S100 M3\nG0 X0 Y0 Z0\nG4 P1500\nM2\n";
+    let found = converted(&job(text, own), "linuxcnc-mill");
+    assert!(found.holds() && found.text.contains("\nG4 P1.5\n"), "{}", found.text);
 }
 
 #[test]

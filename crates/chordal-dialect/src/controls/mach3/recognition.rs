@@ -26,7 +26,7 @@ pub(super) const EVIDENCE: &[Evidence] = &[
     evidence(Sign::Block("G68 A B R"), 8, "G68 with A and B turns about a centre"),
     evidence(Sign::Block("G59 P"), 6, "G59 P chooses one of 254 work offsets"),
     evidence(Sign::Block("M98 P Q !L"), 3, "Q of M98 counts"),
-    evidence(Sign::Block("G70|G71 G91.1|G90.1"), 6, "G70 or G71 chooses the unit beside arc centres"),
+    evidence(Sign::Block("G70|G71 G91.1|G90.1"), 6, "G70 or G71 chooses the unit next to arc centres"),
     evidence(Sign::Block("G40 G49 G91.1"), 4, "arc centres are chosen with compensation and length off"),
     evidence(
         Sign::Block("G0 G17 G40 G49 G50 G80 G90 !G69 !G94 !G98"),

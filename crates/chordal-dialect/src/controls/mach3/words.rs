@@ -4,28 +4,12 @@ use crate::vocabulary::*;
 
 pub(super) const WORD_RULES: &[WordRule] = &[
     lost((b'G', 100), WordTest::Absent("R"), "with R is not followed"),
-    lost(
-        (b'G', 120),
-        WordTest::Absent("XYZABC"),
-        "with axis words is not followed: it is told of I alone",
-    ),
-    lost(
-        (b'G', 130),
-        WordTest::Absent("XYZABC"),
-        "with axis words is not followed: it is told of I alone",
-    ),
+    lost((b'G', 120), WordTest::Absent("XYZABC"), NOT_BY_AXES),
+    lost((b'G', 130), WordTest::Absent("XYZABC"), NOT_BY_AXES),
     lost((b'G', 410), WordTest::Absent("P"), SIZE_BY_P),
     lost((b'G', 420), WordTest::Absent("P"), SIZE_BY_P),
-    lost(
-        (b'G', 430),
-        WordTest::OneOf("H"),
-        "without H is not followed: write H and the number of the tool",
-    ),
-    lost(
-        (b'G', 440),
-        WordTest::OneOf("H"),
-        "without H is not followed: write H and the number of the tool",
-    ),
+    lost((b'G', 430), WordTest::OneOf("H"), WITHOUT_H),
+    lost((b'G', 440), WordTest::OneOf("H"), WITHOUT_H),
     lost(
         (b'G', 510),
         WordTest::Absent("ABC"),
@@ -40,6 +24,10 @@ pub(super) const WORD_RULES: &[WordRule] = &[
     lost((b'G', 680), WordTest::Written(b'B'), CENTER),
     lost((b'G', 680), WordTest::Written(b'R'), "without R, its angle, is not followed"),
 ];
+
+const NOT_BY_AXES: &str = "with axis words is not followed: I alone is, the radius of the circle";
+
+const WITHOUT_H: &str = "without H is not followed: write H and the number of the tool";
 
 const SIZE_BY_P: &str =
     "with P, the size of the cutter, is not followed: write D and the number of the tool";

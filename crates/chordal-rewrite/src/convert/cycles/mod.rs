@@ -357,11 +357,11 @@ fn dwell(context: &Context, draft: &mut Draft) {
         point_s: rules.dwell_point_s,
         takes_point: true,
     });
-    let unit = |word: &DwellWord| if number.has_point { word.point_s } else { word.integer_s };
-    if unit(&one) == unit(&other) {
+    let unit = one.unit_s(number.has_point);
+    if unit == other.unit_s(number.has_point) {
         return;
     }
-    let new = numbers::time_word(number.to_f64() * unit(&one), &other);
+    let new = numbers::time_word(number.to_f64() * unit, other);
     draft.replace(
         p,
         new,
