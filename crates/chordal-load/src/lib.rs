@@ -35,9 +35,9 @@ mod loaded;
 mod loader;
 pub mod machine;
 mod neighbours;
+mod readings;
 mod request;
 mod text;
-mod trial;
 
 use std::path::Path;
 
@@ -49,6 +49,7 @@ pub use input::{Input, find, has_other_ending, looks_like_program};
 pub use loaded::Loaded;
 pub use loader::Loader;
 pub use neighbours::without_called;
+pub use readings::{Premise, ReadingDifference, ReadingGroup};
 pub use request::{Given, Request};
 pub use text::Text;
 

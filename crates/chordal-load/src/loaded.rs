@@ -7,6 +7,7 @@ use chordal::{Command, Diagnostic, Job, Machine, Reading, RunSink, Sink, Source,
 
 use crate::chosen::Chosen;
 use crate::error::LoadError;
+use crate::readings::Premise;
 use crate::text::Text;
 
 /// A program with everything it needs to run.
@@ -21,6 +22,8 @@ pub struct Loaded {
     pub program: Option<u32>,
     /// Why this machine.
     pub chosen: Chosen,
+    /// What was assumed, where the text does not name its control and its units for certain.
+    pub premise: Option<Premise>,
 }
 
 impl Loaded {

@@ -10,6 +10,7 @@ use crate::input::Input;
 use crate::loaded::Loaded;
 use crate::machine;
 use crate::neighbours::Folders;
+use crate::readings::Premise;
 use crate::request::{Given, Request};
 use crate::text::Text;
 
@@ -65,8 +66,8 @@ impl Loader {
     /// A machine that cannot be used, a program that is not there.
     pub fn load_text(&mut self, text: Text, input: &Input) -> Result<Loaded, LoadError> {
         let request = &self.request;
-        let (machine, chosen) = match &self.given {
-            Some(machine) => (machine.clone(), Chosen::Given),
+        let (machine, chosen, premise) = match &self.given {
+            Some(machine) => (machine.clone(), Chosen::Given, None),
             None => machine::choose(input, text.bytes(), request)?,
         };
         let (control, _) = Control::of(&machine);
@@ -79,9 +80,9 @@ impl Loader {
             let found = self.folders.find(&request.files, path, texts[0].bytes(), &lexicon);
             texts.extend(found);
         }
-        let options = options(request, &chosen, texts[0].bytes());
+        let options = options(request, &chosen, premise.as_ref(), texts[0].bytes());
         let (program, shop_texts) = (request.program, Vec::new());
-        let mut loaded = Loaded { texts, machine, options, shop_texts, program, chosen };
+        let mut loaded = Loaded { texts, machine, options, shop_texts, program, chosen, premise };
         if let Some(shop) = &request.shop_codes {
             loaded.ask_shop(shop.clone(), request.interrupt.clone())?;
         }
@@ -90,13 +91,19 @@ impl Loader {
 }
 
 /// How the text is run: within the budgets of the request, and as what it was recognized.
-fn options(request: &Request, chosen: &Chosen, text: &[u8]) -> RunOptions {
+fn options(
+    request: &Request,
+    chosen: &Chosen,
+    premise: Option<&Premise>,
+    text: &[u8],
+) -> RunOptions {
     let usual = RunOptions::default();
     let named_control = says(request, &["control"]);
     RunOptions {
         max_repeated_blocks: request.max_blocks.unwrap_or(usual.max_repeated_blocks),
         assumed_machine: chosen.is_guess() && !says(request, LIMITS),
         not_read: chosen.refusal(text).filter(|_| !named_control),
+        premise: premise.and_then(Premise::diagnostic).filter(|_| !named_control),
         ..usual
     }
 }

@@ -18,8 +18,8 @@ use crate::chosen::Chosen;
 use crate::error::LoadError;
 use crate::files::Files;
 use crate::input::Input;
+use crate::readings::{Premise, set_units, settle};
 use crate::request::{Given, Request};
-use crate::trial::settle;
 
 /// The file that says a folder's machine.
 const FOLDER_FILE: &str = "chordal.toml";
@@ -40,34 +40,37 @@ pub(crate) fn choose(
     input: &Input,
     text: &[u8],
     request: &Request,
-) -> Result<(Machine, Chosen), LoadError> {
+) -> Result<(Machine, Chosen, Option<Premise>), LoadError> {
     for folder in folders(input) {
         let file = folder.join(FOLDER_FILE);
         if request.files.is_file(&file) {
             let machine = file_of(&request.files, &file)?;
-            return Ok((finish(machine, request)?, Chosen::Folder(file)));
+            return Ok((finish(machine, request)?, Chosen::Folder(file), None));
         }
     }
     if request.settings.is_some() {
-        return Ok((finish(typical(dumped()), request)?, Chosen::Given));
+        return Ok((finish(typical(dumped()), request)?, Chosen::Given, None));
     }
     let recognition = recognize(text);
     let ending = input.path.as_ref().and_then(|path| path.extension());
-    let (machine, chosen) = match ending {
+    let (machine, chosen, premise) = match ending {
         // Other endings mean nothing.
         Some(ending)
             if recognition.strength() == Strength::Assumed
                 && ending.eq_ignore_ascii_case("ngc") =>
         {
-            (typical(ControlName::Linuxcnc), Chosen::Ending)
+            (typical(ControlName::Linuxcnc), Chosen::Ending, None)
         }
         _ => {
-            let settled = settle(recognition, text, typical);
-            let (machine, moved) = assume(typical(settled.control()), text);
-            (machine, Chosen::Recognized(settled, moved))
+            let (settled, premise) = settle(recognition, text, typical);
+            let (mut machine, moved) = assume(typical(settled.control()), text);
+            if let Some(units) = premise.as_ref().and_then(Premise::units) {
+                set_units(&mut machine, units);
+            }
+            (machine, Chosen::Recognized(settled, moved), premise)
         }
     };
-    Ok((finish(machine, request)?, chosen))
+    Ok((finish(machine, request)?, chosen, premise))
 }
 
 /// The machine of a built-in name or, where there is none of it, of a file.

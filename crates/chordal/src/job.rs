@@ -188,7 +188,7 @@ impl<'a> Job<'a> {
             return Vec::new();
         }
         let language = self.language();
-        self.duplicates(language.library()).for_each(|diagnostic| sink.diagnostic(diagnostic));
+        self.before_run(language.library()).for_each(|diagnostic| sink.diagnostic(diagnostic));
         let mut outcomes = Vec::new();
         let mains = self.mains(&language);
         let heads = |program: usize| match mains.len() {
@@ -207,8 +207,10 @@ impl<'a> Job<'a> {
         outcomes
     }
 
-    pub(crate) fn duplicates(&self, library: &Library) -> impl Iterator<Item = Diagnostic> {
-        library.duplicate_diagnostics().filter(|each| self.is_about(library, each))
+    /// What is reported before the first block: what was assumed of the text, and programs of the same number.
+    pub(crate) fn before_run(&self, library: &Library) -> impl Iterator<Item = Diagnostic> {
+        let premise = self.options.premise.iter().map(|premise| premise.as_ref().clone());
+        premise.chain(library.duplicate_diagnostics().filter(|each| self.is_about(library, each)))
     }
 
     /// False for problems of a program's head where only another program is run.

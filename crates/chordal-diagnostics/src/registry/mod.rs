@@ -96,17 +96,18 @@ impl Code {
         matches!(self, Code::ExcessDecimals)
     }
 
-    /// Where it is an error, the control would go on otherwise than is shown: from there on the path is not known.
-    pub const fn loses_path(self) -> bool {
-        matches!(
-            self,
+    /// With this severity the path is not known from there on: the control may go on otherwise than is shown.
+    pub const fn loses_path(self, severity: Severity) -> bool {
+        match self {
             Code::NotFollowed
-                | Code::NotRead
-                | Code::UnknownCode
-                | Code::MissingSubprogram
-                | Code::UnsupportedMacro
-                | Code::BudgetReached
-        )
+            | Code::NotRead
+            | Code::UnknownCode
+            | Code::MissingSubprogram
+            | Code::UnsupportedMacro
+            | Code::BudgetReached => matches!(severity, Severity::Error),
+            Code::ReadingNotKnown => true,
+            _ => false,
+        }
     }
 
     /// What the registry knows of it.

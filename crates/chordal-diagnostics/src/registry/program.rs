@@ -101,4 +101,20 @@ messages that mean nothing, or a wrong path without one. Nothing is run, and the
 
 If the text is a mill program for one of the controls that Chordal has, name the machine: `--machine haas-vf2`. Then it
 is read as that machine would read it, whatever its signs say."#;
+
+    ReadingNotKnown = 216, "reading-not-known", Warning;
+    "what the program moves depends on a control that nothing names";
+    r#"A program that does not name its control can often be read in several ways: a number without a decimal point
+is whole units on one control and least increments on another, a program without G20 or G21 starts in the units of
+the machine, an arc or a cycle may differ. Chordal runs the controls that remain possible and compares where they
+move. Here they do not move alike: the message gives the first block that differs, what each control makes of
+it, and the size of the part. The path is shown as the first of them would go it, and nothing of it is verified.
+
+Name the machine: `--machine haas-vf2`, or a `chordal.toml` next to the programs. Where all controls move alike, one
+is assumed and the program is verified."#;
+
+    FeedNotKnown = 217, "feed-not-known", Note;
+    "how fast the program cuts depends on a control that nothing names";
+    r#"The controls that the program may be for go the same path, at other feeds. The time is that of the control that
+was assumed. Name the machine: `--machine haas-vf2`."#;
 }

@@ -86,6 +86,9 @@ pub struct RunOptions {
     pub assumed_machine: bool,
     /// The text is in a language that is not read: this is said of it, and nothing is run.
     pub not_read: Option<Arc<Diagnostic>>,
+    /// Nothing names the control or the units of the text for certain, and what it moves depends on them: this
+    /// is reported, and the path is not verified.
+    pub premise: Option<Arc<Diagnostic>>,
 }
 
 impl Default for RunOptions {
@@ -96,6 +99,7 @@ impl Default for RunOptions {
             interrupt: None,
             assumed_machine: false,
             not_read: None,
+            premise: None,
         }
     }
 }
@@ -108,6 +112,7 @@ impl fmt::Debug for RunOptions {
             .field("interrupt", &self.interrupt.is_some())
             .field("assumed_machine", &self.assumed_machine)
             .field("not_read", &self.not_read.is_some())
+            .field("premise", &self.premise.is_some())
             .finish()
     }
 }

@@ -1,0 +1,177 @@
+//! What a text may be read as where nothing in it names its control for certain: the controls that remain are
+//! run, and their motions compared. If all move alike, one of them is assumed. If they do not, the program is
+//! not verified, and a message says what differs.
+
+mod difference;
+mod premise;
+mod trace;
+mod units;
+mod vocabulary;
+
+use chordal::Machine;
+use chordal::control::recognition::LEAD;
+use chordal::control::{ANOTHER_KIND, Control, Recognition, Strength, Units, table};
+use chordal::machine::ControlName;
+
+use crate::text::whole_lines;
+use trace::MotionTrace;
+use vocabulary::WordKinds;
+
+pub use premise::{Premise, ReadingDifference, ReadingGroup};
+
+/// The beginning that is run on each control, bytes: some thousand blocks.
+const HEAD_BYTES: usize = 128 << 10;
+
+/// A control stays possible while its score is at most this much lower than that of the best.
+const POSSIBLE_SCORE_GAP: i32 = 6;
+
+/// What errors cost a control at most.
+const LARGEST_PENALTY: i32 = 12;
+
+/// A reading that remains: a control, the units where the text names none, and what it moves.
+pub(crate) struct PossibleReading {
+    pub control: ControlName,
+    /// Units at power-on, where the text names none.
+    pub units: Option<Units>,
+    pub trace: MotionTrace,
+}
+
+/// Chooses the control that reads a text, and compares what remains; `typical` makes the machine of a control.
+/// Nothing is compared where the text names its control and its units.
+pub fn settle(
+    mut found: Recognition,
+    text: &[u8],
+    typical: fn(ControlName) -> Machine,
+) -> (Recognition, Option<Premise>) {
+    if found.chosen().not_read {
+        return (found, None);
+    }
+    let is_certain = found.strength() == Strength::Sure;
+    let has_units = units::names_units(text);
+    if is_certain && has_units {
+        return (found, None);
+    }
+    let head = whole_lines(text, HEAD_BYTES);
+    let mut readings = if is_certain {
+        let control = found.control();
+        let trace = MotionTrace::of(typical(control), head);
+        vec![PossibleReading { control, units: None, trace }]
+    } else {
+        possible(&mut found, head, typical)
+    };
+    let mut run = head;
+    if head.len() < text.len() && !WordKinds::of(head).covers(&WordKinds::of(&text[head.len()..])) {
+        run = text;
+        for reading in &mut readings {
+            reading.trace = MotionTrace::of(typical(reading.control), run);
+        }
+    }
+    if !has_units {
+        readings = in_both_units(readings, text, run, typical);
+    }
+    let premise = Premise::of(&readings, text, run.len() == text.len());
+    (found, Some(premise))
+}
+
+/// Runs the beginning on the controls that the signs leave possible, puts the best of them first in the
+/// recognition, and gives those that remain, the best first.
+fn possible(
+    found: &mut Recognition,
+    head: &[u8],
+    typical: fn(ControlName) -> Machine,
+) -> Vec<PossibleReading> {
+    let weakest = (found.chosen().weight - POSSIBLE_SCORE_GAP).max(ANOTHER_KIND + 1);
+    let turns = table(found.control()).turns();
+    let mut runs: Vec<(usize, MotionTrace)> = Vec::new();
+    for (place, candidate) in found.ranking.iter_mut().enumerate() {
+        let same_kind = table(candidate.control).turns() == turns;
+        if candidate.not_read || candidate.weight < weakest || !same_kind {
+            continue;
+        }
+        let trace = MotionTrace::of(typical(candidate.control), head);
+        candidate.errors = Some(trace.errors);
+        runs.push((place, trace));
+    }
+    let fewest = runs.iter().map(|(_, trace)| faults(trace)).min().unwrap_or(0);
+    let score = |found: &Recognition, place: usize, trace: &MotionTrace| {
+        found.ranking[place].weight - penalty(faults(trace) - fewest)
+    };
+    // A stable sort: of those that score alike the order of the recognition counts.
+    runs.sort_by_key(|(place, trace)| -score(found, *place, trace));
+    let Some((first, trace)) = runs.first() else { return Vec::new() };
+    let best = score(found, *first, trace);
+    let clean = faults(trace) == fewest;
+    let name = found.ranking[*first].name;
+    let readings: Vec<PossibleReading> = runs
+        .into_iter()
+        .filter(|(place, trace)| {
+            let near = score(found, *place, trace) > best - POSSIBLE_SCORE_GAP;
+            near && (!clean || faults(trace) == fewest)
+        })
+        .map(|(place, trace)| PossibleReading {
+            control: found.ranking[place].control,
+            units: None,
+            trace,
+        })
+        .collect();
+    found.choose(name);
+    readings
+}
+
+/// Errors, and numbers in least increments that hardly anybody means so.
+fn faults(trace: &MotionTrace) -> u64 {
+    trace.errors.saturating_add(trace.least_increment_numbers)
+}
+
+fn penalty(faults: u64) -> i32 {
+    if faults == 0 {
+        0
+    } else {
+        (LEAD + i32::try_from(faults).unwrap_or(i32::MAX - LEAD)).min(LARGEST_PENALTY)
+    }
+}
+
+/// Adds the other units to the readings of a text that names none, where neither a comment nor the size of
+/// the part and the feeds decide.
+fn in_both_units(
+    readings: Vec<PossibleReading>,
+    text: &[u8],
+    run: &[u8],
+    typical: fn(ControlName) -> Machine,
+) -> Vec<PossibleReading> {
+    let named = units::units_of_comments(text);
+    let mut both = Vec::new();
+    for PossibleReading { control, trace, .. } in readings {
+        let mut machine = typical(control);
+        let own = Control::of(&machine).0.parameters.rules.units;
+        let other = other_units(own);
+        let other_trace = (named != Some(own) && set_units(&mut machine, other))
+            .then(|| MotionTrace::of(machine, run))
+            .filter(units::is_plausible);
+        let own_is_possible = named != Some(other) && units::is_plausible(&trace);
+        if own_is_possible || other_trace.is_none() {
+            both.push(PossibleReading { control, units: Some(own), trace });
+        }
+        if let Some(trace) = other_trace {
+            both.push(PossibleReading { control, units: Some(other), trace });
+        }
+    }
+    both
+}
+
+fn other_units(units: Units) -> Units {
+    match units {
+        Units::Inch => Units::Millimetre,
+        Units::Millimetre => Units::Inch,
+    }
+}
+
+/// The name of units in settings.
+fn units_name(units: Units) -> &'static str {
+    if units == Units::Inch { "inch" } else { "mm" }
+}
+
+/// Sets the units at power-on; false where the control has no such setting.
+pub(crate) fn set_units(machine: &mut Machine, units: Units) -> bool {
+    machine.set(&format!("settings.units={:?}", units_name(units))).is_ok()
+}

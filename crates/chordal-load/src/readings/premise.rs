@@ -1,0 +1,256 @@
+//! What was assumed of a text, and where another reading would move otherwise.
+
+use std::sync::Arc;
+
+use chordal::control::{Units, table};
+use chordal::diagnostics::{FileId, Span};
+use chordal::machine::{AXIS_LETTERS, ControlName};
+use chordal::{Code, Diagnostic};
+
+use super::difference::{MotionAspect, first_difference};
+use super::trace::{BlockMotion, MotionTrace};
+use super::{PossibleReading, units_name};
+use crate::machine::typical_name;
+
+/// So many controls of one reading are named; the others are counted.
+const NAMED_CONTROLS: usize = 4;
+
+/// So many readings are shown.
+const SHOWN_READINGS: usize = 4;
+
+/// Controls that move a text alike.
+#[derive(Clone, Debug)]
+pub struct ReadingGroup {
+    /// The controls, the likeliest first.
+    pub controls: Vec<ControlName>,
+    /// Units at power-on, where the text names none.
+    pub units: Option<Units>,
+    /// The box of all cuts, mm; nothing where only the beginning was run or nothing is cut.
+    pub cut_box: Option<([f64; 3], [f64; 3])>,
+    /// What the block of the difference does: `ends at Z 0.006 mm`; empty where there is no difference.
+    pub motion: String,
+}
+
+impl ReadingGroup {
+    /// What to type to read the text so.
+    pub fn option(&self) -> String {
+        let machine = self.controls.first().map_or("", |control| typical_name(*control));
+        match self.units {
+            Some(units) => {
+                format!("--machine {machine} --set settings.units={}", units_name(units))
+            }
+            None => format!("--machine {machine}"),
+        }
+    }
+
+    /// Its controls for people: `GRBL, LinuxCNC and Mach3`, with the units where they are a guess.
+    pub fn title(&self) -> String {
+        let titles: Vec<&str> = self.controls.iter().map(|control| table(*control).title).collect();
+        let named = match titles.as_slice() {
+            [] => String::new(),
+            [one] => (*one).to_string(),
+            [first @ .., last] if titles.len() <= NAMED_CONTROLS => {
+                format!("{} and {last}", first.join(", "))
+            }
+            _ => {
+                let more = titles.len() - NAMED_CONTROLS;
+                format!("{} and {more} more", titles[..NAMED_CONTROLS].join(", "))
+            }
+        };
+        match self.units {
+            Some(units) => format!("{named} in {}", units_name(units)),
+            None => named,
+        }
+    }
+
+    /// The size of what it cuts: `36 x 20 x 6 mm`.
+    pub fn size(&self) -> Option<String> {
+        let (low, high) = self.cut_box?;
+        let sides: Vec<String> = (0..3)
+            .filter(|axis| low[*axis] <= high[*axis])
+            .map(|axis| millimetres(high[axis] - low[axis]))
+            .collect();
+        Some(format!("{} mm", sides.join(" x ")))
+    }
+}
+
+/// Where two readings move a text differently.
+#[derive(Clone, Debug)]
+pub struct ReadingDifference {
+    /// The block.
+    pub span: Span,
+    pub line: u32,
+    /// Its words.
+    pub words: String,
+    /// Only feeds differ, and so the time; the path is the same.
+    pub only_feed: bool,
+}
+
+/// What was assumed of a text that does not name its control or its units.
+#[derive(Clone, Debug)]
+pub struct Premise {
+    /// The readings that remain; the first one is what runs.
+    pub groups: Vec<ReadingGroup>,
+    /// The first block that they move differently; nothing where all move alike.
+    pub difference: Option<ReadingDifference>,
+}
+
+impl Premise {
+    pub(super) fn of(readings: &[PossibleReading], text: &[u8], is_whole: bool) -> Premise {
+        // The readings that move alike, by the index of the first of each.
+        let mut alike: Vec<Vec<usize>> = Vec::new();
+        let mut difference: Option<FirstDifference> = None;
+        for (index, reading) in readings.iter().enumerate() {
+            let mut found = false;
+            for group in &mut alike {
+                let first = &readings[group[0]];
+                match first_difference(&first.trace, &reading.trace) {
+                    None if first.units == reading.units => {
+                        group.push(index);
+                        found = true;
+                        break;
+                    }
+                    None => {}
+                    Some((aspect, one, other)) => {
+                        let next =
+                            FirstDifference::new(aspect, &first.trace, one, &reading.trace, other);
+                        if difference.as_ref().is_none_or(|known| next.comes_before(known)) {
+                            difference = Some(next);
+                        }
+                    }
+                }
+            }
+            if !found {
+                alike.push(vec![index]);
+            }
+        }
+        // Without a difference in motion the units do not matter either.
+        if difference.is_none() {
+            alike = vec![(0..readings.len()).collect()];
+        }
+        let difference = difference.filter(|_| alike.len() > 1);
+        let group = |members: &Vec<usize>| {
+            let first = &readings[members[0]];
+            let mut controls: Vec<ControlName> =
+                members.iter().map(|index| readings[*index].control).collect();
+            controls.dedup();
+            ReadingGroup {
+                controls,
+                units: first.units,
+                cut_box: first.trace.cut_box().filter(|_| is_whole),
+                motion: difference
+                    .as_ref()
+                    .map_or_else(String::new, |at| at.motion_of(&first.trace)),
+            }
+        };
+        let groups = alike.iter().map(group).collect();
+        let difference = difference.map(|at| at.in_text(text));
+        Premise { groups, difference }
+    }
+
+    /// What the program runs as: units at power-on that are not the control's own.
+    pub(crate) fn units(&self) -> Option<Units> {
+        self.groups.first()?.units
+    }
+
+    /// The path, or the time, depends on a guess: what is said of it.
+    pub fn diagnostic(&self) -> Option<Arc<Diagnostic>> {
+        let at = self.difference.as_ref()?;
+        let (code, what) = if at.only_feed {
+            (Code::FeedNotKnown, "how fast this program cuts depends on its control")
+        } else {
+            (Code::ReadingNotKnown, "what this program moves depends on its control")
+        };
+        let unnamed = match self.groups.iter().any(|group| group.units.is_some()) {
+            true => "nothing in the text names it and its units for certain",
+            false => "nothing in the text names it for certain",
+        };
+        let shown = self.groups.iter().take(SHOWN_READINGS);
+        let readings: Vec<String> =
+            shown.map(|group| format!("{} on {}", group.motion, group.title())).collect();
+        let mut diagnostic = Diagnostic::new(code, at.span, format!("{what}, and {unnamed}"))
+            .label(readings.join("; "));
+        for group in self.groups.iter().take(SHOWN_READINGS) {
+            let size = group.size().map_or_else(String::new, |size| format!("cuts {size}: "));
+            diagnostic = diagnostic.note(format!("{}: {size}{}", group.title(), group.option()));
+        }
+        let first = self.groups.first().map_or_else(String::new, ReadingGroup::title);
+        let help = format!(
+            "name the machine, or keep it in a chordal.toml next to the program; until then it is read as for {first}, and nothing of it is proved"
+        );
+        Some(Arc::new(diagnostic.help(help)))
+    }
+}
+
+/// The first difference, with the block as one of the two readings has it.
+struct FirstDifference {
+    aspect: MotionAspect,
+    block: BlockMotion,
+}
+
+impl FirstDifference {
+    fn new(
+        aspect: MotionAspect,
+        a: &MotionTrace,
+        one: Option<usize>,
+        b: &MotionTrace,
+        other: Option<usize>,
+    ) -> FirstDifference {
+        let of = |trace: &MotionTrace, index: Option<usize>| {
+            index.and_then(|index| trace.blocks.get(index)).cloned()
+        };
+        let block = of(a, one).or_else(|| of(b, other));
+        FirstDifference { aspect, block: block.unwrap_or_else(BlockMotion::nowhere) }
+    }
+
+    /// A difference of the path counts before one of the feed, and an earlier one before a later one.
+    fn comes_before(&self, other: &FirstDifference) -> bool {
+        let key = |each: &FirstDifference| (each.aspect == MotionAspect::Feed, each.block.range.0);
+        key(self) < key(other)
+    }
+
+    /// What a reading does in this block.
+    fn motion_of(&self, trace: &MotionTrace) -> String {
+        let block = &self.block;
+        let own =
+            trace.blocks.iter().find(|own| (own.file, own.range) == (block.file, block.range));
+        let Some(own) = own else { return "no move".to_string() };
+        let letter = |axis: usize| char::from(AXIS_LETTERS.as_bytes()[axis]);
+        match self.aspect {
+            MotionAspect::End(axis) if axis < 3 => {
+                format!("{} {} mm", letter(axis), millimetres(own.end[axis]))
+            }
+            MotionAspect::End(axis) => {
+                format!("{} {} deg", letter(axis), millimetres(own.end[axis].to_degrees()))
+            }
+            MotionAspect::Reach(axis) => {
+                let (low, high) = (millimetres(own.low[axis]), millimetres(own.high[axis]));
+                format!("{} from {low} to {high} mm", letter(axis))
+            }
+            MotionAspect::Kind if own.cuts => "a cut".to_string(),
+            MotionAspect::Kind => "a rapid".to_string(),
+            MotionAspect::Feed => match own.feed {
+                Some(feed) => format!("{} mm/min", millimetres(feed * 60.0)),
+                None => "no feed".to_string(),
+            },
+        }
+    }
+
+    fn in_text(self, text: &[u8]) -> ReadingDifference {
+        let (start, end) = self.block.range;
+        let words = text.get(start as usize..end as usize).unwrap_or_default();
+        ReadingDifference {
+            span: Span::new(FileId(0), start, end),
+            line: self.block.line,
+            words: String::from_utf8_lossy(words).trim().to_string(),
+            only_feed: self.aspect == MotionAspect::Feed,
+        }
+    }
+}
+
+/// Millimetres with at most four decimals.
+fn millimetres(value: f64) -> String {
+    let text = format!("{value:.4}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_string() } else { text.to_string() }
+}

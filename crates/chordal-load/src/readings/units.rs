@@ -1,0 +1,79 @@
+//! The units of a text that does not name them: what a comment says, and what the numbers allow.
+
+use chordal::control::Units;
+use chordal::diagnostics::FileId;
+use chordal::syntax::{Block, BlockReader, Lexicon, Word};
+
+use super::trace::MotionTrace;
+
+/// Comments are looked at in so much of the beginning, bytes.
+const COMMENT_HEAD_BYTES: usize = 16 << 10;
+
+/// Nobody cuts a part larger than this on a machine that takes these programs, mm.
+const LARGEST_PART_MM: f64 = 4_000.0;
+
+/// Nor at more than this feed, mm/s (15 m/min).
+const LARGEST_FEED_MM_PER_S: f64 = 250.0;
+
+/// Nor at less than this for all of a program, mm/s (12 mm/min).
+const SMALLEST_FEED_MM_PER_S: f64 = 0.2;
+
+/// Feeds of lathes, mm per revolution: nobody turns with more, nor with less for all of a program.
+const LARGEST_FEED_MM_PER_REV: f64 = 1.6;
+const SMALLEST_FEED_MM_PER_REV: f64 = 0.03;
+
+/// Some block names the units by G20, G21, G70 or G71.
+pub fn names_units(text: &[u8]) -> bool {
+    let mut reader = BlockReader::new(text, FileId(0), Lexicon::FANUC_STYLE);
+    let mut block = Block::new();
+    while reader.read(&mut block) {
+        let unit = |word: &Word| {
+            let code = word.number().and_then(|number| number.to_integer());
+            matches!(code, Some(20 | 21 | 70 | 71))
+        };
+        if block.all(b'G').any(unit) {
+            return true;
+        }
+    }
+    false
+}
+
+/// The units that a comment of the beginning names next to `unit`, `units`, `output` or `dimension`.
+pub fn units_of_comments(text: &[u8]) -> Option<Units> {
+    let head = &text[..text.len().min(COMMENT_HEAD_BYTES)];
+    for line in head.split(|byte| matches!(byte, b'\n' | b'\r')) {
+        let Some(start) = line.iter().position(|byte| matches!(byte, b'(' | b';')) else {
+            continue;
+        };
+        let comment = String::from_utf8_lossy(&line[start..]).to_ascii_uppercase();
+        let words: Vec<&str> = comment
+            .split(|c: char| !c.is_ascii_alphanumeric())
+            .filter(|word| !word.is_empty())
+            .collect();
+        let has = |names: &[&str]| words.iter().any(|word| names.contains(word));
+        if !has(&["UNIT", "UNITS", "OUTPUT", "DIMENSIONS", "MEASURE"]) && words.len() > 2 {
+            continue;
+        }
+        let inch = has(&["INCH", "INCHES"]);
+        let millimetres =
+            has(&["MM", "MILLIMETER", "MILLIMETERS", "MILLIMETRE", "MILLIMETRES", "METRIC"]);
+        match (inch, millimetres) {
+            (true, false) => return Some(Units::Inch),
+            (false, true) => return Some(Units::Millimetre),
+            _ => {}
+        }
+    }
+    None
+}
+
+/// A reading with these motions may be meant: nobody denies its part and its feeds.
+pub fn is_plausible(trace: &MotionTrace) -> bool {
+    let Some((low, high)) = trace.cut_box() else { return true };
+    let size = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
+    let per_s = trace.largest_feed_mm_per_s;
+    let per_rev = trace.largest_feed_mm_per_rev;
+    size <= LARGEST_PART_MM
+        && (per_s == 0.0 || (SMALLEST_FEED_MM_PER_S..=LARGEST_FEED_MM_PER_S).contains(&per_s))
+        && (per_rev == 0.0
+            || (SMALLEST_FEED_MM_PER_REV..=LARGEST_FEED_MM_PER_REV).contains(&per_rev))
+}
