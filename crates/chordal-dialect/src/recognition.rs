@@ -45,6 +45,8 @@ pub enum Sign {
     Header(&'static [&'static str]),
     /// One of these pieces of text outside comments, in capital letters.
     Code(&'static [&'static str]),
+    /// A line with exactly one of these codes, without its N number, blanks and comments, in capital letters.
+    Line(&'static [&'static str]),
     /// A form that is no pattern of words.
     Form(Form),
 }
@@ -76,6 +78,16 @@ pub enum Form {
     BareText,
     /// A block with `X=5`: an address with an equals sign.
     EqualsAddress,
+    /// An axis letter has whole numbers without a point in some words, and decimals in others. Controls with least
+    /// increments read such whole numbers as thousandths, so that programs for them do not mix the two.
+    MixedNumbers,
+    /// Whole numbers are written with a point behind them: `X5.`.
+    TrailingPoints,
+    /// A text with moves in feed and without O number, H, cycle, cutter compensation, call and variable: all that
+    /// the controls of small routers read.
+    SmallControl,
+    /// G43 with H in a text without `%` and O number.
+    LengthWithoutTape,
 }
 
 /// A sign and how strongly it speaks.
@@ -87,6 +99,16 @@ pub struct Evidence {
     pub weight: i32,
     /// For people: `G154 chooses an extended work offset`. Of several signs with the same words one counts.
     pub reason: &'static str,
+    /// The built-in machine of the control that such programs are for, where it is not the usual one.
+    pub machine: Option<&'static str>,
+}
+
+impl Evidence {
+    /// The same for programs of this built-in machine.
+    pub const fn on(mut self, machine: &'static str) -> Evidence {
+        self.machine = Some(machine);
+        self
+    }
 }
 
 /// A kind of machine, and how its programs are distinguished from those of others.
@@ -102,7 +124,7 @@ pub struct MachineKind {
 
 /// Writes a sign.
 pub const fn evidence(sign: Sign, weight: i32, reason: &'static str) -> Evidence {
-    Evidence { sign, weight, reason }
+    Evidence { sign, weight, reason, machine: None }
 }
 
 /// A comment with one of these words is about the machine that the program is for.

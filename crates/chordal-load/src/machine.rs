@@ -18,7 +18,7 @@ use crate::chosen::Chosen;
 use crate::error::LoadError;
 use crate::files::Files;
 use crate::input::Input;
-use crate::readings::{Premise, set_units, settle};
+use crate::readings::{Premise, machine_name, set_units, settle};
 use crate::request::{Given, Request};
 
 /// The file that says a folder's machine.
@@ -62,8 +62,10 @@ pub(crate) fn choose(
             (typical(ControlName::Linuxcnc), Chosen::Ending, None)
         }
         _ => {
-            let (settled, premise) = settle(recognition, text, typical);
-            let (mut machine, moved) = assume(typical(settled.control()), text);
+            let (settled, premise) = settle(recognition, text);
+            let usual = Machine::from_builtin(machine_name(settled.chosen()));
+            let usual = usual.unwrap_or_else(|_| typical(settled.control()));
+            let (mut machine, moved) = assume(usual, text);
             if let Some(units) = premise.as_ref().and_then(Premise::units) {
                 set_units(&mut machine, units);
             }

@@ -34,6 +34,7 @@ pub enum Kind {
     Comment(&'static [&'static str]),
     Header(&'static [&'static str]),
     Code(&'static [&'static str]),
+    Line(&'static [&'static str]),
     Form(Form),
 }
 
@@ -93,6 +94,7 @@ impl Entry {
             Sign::Comment(names) => Kind::Comment(names),
             Sign::Header(names) => Kind::Header(names),
             Sign::Code(pieces) => Kind::Code(pieces),
+            Sign::Line(lines) => Kind::Line(lines),
             Sign::Form(form) => Kind::Form(form),
         };
         Entry { evidence, kind }

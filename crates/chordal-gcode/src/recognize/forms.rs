@@ -42,7 +42,12 @@ pub fn shows(form: Form, text: &[u8], line: &Line) -> bool {
         }
         Form::ParameterIsSet => parameter_is_set(code),
         Form::EqualsAddress => line.odd && equals_address(code),
-        Form::BareText => false,
+        // Of the whole text.
+        Form::BareText
+        | Form::MixedNumbers
+        | Form::TrailingPoints
+        | Form::SmallControl
+        | Form::LengthWithoutTape => false,
     }
 }
 

@@ -8,10 +8,11 @@ mod forms;
 mod line;
 mod pattern;
 mod sample;
+mod style;
 mod tally;
 
 use chordal_dialect::not_read::NotRead;
-use chordal_dialect::recognition::{ASSUMED, CLEAR, LEAD};
+use chordal_dialect::recognition::{ASSUMED, CLEAR, Evidence, LEAD};
 use chordal_machine::ControlName;
 
 use catalog::{CATALOG, Language, Listed};
@@ -29,6 +30,15 @@ pub struct FoundSign {
     pub offset: u32,
     /// How much it says; below zero it speaks against.
     pub weight: i32,
+    /// The built-in machine that programs with this sign are for, where it is not the usual one.
+    pub machine: Option<&'static str>,
+}
+
+impl Candidate {
+    /// The built-in machine that its signs name, where it is not the usual one of the control.
+    pub fn machine(&self) -> Option<&'static str> {
+        self.signs.iter().find_map(|sign| sign.machine)
+    }
 }
 
 /// A control or a language, and what speaks for it.
@@ -207,11 +217,12 @@ fn candidate(listed: &Listed, tally: &Tally, lines: &mut Lines) -> Option<Candid
     let weight = if of_kind { weight(&signs) } else { ANOTHER_KIND };
     let mut signs: Vec<FoundSign> = signs
         .into_iter()
-        .map(|(sign, weight, at)| FoundSign {
-            sign,
+        .map(|(evidence, at)| FoundSign {
+            sign: evidence.reason,
             line: lines.line_of(at),
             offset: at as u32,
-            weight,
+            weight: evidence.weight,
+            machine: evidence.machine,
         })
         .collect();
     signs.sort_by_key(|sign| (-sign.weight, sign.offset));
@@ -226,23 +237,23 @@ fn candidate(listed: &Listed, tally: &Tally, lines: &mut Lines) -> Option<Candid
     })
 }
 
-/// Signs that were found: words, weight, place. Of those with the same words the strongest.
-fn found(range: std::ops::Range<usize>, tally: &Tally) -> Vec<(&'static str, i32, usize)> {
-    let mut found: Vec<(&'static str, i32, usize)> = Vec::new();
+/// Signs that were found and where. Of those with the same words the strongest.
+fn found(range: std::ops::Range<usize>, tally: &Tally) -> Vec<(&'static Evidence, usize)> {
+    let mut found: Vec<(&'static Evidence, usize)> = Vec::new();
     for index in range {
         let evidence = CATALOG.entries[index].evidence;
         let Some(at) = tally.found(index) else { continue };
-        match found.iter_mut().find(|(reason, ..)| *reason == evidence.reason) {
-            Some(same) if same.1 < evidence.weight => (same.1, same.2) = (evidence.weight, at),
+        match found.iter_mut().find(|(other, _)| other.reason == evidence.reason) {
+            Some(same) if same.0.weight < evidence.weight => *same = (evidence, at),
             Some(_) => {}
-            None => found.push((evidence.reason, evidence.weight, at)),
+            None => found.push((evidence, at)),
         }
     }
     found
 }
 
-fn weight(signs: &[(&'static str, i32, usize)]) -> i32 {
-    signs.iter().map(|(_, weight, _)| weight).sum()
+fn weight(signs: &[(&'static Evidence, usize)]) -> i32 {
+    signs.iter().map(|(evidence, _)| evidence.weight).sum()
 }
 
 /// Numbers of lines by offset; places near the beginning are counted quickly.

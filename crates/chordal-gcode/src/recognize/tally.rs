@@ -7,9 +7,13 @@ use chordal_dialect::recognition::{ABOUT_ANOTHER, ABOUT_THE_MACHINE, Form};
 use super::catalog::{CATALOG, Kind};
 use super::forms;
 use super::line::{Line, bit};
+use super::style::TextStyle;
 
 /// Lines between two counts of the same kind: a share of fewer says nothing.
 const FEWEST_OF_A_SHARE: u32 = 3;
+
+/// Lines with more words are not compared as a whole.
+const WHOLE_LINE_WORDS: usize = 8;
 
 /// What was seen of one sign.
 #[derive(Clone, Copy, Debug, Default)]
@@ -32,6 +36,7 @@ pub struct Tally {
     possible: BTreeMap<u32, Vec<usize>>,
     /// A line with this letter, a tool change or G43 was there: the text is not bare.
     bare: bool,
+    style: TextStyle,
     upper: Vec<u8>,
 }
 
@@ -48,6 +53,7 @@ impl Tally {
             open: (0, 0),
             possible: BTreeMap::new(),
             bare: true,
+            style: TextStyle::default(),
             upper: Vec::new(),
         }
     }
@@ -68,6 +74,8 @@ impl Tally {
         self.open.0 += u32::from(line.open);
         self.open.1 += u32::from(line.closed);
         self.bare &= !shows_a_memory(text, line);
+        self.style.line(text, line, at);
+        self.whole_line(line, at);
     }
 
     fn words(&mut self, line: &Line, at: usize) {
@@ -95,6 +103,28 @@ impl Tally {
                     }
                 }
                 _ => {}
+            }
+        }
+    }
+
+    /// A line that is nothing but some codes.
+    fn whole_line(&mut self, line: &Line, at: usize) {
+        // The codes that are looked for are short.
+        if line.words.is_empty() || line.words.len() > WHOLE_LINE_WORDS || line.odd {
+            return;
+        }
+        let words = line.words.iter().filter(|word| word.letter != b'N');
+        let mut code = String::new();
+        for word in words {
+            code.push(char::from(word.letter));
+            code.push_str(&word.value.to_string());
+        }
+        for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
+            if let Kind::Line(lines) = entry.kind
+                && seen.at.is_none()
+                && lines.contains(&code.as_str())
+            {
+                seen.at = Some(at);
             }
         }
     }
@@ -160,9 +190,16 @@ impl Tally {
             Kind::Letters { used, unused, least } => self.letters(*used, *unused, *least),
             Kind::Form(Form::OpenComments) => seen.at.filter(|_| self.open.0 > self.open.1),
             Kind::Form(Form::BareText) => self.bare.then_some(0),
-            Kind::Block(_) | Kind::Comment(_) | Kind::Header(_) | Kind::Code(_) | Kind::Form(_) => {
-                seen.at
-            }
+            Kind::Form(Form::MixedNumbers) => self.style.mixed_numbers(),
+            Kind::Form(Form::TrailingPoints) => self.style.trailing_points(),
+            Kind::Form(Form::SmallControl) => self.style.small_control(),
+            Kind::Form(Form::LengthWithoutTape) => self.style.length_without_tape(),
+            Kind::Block(_)
+            | Kind::Comment(_)
+            | Kind::Header(_)
+            | Kind::Code(_)
+            | Kind::Line(_)
+            | Kind::Form(_) => seen.at,
         }
     }
 

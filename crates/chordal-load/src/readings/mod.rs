@@ -10,9 +10,10 @@ mod vocabulary;
 
 use chordal::Machine;
 use chordal::control::recognition::LEAD;
-use chordal::control::{ANOTHER_KIND, Control, Recognition, Strength, Units, table};
+use chordal::control::{ANOTHER_KIND, Candidate, Control, Recognition, Strength, Units, table};
 use chordal::machine::ControlName;
 
+use crate::machine::typical_name;
 use crate::text::whole_lines;
 use trace::MotionTrace;
 use vocabulary::WordKinds;
@@ -31,18 +32,26 @@ const LARGEST_PENALTY: i32 = 12;
 /// A reading that remains: a control, the units where the text names none, and what it moves.
 pub(crate) struct PossibleReading {
     pub control: ControlName,
+    /// The built-in machine that runs it.
+    pub machine: &'static str,
     /// Units at power-on, where the text names none.
     pub units: Option<Units>,
     pub trace: MotionTrace,
 }
 
-/// Chooses the control that reads a text, and compares what remains; `typical` makes the machine of a control.
-/// Nothing is compared where the text names its control and its units.
-pub fn settle(
-    mut found: Recognition,
-    text: &[u8],
-    typical: fn(ControlName) -> Machine,
-) -> (Recognition, Option<Premise>) {
+/// The built-in machine of a candidate: that of its signs, or the usual one of its control.
+pub(crate) fn machine_name(candidate: &Candidate) -> &'static str {
+    candidate.machine().unwrap_or_else(|| typical_name(candidate.control))
+}
+
+/// The machine of a built-in name.
+fn built_in(name: &'static str, control: ControlName) -> Machine {
+    Machine::from_builtin(name).unwrap_or_else(|_| Machine::new(name, control))
+}
+
+/// Chooses the control that reads a text, and compares what remains. Nothing is compared where the text names
+/// its control and its units.
+pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Premise>) {
     if found.chosen().not_read {
         return (found, None);
     }
@@ -53,21 +62,21 @@ pub fn settle(
     }
     let head = whole_lines(text, HEAD_BYTES);
     let mut readings = if is_certain {
-        let control = found.control();
-        let trace = MotionTrace::of(typical(control), head);
-        vec![PossibleReading { control, units: None, trace }]
+        let (control, machine) = (found.control(), machine_name(found.chosen()));
+        let trace = MotionTrace::of(built_in(machine, control), head);
+        vec![PossibleReading { control, machine, units: None, trace }]
     } else {
-        possible(&mut found, head, typical)
+        possible(&mut found, head)
     };
     let mut run = head;
     if head.len() < text.len() && !WordKinds::of(head).covers(&WordKinds::of(&text[head.len()..])) {
         run = text;
         for reading in &mut readings {
-            reading.trace = MotionTrace::of(typical(reading.control), run);
+            reading.trace = MotionTrace::of(built_in(reading.machine, reading.control), run);
         }
     }
     if !has_units {
-        readings = in_both_units(readings, text, run, typical);
+        readings = in_both_units(readings, text, run);
     }
     let premise = Premise::of(&readings, text, run.len() == text.len());
     (found, Some(premise))
@@ -75,11 +84,7 @@ pub fn settle(
 
 /// Runs the beginning on the controls that the signs leave possible, puts the best of them first in the
 /// recognition, and gives those that remain, the best first.
-fn possible(
-    found: &mut Recognition,
-    head: &[u8],
-    typical: fn(ControlName) -> Machine,
-) -> Vec<PossibleReading> {
+fn possible(found: &mut Recognition, head: &[u8]) -> Vec<PossibleReading> {
     let weakest = (found.chosen().weight - POSSIBLE_SCORE_GAP).max(ANOTHER_KIND + 1);
     let turns = table(found.control()).turns();
     let mut runs: Vec<(usize, MotionTrace)> = Vec::new();
@@ -88,7 +93,8 @@ fn possible(
         if candidate.not_read || candidate.weight < weakest || !same_kind {
             continue;
         }
-        let trace = MotionTrace::of(typical(candidate.control), head);
+        let machine = built_in(machine_name(candidate), candidate.control);
+        let trace = MotionTrace::of(machine, head);
         candidate.errors = Some(trace.errors);
         runs.push((place, trace));
     }
@@ -108,10 +114,10 @@ fn possible(
             let near = score(found, *place, trace) > best - POSSIBLE_SCORE_GAP;
             near && (!clean || faults(trace) == fewest)
         })
-        .map(|(place, trace)| PossibleReading {
-            control: found.ranking[place].control,
-            units: None,
-            trace,
+        .map(|(place, trace)| {
+            let candidate = &found.ranking[place];
+            let (control, machine) = (candidate.control, machine_name(candidate));
+            PossibleReading { control, machine, units: None, trace }
         })
         .collect();
     found.choose(name);
@@ -133,27 +139,22 @@ fn penalty(faults: u64) -> i32 {
 
 /// Adds the other units to the readings of a text that names none, where neither a comment nor the size of
 /// the part and the feeds decide.
-fn in_both_units(
-    readings: Vec<PossibleReading>,
-    text: &[u8],
-    run: &[u8],
-    typical: fn(ControlName) -> Machine,
-) -> Vec<PossibleReading> {
+fn in_both_units(readings: Vec<PossibleReading>, text: &[u8], run: &[u8]) -> Vec<PossibleReading> {
     let named = units::units_of_comments(text);
     let mut both = Vec::new();
-    for PossibleReading { control, trace, .. } in readings {
-        let mut machine = typical(control);
-        let own = Control::of(&machine).0.parameters.rules.units;
+    for PossibleReading { control, machine, trace, .. } in readings {
+        let mut other_machine = built_in(machine, control);
+        let own = Control::of(&other_machine).0.parameters.rules.units;
         let other = other_units(own);
-        let other_trace = (named != Some(own) && set_units(&mut machine, other))
-            .then(|| MotionTrace::of(machine, run))
+        let other_trace = (named != Some(own) && set_units(&mut other_machine, other))
+            .then(|| MotionTrace::of(other_machine, run))
             .filter(units::is_plausible);
         let own_is_possible = named != Some(other) && units::is_plausible(&trace);
         if own_is_possible || other_trace.is_none() {
-            both.push(PossibleReading { control, units: Some(own), trace });
+            both.push(PossibleReading { control, machine, units: Some(own), trace });
         }
         if let Some(trace) = other_trace {
-            both.push(PossibleReading { control, units: Some(other), trace });
+            both.push(PossibleReading { control, machine, units: Some(other), trace });
         }
     }
     both

@@ -10,7 +10,6 @@ use chordal::{Code, Diagnostic};
 use super::difference::{MotionAspect, first_difference};
 use super::trace::{BlockMotion, MotionTrace};
 use super::{PossibleReading, units_name};
-use crate::machine::typical_name;
 
 /// So many controls of one reading are named; the others are counted.
 const NAMED_CONTROLS: usize = 4;
@@ -23,6 +22,8 @@ const SHOWN_READINGS: usize = 4;
 pub struct ReadingGroup {
     /// The controls, the likeliest first.
     pub controls: Vec<ControlName>,
+    /// The built-in machine of the first.
+    pub machine: &'static str,
     /// Units at power-on, where the text names none.
     pub units: Option<Units>,
     /// The box of all cuts, mm; nothing where only the beginning was run or nothing is cut.
@@ -34,7 +35,7 @@ pub struct ReadingGroup {
 impl ReadingGroup {
     /// What to type to read the text so.
     pub fn option(&self) -> String {
-        let machine = self.controls.first().map_or("", |control| typical_name(*control));
+        let machine = self.machine;
         match self.units {
             Some(units) => {
                 format!("--machine {machine} --set settings.units={}", units_name(units))
@@ -79,6 +80,7 @@ impl ReadingGroup {
 pub struct ReadingDifference {
     /// The block.
     pub span: Span,
+    /// Its line, from 1.
     pub line: u32,
     /// Its words.
     pub words: String,
@@ -136,6 +138,7 @@ impl Premise {
             controls.dedup();
             ReadingGroup {
                 controls,
+                machine: first.machine,
                 units: first.units,
                 cut_box: first.trace.cut_box().filter(|_| is_whole),
                 motion: difference

@@ -26,9 +26,11 @@ pub(super) const EVIDENCE: &[Evidence] = &[
     evidence(Sign::Form(Form::OpenComments), 3, "comments are left open"),
     evidence(Sign::Block("G8 !P"), 2, "G8 switches feed ramps off"),
     evidence(Sign::Block("G9 !X !Y !Z"), 1, "G9 switches feed ramps on"),
+    evidence(Sign::Block("N O"), 3, "the program number has a block number"),
     evidence(Sign::Block("M45"), 4, "M45 runs a cycle on the spot"),
     evidence(Sign::Block("M46|M47|M49 !P"), 1, "M46 to M49"),
     evidence(Sign::Block("L>9099 L<9999 !P"), 6, "L9101 to L9998 are fixed routines"),
     evidence(Sign::Block("G43"), -3, "G43 applies the length"),
     evidence(Sign::Form(Form::MacroStatement), -3, "macro statements of another language"),
+    evidence(Sign::Form(Form::MixedNumbers), -3, "whole numbers without a point next to decimals"),
 ];

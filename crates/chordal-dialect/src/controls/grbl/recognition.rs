@@ -24,13 +24,35 @@ const NAMES: &[&str] = &[
 /// Fewer signs than these are no sign: a plain program is for any control.
 pub(super) static KIND: MachineKind = MachineKind { turns: false, signs: SIGNS, needed: 6 };
 
+/// Comments of programs that are made for small routers.
+const ROUTER_SOURCES: &[&str] = &["ESTLCAM", "FLATCAM", "MAKERCAM", "KIRI:MOTO", "JSCUT", "LASERWEB"];
+
+/// Comments of Carbide Create, whose machines have a GRBL.
+const CARBIDE_CREATE: &[&str] = &["TOOL/MILL", "STOCK/BLOCK", "PREPOSITION FOR RAPID PLUNGE", "STOCKMIN:", "DESIGN FILE:"];
+
 const SIGNS: &[Evidence] = &[
     evidence(Sign::Header(NAMES), 14, "the header names GRBL or a machine that has it"),
     evidence(Sign::Comment(NAMES), 10, "a comment names GRBL or a machine that has it"),
+    evidence(Sign::Comment(CARBIDE_CREATE), 8, "comments as Carbide Create writes them"),
+    evidence(Sign::Comment(ROUTER_SOURCES), 3, "a comment names software for small routers"),
+    evidence(Sign::Comment(&["-ATTENTION- PROPERTY SAFE RETRACTS"]), 4, "the post for GRBL speaks of safe retracts"),
     evidence(Sign::Form(Form::DollarLine), 6, "$ commands set the control up"),
+    evidence(Sign::Form(Form::SmallControl), 3, "no O number, H, cycle, compensation or call"),
     evidence(Sign::Form(Form::BareText), 2, "no %, O number, tool change, G43 or H"),
+    evidence(Sign::Form(Form::MixedNumbers), 3, "whole numbers without a point next to decimals"),
+    evidence(Sign::Form(Form::TrailingPoints), -4, "whole numbers with a point"),
+    evidence(Sign::Form(Form::SemicolonComments), 1, "comments after semicolons"),
+    evidence(Sign::Line(&["G90G94"]), 2, "G90 G94 is a line of its own"),
+    evidence(Sign::Line(&["G17"]), 1, "G17 is a line of its own"),
+    evidence(Sign::Line(&["G90"]), 1, "G90 is a line of its own"),
+    evidence(Sign::Line(&["G20", "G21"]), 1, "the units are a line of their own"),
+    evidence(Sign::Block("G53 G0 Z:int"), 1, "G53 retracts to a whole number"),
     evidence(Sign::Block("G1 S X|Y"), 3, "S in a cut is the power of a laser"),
+    evidence(Sign::Block("S X|Y !G !M !T"), 3, "S in a cut is the power of a laser"),
     evidence(Sign::Block("M4 S0"), 3, "M4 S0 is a laser"),
+    evidence(Sign::Block("N"), -2, "blocks have numbers"),
+    evidence(Sign::Block("O"), -5, "a program number"),
+    evidence(Sign::Block("H"), -5, "H chooses a length"),
     evidence(Sign::Form(Form::MacroStatement), -8, "macro statements"),
     evidence(Sign::Form(Form::OWord), -12, "O words are flow control"),
     evidence(Sign::Block("G81..89"), -4, "canned cycles"),

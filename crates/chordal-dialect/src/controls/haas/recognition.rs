@@ -37,9 +37,11 @@ pub(super) const EVIDENCE: &[Evidence] = &[
     evidence(Sign::Block("M83|M84"), 2, "M83 is the air gun"),
     evidence(Sign::Block("O:5"), 3, "a program number of five digits"),
     evidence(Sign::Code(&["#10000", "#8550", "#3032"]), 2, "variables of Haas"),
+    evidence(Sign::Block("G43 H:3"), 3, "H has three digits, as SolidCAM writes it for a Haas"),
     evidence(Sign::Form(Form::MacroStatement), 1, "macro B statements"),
     evidence(Sign::Block("G43"), 1, "G43 applies the tool length"),
     // Codes that a Haas refuses.
     evidence(Sign::Block("G5.1|G8 P|Q"), -4, "look-ahead codes of another control"),
     evidence(Sign::Block("M29"), -3, "M29 announces rigid tapping"),
+    evidence(Sign::Form(Form::MixedNumbers), -3, "whole numbers without a point next to decimals"),
 ];

@@ -5,6 +5,9 @@ use crate::vocabulary::*;
 const NAMES: &[&str] =
     &["LINUXCNC", "EMC2", "EMC", "MACHINEKIT", "RS274NGC", "RS274", "PATHPILOT", "TORMACH", "LINUXCNC POST"];
 
+/// Its names where the machine is one with PathPilot.
+const PATHPILOT: &[&str] = &["PATHPILOT", "TORMACH"];
+
 /// Controls of their own that are nearest to it.
 const NEAR: &[&str] = &["MACH4", "MASSO", "PLANETCNC"];
 
@@ -17,7 +20,7 @@ pub(super) const EVIDENCE: &[Evidence] = &[
     evidence(Sign::Form(Form::NamedParameter), 10, "variables have names"),
     evidence(Sign::Code(&["EXISTS["]), 8, "EXISTS asks for a variable"),
     evidence(Sign::Comment(&["MSG,", "DEBUG,", "PRINT,", "PROBEOPEN", "LOGOPEN", "LOG,"]), 6, "(MSG, …) speaks to the operator"),
-    evidence(Sign::Form(Form::SemicolonComments), 3, "comments after semicolons"),
+    evidence(Sign::Form(Form::SemicolonComments), 1, "comments after semicolons"),
     evidence(Sign::Block("G64 P"), 6, "G64 P is a tolerance"),
     evidence(Sign::Block("G38.2|G38.3|G38.4|G38.5"), 4, "G38.2 probes"),
     evidence(Sign::Block("G90.1"), 5, "G90.1 sets absolute arc centres"),
@@ -36,4 +39,9 @@ pub(super) const EVIDENCE: &[Evidence] = &[
     evidence(Sign::Block("G96 D"), 4, "G96 D limits the spindle speed"),
     evidence(Sign::Block("G7 !X !Y"), 4, "G7 programs diameters"),
     evidence(Sign::Block("M2"), 1, "M2 ends the program"),
+    evidence(Sign::Comment(PATHPILOT), 8, "a comment names PathPilot").on("tormach-pathpilot"),
+    evidence(Sign::Block("G17 G40 G49 G50 G54 G64 G80 G90 G91.1 G94"), 9, "the modes as PathPilot's post writes them")
+        .on("tormach-pathpilot"),
+    evidence(Sign::Line(&["G17G54G40G49G80G90"]), 5, "the modes as FreeCAD's post for LinuxCNC writes them"),
+    evidence(Sign::Form(Form::LengthWithoutTape), 2, "G43 in a text without % and O number"),
 ];

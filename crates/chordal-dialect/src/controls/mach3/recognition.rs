@@ -39,5 +39,6 @@ pub(super) const EVIDENCE: &[Evidence] = &[
     evidence(Sign::Block("G91.1"), 4, "G91.1 sets incremental arc centres"),
     evidence(Sign::Block("G92.2|G92.3"), 4, "G92.2 switches an offset off"),
     evidence(Sign::Block("G28.1"), 2, "G28.1 goes to the home switches"),
+    evidence(Sign::Form(Form::LengthWithoutTape), 3, "G43 in a text without % and O number"),
     evidence(Sign::Block("M2"), 1, "M2 ends the program"),
 ];

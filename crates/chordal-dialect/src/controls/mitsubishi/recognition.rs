@@ -26,4 +26,5 @@ pub(super) const EVIDENCE: &[Evidence] = &[
     evidence(Sign::Form(Form::MacroStatement), 1, "macro B statements"),
     evidence(Sign::Block("G43"), 1, "G43 applies the tool length"),
     evidence(Sign::Block("G84|G74 ,R"), 3, ",R1 in a cycle is synchronous tapping"),
+    evidence(Sign::Form(Form::MixedNumbers), -3, "whole numbers without a point next to decimals"),
 ];
