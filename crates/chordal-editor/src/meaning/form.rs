@@ -156,6 +156,7 @@ fn of_once(once: OnceCode, view: &View) -> Option<String> {
         }
         OnceCode::Rotation => "X0 Y0 R30.".into(),
         OnceCode::ReturnToReference { second: false } => "Z30.".into(),
+        OnceCode::Home => "X Y".into(),
         OnceCode::MachineCoordinates => "Z0".into(),
         OnceCode::LocalShift => "X10. Y10.".into(),
         OnceCode::PresetPosition | OnceCode::Mirror { .. } => "X0".into(),

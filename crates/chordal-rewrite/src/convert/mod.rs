@@ -495,7 +495,7 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
     // The shape of rapids is the machine's; compared with each other, both go alike.
     machine.rapid = Some(match job.control().parameters.rules.rapid {
         RapidPath::DogLeg => RapidShape::DogLeg,
-        RapidPath::Straight => RapidShape::Straight,
+        RapidPath::Straight | RapidPath::AtFeed(_) => RapidShape::Straight,
     });
     machine.tools = old.tools.clone();
     goes_on_after_refusal(&mut machine);
