@@ -5,8 +5,9 @@
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_dialect::firmware::BuildOption;
-use chordal_dialect::{Action, CallCode, CommandLine, ReadingCode, code_number};
-use chordal_dialect::{BeforeCode, CodeRow};
+use chordal_dialect::{Action, BeforeCode, CallCode, CodeRow, CommandLine};
+use chordal_dialect::{ModeCode, ReadingCode, code_number};
+use chordal_geometry::Plane;
 use chordal_machine::AXIS_LETTERS;
 use chordal_command::Units;
 use chordal_syntax::{Block, BlockKind, Decimal, Letters, Value, Word};
@@ -346,9 +347,9 @@ impl Interpreter<'_> {
             Action::Reading(ReadingCode::Incremental) => state.incremental,
             Action::Reading(ReadingCode::Millimetre) => state.units == Units::Millimetre,
             Action::Reading(ReadingCode::Inch) => state.units == Units::Inch,
+            Action::Mode(mode) => mode == ModeCode::PlaneXy && state.plane == Plane::Xy,
             Action::Reading(_)
             | Action::Before(_)
-            | Action::Mode(_)
             | Action::Length(_)
             | Action::Motion(_)
             | Action::Cycle(_)
