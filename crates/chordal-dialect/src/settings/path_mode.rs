@@ -162,7 +162,8 @@ pub(crate) fn set(
         }
         PathField::SpeedStep(axis) => {
             let step = Some(number()).filter(|step| *step > 0.0 && *step < 1e6);
-            let step = step.ok_or("a speed in mm/s above 0, or `none` for the junction deviation")?;
+            let step =
+                step.ok_or("a speed in mm/s above 0, or `none` for the junction deviation")?;
             let steps = junctions(rules)?.speed_steps_mm_s.get_or_insert([f64::INFINITY; 3]);
             steps[usize::from(axis.min(2))] = step;
         }

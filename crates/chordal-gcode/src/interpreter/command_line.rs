@@ -3,13 +3,13 @@
 //! The line is read again as that firmware reads it, and the block gets the words of its command. What else stands in the
 //! line does nothing, which is reported.
 
+use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_dialect::firmware::BuildOption;
 use chordal_dialect::{Action, BeforeCode, CallCode, CodeRow, CommandLine};
 use chordal_dialect::{ModeCode, ReadingCode, code_number};
 use chordal_geometry::Plane;
 use chordal_machine::AXIS_LETTERS;
-use chordal_command::Units;
 use chordal_syntax::{Block, BlockKind, Decimal, Letters, Value, Word};
 
 use super::{Flow, Interpreter};
@@ -83,9 +83,8 @@ impl Line {
 
     /// A sign, digits and a point; nothing, and no step, where there is no digit.
     fn number(&mut self) -> Option<Decimal> {
-        let is_of_number = |(byte, _): &&(u8, u32)| {
-            byte.is_ascii_digit() || matches!(byte, b'.' | b'+' | b'-')
-        };
+        let is_of_number =
+            |(byte, _): &&(u8, u32)| byte.is_ascii_digit() || matches!(byte, b'.' | b'+' | b'-');
         let rest = &self.characters[self.at..];
         let mut text: Vec<u8> = Vec::new();
         for (byte, _) in rest.iter().take_while(is_of_number) {
@@ -201,8 +200,8 @@ impl Interpreter<'_> {
         let code = word(letter, number, line.range(from));
         let tenths = code_number(number);
         let own = number.to_integer().and_then(|code| u16::try_from(code).ok());
-        let of_shop = letter == b'M'
-            && own.is_some_and(|own| self.machine.shop_codes.contains_key(&own));
+        let of_shop =
+            letter == b'M' && own.is_some_and(|own| self.machine.shop_codes.contains_key(&own));
         let is_known = match letter {
             b'G' => tenths.is_some_and(|code| self.control.g_code(code).is_some()),
             b'M' => tenths.is_some_and(|code| self.control.m_code(code).is_some()),
@@ -214,8 +213,8 @@ impl Interpreter<'_> {
         }
         read.words.push(code);
         line.skip_blanks();
-        let is_text = letter == b'M'
-            && own.is_some_and(|own| rules.texts.iter().any(|code| *code == own));
+        let is_text =
+            letter == b'M' && own.is_some_and(|own| rules.texts.iter().any(|code| *code == own));
         if is_text || letter == b'T' {
             return;
         }
@@ -241,9 +240,8 @@ impl Interpreter<'_> {
         code: Option<(u8, u16)>,
         read: &mut Read,
     ) {
-        let has_remark = code.is_some_and(|(letter, code)| {
-            letter == b'M' && rules.remarks.contains(&(code / 10))
-        });
+        let has_remark = code
+            .is_some_and(|(letter, code)| letter == b'M' && rules.remarks.contains(&(code / 10)));
         let bare_axes =
             code.is_some_and(|(letter, code)| letter == b'G' && rules.bare_axes.contains(&code));
         while let Some(letter) = line.letter() {
@@ -290,7 +288,8 @@ impl Interpreter<'_> {
                 .iter()
                 .filter_map(|word| Some(format!("{}{}", char::from(word.letter), word.number()?)))
                 .collect();
-            let is_missed = dropped.iter().any(|word| !self.is_in_force_without(rules, block, word));
+            let is_missed =
+                dropped.iter().any(|word| !self.is_in_force_without(rules, block, word));
             let severity = if is_missed { Severity::Error } else { Severity::Note };
             let verb = if names.len() == 1 { "does" } else { "do" };
             self.kernel.report(
@@ -381,7 +380,9 @@ impl Interpreter<'_> {
             _ => format!("this line begins with no command: {title} passes over it"),
         };
         let help = match severity {
-            Severity::Error => "write it with the commands of this control; an option of the build may bring it: see the reference page",
+            Severity::Error => {
+                "write it with the commands of this control; an option of the build may bring it: see the reference page"
+            }
             Severity::Warning | Severity::Note => "remove it, or leave it: nothing depends on it",
         };
         self.kernel.report(
@@ -402,7 +403,11 @@ impl Interpreter<'_> {
     ) -> Severity {
         let motion = letter.is_ascii_uppercase() && rules.motion_words.has(letter);
         let Some(code) = number.and_then(code_number) else {
-            return if motion || matches!(letter, b'g' | b'm') { Severity::Error } else { Severity::Warning };
+            return if motion || matches!(letter, b'g' | b'm') {
+                Severity::Error
+            } else {
+                Severity::Warning
+            };
         };
         if rules.not_missed.contains(&(letter, code)) {
             return Severity::Note;
@@ -427,7 +432,9 @@ impl Interpreter<'_> {
                 if rows.into_iter().any(matters) { Severity::Error } else { Severity::Note }
             }
             b'G' | b'g' | b'm' => Severity::Error,
-            _ if motion || Letters::of("XYZ").has(letter.to_ascii_uppercase().clamp(b'A', b'Z')) => {
+            _ if motion
+                || Letters::of("XYZ").has(letter.to_ascii_uppercase().clamp(b'A', b'Z')) =>
+            {
                 Severity::Error
             }
             _ => Severity::Warning,

@@ -589,7 +589,8 @@ impl Interpreter<'_> {
             );
         }
         let percent = percent.clamp(0.0, 100.0);
-        self.kernel.set_speed(self.machine.spindle_max_rpm.map_or(percent, |max| max * percent / 100.0));
+        self.kernel
+            .set_speed(self.machine.spindle_max_rpm.map_or(percent, |max| max * percent / 100.0));
     }
 
     /// T.

@@ -8,8 +8,8 @@ mod spline;
 mod thread;
 
 use chordal_command::{
-    ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, RapidPath, SpindleState,
-    Units, telling_number,
+    ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, RapidPath,
+    SpindleState, Units, telling_number,
 };
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_machine::{AXES, Axis};

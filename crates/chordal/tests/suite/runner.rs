@@ -221,7 +221,8 @@ fn made_by(command: &Command, mode: PathMode) -> Option<Made> {
         shape,
         length,
         feed: value.or(rapid_feed),
-        feed_has_length: rapid_feed.is_some() || linear && feed.is_some_and(|feed| feed.mode != FeedMode::InverseTime),
+        feed_has_length: rapid_feed.is_some()
+            || linear && feed.is_some_and(|feed| feed.mode != FeedMode::InverseTime),
         along: feed.map(|feed| if feed.along == FeedAlong::Path { "path" } else { "plane" }),
         tangents,
         mode,
