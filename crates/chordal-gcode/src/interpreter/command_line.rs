@@ -7,7 +7,7 @@ use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_dialect::firmware::BuildOption;
 use chordal_dialect::{Action, BeforeCode, CallCode, CodeRow, CommandLine};
-use chordal_dialect::{ModeCode, ReadingCode, code_number};
+use chordal_dialect::{ModeCode, OnceCode, ReadingCode, code_number};
 use chordal_geometry::Plane;
 use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, BlockKind, Decimal, Letters, Value, Word};
@@ -28,6 +28,8 @@ struct Read {
     words: Vec<Word>,
     /// Codes after it, which do nothing.
     dropped: Vec<Word>,
+    /// Words that its command does not take.
+    unused: Vec<Word>,
     /// Axis letters without a number.
     bare: Vec<TextRange>,
     /// Lower-case letters that do not count.
@@ -171,6 +173,10 @@ impl Interpreter<'_> {
         }
         number.into_iter().chain(read.words).for_each(|word| block.push(word));
         self.report_what_does_nothing(rules, block, &read.dropped, &read.bare, read.small);
+        // With a second command its words are named with it.
+        if read.dropped.is_empty() {
+            read.unused.iter().for_each(|word| self.unused_word(word));
+        }
         None
     }
 
@@ -240,6 +246,14 @@ impl Interpreter<'_> {
         code: Option<(u8, u16)>,
         read: &mut Read,
     ) {
+        let takes = self.letters_of_command(rules, code);
+        // What is not carried out has no use for its words, and they move nothing.
+        let row = code.and_then(|(letter, code)| match letter {
+            b'G' => self.control.g_code(code),
+            _ => self.control.m_code(code),
+        });
+        let is_passed_over =
+            row.is_some_and(|row| matches!(row.action, Action::NoEffect | Action::NotSimulated));
         let has_remark = code
             .is_some_and(|(letter, code)| letter == b'M' && rules.remarks.contains(&(code / 10)));
         let bare_axes =
@@ -260,7 +274,11 @@ impl Interpreter<'_> {
                 Some(number) if rules.commands.has(letter) && letter != b'T' => {
                     read.dropped.push(word(letter, number, line.range(from)));
                 }
-                Some(number) => read.words.push(word(letter, number, line.range(from))),
+                Some(_) if takes.has(letter) && is_passed_over => {}
+                Some(number) if takes.has(letter) => {
+                    read.words.push(word(letter, number, line.range(from)));
+                }
+                Some(number) => read.unused.push(word(letter, number, line.range(from))),
                 None if has_remark => return,
                 None if bare_axes && is_axis => {
                     let range = TextRange::new(line.offset(from), line.offset(from) + 1);
@@ -272,6 +290,37 @@ impl Interpreter<'_> {
                 None => {}
             }
         }
+    }
+
+    /// The letters that a command takes; without a code those of the motion before it.
+    fn letters_of_command(&self, rules: &CommandLine, code: Option<(u8, u16)>) -> Letters {
+        const AXES_AND_FEED: Letters = Letters::of("XYZF");
+        let Some((letter, code)) = code else {
+            return rules.motion_words.union(Letters::of("KS")).without(Letters::of("E"));
+        };
+        let row = match letter {
+            b'G' => self.control.g_code(code),
+            _ => self.control.m_code(code),
+        };
+        // What a custom code takes is not known.
+        let Some(row) = row else { return Letters(u32::MAX) };
+        let axes = match row.action {
+            Action::Motion(_) => AXES_AND_FEED,
+            Action::Once(OnceCode::Probe { .. }) => AXES_AND_FEED,
+            Action::Once(OnceCode::Dwell | OnceCode::ClearPreset { .. }) => Letters::NONE,
+            Action::Once(_) => Letters::of("XYZ"),
+            Action::Reading(_)
+            | Action::Before(_)
+            | Action::Mode(_)
+            | Action::Length(_)
+            | Action::Cycle(_)
+            | Action::After(_)
+            | Action::Call(_)
+            | Action::NoEffect
+            | Action::NotSimulated
+            | Action::NotFollowed => Letters::NONE,
+        };
+        row.words.union(axes)
     }
 
     fn report_what_does_nothing(
