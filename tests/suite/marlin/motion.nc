@@ -4,7 +4,7 @@ G0 X10 ; (= rapid to X10 feed 1500)
 G1 X20 ; (= line to X20 feed 1500)
 G0 Z5 F300 ; (= rapid to Z5 feed 300)
 G1 X30 ; (= line to X30 feed 300)
-G1 F0 X31 ; no feed of zero (= line to X31 feed 300 | ! CH304 "F")
+G1 F0 X31 ; no feed of zero (= line to X31 feed 300 | ! CH406 "does nothing here")
 G91
 G1 X-1 Y2 ; (= line to X30 Y2)
 G90

@@ -30,7 +30,9 @@ struct Read {
     dropped: Vec<Word>,
     /// Words that its command does not take.
     unused: Vec<Word>,
-    /// Axis letters without a number.
+    /// Its words are numbers, and none of them may lack one.
+    are_numbers: bool,
+    /// Letters without a number.
     bare: Vec<TextRange>,
     /// Lower-case letters that do not count.
     small: Option<TextRange>,
@@ -142,7 +144,8 @@ impl Interpreter<'_> {
         let whole = TextRange::new(block.range.start, (start + length) as u32);
         let (parentheses, lower_case) = (build.parentheses, build.lower_case);
         let mut line = Line::of(whole.slice(text), whole.start, parentheses, lower_case);
-        block.problems.clear();
+        // A slip of the finger is one, however the firmware reads it.
+        let slips = std::mem::take(&mut block.problems);
         block.delete = None;
         block.expressions = false;
         block.kind = BlockKind::Words;
@@ -170,6 +173,22 @@ impl Interpreter<'_> {
             let range = line.range(from);
             self.report_unknown_command(rules, range, letter, number);
             return Some(Flow::Next);
+        }
+        if read.are_numbers {
+            // What is no number in a comment or a checksum is none of these.
+            let end = line.offset(line.characters.len());
+            let is_slip = |problem: &Diagnostic| {
+                let in_words = problem.primary.span.range.start < end;
+                let of_remark = matches!(
+                    problem.code,
+                    Code::UnclosedComment | Code::NestedComment | Code::LooksLikeRemark
+                );
+                in_words && !of_remark
+            };
+            block.problems = slips.into_iter().filter(is_slip).collect();
+        }
+        if !block.problems.is_empty() {
+            read.bare.clear();
         }
         number.into_iter().chain(read.words).for_each(|word| block.push(word));
         self.report_what_does_nothing(rules, block, &read.dropped, &read.bare, read.small);
@@ -258,6 +277,7 @@ impl Interpreter<'_> {
             .is_some_and(|(letter, code)| letter == b'M' && rules.remarks.contains(&(code / 10)));
         let bare_axes =
             code.is_some_and(|(letter, code)| letter == b'G' && rules.bare_axes.contains(&code));
+        read.are_numbers = !(is_passed_over || bare_axes || has_remark);
         while let Some(letter) = line.letter() {
             let from = line.at;
             line.at += 1;
@@ -284,7 +304,7 @@ impl Interpreter<'_> {
                     let range = TextRange::new(line.offset(from), line.offset(from) + 1);
                     read.words.push(word(letter, Decimal::integer(0), range));
                 }
-                None if is_axis => {
+                None if !is_passed_over => {
                     read.bare.push(TextRange::new(line.offset(from), line.offset(from) + 1));
                 }
                 None => {}
