@@ -10,7 +10,7 @@ N11G1X22 ; (= line to X22)
 N12
 X23 Y1 ; the motion before goes on (= line to X23 Y1)
 G1 X24 X25 ; the last counts (= line to X25 | ! CH106 "more than once")
-G1 X Y4 ; (= line to X25 Y4 | ! CH304 "without a number")
+G1 X Y4 ; (= line to X25 Y4 | ! CH109 "no number")
 ; numbers without a point are units
 G1 X100 ; (= line to X100)
 G90 G1 X5 ; the first command takes the line (= ! CH307 "G1 does nothing here")
