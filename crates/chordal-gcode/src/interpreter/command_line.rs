@@ -238,8 +238,7 @@ impl Interpreter<'_> {
         }
         read.words.push(code);
         line.skip_blanks();
-        let is_text =
-            letter == b'M' && own.is_some_and(|own| rules.texts.iter().any(|code| *code == own));
+        let is_text = letter == b'M' && own.is_some_and(|own| rules.texts.contains(&own));
         if is_text || letter == b'T' {
             return;
         }
