@@ -99,10 +99,12 @@ pub struct ArcShape {
 }
 
 /// How a rapid goes.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub enum RapidPath {
     /// All axes arrive together.
     Straight,
+    /// The same, and no faster than so many mm/s along the path: a G0 that obeys a feed (Marlin).
+    AtFeed(f64),
     /// Each axis at its own speed.
     DogLeg,
 }

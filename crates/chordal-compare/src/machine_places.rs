@@ -66,7 +66,7 @@ fn names(job: &Job) -> HashMap<(u32, u32), Names> {
                     matches!(
                         row.action,
                         Action::Once(OnceCode::ReturnToReference { .. })
-                            | Action::Once(OnceCode::MachineCoordinates)
+                            | Action::Once(OnceCode::MachineCoordinates | OnceCode::Home)
                     )
                 })
             });

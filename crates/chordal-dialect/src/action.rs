@@ -222,6 +222,8 @@ pub enum OnceCode {
         second: bool,
     },
     ReturnFromReference,
+    /// The axes that are named go to their switches, by any number or none; all where none is named (Marlin).
+    Home,
     MachineCoordinates,
     LocalShift,
     PresetPosition,
@@ -351,6 +353,7 @@ impl OnceCode {
             self,
             OnceCode::ReturnToReference { .. }
                 | OnceCode::ReturnFromReference
+                | OnceCode::Home
                 | OnceCode::MachineCoordinates
                 | OnceCode::LocalShift
                 | OnceCode::PresetPosition

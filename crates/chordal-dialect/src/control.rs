@@ -71,8 +71,9 @@ impl Control {
 
     /// Codes of options that the build of its firmware does not have are not there.
     fn drop_options(&mut self) {
-        let options = self.table.firmware.map_or(&[][..], |firmware| firmware.optional);
-        for (option, codes) in options {
+        let of_firmware = self.table.firmware.map_or(&[][..], |firmware| firmware.optional);
+        let of_line = self.table.command_line.map_or(&[][..], |line| line.optional);
+        for (option, codes) in of_firmware.iter().chain(of_line) {
             if self.parameters.build.has(*option) {
                 continue;
             }

@@ -132,6 +132,26 @@ pub enum BuildOption {
     ToolTable,
     /// Parameters, expressions, flow control and calls.
     Expressions,
+    /// Comments in parentheses.
+    Parentheses,
+    /// Lower-case letters.
+    LowerCase,
+    /// A line of words alone goes on with the motion before it.
+    MotionModes,
+    /// G53 to G59.3.
+    WorkSystems,
+    /// G17, G18, G19.
+    Planes,
+    /// G20 and G21.
+    Inch,
+    /// P of an arc counts full circles before it.
+    Turns,
+    /// G5.
+    Splines,
+    /// G38.2 to G38.5.
+    Probe,
+    /// M7, M8, M9.
+    Coolant,
 }
 
 /// The codes that a build option brings: letter and ten times the number.

@@ -116,6 +116,12 @@ pub struct Parameters {
     pub goes_on_after_refusal: bool,
     /// What the build of its firmware has.
     pub build: Build,
+    /// An F of zero or below it does nothing (Marlin).
+    pub zero_feed_passed_over: bool,
+    /// G92 writes the active work coordinate system, and at power-on that of the machine is active (Marlin).
+    pub preset_writes_system: bool,
+    /// The letter next to the code of the spindle that gives its power in percent of the largest speed (Snapmaker).
+    pub power_letter: Option<u8>,
     /// A word that nothing uses and a code without its words stop the program (LinuxCNC).
     pub strict_words: bool,
     /// Letters that no block may have without a code that uses them, of those that most controls store.
@@ -202,15 +208,52 @@ pub struct Build {
     pub mist: bool,
     pub tool_table: bool,
     pub expressions: bool,
+    pub parentheses: bool,
+    pub lower_case: bool,
+    pub motion_modes: bool,
+    pub work_systems: bool,
+    pub planes: bool,
+    pub inch: bool,
+    pub turns: bool,
+    pub splines: bool,
+    pub probe: bool,
+    pub coolant: bool,
 }
 
 impl Build {
+    /// What is there where a table says nothing else: options that few firmwares have are not.
+    pub const COMMON: Build = Build {
+        mist: false,
+        tool_table: false,
+        expressions: false,
+        parentheses: true,
+        lower_case: true,
+        motion_modes: true,
+        work_systems: true,
+        planes: true,
+        inch: true,
+        turns: true,
+        splines: true,
+        probe: true,
+        coolant: true,
+    };
+
     /// It has this option.
     pub const fn has(self, option: BuildOption) -> bool {
         match option {
             BuildOption::Mist => self.mist,
             BuildOption::ToolTable => self.tool_table,
             BuildOption::Expressions => self.expressions,
+            BuildOption::Parentheses => self.parentheses,
+            BuildOption::LowerCase => self.lower_case,
+            BuildOption::MotionModes => self.motion_modes,
+            BuildOption::WorkSystems => self.work_systems,
+            BuildOption::Planes => self.planes,
+            BuildOption::Inch => self.inch,
+            BuildOption::Turns => self.turns,
+            BuildOption::Splines => self.splines,
+            BuildOption::Probe => self.probe,
+            BuildOption::Coolant => self.coolant,
         }
     }
 
@@ -220,6 +263,16 @@ impl Build {
             BuildOption::Mist => &mut self.mist,
             BuildOption::ToolTable => &mut self.tool_table,
             BuildOption::Expressions => &mut self.expressions,
+            BuildOption::Parentheses => &mut self.parentheses,
+            BuildOption::LowerCase => &mut self.lower_case,
+            BuildOption::MotionModes => &mut self.motion_modes,
+            BuildOption::WorkSystems => &mut self.work_systems,
+            BuildOption::Planes => &mut self.planes,
+            BuildOption::Inch => &mut self.inch,
+            BuildOption::Turns => &mut self.turns,
+            BuildOption::Splines => &mut self.splines,
+            BuildOption::Probe => &mut self.probe,
+            BuildOption::Coolant => &mut self.coolant,
         }
     }
 }
@@ -279,7 +332,10 @@ impl Parameters {
         end_optional: false,
         tool_change: ToolChanger::Machine,
         goes_on_after_refusal: false,
-        build: Build { mist: false, tool_table: false, expressions: false },
+        build: Build::COMMON,
+        zero_feed_passed_over: false,
+        preset_writes_system: false,
+        power_letter: None,
         strict_words: false,
         words_of_codes: Letters::NONE,
         m_groups: &[],

@@ -1,6 +1,7 @@
 //! A control as data: its codes, its words, its alarms, its settings.
 
 use crate::action::{Action, AfterCode, LengthCode, ModeCode, OnceCode};
+use crate::command_line::CommandLine;
 use crate::firmware::Firmware;
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
@@ -296,6 +297,8 @@ pub struct ControlTable {
     pub alone: &'static [u16],
     /// How its firmware judges a block as a whole before anything of it acts; nothing where words act one by one.
     pub firmware: Option<&'static Firmware>,
+    /// How it takes a line as one command with its words; nothing where a block may have several codes.
+    pub command_line: Option<&'static CommandLine>,
     /// What it asks of the words of a code.
     pub word_rules: &'static [WordRule],
     /// What it refuses of a rotation about an axis in space; nothing where it has none.

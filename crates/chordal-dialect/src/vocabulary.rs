@@ -7,6 +7,7 @@ pub(crate) use chordal_kernel::ToolValue;
 pub(crate) use chordal_kernel::rules::*;
 pub(crate) use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
+pub(crate) use crate::command_line::CommandLine;
 pub(crate) use crate::firmware::{
     BlockRules, BuildOption, DumpMeaning, DumpRow, Firmware, LineRules, Refusal, RefusalRow, Slash,
 };

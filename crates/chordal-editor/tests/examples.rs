@@ -6,6 +6,11 @@ use chordal::{Job, Machine, Severity, SourceMap};
 use chordal_editor::meaning::{View, codes, example};
 
 /// The example after the head of a usual program, with what it may call.
+/// For a control that takes one command a line.
+fn lines(example: &str, spindle: &str) -> String {
+    format!("G21\nG90\n{spindle} S500\nG0 X0 Y0 F900\nG0 Z30.\nG1 Z10. F200.\n{example}\n")
+}
+
 fn program(example: &str, spindle: &str, turns: bool, stations: bool, small: bool) -> String {
     if turns && !stations {
         return format!(
@@ -52,7 +57,10 @@ fn every_example_runs_without_an_error() {
                 // Its firmware has no program numbers, tool lengths and cycles.
                 let small = view.table.firmware.is_some();
                 let spindle = if left { "M4" } else { "M3" };
-                let text = program(&example, spindle, turns, stations, small);
+                let text = match view.table.command_line {
+                    Some(_) => lines(&example, spindle),
+                    None => program(&example, spindle, turns, stations, small),
+                };
                 let mut sources = SourceMap::new();
                 sources.add(Source::new("example.nc", text.into_bytes()));
                 let report = Job::new(sources, machine).unwrap().report();

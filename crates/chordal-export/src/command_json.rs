@@ -175,7 +175,7 @@ impl Context<'_> {
         object.word("kind", "rapid");
         self.ends(object, motion);
         let word = match path {
-            RapidPath::Straight => "straight",
+            RapidPath::Straight | RapidPath::AtFeed(_) => "straight",
             RapidPath::DogLeg => "dog_leg",
         };
         object.word("path", word);

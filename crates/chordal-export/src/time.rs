@@ -215,6 +215,26 @@ pub fn junctions_text(job: &Job) -> Option<String> {
         job.control().table.settings.iter().find(is_own).map_or("", |setting| setting.name)
     };
     let title = job.control().table.title;
+    if let Some(segments) = rules.arc_segments {
+        let corners = match rules.speed_steps_mm_s {
+            Some([x, y, z]) => format!(
+                "at corners X, Y and Z change their speed at once by {x}, {y} and {z} mm/s at most (setting `{}`)",
+                name(PathField::SpeedStep(0))
+            ),
+            None => format!(
+                "a junction deviation of {} mm (setting `{}`)",
+                rules.deviation_mm,
+                name(PathField::JunctionDeviation)
+            ),
+        };
+        return Some(format!(
+            "times are those of {title}'s own planner: even acceleration, {corners}, arcs as segments of at most {} mm \
+             (setting `{}`), {} of them known ahead",
+            segments.most_mm,
+            name(PathField::ArcSegmentMost),
+            rules.blocks,
+        ));
+    }
     Some(format!(
         "times are those of {title}'s own planner: even acceleration, no jerk, a junction deviation of {} mm (setting \
          `{}`), arcs as segments within {} mm (setting `{}`), {} of them known ahead",

@@ -335,7 +335,7 @@ impl State {
             arc_over_rapid: false,
             arc_center: rules.arc.arc_center,
             feed_mode: rules.starting_feed_mode(),
-            feed: None,
+            feed: rules.starting_feed_mm_s,
             feed_angular: None,
             feed_over: None,
             spindle: SpindleState::Off,

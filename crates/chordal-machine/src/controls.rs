@@ -20,6 +20,7 @@ macro_rules! controls {
             Grblhal grblhal "grblhal",
             Fluidnc fluidnc "fluidnc",
             Mach3 mach3 "mach3",
+            Marlin marlin "marlin",
         }
     };
 }

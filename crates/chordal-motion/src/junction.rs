@@ -6,7 +6,7 @@
 
 use std::collections::VecDeque;
 
-use chordal_geometry::{AXES, ParamCurve, Placement};
+use chordal_geometry::{AXES, Curve, ParamCurve, Placement};
 
 use crate::Axes;
 use crate::limits::Limits;
@@ -24,11 +24,38 @@ pub struct JunctionLaw {
     pub blocks: usize,
     /// How far the segments of an arc are from it, mm (GRBL `$12`).
     pub arc_tolerance_mm: f64,
+    /// Arcs are cut by the length of segments instead (Marlin).
+    pub arc_segments: Option<SegmentLengths>,
+    /// By how much X, Y and Z may change their speed at a junction at once, mm/s, where that counts and not the deviation
+    /// (Marlin's classic jerk). Moves from rest begin at rest.
+    pub speed_steps_mm_s: Option<[f64; 3]>,
     /// Ends of segments lie on whole steps of X, Y and Z, so many a mm (GRBL `$100` to `$102`); 0: anywhere.
     pub steps_per_mm: [f64; 3],
     /// A segment is accelerated evenly, but only as much as a profile with the jerk of the axes would on average
     /// (an option of grblHAL).
     pub limited_jerk: bool,
+}
+
+/// Segments of an arc by their length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SegmentLengths {
+    /// The shortest, mm.
+    pub least_mm: f64,
+    /// The longest, mm.
+    pub most_mm: f64,
+    /// A full circle has so many at least, where they do not become too short.
+    pub of_circle: f64,
+}
+
+impl SegmentLengths {
+    /// How many segments an arc of this length in its plane and this angle, rad, is cut into. The last one may be shorter
+    /// on the control; here all have one length.
+    fn count(&self, length: f64, angle: f64) -> f64 {
+        let fewest = (self.of_circle * angle / std::f64::consts::TAU - 1e-9).ceil().max(1.0);
+        let nominal = (length / self.most_mm + 1e-9).floor().max(fewest);
+        let each = (length / nominal).clamp(self.least_mm, self.most_mm);
+        (length / each - 1e-4).ceil().max(1.0)
+    }
 }
 
 /// Segments turn back where the cosine of the turn is less, and go straight on where it is more.
@@ -113,6 +140,10 @@ impl<P: PathPart> Junctions<P> {
 
     /// How many segments a move is cut into: vertices lie on the curve.
     fn segments_of(&self, motion: &Move) -> f64 {
+        if let (Some(lengths), Curve::Arc(arc)) = (self.law.arc_segments, &motion.curve) {
+            let angle = arc.sweep.abs();
+            return lengths.count(arc.radius * angle, angle).min(MOST_SEGMENTS);
+        }
         let chords = motion.curve.chord_count(self.law.arc_tolerance_mm, Placement::RoundedDown);
         chords.map_or(1.0, |count| (count as f64).min(MOST_SEGMENTS))
     }
@@ -170,6 +201,15 @@ impl<P: PathPart> Junctions<P> {
     /// The square of the speed at the junction of two segments.
     fn junction(&self, before: &Segment, after: &Segment, limits: &Limits) -> f64 {
         let speed = before.speed.min(after.speed);
+        if let Some(steps) = self.law.speed_steps_mm_s {
+            let change = |axis: usize| (after.direction[axis] - before.direction[axis]).abs();
+            let allowed = |axis: usize| match change(axis) {
+                change if change > 0.0 => steps[axis] / change,
+                _ => f64::INFINITY,
+            };
+            let largest = (0..3).map(allowed).fold(speed, f64::min);
+            return largest * largest;
+        }
         let cosine: f64 = (0..AXES).map(|k| before.direction[k] * after.direction[k]).sum();
         if cosine > STRAIGHT_ON {
             return speed * speed;
@@ -262,6 +302,8 @@ mod tests {
             deviation_mm: 0.01,
             blocks: 15,
             arc_tolerance_mm: 0.002,
+            arc_segments: None,
+            speed_steps_mm_s: None,
             steps_per_mm: [0.0; 3],
             limited_jerk: false,
         };

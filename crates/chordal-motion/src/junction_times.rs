@@ -18,6 +18,8 @@ fn law(deviation_mm: f64, blocks: usize) -> JunctionLaw {
         deviation_mm,
         blocks,
         arc_tolerance_mm: 0.002,
+        arc_segments: None,
+        speed_steps_mm_s: None,
         steps_per_mm: [0.0; 3],
         limited_jerk: false,
     }

@@ -79,7 +79,7 @@ mod verify;
 
 pub use bound::{Bound, Run, RunError, bound};
 pub use cursor::Cursor;
-pub use junction::JunctionLaw;
+pub use junction::{JunctionLaw, SegmentLengths};
 pub use law::{Work, law};
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};

@@ -28,6 +28,10 @@ pub(crate) fn corners(
 ) {
     let total = rapid_time_s(machine, from, to);
     let mut times: PerAxis<f64> = std::array::from_fn(|axis| axis_time_s(machine, axis, from, to));
+    if let RapidPath::AtFeed(speed) = path {
+        let length = (0..3).map(|axis| (to[axis] - from[axis]).powi(2)).sum::<f64>().sqrt();
+        return push(to, total.max(length / speed));
+    }
     if path == RapidPath::Straight || total == 0.0 {
         return push(to, total);
     }

@@ -169,7 +169,11 @@ impl<'a> Job<'a> {
     /// `None` where it is not known to cut them.
     pub fn own_chords(&self) -> Option<(f64, Placement)> {
         let junctions = self.control().parameters.rules.path.junctions?;
-        Some((junctions.arc_tolerance_mm, Placement::RoundedDown))
+        // Segments of one length are farther from a small arc than from a large one.
+        junctions
+            .arc_segments
+            .is_none()
+            .then_some((junctions.arc_tolerance_mm, Placement::RoundedDown))
     }
 
     /// Runs the main programs of the first text, one after the other, and pushes commands

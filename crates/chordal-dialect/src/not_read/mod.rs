@@ -3,7 +3,7 @@
 
 mod grbl_kin;
 mod heidenhain;
-mod marlin;
+mod marlin_printer;
 mod okuma;
 mod sinumerik;
 
@@ -35,7 +35,7 @@ pub const ALL: &[&NotRead] = &[
     &heidenhain::HEIDENHAIN,
     &sinumerik::SINUMERIK,
     &okuma::OKUMA,
-    &marlin::MARLIN,
+    &marlin_printer::MARLIN_PRINTER,
     &grbl_kin::GRBL_KIN,
 ];
 

@@ -61,6 +61,8 @@ pub enum Field {
     CenterAndRadius,
     FullCircleByRadius,
     Rapid,
+    RapidFeed,
+    PowerLetter,
     MaxRadius,
     MaxRadiusCompensated,
     RadiusOffsets,
@@ -429,6 +431,19 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
             p.rules.rapid =
                 choose(word, &[("dog-leg", RapidPath::DogLeg), ("straight", RapidPath::Straight)])?;
         }
+        Field::RapidFeed => {
+            p.rules.rapid_feed = match (word, value) {
+                ("programmed", _) => RapidFeed::Programmed,
+                (_, SettingValue::Integer(speed @ 1..=1_000_000)) => {
+                    RapidFeed::Fixed(*speed as f64 / 60.0)
+                }
+                (_, SettingValue::Float(speed)) if *speed > 0.0 && *speed < 1e6 => {
+                    RapidFeed::Fixed(*speed / 60.0)
+                }
+                _ => return Err("a feed in mm/min, or `programmed`".to_string()),
+            };
+        }
+        Field::PowerLetter => p.power_letter = flag()?.then_some(b'P'),
         Field::MaxRadius => p.rules.arc.max_radius_mm = length()?,
         Field::MaxRadiusCompensated => p.rules.arc.max_radius_compensated_mm = length()?,
         Field::RadiusOffsets => {
@@ -540,6 +555,12 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::Rapid => {
             if p.rules.rapid == RapidPath::DogLeg { "dog-leg" } else { "straight" }.into()
         }
+        Field::RapidFeed => match p.rules.rapid_feed {
+            RapidFeed::OfMachine => "machine".into(),
+            RapidFeed::Programmed => "programmed".into(),
+            RapidFeed::Fixed(speed) => (speed * 60.0).to_string(),
+        },
+        Field::PowerLetter => on(p.power_letter.is_some()),
         Field::MaxRadius => mm_text(p.rules.arc.max_radius_mm),
         Field::MaxRadiusCompensated => mm_text(p.rules.arc.max_radius_compensated_mm),
         Field::RadiusOffsets => {

@@ -25,6 +25,11 @@ pub enum PathField {
     JunctionBlocks,
     ArcTolerance,
     JunctionJerk,
+    ArcSegmentLeast,
+    ArcSegmentMost,
+    ArcSegmentsOfCircle,
+    /// The step of speed of X, Y or Z at a junction, by the number of the axis.
+    SpeedStep(u8),
     /// Steps of X, Y or Z a mm, by the number of the axis.
     Steps(u8),
 }
@@ -144,6 +149,24 @@ pub(crate) fn set(
             junctions(rules)?.arc_tolerance_mm = above_zero.ok_or("a length above zero")?;
         }
         PathField::JunctionJerk => junctions(rules)?.limited_jerk = choose(word, SWITCH)?,
+        PathField::ArcSegmentLeast => arc_segments(rules)?.least_mm = length()?.max(1e-6),
+        PathField::ArcSegmentMost => arc_segments(rules)?.most_mm = length()?.max(1e-6),
+        PathField::ArcSegmentsOfCircle => match value {
+            SettingValue::Integer(count @ 1..=10_000) => {
+                arc_segments(rules)?.of_circle = *count as u32;
+            }
+            _ => return Err("a whole number, 1 or more".to_string()),
+        },
+        PathField::SpeedStep(_) if word.eq_ignore_ascii_case("none") => {
+            junctions(rules)?.speed_steps_mm_s = None;
+        }
+        PathField::SpeedStep(axis) => {
+            let step = Some(number()).filter(|step| *step > 0.0 && *step < 1e6);
+            let step =
+                step.ok_or("a speed in mm/s above 0, or `none` for the junction deviation")?;
+            let steps = junctions(rules)?.speed_steps_mm_s.get_or_insert([f64::INFINITY; 3]);
+            steps[usize::from(axis.min(2))] = step;
+        }
         PathField::JunctionBlocks => match value {
             SettingValue::Integer(count @ 1..=10_000) => junctions(rules)?.blocks = *count as u32,
             _ => return Err("a whole number, 1 or more".to_string()),
@@ -163,10 +186,17 @@ fn junctions(rules: &mut PathRules) -> Result<&mut JunctionRules, String> {
     rules.junctions.as_mut().ok_or_else(|| none.to_string())
 }
 
+/// The rules of segments of a control that cuts arcs by their length.
+fn arc_segments(rules: &mut PathRules) -> Result<&mut ArcSegments, String> {
+    let none = "nothing: this control does not cut arcs by the length of segments";
+    junctions(rules)?.arc_segments.as_mut().ok_or_else(|| none.to_string())
+}
+
 /// The present value of a rule, as a machine file writes it.
 pub(crate) fn value_text(p: &Parameters, field: PathField) -> String {
     let rules = &p.rules.path;
     let optional = |mm: Option<f64>| mm.map_or("none".to_string(), mm_text);
+    let segments = rules.junctions.and_then(|junctions| junctions.arc_segments);
     match field {
         PathField::Start => name_of(rules.start, STARTS),
         PathField::StopBeforeCut => name_of(rules.stop_before_cut, SWITCH),
@@ -184,6 +214,15 @@ pub(crate) fn value_text(p: &Parameters, field: PathField) -> String {
         PathField::Steps(axis) => rules.junctions.map_or("none".to_string(), |junctions| {
             junctions.steps_per_mm[usize::from(axis.min(2))].to_string()
         }),
+        PathField::ArcSegmentLeast => optional(segments.map(|segments| segments.least_mm)),
+        PathField::ArcSegmentMost => optional(segments.map(|segments| segments.most_mm)),
+        PathField::ArcSegmentsOfCircle => {
+            segments.map_or("none".to_string(), |segments| segments.of_circle.to_string())
+        }
+        PathField::SpeedStep(axis) => {
+            let steps = rules.junctions.and_then(|junctions| junctions.speed_steps_mm_s);
+            steps.map_or("none".to_string(), |steps| steps[usize::from(axis.min(2))].to_string())
+        }
         PathField::JunctionJerk => {
             name_of(rules.junctions.is_some_and(|junctions| junctions.limited_jerk), SWITCH)
         }

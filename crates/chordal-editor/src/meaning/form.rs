@@ -37,6 +37,12 @@ pub fn example(letter: u8, row: &CodeRow, view: &View) -> Option<String> {
         Action::Once(once) => (None, of_once(once, view)?),
         Action::Call(call) => (None, of_call(call)?.to_string()),
         Action::Before(BeforeCode::ToolChange) => (Some("T2"), String::new()),
+        // The code begins the line.
+        Action::Before(BeforeCode::SpindleCw | BeforeCode::SpindleCcw)
+            if view.table.command_line.is_some() =>
+        {
+            (None, "S1000".into())
+        }
         Action::Before(BeforeCode::SpindleCw | BeforeCode::SpindleCcw) => {
             (Some("S1000"), String::new())
         }
@@ -156,6 +162,7 @@ fn of_once(once: OnceCode, view: &View) -> Option<String> {
         }
         OnceCode::Rotation => "X0 Y0 R30.".into(),
         OnceCode::ReturnToReference { second: false } => "Z30.".into(),
+        OnceCode::Home => "X Y".into(),
         OnceCode::MachineCoordinates => "Z0".into(),
         OnceCode::LocalShift => "X10. Y10.".into(),
         OnceCode::PresetPosition | OnceCode::Mirror { .. } => "X0".into(),

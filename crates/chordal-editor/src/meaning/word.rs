@@ -236,6 +236,12 @@ fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
         },
         OnceCode::Surface(SurfaceCode::Face | SurfaceCode::FaceOff) => return None,
         OnceCode::Mirror { .. } | OnceCode::MirrorOff => return None,
+        OnceCode::Home => match letter {
+            b'X' | b'Y' | b'Z' => "axis that goes to its switch; a number with it does nothing",
+            b'O' => "only axes that are not homed yet",
+            b'R' => "how far Z is raised before",
+            _ => return None,
+        },
         OnceCode::ReturnFromReference
         | OnceCode::MachineCoordinates
         | OnceCode::LocalShift

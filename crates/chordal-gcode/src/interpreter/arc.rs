@@ -95,7 +95,8 @@ impl Interpreter<'_> {
     /// P on an arc, as turns beside the arc's own.
     fn extra_turns(&mut self, block: &Block, by_radius: bool) -> u32 {
         let rule = self.control.table.arc_turns;
-        if rule == ArcTurns::None || !block.letters().has(b'P') {
+        let has = self.control.parameters.build.turns;
+        if rule == ArcTurns::None || !has || !block.letters().has(b'P') {
             return 0;
         }
         if rule == ArcTurns::Extra && by_radius {

@@ -11,6 +11,7 @@ mod block;
 mod calls;
 mod channels;
 mod checkpoint;
+mod command_line;
 mod conflicts;
 mod context;
 mod corner;
@@ -276,12 +277,26 @@ pub fn initial_offset(machine: &Machine, control: &Control) -> (PerAxis<f64>, Ax
 
 /// The work coordinate system before the first block.
 pub fn initial_work_offset(control: &Control) -> WorkName {
-    if control.table.work_names.by_e { WorkName::E(1) } else { WorkName::G(54) }
+    match control.table.work_names.by_e {
+        true => WorkName::E(1),
+        false if control.parameters.preset_writes_system => NATIVE,
+        false => WorkName::G(54),
+    }
 }
 
 fn initial_offsets(machine: &Machine, control: &Control) -> Offsets {
-    Offsets::new(machine, initial_work_offset(control), control.table.work_names)
+    let start = initial_work_offset(control);
+    let mut offsets = Offsets::new(machine, start, control.table.work_names);
+    if start == NATIVE {
+        let key = offsets.key(NATIVE);
+        (0..AXES).for_each(|axis| offsets.write_work(&key, axis, 0.0, false));
+        offsets.update();
+    }
+    offsets
 }
+
+/// The work coordinate system that is that of the machine until a preset writes it.
+const NATIVE: WorkName = WorkName::G(53);
 
 impl<'a> Interpreter<'a> {
     fn new(
@@ -433,6 +448,11 @@ impl<'a> Interpreter<'a> {
         };
         if self.judge.is_some()
             && let Some(flow) = self.judged_by_firmware(block)
+        {
+            return flow;
+        }
+        if self.control.table.command_line.is_some()
+            && let Some(flow) = self.take_command_line(block)
         {
             return flow;
         }

@@ -63,8 +63,14 @@ impl Interpreter<'_> {
             && codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::PresetPosition));
         if letters.has(b'S') && limits {
             self.take_speed_limit(block);
-        } else if letters.has(b'S') {
+        } else if letters.has(b'S') && !speed_is_of_code(codes) {
             self.take_speed(block);
+        }
+        if let Some(letter) = self.control.parameters.power_letter
+            && letters.has(letter)
+            && codes.iter().any(|(row, _)| starts_spindle(row))
+        {
+            self.take_power(block, letter);
         }
         if letters.has(b'T') {
             self.take_tool_word(block);
@@ -443,4 +449,28 @@ impl Interpreter<'_> {
             CallCode::MacroCall | CallCode::ModalMacroCall { .. } => {}
         }
     }
+}
+
+/// S is a word of the code itself: a time, an angle.
+fn speed_is_of_code(codes: &[(&'static CodeRow, usize)]) -> bool {
+    codes.iter().any(|(row, _)| {
+        let takes = match row.action {
+            Action::Once(code) => matches!(code, OnceCode::Dwell),
+            Action::After(code) => matches!(code, AfterCode::ProgramStop),
+            Action::NoEffect | Action::NotSimulated | Action::NotFollowed => true,
+            Action::Reading(_)
+            | Action::Before(_)
+            | Action::Mode(_)
+            | Action::Length(_)
+            | Action::Motion(_)
+            | Action::Cycle(_)
+            | Action::Call(_) => false,
+        };
+        takes && row.words.has(b'S')
+    })
+}
+
+fn starts_spindle(row: &CodeRow) -> bool {
+    row.action == Action::Before(BeforeCode::SpindleCw)
+        || row.action == Action::Before(BeforeCode::SpindleCcw)
 }

@@ -284,6 +284,17 @@ impl Interpreter<'_> {
         let Some(word) = block.last(b'F').copied() else { return };
         let Some(number) = self.literal(&word) else { return };
         let parameters = &self.control.parameters;
+        if parameters.zero_feed_passed_over && number.to_f64() <= 0.0 {
+            return self.kernel.report(
+                Diagnostic::new(
+                    Code::MissingFeed,
+                    self.span(word.range),
+                    format!("F{number} does nothing here: the feed before it stays"),
+                )
+                .severity(Severity::Warning)
+                .help("write a feed above zero"),
+            );
+        }
         let (factor, mut extra) = match self.kernel.state.units {
             Units::Inch => (254, 1),
             Units::Millimetre => (1, 0),

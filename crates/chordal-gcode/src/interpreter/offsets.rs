@@ -573,6 +573,26 @@ impl Interpreter<'_> {
         self.kernel.set_speed(rpm);
     }
 
+    /// The power of the spindle in percent: of the machine's largest speed, where its file gives one.
+    pub(super) fn take_power(&mut self, block: &Block, letter: u8) {
+        let Some(word) = block.last(letter).copied() else { return };
+        let Some(number) = self.literal(&word) else { return };
+        let percent = number.to_f64();
+        if !(0.0..=100.0).contains(&percent) {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    self.span(word.range),
+                    format!("a power of {number} percent"),
+                )
+                .help("write 0 to 100"),
+            );
+        }
+        let percent = percent.clamp(0.0, 100.0);
+        self.kernel
+            .set_speed(self.machine.spindle_max_rpm.map_or(percent, |max| max * percent / 100.0));
+    }
+
     /// T.
     pub(super) fn take_tool_word(&mut self, block: &Block) {
         if let ToolWord::StationAndOffset { digits } = self.control.parameters.tool_word {

@@ -19,6 +19,7 @@ impl Interpreter<'_> {
             code,
             OnceCode::ReturnToReference { .. }
                 | OnceCode::ReturnFromReference
+                | OnceCode::Home
                 | OnceCode::MachineCoordinates
         );
         if to_machine && self.kernel.state.side != Side::Off {
@@ -40,6 +41,7 @@ impl Interpreter<'_> {
                 self.kernel.end_cycle_if(self.control.parameters.rules.cycles.cancel.by_reference);
                 self.return_from_reference(block);
             }
+            OnceCode::Home => self.home(block),
             OnceCode::Pattern(pattern) => self.pattern(block, at, pattern),
             OnceCode::Probe { must_hit } => self.probe_move(block, at, must_hit),
             OnceCode::LocalShift | OnceCode::PresetPosition if self.lacks_axes(block) => {
@@ -77,11 +79,17 @@ impl Interpreter<'_> {
             }
             OnceCode::PresetPosition => {
                 let values = self.preset_words(block);
+                if self.control.parameters.preset_writes_system {
+                    return self.write_active_system(&values, true);
+                }
                 if values.iter().all(Option::is_none) && self.control.parameters.preset_limits_speed
                 {
                     return;
                 }
                 self.kernel.preset_position(&values);
+            }
+            OnceCode::ClearPreset { .. } if self.control.parameters.preset_writes_system => {
+                self.write_active_system(&[Some(0.0); AXES], false);
             }
             OnceCode::ClearPreset { keep } => self.kernel.clear_preset(keep),
             OnceCode::RestorePreset => {
@@ -212,6 +220,37 @@ impl Interpreter<'_> {
         self.kernel.return_over(target, named, &place);
     }
 
+    /// The active work coordinate system gets an offset: so that the position has these coordinates, or these values.
+    fn write_active_system(&mut self, values: &PerAxis<Option<f64>>, from_position: bool) {
+        let offsets = &self.kernel.state.offsets;
+        let key = offsets.key(offsets.active());
+        let axes = self.control.axes();
+        let values = std::array::from_fn(|axis| values[axis].filter(|_| axes.has(axis)));
+        self.kernel.write_work_values(&key, &values, from_position);
+    }
+
+    /// The named axes go to their switches, or all; their coordinates are those of the machine then.
+    fn home(&mut self, block: &Block) {
+        let mut named = AxisMask::NONE;
+        for word in &block.words {
+            let axis = AXIS_OF[word.letter as usize] as usize;
+            if axis < AXES {
+                named.insert(axis);
+            }
+        }
+        let named = named.and(self.control.axes());
+        let named = if named == AxisMask::NONE { self.control.axes() } else { named };
+        if self.kernel.state.offsets.active() != super::NATIVE {
+            let message = "homing while a work coordinate system is active: whether its offset still acts on these axes \
+                           depends on the version of the firmware";
+            self.lose_path(block.range, message.to_string());
+        } else {
+            let values = std::array::from_fn(|axis| named.has(axis).then_some(0.0));
+            self.write_active_system(&values, false);
+        }
+        self.kernel.go_to_reference(named, &self.reference(1));
+    }
+
     /// A reference point: as the program has stored it, else as the machine file has it.
     pub(super) fn reference(&self, number: u32) -> PerAxis<Option<f64>> {
         let (of_machine, stored) = match number {
@@ -256,6 +295,9 @@ impl Interpreter<'_> {
         self.unused_axes(block, |axis, _| axes.has(axis));
         let named = named.and(axes);
         if named == AxisMask::NONE {
+            if self.control.parameters.preset_writes_system {
+                self.select_work(super::NATIVE);
+            }
             return;
         }
         if self.control.parameters.rules.machine_move_needs_absolute

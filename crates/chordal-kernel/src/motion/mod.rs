@@ -8,8 +8,8 @@ mod spline;
 mod thread;
 
 use chordal_command::{
-    ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, SpindleState,
-    Units, telling_number,
+    ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, RapidPath,
+    SpindleState, Units, telling_number,
 };
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_machine::{AXES, Axis};
@@ -18,6 +18,7 @@ pub use arc::ArcWords;
 pub use spiral::SpiralWords;
 
 use crate::kernel::Kernel;
+use crate::rules::RapidFeed;
 use crate::state::Motion;
 use crate::statement::{Statement, What};
 
@@ -29,7 +30,7 @@ impl Kernel<'_> {
             if self.state.incremental && named == AxisMask(1 << 2) {
                 self.check_clearance_in_incremental(at, &motion);
             }
-            let path = self.rules.rapid;
+            let path = self.path_of_rapid();
             self.emit(CommandKind::Rapid { motion, path });
             if self.state.surface_speed.is_some() && motion.from[0] != motion.to[0] {
                 self.follow_diameter();
@@ -38,6 +39,19 @@ impl Kernel<'_> {
             self.check_rotary(at, &motion);
             let feed = self.feed_for(at, &motion, None);
             self.emit(CommandKind::Line { motion, feed });
+        }
+    }
+
+    /// How a G0 goes, with the speed that it is given.
+    pub(crate) fn path_of_rapid(&self) -> RapidPath {
+        let speed = match self.rules.rapid_feed {
+            RapidFeed::OfMachine => None,
+            RapidFeed::Programmed => self.state.feed,
+            RapidFeed::Fixed(speed) => Some(speed),
+        };
+        match speed.filter(|speed| *speed > 0.0) {
+            Some(speed) => RapidPath::AtFeed(speed),
+            None => self.rules.rapid,
         }
     }
 

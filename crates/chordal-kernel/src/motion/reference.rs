@@ -50,7 +50,9 @@ impl Kernel<'_> {
     pub fn to_machine_point(&mut self, at: &dyn Statement, place: Position, named: AxisMask) {
         let rapid = self.state.motion == Motion::Rapid;
         if rapid || self.rules.machine_move_is_rapid {
-            return self.rapid_to_machine_point(place, named);
+            let motion = self.machine_move(place, named);
+            let path = self.path_of_rapid();
+            return self.emit(CommandKind::Rapid { motion, path });
         }
         let motion = self.machine_move(place, named);
         let feed = self.feed_for(at, &motion, None);

@@ -22,6 +22,17 @@ pub use frame::*;
 pub use path_mode::*;
 pub use turning::*;
 
+/// How fast G0 moves.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum RapidFeed {
+    /// As fast as the axes can.
+    OfMachine,
+    /// At the F in force, as G1 does (Marlin).
+    Programmed,
+    /// At this speed, mm/s, and F is for the other moves.
+    Fixed(f64),
+}
+
 /// The rules of a numerical control, without those of its language.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Rules {
@@ -47,6 +58,10 @@ pub struct Rules {
     pub machine_move_needs_absolute: bool,
     /// Rapids.
     pub rapid: RapidPath,
+    /// How fast G0 moves.
+    pub rapid_feed: RapidFeed,
+    /// F at power-on, mm/s, where there is one without a word.
+    pub starting_feed_mm_s: Option<f64>,
     /// Largest turn of a rotary axis in a block, rad.
     pub max_rotary_per_block_rad: f64,
     /// What the radius offsets of the table are.
@@ -128,6 +143,8 @@ impl Rules {
         machine_move_is_rapid: false,
         machine_move_needs_absolute: false,
         rapid: RapidPath::DogLeg,
+        rapid_feed: RapidFeed::OfMachine,
+        starting_feed_mm_s: None,
         max_rotary_per_block_rad: f64::INFINITY,
         spindle_by_hand: false,
         radius_offsets: OffsetKind::Radius,

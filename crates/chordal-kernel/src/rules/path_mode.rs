@@ -25,6 +25,17 @@ pub enum ShortBlocks {
     Joined,
 }
 
+/// How a control cuts an arc into segments by their length, not by how far they are from it (Marlin).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ArcSegments {
+    /// The shortest, mm.
+    pub least_mm: f64,
+    /// The longest, mm.
+    pub most_mm: f64,
+    /// A full circle has so many at least, where they do not become too short.
+    pub of_circle: u32,
+}
+
 /// How a control without jerk limits passes from one straight segment to the next (GRBL).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct JunctionRules {
@@ -34,6 +45,11 @@ pub struct JunctionRules {
     pub blocks: u32,
     /// How far the segments of an arc are from it, mm.
     pub arc_tolerance_mm: f64,
+    /// Arcs are cut by the length of segments instead.
+    pub arc_segments: Option<ArcSegments>,
+    /// By how much X, Y and Z may change their speed at a junction at once, mm/s, where that counts and not the
+    /// deviation.
+    pub speed_steps_mm_s: Option<[f64; 3]>,
     /// Segments end on whole steps of X, Y and Z, so many a mm.
     pub steps_per_mm: [f64; 3],
     /// A segment is accelerated less, as a jerk limit would do it (grblHAL).

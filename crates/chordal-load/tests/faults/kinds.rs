@@ -40,7 +40,7 @@ impl Kind {
 const LATHES: &[&str] = &["fanuc-lathe", "haas-lathe", "linuxcnc-lathe", "mitsubishi-lathe"];
 
 /// Many of their machines have a spindle that is switched by hand, and their programs need no end.
-const SMALL: &[&str] = &["grbl", "grblhal", "fluidnc"];
+const SMALL: &[&str] = &["grbl", "grblhal", "fluidnc", "marlin"];
 
 /// The feed of a hole begins where the tool is.
 const NO_R: &[&str] =
@@ -62,7 +62,7 @@ pub const KINDS: &[Kind] = &[
         "fluidnc",
         "mach3",
     ]),
-    kind("comment not closed", open_comment, &["CH104"]).not_on(&["fadal"]),
+    kind("comment not closed", open_comment, &["CH104"]).not_on(&["fadal", "marlin"]),
     kind("decimal point forgotten", lost_point, &["CH305"]).not_on(&[
         "fadal",
         "linuxcnc",
@@ -71,6 +71,7 @@ pub const KINDS: &[Kind] = &[
         "grblhal",
         "fluidnc",
         "mach3",
+        "marlin",
     ]),
     // Codes.
     kind("unknown G code", unknown_g, &["CH301"]),
@@ -82,7 +83,7 @@ pub const KINDS: &[Kind] = &[
         "mitsubishi-lathe",
         "mach3",
     ]),
-    kind("G0 and G1 in one block", two_motions, &["CH302"]),
+    kind("G0 and G1 in one block", two_motions, &["CH302", "CH307"]),
     kind("G54 and G55 in one block", two_offsets, &["CH302"]).not_on(&["fadal"]),
     // Arcs.
     kind("end of an arc moved", arc_end, &["CH401"]),
@@ -94,6 +95,7 @@ pub const KINDS: &[Kind] = &[
         "linuxcnc",
         "linuxcnc-lathe",
         "mach3",
+        "marlin",
     ]),
     kind("compensation without D", no_d, &["CH503"]).not_on(&["fadal", "linuxcnc", "mach3"]),
     kind("G40 forgotten", no_g40, &["CH505", "CH522", "CH523"]).at(end_of_compensation),

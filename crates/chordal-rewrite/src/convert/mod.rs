@@ -413,6 +413,17 @@ fn other_diameters(old: &Job, target: &Machine) -> Option<Refusal> {
 /// Programs of lathes are for lathes, those of mills for mills.
 fn other_kind(old: &Job, target: &Machine) -> Option<Refusal> {
     let tables = [old.control().table, chordal::control::table(target.control)];
+    // Blocks of several codes are not written as several lines.
+    if tables[1].command_line.is_some() && tables[0].command_line.is_none() {
+        return Some(Refusal {
+            line: 0,
+            words: String::new(),
+            reason: format!(
+                "programs are not converted to {}, which has one command a line: choose its post",
+                tables[1].title
+            ),
+        });
+    }
     let [from, to] = tables.map(|table| if table.turns() { "lathe" } else { "mill" });
     (from != to).then(|| Refusal {
         line: 0,
@@ -495,7 +506,7 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
     // The shape of rapids is the machine's; compared with each other, both go alike.
     machine.rapid = Some(match job.control().parameters.rules.rapid {
         RapidPath::DogLeg => RapidShape::DogLeg,
-        RapidPath::Straight => RapidShape::Straight,
+        RapidPath::Straight | RapidPath::AtFeed(_) => RapidShape::Straight,
     });
     machine.tools = old.tools.clone();
     goes_on_after_refusal(&mut machine);

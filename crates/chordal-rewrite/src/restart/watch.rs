@@ -236,6 +236,7 @@ impl Walk<'_, '_> {
             | OnceCode::SetData
             | OnceCode::ReturnToReference { .. }
             | OnceCode::ReturnFromReference
+            | OnceCode::Home
             | OnceCode::MachineCoordinates
             | OnceCode::CircularPocketCw
             | OnceCode::CircularPocketCcw
@@ -252,7 +253,11 @@ impl Walk<'_, '_> {
         let is = |action: Action| {
             matches!(
                 action,
-                Action::Once(OnceCode::MachineCoordinates | OnceCode::ReturnToReference { .. })
+                Action::Once(
+                    OnceCode::MachineCoordinates
+                        | OnceCode::ReturnToReference { .. }
+                        | OnceCode::Home
+                )
             )
         };
         let block = self.source.block_at(origin.span);

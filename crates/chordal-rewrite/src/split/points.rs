@@ -192,6 +192,7 @@ impl Walk<'_, '_> {
             | OnceCode::SetData
             | OnceCode::ReturnToReference { .. }
             | OnceCode::ReturnFromReference
+            | OnceCode::Home
             | OnceCode::MachineCoordinates
             | OnceCode::CircularPocketCw
             | OnceCode::CircularPocketCcw

@@ -76,6 +76,7 @@ fn sort_of(action: Action) -> Option<Sort> {
             }
             OnceCode::ReturnToReference { .. }
             | OnceCode::ReturnFromReference
+            | OnceCode::Home
             | OnceCode::PresetPosition
             | OnceCode::ClearPreset { .. }
             | OnceCode::RestorePreset

@@ -6,7 +6,7 @@ use chordal_command::{
 use chordal_diagnostics::Diagnostic;
 use chordal_geometry::{Curve, EvenPart, Line, ParamCurve, Transform, Vec3};
 use chordal_kernel::Outcome;
-use chordal_kernel::rules::PathRules;
+use chordal_kernel::rules::{PathRules, RapidFeed};
 use chordal_machine::{AXES, FeedLimits, Machine, Times};
 use chordal_motion::{Axes, Corner, Move, MoveKind};
 use chordal_path::{
@@ -45,6 +45,8 @@ pub(crate) struct MotionBuilder<'a, S> {
     times: Times,
     feed: FeedLimits,
     rapid_speeds: Axes,
+    /// A G0 is given its speed by a feed.
+    rapids_at_feed: bool,
     optional_stop: bool,
     in_force: InForce,
     forced_mode: Option<PathMode>,
@@ -91,6 +93,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             times: machine.times,
             feed: machine.feed,
             rapid_speeds: report.limits.rapid.velocity(),
+            rapids_at_feed: job.control().parameters.rules.rapid_feed != RapidFeed::OfMachine,
             optional_stop: machine.switches.optional_stop,
             in_force: InForce::new(machine, options),
             forced_mode: options.path_mode,
@@ -251,7 +254,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             return;
         }
         let speed = match kind {
-            MoveKind::Rapid => self.rapid_speed(&motion, length),
+            MoveKind::Rapid => self.rapid_speed(&motion, length, segment.duration_s),
             MoveKind::Cut => self.cut_speed(segment, length),
         };
         let Some(speed) = speed else {
@@ -304,15 +307,16 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     }
 
     /// As fast as the axes can, or the part of it that the override leaves.
-    fn rapid_speed(&self, motion: &Move, length: f64) -> Option<f64> {
+    fn rapid_speed(&self, motion: &Move, length: f64, duration_s: f64) -> Option<f64> {
         let part = self.rapid_override();
-        if part >= 1.0 {
+        if part >= 1.0 && !self.rapids_at_feed {
             return Some(f64::INFINITY);
         }
         let (from, to) = (motion.from(), motion.to());
         let seconds = (0..AXES)
             .map(|axis| (to[axis] - from[axis]).abs() / self.rapid_speeds[axis])
             .fold(0.0, f64::max);
+        let seconds = if self.rapids_at_feed { seconds.max(duration_s) } else { seconds };
         Some(if seconds > 0.0 { length / seconds * part } else { f64::INFINITY })
     }
 

@@ -1,7 +1,7 @@
 //! The limits of a machine's axes, with typical values for what its file does not give.
 
 use chordal_machine::{AXES, Axis, AxisLimits, Machine};
-use chordal_motion::{AxisLimit, JunctionLaw, LimitError, Limits, Quantity};
+use chordal_motion::{AxisLimit, JunctionLaw, LimitError, Limits, Quantity, SegmentLengths};
 
 use crate::control::Control;
 
@@ -51,6 +51,12 @@ impl MachineLimits {
                 deviation_mm: rules.deviation_mm,
                 blocks: rules.blocks as usize,
                 arc_tolerance_mm: rules.arc_tolerance_mm,
+                arc_segments: rules.arc_segments.map(|segments| SegmentLengths {
+                    least_mm: segments.least_mm,
+                    most_mm: segments.most_mm,
+                    of_circle: f64::from(segments.of_circle),
+                }),
+                speed_steps_mm_s: rules.speed_steps_mm_s,
                 steps_per_mm: rules.steps_per_mm,
                 limited_jerk: rules.limited_jerk,
             });

@@ -102,12 +102,13 @@ pub fn read(text: &str) -> Result<Program, String> {
         let at = |message: String| format!("line {number}: {message}");
         if let Some((before, items)) = line.split_once("(=") {
             let items = items.strip_suffix(')').ok_or_else(|| at("no `)` at the end".into()))?;
-            if !before.trim().is_empty() {
+            if !before.trim_matches([';', ' ', '\t']).is_empty() {
                 last = number;
             }
             read_items(items, program.lines.entry(last).or_default()).map_err(at)?;
         } else {
-            if let Some(comment) = line.strip_prefix('(') {
+            // Where parentheses are no comment, a semicolon stands before them.
+            if let Some(comment) = line.trim_start_matches([';', ' ']).strip_prefix('(') {
                 let comment = comment.strip_suffix(')').unwrap_or(comment);
                 read_directive(comment, &mut program).map_err(at)?;
             }

@@ -1,6 +1,6 @@
 //! Runs a program and notes what happens by line.
 
-use chordal::control::{ArcShape, FeedAlong, FeedMode, PathMode, SpindleState, Units};
+use chordal::control::{ArcShape, FeedAlong, FeedMode, PathMode, RapidPath, SpindleState, Units};
 use chordal::geometry::{ParamCurve, Plane, Vec3};
 use chordal::machine::{AXES, AXIS_LETTERS, PerAxis};
 use chordal::path::curve_of;
@@ -194,6 +194,11 @@ fn made_by(command: &Command, mode: PathMode) -> Option<Made> {
     };
     let feed = command.kind.feed();
     let linear = motion.from[..3] != motion.to[..3] || motion.from == motion.to || shape.is_some();
+    // A rapid that obeys a feed.
+    let rapid_feed = match command.kind {
+        CommandKind::Rapid { path: RapidPath::AtFeed(speed), .. } => Some(speed * 60.0),
+        _ => None,
+    };
     let value = feed.map(|feed| match feed.mode {
         FeedMode::PerTime if !linear => (feed.value * 60.0).to_degrees(),
         FeedMode::PerTime | FeedMode::InverseTime => feed.value * 60.0,
@@ -215,8 +220,9 @@ fn made_by(command: &Command, mode: PathMode) -> Option<Made> {
         to: motion.to,
         shape,
         length,
-        feed: value,
-        feed_has_length: linear && feed.is_some_and(|feed| feed.mode != FeedMode::InverseTime),
+        feed: value.or(rapid_feed),
+        feed_has_length: rapid_feed.is_some()
+            || linear && feed.is_some_and(|feed| feed.mode != FeedMode::InverseTime),
         along: feed.map(|feed| if feed.along == FeedAlong::Path { "path" } else { "plane" }),
         tangents,
         mode,

@@ -38,6 +38,7 @@ pub static TABLE: ControlTable = ControlTable {
     last_of_group_counts: false,
     alone: &[530, 920],
     firmware: None,
+    command_line: None,
     word_rules: &[],
     spatial: None,
     face: None,

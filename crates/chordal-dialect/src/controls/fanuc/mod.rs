@@ -43,6 +43,7 @@ pub static TABLE: ControlTable = ControlTable {
     last_of_group_counts: true,
     alone: &[],
     firmware: None,
+    command_line: None,
     word_rules: &[],
     spatial: Some(&rules::SPATIAL),
     face: Some(&surface::FACE),

@@ -43,6 +43,7 @@ pub(in crate::controls) const FANUC: ControlTable = ControlTable {
     last_of_group_counts: true,
     alone: &[],
     firmware: None,
+    command_line: None,
     word_rules: &[],
     spatial: None,
     face: Some(&super::fanuc::surface::FACE),

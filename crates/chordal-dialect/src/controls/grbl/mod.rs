@@ -40,6 +40,7 @@ pub(in crate::controls) const FAMILY: ControlTable = ControlTable {
     last_of_group_counts: false,
     alone: &[],
     firmware: Some(&firmware::FIRMWARE),
+    command_line: None,
     word_rules: &[],
     spatial: None,
     face: None,

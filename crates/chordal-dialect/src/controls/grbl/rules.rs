@@ -28,6 +28,8 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
                 deviation_mm: 0.01,
                 blocks: 15,
                 arc_tolerance_mm: 0.002,
+                arc_segments: None,
+                speed_steps_mm_s: None,
                 steps_per_mm: [250.0; 3],
                 limited_jerk: false,
             }),

@@ -15,6 +15,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
                 deviation_mm: 0.01,
                 blocks: 100,
                 arc_tolerance_mm: 0.002,
+                arc_segments: None,
+                speed_steps_mm_s: None,
                 steps_per_mm: [250.0; 3],
                 limited_jerk: false,
             }),

@@ -41,6 +41,7 @@ pub static TABLE: ControlTable = ControlTable {
     last_of_group_counts: false,
     alone: &[1000, 1010],
     firmware: None,
+    command_line: None,
     word_rules: &[],
     spatial: None,
     face: None,

@@ -45,6 +45,7 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
     last_of_group_counts: false,
     alone: &[],
     firmware: None,
+    command_line: None,
     word_rules: words::WORD_RULES,
     spatial: None,
     face: None,

@@ -30,6 +30,7 @@ pub(super) fn is_machine(writer: &Writer, block: &Block) -> bool {
                 OnceCode::MachineCoordinates
                     | OnceCode::ReturnToReference { .. }
                     | OnceCode::ReturnFromReference
+                    | OnceCode::Home
             )
         )
     })

@@ -4,18 +4,17 @@ use super::NotRead;
 use crate::recognition::{Evidence, Form, Sign, evidence};
 use chordal_machine::ControlName;
 
-pub(super) const MARLIN: NotRead = NotRead {
-    name: "marlin",
-    what: "a program for Marlin, as 3D printers have it",
+pub(super) const MARLIN_PRINTER: NotRead = NotRead {
+    name: "marlin-printer",
+    what: "a program for a 3D printer, as Marlin reads it",
     why: "programs of 3D printers are not read",
     signs: SIGNS,
     needed: 8,
     own: &[],
-    shown_on: ControlName::Linuxcnc,
+    shown_on: ControlName::Marlin,
 };
 
 const NAMES: &[&str] = &[
-    "MARLIN",
     "CURA",
     "CURA_STEAMENGINE",
     "PRUSASLICER",
@@ -23,15 +22,14 @@ const NAMES: &[&str] = &[
     "SUPERSLICER",
     "REPRAP",
     "KLIPPER",
-    "MPCNC",
     "SIMPLIFY3D",
     "REPRAPFIRMWARE",
     "ORCASLICER",
 ];
 
 const SIGNS: &[Evidence] = &[
-    evidence(Sign::Header(NAMES), 14, "the header names Marlin or a slicer"),
-    evidence(Sign::Comment(NAMES), 9, "a comment names Marlin or a slicer"),
+    evidence(Sign::Header(NAMES), 14, "the header names a slicer or a firmware of printers"),
+    evidence(Sign::Comment(NAMES), 9, "a comment names a slicer or a firmware of printers"),
     evidence(Sign::Block("M104|M109|M140|M190 S"), 6, "M104 and M140 set temperatures"),
     evidence(Sign::Block("M106|M107"), 3, "M106 turns a fan"),
     evidence(Sign::Block("M82|M83 !X !Y"), 2, "M82 and M83 say how E counts"),

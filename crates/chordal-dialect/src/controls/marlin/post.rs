@@ -1,0 +1,11 @@
+//! How Marlin wants a program begun and ended: one command a line, and no end.
+
+use crate::post::Post;
+
+pub(super) const POST: Post = Post {
+    remark: ["; ", ""],
+    open: &["; {title}"],
+    begin: &["{units}", "G90", "G0 {clear} F600", "G0 {start} F1500", "M3 {spindle}"],
+    end: &["G0 {clear}", "M5", "M400"],
+    two_digits: false,
+};

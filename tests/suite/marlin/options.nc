@@ -1,0 +1,23 @@
+;(machine: marlin-router)
+;(set: settings.GCODE_MOTION_MODES="off")
+;(set: settings.PAREN_COMMENTS="on")
+;(set: settings.GCODE_CASE_INSENSITIVE="on")
+;(set: settings.G0_FEEDRATE=3000)
+;(set: settings.INCH_MODE_SUPPORT="off")
+;(set: settings.CNC_WORKSPACE_PLANES="off")
+;(set: settings.CNC_COORDINATE_SYSTEMS="off")
+;(set: settings.ARC_P_CIRCLES="on")
+; What options of the build change.
+G1 X1 F600 ; (= line to X1 feed 600)
+X2 ; (= ! CH301 "begins with no command")
+g1 x3 (to the left) y4 ; (= line to X3 Y4 feed 600)
+G0 X10 F900 ; F is for the cuts after it (= rapid to X10 feed 3000)
+G1 X11 ; (= line to X11 feed 900)
+G21 ; passed over
+G20 ; (= ! CH301 "Marlin has no G20")
+G17 ; (= ! CH301 "Marlin has no G17")
+G18 ; (= ! CH301 "Marlin has no G18")
+G54 ; (= ! CH301 "Marlin has no G54")
+G55 ; (= ! CH301 "Marlin has no G55")
+; two full circles, then half of one: 900 degrees about X16
+G2 X21 Y4 I5 P2 ; (= arc cw center X16 Y4 radius 5 sweep 900)
