@@ -53,10 +53,21 @@ fn nameless(end: u32) -> ProgramHead {
     ProgramHead { number: None, head: TextRange::default(), start, end }
 }
 
+/// `:0030 T01 M06`: a colon, a number and words after it. The colon stands for N in a block from which a
+/// program may be begun again (ISO 6983-1, alignment function); before a program number nothing follows but a comment.
+pub(crate) fn is_alignment_number(text: &[u8]) -> bool {
+    let digits = text[1..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let rest = text[1 + digits..].iter().find(|byte| !matches!(byte, b' ' | b'\t'));
+    digits > 0 && rest.is_some_and(u8::is_ascii_alphabetic)
+}
+
 /// Line start, number and end of a head whose letter is at `at`, if it is one.
 fn head_at(text: &[u8], at: usize, lexicon: &Lexicon) -> Option<(usize, u32, usize)> {
     let digits = text[at + 1..].iter().take_while(|b| b.is_ascii_digit()).count();
     if digits == 0 || digits > 9 {
+        return None;
+    }
+    if text[at] == b':' && is_alignment_number(&text[at..]) {
         return None;
     }
     let end = at + 1 + digits;

@@ -12,6 +12,7 @@ use chordal_diagnostics::{
 use crate::block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
 use crate::decimal::{self, Decimal};
 use crate::lexicon::{Lexicon, ParenthesisComment, Semicolon};
+use crate::programs::is_alignment_number;
 
 /// A place between two blocks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -195,7 +196,8 @@ impl<'a> BlockReader<'a> {
             }
             b'/' => self.block_delete(block),
             b':' if self.program_colon(block) => {
-                self.read_word(block, b'O', false);
+                let is_aligned = is_alignment_number(&self.text[self.at..self.end]);
+                self.read_word(block, if is_aligned { b'N' } else { b'O' }, false);
             }
             b',' => self.comma_word(block),
             b'#' if self.lexicon.macro_lines => {
@@ -226,6 +228,7 @@ impl<'a> BlockReader<'a> {
     }
 
     /// A colon heads a program (`:0097`) where nothing but an N number stands before it.
+    /// A colon and a number at the beginning of a block.
     fn program_colon(&self, block: &Block) -> bool {
         block.words.iter().all(|word| word.letter == b'N')
             && self.text.get(self.at + 1).is_some_and(u8::is_ascii_digit)

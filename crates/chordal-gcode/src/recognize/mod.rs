@@ -133,6 +133,13 @@ impl Recognition {
         }
     }
 
+    /// A name, or a form that nobody else has, speaks for it, and nothing near. How a text is written says much of who
+    /// wrote it, and not for certain which control it is for.
+    pub fn is_certain(&self) -> bool {
+        let strongest = self.chosen().signs.first();
+        self.strength() == Strength::Sure && strongest.is_some_and(|sign| sign.weight >= SURE)
+    }
+
     /// The signs decide; otherwise runs may.
     pub fn is_decided(&self) -> bool {
         self.chosen().not_read || matches!(self.strength(), Strength::Sure | Strength::Likely)

@@ -10,7 +10,7 @@ mod vocabulary;
 
 use chordal::Machine;
 use chordal::control::recognition::LEAD;
-use chordal::control::{ANOTHER_KIND, Candidate, Control, Recognition, Strength, Units, table};
+use chordal::control::{ANOTHER_KIND, Candidate, Control, Recognition, Units, table};
 use chordal::machine::ControlName;
 
 use crate::machine::typical_name;
@@ -55,7 +55,7 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Premi
     if found.chosen().not_read {
         return (found, None);
     }
-    let is_certain = found.strength() == Strength::Sure;
+    let is_certain = found.is_certain();
     let has_units = units::names_units(text);
     if is_certain && has_units {
         return (found, None);

@@ -50,7 +50,6 @@ const SIGNS: &[Evidence] = &[
     evidence(Sign::Block("G1 S X|Y"), 3, "S in a cut is the power of a laser"),
     evidence(Sign::Block("S X|Y !G !M !T"), 3, "S in a cut is the power of a laser"),
     evidence(Sign::Block("M4 S0"), 3, "M4 S0 is a laser"),
-    evidence(Sign::Block("N"), -2, "blocks have numbers"),
     evidence(Sign::Block("O"), -5, "a program number"),
     evidence(Sign::Block("H"), -5, "H chooses a length"),
     evidence(Sign::Form(Form::MacroStatement), -8, "macro statements"),
