@@ -64,6 +64,7 @@ impl Kernel<'_> {
                 return self.report_no_geometry(span, number);
             }
             self.report_unset(
+                Code::OffsetNotSet,
                 span,
                 "length".into(),
                 format!("the machine file gives no length for tool {number}"),
@@ -76,6 +77,7 @@ impl Kernel<'_> {
     /// A turning tool without X and Z.
     fn report_no_geometry(&mut self, span: Span, number: u32) {
         self.report_unset(
+            Code::OffsetNotSet,
             span,
             format!("geometry {number}"),
             format!("the machine file gives no geometry for offset {number}: X and Z of the tool are not known"),
@@ -110,12 +112,19 @@ impl Kernel<'_> {
     }
 
     /// Reported once for each offset.
-    fn report_unset(&mut self, span: Span, name: String, message: String, help: String) {
+    fn report_unset(
+        &mut self,
+        code: Code,
+        span: Span,
+        name: String,
+        message: String,
+        help: String,
+    ) {
         if self.reported.offsets.contains(&name) {
             return;
         }
         self.reported.offsets.push(name);
-        self.report(Diagnostic::new(Code::OffsetNotSet, span, message).help(help));
+        self.report(Diagnostic::new(code, span, message).help(help));
     }
 
     /// Compensation goes on or off, or its offset changes.
@@ -144,6 +153,7 @@ impl Kernel<'_> {
             && !cancelled
         {
             self.report_unset(
+                Code::DiameterNotSet,
                 span,
                 format!("radius {number}"),
                 format!(

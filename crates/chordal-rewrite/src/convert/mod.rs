@@ -356,6 +356,7 @@ const LIMITS: &[Code] = &[
     Code::SpindleOverLimit,
     Code::LengthOffsetOfOtherTool,
     Code::OffsetNotSet,
+    Code::DiameterNotSet,
 ];
 
 /// Writes out the blocks that differ; false where there is nothing left to do.
