@@ -59,9 +59,13 @@ impl Tally {
         }
         if line.odd || line.open || line.semicolon {
             self.odd(text, line, at);
-        } else if line.letters & (bit(b'R') | bit(b'L')) != 0 {
+        } else if line.letters & (bit(b'R') | bit(b'L')) != 0
+            || line.closed
+            || line.letters == bit(b'Z')
+        {
             self.forms(text, line, at);
         }
+        self.beginning(text, at);
         for (from, to) in &line.comments {
             self.comment(&text[*from..*to], at);
         }
@@ -116,6 +120,20 @@ impl Tally {
         self.forms(text, line, at);
     }
 
+    /// What the line begins with.
+    fn beginning(&mut self, text: &[u8], at: usize) {
+        let text = text.trim_ascii();
+        let Some(first) = text.first() else { return };
+        let Some(listed) = CATALOG.beginnings.get(&first.to_ascii_uppercase()) else { return };
+        for (index, piece) in listed {
+            let seen = &mut self.seen[*index];
+            let whole = matches!(CATALOG.entries[*index].kind, Kind::Begins { whole: true, .. });
+            if seen.at.is_none() && forms::begins(text, piece, whole) {
+                seen.at = Some(at);
+            }
+        }
+    }
+
     fn forms(&mut self, text: &[u8], line: &Line, at: usize) {
         for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
             if let Kind::Form(form) = entry.kind
@@ -160,9 +178,12 @@ impl Tally {
             Kind::Letters { used, unused, least } => self.letters(*used, *unused, *least),
             Kind::Form(Form::OpenComments) => seen.at.filter(|_| self.open.0 > self.open.1),
             Kind::Form(Form::BareText) => self.bare.then_some(0),
-            Kind::Block(_) | Kind::Comment(_) | Kind::Header(_) | Kind::Code(_) | Kind::Form(_) => {
-                seen.at
-            }
+            Kind::Block(_)
+            | Kind::Comment(_)
+            | Kind::Header(_)
+            | Kind::Code(_)
+            | Kind::Begins { .. }
+            | Kind::Form(_) => seen.at,
         }
     }
 
