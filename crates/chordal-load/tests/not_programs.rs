@@ -7,7 +7,7 @@ mod labelled;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use chordal_load::{Given, LoadError, Request, file, looks_like_program, text};
+use chordal_load::{Given, LoadError, Request, file, find, looks_like_program, text};
 
 /// The beginning of a file's name, and what the sentence says. The first that fits counts.
 const KINDS: &[(&str, &str)] = &[
@@ -101,6 +101,16 @@ fn each_is_called_what_it_is() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// In a folder they are left out.
+#[test]
+fn a_folder_has_only_its_programs() {
+    let (inputs, failures) = find(&[tree().join("tests/not-programs")]);
+    let names = inputs.iter().map(|input| input.name().into_owned());
+    let others: Vec<String> = names.filter(|name| !name.contains(PROGRAMS)).collect();
+    assert!(failures.is_empty() && others.is_empty(), "{others:?}");
+    assert_eq!(inputs.len(), 2);
 }
 
 /// Where somebody names the machine, only what is certain is refused.

@@ -49,9 +49,19 @@ fn kind_of(text: &[u8]) -> Option<&'static FileKind> {
     bytes::kind_of(text).or_else(|| lines::kind_of(&Sample::new(text)))
 }
 
-/// The file is of a kind that is no program.
+/// The file is of a kind that is no program, or a letter.
 pub(crate) fn is_other_file(text: &[u8]) -> bool {
-    kind_of(text).is_some()
+    kind_of(text).is_some() || is_letter(text)
+}
+
+/// Text without a block, in no language that is known.
+fn is_letter(text: &[u8]) -> bool {
+    // A semicolon in a sentence looks like a comment: that alone makes no program.
+    let is_known = || {
+        let found = recognize(text);
+        found.chosen().not_read || found.strength() == Strength::Sure
+    };
+    prose::is_prose(&Sample::new(text)) && !is_known()
 }
 
 /// Refuses what is no program for certain.
@@ -67,12 +77,7 @@ pub(crate) fn refuse_likely(text: &Text) -> Result<(), LoadError> {
     if let Some(kind) = kind_of(text.bytes()) {
         return Err(refusal(text.name(), kind));
     }
-    // A semicolon in a sentence looks like a comment: that alone makes no program.
-    let is_known = || {
-        let found = recognize(text.bytes());
-        found.chosen().not_read || found.strength() == Strength::Sure
-    };
-    if prose::is_prose(&Sample::new(text.bytes())) && !is_known() {
+    if is_letter(text.bytes()) {
         let message =
             format!("{}: this is not an NC program: no line of it looks like a block", text.name());
         return Err(LoadError::wrong(message, "to run it anyway, name the machine with --machine"));

@@ -79,6 +79,7 @@ impl ReadingGroup {
 pub struct ReadingDifference {
     /// The block.
     pub span: Span,
+    /// Its line, from 1.
     pub line: u32,
     /// Its words.
     pub words: String,
