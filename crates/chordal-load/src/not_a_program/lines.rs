@@ -119,7 +119,7 @@ fn is_tool_table(sample: &Sample) -> bool {
     sample.count(is_tool) > 0 && sample.share(1, 100, |line| comment(line) || is_tool(line))
 }
 
-/// `5161	0.000000`: a number and its value.
+/// `5161 0.000000`: a number and its value.
 fn is_numbered_parameters(sample: &Sample) -> bool {
     sample.share(3, 100, |line| {
         let mut words = line.split_whitespace();
