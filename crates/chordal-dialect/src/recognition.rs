@@ -46,6 +46,11 @@ pub enum Sign {
     /// One of these pieces of text outside comments, in capital letters.
     Code(&'static [&'static str]),
     /// A line with exactly one of these codes, without its N number, blanks and comments, in capital letters.
+    Codes(&'static [&'static str]),
+    /// A line that begins with one of these pieces of text, in capital letters; blanks before it do not
+    /// count, comments do. `?` stands for a digit: `%?????`.
+    Begins(&'static [&'static str]),
+    /// The same of a line that holds nothing else.
     Line(&'static [&'static str]),
     /// A form that is no pattern of words.
     Form(Form),
@@ -88,6 +93,14 @@ pub enum Form {
     SmallControl,
     /// G43 with H in a text without `%` and O number.
     LengthWithoutTape,
+    /// `L0=1`, `G79 L0<5 N10`: a numbered L that is given a value or compared.
+    LParameter,
+    /// `H175 = 0.1600`: a numbered H that is given a value.
+    HParameter,
+    /// `(P1=2)`, `(IF P1 EQ 2 GOTO N10)`: a statement in parentheses.
+    StatementInParentheses,
+    /// `Z100,200,-50;`: a letter and whole coordinates with commas between.
+    CommaCoordinates,
 }
 
 /// A sign and how strongly it speaks.

@@ -18,7 +18,7 @@ pub enum LoadError {
     /// A machine file, an assignment or a tool table is wrong.
     #[error("the machine cannot be used")]
     Machine(Vec<MachineError>),
-    /// The request asks for something that is not there.
+    /// The request asks for something that is not there, or for a file that is no program.
     #[error("{message}")]
     Request {
         /// What does not go.

@@ -9,6 +9,7 @@ use chordal::syntax::decode;
 
 use crate::error::LoadError;
 use crate::files::Files;
+use crate::not_a_program::is_other_file;
 
 /// How much of a file in a folder is looked at to decide whether it is a program.
 const SAMPLE: u64 = 16 * 1024;
@@ -116,11 +117,13 @@ pub fn has_other_ending(path: &Path) -> bool {
     ending.is_some_and(|ending| NOT_PROGRAMS.contains(&ending.as_str()))
 }
 
-/// Some line starts as a block does: a letter with a number, a program head, a percent sign.
+/// It is of no other known kind, and some line starts as a block does: a letter with a number, a program head, a
+/// percent sign.
 /// Only asked of files that nobody named.
 pub fn looks_like_program(sample: &[u8]) -> bool {
     let decoded = decode(sample);
     !decoded.binary
+        && !is_other_file(&decoded.text)
         && decoded.text.split(|byte| matches!(byte, b'\n' | b'\r')).any(|line| {
             let mut bytes = line.iter().filter(|byte| !matches!(byte, b' ' | b'\t' | 0));
             match (bytes.next(), bytes.next()) {

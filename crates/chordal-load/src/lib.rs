@@ -35,6 +35,7 @@ mod loaded;
 mod loader;
 pub mod machine;
 mod neighbours;
+mod not_a_program;
 mod readings;
 mod request;
 mod text;
@@ -70,7 +71,7 @@ pub fn text(name: &str, bytes: Vec<u8>, request: &Request) -> Result<Loaded, Loa
     load(Text::of(name, bytes)?, &Input { path: None, root: None }, request)
 }
 
-/// Loads the text of an editor, which lies or will lie at a path.
+/// Loads the text of an editor, which lies or will lie at a path. While somebody writes it, it may be anything.
 ///
 /// # Errors
 /// A machine that cannot be used, a program that is not there.
@@ -80,7 +81,8 @@ pub fn unsaved(
     request: &Request,
 ) -> Result<Loaded, LoadError> {
     let input = Input { path: path.map(Path::to_path_buf), root: None };
-    load(Text::of(&input.name(), bytes)?, &input, request)
+    let text = Text::of(&input.name(), bytes)?;
+    Loader::new(request.clone())?.load_unsaved(text, &input)
 }
 
 fn load(text: Text, input: &Input, request: &Request) -> Result<Loaded, LoadError> {

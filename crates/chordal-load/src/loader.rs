@@ -10,6 +10,7 @@ use crate::input::Input;
 use crate::loaded::Loaded;
 use crate::machine;
 use crate::neighbours::Folders;
+use crate::not_a_program;
 use crate::readings::Premise;
 use crate::request::{Given, Request};
 use crate::text::Text;
@@ -55,7 +56,7 @@ impl Loader {
     /// Loads a program, its machine and its subprograms.
     ///
     /// # Errors
-    /// A file that cannot be read, a machine that cannot be used, a program that is not there.
+    /// A file that cannot be read or is no program, a machine that cannot be used, a program that is not there.
     pub fn load(&mut self, input: &Input) -> Result<Loaded, LoadError> {
         self.load_text(Text::read_of(&self.request.files, input)?, input)
     }
@@ -63,8 +64,18 @@ impl Loader {
     /// The same with the text of the input at hand.
     ///
     /// # Errors
-    /// A machine that cannot be used, a program that is not there.
+    /// A text that is no program, a machine that cannot be used, a program that is not there.
     pub fn load_text(&mut self, text: Text, input: &Input) -> Result<Loaded, LoadError> {
+        not_a_program::refuse_certain(&text)?;
+        let named = self.given.is_some() || machine::is_named(input, &self.request);
+        if !named {
+            not_a_program::refuse_likely(&text)?;
+        }
+        self.load_unsaved(text, input)
+    }
+
+    /// The same, whatever the text is.
+    pub(crate) fn load_unsaved(&mut self, text: Text, input: &Input) -> Result<Loaded, LoadError> {
         let request = &self.request;
         let (machine, chosen, premise) = match &self.given {
             Some(machine) => (machine.clone(), Chosen::Given, None),

@@ -41,12 +41,9 @@ pub(crate) fn choose(
     text: &[u8],
     request: &Request,
 ) -> Result<(Machine, Chosen, Option<Premise>), LoadError> {
-    for folder in folders(input) {
-        let file = folder.join(FOLDER_FILE);
-        if request.files.is_file(&file) {
-            let machine = file_of(&request.files, &file)?;
-            return Ok((finish(machine, request)?, Chosen::Folder(file), None));
-        }
+    if let Some(file) = folder_file(input, request) {
+        let machine = file_of(&request.files, &file)?;
+        return Ok((finish(machine, request)?, Chosen::Folder(file), None));
     }
     if request.settings.is_some() {
         return Ok((finish(typical(dumped()), request)?, Chosen::Given, None));
@@ -73,6 +70,20 @@ pub(crate) fn choose(
         }
     };
     Ok((finish(machine, request)?, chosen, premise))
+}
+
+/// The `chordal.toml` that counts for a program.
+fn folder_file(input: &Input, request: &Request) -> Option<PathBuf> {
+    let mut files = folders(input).into_iter().map(|folder| folder.join(FOLDER_FILE));
+    files.find(|file| request.files.is_file(file))
+}
+
+/// A folder, the printed settings or an assignment say for which control a program is.
+pub(crate) fn is_named(input: &Input, request: &Request) -> bool {
+    let control = |assignment: &String| assignment.trim_start().starts_with("control");
+    request.settings.is_some()
+        || request.set.iter().any(control)
+        || folder_file(input, request).is_some()
 }
 
 /// The machine of a built-in name or, where there is none of it, of a file.

@@ -1,11 +1,20 @@
 //! Languages that Chordal recognizes and does not read, one file each: a program of them is one message and
 //! not two hundred, and nothing is read as something that it is not.
 
+mod acramatic;
+mod fagor;
 mod grbl_kin;
 mod heidenhain;
-mod marlin_printer;
+mod isg;
+mod num;
 mod okuma;
+mod philips;
+mod plotter;
+mod printer;
+mod selca;
+mod shopbot;
 mod sinumerik;
+mod wire_edm;
 
 use chordal_machine::ControlName;
 
@@ -35,8 +44,17 @@ pub const ALL: &[&NotRead] = &[
     &heidenhain::HEIDENHAIN,
     &sinumerik::SINUMERIK,
     &okuma::OKUMA,
-    &marlin_printer::MARLIN_PRINTER,
+    &printer::PRINTER,
     &grbl_kin::GRBL_KIN,
+    &fagor::FAGOR,
+    &isg::ISG,
+    &acramatic::ACRAMATIC,
+    &philips::PHILIPS,
+    &num::NUM,
+    &selca::SELCA,
+    &shopbot::SHOPBOT,
+    &plotter::PLOTTER,
+    &wire_edm::WIRE_EDM,
 ];
 
 #[cfg(test)]

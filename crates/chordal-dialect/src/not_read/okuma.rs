@@ -20,7 +20,7 @@ const NAMES: &[&str] =
 const SIGNS: &[Evidence] = &[
     evidence(Sign::Header(NAMES), 14, "the header names an Okuma"),
     evidence(Sign::Comment(NAMES), 9, "a comment names an Okuma"),
-    evidence(Sign::Code(&[".MIN%", ".SUB%", ".SSB%"]), 15, "$NAME.MIN% heads the program"),
+    evidence(Sign::Code(&[".MIN%", ".SUB%", ".SSB%"]), 30, "$NAME.MIN% heads the program"),
     evidence(Sign::Block("G15 H"), 8, "G15 H chooses a work offset"),
     evidence(Sign::Block("G16 H X|Y|Z"), 3, "G16 H chooses a work offset"),
     evidence(Sign::Block("G56 H Z"), 4, "G56 H applies the length"),
@@ -30,6 +30,14 @@ const SIGNS: &[Evidence] = &[
         7,
         "variables as VC1 and VZOFZ",
     ),
+    evidence(Sign::Begins(&["NAT?"]), 6, "NAT01 names the block of a tool"),
+    evidence(
+        Sign::Code(&["G85 NL", "G86 NL", "G87 NL", "G88 NL"]),
+        8,
+        "G85 to G88 call a contour by its name",
+    ),
+    evidence(Sign::Block("T:6 !M6 !X !Z"), 2, "T has six digits"),
+    evidence(Sign::Block("G116 T"), 5, "G116 changes the tool"),
     evidence(Sign::Code(&["NCYL"]), 3, "NCYL leaves a cycle out"),
     evidence(Sign::Block("G71 Z !P !Q !R !X !Y"), 1, "G71 Z is the return level"),
     evidence(Sign::Block("G43"), -3, "G43 applies the tool length"),

@@ -1,5 +1,6 @@
 //! All signs of all controls and languages, their patterns read once.
 
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use chordal_dialect::not_read::{self, NotRead};
@@ -34,7 +35,8 @@ pub enum Kind {
     Comment(&'static [&'static str]),
     Header(&'static [&'static str]),
     Code(&'static [&'static str]),
-    Line(&'static [&'static str]),
+    Codes(&'static [&'static str]),
+    Begins { pieces: &'static [&'static str], whole: bool },
     Form(Form),
 }
 
@@ -52,6 +54,8 @@ pub struct Listed {
 pub struct Catalog {
     pub languages: Vec<Listed>,
     pub entries: Vec<Entry>,
+    /// By the first byte of a line in capitals: signs of beginnings that it may show, and their piece.
+    pub beginnings: BTreeMap<u8, Vec<(usize, &'static str)>>,
 }
 
 /// Read once for all texts.
@@ -59,7 +63,8 @@ pub static CATALOG: LazyLock<Catalog> = LazyLock::new(Catalog::new);
 
 impl Catalog {
     fn new() -> Catalog {
-        let mut catalog = Catalog { languages: Vec::new(), entries: Vec::new() };
+        let mut catalog =
+            Catalog { languages: Vec::new(), entries: Vec::new(), beginnings: BTreeMap::new() };
         for name in ControlName::ALL.iter().copied() {
             let table = chordal_dialect::table(name);
             let kind: &[Evidence] = table.kind.map_or(&[], |kind| kind.signs);
@@ -68,7 +73,18 @@ impl Catalog {
         for language in not_read::ALL.iter().copied() {
             catalog.add(Language::NotRead(language), language.signs, language.own);
         }
+        catalog.list_beginnings();
         catalog
+    }
+
+    fn list_beginnings(&mut self) {
+        for (index, entry) in self.entries.iter().enumerate() {
+            let Kind::Begins { pieces, .. } = entry.kind else { continue };
+            for piece in pieces {
+                let first = piece.as_bytes().first().copied().unwrap_or(0);
+                self.beginnings.entry(first).or_default().push((index, *piece));
+            }
+        }
     }
 
     fn add(&mut self, language: Language, signs: &'static [Evidence], own: &'static [Evidence]) {
@@ -94,7 +110,9 @@ impl Entry {
             Sign::Comment(names) => Kind::Comment(names),
             Sign::Header(names) => Kind::Header(names),
             Sign::Code(pieces) => Kind::Code(pieces),
-            Sign::Line(lines) => Kind::Line(lines),
+            Sign::Codes(lines) => Kind::Codes(lines),
+            Sign::Begins(pieces) => Kind::Begins { pieces, whole: false },
+            Sign::Line(pieces) => Kind::Begins { pieces, whole: true },
             Sign::Form(form) => Kind::Form(form),
         };
         Entry { evidence, kind }

@@ -40,8 +40,14 @@ pub fn shows(form: Form, text: &[u8], line: &Line) -> bool {
         Form::DollarLine => {
             matches!(code, [b'$', second, ..] if second.is_ascii_uppercase() || second.is_ascii_digit())
         }
-        Form::ParameterIsSet => parameter_is_set(code),
+        Form::ParameterIsSet => parameter(code, b'R', b"="),
         Form::EqualsAddress => line.odd && equals_address(code),
+        Form::LParameter => line.odd && parameter(code, b'L', b"=<>"),
+        Form::HParameter => line.odd && parameter(code, b'H', b"="),
+        Form::StatementInParentheses => {
+            line.comments.iter().any(|(from, to)| is_statement(&text[*from..*to]))
+        }
+        Form::CommaCoordinates => comma_coordinates(text),
         // Of the whole text.
         Form::BareText
         | Form::MixedNumbers
@@ -49,6 +55,16 @@ pub fn shows(form: Form, text: &[u8], line: &Line) -> bool {
         | Form::SmallControl
         | Form::LengthWithoutTape => false,
     }
+}
+
+/// The text begins with the piece, whose `?` are digits, in small letters as well.
+pub fn begins(text: &[u8], piece: &str, whole: bool) -> bool {
+    let same = |(given, wanted): (&u8, u8)| match wanted {
+        b'?' => given.is_ascii_digit(),
+        wanted => given.to_ascii_uppercase() == wanted,
+    };
+    let fits = if whole { text.len() == piece.len() } else { text.len() >= piece.len() };
+    fits && text.iter().zip(piece.bytes()).all(same)
 }
 
 /// `R0+1.5`, `R1-.2`: R, a digit, a sign.
@@ -99,15 +115,41 @@ fn numbered_variable(code: &[u8]) -> bool {
     })
 }
 
-/// `R1=5`, `R[2]=1`: not within another word.
-fn parameter_is_set(code: &[u8]) -> bool {
-    memchr::memchr_iter(b'=', code).any(|at| {
+/// `R1=5`, `L0 < 5`: the letter and a number before one of these marks, not within another word.
+fn parameter(code: &[u8], letter: u8, marks: &[u8]) -> bool {
+    code.iter().enumerate().filter(|(_, byte)| marks.contains(byte)).any(|(at, _)| {
         let before = code[..at].trim_ascii_end();
         let digits = before.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
-        let head = &before[..before.len() - digits];
-        let starts = |before: &[u8]| before.last().is_none_or(|byte| !byte.is_ascii_alphabetic());
-        matches!(head, [rest @ .., b'R' | b'r'] if digits > 0 && starts(rest))
+        let starts = |before: &[u8]| {
+            before.last().is_none_or(|byte| !byte.is_ascii_alphabetic() && !b"#<_".contains(byte))
+        };
+        match before[..before.len() - digits].split_last() {
+            Some((last, rest)) => digits > 0 && last.eq_ignore_ascii_case(&letter) && starts(rest),
+            None => false,
+        }
     })
+}
+
+/// `P1=2`, `IF P1 EQ 2 GOTO N10`, `GOTO N10`, `CALL 5`: as some controls write them in parentheses.
+fn is_statement(comment: &[u8]) -> bool {
+    let comment = comment.trim_ascii();
+    let after = |word: &str| begins(comment, word, false);
+    after("IF P?") || after("GOTO N?") || after("CALL ?") || {
+        let digits = comment.iter().skip(1).take_while(|byte| byte.is_ascii_digit()).count();
+        let value = comment.get(1 + digits..).unwrap_or_default().trim_ascii_start();
+        after("P?") && matches!(value, [b'=', ..])
+    }
+}
+
+/// `Z100,200,-50;`: Z, three whole numbers with commas between, a semicolon.
+fn comma_coordinates(text: &[u8]) -> bool {
+    let [b'Z', numbers @ .., b';'] = text.trim_ascii() else { return false };
+    let whole = |number: &[u8]| {
+        let digits = number.strip_prefix(b"-").unwrap_or(number);
+        !digits.is_empty() && digits.iter().all(u8::is_ascii_digit)
+    };
+    let mut numbers = numbers.split(|byte| *byte == b',');
+    numbers.by_ref().take(3).filter(|number| whole(number)).count() == 3 && numbers.next().is_none()
 }
 
 /// `X=5`, `F=R1`: a letter alone, an equals sign, a value.
@@ -139,6 +181,12 @@ mod tests {
     }
 
     #[test]
+    fn beginnings() {
+        assert!(begins(b"%00227", "%?????", true) && begins(b"jz,5.0", "JZ,", false));
+        assert!(!begins(b"%0022", "%?????", false) && !begins(b"%002277", "%?????", true));
+    }
+
+    #[test]
     fn forms() {
         for text in ["o100 sub", "N5 O<bolt> call [1]", "o7 endwhile"] {
             assert!(has(Form::OWord, text), "{text}");
@@ -150,6 +198,16 @@ mod tests {
         assert!(has(Form::SubroutineHead, "N3 L100") && !has(Form::SubroutineHead, "L9401"));
         assert!(has(Form::ParameterIsSet, "N10 R1=R2+5") && !has(Form::ParameterIsSet, "CR=5"));
         assert!(has(Form::EqualsAddress, "G1 X=R1") && !has(Form::EqualsAddress, "#1=5"));
+        assert!(has(Form::LParameter, "G79 L0<5 N10") && has(Form::LParameter, "N5 L0 = 1"));
+        assert!(!has(Form::LParameter, "#<L1>=2") && !has(Form::LParameter, "VAL1=2"));
+        assert!(has(Form::HParameter, "H175 = 0.1600") && !has(Form::HParameter, "IF[H1EQ2]"));
+        for text in ["(P1=2)", "N10 (IF P1 EQ 2 GOTO N10)", "(GOTO N50)"] {
+            assert!(has(Form::StatementInParentheses, text), "{text}");
+        }
+        assert!(!has(Form::StatementInParentheses, "(PART 1)"));
+        assert!(!has(Form::StatementInParentheses, "(IF PROBE FAILS)"));
+        assert!(has(Form::CommaCoordinates, "Z100,200,-50;"));
+        assert!(!has(Form::CommaCoordinates, "Z10;") && !has(Form::CommaCoordinates, "Z1,2,3"));
         assert!(has(Form::DollarLine, "$H") && has(Form::HashLine, "N5 #V1=5"));
     }
 }

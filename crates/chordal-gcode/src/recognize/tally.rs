@@ -65,9 +65,13 @@ impl Tally {
         }
         if line.odd || line.open || line.semicolon {
             self.odd(text, line, at);
-        } else if line.letters & (bit(b'R') | bit(b'L')) != 0 {
+        } else if line.letters & (bit(b'R') | bit(b'L')) != 0
+            || line.closed
+            || line.letters == bit(b'Z')
+        {
             self.forms(text, line, at);
         }
+        self.beginning(text, at);
         for (from, to) in &line.comments {
             self.comment(&text[*from..*to], at);
         }
@@ -120,7 +124,7 @@ impl Tally {
             code.push_str(&word.value.to_string());
         }
         for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
-            if let Kind::Line(lines) = entry.kind
+            if let Kind::Codes(lines) = entry.kind
                 && seen.at.is_none()
                 && lines.contains(&code.as_str())
             {
@@ -144,6 +148,20 @@ impl Tally {
             }
         }
         self.forms(text, line, at);
+    }
+
+    /// What the line begins with.
+    fn beginning(&mut self, text: &[u8], at: usize) {
+        let text = text.trim_ascii();
+        let Some(first) = text.first() else { return };
+        let Some(listed) = CATALOG.beginnings.get(&first.to_ascii_uppercase()) else { return };
+        for (index, piece) in listed {
+            let seen = &mut self.seen[*index];
+            let whole = matches!(CATALOG.entries[*index].kind, Kind::Begins { whole: true, .. });
+            if seen.at.is_none() && forms::begins(text, piece, whole) {
+                seen.at = Some(at);
+            }
+        }
     }
 
     fn forms(&mut self, text: &[u8], line: &Line, at: usize) {
@@ -198,7 +216,8 @@ impl Tally {
             | Kind::Comment(_)
             | Kind::Header(_)
             | Kind::Code(_)
-            | Kind::Line(_)
+            | Kind::Codes(_)
+            | Kind::Begins { .. }
             | Kind::Form(_) => seen.at,
         }
     }

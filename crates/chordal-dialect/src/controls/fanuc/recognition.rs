@@ -40,6 +40,6 @@ pub(super) const EVIDENCE: &[Evidence] = &[
     evidence(Sign::Block("O:4"), 1, "a program number of four digits"),
     evidence(Sign::Block("G40 G17 G90 G70|G71 !P !G91.1"), 8, "NX writes the units as G70 or G71")
         .on("fanuc-units-g70"),
-    evidence(Sign::Line(&["G70", "G71"]), 3, "the units are G70 or G71").on("fanuc-units-g70"),
+    evidence(Sign::Codes(&["G70", "G71"]), 3, "the units are G70 or G71").on("fanuc-units-g70"),
     evidence(Sign::Form(Form::MixedNumbers), -3, "whole numbers without a point next to decimals"),
 ];

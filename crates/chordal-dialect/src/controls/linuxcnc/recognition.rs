@@ -42,6 +42,6 @@ pub(super) const EVIDENCE: &[Evidence] = &[
     evidence(Sign::Comment(PATHPILOT), 8, "a comment names PathPilot").on("tormach-pathpilot"),
     evidence(Sign::Block("G17 G40 G49 G50 G54 G64 G80 G90 G91.1 G94"), 9, "the modes as PathPilot's post writes them")
         .on("tormach-pathpilot"),
-    evidence(Sign::Line(&["G17G54G40G49G80G90"]), 5, "the modes as FreeCAD's post for LinuxCNC writes them"),
+    evidence(Sign::Codes(&["G17G54G40G49G80G90"]), 5, "the modes as FreeCAD's post for LinuxCNC writes them"),
     evidence(Sign::Form(Form::LengthWithoutTape), 2, "G43 in a text without % and O number"),
 ];

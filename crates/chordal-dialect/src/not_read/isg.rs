@@ -1,0 +1,68 @@
+//! Programs of ISG kernels, as many machines of wood and laser have them.
+
+use super::NotRead;
+use crate::recognition::{Evidence, Form, Sign, evidence};
+use chordal_machine::ControlName;
+
+pub(super) const ISG: NotRead = NotRead {
+    name: "isg",
+    what: "a program for an ISG kernel",
+    why: "programs of ISG kernels are not read yet",
+    signs: SIGNS,
+    needed: 7,
+    own: &[],
+    shown_on: ControlName::Fanuc,
+};
+
+const SIGNS: &[Evidence] = &[
+    evidence(Sign::Comment(&["ISG", "ISG-STUTTGART"]), 4, "a comment names ISG"),
+    evidence(
+        Sign::Begins(&[
+            "$IF ",
+            "$ELSE",
+            "$ENDIF",
+            "$WHILE ",
+            "$ENDWHILE",
+            "$FOR ",
+            "$ENDFOR",
+            "$GOTO ",
+            "$SWITCH ",
+            "$CASE ",
+            "$ENDSWITCH",
+            "$DO",
+        ]),
+        8,
+        "statements begin with $, as $IF",
+    ),
+    evidence(Sign::Line(&["#VAR", "#ENDVAR", "#VAR ", "#ENDVAR "]), 9, "#VAR declares variables"),
+    evidence(
+        Sign::Code(&["V.L.", "V.P.", "V.S.", "V.G.", "V.A.", "V.E.", "V.CYC."]),
+        8,
+        "variables as V.P.NAME",
+    ),
+    evidence(Sign::Begins(&["%L "]), 7, "%L heads a subprogram"),
+    evidence(
+        Sign::Code(&["L CYCLE [", "L CYCLE[", "LL CYCLE"]),
+        10,
+        "L CYCLE [NAME=…] calls a cycle",
+    ),
+    evidence(
+        Sign::Code(&[
+            "#COMMENT BEGIN",
+            "#COMMENT END",
+            "#CONTOUR MODE",
+            "#SLOPE [",
+            "#HSC [",
+            "#HSC ON",
+            "#TRAFO O",
+            "#CS ON",
+            "#MSG ",
+            "#TIME ",
+            "#FLUSH",
+        ]),
+        6,
+        "commands begin with #, as #CONTOUR MODE",
+    ),
+    evidence(Sign::Form(Form::OWord), -8, "O words are flow control"),
+    evidence(Sign::Form(Form::MacroStatement), -6, "variables are numbered"),
+];

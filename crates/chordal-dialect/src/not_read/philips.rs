@@ -1,0 +1,34 @@
+//! Programs of Philips, Maho and MillPlus controls.
+
+use super::NotRead;
+use crate::recognition::{Evidence, Form, Sign, evidence};
+use chordal_machine::ControlName;
+
+pub(super) const PHILIPS: NotRead = NotRead {
+    name: "philips",
+    what: "a program for a Philips or MillPlus control",
+    why: "programs of Philips and MillPlus controls are not read yet",
+    signs: SIGNS,
+    needed: 7,
+    own: &[],
+    shown_on: ControlName::Fanuc,
+};
+
+const SIGNS: &[Evidence] = &[
+    evidence(
+        Sign::Header(&["PHILIPS", "MILLPLUS", "MAHO", "CNC432", "CNC532"]),
+        10,
+        "the header names a Philips control",
+    ),
+    evidence(Sign::Comment(&["MILLPLUS", "PHILIPS"]), 6, "a comment names a Philips control"),
+    evidence(Sign::Begins(&["%PM", "%MM"]), 14, "%PM heads the program"),
+    evidence(Sign::Block("T M66"), 6, "M66 changes the tool by hand"),
+    evidence(Sign::Block("G98|G99 X Y Z I J K"), 6, "G98 and G99 give the window of the picture"),
+    evidence(Sign::Block("G54 I !X !Y"), 5, "G54 I1 chooses a work offset"),
+    evidence(Sign::Block("G79 X Y !P !R"), 3, "G79 calls the cycle at a point"),
+    evidence(Sign::Block("G74 Z L !F !R !X !Y"), 5, "G74 moves to a place of the machine"),
+    evidence(Sign::Block("N9000..9999 !G !X !Y !Z !M"), 2, "N9000 heads a program"),
+    evidence(Sign::Block("G29 E N"), 4, "G29 E jumps"),
+    evidence(Sign::Block("G43 H"), -5, "G43 H applies the tool length"),
+    evidence(Sign::Form(Form::MacroStatement), -5, "variables are numbered"),
+];

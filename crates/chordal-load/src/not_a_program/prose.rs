@@ -1,0 +1,65 @@
+//! Letters, notes and other text without a block.
+
+use super::sample::Sample;
+
+/// Fewer words than these are no prose: a program that somebody begins to write.
+const FEWEST_WORDS: usize = 5;
+
+/// Of so many lines one may look like a block.
+const LINES_TO_A_BLOCK: usize = 20;
+
+/// Hardly any line begins as a block or as a comment of a program, and there are words.
+pub(super) fn is_prose(sample: &Sample) -> bool {
+    let all = sample.lines().count();
+    let blocks = sample.count(may_be_block);
+    let words: usize = sample.lines().map(words).sum();
+    words >= FEWEST_WORDS && blocks * LINES_TO_A_BLOCK <= all
+}
+
+/// Words of a sentence: a block has no more outside comments.
+const SENTENCE: usize = 4;
+
+/// It begins with a letter and a number, a head, a comment, a variable or an option.
+fn may_be_block(line: &str) -> bool {
+    let mut bytes = line.bytes().filter(|byte| !matches!(byte, b' ' | b'\t' | 0));
+    match (bytes.next(), bytes.next()) {
+        (Some(b'%' | b'(' | b';' | b'\'' | b'$' | b'/' | b':' | b'<' | b'&' | b'"' | b'*'), _) => {
+            true
+        }
+        (Some(b'#'), next) => !matches!(next, Some(b'#')) && !line.starts_with("# "),
+        (Some(first), Some(next)) => {
+            let code = line.split(['(', ';']).next().unwrap_or("");
+            first.is_ascii_alphabetic()
+                && !(next.is_ascii_alphabetic() || next >= 0x80)
+                && words(code) < SENTENCE
+        }
+        _ => false,
+    }
+}
+
+fn words(line: &str) -> usize {
+    line.split_whitespace().filter(|word| is_word(word)).count()
+}
+
+/// Letters only, three or more, and a mark after them at most.
+fn is_word(word: &str) -> bool {
+    let word = word.trim_end_matches(['.', ',', ';', ':', '!', '?']);
+    word.chars().count() >= 3 && word.chars().all(char::is_alphabetic)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn prose(text: &str) -> bool {
+        is_prose(&Sample::new(text.as_bytes()))
+    }
+
+    #[test]
+    fn letters_are_prose_and_programs_are_not() {
+        assert!(prose("Dear colleague,\n\nthe holes at X10 are too near to the edge.\n"));
+        assert!(!prose("(THE ONLY LINE OF THIS PROGRAM IS A COMMENT)\n"));
+        assert!(!prose("O1 (A PART WITH A VERY LONG NAME)\nM30\n"));
+        assert!(!prose("typing now\n"));
+    }
+}

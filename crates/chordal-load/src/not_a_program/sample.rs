@@ -1,0 +1,97 @@
+//! The first lines of a file, and what tests ask of them.
+
+/// So much of a file is looked at, bytes.
+const SAMPLE: usize = 16 * 1024;
+
+/// The first lines of a file.
+pub(super) struct Sample {
+    /// Lines that are not empty, without blanks around them, and whether a blank was before.
+    lines: Vec<(String, bool)>,
+}
+
+impl Sample {
+    pub fn new(text: &[u8]) -> Sample {
+        // The last line may be cut.
+        let text = String::from_utf8_lossy(crate::text::whole_lines(text, SAMPLE));
+        let lines = text.split(['\n', '\r']).map(|line| line.trim_matches('\0'));
+        let lines = lines.filter(|line| !line.trim().is_empty());
+        let lines = lines.map(|line| (line.trim().to_string(), line.starts_with([' ', '\t'])));
+        Sample { lines: lines.collect() }
+    }
+
+    /// The lines in order.
+    pub fn lines(&self) -> impl Iterator<Item = &str> {
+        self.lines.iter().map(|(line, _)| line.as_str())
+    }
+
+    /// The first line, empty where there is none.
+    pub fn first(&self) -> &str {
+        self.lines().next().unwrap_or("")
+    }
+
+    /// The first line that is not a comment with this mark.
+    pub fn first_without(&self, mark: &[char]) -> &str {
+        self.lines().find(|line| !line.starts_with(mark)).unwrap_or("")
+    }
+
+    /// The first line begins with it, in capitals or not.
+    pub fn begins(&self, with: &str) -> bool {
+        let first = self.first().as_bytes();
+        first.get(..with.len()).is_some_and(|first| first.eq_ignore_ascii_case(with.as_bytes()))
+    }
+
+    /// Some line has it.
+    pub fn has(&self, piece: &str) -> bool {
+        self.lines().any(|line| line.contains(piece))
+    }
+
+    /// So many lines pass a test.
+    pub fn count(&self, test: impl Fn(&str) -> bool) -> usize {
+        self.lines().filter(|line| test(line)).count()
+    }
+
+    /// At least so many lines begin with one of these pieces.
+    pub fn begin(&self, least: usize, pieces: &[&str]) -> bool {
+        self.count(|line| pieces.iter().any(|piece| line.starts_with(piece))) >= least
+    }
+
+    /// There are at least so many lines, and so many in a hundred of them pass a test.
+    pub fn share(&self, least: usize, percent: usize, test: impl Fn(&str) -> bool) -> bool {
+        let all = self.lines.len();
+        all >= least && self.count(test) * 100 >= all * percent
+    }
+
+    /// Some line that begins with a blank or a tab passes a test.
+    pub fn indented(&self, test: impl Fn(&str) -> bool) -> bool {
+        self.lines.iter().any(|(line, indented)| *indented && test(line))
+    }
+}
+
+/// The line begins like this: `9` is a digit, `+` more of what is before it, everything else itself.
+pub(super) fn fits(line: &str, shape: &str) -> bool {
+    let mut rest = line.as_bytes();
+    let mut shape = shape.bytes().peekable();
+    while let Some(wanted) = shape.next() {
+        let same = |byte: u8| if wanted == b'9' { byte.is_ascii_digit() } else { byte == wanted };
+        let least = 1;
+        let most = if shape.next_if_eq(&b'+').is_some() { usize::MAX } else { least };
+        let count = rest.iter().take_while(|byte| same(**byte)).count().min(most);
+        if count < least {
+            return false;
+        }
+        rest = &rest[count..];
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shapes() {
+        assert!(fits("{0}{25}Where", "{9+}{9+}") && !fits("{a}{25}", "{9+}{9+}"));
+        assert!(fits("2024-03-11 08:03", "9999-99-99") && !fits("N10 G1", "9999"));
+        assert!(fits("T12 P12 Z0.5", "T9+ +P9+") && !fits("T1 M6", "T9+ +P9+"));
+    }
+}
