@@ -55,10 +55,7 @@ impl Collector {
 
     /// Takes one.
     pub fn push(&mut self, diagnostic: Diagnostic) {
-        if self.lost.is_none()
-            && diagnostic.severity == Severity::Error
-            && diagnostic.code.loses_path()
-        {
+        if self.lost.is_none() && diagnostic.code.loses_path(diagnostic.severity) {
             self.lost = Some(diagnostic.primary.span);
         }
         let code = diagnostic.code;

@@ -55,6 +55,7 @@ pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::RunSink;
 pub use state::{
+    UnknownWords,
     CycleState, LiveTool, Motion, OverrideState, SplineForm, State, ThreadMemory, TurnPass,
     TurningMemory,
 };

@@ -38,6 +38,7 @@ mod neighbours;
 mod request;
 mod text;
 mod trial;
+mod variables;
 
 use std::path::Path;
 

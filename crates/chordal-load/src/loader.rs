@@ -69,7 +69,15 @@ impl Loader {
             Some(machine) => (machine.clone(), Chosen::Given),
             None => machine::choose(input, text.bytes(), request)?,
         };
+        let (mut machine, mut notes) = (machine, Vec::new());
         let (control, _) = Control::of(&machine);
+        if let Some(path) = &input.path {
+            notes = self.folders.variables(&request.files, path).give(
+                &mut machine,
+                control.table,
+                text.bytes(),
+            );
+        }
         let lexicon = control.table.lexicon;
         if let Some(number) = request.program {
             has_program(&text, number, &find_programs(text.bytes(), &lexicon))?;
@@ -79,7 +87,10 @@ impl Loader {
             let found = self.folders.find(&request.files, path, texts[0].bytes(), &lexicon);
             texts.extend(found);
         }
-        let options = options(request, &chosen, texts[0].bytes());
+        let options = RunOptions {
+            notes: notes.into(),
+            ..options(request, &chosen, texts[0].bytes())
+        };
         let (program, shop_texts) = (request.program, Vec::new());
         let mut loaded = Loaded { texts, machine, options, shop_texts, program, chosen };
         if let Some(shop) = &request.shop_codes {

@@ -18,7 +18,7 @@ impl Machine {
     /// Sets a key by `key = value`, as a machine file would: `tools.5.diameter = "0.5 in"`. A
     /// text needs no quotes (`tools.5.diameter=0.5 in`, `control=haas`), nor does a key with
     /// spaces or points in it (`settings.Setting 58=fanuc`, `work_offsets.G59.1.X=1 in`), since
-    /// a shell eats them. On an error the machine stays as it was.
+    /// a shell eats them. `#500=1.5` is short for `macros.variables.500=1.5`. On an error the machine stays as it was.
     pub fn set(&mut self, assignment: &str) -> Result<(), MachineError> {
         let source = Source::new(NAME, assignment);
         let form = || Some("write `key=value`, such as `tools.5.diameter=0.5 in`".to_string());
@@ -28,6 +28,12 @@ impl Machine {
         };
         let mut at = At::default();
         for (key, span) in keys(&assignment[..equals], &source)? {
+            // `#500=1.5` is a macro variable, as programs write it.
+            if key.starts_with('#') && at.is_top() {
+                for table in ["macros", "variables"] {
+                    at = at.step(table, span.clone(), &source)?;
+                }
+            }
             at = at.step(&key, span, &source)?;
         }
         let written = &assignment[equals + 1..];

@@ -188,7 +188,7 @@ impl<'a> Job<'a> {
             return Vec::new();
         }
         let language = self.language();
-        self.duplicates(language.library()).for_each(|diagnostic| sink.diagnostic(diagnostic));
+        self.said_before(language.library()).for_each(|diagnostic| sink.diagnostic(diagnostic));
         let mut outcomes = Vec::new();
         let mains = self.mains(&language);
         let heads = |program: usize| match mains.len() {
@@ -207,8 +207,11 @@ impl<'a> Job<'a> {
         outcomes
     }
 
-    pub(crate) fn duplicates(&self, library: &Library) -> impl Iterator<Item = Diagnostic> {
-        library.duplicate_diagnostics().filter(|each| self.is_about(library, each))
+    /// What is said before anything is run: numbers that stand twice, and what was found next to the program.
+    pub(crate) fn said_before(&self, library: &Library) -> impl Iterator<Item = Diagnostic> {
+        let duplicates = library.duplicate_diagnostics();
+        let duplicates = duplicates.filter(|each| self.is_about(library, each));
+        duplicates.chain(self.options.notes.iter().cloned())
     }
 
     /// False for problems of a program's head where only another program is run.
@@ -257,6 +260,7 @@ impl<'a> Job<'a> {
         }
         let language = self.language();
         match self.mains(&language)[..] {
+            [main] if language.needs_caller(main) => None,
             [main] => Some((language, main)),
             _ => None,
         }

@@ -301,7 +301,7 @@ impl Run {
     /// What a whole run reports.
     fn report(&self, job: &Job, language: &WordAddress<'_>) -> Report {
         let mut collector = Collector::new(KEPT_PER_CODE);
-        job.duplicates(language.library()).for_each(|diagnostic| collector.push(diagnostic));
+        job.said_before(language.library()).for_each(|diagnostic| collector.push(diagnostic));
         let mut sink = CheckSink::new(job, ());
         let mut output = Vec::new();
         for stretch in &self.stretches {

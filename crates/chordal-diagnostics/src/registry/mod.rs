@@ -96,9 +96,13 @@ impl Code {
         matches!(self, Code::ExcessDecimals)
     }
 
-    /// Where it is an error, the control would go on otherwise than is shown: from there on the path is not known.
-    pub const fn loses_path(self) -> bool {
-        matches!(
+    /// From there on the path is not known: the control would go on otherwise than is shown, where the
+    /// problem is of this severity.
+    pub const fn loses_path(self, severity: Severity) -> bool {
+        if matches!(self, Code::UnknownPath | Code::AssumedBranch | Code::MacroAlone) {
+            return true;
+        }
+        let is_lost = matches!(
             self,
             Code::NotFollowed
                 | Code::NotRead
@@ -106,7 +110,8 @@ impl Code {
                 | Code::MissingSubprogram
                 | Code::UnsupportedMacro
                 | Code::BudgetReached
-        )
+        );
+        is_lost && matches!(severity, Severity::Error)
     }
 
     /// What the registry knows of it.
