@@ -53,7 +53,15 @@ pub(crate) fn missing_call(
     let mut reader = library.reader(program, control.table.lexicon);
     let text = reader.text();
     let parser = ExpressionParser::new(text, program.file, control.table.lexicon.grammar);
-    let mut scan = Scan { control, text, file: program.file, parser, read: BTreeSet::new(), set: BTreeSet::new(), returns: false };
+    let mut scan = Scan {
+        control,
+        text,
+        file: program.file,
+        parser,
+        read: BTreeSet::new(),
+        set: BTreeSet::new(),
+        returns: false,
+    };
     let mut block = Block::new();
     let mut first = None;
     let mut sub = SubState::default();
@@ -151,7 +159,8 @@ impl<'a> Scan<'a> {
             });
             match row.map(|row| row.action) {
                 Some(Action::After(AfterCode::ProgramEnd { .. })) => return None,
-                Some(Action::Call(CallCode::Return)) => self.returns = true,
+                // With P it may be a jump of a main program.
+                Some(Action::Call(CallCode::Return)) => self.returns |= !block.letters().has(b'P'),
                 Some(Action::Call(_)) => calls = true,
                 _ => {}
             }
@@ -179,7 +188,8 @@ impl<'a> Scan<'a> {
             Statement::While { condition, .. } => {
                 condition.into_iter().for_each(|condition| self.reads(condition));
             }
-            Statement::Empty | Statement::End(_) | Statement::Output(_) | Statement::Unknown(_) => {}
+            Statement::Empty | Statement::End(_) | Statement::Output(_) | Statement::Unknown(_) => {
+            }
         }
         self.parser.problems.clear();
         self.parser.rest()
@@ -202,7 +212,9 @@ impl<'a> Scan<'a> {
                     self.reads(value);
                     self.sets(&target);
                 }
-                LineStatement::Input(targets) => targets.iter().for_each(|target| self.sets(target)),
+                LineStatement::Input(targets) => {
+                    targets.iter().for_each(|target| self.sets(target))
+                }
                 LineStatement::Print { items, .. } => {
                     for item in items {
                         if let PrintItem::Value(value) = item {
@@ -245,7 +257,9 @@ impl<'a> Scan<'a> {
         if !state.inside && block.words.iter().any(|word| !self.is_idle(word)) {
             return None;
         }
-        if state.inside { self.reads_of_words(block) }
+        if state.inside {
+            self.reads_of_words(block)
+        }
         Some(())
     }
 
@@ -283,7 +297,8 @@ impl<'a> Scan<'a> {
     fn is_idle(&self, word: &chordal_syntax::Word) -> bool {
         let code = word.number().and_then(code_number);
         let row = code.and_then(|code| self.control.m_code(code));
-        let ends = row.is_some_and(|row| matches!(row.action, Action::After(AfterCode::ProgramEnd { .. })));
+        let ends = row
+            .is_some_and(|row| matches!(row.action, Action::After(AfterCode::ProgramEnd { .. })));
         word.letter == b'N' || word.letter == b'M' && ends
     }
 
@@ -341,7 +356,9 @@ impl<'a> Scan<'a> {
     fn letters(&self) -> String {
         let names = self.control.table.lexicon.grammar.letter_variables;
         let name = |argument: &Argument| match *argument {
-            Argument::Local(number) => letter_of(number).map(|letter| char::from(letter).to_string()),
+            Argument::Local(number) => {
+                letter_of(number).map(|letter| char::from(letter).to_string())
+            }
             Argument::Letters(letters, number) => {
                 names.get(letters as usize).map(|name| format!("{name}{number}"))
             }

@@ -45,9 +45,7 @@ impl<'a> WordAddress<'a> {
     /// Whether a program is a macro, which is not run without its caller.
     pub fn needs_caller(&self, program: usize) -> bool {
         let program = self.library.programs().get(program).copied();
-        program.is_some_and(|program| {
-            missing_call(&self.library, program, self.control).is_some()
-        })
+        program.is_some_and(|program| missing_call(&self.library, program, self.control).is_some())
     }
 
     fn text(&self) -> &'a [u8] {

@@ -87,10 +87,8 @@ impl Loader {
             let found = self.folders.find(&request.files, path, texts[0].bytes(), &lexicon);
             texts.extend(found);
         }
-        let options = RunOptions {
-            notes: notes.into(),
-            ..options(request, &chosen, texts[0].bytes())
-        };
+        let options =
+            RunOptions { notes: notes.into(), ..options(request, &chosen, texts[0].bytes()) };
         let (program, shop_texts) = (request.program, Vec::new());
         let mut loaded = Loaded { texts, machine, options, shop_texts, program, chosen };
         if let Some(shop) = &request.shop_codes {

@@ -99,7 +99,11 @@ fn is_programs(table: &ControlTable, number: u32) -> bool {
         || macros.system_at(number).is_some_and(|(what, _)| {
             matches!(
                 what,
-                System::Input | System::Timer | System::Setting | System::MachineState | System::Kept
+                System::Input
+                    | System::Timer
+                    | System::Setting
+                    | System::MachineState
+                    | System::Kept
             )
         })
 }

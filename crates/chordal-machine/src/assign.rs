@@ -43,6 +43,13 @@ impl Machine {
             let span = Some(0..assignment.len());
             return Err(source.error(span, "the assignment has no value", form()));
         }
+        // A macro variable may have its number as programs write it: `.5`, `1.`.
+        let as_program = |written: &str| written.parse::<f64>().ok().filter(|n| n.is_finite());
+        let normal = match assignment.trim_start().starts_with('#').then(|| as_program(written)) {
+            Some(Some(number)) => format!("{number:?}"),
+            _ => written.to_string(),
+        };
+        let written = normal.as_str();
         // From here on spans count from the value's start.
         let source = Source { shift: start, ..source };
         let wants_text = matches!(

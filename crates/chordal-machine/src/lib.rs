@@ -67,6 +67,6 @@ pub use schema::{SchemaKey, schema_keys, schema_reference};
 pub use setup::{Body, BodyShape, ContourPoint, CuttingForce, MeshUnit, Setup};
 pub use tool::{Cutter, Solid, Tool, ToolShape};
 pub use tool_tbl::read_tool_tbl;
-pub use variable_dump::{BadLine, VariableDump, read_variable_dump};
 pub use turning::{InsertLetter, ToolFacing, TurningTool, mirrored_tip};
 pub use value::{Setting, SettingValue};
+pub use variable_dump::{BadLine, VariableDump, read_variable_dump};

@@ -47,7 +47,8 @@ pub fn read_variable_dump(bytes: &[u8]) -> Option<VariableDump> {
             break;
         }
         let text = String::from_utf8_lossy(line);
-        let text = text.trim_matches(|c: char| c.is_whitespace() || matches!(c, '\0' | '\u{feff}' | ';'));
+        let text =
+            text.trim_matches(|c: char| c.is_whitespace() || matches!(c, '\0' | '\u{feff}' | ';'));
         match said(text) {
             Some(Said::Value(number, value)) => {
                 dump.values.insert(number, value);
@@ -154,7 +155,8 @@ fn number_of(text: &str) -> Option<u32> {
 /// A number as controls write it: digits, a point or a decimal comma, a sign.
 fn finite(text: &str) -> Option<f64> {
     let text = text.strip_prefix('+').unwrap_or(text).replace(',', ".");
-    let plain = |byte: u8| byte.is_ascii_digit() || matches!(byte, b'.' | b'-' | b'E' | b'e' | b'+');
+    let plain =
+        |byte: u8| byte.is_ascii_digit() || matches!(byte, b'.' | b'-' | b'E' | b'e' | b'+');
     if !text.bytes().all(plain) {
         return None;
     }
@@ -181,9 +183,15 @@ mod tests {
 
     #[test]
     fn assignments_of_older_fanucs_and_mitsubishi() {
-        assert_eq!(values("#500=12.5\n#501=-3\n#502=#0"), [(500, Some(12.5)), (501, Some(-3.0)), (502, None)]);
+        assert_eq!(
+            values("#500=12.5\n#501=-3\n#502=#0"),
+            [(500, Some(12.5)), (501, Some(-3.0)), (502, None)]
+        );
         // 1.5 = (3072 × 65536 + 0) / 134217728.
-        assert_eq!(values("O9999\n#500=[3072*65536+0]/134217728\n#501=#0\nM30"), [(500, Some(1.5)), (501, None)]);
+        assert_eq!(
+            values("O9999\n#500=[3072*65536+0]/134217728\n#501=#0\nM30"),
+            [(500, Some(1.5)), (501, None)]
+        );
         assert_eq!(values("#700 = 2,75 (NAME)\n"), [(700, Some(2.75))]);
     }
 
@@ -197,11 +205,10 @@ mod tests {
 
     #[test]
     fn lines_of_linuxcnc() {
-        assert_eq!(values("31\t4.25\n5161 0.000000\n5220 1.000000\n"), [
-            (31, Some(4.25)),
-            (5161, Some(0.0)),
-            (5220, Some(1.0)),
-        ]);
+        assert_eq!(
+            values("31\t4.25\n5161 0.000000\n5220 1.000000\n"),
+            [(31, Some(4.25)), (5161, Some(0.0)), (5220, Some(1.0)),]
+        );
         assert_eq!(values("3000   -1e-3"), [(3000, Some(-0.001))]);
         assert_eq!(values("\n\n  100  2  \n"), [(100, Some(2.0))]);
     }
@@ -219,7 +226,16 @@ mod tests {
 
     #[test]
     fn other_files_are_none_of_variables() {
-        for text in ["", "%\n%", "variables of the plant\n#500=1", "<TOOL/>", "x 1", "1 2 3", "{\"a\": 1}", "G10L2P1X0"] {
+        for text in [
+            "",
+            "%\n%",
+            "variables of the plant\n#500=1",
+            "<TOOL/>",
+            "x 1",
+            "1 2 3",
+            "{\"a\": 1}",
+            "G10L2P1X0",
+        ] {
             assert_eq!(read_variable_dump(text.as_bytes()), None, "{text}");
         }
     }
@@ -227,14 +243,30 @@ mod tests {
     #[test]
     fn no_bytes_make_it_panic() {
         let pieces: [&[u8]; 16] = [
-            b"G10L85P", b"(", b")", b"#", b"=", b"[", b"]", b"/", b"*", b"+", b"-", b"500", b"\xff\xfe", b"\r",
-            b"\n", b"N1V",
+            b"G10L85P",
+            b"(",
+            b")",
+            b"#",
+            b"=",
+            b"[",
+            b"]",
+            b"/",
+            b"*",
+            b"+",
+            b"-",
+            b"500",
+            b"\xff\xfe",
+            b"\r",
+            b"\n",
+            b"N1V",
         ];
         let mut state = 12345u64;
         for _ in 0..20_000 {
             let mut bytes = Vec::new();
             for _ in 0..12 {
-                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1_442_695_040_888_963_407);
                 bytes.extend_from_slice(pieces[(state >> 60) as usize]);
                 if state >> 40 & 3 == 0 {
                     bytes.push((state >> 32) as u8);

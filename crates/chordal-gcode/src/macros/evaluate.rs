@@ -107,6 +107,11 @@ pub(crate) fn evaluate(
                 let b = pop(stack);
                 let a = pop(stack);
                 check_comparison(operator, rules, purpose, step)?;
+                // Whatever is divided by zero is an alarm.
+                let divides = matches!(operator, Operator::Divide | Operator::Modulo);
+                if divides && b.known() == Some(0.0) {
+                    return Err(undefined_fault(Undefined::DivisionByZero, step));
+                }
                 match unknown_of(a, b) {
                     Some(cause) => Value::Unknown(cause),
                     None => defined(functions::binary(operator, a, b, rules), step)?,
@@ -131,7 +136,10 @@ pub(crate) fn evaluate(
                     let x = if radians && takes_angle(function) { x.to_degrees() } else { x };
                     let value = functions::one(function, x, rules, purpose.round_digits);
                     let angle = radians && function == Function::Atan;
-                    defined(value.map(|value| if angle { value.to_radians() } else { value }), step)?
+                    defined(
+                        value.map(|value| if angle { value.to_radians() } else { value }),
+                        step,
+                    )?
                 }
             },
             Op::Call { function, two: true } => {

@@ -168,11 +168,25 @@ fn what_has_no_value() {
 fn what_is_computed_from_an_unknown_value_is_unknown() {
     let unknown = Value::Unknown(Cause::Variable(700));
     for text in [
-        "#700", "-#700", "#700+1", "0*#700", "#700*0", "1/#700", "#700/0", "#700MOD0", "SQRT[#700]",
-        "ATAN[#700]/[0]", "POW[#700,2]", "#[#700]", "ABS[ROUND[#700*2]]", "#2+#700", "LN[#700-#700]",
+        "#700",
+        "-#700",
+        "#700+1",
+        "0*#700",
+        "#700*0",
+        "1/#700",
+        "SQRT[#700]",
+        "ATAN[#700]/[0]",
+        "POW[#700,2]",
+        "#[#700]",
+        "ABS[ROUND[#700*2]]",
+        "#2+#700",
+        "LN[#700-#700]",
     ] {
         assert_eq!(fanuc(text), Ok(unknown), "{text}");
     }
+    // Whatever is divided by zero is an alarm.
+    assert_eq!(fanuc("#700/0"), Err(Code::DivisionByZero));
+    assert_eq!(fanuc("#700MOD#2"), Err(Code::DivisionByZero));
     let table = table(chordal_machine::ControlName::Fanuc);
     for text in ["#700EQ#0", "#700NE#0", "[#700GT1]OR[1EQ1]", "[1EQ2]AND[#700LT1]"] {
         let value = run(text, table.lexicon.grammar, table.macros, Purpose::CONDITION);

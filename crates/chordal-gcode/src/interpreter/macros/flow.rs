@@ -2,7 +2,8 @@
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_syntax::{
-    Block, BlockKind, Expression, ExpressionParser, Position as TextPosition, Statement, parse_statement,
+    Block, BlockKind, Expression, ExpressionParser, Position as TextPosition, Statement,
+    parse_statement,
 };
 
 use super::super::{EndReason, Flow, Interpreter};

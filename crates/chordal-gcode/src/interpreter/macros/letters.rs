@@ -45,7 +45,7 @@ impl Interpreter<'_> {
             }
             "R" => match self.registers[at as usize] {
                 Some(register) => register.to_f64(),
-                None => return Ok(unknown),
+                None => return Ok(Value::Unknown(self.cause_of_register(letters, at))),
             },
             "AX" | "AY" | "AZ" | "AA" | "AB" | "AC" => {
                 self.axis_out(axis, self.kernel.state.position[axis])
@@ -88,8 +88,9 @@ impl Interpreter<'_> {
         }
         let value = match value.counted() {
             Ok(value) => value,
-            Err(_) if name == "R" => {
+            Err(cause) if name == "R" => {
                 self.registers[at as usize] = None;
+                self.macros.unknown.lose_register(at as usize, cause);
                 return Ok(());
             }
             Err(cause) => {

@@ -173,7 +173,9 @@ impl<'a> Interpreter<'a> {
 
     /// Whether a condition holds. One that depends on an unknown value is taken as one that does not.
     fn holds(&mut self, parser: &ExpressionParser<'a>, condition: Expression) -> bool {
-        let Some(value) = self.value_of(parser, condition, Purpose::CONDITION) else { return false };
+        let Some(value) = self.value_of(parser, condition, Purpose::CONDITION) else {
+            return false;
+        };
         self.is_true(value, condition.range)
     }
 

@@ -48,14 +48,15 @@ impl Interpreter<'_> {
     pub(super) fn read_system(&mut self, index: u32, range: TextRange) -> Result<Value, Fault> {
         let Some((what, at)) = self.rules().system_at(index) else {
             let given = self.macros.kept.get(&index).copied();
-            return given
-                .map(Value::Number)
-                .ok_or_else(|| no_variable(f64::from(index), range));
+            return given.map(Value::Number).ok_or_else(|| no_variable(f64::from(index), range));
         };
         let axis = at as usize;
         let unknown = Value::Unknown(Cause::Variable(index));
         let place = |place: Option<f64>| {
-            Value::or_unknown(place.map(|place| self.stored_out(axis, place)), Cause::Variable(index))
+            Value::or_unknown(
+                place.map(|place| self.stored_out(axis, place)),
+                Cause::Variable(index),
+            )
         };
         let value = match what {
             System::BlockEnd => self.axis_out(axis, self.kernel.state.position[axis]),
@@ -438,7 +439,9 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::DateNotSet,
                 self.span(range),
-                format!("#{index} is the {name}, which the machine file does not give: it is not known"),
+                format!(
+                    "#{index} is the {name}, which the machine file does not give: it is not known"
+                ),
             )
             .help(format!("give it in the machine file: `[macros] {name} = \"{form}\"`")),
         );

@@ -41,12 +41,19 @@ pub(in super::super) struct Unknown {
     time_lost: bool,
     /// A branch was assumed.
     branch_assumed: bool,
+    /// Why registers R0 to R9 that the program has set are not known.
+    registers: [Option<Cause>; 10],
 }
 
 impl Unknown {
     /// A condition was taken as one that does not hold, and nobody knows.
     pub fn branch_assumed(&self) -> bool {
         self.branch_assumed
+    }
+
+    /// A register got an unknown value.
+    pub fn lose_register(&mut self, index: usize, cause: Cause) {
+        self.registers[index] = Some(cause);
     }
 
     /// Moves its places to those of a text that has changed elsewhere.
@@ -124,7 +131,7 @@ impl Interpreter<'_> {
                 format!("{what} is computed from {name}, which is not known"),
             )
             .label("from here on the path is not known")
-            .help(give(cause, &name)),
+            .help(give_it(cause, &name)),
         );
     }
 
@@ -141,7 +148,7 @@ impl Interpreter<'_> {
                 format!("`{letter}` is computed from {name}, which is not known"),
             )
             .label("the time of what it feeds or waits is not counted")
-            .help(give(cause, &name)),
+            .help(give_it(cause, &name)),
         );
     }
 
@@ -156,7 +163,7 @@ impl Interpreter<'_> {
                 format!("this depends on {name}, which is not known: it is taken as not fulfilled"),
             )
             .label("from here on the path is assumed")
-            .help(give(cause, &name)),
+            .help(give_it(cause, &name)),
         );
     }
 
@@ -170,7 +177,8 @@ impl Interpreter<'_> {
             let one = own.len() == 1;
             let (names, it) = (self.names_of(&own), if one { "it" } else { "them" });
             let what = if one { "its value is" } else { "their values are" };
-            let message = format!("{names}: read before the program sets {it}, so {what} not known");
+            let message =
+                format!("{names}: read before the program sets {it}, so {what} not known");
             let mut diagnostic = Diagnostic::new(Code::UnknownVariable, span, message)
                 .label("the first one")
                 .help(give(cause, &self.name_of(cause)));
@@ -183,7 +191,9 @@ impl Interpreter<'_> {
                 };
                 own.iter().copied().filter(is_held).collect()
             };
-            let keep = |some: &[Cause]| if some.len() == 1 { "keeps its value" } else { "keep their values" };
+            let keep = |some: &[Cause]| {
+                if some.len() == 1 { "keeps its value" } else { "keep their values" }
+            };
             let over = held(Held::OverPowerOff);
             let until = held(Held::UntilPowerOff);
             for (some, how) in [(over, "over power-off"), (until, "until power-off")] {
@@ -197,7 +207,8 @@ impl Interpreter<'_> {
         if let (Some(span), Some(&cause)) = (first_of_system, others.first()) {
             let names = self.names_of(&others);
             let show = if others.len() == 1 { "shows a state" } else { "show states" };
-            let message = format!("{names} {show} of the machine, and Chordal cannot know the value");
+            let message =
+                format!("{names} {show} of the machine, and Chordal cannot know the value");
             let diagnostic = Diagnostic::new(Code::SystemVariable, span, message)
                 .label("the first one")
                 .help(give(cause, &self.name_of(cause)));
@@ -229,13 +240,20 @@ impl Interpreter<'_> {
         }
         let names = self.control.table.lexicon.grammar.letter_variables;
         let letters = names.iter().position(|name| *name == "R")?;
-        Some(Cause::Letters(letters as u8, u32::from(index)))
+        Some(self.cause_of_register(letters as u8, u32::from(index)))
+    }
+
+    /// Why a register is not known: what was written into it, or that nothing was.
+    pub(super) fn cause_of_register(&self, letters: u8, index: u32) -> Cause {
+        let written = self.macros.unknown.registers.get(index as usize).copied().flatten();
+        written.unwrap_or(Cause::Letters(letters, index))
     }
 
     /// Takes the words of a block that have unknown values, which are not in it any more, and leaves out of the
     /// block what cannot be carried out without them.
     pub(super) fn take_unknown_words(&mut self, block: &mut Block, unknown: &[(Word, Cause)]) {
-        let actions: Vec<Action> = block.words.iter().filter_map(|word| self.action_of(word)).collect();
+        let actions: Vec<Action> =
+            block.words.iter().filter_map(|word| self.action_of(word)).collect();
         let mut drops = Drops::default();
         let mut astray = AxisMask::NONE;
         for (word, cause) in unknown {
@@ -323,7 +341,9 @@ impl Interpreter<'_> {
                 code,
                 chordal_dialect::MotionCode::Rapid | chordal_dialect::MotionCode::Linear
             ),
-            None => matches!(self.kernel.state.motion, Motion::Rapid | Motion::Linear | Motion::None),
+            None => {
+                matches!(self.kernel.state.motion, Motion::Rapid | Motion::Linear | Motion::None)
+            }
         };
         let special = |action: &Action| {
             action.cycle().is_some()
@@ -360,6 +380,10 @@ impl Interpreter<'_> {
     fn drop_words(&self, block: &mut Block, drops: Drops) {
         if drops == Drops::default() {
             return;
+        }
+        // The words of a macro call are its arguments.
+        if drops.call && self.is_macro_call(block) {
+            return block.truncate(0);
         }
         let words: Vec<Word> = block.words.iter().chain(&block.polar).copied().collect();
         block.truncate(0);
@@ -399,7 +423,15 @@ struct Drops {
     length: bool,
 }
 
-/// How a user gives a value.
+/// How a user gives a value, in short.
+fn give_it(cause: Cause, name: &str) -> String {
+    match cause {
+        Cause::Variable(_) => format!("give the value with `--set '{name}=1.5'`"),
+        Cause::Letters(..) => format!("set {name} at the start of the program"),
+    }
+}
+
+/// All the ways in which a user gives a value.
 fn give(cause: Cause, name: &str) -> String {
     match cause {
         Cause::Variable(number) => format!(
