@@ -127,7 +127,7 @@ fn plant_all(kinds: &[Kind], parts: &[Part]) -> usize {
             for (line, new, place) in plants(kind, part) {
                 let text = part.planted(line, &new);
                 let after = said(&part.check(&text), &text);
-                let is_new = |at: u32, id: &str| !before.iter().any(|b| b.0 == at && b.1 == id);
+                let is_new = |at: usize, id: &str| !before.iter().any(|b| b.0 == at && b.1 == id);
                 let right = after.iter().any(|&(at, id, _)| {
                     let said = kind.codes.contains(&id) || id == REFUSED;
                     let in_line = at == place && said;

@@ -30,7 +30,8 @@ impl Interpreter<'_> {
 
     /// Puts the values of a block's expressions in their places. A word whose value is null is
     /// dropped, address and all. The words of a macro call stay: its arguments are not rounded.
-    pub(in super::super) fn resolve_words(&mut self, block: &mut Block) {
+    /// True when words of unknown values were left out that are more than a feed.
+    pub(in super::super) fn resolve_words(&mut self, block: &mut Block) -> bool {
         block.expressions = false;
         let units = self.units_of(block);
         let call = self.is_macro_call(block);
@@ -75,6 +76,7 @@ impl Interpreter<'_> {
         if !unknown.is_empty() {
             self.take_unknown_words(block, &unknown);
         }
+        unknown.iter().any(|(word, _)| word.letter != b'F')
     }
 
     /// Units that hold for the block's own words.
