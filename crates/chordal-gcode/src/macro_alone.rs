@@ -326,7 +326,7 @@ impl<'a> Scan<'a> {
 
     fn argument(&self, op: Op, before: Option<Op>) -> Option<Argument> {
         let Some(Op::Number(number)) = before else { return None };
-        let number = (number >= 0.0 && number <= 1e6).then_some(number as u32)?;
+        let number = (0.0..=1e6).contains(&number).then_some(number as u32)?;
         match op {
             Op::Read => ((1..=self.control.macros.locals).contains(&number)
                 && (self.control.macros.o_flow && !self.control.macros.macro_b

@@ -3,6 +3,7 @@
 //! `words` puts numbers in the place of expressions; `statements` carries out what stands in a
 //! macro statement; `flow` jumps and loops; `system` reads and writes system variables.
 
+mod alarms;
 mod assignments;
 mod calls;
 mod comments;

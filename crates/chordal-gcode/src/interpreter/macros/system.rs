@@ -1,7 +1,7 @@
 //! System variables: positions, offsets, modal codes, alarms.
 
-use chordal_command::{CommandKind, FeedMode, Side, Units, WorkName};
-use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
+use chordal_command::{FeedMode, Side, Units, WorkName};
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_dialect::Action;
 use chordal_dialect::macros::{ModalGroup, OFFSET_STEP, System, TURN_PLACE};
 use chordal_geometry::{Direction, Plane};
@@ -10,7 +10,7 @@ use chordal_kernel::ToolValue;
 use chordal_kernel::rules::{CycleKind, OffsetKind};
 use chordal_machine::AXES;
 
-use super::super::{EndReason, Interpreter};
+use super::super::Interpreter;
 use crate::macros::arguments::letter_of;
 use crate::macros::evaluate::Fault;
 use crate::macros::value::{Cause, Value};
@@ -446,59 +446,6 @@ impl Interpreter<'_> {
             .help(format!("give it in the machine file: `[macros] {name} = \"{form}\"`")),
         );
         Value::Unknown(Cause::Variable(index))
-    }
-
-    /// `#3000=n (TEXT)`.
-    fn alarm(&mut self, value: f64, range: TextRange) {
-        let rules = self.rules();
-        let shown = libm::round(value) + f64::from(rules.alarm_base);
-        let text = self.message_text();
-        let shown = format!("{shown} {text}").trim_end().to_string();
-        let span = self.kernel.origin.span;
-        let title = self.control.table.title;
-        let mut diagnostic = Diagnostic::new(
-            Code::ProgramAlarm,
-            span,
-            format!("the program stops itself with alarm {shown}"),
-        )
-        .label("the run ends here")
-        .alarm(format!("{title}: {shown}"))
-        .help("check the conditions that lead to this block");
-        if self.macros.unknown.branch_assumed() {
-            diagnostic = diagnostic
-                .severity(Severity::Note)
-                .note("a branch before it depends on a value that is not known, and was assumed");
-        }
-        let last = rules.alarm_last;
-        if value > f64::from(last) {
-            diagnostic = diagnostic.note(format!("the control accepts numbers up to {last}"));
-        }
-        let _ = range;
-        self.kernel.report(diagnostic);
-        self.stopped = Some(EndReason::Alarm);
-    }
-
-    /// `#3006=n (TEXT)`.
-    fn message_stop(&mut self) {
-        let text = self.message_text();
-        if let Some(range) = self.message {
-            self.kernel.emit(CommandKind::Message(range));
-        }
-        self.report_once(
-            Diagnostic::new(
-                Code::ProgramStop,
-                self.kernel.origin.span,
-                format!("the program stops and shows `{text}`"),
-            )
-            .severity(Severity::Note),
-        );
-        self.kernel.emit(CommandKind::Stop { optional: false });
-    }
-
-    /// The text that hugs the value being assigned.
-    fn message_text(&self) -> String {
-        let range = self.message.unwrap_or_default();
-        String::from_utf8_lossy(range.slice(self.reader.text())).trim().to_string()
     }
 
     /// The last word of a letter.
