@@ -30,7 +30,7 @@ pub struct Common {
 
     /// Overrides any key of the machine, such as `tools.5.diameter="0.5 in"`
     ///
-    /// Also `"settings.Setting 58=fanuc"`, `work_offsets.G54.X="10 in"`, `control=haas`.
+    /// Also `"settings.Setting 58=fanuc"`, `work_offsets.G54.X="10 in"`, `control=haas`, `#500=1.5`.
     /// `chordal machines --schema` lists the keys.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,

@@ -15,16 +15,33 @@ pub struct VariableRange {
     /// The number under which the first is stored: its own, or that of another range whose
     /// second name this one is.
     pub stored: u32,
+    /// How long they hold what was written.
+    pub held: Held,
 }
 
-/// Writes a range of variables that is stored under its own numbers.
+/// How long a common variable holds what was written. Until a program writes it, its value is not known in
+/// either case: another program may have run before.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Held {
+    /// Until the control is switched off, or reset where a parameter says so.
+    UntilPowerOff,
+    /// Over power-off.
+    OverPowerOff,
+}
+
+/// Writes a range of variables that is empty after power-on.
 pub const fn common(first: u32, last: u32) -> VariableRange {
-    VariableRange { first, last, stored: first }
+    VariableRange { first, last, stored: first, held: Held::UntilPowerOff }
 }
 
-/// Writes a range that is another name for the variables from `stored` on.
+/// Writes a range of variables that keep their values over power-off.
+pub const fn kept(first: u32, last: u32) -> VariableRange {
+    VariableRange { first, last, stored: first, held: Held::OverPowerOff }
+}
+
+/// Writes a range that is another name for the variables from `stored` on, which are kept.
 pub const fn alias(first: u32, last: u32, stored: u32) -> VariableRange {
-    VariableRange { first, last, stored }
+    VariableRange { first, last, stored, held: Held::OverPowerOff }
 }
 
 /// What a system variable shows.
@@ -82,6 +99,9 @@ pub enum System {
     SpindleSpeed,
     /// A parameter or a setting of the control, given by the machine file.
     Setting,
+    /// A state of the machine that no program and no machine file says, such as the servo lag, loads and
+    /// tool lives.
+    MachineState,
     /// A constant.
     Constant(u32),
     /// Place of the first reference point, machine coordinates (LinuxCNC 5161).
@@ -353,6 +373,12 @@ impl MacroRules {
         output_needs_open: true,
         ..MacroRules::NONE
     };
+
+    /// The range of a common variable.
+    pub fn common_range(&self, number: u32) -> Option<&'static VariableRange> {
+        let index = self.common.partition_point(|range| range.last < number);
+        self.common.get(index).filter(|range| range.first <= number)
+    }
 
     /// What a system variable shows, and its place in its row, where work offsets are [`OFFSET_STEP`] apart.
     pub fn system_at(&self, number: u32) -> Option<(System, u32)> {

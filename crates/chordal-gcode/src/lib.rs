@@ -28,6 +28,7 @@ mod called_subroutines;
 mod firmware;
 mod interpreter;
 mod library;
+mod macro_alone;
 mod macros;
 mod marks;
 mod recognize;

@@ -8,6 +8,7 @@ use chordal_syntax::{Block, BlockReader};
 
 use crate::interpreter::{RunOptions, run_from};
 use crate::library::Library;
+use crate::macro_alone::missing_call;
 use crate::tokens::block_tokens;
 
 /// Programs of blocks, with the texts, the machine and its control.
@@ -39,6 +40,12 @@ impl<'a> WordAddress<'a> {
     /// The places of the programs that a run begins with.
     pub fn mains(&self) -> Vec<usize> {
         self.library.mains(&self.control.table.lexicon, &self.control.alias_programs())
+    }
+
+    /// Whether a program is a macro, which is not run without its caller.
+    pub fn needs_caller(&self, program: usize) -> bool {
+        let program = self.library.programs().get(program).copied();
+        program.is_some_and(|program| missing_call(&self.library, program, self.control).is_some())
     }
 
     fn text(&self) -> &'a [u8] {

@@ -39,6 +39,8 @@ pub enum EndReason {
     Budget,
     /// Who ran it wanted it to end.
     Interrupted,
+    /// It was not run: a macro without its caller.
+    NotRun,
 }
 
 /// What a run leaves in addition to its commands.

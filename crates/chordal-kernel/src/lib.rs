@@ -56,7 +56,7 @@ pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::RunSink;
 pub use state::{
     CycleState, LiveTool, Motion, OverrideState, SplineForm, State, ThreadMemory, TurnPass,
-    TurningMemory,
+    TurningMemory, UnknownWords,
 };
 pub use statement::{Statement, What};
 pub use surface::{SurfacePlane, SurfaceState};

@@ -32,6 +32,7 @@ impl Kernel<'_> {
             // A feed of one mode means nothing in another.
             self.state.feed = None;
             self.state.feed_angular = None;
+            self.state.unknown.feed = false;
             self.reported.missing_feed = false;
             self.emit(CommandKind::FeedMode(mode));
         }
@@ -190,21 +191,37 @@ impl Kernel<'_> {
     /// The speed of the spindle, rev/min.
     pub fn set_speed(&mut self, rpm: f64) {
         self.state.rpm = rpm;
+        self.state.unknown.speed = false;
         if self.state.spindle != SpindleState::Off && self.state.live.is_none() {
             self.emit(CommandKind::Spindle { state: self.state.spindle, rpm });
         }
     }
 
+    /// S of a value that is not known.
+    pub fn set_unknown_speed(&mut self) {
+        self.set_speed(0.0);
+        self.state.unknown.speed = true;
+    }
+
+    /// A tool of an unknown number is made ready.
+    pub fn select_unknown_tool(&mut self) {
+        self.state.selected_tool = None;
+        self.state.unknown.tool = true;
+    }
+
     /// A tool is made ready.
     pub fn select_tool(&mut self, number: u32) {
         self.state.selected_tool = Some(number);
+        self.state.unknown.tool = false;
         self.emit(CommandKind::ToolSelect { number });
     }
 
     /// The tool made ready goes into the spindle; `word` changes it.
     pub fn tool_change(&mut self, word: Span, stops_spindle: bool) {
         self.state.arc_over_rapid = false;
-        let Some(number) = self.state.selected_tool else {
+        // A tool of an unknown number is as no tool that the machine file knows.
+        let unknown = self.state.unknown.tool.then_some(0);
+        let Some(number) = self.state.selected_tool.or(unknown) else {
             let message = "a tool change without a tool number".to_string();
             return self.missing_word(word, message, "write T and the tool's number before M6");
         };

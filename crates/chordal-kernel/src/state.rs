@@ -214,6 +214,20 @@ impl OverrideState {
     }
 }
 
+/// Words that are in force and have values that are not known: nothing is missing, and nothing of them can
+/// be checked.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct UnknownWords {
+    /// F.
+    pub feed: bool,
+    /// S.
+    pub speed: bool,
+    /// T.
+    pub tool: bool,
+    /// The number of the radius offset.
+    pub radius_offset: bool,
+}
+
 /// Everything a control remembers from block to block.
 #[derive(Clone, PartialEq, Debug)]
 pub struct State {
@@ -225,6 +239,10 @@ pub struct State {
     pub known: AxisMask,
     /// The axes whose machine coordinate is known.
     pub machine_known: AxisMask,
+    /// The axes that went to an unknown place: an increment does not make their place known again.
+    pub astray: AxisMask,
+    /// Words in force whose values are not known.
+    pub unknown: UnknownWords,
     /// The offset tables, and which are in force.
     pub offsets: Offsets,
     /// Mirror, scaling and rotation.
@@ -316,6 +334,8 @@ impl State {
             believed: None,
             known,
             machine_known: AxisMask::ALL,
+            astray: AxisMask::NONE,
+            unknown: UnknownWords::default(),
             offsets,
             frames: Frames::default(),
             frame_jump: None,

@@ -39,6 +39,7 @@ mod not_a_program;
 mod readings;
 mod request;
 mod text;
+mod variables;
 
 use std::path::Path;
 

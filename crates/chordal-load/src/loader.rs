@@ -1,8 +1,8 @@
 //! Loads programs by one request.
 
-use chordal::Machine;
 use chordal::control::{Control, RunOptions};
 use chordal::syntax::{ProgramHead, find_programs};
+use chordal::{Diagnostic, Machine};
 
 use crate::chosen::Chosen;
 use crate::error::LoadError;
@@ -81,7 +81,15 @@ impl Loader {
             Some(machine) => (machine.clone(), Chosen::Given, None),
             None => machine::choose(input, text.bytes(), request)?,
         };
+        let (mut machine, mut notes) = (machine, Vec::new());
         let (control, _) = Control::of(&machine);
+        if let Some(path) = &input.path {
+            notes = self.folders.variables(&request.files, path).give(
+                &mut machine,
+                control.table,
+                text.bytes(),
+            );
+        }
         let lexicon = control.table.lexicon;
         if let Some(number) = request.program {
             has_program(&text, number, &find_programs(text.bytes(), &lexicon))?;
@@ -91,7 +99,10 @@ impl Loader {
             let found = self.folders.find(&request.files, path, texts[0].bytes(), &lexicon);
             texts.extend(found);
         }
-        let options = options(request, &chosen, premise.as_ref(), texts[0].bytes());
+        let options = RunOptions {
+            notes: premise_notes(request, premise.as_ref()).chain(notes).collect(),
+            ..options(request, &chosen, texts[0].bytes())
+        };
         let (program, shop_texts) = (request.program, Vec::new());
         let mut loaded = Loaded { texts, machine, options, shop_texts, program, chosen, premise };
         if let Some(shop) = &request.shop_codes {
@@ -102,21 +113,21 @@ impl Loader {
 }
 
 /// How the text is run: within the budgets of the request, and as what it was recognized.
-fn options(
-    request: &Request,
-    chosen: &Chosen,
-    premise: Option<&Premise>,
-    text: &[u8],
-) -> RunOptions {
+fn options(request: &Request, chosen: &Chosen, text: &[u8]) -> RunOptions {
     let usual = RunOptions::default();
     let named_control = says(request, &["control"]);
     RunOptions {
         max_repeated_blocks: request.max_blocks.unwrap_or(usual.max_repeated_blocks),
         assumed_machine: chosen.is_guess() && !says(request, LIMITS),
         not_read: chosen.refusal(text).filter(|_| !named_control),
-        premise: premise.and_then(Premise::diagnostic).filter(|_| !named_control),
         ..usual
     }
+}
+
+/// What is said of the assumptions, where the request does not name the control.
+fn premise_notes(request: &Request, premise: Option<&Premise>) -> impl Iterator<Item = Diagnostic> {
+    let said = premise.and_then(Premise::diagnostic);
+    said.filter(|_| !says(request, &["control"])).into_iter()
 }
 
 /// Keys of a machine that say its limits.

@@ -10,6 +10,7 @@ use chordal::syntax::{Block, BlockReader, Lexicon, decode, find_programs};
 use crate::files::Files;
 use crate::input::{Input, may_be_program};
 use crate::text::Text;
+use crate::variables::Variables;
 
 /// Most files that are added to a program.
 const MOST_FILES: usize = 256;
@@ -25,7 +26,10 @@ const HEAD: u64 = 4096;
 
 /// The folders that were looked into, each listed once however many programs it holds.
 #[derive(Default)]
-pub struct Folders(BTreeMap<PathBuf, Folder>);
+pub struct Folders {
+    folders: BTreeMap<PathBuf, Folder>,
+    variables: BTreeMap<PathBuf, Variables>,
+}
 
 impl Folders {
     /// The files that hold the programs which a text calls, and those which they call, as far
@@ -45,10 +49,10 @@ impl Folders {
             return found;
         }
         let mut known: BTreeSet<u32> = numbers(text, lexicon).collect();
-        if self.0.len() > MOST_FOLDERS {
-            self.0.clear();
+        if self.folders.len() > MOST_FOLDERS {
+            self.folders.clear();
         }
-        let folder = self.0.entry(folder_of(path)).or_insert_with(|| Folder::of(files, path));
+        let folder = self.folders.entry(folder_of(path)).or_insert_with(|| Folder::of(files, path));
         while let Some(number) = wanted.pop_first() {
             if known.contains(&number) || found.len() >= MOST_FILES {
                 continue;
@@ -77,6 +81,15 @@ impl Folders {
             }
         }
         found
+    }
+
+    /// The variables that the control has written into files of the folder.
+    pub fn variables(&mut self, files: &Files, program: &Path) -> &Variables {
+        if self.variables.len() > MOST_FOLDERS {
+            self.variables.clear();
+        }
+        let folder = self.variables.entry(folder_of(program));
+        folder.or_insert_with(|| Variables::next_to(files, program))
     }
 }
 

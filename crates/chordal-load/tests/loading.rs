@@ -161,3 +161,69 @@ fn a_loader_sees_new_files_when_it_starts_again() {
     assert_eq!(calls(&mut loader), 0, "the folder is listed once");
     assert_eq!(calls(&mut loader.again()), 1);
 }
+
+/// A program of a Fanuc that reads variables which it does not set.
+const KEPT: &str =
+    "O1\nG21 G17 G90 G94 S1000 M3\nG0 X0 Y0 Z0\nG1 X#500 F#501\nIF[#502EQ#0]GOTO9\nX99.\nN9 M30\n";
+
+fn codes(loaded: &Loaded) -> Vec<&'static str> {
+    let report = loaded.job().expect("a job").check();
+    report.diagnostics.iter().map(|found| found.code.id()).collect()
+}
+
+#[test]
+fn variables_come_from_the_files_of_the_control_next_to_the_program() {
+    let written = "O1\nG21 G17 G90 G94 S1000 M3\nG0 X0 Y0 Z0\nG1 X12.5 F250.\nN9 M30\n";
+    let expected = text("part.nc", written.into(), &on("fanuc-30i")).expect("a program");
+    let expected = commands(&expected);
+    for (name, dump) in [
+        (
+            "MACRO.TXT",
+            "%\r\nG10L85P500(4029000000000000) \r\nG10L85P501(406F400000000000) \r\n\
+             G10L85P502(FFFFFFFFFFFFFFFF) \r\nSETVN500[FEED] \r\nM02\r\n%",
+        ),
+        ("COMMON.VAR", "#500=12.5\n#501=250\n#502=#0\n"),
+        ("mill.var", "#500=[25600*65536+0]/134217728\n#501=250.\n#502=#0\n"),
+    ] {
+        let folder = Folder::new();
+        folder.write("part.nc", KEPT).write(name, dump);
+        let loaded = folder.load_with("part.nc", &on("fanuc-30i")).expect("a program");
+        assert_eq!(commands(&loaded), expected, "{name}");
+        assert_eq!(codes(&loaded), [""; 0], "{name}");
+    }
+}
+
+#[test]
+fn what_is_said_goes_before_the_files_of_variables() {
+    let folder = Folder::new();
+    folder
+        .write("part.nc", KEPT)
+        .write("MACRO.TXT", "#500=1.\n#501=100.\n#502=0.\n")
+        .write("other.var", "#500=9.\n#600=1.\n");
+    let mut request = on("fanuc-30i");
+    let x = |loaded: &Loaded| {
+        commands(loaded).iter().filter_map(|kind| Some(kind.motion()?.to[0])).fold(0.0, f64::max)
+    };
+    assert_eq!(x(&folder.load_with("part.nc", &request).expect("a program")), 99.0);
+    request.set = vec!["#502=#0".into()];
+    assert!(folder.load_with("part.nc", &request).is_err());
+    request.set = vec!["#500=120.".into()];
+    assert_eq!(x(&folder.load_with("part.nc", &request).expect("a program")), 120.0);
+}
+
+#[test]
+fn bad_lines_of_variables_are_said_with_file_and_line() {
+    let folder = Folder::new();
+    folder
+        .write("part.nc", KEPT)
+        .write("plain.nc", CLEAN)
+        .write("MACRO.TXT", "%\nG10L85P500(4029000000000000)\nG10L85P501(40)\n")
+        .write("notes.var", "the variables of this machine\n#501=1\n");
+    let loaded = folder.load_with("part.nc", &on("fanuc-30i")).expect("a program");
+    let said = errors(&loaded);
+    let bad = "MACRO.TXT:3: `G10L85P501(40)` is no value of a variable";
+    assert!(said.iter().any(|message| message == bad), "{said:?}");
+    assert!(codes(&loaded).contains(&"CH726"), "{said:?}");
+    // A program without variables has nothing to do with it.
+    assert_eq!(codes(&folder.load("plain.nc")), [""; 0]);
+}

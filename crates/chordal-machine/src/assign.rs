@@ -18,7 +18,7 @@ impl Machine {
     /// Sets a key by `key = value`, as a machine file would: `tools.5.diameter = "0.5 in"`. A
     /// text needs no quotes (`tools.5.diameter=0.5 in`, `control=haas`), nor does a key with
     /// spaces or points in it (`settings.Setting 58=fanuc`, `work_offsets.G59.1.X=1 in`), since
-    /// a shell eats them. On an error the machine stays as it was.
+    /// a shell eats them. `#500=1.5` is short for `macros.variables.500=1.5`. On an error the machine stays as it was.
     pub fn set(&mut self, assignment: &str) -> Result<(), MachineError> {
         let source = Source::new(NAME, assignment);
         let form = || Some("write `key=value`, such as `tools.5.diameter=0.5 in`".to_string());
@@ -28,6 +28,12 @@ impl Machine {
         };
         let mut at = At::default();
         for (key, span) in keys(&assignment[..equals], &source)? {
+            // `#500=1.5` is a macro variable, as programs write it.
+            if key.starts_with('#') && at.is_top() {
+                for table in ["macros", "variables"] {
+                    at = at.step(table, span.clone(), &source)?;
+                }
+            }
             at = at.step(&key, span, &source)?;
         }
         let written = &assignment[equals + 1..];
@@ -37,6 +43,13 @@ impl Machine {
             let span = Some(0..assignment.len());
             return Err(source.error(span, "the assignment has no value", form()));
         }
+        // A macro variable may have its number as programs write it: `.5`, `1.`.
+        let as_program = |written: &str| written.parse::<f64>().ok().filter(|n| n.is_finite());
+        let normal = match assignment.trim_start().starts_with('#').then(|| as_program(written)) {
+            Some(Some(number)) => format!("{number:?}"),
+            _ => written.to_string(),
+        };
+        let written = normal.as_str();
         // From here on spans count from the value's start.
         let source = Source { shift: start, ..source };
         let wants_text = matches!(

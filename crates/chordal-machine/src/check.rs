@@ -30,6 +30,11 @@ pub(crate) struct At {
 }
 
 impl At {
+    /// No key was taken yet.
+    pub(crate) fn is_top(&self) -> bool {
+        self.path.is_empty()
+    }
+
     /// One key further.
     pub(crate) fn step(
         &self,

@@ -49,6 +49,7 @@ mod tool;
 mod tool_tbl;
 mod turning;
 mod value;
+mod variable_dump;
 mod write;
 
 pub use axis::{AXES, AXIS_LETTERS, AXIS_NAMES, Axis, PerAxis};
@@ -68,3 +69,4 @@ pub use tool::{Cutter, Solid, Tool, ToolShape};
 pub use tool_tbl::read_tool_tbl;
 pub use turning::{InsertLetter, ToolFacing, TurningTool, mirrored_tip};
 pub use value::{Setting, SettingValue};
+pub use variable_dump::{BadLine, VariableDump, read_variable_dump};

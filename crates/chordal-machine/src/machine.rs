@@ -1,6 +1,6 @@
 //! The machine as plain data. Millimetres, seconds and radians.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::axis::{AXES, Axis, PerAxis};
 use crate::control::ControlName;
@@ -267,6 +267,8 @@ impl PartialEq for ShopCode {
 pub struct Macros {
     /// Values of variables by number (`#500`).
     pub variables: BTreeMap<u32, f64>,
+    /// Variables that are known to be vacant.
+    pub vacant: BTreeSet<u32>,
     /// The date as a control shows it, YYYYMMDD.
     pub date: Option<u32>,
     /// The time, HHMMSS.

@@ -81,6 +81,7 @@ fn end_of(outcomes: &[chordal::Outcome]) -> Value {
         EndReason::Alarm => "alarm",
         EndReason::Budget => "endless",
         EndReason::Interrupted => "interrupted",
+        EndReason::NotRun => "not run",
     };
     outcomes
         .iter()

@@ -211,10 +211,12 @@ impl<'a> Job<'a> {
         outcomes
     }
 
-    /// What is reported before the first block: what was assumed of the text, and programs of the same number.
+    /// What is reported before the first block: what was assumed of the text and found next to it, and programs
+    /// of the same number.
     pub(crate) fn before_run(&self, library: &Library) -> impl Iterator<Item = Diagnostic> {
-        let premise = self.options.premise.iter().map(|premise| premise.as_ref().clone());
-        premise.chain(library.duplicate_diagnostics().filter(|each| self.is_about(library, each)))
+        let duplicates =
+            library.duplicate_diagnostics().filter(|each| self.is_about(library, each));
+        self.options.notes.iter().cloned().chain(duplicates)
     }
 
     /// False for problems of a program's head where only another program is run.
@@ -263,6 +265,7 @@ impl<'a> Job<'a> {
         }
         let language = self.language();
         match self.mains(&language)[..] {
+            [main] if language.needs_caller(main) => None,
             [main] => Some((language, main)),
             _ => None,
         }

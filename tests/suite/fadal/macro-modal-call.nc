@@ -7,6 +7,7 @@ Z.1 (= line to Z.1 | line to Z.1 | line to Z.1)
 M17
 M30
 S1000 M3
+#V1=0
 G90 G1 F20. X0 Y0 Z.1
 G66 L101
 X1. (= line to X1)

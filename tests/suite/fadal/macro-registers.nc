@@ -29,7 +29,7 @@ X+R5 (= line to X2)
 #R5=TU(R9)
 X+R5 (= line to X12)
 #R5=TU(8) ' (= ! CH719 "TU8")
-X+R5 (= line to X0)
+X+R5 (= none | ! CH727 "TU8")
 #CLEAR V1-V3,V10
 #R5=V1+V2+V3+V10+1
 X+R5 (= line to X1)

@@ -105,7 +105,9 @@ older controls at most 8 digits together."#;
     SystemVariable = 719, "system-variable", Note;
     "a system variable has a value that Chordal does not know";
     r#"The variable exists on the control, and its value does not follow from the program: an input, a timer, a
-load. Chordal takes the value from the machine file's `[macros] variables`; without one it is zero."#;
+load. Said once in a program, with all such variables that it reads. Chordal takes the values from `[macros]
+variables` of the machine file or from `--set '#1001=1'`; without one the value is unknown, and so is what is
+computed from it: see CH726."#;
 
     WordRounded = 720, "word-rounded", Warning;
     "a value was not whole where the address needs a whole number";
@@ -140,6 +142,63 @@ machine file: `[macros] date = "2024-05-17"`, `time = "13:45:00"`; without them 
     OutputClosed = 725, "output-closed", Note;
     "the program prints without POPEN";
     r#"On most controls POPEN must open the port before DPRNT sends anything. Chordal keeps the text anyway."#;
+
+    UnknownVariable = 726, "unknown-variable", Note;
+    "the program reads variables before it sets them";
+    r#"Common variables keep what another program or the operator has written: #500 to #999 over power-off on most
+controls, #100 to #199 until power-off. A program that reads one before it sets it reads something that is
+not in the program. Chordal does not invent a value: it is unknown, and whatever is computed from it is unknown
+as well. Said once in a program, with all such variables.
+
+    F#652                    an unknown feed: the time of these cuts is not counted (CH730)
+    G0 X#500                 the place of X is not known until X is named again (CH727)
+    IF[#501EQ1]GOTO10        the branch is assumed: not taken (CH728)
+
+Give the values: `--set '#500=1.5'`, `[macros.variables]` of the machine file, or the control's own output of its
+variables next to the program (MACRO.TXT of a Fanuc, COMMON.VAR of a Mitsubishi, the .var file of LinuxCNC and
+Haas)."#;
+
+    UnknownPath = 727, "unknown-path", Note;
+    "the path from here on is not known: it depends on a value that nobody gave";
+    r#"The place of an axis, the centre or the radius of an arc, a level of a cycle, a called program or the number of
+repeats is computed from a variable whose value is not known (see CH726 and CH719). The run goes on without this
+word: the axes are at an unknown place, and nothing is drawn, until the program names them again in G90. The run is
+not verified from this line on. Said once in a program. Give the value, and the run is whole."#;
+
+    AssumedBranch = 728, "assumed-branch", Note;
+    "a condition depends on a value that nobody gave: it is taken as not fulfilled";
+    r#"The condition of IF or WHILE is computed from a variable whose value is not known (see CH726). Chordal goes on
+as if it were not fulfilled: a jump is not made, a loop is left out. The run is not verified from this line on.
+Give the value, and the branch is the one that the control takes."#;
+
+    MacroAlone = 729, "macro-alone", Note;
+    "a macro run by itself: it needs the arguments of its caller";
+    r#"The program returns with M99 and reads local variables that it does not set: they are the arguments of a call
+(G65, G66, a code that calls a macro, `o<name> call`). Run alone it would compute with nothing. So nothing is run and
+nothing of it is verified; the programs that call it run it with their arguments.
+
+    O9100
+    IF[#24EQ#0]GOTO900       X is missing
+    G0 X#24 Y#25
+    M99
+
+Check a program that calls it; a macro in the same folder is found by its number or its name."#;
+
+    UnknownTime = 730, "unknown-time", Note;
+    "a feed or a dwell depends on a value that nobody gave";
+    r#"The feed or the time of a dwell is computed from a variable whose value is not known (see CH726). The path is the
+same; the time of these moves is not counted, and the feed is not held against the limits of the machine. Said
+once in a program."#;
+
+    VariableFile = 731, "variable-file", Warning;
+    "a line of a file of variables cannot be read";
+    r#"The control's output of its variables next to the program gives the values that the program reads (see CH726).
+This line has none of the forms that such files have, and is left out:
+
+    G10L85P500(4029000000000000)     MACRO.TXT of a Fanuc: the bits of the number
+    #500=12.5                        COMMON.VAR of a Mitsubishi, older Fanucs
+    N500 V12.5                       .VAR of a Haas
+    5220 1.0                         .var of LinuxCNC"#;
 
     NumberOutOfRange = 740, "number-out-of-range", Warning;
     "a value is outside the range of the control";

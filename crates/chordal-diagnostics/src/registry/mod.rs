@@ -105,7 +105,9 @@ impl Code {
             | Code::MissingSubprogram
             | Code::UnsupportedMacro
             | Code::BudgetReached => matches!(severity, Severity::Error),
-            Code::ReadingNotKnown => true,
+            Code::ReadingNotKnown | Code::UnknownPath | Code::AssumedBranch | Code::MacroAlone => {
+                true
+            }
             _ => false,
         }
     }

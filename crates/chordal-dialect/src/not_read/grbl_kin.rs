@@ -14,8 +14,7 @@ pub(super) const GRBL_KIN: NotRead = NotRead {
     shown_on: ControlName::Grbl,
 };
 
-const NAMES: &[&str] =
-    &["SMOOTHIEWARE", "SMOOTHIE", "TINYG", "G2CORE", "SNAPMAKER", "ONEFINITY", "CARVERA"];
+const NAMES: &[&str] = &["SMOOTHIEWARE", "SMOOTHIE", "TINYG", "G2CORE", "ONEFINITY", "CARVERA"];
 
 const SIGNS: &[Evidence] = &[
     evidence(Sign::Header(NAMES), 16, "the header names a kin of GRBL"),

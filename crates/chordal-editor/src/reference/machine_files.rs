@@ -120,7 +120,9 @@ fn default_of(path: &str) -> &'static str {
         | "times.probe"
         | "times.m_code"
         | "shop_codes.<code>.time" => "no time",
-        "macros.variables.<variable>" => "vacant, as at power-on",
+        "macros.variables.<variable>" => {
+            "not known: see [values that nobody gave](not-supported.md#values-that-nobody-gave)"
+        }
         "macros.inputs" => "nothing is typed",
         "settings.<setting>" => "the default of the control",
         _ => "–",

@@ -74,6 +74,11 @@ impl Judge {
         self.memory.length = length.map(|value| value as f32);
     }
 
+    /// There is a feed, and nobody knows it.
+    pub fn assume_feed(&mut self) {
+        self.memory.feed = 1.0;
+    }
+
     /// Reads and judges the line of a block; one that acts has the firmware's words then. `deletes`: block delete is on.
     /// `resolved`: the values of its expressions are in its words.
     pub fn take(

@@ -26,7 +26,7 @@ struct BlockMemory {
     kernel: KernelMemory,
     scale: Scale,
     per_word: PerAxis<f64>,
-    registers: [Decimal; 10],
+    registers: [Option<Decimal>; 10],
     subroutines: BTreeMap<u32, TextPosition>,
     missing: Vec<u32>,
     data_lines: bool,

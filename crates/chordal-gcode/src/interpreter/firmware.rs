@@ -39,8 +39,12 @@ impl Interpreter<'_> {
             if matches!(block.kind, BlockKind::Macro(_)) || speaks {
                 return None;
             }
-            if resolved {
-                self.resolve_words(block);
+            // What is left of a block says nothing of the whole.
+            if resolved && self.resolve_words(block) {
+                return None;
+            }
+            if self.kernel.state.unknown.feed {
+                self.judge.as_mut()?.assume_feed();
             }
         }
         if build.tool_table {

@@ -35,7 +35,7 @@ impl Interpreter<'_> {
         match word.value {
             Value::Number(number) => Some(number),
             Value::Register { index, negative } => {
-                let mut value = self.registers[index as usize];
+                let mut value = self.registers[index as usize]?;
                 if negative {
                     value.mantissa = -value.mantissa;
                     value.negative = !value.negative;

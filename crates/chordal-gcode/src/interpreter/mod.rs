@@ -65,6 +65,7 @@ use chordal_syntax::{Block, BlockKind, BlockReader, Decimal, Position as TextPos
 
 use crate::firmware::Judge;
 use crate::library::{Library, Program};
+use crate::macro_alone::missing_call;
 use crate::shop::ShopCodes;
 
 /// True when a run should end early. It is asked every [`BLOCKS_PER_ASKING`] blocks.
@@ -87,9 +88,9 @@ pub struct RunOptions {
     pub assumed_machine: bool,
     /// The text is in a language that is not read: this is said of it, and nothing is run.
     pub not_read: Option<Arc<Diagnostic>>,
-    /// Nothing names the control or the units of the text for certain, and what it moves depends on them: this
-    /// is reported, and the path is not verified.
-    pub premise: Option<Arc<Diagnostic>>,
+    /// What else is to be reported of the program before its first block: what was assumed of it, lines of files
+    /// next to it that cannot be read.
+    pub notes: Arc<[Diagnostic]>,
 }
 
 impl Default for RunOptions {
@@ -100,7 +101,7 @@ impl Default for RunOptions {
             interrupt: None,
             assumed_machine: false,
             not_read: None,
-            premise: None,
+            notes: Arc::new([]),
         }
     }
 }
@@ -113,7 +114,7 @@ impl fmt::Debug for RunOptions {
             .field("interrupt", &self.interrupt.is_some())
             .field("assumed_machine", &self.assumed_machine)
             .field("not_read", &self.not_read.is_some())
-            .field("premise", &self.premise.is_some())
+            .field("notes", &self.notes.len())
             .finish()
     }
 }
@@ -166,8 +167,8 @@ struct Interpreter<'a> {
     scale: Scale,
     /// What a word of an axis is multiplied by to be a place: 1, or a half of a diameter.
     per_word: PerAxis<f64>,
-    /// Registers R0 to R9 (Fadal).
-    registers: [Decimal; 10],
+    /// Registers R0 to R9 (Fadal). `None`: it holds what was in it before the program.
+    registers: [Option<Decimal>; 10],
     reader: BlockReader<'a>,
     program: usize,
     file: FileId,
@@ -325,7 +326,7 @@ impl<'a> Interpreter<'a> {
             kernel,
             scale: Scale::new(control.parameters.rules.units, &control.parameters),
             per_word,
-            registers: [Decimal::integer(0); 10],
+            registers: [None; 10],
             reader: library.reader(library.programs()[program], control.table.lexicon),
             program,
             file: library.programs()[program].file,
@@ -375,6 +376,9 @@ impl<'a> Interpreter<'a> {
     /// Why it ended; nothing when the sink has ended it at a rest.
     fn run(&mut self) -> Option<EndReason> {
         if self.blocks == 0 {
+            if self.needs_caller() {
+                return Some(EndReason::NotRun);
+            }
             self.read_subroutine_section();
         }
         let wants_blocks = self.kernel.sink.wants_blocks();
@@ -420,6 +424,16 @@ impl<'a> Interpreter<'a> {
         }
     }
 
+    /// A macro without its caller is not run.
+    fn needs_caller(&mut self) -> bool {
+        let program = self.program_at(self.program);
+        let Some(missing) = missing_call(self.library, program, self.control) else { return false };
+        // It has blocks: the text is not empty.
+        self.blocks = 1;
+        self.report_macro_alone(&missing);
+        true
+    }
+
     fn is_interrupted(&self) -> bool {
         self.options.interrupt.as_ref().is_some_and(|interrupt| interrupt())
     }
@@ -432,6 +446,7 @@ impl<'a> Interpreter<'a> {
             self.report_missing_end();
         }
         self.report_compensation_at_end();
+        self.report_unknown_variables();
         if end == EndReason::EndOfText {
             self.kernel.emit(CommandKind::End);
         }
@@ -509,7 +524,7 @@ impl<'a> Interpreter<'a> {
             self.kernel.block_number = Some(number.to_f64());
         }
         self.carried_out = true;
-        if block.expressions {
+        if block.expressions || self.has_unset_register(block) {
             self.resolve_words(block);
         }
         if self.is_next_subroutine_head(block) {

@@ -89,6 +89,7 @@ impl Interpreter<'_> {
             && !codes.iter().any(|(row, _)| by_diameter(row))
             && let Some(number) = self.count_of(block, b'D')
         {
+            self.kernel.state.unknown.radius_offset = false;
             let before = self.kernel.state.radius_offset.replace(number);
             // A G41 or G42 in the same block tells it by itself.
             if self.kernel.state.side != Side::Off

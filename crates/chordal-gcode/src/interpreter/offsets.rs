@@ -87,7 +87,8 @@ impl Interpreter<'_> {
         let span = self.span(block.words[at].range);
         self.check_compensation_move(block, side, span);
         let number = self.compensation_number(block);
-        if side != Side::Off && number.is_none() {
+        let unknown = self.kernel.state.unknown.radius_offset;
+        if side != Side::Off && number.is_none() && !unknown {
             let code = Code::CompensationWithoutOffset;
             let alarms = self.control.table.alarm(code).is_some();
             let severity = if alarms { Severity::Error } else { code.info().severity };
@@ -511,7 +512,7 @@ impl Interpreter<'_> {
     fn write_register(&mut self, block: &Block, index: u32) {
         let word = self.radius_word(block);
         if let Some(value) = word.and_then(|word| self.literal(&word)) {
-            self.registers[(index % 10) as usize] = value;
+            self.registers[(index % 10) as usize] = Some(value);
         }
     }
 
@@ -525,7 +526,7 @@ impl Interpreter<'_> {
                 && !matches!(word.value, Value::Missing)
                 && let Some(value) = self.literal(word)
             {
-                self.registers[index as usize] = value;
+                self.registers[index as usize] = Some(value);
             }
         }
     }

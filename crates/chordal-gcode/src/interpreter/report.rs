@@ -7,6 +7,7 @@ use chordal_dialect::{CodeRow, CycleField, Field, code_name, code_number};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
+use crate::macro_alone::MissingCall;
 
 impl Interpreter<'_> {
     /// The span of the first word of some letters, or of the whole block.
@@ -296,6 +297,24 @@ impl Interpreter<'_> {
     /// The code of a word as people write it.
     pub(super) fn code_text(&self, block: &Block, at: usize) -> String {
         self.word_name(&block.words[at])
+    }
+
+    /// The program is a macro that nobody calls.
+    pub(super) fn report_macro_alone(&mut self, missing: &MissingCall) {
+        let MissingCall { head, arguments } = missing;
+        let with = match arguments.as_str() {
+            "" => String::new(),
+            some => format!(" with {some}"),
+        };
+        self.kernel.report(
+            Diagnostic::new(
+                Code::MacroAlone,
+                self.span(*head),
+                format!("this is a macro: it is called{with}; run alone it does nothing"),
+            )
+            .label("not run, and nothing of it is verified")
+            .help("check a program that calls it: it runs the macro with its arguments"),
+        );
     }
 
     pub(super) fn report_macro(&mut self, range: TextRange) {

@@ -46,7 +46,8 @@ impl Interpreter<'_> {
         }
         let Some(lead) = self.length_of(block, b'K') else { return };
         let turns = matches!(self.kernel.state.spindle, SpindleState::Cw | SpindleState::Ccw);
-        if !turns || self.kernel.state.rpm <= 0.0 {
+        let no_speed = self.kernel.state.rpm <= 0.0 && !self.kernel.state.unknown.speed;
+        if !turns || no_speed {
             self.kernel.report(
                 Diagnostic::new(
                     Code::SpindleStopped,

@@ -50,7 +50,7 @@ impl Interpreter<'_> {
     pub(super) fn lead_by_feed(&mut self, block: &Block) -> Option<f64> {
         let lead = self.length_of(block, b'F').or(self.kernel.state.feed);
         let lead = lead.filter(|lead| *lead > 0.0);
-        if lead.is_none() {
+        if lead.is_none() && !self.kernel.state.unknown.feed {
             self.report_no_lead(self.span(block.range));
         }
         lead

@@ -5,7 +5,7 @@ use chordal_dialect::macros::MacroRules;
 use chordal_syntax::{Function, Op, Operator, Step};
 
 use super::functions::{self, Undefined};
-use super::value::{Value, number};
+use super::value::{Cause, Value};
 
 /// What is read while an expression is evaluated.
 pub(crate) trait Variables {
@@ -86,34 +86,36 @@ pub(crate) fn evaluate(
     stack.clear();
     for (index, step) in steps.iter().enumerate() {
         let value = match step.op {
-            Op::Number(number) => Some(number),
+            Op::Number(number) => Value::Number(number),
             Op::Unreadable => return Err(Fault::told(step.range)),
-            Op::Read if is_asked(steps, index) => {
-                let number = number(pop(stack));
-                Some(if variables.is_number(number) { 1.0 } else { 0.0 })
-            }
-            Op::Read => {
-                let number = number(pop(stack));
-                variables.read(number, step.range)?
-            }
-            Op::ReadNamed(name) => {
-                if is_asked(steps, index) {
-                    Some(if variables.is_set(name) { 1.0 } else { 0.0 })
-                } else {
-                    variables.read_named(name, step.range)?
-                }
-            }
-            Op::Letters(letters) => {
-                let number = number(pop(stack));
-                variables.read_letters(letters, number, step.range)?
-            }
-            Op::Negate => Some(-number(pop(stack))),
+            Op::Read => match pop(stack).counted() {
+                Err(cause) => Value::Unknown(cause),
+                Ok(number) if is_asked(steps, index) => truth(variables.is_number(number)),
+                Ok(number) => variables.read(number, step.range)?,
+            },
+            Op::ReadNamed(name) if is_asked(steps, index) => truth(variables.is_set(name)),
+            Op::ReadNamed(name) => variables.read_named(name, step.range)?,
+            Op::Letters(letters) => match pop(stack).counted() {
+                Err(cause) => Value::Unknown(cause),
+                Ok(number) => variables.read_letters(letters, number, step.range)?,
+            },
+            Op::Negate => match pop(stack).counted() {
+                Err(cause) => Value::Unknown(cause),
+                Ok(number) => Value::Number(-number),
+            },
             Op::Binary(operator) => {
                 let b = pop(stack);
                 let a = pop(stack);
                 check_comparison(operator, rules, purpose, step)?;
-                let result = functions::binary(operator, a, b, rules);
-                Some(defined(result, step)?)
+                // Whatever is divided by zero is an alarm.
+                let divides = matches!(operator, Operator::Divide | Operator::Modulo);
+                if divides && b.known() == Some(0.0) {
+                    return Err(undefined_fault(Undefined::DivisionByZero, step));
+                }
+                match unknown_of(a, b) {
+                    Some(cause) => Value::Unknown(cause),
+                    None => defined(functions::binary(operator, a, b, rules), step)?,
+                }
             }
             Op::Call { function: Function::Exists, .. } => {
                 let before = index.checked_sub(1).map(|index| steps[index].op);
@@ -127,24 +129,40 @@ pub(crate) fn evaluate(
                 }
                 pop(stack)
             }
-            Op::Call { function, two: false } => {
-                let radians = variables.radians();
-                let x = number(pop(stack));
-                let x = if radians && takes_angle(function) { x.to_degrees() } else { x };
-                let value =
-                    defined(functions::one(function, x, rules, purpose.round_digits), step)?;
-                let angle = radians && function == Function::Atan;
-                Some(if angle { value.to_radians() } else { value })
-            }
+            Op::Call { function, two: false } => match pop(stack).counted() {
+                Err(cause) => Value::Unknown(cause),
+                Ok(x) => {
+                    let radians = variables.radians();
+                    let x = if radians && takes_angle(function) { x.to_degrees() } else { x };
+                    let value = functions::one(function, x, rules, purpose.round_digits);
+                    let angle = radians && function == Function::Atan;
+                    defined(
+                        value.map(|value| if angle { value.to_radians() } else { value }),
+                        step,
+                    )?
+                }
+            },
             Op::Call { function, two: true } => {
-                let b = number(pop(stack));
-                let a = number(pop(stack));
-                Some(defined(functions::two(function, a, b, rules), step)?)
+                let b = pop(stack);
+                let a = pop(stack);
+                match (a.counted(), b.counted()) {
+                    (Ok(a), Ok(b)) => defined(functions::two(function, a, b, rules), step)?,
+                    (Err(cause), _) | (_, Err(cause)) => Value::Unknown(cause),
+                }
             }
         };
         stack.push(value);
     }
     Ok(pop(stack))
+}
+
+/// Why one of two values is not known, the first one first.
+fn unknown_of(a: Value, b: Value) -> Option<Cause> {
+    a.counted().err().or(b.counted().err())
+}
+
+fn truth(holds: bool) -> Value {
+    Value::Number(if holds { 1.0 } else { 0.0 })
 }
 
 /// Whether EXISTS asks for the variable of a step.
@@ -158,7 +176,7 @@ fn takes_angle(function: Function) -> bool {
 }
 
 fn pop(stack: &mut Vec<Value>) -> Value {
-    stack.pop().flatten()
+    stack.pop().unwrap_or(Value::Vacant)
 }
 
 fn check_comparison(
@@ -178,13 +196,13 @@ fn check_comparison(
     ))
 }
 
-fn defined(result: Result<f64, Undefined>, step: &Step) -> Result<f64, Fault> {
+fn defined(result: Result<f64, Undefined>, step: &Step) -> Result<Value, Fault> {
     let value = match result {
         Ok(value) => value,
         Err(undefined) => return Err(undefined_fault(undefined, step)),
     };
     if value.is_finite() {
-        return Ok(value);
+        return Ok(Value::Number(value));
     }
     Err(Fault::new(
         Code::NumberOverflow,

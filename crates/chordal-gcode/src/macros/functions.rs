@@ -3,7 +3,7 @@
 use chordal_dialect::macros::{Fix, Logic, MacroRules};
 use chordal_syntax::{Function, Operator};
 
-use super::value::{Value, equal, number};
+use super::value::{Value, equal};
 
 /// Why there is no result.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -110,10 +110,10 @@ fn power(a: f64, b: f64) -> Outcome {
     if result.is_nan() || result.is_infinite() { Err(Undefined::Domain(a)) } else { Ok(result) }
 }
 
-/// An operator.
+/// An operator on values that are known.
 pub(crate) fn binary(operator: Operator, a: Value, b: Value, rules: &MacroRules) -> Outcome {
     let near = rules.equal_tolerance;
-    let (x, y) = (number(a), number(b));
+    let (x, y) = (a.known().unwrap_or(0.0), b.known().unwrap_or(0.0));
     Ok(match operator {
         Operator::Add => x + y,
         Operator::Subtract => x - y,

@@ -2,15 +2,17 @@
 
 use std::collections::BTreeMap;
 
+use super::value::Value;
+
 /// Most named variables of a run; a program that makes names without end is stopped here.
 const MOST_NAMES: usize = 100_000;
 
 /// Named variables by their names as [`normal`] writes them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Names {
-    globals: BTreeMap<String, f64>,
+    globals: BTreeMap<String, Value>,
     /// Those of each call that has not returned, the main program's first.
-    levels: Vec<BTreeMap<String, f64>>,
+    levels: Vec<BTreeMap<String, Value>>,
 }
 
 /// A name without blanks, in lower case: LinuxCNC tells no more apart.
@@ -22,13 +24,13 @@ pub(crate) fn normal(name: &[u8]) -> String {
 
 impl Names {
     /// The value of a name, if it is set.
-    pub fn get(&self, name: &str) -> Option<f64> {
+    pub fn get(&self, name: &str) -> Option<Value> {
         let names = if name.starts_with('_') { Some(&self.globals) } else { self.levels.last() };
         names?.get(name).copied()
     }
 
     /// Sets a name; false when there are too many.
-    pub fn set(&mut self, name: String, value: f64) -> bool {
+    pub fn set(&mut self, name: String, value: Value) -> bool {
         let names = if name.starts_with('_') {
             &mut self.globals
         } else {
@@ -73,12 +75,12 @@ mod tests {
     #[test]
     fn locals_belong_to_their_call_and_globals_to_the_run() {
         let mut names = Names::default();
-        names.set(normal(b"Depth Of Cut"), 2.0);
-        names.set("_all".into(), 3.0);
+        names.set(normal(b"Depth Of Cut"), Value::Number(2.0));
+        names.set("_all".into(), Value::Number(3.0));
         names.enter();
-        assert_eq!((names.get("depthofcut"), names.get("_all")), (None, Some(3.0)));
-        names.set("depthofcut".into(), 5.0);
+        assert_eq!((names.get("depthofcut"), names.get("_all")), (None, Some(Value::Number(3.0))));
+        names.set("depthofcut".into(), Value::Number(5.0));
         names.leave();
-        assert_eq!(names.get("depthofcut"), Some(2.0));
+        assert_eq!(names.get("depthofcut"), Some(Value::Number(2.0)));
     }
 }

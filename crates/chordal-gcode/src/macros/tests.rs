@@ -6,7 +6,7 @@ use chordal_dialect::table;
 use chordal_syntax::{ExpressionParser, MacroGrammar};
 
 use super::evaluate::{Fault, Purpose, Variables, evaluate};
-use super::value::Value;
+use super::value::{Cause, Truth, Value};
 
 /// #1 = 1.00333, #2 = null, #20 = 4, #120 = 6; other variables hold their own number.
 struct Shelf;
@@ -14,16 +14,17 @@ struct Shelf;
 impl Variables for Shelf {
     fn read(&mut self, number: f64, _: TextRange) -> Result<Value, Fault> {
         Ok(match number as u32 {
-            0 | 2 => None,
-            1 => Some(1.00333),
-            20 => Some(4.0),
-            120 => Some(6.0),
-            _ => Some(number),
+            0 | 2 => Value::Vacant,
+            1 => Value::Number(1.00333),
+            20 => Value::Number(4.0),
+            120 => Value::Number(6.0),
+            700 => Value::Unknown(Cause::Variable(700)),
+            _ => Value::Number(number),
         })
     }
 
     fn read_named(&mut self, name: TextRange, _: TextRange) -> Result<Value, Fault> {
-        Ok(Some(f64::from(name.len())))
+        Ok(Value::Number(f64::from(name.len())))
     }
 
     fn is_set(&mut self, name: TextRange) -> bool {
@@ -31,7 +32,7 @@ impl Variables for Shelf {
     }
 
     fn read_letters(&mut self, letters: u8, number: f64, _: TextRange) -> Result<Value, Fault> {
-        Ok(Some(f64::from(letters) * 1000.0 + number))
+        Ok(Value::Number(f64::from(letters) * 1000.0 + number))
     }
 
     fn radians(&self) -> bool {
@@ -64,17 +65,17 @@ fn fanuc(text: &str) -> Result<Value, Code> {
 fn condition(text: &str) -> bool {
     let table = table(chordal_machine::ControlName::Fanuc);
     let value = run(text, table.lexicon.grammar, table.macros, Purpose::CONDITION);
-    value.expect(text).expect(text) != 0.0
+    Truth::from(value.expect(text)) == Truth::Holds
 }
 
 fn haas(text: &str, digits: Option<u8>) -> f64 {
     let table = table(chordal_machine::ControlName::Haas);
     let purpose = Purpose { round_digits: digits, condition: false };
-    run(text, table.lexicon.grammar, table.macros, purpose).expect(text).expect(text)
+    run(text, table.lexicon.grammar, table.macros, purpose).expect(text).known().expect(text)
 }
 
 fn near(text: &str, expected: f64) {
-    let value = fanuc(text).expect(text).expect(text);
+    let value = fanuc(text).expect(text).known().expect(text);
     assert!((value - expected).abs() < 1e-9, "{text} is {value}, not {expected}");
 }
 
@@ -125,10 +126,10 @@ fn rounding_inside_a_word_and_outside() {
 
 #[test]
 fn null_in_expressions() {
-    assert_eq!(fanuc("#0"), Ok(None));
-    assert_eq!(fanuc("#2"), Ok(None));
-    assert_eq!(fanuc("#2*10"), Ok(Some(0.0)));
-    assert_eq!(fanuc("#2+#2"), Ok(Some(0.0)));
+    assert_eq!(fanuc("#0"), Ok(Value::Vacant));
+    assert_eq!(fanuc("#2"), Ok(Value::Vacant));
+    assert_eq!(fanuc("#2*10"), Ok(Value::Number(0.0)));
+    assert_eq!(fanuc("#2+#2"), Ok(Value::Number(0.0)));
     for (text, holds) in [
         ("#2EQ#0", true),
         ("#2NE#0", false),
@@ -164,20 +165,50 @@ fn what_has_no_value() {
 }
 
 #[test]
+fn what_is_computed_from_an_unknown_value_is_unknown() {
+    let unknown = Value::Unknown(Cause::Variable(700));
+    for text in [
+        "#700",
+        "-#700",
+        "#700+1",
+        "0*#700",
+        "#700*0",
+        "1/#700",
+        "SQRT[#700]",
+        "ATAN[#700]/[0]",
+        "POW[#700,2]",
+        "#[#700]",
+        "ABS[ROUND[#700*2]]",
+        "#2+#700",
+        "LN[#700-#700]",
+    ] {
+        assert_eq!(fanuc(text), Ok(unknown), "{text}");
+    }
+    // Whatever is divided by zero is an alarm.
+    assert_eq!(fanuc("#700/0"), Err(Code::DivisionByZero));
+    assert_eq!(fanuc("#700MOD#2"), Err(Code::DivisionByZero));
+    let table = table(chordal_machine::ControlName::Fanuc);
+    for text in ["#700EQ#0", "#700NE#0", "[#700GT1]OR[1EQ1]", "[1EQ2]AND[#700LT1]"] {
+        let value = run(text, table.lexicon.grammar, table.macros, Purpose::CONDITION);
+        assert_eq!(value.map(Truth::from), Ok(Truth::Unknown(Cause::Variable(700))), "{text}");
+    }
+}
+
+#[test]
 fn what_cannot_be_read() {
     assert_eq!(fanuc("[1+2"), Err(Code::UnbalancedBrackets));
     assert_eq!(fanuc("1+"), Err(Code::BadExpression));
     assert_eq!(fanuc("(1+2)"), Err(Code::BadExpression));
     assert_eq!(fanuc("##20"), Err(Code::UnsupportedMacro));
     assert_eq!(fanuc("#<A>"), Err(Code::BadExpression));
-    assert_eq!(fanuc("[[[[[1]]]]]"), Ok(Some(1.0)));
+    assert_eq!(fanuc("[[[[[1]]]]]"), Ok(Value::Number(1.0)));
     assert_eq!(fanuc("[[[[[[1]]]]]]"), Err(Code::BracketsTooDeep));
     assert_eq!(fanuc("[[[[[SIN[1]]]]]]"), Err(Code::BracketsTooDeep));
     for text in ["[".repeat(100_000), "SIN[".repeat(100_000), "SIN".repeat(100_000)] {
         assert!(fanuc(&text).is_err());
     }
-    assert_eq!(fanuc(&format!("{}1", "-".repeat(100_001))), Ok(Some(-1.0)));
-    assert_eq!(fanuc(&format!("0{}", "+1".repeat(100_000))), Ok(Some(100_000.0)));
+    assert_eq!(fanuc(&format!("{}1", "-".repeat(100_001))), Ok(Value::Number(-1.0)));
+    assert_eq!(fanuc(&format!("0{}", "+1".repeat(100_000))), Ok(Value::Number(100_000.0)));
 }
 
 #[test]
@@ -186,14 +217,14 @@ fn linuxcnc_reads_its_own_grammar() {
     let value = |text: &str| {
         run(text, table.lexicon.grammar, &MacroRules::NONE, Purpose::VALUE).expect(text)
     };
-    assert_eq!(value("[2 ** 3 * 2]"), Some(16.0));
-    assert_eq!(value("##20"), Some(4.0));
-    assert_eq!(value("#<width>"), Some(5.0));
-    assert_eq!(value("EXISTS[#<width>]"), Some(1.0));
-    assert_eq!(value("[-7 MOD 3]"), Some(2.0));
-    assert_eq!(value("FIX[-1.5]"), Some(-2.0));
+    assert_eq!(value("[2 ** 3 * 2]"), Value::Number(16.0));
+    assert_eq!(value("##20"), Value::Number(4.0));
+    assert_eq!(value("#<width>"), Value::Number(5.0));
+    assert_eq!(value("EXISTS[#<width>]"), Value::Number(1.0));
+    assert_eq!(value("[-7 MOD 3]"), Value::Number(2.0));
+    assert_eq!(value("FIX[-1.5]"), Value::Number(-2.0));
     // Comparisons come before AND there: 6 AND [4 EQ 4].
-    assert_eq!(value("[#120 AND 4 EQ 4]"), Some(1.0));
+    assert_eq!(value("[#120 AND 4 EQ 4]"), Value::Number(1.0));
 }
 
 #[test]
@@ -201,7 +232,7 @@ fn fadal_reads_its_own_grammar() {
     let grammar = &MacroGrammar::FADAL;
     let value = |text: &str| run(text, grammar, &MacroRules::NONE, Purpose::VALUE).expect(text);
     let v = grammar.letter_variables.iter().position(|name| *name == "V").unwrap_or(0) as f64;
-    assert_eq!(value("V2+V(1+1)"), Some(2.0 * (v * 1000.0 + 2.0)));
-    assert_eq!(value("2*(3+4)-SGN(0)"), Some(13.0));
-    assert_eq!(value("INT(7.9)<|>7"), Some(0.0));
+    assert_eq!(value("V2+V(1+1)"), Value::Number(2.0 * (v * 1000.0 + 2.0)));
+    assert_eq!(value("2*(3+4)-SGN(0)"), Value::Number(13.0));
+    assert_eq!(value("INT(7.9)<|>7"), Value::Number(0.0));
 }

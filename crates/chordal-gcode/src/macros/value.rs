@@ -1,20 +1,81 @@
-//! Values: numbers and null.
+//! Values: numbers, vacant, and those that nobody knows.
 
-/// A value of a variable or an expression; `None` is null, the value of a variable that was
-/// never written.
-pub(crate) type Value = Option<f64>;
+/// A value of a variable or an expression.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) enum Value {
+    /// Null: the value of a variable that was never written.
+    Vacant,
+    /// A number.
+    Number(f64),
+    /// Something that neither the program nor the machine file says. Whatever is computed from it is
+    /// unknown as well.
+    Unknown(Cause),
+}
 
-/// A value in arithmetic: null counts as zero.
-#[inline]
-pub(crate) fn number(value: Value) -> f64 {
-    value.unwrap_or(0.0)
+/// Where an unknown value comes from: what a user could give.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) enum Cause {
+    /// A variable by its number.
+    Variable(u32),
+    /// A variable written with letters: its place in the grammar's list, and its number.
+    Letters(u8, u32),
+}
+
+impl Value {
+    /// The number in arithmetic, where vacant counts as zero.
+    #[inline]
+    pub fn counted(self) -> Result<f64, Cause> {
+        match self {
+            Value::Vacant => Ok(0.0),
+            Value::Number(number) => Ok(number),
+            Value::Unknown(cause) => Err(cause),
+        }
+    }
+
+    /// The number in arithmetic, where it is known.
+    #[inline]
+    pub fn known(self) -> Option<f64> {
+        self.counted().ok()
+    }
+
+    /// A number that only some runs know.
+    pub fn or_unknown(number: Option<f64>, cause: Cause) -> Value {
+        number.map_or(Value::Unknown(cause), Value::Number)
+    }
+
+    /// The same to the bit: 0 and −0 are not one value, and NaN is itself.
+    pub fn is_same(self, other: Value) -> bool {
+        match (self, other) {
+            (Value::Number(a), Value::Number(b)) => a.to_bits() == b.to_bits(),
+            (a, b) => a == b,
+        }
+    }
+}
+
+/// Whether a condition holds.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Truth {
+    Holds,
+    Fails,
+    /// It depends on a value that is not known.
+    Unknown(Cause),
+}
+
+impl From<Value> for Truth {
+    fn from(value: Value) -> Truth {
+        match value {
+            Value::Number(number) if number != 0.0 => Truth::Holds,
+            Value::Number(_) | Value::Vacant => Truth::Fails,
+            Value::Unknown(cause) => Truth::Unknown(cause),
+        }
+    }
 }
 
 /// EQ: null equals null and nothing else, not even zero (Mitsubishi M700V p. 389).
 #[inline]
 pub(crate) fn equal(a: Value, b: Value, tolerance: f64) -> bool {
     match (a, b) {
-        (Some(a), Some(b)) => a == b || (a - b).abs() < tolerance,
-        (a, b) => a.is_none() && b.is_none(),
+        (Value::Number(a), Value::Number(b)) => a == b || (a - b).abs() < tolerance,
+        (a, b) => a == Value::Vacant && b == Value::Vacant,
     }
 }

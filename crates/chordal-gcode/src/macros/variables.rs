@@ -1,6 +1,6 @@
 //! Local and common variables.
 
-use super::value::Value;
+use super::value::{Cause, Value};
 use chordal_dialect::macros::{MacroRules, Unset, VariableRange};
 
 /// Most local variables of a level.
@@ -12,21 +12,29 @@ pub(crate) struct VariableStore {
     /// The locals of each macro level; index 0 is not used.
     levels: Vec<[Value; LOCALS]>,
     locals: u32,
-    /// One for each range of the table, made when it is first written.
-    common: Vec<Vec<Value>>,
+    /// One for each range of the table, made when it is first written. `None`: it holds what was in it
+    /// before the program.
+    common: Vec<Vec<Option<Value>>>,
     ranges: &'static [VariableRange],
     unset: Value,
 }
 
-/// To the bit: 0 and −0 are not one value, and NaN is itself.
 impl PartialEq for VariableStore {
     fn eq(&self, other: &VariableStore) -> bool {
-        let bits = |value: &Value| value.map(f64::to_bits);
-        let same = |a: &[Value], b: &[Value]| a.iter().map(bits).eq(b.iter().map(bits));
+        let same = |a: &[Value], b: &[Value]| {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_same(*b))
+        };
+        let same_common = |a: &[Option<Value>], b: &[Option<Value>]| {
+            let is_same = |(a, b): (&Option<Value>, &Option<Value>)| match (a, b) {
+                (Some(a), Some(b)) => a.is_same(*b),
+                (a, b) => a.is_none() && b.is_none(),
+            };
+            a.len() == b.len() && a.iter().zip(b).all(is_same)
+        };
         self.levels.len() == other.levels.len()
             && self.levels.iter().zip(&other.levels).all(|(a, b)| same(a, b))
             && self.common.len() == other.common.len()
-            && self.common.iter().zip(&other.common).all(|(a, b)| same(a, b))
+            && self.common.iter().zip(&other.common).all(|(a, b)| same_common(a, b))
     }
 }
 
@@ -37,8 +45,8 @@ pub(crate) struct NotHere;
 impl VariableStore {
     pub fn new(rules: &MacroRules) -> VariableStore {
         let unset = match rules.unset {
-            Unset::Null => None,
-            Unset::Zero => Some(0.0),
+            Unset::Null => Value::Vacant,
+            Unset::Zero => Value::Number(0.0),
         };
         VariableStore {
             levels: Vec::new(),
@@ -55,13 +63,13 @@ impl VariableStore {
     }
 
     /// A macro call: a new level with its arguments.
-    pub fn enter(&mut self, arguments: &[(u32, f64)]) {
+    pub fn enter(&mut self, arguments: &[(u32, Value)]) {
         if self.levels.is_empty() {
             self.levels.push([self.unset; LOCALS]);
         }
         self.levels.push([self.unset; LOCALS]);
         for &(number, value) in arguments {
-            self.set_local(number, Some(value));
+            self.set_local(number, value);
         }
     }
 
@@ -87,7 +95,8 @@ impl VariableStore {
         }
     }
 
-    /// The value of a local or common variable.
+    /// The value of a local or common variable. A common one keeps what was written by another program,
+    /// some also over power-off: before this program writes it, nobody knows it.
     pub fn read(&self, number: u32) -> Result<Value, NotHere> {
         if number == 0 {
             return Ok(self.unset);
@@ -96,12 +105,13 @@ impl VariableStore {
             return Ok(self.levels.last().map_or(self.unset, |level| level[number as usize]));
         }
         let (range, at) = self.place(number)?;
-        Ok(self.common.get(range).and_then(|values| values.get(at)).copied().unwrap_or(self.unset))
+        let written = self.common.get(range).and_then(|values| values.get(at)).copied().flatten();
+        Ok(written.unwrap_or(Value::Unknown(Cause::Variable(number))))
     }
 
     /// Writes a local or common variable.
     pub fn write(&mut self, number: u32, value: Value) -> Result<(), NotHere> {
-        let value = value.or(self.unset);
+        let value = if value == Value::Vacant { self.unset } else { value };
         if (1..=self.locals).contains(&number) {
             self.set_local(number, value);
             return Ok(());
@@ -113,9 +123,9 @@ impl VariableStore {
         let size = (self.ranges[range].last - self.ranges[range].first + 1) as usize;
         let values = &mut self.common[range];
         if values.is_empty() {
-            *values = vec![self.unset; size];
+            *values = vec![None; size];
         }
-        values[at] = value;
+        values[at] = Some(value);
         Ok(())
     }
 

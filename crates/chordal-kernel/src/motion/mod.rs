@@ -85,7 +85,7 @@ impl Kernel<'_> {
     pub fn moved_to(&mut self, target: Position, named: AxisMask) -> Move {
         let from_known = self.state.known;
         let offset_known = self.state.offsets.known();
-        self.state.known = from_known.or(named);
+        self.state.known = from_known.or(named).without(self.state.astray);
         // An axis that was placed in program coordinates stands at a known machine place
         // only where the offset is known.
         let machine = self.state.machine_known;
@@ -97,6 +97,7 @@ impl Kernel<'_> {
                 (moved, moved.and(map.known(self.state.known)))
             }
         };
+        let placed = placed.without(self.state.astray);
         self.state.machine_known = machine.without(moved).or(placed.and(offset_known));
         self.state.believed = None;
         let from = std::mem::replace(&mut self.state.position, target);
@@ -127,7 +128,7 @@ impl Kernel<'_> {
         };
         let each_block = state.feed_mode == FeedMode::InverseTime && !at.has_feed();
         let has_feed = value > 0.0;
-        if !has_feed || each_block {
+        if !has_feed && !state.unknown.feed || each_block {
             self.report_missing_feed(at);
         }
         if self.turning() == SpindleState::Off {
@@ -258,7 +259,7 @@ impl Kernel<'_> {
     /// A rapid, where it goes anywhere.
     pub fn rapid_to(&mut self, target: Position, named: AxisMask) {
         if target == self.state.position {
-            self.state.known = self.state.known.or(named);
+            self.state.known = self.state.known.or(named).without(self.state.astray);
             return;
         }
         self.rapid(target, named);
@@ -271,10 +272,25 @@ impl Kernel<'_> {
         self.emit(CommandKind::Line { motion, feed });
     }
 
+    /// F of a value that is not known.
+    pub fn set_unknown_feed(&mut self) {
+        (self.state.feed, self.state.feed_angular) = (None, None);
+        (self.state.feed_over, self.state.unknown.feed) = (None, true);
+    }
+
+    /// Axes go to a place that is not known.
+    pub fn go_astray(&mut self, axes: AxisMask) {
+        let state = &mut self.state;
+        state.known = state.known.without(axes);
+        state.machine_known = state.machine_known.without(axes);
+        state.astray = state.astray.or(axes);
+    }
+
     /// F: in the unit of the mode in force, and as an angle per time.
     pub fn set_feed(&mut self, word: Span, feed: f64, angular: f64) {
         self.state.feed = Some(feed);
         self.state.feed_angular = Some(angular);
+        self.state.unknown.feed = false;
         if feed > 0.0 {
             self.reported.missing_feed = false;
         }

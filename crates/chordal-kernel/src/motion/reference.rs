@@ -42,6 +42,7 @@ impl Kernel<'_> {
         named.iter().for_each(|axis| state.position[axis as usize] = place[axis as usize]);
         state.known = state.known.without(named).or(place_known);
         state.machine_known = state.machine_known.or(named);
+        state.astray = state.astray.without(named);
         let motion = Move { from, to: state.position, from_known, to_known: state.known };
         self.emit(CommandKind::Rapid { motion, path: self.rules.rapid });
     }
@@ -80,6 +81,7 @@ impl Kernel<'_> {
         let known = known.without(named).or(named.and(offset_known));
         self.state.stand_at(work, known);
         self.state.machine_known = self.state.machine_known.or(named);
+        self.state.astray = self.state.astray.without(named);
         Move { from, to: self.state.position, from_known, to_known: self.state.known }
     }
 }

@@ -1,7 +1,5 @@
 //! What was assumed of a text, and where another reading would move otherwise.
 
-use std::sync::Arc;
-
 use chordal::control::{Units, table};
 use chordal::diagnostics::{FileId, Span};
 use chordal::machine::{AXIS_LETTERS, ControlName};
@@ -157,7 +155,7 @@ impl Premise {
     }
 
     /// The path, or the time, depends on a guess: what is said of it.
-    pub fn diagnostic(&self) -> Option<Arc<Diagnostic>> {
+    pub fn diagnostic(&self) -> Option<Diagnostic> {
         let at = self.difference.as_ref()?;
         let (code, what) = if at.only_feed {
             (Code::FeedNotKnown, "how fast this program cuts depends on its control")
@@ -181,7 +179,7 @@ impl Premise {
         let help = format!(
             "name the machine, or keep it in a chordal.toml next to the program; until then it is read as for {first}, and nothing of it is proved"
         );
-        Some(Arc::new(diagnostic.help(help)))
+        Some(diagnostic.help(help))
     }
 }
 

@@ -233,6 +233,7 @@ fn ends(job: &Job, report: &Report) -> Vec<String> {
             EndReason::Budget => {
                 "It does not end: Chordal stopped the run. This report covers the run up to there."
             }
+            EndReason::NotRun => "This is a macro: without its caller nothing of it is run.",
             EndReason::Interrupted => "The run ended early; this report covers its beginning.",
         };
         if !sentences.iter().any(|own| own == sentence) {

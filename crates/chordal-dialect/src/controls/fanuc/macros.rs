@@ -29,11 +29,13 @@ pub(in crate::controls) const GROUPS: &[ModalGroup] = &[
 ];
 
 /// #150–199 and #532–999 are an option that most machines have; #98000 on is one of the 30i.
-const COMMON: &[VariableRange] = &[common(100, 199), common(500, 999), common(98000, 98999)];
+const COMMON: &[VariableRange] = &[common(100, 199), kept(500, 999), kept(98000, 98999)];
 
 const SYSTEM: &[SystemRow] = &[
     system(1000, 1035, System::Input),
     system(1100, 1135, System::Kept),
+    // Tool offsets 1 to 200 of memory A; in memory C the length wear, and from #2201 on the geometry.
+    system(2001, 2400, System::MachineState),
     system(2500, 2506, System::OffsetsOfAxis(0)),
     system(2600, 2606, System::OffsetsOfAxis(1)),
     system(2700, 2706, System::OffsetsOfAxis(2)),
@@ -42,9 +44,10 @@ const SYSTEM: &[SystemRow] = &[
     system(3001, 3002, System::Timer),
     system(3003, 3005, System::Kept),
     system(3006, 3006, System::Message),
+    system(3007, 3008, System::MachineState),
     system(3011, 3011, System::Date),
     system(3012, 3012, System::Time),
-    system(3901, 3902, System::Kept),
+    system(3901, 3902, System::MachineState),
     system(4001, 4030, System::ModalGroup),
     system(4102, 4102, System::ModalWord(b'B')),
     system(4107, 4107, System::ModalWord(b'D')),
@@ -57,13 +60,23 @@ const SYSTEM: &[SystemRow] = &[
     system(4120, 4120, System::ModalWord(b'T')),
     system(4130, 4130, System::ModalWord(b'P')),
     system(4201, 4230, System::ModalGroup),
+    // The block that an interruption left.
+    system(4401, 4530, System::MachineState),
+    // Up to twenty axes; servo lag from #5101 on, shifts by the handwheel from #5121 on, distances to go from #5181 on.
     system(5001, 5006, System::BlockEnd),
+    system(5007, 5020, System::MachineState),
     system(5021, 5026, System::MachinePosition),
+    system(5027, 5040, System::MachineState),
     system(5041, 5046, System::WorkPosition),
+    system(5047, 5060, System::MachineState),
     system(5061, 5066, System::SkipPosition),
+    system(5067, 5080, System::MachineState),
     system(5081, 5086, System::ActiveToolOffset),
+    system(5087, 5200, System::MachineState),
     system(5201, 5206, System::ExternalOffset),
+    system(5207, 5220, System::MachineState),
     system(5221, 5326, System::WorkOffsets),
+    system(5327, 5500, System::MachineState),
     system(7001, 7946, System::ExtendedOffsets),
     system(10001, 10999, System::LengthWear),
     system(11001, 11999, System::Length),

@@ -45,13 +45,15 @@ const GROUPS: &[ModalGroup] = &[
 
 /// #100–199, #500–699 and #800–999 are the first names of #10000 + n.
 const COMMON: &[VariableRange] =
-    &[alias(100, 199, 10100), alias(500, 699, 10500), alias(800, 999, 10800), common(10000, 10999)];
+    &[alias(100, 199, 10100), alias(500, 699, 10500), alias(800, 999, 10800), kept(10000, 10999)];
 
 const SYSTEM: &[SystemRow] = &[
     system(1000, 1063, System::Input),
     system(1064, 1068, System::Input),
     system(1080, 1097, System::Input),
     system(1100, 1155, System::Kept),
+    // Flutes and vibration of tools.
+    system(1601, 2000, System::MachineState),
     system(2001, 2200, System::Length),
     system(2201, 2400, System::LengthWear),
     system(2401, 2600, System::Radius),
@@ -65,8 +67,11 @@ const SYSTEM: &[SystemRow] = &[
     system(3020, 3025, System::Timer),
     system(3026, 3026, System::Tool),
     system(3027, 3027, System::SpindleSpeed),
+    system(3028, 3029, System::MachineState),
     system(3030, 3033, System::Kept),
-    system(3901, 3902, System::Kept),
+    // Actual diameters and coolant positions of tools.
+    system(3201, 3600, System::MachineState),
+    system(3901, 3902, System::MachineState),
     system(4001, 4021, System::ModalGroup),
     system(4101, 4126, System::ModalArgument),
     system(5001, 5006, System::BlockEnd),
@@ -76,9 +81,11 @@ const SYSTEM: &[SystemRow] = &[
     system(5081, 5086, System::ActiveToolOffset),
     system(5201, 5206, System::ExternalOffset),
     system(5221, 5326, System::WorkOffsets),
+    // Times, lives and loads of tools.
+    system(5401, 5999, System::MachineState),
     system(6198, 6198, System::Constant(1_000_000)),
     system(7001, 7386, System::ExtendedOffsets),
-    system(8500, 8599, System::Kept),
+    system(8500, 8599, System::MachineState),
     system(11000, 11255, System::Input),
     system(12000, 12255, System::Kept),
     system(14001, 15966, System::ExtendedOffsets),

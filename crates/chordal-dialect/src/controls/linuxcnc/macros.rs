@@ -13,13 +13,15 @@ pub(in crate::controls) static MACROS: MacroRules = MacroRules {
     ..MacroRules::NONE
 };
 
-/// Those of the program, and the room between those of the control.
+/// Those of the program, and the room between those of the control. The control's file of parameters keeps those
+/// that stand in it.
 const VARIABLES: &[VariableRange] = &[
     common(31, 5020),
     common(5030, 5060),
     common(5071, 5160),
     common(5170, 5180),
     common(5190, 5209),
+    common(5391, 5398),
     common(5414, 5419),
     common(5429, 5601),
 ];
@@ -39,7 +41,9 @@ const SYSTEM: &[SystemRow] = &[
     system(5211, 5216, System::Preset),
     system(5217, 5219, System::Kept),
     system(5220, 5220, System::WorkSystem),
-    system(5221, 5399, System::WorkTable),
+    system(5221, 5390, System::WorkTable),
+    // What M66 has read.
+    system(5399, 5399, System::MachineState),
     system(5400, 5400, System::Tool),
     system(5401, 5406, System::SpindleTool),
     system(5407, 5409, System::Constant(0)),

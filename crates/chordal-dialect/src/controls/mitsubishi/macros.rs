@@ -14,7 +14,7 @@ pub(super) static MACROS: MacroRules = MacroRules {
     ..MacroRules::MACRO_B
 };
 
-const COMMON: &[VariableRange] = &[common(100, 199), common(400, 999), common(900_000, 907_399)];
+const COMMON: &[VariableRange] = &[common(100, 199), kept(400, 999), kept(900_000, 907_399)];
 
 const SYSTEM: &[SystemRow] = &[
     system(1000, 1035, System::Input),
@@ -29,7 +29,7 @@ const SYSTEM: &[SystemRow] = &[
     system(3006, 3006, System::Message),
     system(3011, 3011, System::Date),
     system(3012, 3012, System::Time),
-    system(3901, 3902, System::Kept),
+    system(3901, 3902, System::MachineState),
     system(4001, 4021, System::ModalGroup),
     system(4107, 4107, System::ModalWord(b'D')),
     system(4109, 4109, System::ModalWord(b'F')),
@@ -41,10 +41,14 @@ const SYSTEM: &[SystemRow] = &[
     system(4120, 4120, System::ModalWord(b'T')),
     system(4201, 4221, System::ModalGroup),
     system(4302, 4320, System::ModalGroup),
+    // The block that an interruption left.
+    system(4401, 4520, System::MachineState),
     system(5001, 5006, System::BlockEnd),
     system(5021, 5026, System::MachinePosition),
     system(5041, 5046, System::WorkPosition),
     system(5061, 5066, System::SkipPosition),
+    system(5081, 5086, System::MachineState),
+    system(5101, 5106, System::MachineState),
     system(5201, 5206, System::ExternalOffset),
     system(5221, 5326, System::WorkOffsets),
     system(7001, 7946, System::ExtendedOffsets),

@@ -78,8 +78,10 @@ impl Interpreter<'_> {
                 .report_no_cycle(span, "a bolt circle (L93) without an active cycle");
         }
         let [radius, angle] = self.control.parameters.rules.cycles.bolt_circle;
-        let radius_mm = self.scale.length(self.registers[radius as usize]);
-        let first = self.registers[angle as usize].to_f64();
+        let zero = chordal_syntax::Decimal::integer(0);
+        let register = |number: u8| self.registers[number as usize].unwrap_or(zero);
+        let radius_mm = self.scale.length(register(radius));
+        let first = register(angle).to_f64();
         let text = self.kernel.length_text(radius_mm);
         self.kernel.report(
             Diagnostic::new(

@@ -109,13 +109,14 @@ impl Interpreter<'_> {
         let mut rest = Some(parser.rest());
         match statement {
             Statement::Assign { target, value, text } if sound => {
+                let what = "the number of the variable that is written";
                 let index = match target.index.is_empty() {
-                    true => Some(None),
-                    false => self.value_of(&parser, target.index, Purpose::VALUE),
+                    true => Some(0.0),
+                    false => self.number_of(&parser, target.index, Purpose::VALUE, what),
                 };
                 let value = self.value_of(&parser, value, Purpose::VALUE);
                 if let (Some(index), Some(value)) = (index, value) {
-                    pending.push(Pending { target, index: index.unwrap_or(0.0), value });
+                    pending.push(Pending { target, index, value });
                 }
                 // The comment behind it is one of the line's.
                 if let Some(text) = text {

@@ -12,6 +12,7 @@ use super::super::shop::Given;
 use super::super::{Flow, Interpreter};
 use crate::macros::arguments::{Assigner, reserved_variable};
 use crate::macros::evaluate::Purpose;
+use crate::macros::value::Value;
 
 /// A modal call in force.
 #[derive(Clone, Debug)]
@@ -20,7 +21,7 @@ pub(in super::super) struct ModalCall {
     word: Word,
     program: u32,
     repeats: u32,
-    arguments: Vec<(u32, f64)>,
+    arguments: Vec<(u32, Value)>,
     /// G66.1: every block calls, its words are the arguments.
     every_block: bool,
     /// An L word calls a subroutine, not a program.
@@ -256,7 +257,7 @@ impl Interpreter<'_> {
         true
     }
 
-    fn enter_modal(&mut self, call: &ModalCall, arguments: &[(u32, f64)]) {
+    fn enter_modal(&mut self, call: &ModalCall, arguments: &[(u32, Value)]) {
         let outer = self.macros.active - 1;
         if call.subroutine {
             let depth = self.frames.len();
@@ -299,9 +300,9 @@ impl Interpreter<'_> {
         block: &Block,
         call: Option<usize>,
         all_letters: bool,
-    ) -> Vec<(u32, f64)> {
+    ) -> Vec<(u32, Value)> {
         let mut assigner = Assigner::new(self.rules().argument_sets);
-        let mut arguments: Vec<(u32, f64)> = Vec::new();
+        let mut arguments: Vec<(u32, Value)> = Vec::new();
         for (at, word) in block.words.iter().enumerate() {
             let own = matches!(word.letter, b'P' | b'L' | b'N' | b'O') && !all_letters;
             if Some(at) == call || own || word.letter == b'N' {
@@ -317,11 +318,13 @@ impl Interpreter<'_> {
             };
             let value = match word.value {
                 Written::Expression(range) => self.word_value(range, Purpose::VALUE),
-                _ => self.literal(word).map(|number| Some(self.argument(word.letter, number))),
+                _ => self
+                    .literal(word)
+                    .map(|number| Value::Number(self.argument(word.letter, number))),
             };
             // A null argument arrives as null; what was there before is overwritten.
             arguments.retain(|(earlier, _)| *earlier != variable);
-            if let Some(Some(value)) = value {
+            if let Some(value) = value.filter(|value| *value != Value::Vacant) {
                 arguments.push((variable, value));
             }
         }
@@ -367,7 +370,7 @@ impl Interpreter<'_> {
         word: &Word,
         program: u32,
         repeats: u32,
-        arguments: &[(u32, f64)],
+        arguments: &[(u32, Value)],
     ) -> bool {
         let depth = self.macros.store.level() + 1;
         let limit = self.rules().call_depth;
@@ -375,7 +378,12 @@ impl Interpreter<'_> {
             self.report_macro_nesting(word, depth, limit);
             return false;
         }
-        if !self.enter_program(word, program, repeats, Given { block: None, arguments }) {
+        let given: Vec<(u32, f64)> = arguments
+            .iter()
+            .filter_map(|(number, value)| Some((*number, value.known()?)))
+            .collect();
+        let given = Given { block: None, arguments: &given };
+        if !self.enter_program(word, program, repeats, given) {
             return false;
         }
         self.macros.store.enter(arguments);

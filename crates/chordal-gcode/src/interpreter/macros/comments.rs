@@ -80,9 +80,12 @@ impl Interpreter<'_> {
                 };
                 let value = TextRange::new(start, start + 1 + length as u32);
                 match self.word_value(value, Purpose::VALUE) {
-                    Some(value) => {
-                        let _ = write!(line, "{:.decimals$}", value.unwrap_or(0.0));
-                    }
+                    Some(value) => match value.known() {
+                        Some(value) => {
+                            let _ = write!(line, "{value:.decimals$}");
+                        }
+                        None => line.push('?'),
+                    },
                     None => line += "######",
                 }
                 at += 1 + length;

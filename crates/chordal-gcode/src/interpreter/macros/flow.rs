@@ -2,21 +2,31 @@
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_syntax::{
-    Block, BlockKind, ExpressionParser, Position as TextPosition, Statement, parse_statement,
+    Block, BlockKind, Expression, ExpressionParser, Position as TextPosition, Statement,
+    parse_statement,
 };
 
 use super::super::{EndReason, Flow, Interpreter};
 use super::Loop;
-use crate::macros::value::Value;
+use crate::macros::evaluate::Purpose;
 
 /// DO and END by their numbers stay in a list of this many at most.
 const MOST_LOOPS: usize = 127;
 
 impl<'a> Interpreter<'a> {
+    /// The number of a GOTO.
+    pub(super) fn label_of(
+        &mut self,
+        parser: &ExpressionParser<'a>,
+        label: Expression,
+    ) -> Option<f64> {
+        self.number_of(parser, label, Purpose::VALUE, "the block that GOTO means")
+    }
+
     /// GOTO: the block of that number nearest below, else the first from the top.
-    pub(super) fn goto(&mut self, range: TextRange, label: Option<Value>) -> Flow {
+    pub(super) fn goto(&mut self, range: TextRange, label: Option<f64>) -> Flow {
         let Some(label) = label else { return Flow::Next };
-        let number = libm::round(label.unwrap_or(0.0));
+        let number = libm::round(label);
         let here = self.kernel.origin.span.range.start;
         let found = if number.abs() < 1e9 {
             self.label_below(self.program, number as i64, here)

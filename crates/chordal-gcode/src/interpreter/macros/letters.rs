@@ -1,7 +1,7 @@
 //! Variables that are written as letters and a number (Fadal manual, section 18).
 
 use chordal_command::WorkName;
-use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_diagnostics::{Code, TextRange};
 use chordal_geometry::Direction;
 use chordal_kernel::Motion;
 use chordal_kernel::ToolValue;
@@ -10,6 +10,7 @@ use chordal_machine::AXIS_LETTERS;
 use super::super::Interpreter;
 use super::words::decimal;
 use crate::macros::evaluate::Fault;
+use crate::macros::value::{Cause, Value};
 
 /// The last V variable.
 const LAST_VARIABLE: u32 = 100;
@@ -31,14 +32,21 @@ impl Interpreter<'_> {
         letters: u8,
         number: f64,
         range: TextRange,
-    ) -> Result<f64, Fault> {
+    ) -> Result<Value, Fault> {
         let name = self.letters_name(letters);
         let at = self.letters_number(name, number, range)?;
         let axis = axis_of(name).unwrap_or(0);
         let unit = self.unit();
-        Ok(match name {
-            "V" => self.macros.lines.variables.get(at as usize).copied().unwrap_or(0.0),
-            "R" => self.registers[at as usize].to_f64(),
+        let unknown = Value::Unknown(Cause::Letters(letters, at));
+        Ok(Value::Number(match name {
+            "V" => {
+                let written = self.macros.lines.variables.get(at as usize).copied().flatten();
+                return Ok(written.unwrap_or(unknown));
+            }
+            "R" => match self.registers[at as usize] {
+                Some(register) => register.to_f64(),
+                None => return Ok(Value::Unknown(self.cause_of_register(letters, at))),
+            },
             "AX" | "AY" | "AZ" | "AA" | "AB" | "AC" => {
                 self.axis_out(axis, self.kernel.state.position[axis])
             }
@@ -56,28 +64,41 @@ impl Interpreter<'_> {
             "VF" => self.feed_word(),
             "G" if at == 1 => 1.0 + self.motion_code(),
             _ => match self.macros.lines.written.get(&(letters, at)) {
-                Some(value) => *value,
-                None => self.unknown_letters(name, at, range),
+                Some(value) => return Ok(*value),
+                None => return Ok(unknown),
             },
-        })
+        }))
     }
 
     pub(super) fn write_letters(
         &mut self,
         letters: u8,
         number: f64,
-        value: f64,
+        value: Value,
         range: TextRange,
     ) -> Result<(), Fault> {
         let name = self.letters_name(letters);
         let at = self.letters_number(name, number, range)?;
         let unit = self.unit();
-        match name {
-            "V" => {
-                let variables = &mut self.macros.lines.variables;
-                variables.resize(LAST_VARIABLE as usize + 1, 0.0);
-                variables[at as usize] = value;
+        if name == "V" {
+            let variables = &mut self.macros.lines.variables;
+            variables.resize(LAST_VARIABLE as usize + 1, None);
+            variables[at as usize] = Some(value);
+            return Ok(());
+        }
+        let value = match value.counted() {
+            Ok(value) => value,
+            Err(cause) if name == "R" => {
+                self.registers[at as usize] = None;
+                self.macros.unknown.lose_register(at as usize, cause);
+                return Ok(());
             }
+            Err(cause) => {
+                self.lose_path_by(range, &format!("{name}{at}"), cause);
+                return Ok(());
+            }
+        };
+        match name {
             "R" => {
                 let value = decimal(value).ok_or_else(|| {
                     Fault::new(
@@ -87,7 +108,7 @@ impl Interpreter<'_> {
                         "check the values that it is computed from",
                     )
                 })?;
-                self.registers[at as usize] = value;
+                self.registers[at as usize] = Some(value);
             }
             "FX" | "FY" | "FZ" | "FA" | "FB" => {
                 let axis = axis_of(name).unwrap_or(0);
@@ -101,7 +122,7 @@ impl Interpreter<'_> {
             "H" => self.kernel.store_tool_value(ToolValue::Length, at, value * unit, false),
             "D" => self.kernel.store_tool_value(ToolValue::Radius, at, value * unit, false),
             "TT" | "TU" | "HO" | "CP" | "CR" | "CC" | "O" => {
-                self.macros.lines.written.insert((letters, at), value);
+                self.macros.lines.written.insert((letters, at), Value::Number(value));
             }
             _ => {
                 return Err(Fault::new(
@@ -115,7 +136,7 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    fn letters_name(&self, letters: u8) -> &'static str {
+    pub(super) fn letters_name(&self, letters: u8) -> &'static str {
         let names = self.control.table.lexicon.grammar.letter_variables;
         names.get(letters as usize).copied().unwrap_or("V")
     }
@@ -151,18 +172,5 @@ impl Interpreter<'_> {
             Motion::Spline(form) => self.spline_code(form) / 10.0,
             Motion::Turn(_) => self.motion_row_code() / 10.0,
         }
-    }
-
-    /// What the program alone does not tell.
-    fn unknown_letters(&mut self, name: &str, at: u32, range: TextRange) -> f64 {
-        self.report_once(
-            Diagnostic::new(
-                Code::SystemVariable,
-                self.span(range),
-                format!("Chordal cannot know the value of {name}{at}; 0 is used"),
-            )
-            .help("put the value into a V variable at the start of the program"),
-        );
-        0.0
     }
 }

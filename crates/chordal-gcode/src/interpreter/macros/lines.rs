@@ -14,6 +14,7 @@ use super::super::literals::trim;
 use super::super::{EndReason, Flow, Interpreter};
 use crate::macros::evaluate::Purpose;
 use crate::macros::names::normal;
+use crate::macros::value::Value;
 
 /// Most places of RND.
 const MOST_PLACES: f64 = 5.0;
@@ -33,10 +34,10 @@ const PRINTED_DECIMALS: usize = 4;
 /// What macro lines keep.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Lines {
-    /// V1, V2, …; empty before the first is written.
-    pub variables: Vec<f64>,
+    /// V1, V2, …; empty before the first is written. `None`: it holds what was in it before the program.
+    pub variables: Vec<Option<Value>>,
     /// Variables of the machine that the program wrote, by name and number.
-    pub written: BTreeMap<(u8, u32), f64>,
+    pub written: BTreeMap<(u8, u32), Value>,
     /// SET RADIANS.
     pub radians: bool,
     /// SET RND.
@@ -103,8 +104,8 @@ impl<'a> Interpreter<'a> {
             }
             if let LineStatement::If(condition) = statement {
                 let purpose = Purpose { condition: true, ..self.line_purpose() };
-                let value = self.value_of(&parser, condition, purpose).flatten();
-                if value.is_some_and(|value| value != 0.0) {
+                let value = self.value_of(&parser, condition, purpose);
+                if value.is_some_and(|value| self.is_true(value, condition.range)) {
                     continue;
                 }
                 break;
@@ -138,11 +139,14 @@ impl<'a> Interpreter<'a> {
         &mut self,
         parser: &ExpressionParser<'a>,
         expression: chordal_syntax::Expression,
-    ) -> Option<f64> {
-        let value = self.value_of(parser, expression, self.line_purpose())?.unwrap_or(0.0);
+    ) -> Option<Value> {
+        let value = match self.value_of(parser, expression, self.line_purpose())?.counted() {
+            Ok(value) => value,
+            Err(cause) => return Some(Value::Unknown(cause)),
+        };
         let size = value.abs();
         if size < LARGEST && (size >= SMALLEST || size == 0.0) {
-            return Some(value);
+            return Some(Value::Number(value));
         }
         let shown = if size < 1.0 { format!("{value:.3e}") } else { format!("{value}") };
         let what = if size < 1.0 { "nearer to zero than 0.0001" } else { "too large" };
@@ -154,7 +158,7 @@ impl<'a> Interpreter<'a> {
             )
             .help("round it with RND, or test it with IF before"),
         );
-        Some(value)
+        Some(Value::Number(value))
     }
 
     fn line_statement(
@@ -166,17 +170,23 @@ impl<'a> Interpreter<'a> {
         match statement {
             LineStatement::Assign { target, value } => {
                 if let Some(value) = self.line_value(parser, value) {
-                    self.assign(parser, &target, Some(value));
+                    self.assign(parser, &target, value);
                 }
             }
             LineStatement::GotoLabel(label) => return self.goto_label(label),
             LineStatement::GotoNumber(number) => {
-                let number = self.value_of(parser, number, self.line_purpose());
+                let number = self.label_of(parser, number);
                 return self.goto(range, number);
             }
             LineStatement::Start(number) => {
-                let Some(value) = self.line_value(parser, number) else { return Flow::Next };
-                return self.start_program(number.range, value);
+                return match self.line_value(parser, number).map(Value::counted) {
+                    Some(Ok(value)) => self.start_program(number.range, value),
+                    Some(Err(cause)) => {
+                        self.lose_path_by(number.range, "the program that START means", cause);
+                        Flow::Next
+                    }
+                    None => Flow::Next,
+                };
             }
             LineStatement::Print { items, holds } => self.print_items(parser, range, &items, holds),
             LineStatement::Input(targets) => self.input(parser, range, &targets),
@@ -187,7 +197,7 @@ impl<'a> Interpreter<'a> {
             }
             LineStatement::SetRadians(radians) => self.macros.lines.radians = radians,
             LineStatement::SetPlaces(places) => {
-                if let Some(places) = self.line_value(parser, places) {
+                if let Some(places) = self.line_value(parser, places).and_then(Value::known) {
                     self.macros.lines.places = libm::round(places).clamp(0.0, MOST_PLACES) as u8;
                 }
             }
@@ -299,7 +309,8 @@ impl<'a> Interpreter<'a> {
                 }
                 PrintItem::Value(value) => {
                     if let Some(value) = self.value_of(parser, *value, self.line_purpose()) {
-                        line += &trim(value.unwrap_or(0.0), PRINTED_DECIMALS);
+                        let shown = value.known().map(|value| trim(value, PRINTED_DECIMALS));
+                        line += shown.as_deref().unwrap_or("?");
                     }
                 }
             }
@@ -337,7 +348,7 @@ impl<'a> Interpreter<'a> {
                         .help("give the answers in the machine file: `[macros] inputs = [1.5, 2]`"),
                 );
             }
-            self.assign(parser, target, Some(answer.unwrap_or(0.0)));
+            self.assign(parser, target, Value::Number(answer.unwrap_or(0.0)));
         }
         self.kernel.emit(CommandKind::Stop { optional: false });
     }
@@ -345,8 +356,9 @@ impl<'a> Interpreter<'a> {
     /// CLEAR V3-V7.
     fn clear(&mut self, parser: &ExpressionParser<'a>, first: &Target, last: &Target) {
         let index = |run: &mut Self, target: &Target| {
-            let value = run.value_of(parser, target.index, run.line_purpose());
-            value.map(|value| libm::round(value.unwrap_or(0.0)).clamp(0.0, 1e6) as u32)
+            let what = "the number of a variable that is cleared";
+            let value = run.number_of(parser, target.index, run.line_purpose(), what);
+            value.map(|value| libm::round(value).clamp(0.0, 1e6) as u32)
         };
         let (Some(from), Some(to)) = (index(self, first), index(self, last)) else { return };
         let same = matches!((first.kind, last.kind), (Op::Letters(a), Op::Letters(b)) if a == b);
@@ -364,7 +376,8 @@ impl<'a> Interpreter<'a> {
         }
         // The first number that does not exist ends the row, which is told.
         for number in from..=to {
-            let written = self.write_target(first.kind, f64::from(number), Some(0.0), first.range);
+            let zero = Value::Number(0.0);
+            let written = self.write_target(first.kind, f64::from(number), zero, first.range);
             if let Err(fault) = written {
                 return self.report_fault(fault);
             }

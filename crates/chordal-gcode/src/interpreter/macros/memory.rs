@@ -9,7 +9,9 @@ use chordal_syntax::Position as TextPosition;
 use super::MacroState;
 use super::lines::Lines;
 use super::probe::Probe;
+use super::unknown::Unknown;
 use crate::macros::names::Names;
+use crate::macros::value::Value;
 use crate::macros::variables::VariableStore;
 
 /// With more problems told a rest would cost more than it saves.
@@ -27,10 +29,11 @@ pub(in super::super) struct MacroMemory {
     port_open: bool,
     printed: usize,
     names: Names,
-    returned: (f64, bool),
+    returned: (Value, bool),
     called: BTreeMap<(usize, u32), TextPosition>,
     lines: Lines,
     probe: Probe,
+    unknown: Unknown,
 }
 
 impl MacroState<'_> {
@@ -65,6 +68,7 @@ impl MacroState<'_> {
             called: self.owords.called.clone(),
             lines: self.lines.lasting(),
             probe: self.probe,
+            unknown: self.unknown.clone(),
         }
     }
 
@@ -82,6 +86,7 @@ impl MacroState<'_> {
         self.owords.called = memory.called;
         self.lines = memory.lines;
         self.probe = memory.probe;
+        self.unknown = memory.unknown;
     }
 }
 
@@ -93,6 +98,7 @@ impl MacroMemory {
             let at = if file == FileId(0) { shift.offset(at)? } else { at };
             self.told.insert((file, at, code));
         }
+        self.unknown.shift(shift)?;
         for place in self.called.values_mut() {
             (place.offset, place.line) = shift.place(place.offset, place.line)?;
         }

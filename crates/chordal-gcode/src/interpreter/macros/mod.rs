@@ -3,6 +3,7 @@
 //! `words` puts numbers in the place of expressions; `statements` carries out what stands in a
 //! macro statement; `flow` jumps and loops; `system` reads and writes system variables.
 
+mod alarms;
 mod assignments;
 mod calls;
 mod comments;
@@ -16,6 +17,7 @@ mod owords;
 mod probe;
 mod statements;
 mod system;
+mod unknown;
 mod words;
 
 use chordal_command::Position;
@@ -33,7 +35,7 @@ use super::Interpreter;
 
 use crate::macros::evaluate::{Fault, Purpose, Variables, evaluate};
 use crate::macros::names::Names;
-use crate::macros::value::{Value, number};
+use crate::macros::value::{Truth, Value};
 use crate::macros::variables::VariableStore;
 
 /// What a run keeps for its macro statements.
@@ -75,6 +77,8 @@ pub(super) struct MacroState<'a> {
     lines: lines::Lines,
     /// Probe moves.
     pub(super) probe: probe::Probe,
+    /// Values that the run met and nobody knows.
+    pub(super) unknown: unknown::Unknown,
 }
 
 /// A loop that runs.
@@ -91,9 +95,12 @@ impl MacroState<'_> {
         let mut store = VariableStore::new(table.macros);
         let mut kept = BTreeMap::new();
         for (&number, &value) in &machine.macros.variables {
-            if store.write(number, Some(value)).is_err() {
+            if store.write(number, Value::Number(value)).is_err() {
                 kept.insert(number, value);
             }
+        }
+        for &number in &machine.macros.vacant {
+            let _ = store.write(number, Value::Vacant);
         }
         MacroState {
             parser: ExpressionParser::new(&[], FileId(0), table.lexicon.grammar),
@@ -116,6 +123,7 @@ impl MacroState<'_> {
             owords: owords::OWords::default(),
             lines: lines::Lines::default(),
             probe: probe::Probe::default(),
+            unknown: unknown::Unknown::default(),
         }
     }
 }
@@ -146,15 +154,54 @@ impl<'a> Interpreter<'a> {
         result.map_err(|fault| self.report_fault(fault)).ok()
     }
 
+    /// The value of an expression as a number, where vacant counts as zero. `None` when it has none or when
+    /// nobody knows it; both are told, the latter with what the value is for: "N of GOTO".
+    fn number_of(
+        &mut self,
+        parser: &ExpressionParser<'a>,
+        expression: Expression,
+        purpose: Purpose,
+        what: &str,
+    ) -> Option<f64> {
+        match self.value_of(parser, expression, purpose)?.counted() {
+            Ok(number) => Some(number),
+            Err(cause) => {
+                self.lose_path_by(expression.range, what, cause);
+                None
+            }
+        }
+    }
+
+    /// Whether a condition holds. One that depends on an unknown value is taken as one that does not.
+    fn holds(&mut self, parser: &ExpressionParser<'a>, condition: Expression) -> bool {
+        let Some(value) = self.value_of(parser, condition, Purpose::CONDITION) else {
+            return false;
+        };
+        self.is_true(value, condition.range)
+    }
+
+    /// The same of a value that is there already.
+    fn is_true(&mut self, value: Value, range: TextRange) -> bool {
+        match Truth::from(value) {
+            Truth::Holds => true,
+            Truth::Fails => false,
+            Truth::Unknown(cause) => {
+                self.assume_not(range, cause);
+                false
+            }
+        }
+    }
+
     /// Writes a variable.
     fn assign(&mut self, parser: &ExpressionParser<'a>, target: &Target, value: Value) {
         let index = match target.kind {
             Op::ReadNamed(_) => 0.0,
             _ => {
-                let Some(index) = self.value_of(parser, target.index, Purpose::VALUE) else {
+                let what = "the number of the variable that is written";
+                let Some(index) = self.number_of(parser, target.index, Purpose::VALUE, what) else {
                     return;
                 };
-                index.unwrap_or(0.0)
+                index
             }
         };
         if let Err(fault) = self.write_target(target.kind, index, value, target.range) {
@@ -171,8 +218,8 @@ impl<'a> Interpreter<'a> {
     ) -> Result<(), Fault> {
         match kind {
             Op::Read => self.write_number(index, value, range),
-            Op::ReadNamed(name) => self.write_named(name, number(value), range),
-            Op::Letters(letters) => self.write_letters(letters, index, number(value), range),
+            Op::ReadNamed(name) => self.write_named(name, value, range),
+            Op::Letters(letters) => self.write_letters(letters, index, value, range),
             _ => Ok(()),
         }
     }
@@ -215,14 +262,16 @@ impl<'a> Interpreter<'a> {
 impl Variables for Interpreter<'_> {
     fn read(&mut self, number: f64, range: TextRange) -> Result<Value, Fault> {
         let number = self.variable_number(number, range)?;
-        match self.macros.store.read(number) {
-            Ok(value) => Ok(value),
-            Err(_) => self.read_system(number, range),
-        }
+        let value = match self.macros.store.read(number) {
+            Ok(value) => value,
+            Err(_) => self.read_system(number, range)?,
+        };
+        self.note_unknown(value, range);
+        Ok(value)
     }
 
     fn read_named(&mut self, name: TextRange, range: TextRange) -> Result<Value, Fault> {
-        self.named(name, range).map(Some)
+        self.named(name, range)
     }
 
     fn is_set(&mut self, name: TextRange) -> bool {
@@ -230,7 +279,9 @@ impl Variables for Interpreter<'_> {
     }
 
     fn read_letters(&mut self, letters: u8, number: f64, range: TextRange) -> Result<Value, Fault> {
-        self.letter_variable(letters, number, range).map(Some)
+        let value = self.letter_variable(letters, number, range)?;
+        self.note_unknown(value, range);
+        Ok(value)
     }
 
     fn radians(&self) -> bool {

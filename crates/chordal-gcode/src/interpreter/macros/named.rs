@@ -10,12 +10,17 @@ use chordal_kernel::rules::ArcCenter;
 use super::super::Interpreter;
 use crate::macros::evaluate::Fault;
 use crate::macros::names::normal;
+use crate::macros::value::Value;
 
 impl Interpreter<'_> {
     /// The value of a named variable.
-    pub(super) fn named(&mut self, name: TextRange, range: TextRange) -> Result<f64, Fault> {
+    pub(super) fn named(&mut self, name: TextRange, range: TextRange) -> Result<Value, Fault> {
         let name = normal(name.slice(self.reader.text()));
-        if let Some(value) = self.macros.names.get(&name).or_else(|| self.predefined(&name)) {
+        if name == "_value" {
+            return Ok(self.macros.owords.value);
+        }
+        let predefined = || self.predefined(&name).map(Value::Number);
+        if let Some(value) = self.macros.names.get(&name).or_else(predefined) {
             return Ok(value);
         }
         Err(Fault::new(
@@ -35,7 +40,7 @@ impl Interpreter<'_> {
     pub(super) fn write_named(
         &mut self,
         name: TextRange,
-        value: f64,
+        value: Value,
         range: TextRange,
     ) -> Result<(), Fault> {
         let name = normal(name.slice(self.reader.text()));
@@ -126,7 +131,8 @@ impl Interpreter<'_> {
             "rpm" => state.rpm,
             "current_tool" => f64::from(state.tool),
             "selected_tool" => state.selected_tool.map_or(-1.0, f64::from),
-            "value" => self.macros.owords.value,
+            // Read before, as it may be unknown.
+            "value" => 0.0,
             "value_returned" => flag(self.macros.owords.value_returned),
             "call_level" => self.macros.names.level() as f64,
             _ => return None,

@@ -79,7 +79,10 @@ impl Interpreter<'_> {
                         self.report_format(expression);
                         Format { whole: 4, decimals: 4 }
                     });
-                    write_number(&mut line, value.unwrap_or(0.0), format, blanks);
+                    match value.known() {
+                        Some(value) => write_number(&mut line, value, format, blanks),
+                        None => line.push('?'),
+                    }
                 }
             }
         }

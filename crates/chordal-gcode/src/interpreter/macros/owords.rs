@@ -18,6 +18,7 @@ mod labels;
 use super::super::{EndReason, Flow, Interpreter};
 use crate::macros::evaluate::Purpose;
 use crate::macros::names::normal;
+use crate::macros::value::Value;
 
 /// Most arguments of a call.
 const MOST_ARGUMENTS: usize = 30;
@@ -61,7 +62,7 @@ struct Repeat {
 }
 
 /// What O words keep.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct OWords {
     indexes: HashMap<usize, Rc<Index>>,
     /// Lines with nothing but a label (`O5`) of each program.
@@ -72,9 +73,23 @@ pub(super) struct OWords {
     /// Labels that calls have found, by program and number.
     pub called: BTreeMap<(usize, u32), TextPosition>,
     /// What the last subroutine returned.
-    pub value: f64,
+    pub value: Value,
     /// It returned something.
     pub value_returned: bool,
+}
+
+impl Default for OWords {
+    fn default() -> OWords {
+        OWords {
+            indexes: HashMap::new(),
+            heads: HashMap::new(),
+            files: None,
+            repeats: Vec::new(),
+            called: BTreeMap::new(),
+            value: Value::Number(0.0),
+            value_returned: false,
+        }
+    }
 }
 
 impl OWords {
@@ -223,19 +238,20 @@ impl<'a> Interpreter<'a> {
     }
 
     /// True when the value behind the word is not zero.
-    fn holds(&mut self, parser: &mut ExpressionParser<'a>) -> bool {
+    fn bracket_holds(&mut self, parser: &mut ExpressionParser<'a>) -> bool {
+        let start = parser.rest();
         let value = self.bracket(parser, Purpose::CONDITION);
-        value.is_some_and(|value| value != 0.0)
+        value.is_some_and(|value| self.is_true(value, start))
     }
 
     /// The value of the bracket that is due here.
-    fn bracket(&mut self, parser: &mut ExpressionParser<'a>, purpose: Purpose) -> Option<f64> {
+    fn bracket(&mut self, parser: &mut ExpressionParser<'a>, purpose: Purpose) -> Option<Value> {
         let problems = parser.problems.len();
         let value = parser.value();
         if parser.problems.len() > problems {
             return None;
         }
-        self.value_of(parser, value, purpose).map(|value| value.unwrap_or(0.0))
+        self.value_of(parser, value, purpose)
     }
 
     fn structure(
@@ -248,7 +264,7 @@ impl<'a> Interpreter<'a> {
         let Some(here) = index.at(self.kernel.origin.span.range.start) else { return Flow::Next };
         let row = index.lines[here];
         let holds = match word {
-            FlowWord::If | FlowWord::While => self.holds(parser),
+            FlowWord::If | FlowWord::While => self.bracket_holds(parser),
             _ => false,
         };
         if !matches!(word, FlowWord::Repeat | FlowWord::ElseIf) {
@@ -344,7 +360,7 @@ impl<'a> Interpreter<'a> {
                     let o = text.iter().position(|b| b.eq_ignore_ascii_case(&b'O')).unwrap_or(0);
                     parser.go_to(TextRange::new(rest.start + o as u32, rest.end));
                     parse_o_word(parser);
-                    self.holds(parser)
+                    self.bracket_holds(parser)
                 }
                 _ => false,
             };
@@ -363,7 +379,14 @@ impl<'a> Interpreter<'a> {
         line: &OWord,
         here: usize,
     ) -> Flow {
-        let times = self.bracket(parser, Purpose::VALUE).unwrap_or(0.0);
+        let times = match self.bracket(parser, Purpose::VALUE).map(Value::counted) {
+            Some(Ok(times)) => times,
+            Some(Err(cause)) => {
+                self.lose_path_by(line.range, "how often this is repeated", cause);
+                0.0
+            }
+            None => 0.0,
+        };
         self.drop_repeat(here);
         // Half goes to the even number.
         let times = libm::rint(times);
@@ -401,8 +424,9 @@ impl<'a> Interpreter<'a> {
         let label = match line.label {
             OLabel::Text(range) => label_text(range.slice(self.reader.text())),
             OLabel::Computed(expression) => {
-                match self.value_of(parser, expression, Purpose::VALUE) {
-                    Some(value) => libm::round(value.unwrap_or(0.0)).to_string(),
+                let what = "the subroutine that is called";
+                match self.number_of(parser, expression, Purpose::VALUE, what) {
+                    Some(number) => libm::round(number).to_string(),
                     None => return Flow::Next,
                 }
             }
@@ -452,7 +476,7 @@ impl<'a> Interpreter<'a> {
         if self.enter(&word, program, start, 1, false) {
             self.macros.store.enter(&arguments);
             self.macros.names.enter();
-            self.macros.owords.value = 0.0;
+            self.macros.owords.value = Value::Number(0.0);
             self.macros.owords.value_returned = false;
             if let Some(frame) = self.frames.last_mut() {
                 frame.own_locals = true;
@@ -508,7 +532,7 @@ impl<'a> Interpreter<'a> {
         }
         if parser.next_mark() == b'[' {
             let value = self.bracket(parser, Purpose::VALUE);
-            self.macros.owords.value = value.unwrap_or(0.0);
+            self.macros.owords.value = value.unwrap_or(Value::Number(0.0));
             self.macros.owords.value_returned = true;
         }
         self.leave(None);

@@ -110,13 +110,11 @@ impl Interpreter<'_> {
                 }
             }
             Statement::If { condition, branch } => {
-                let holds = self
-                    .value_of(&parser, condition, Purpose::CONDITION)
-                    .is_some_and(|value| value.is_some_and(|value| value != 0.0));
+                let holds = self.holds(&parser, condition);
                 match branch {
                     _ if !holds => next = Next::Over(Flow::Next),
                     Branch::Goto(label) => {
-                        let label = self.value_of(&parser, label, Purpose::VALUE);
+                        let label = self.label_of(&parser, label);
                         next = Next::Over(self.goto(range, label));
                     }
                     Branch::Then => {
@@ -127,15 +125,13 @@ impl Interpreter<'_> {
                 }
             }
             Statement::Goto(label) => {
-                let label = self.value_of(&parser, label, Purpose::VALUE);
+                let label = self.label_of(&parser, label);
                 next = Next::Over(self.goto(range, label));
             }
             Statement::While { condition, number } => {
                 let holds = match condition {
                     None => true,
-                    Some(condition) => self
-                        .value_of(&parser, condition, Purpose::CONDITION)
-                        .is_some_and(|value| value.is_some_and(|value| value != 0.0)),
+                    Some(condition) => self.holds(&parser, condition),
                 };
                 next = Next::Over(self.while_loop(range, number, holds));
             }

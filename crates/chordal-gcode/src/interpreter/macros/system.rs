@@ -1,7 +1,7 @@
 //! System variables: positions, offsets, modal codes, alarms.
 
-use chordal_command::{CommandKind, FeedMode, Side, Units, WorkName};
-use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
+use chordal_command::{FeedMode, Side, Units, WorkName};
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_dialect::Action;
 use chordal_dialect::macros::{ModalGroup, OFFSET_STEP, System, TURN_PLACE};
 use chordal_geometry::{Direction, Plane};
@@ -10,10 +10,10 @@ use chordal_kernel::ToolValue;
 use chordal_kernel::rules::{CycleKind, OffsetKind};
 use chordal_machine::AXES;
 
-use super::super::{EndReason, Interpreter};
+use super::super::Interpreter;
 use crate::macros::arguments::letter_of;
 use crate::macros::evaluate::Fault;
-use crate::macros::value::{Value, number};
+use crate::macros::value::{Cause, Value};
 
 /// From here on variables are those of the system.
 const FIRST_OF_SYSTEM: f64 = 1000.0;
@@ -48,9 +48,16 @@ impl Interpreter<'_> {
     pub(super) fn read_system(&mut self, index: u32, range: TextRange) -> Result<Value, Fault> {
         let Some((what, at)) = self.rules().system_at(index) else {
             let given = self.macros.kept.get(&index).copied();
-            return given.map(Some).ok_or_else(|| no_variable(f64::from(index), range));
+            return given.map(Value::Number).ok_or_else(|| no_variable(f64::from(index), range));
         };
         let axis = at as usize;
+        let unknown = Value::Unknown(Cause::Variable(index));
+        let place = |place: Option<f64>| {
+            Value::or_unknown(
+                place.map(|place| self.stored_out(axis, place)),
+                Cause::Variable(index),
+            )
+        };
         let value = match what {
             System::BlockEnd => self.axis_out(axis, self.kernel.state.position[axis]),
             System::MachinePosition => {
@@ -71,9 +78,9 @@ impl Interpreter<'_> {
                 Some(group) => self.modal_code(*group),
                 None => 0.0,
             },
-            System::ModalWord(letter) => self.modal_word(index, letter, range)?,
+            System::ModalWord(letter) => return Ok(self.modal_word(index, letter)),
             System::ModalArgument => match letter_of(at + 1) {
-                Some(letter) => self.modal_word(index, letter, range)?,
+                Some(letter) => return Ok(self.modal_word(index, letter)),
                 None => 0.0,
             },
             System::Length | System::LengthWear | System::Radius | System::RadiusWear => {
@@ -87,17 +94,21 @@ impl Interpreter<'_> {
                     let value = self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0);
                     self.axis_out(axis, value)
                 }
-                None => return Err(no_variable(f64::from(index), range)),
+                // Of an axis that Chordal does not have.
+                None => return Ok(unknown),
             },
             System::Kept => self.macros.kept.get(&index).copied().unwrap_or(0.0),
-            System::Input | System::Timer | System::Setting => self.given(index, range),
-            System::Date | System::Time => self.date_or_time(index, what, range),
+            System::Input | System::Timer | System::Setting | System::MachineState => {
+                let given = self.macros.kept.get(&index).copied();
+                return Ok(given.map_or(unknown, Value::Number));
+            }
+            System::Date | System::Time => return Ok(self.date_or_time(index, what, range)),
             System::Alarm | System::Message => 0.0,
             System::Tool => f64::from(self.kernel.state.tool),
             System::SpindleSpeed => self.kernel.state.rpm,
             System::Constant(value) => f64::from(value),
-            System::Home => self.stored_out(axis, self.reference(1)[axis].unwrap_or(0.0)),
-            System::SecondHome => self.stored_out(axis, self.reference(2)[axis].unwrap_or(0.0)),
+            System::Home => return Ok(place(self.reference(1)[axis])),
+            System::SecondHome => return Ok(place(self.reference(2)[axis])),
             System::Preset => self.stored_out(axis, self.kernel.preset_kept[axis]),
             System::PresetActs => f64::from(u8::from(self.kernel.preset_acts)),
             System::WorkSystem => self.kept_or(index, self.work_system()),
@@ -116,7 +127,7 @@ impl Interpreter<'_> {
                 self.kept_or(index, f64::from(u8::from(self.macros.probe.found)))
             }
         };
-        Ok(Some(value))
+        Ok(Value::Number(value))
     }
 
     pub(super) fn write_system(
@@ -128,14 +139,22 @@ impl Interpreter<'_> {
         let Some((what, at)) = self.rules().system_at(index) else {
             let given = self.macros.kept.get_mut(&index);
             let place = given.ok_or_else(|| no_variable(f64::from(index), range))?;
-            *place = number(value);
+            match value.known() {
+                Some(value) => *place = value,
+                None => {
+                    self.macros.kept.remove(&index);
+                }
+            }
             return Ok(());
         };
-        let value = number(value);
+        let value = match value.counted() {
+            Ok(value) => value,
+            Err(cause) => return self.write_unknown(index, what, cause, range),
+        };
         match what {
             System::Alarm => self.alarm(value, range),
             System::Message => self.message_stop(),
-            System::Kept | System::Timer | System::Setting => {
+            System::Kept | System::Timer | System::Setting | System::MachineState => {
                 self.macros.kept.insert(index, value);
             }
             System::Home | System::SecondHome => {
@@ -352,94 +371,97 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A value that the program alone does not tell: the machine file's, else zero.
-    pub(super) fn given(&mut self, index: u32, range: TextRange) -> f64 {
-        if let Some(value) = self.macros.kept.get(&index) {
-            return *value;
+    /// A value that is not known is written into a variable of the system.
+    fn write_unknown(
+        &mut self,
+        index: u32,
+        what: System,
+        cause: Cause,
+        range: TextRange,
+    ) -> Result<(), Fault> {
+        match what {
+            System::Alarm | System::Message => {
+                self.assume_not(range, cause);
+                Ok(())
+            }
+            System::Kept | System::Timer | System::Setting | System::MachineState => {
+                self.macros.kept.remove(&index);
+                Ok(())
+            }
+            System::BlockEnd
+            | System::MachinePosition
+            | System::WorkPosition
+            | System::SkipPosition
+            | System::ActiveToolOffset
+            | System::ModalGroup
+            | System::ModalWord(_)
+            | System::ModalArgument
+            | System::Input
+            | System::Date
+            | System::Time
+            | System::Tool
+            | System::SpindleSpeed
+            | System::Constant(_)
+            | System::SpindleTool
+            | System::ToolDiameter => Err(read_only(index, range)),
+            System::Length
+            | System::LengthWear
+            | System::Radius
+            | System::RadiusWear
+            | System::ExternalOffset
+            | System::WorkOffsets
+            | System::ExtendedOffsets
+            | System::OffsetsOfAxis(_)
+            | System::Home
+            | System::SecondHome
+            | System::Preset
+            | System::PresetActs
+            | System::ProbePosition
+            | System::ProbeResult
+            | System::WorkSystem
+            | System::WorkTable => {
+                self.lose_path_by(range, &format!("#{index}"), cause);
+                Ok(())
+            }
         }
-        self.report_once(
-            Diagnostic::new(
-                Code::SystemVariable,
-                self.span(range),
-                format!("Chordal cannot know the value of #{index}; 0 is used"),
-            )
-            .help(format!("give it in the machine file: `[macros] variables = {{ {index} = 1 }}`")),
-        );
-        0.0
     }
 
-    fn date_or_time(&mut self, index: u32, what: System, range: TextRange) -> f64 {
+    fn date_or_time(&mut self, index: u32, what: System, range: TextRange) -> Value {
         let macros = &self.machine.macros;
         let (value, name, form) = match what {
             System::Date => (macros.date, "date", "2024-05-17"),
             _ => (macros.time, "time", "13:45:00"),
         };
         if let Some(value) = value {
-            return f64::from(value);
+            return Value::Number(f64::from(value));
         }
         self.report_once(
             Diagnostic::new(
                 Code::DateNotSet,
                 self.span(range),
-                format!("#{index} is the {name}, which the machine file does not give: 0 is read"),
+                format!(
+                    "#{index} is the {name}, which the machine file does not give: it is not known"
+                ),
             )
             .help(format!("give it in the machine file: `[macros] {name} = \"{form}\"`")),
         );
-        0.0
-    }
-
-    /// `#3000=n (TEXT)`.
-    fn alarm(&mut self, value: f64, range: TextRange) {
-        let rules = self.rules();
-        let shown = libm::round(value) + f64::from(rules.alarm_base);
-        let text = self.message_text();
-        let shown = format!("{shown} {text}").trim_end().to_string();
-        let span = self.kernel.origin.span;
-        let title = self.control.table.title;
-        let mut diagnostic = Diagnostic::new(
-            Code::ProgramAlarm,
-            span,
-            format!("the program stops itself with alarm {shown}"),
-        )
-        .label("the run ends here")
-        .alarm(format!("{title}: {shown}"))
-        .help("check the conditions that lead to this block");
-        let last = rules.alarm_last;
-        if value > f64::from(last) {
-            diagnostic = diagnostic.note(format!("the control accepts numbers up to {last}"));
-        }
-        let _ = range;
-        self.kernel.report(diagnostic);
-        self.stopped = Some(EndReason::Alarm);
-    }
-
-    /// `#3006=n (TEXT)`.
-    fn message_stop(&mut self) {
-        let text = self.message_text();
-        if let Some(range) = self.message {
-            self.kernel.emit(CommandKind::Message(range));
-        }
-        self.report_once(
-            Diagnostic::new(
-                Code::ProgramStop,
-                self.kernel.origin.span,
-                format!("the program stops and shows `{text}`"),
-            )
-            .severity(Severity::Note),
-        );
-        self.kernel.emit(CommandKind::Stop { optional: false });
-    }
-
-    /// The text that hugs the value being assigned.
-    fn message_text(&self) -> String {
-        let range = self.message.unwrap_or_default();
-        String::from_utf8_lossy(range.slice(self.reader.text())).trim().to_string()
+        Value::Unknown(Cause::Variable(index))
     }
 
     /// The last word of a letter.
-    fn modal_word(&mut self, index: u32, letter: u8, range: TextRange) -> Result<f64, Fault> {
+    fn modal_word(&self, index: u32, letter: u8) -> Value {
         let state = &self.kernel.state;
-        Ok(match letter {
+        let is_unknown = match letter {
+            b'D' => state.unknown.radius_offset,
+            b'F' => state.unknown.feed,
+            b'S' => state.unknown.speed,
+            b'T' => state.unknown.tool,
+            _ => false,
+        };
+        if is_unknown {
+            return Value::Unknown(Cause::Variable(index));
+        }
+        Value::Number(match letter {
             b'B' => state.position[4].to_degrees(),
             b'D' => f64::from(state.radius_offset.unwrap_or(0)),
             b'F' => self.feed_word(),
@@ -452,10 +474,12 @@ impl Interpreter<'_> {
                 WorkName::Extended(number) => f64::from(number),
                 _ => 0.0,
             },
-            _ => match self.macros.last_words.get((letter - b'A') as usize).copied().flatten() {
-                Some(value) => value,
-                None => self.given(index, range),
-            },
+            _ => {
+                let last = self.macros.last_words.get((letter - b'A') as usize);
+                let given = || self.macros.kept.get(&index).copied();
+                let word = last.copied().flatten().or_else(given);
+                return Value::or_unknown(word, Cause::Variable(index));
+            }
         })
     }
 

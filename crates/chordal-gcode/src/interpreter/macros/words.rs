@@ -7,7 +7,7 @@ use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
 use super::super::Interpreter;
 use crate::macros::evaluate::{Fault, Purpose};
 use crate::macros::functions::round;
-use crate::macros::value::Value;
+use crate::macros::value::{Cause, Value};
 
 /// Addresses that take whole numbers.
 const WHOLE: Letters = Letters::of("NOLMSTHD");
@@ -19,20 +19,37 @@ const TOLD_WHEN_ROUNDED: Letters = Letters::of("LMTHD");
 const LARGEST: f64 = 1e15;
 
 impl Interpreter<'_> {
+    /// Whether a block has a word with a register that holds what nobody knows.
+    pub(in super::super) fn has_unset_register(&self, block: &Block) -> bool {
+        let is_unset = |word: &Word| match word.value {
+            Written::Register { index, .. } => self.registers[index as usize].is_none(),
+            _ => false,
+        };
+        self.control.table.lexicon.registers && block.words.iter().any(is_unset)
+    }
+
     /// Puts the values of a block's expressions in their places. A word whose value is null is
     /// dropped, address and all. The words of a macro call stay: its arguments are not rounded.
-    pub(in super::super) fn resolve_words(&mut self, block: &mut Block) {
+    /// True when words of unknown values were left out that are more than a feed.
+    pub(in super::super) fn resolve_words(&mut self, block: &mut Block) -> bool {
         block.expressions = false;
         let units = self.units_of(block);
         let call = self.is_macro_call(block);
         let mut words = std::mem::take(&mut self.macros.words);
+        let mut unknown: Vec<(Word, Cause)> = Vec::new();
         words.clear();
         words.extend_from_slice(&block.words);
         words.extend_from_slice(&block.polar);
         block.truncate(0);
-        for word in &words {
+        for (at, word) in words.iter().enumerate() {
             let Written::Expression(range) = word.value else {
-                block.push_any(*word);
+                match self.unset_register(word, &words[..at]) {
+                    Some(cause) => {
+                        self.note_unknown(Value::Unknown(cause), word.range);
+                        unknown.push((*word, cause));
+                    }
+                    None => block.push_any(*word),
+                }
                 continue;
             };
             if call && !matches!(word.letter, b'G' | b'P' | b'L') {
@@ -44,14 +61,22 @@ impl Interpreter<'_> {
             let round_digits = self.rules().round_words.then_some(digits);
             let purpose = Purpose { round_digits, condition: false };
             let value = match self.word_value(range, purpose) {
-                Some(None) => continue,
-                Some(Some(value)) => self.decimal_of(word, value, digits),
+                Some(Value::Vacant) => continue,
+                Some(Value::Unknown(cause)) => {
+                    unknown.push((*word, cause));
+                    continue;
+                }
+                Some(Value::Number(value)) => self.decimal_of(word, value, digits),
                 None => None,
             };
             let value = value.map_or(Written::Missing, Written::Number);
             block.push_any(Word { value, ..*word });
         }
         self.macros.words = words;
+        if !unknown.is_empty() {
+            self.take_unknown_words(block, &unknown);
+        }
+        unknown.iter().any(|(word, _)| word.letter != b'F')
     }
 
     /// Units that hold for the block's own words.

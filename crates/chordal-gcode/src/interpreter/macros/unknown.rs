@@ -1,0 +1,443 @@
+//! Values that nobody knows: what the run notes of them, and what a block does whose words have such values.
+//!
+//! A variable that the program reads before it sets it holds what another program left there. The value is
+//! unknown, and so is what is computed from it (`macros/value.rs`). Here is what follows from that: a feed of
+//! which the time is not known, axes of which the place is not known, branches that are assumed.
+
+use std::collections::BTreeSet;
+
+use chordal_command::AxisMask;
+use chordal_diagnostics::{Code, Diagnostic, FileId, Shift, Span, TextRange};
+use chordal_dialect::macros::Held;
+use chordal_dialect::{Action, CallCode, OnceCode, code_number};
+use chordal_kernel::Motion;
+use chordal_machine::AXIS_LETTERS;
+use chordal_syntax::{Block, Letters, Word};
+
+use super::super::Interpreter;
+use crate::macros::value::{Cause, Value};
+
+/// Most variables that are noted.
+const MOST_NOTED: usize = 1000;
+
+/// Most variables that a message names.
+const MOST_NAMED: usize = 20;
+
+/// Words of a block that stay where the others are left out: they change no place.
+const KEPT_WORDS: Letters = Letters::of("GMNFSTDH");
+
+/// What the run has met that nobody knows.
+#[derive(Clone, Default, Debug, PartialEq)]
+pub(in super::super) struct Unknown {
+    /// Variables that were read.
+    read: BTreeSet<Cause>,
+    /// Where the first of the program's own was read.
+    first: Option<Span>,
+    /// Where the first of the control's was.
+    first_of_system: Option<Span>,
+    /// From here on the path is not known, which has been told.
+    path_lost: bool,
+    /// The time of some moves is not known, which has been told.
+    time_lost: bool,
+    /// A branch was assumed.
+    branch_assumed: bool,
+    /// Why registers R0 to R9 that the program has set are not known.
+    registers: [Option<Cause>; 10],
+}
+
+impl Unknown {
+    /// A condition was taken as one that does not hold, and nobody knows.
+    pub fn branch_assumed(&self) -> bool {
+        self.branch_assumed
+    }
+
+    /// A register got an unknown value.
+    pub fn lose_register(&mut self, index: usize, cause: Cause) {
+        self.registers[index] = Some(cause);
+    }
+
+    /// Moves its places to those of a text that has changed elsewhere.
+    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+        for span in [&mut self.first, &mut self.first_of_system].into_iter().flatten() {
+            if span.file == FileId(0) {
+                span.range = shift.range(span.range)?;
+            }
+        }
+        Some(())
+    }
+}
+
+/// What a word of an unknown value says.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Part {
+    Feed,
+    Speed,
+    Tool,
+    RadiusOffset,
+    LengthOffset,
+    /// How long a dwell takes.
+    Wait,
+    /// The program or the block that is called.
+    Callee,
+    /// How often it is called.
+    Repeats,
+    /// A block number, which nothing needs.
+    Label,
+    /// The place of an axis.
+    Place(usize),
+    /// A centre, a radius, a level, a code: the shape of the motion.
+    Shape,
+}
+
+impl Interpreter<'_> {
+    /// A variable was read.
+    pub(super) fn note_unknown(&mut self, value: Value, range: TextRange) {
+        let Value::Unknown(cause) = value else { return };
+        let span = self.span(range);
+        let is_own = self.is_own(cause);
+        let unknown = &mut self.macros.unknown;
+        if unknown.read.len() < MOST_NOTED {
+            unknown.read.insert(cause);
+        }
+        let first = if is_own { &mut unknown.first } else { &mut unknown.first_of_system };
+        first.get_or_insert(span);
+    }
+
+    /// A variable of programs, not one that shows something of the control.
+    fn is_own(&self, cause: Cause) -> bool {
+        match cause {
+            Cause::Variable(number) => self.rules().common_range(number).is_some(),
+            Cause::Letters(letters, _) => matches!(self.letters_name(letters), "V" | "R"),
+        }
+    }
+
+    fn name_of(&self, cause: Cause) -> String {
+        match cause {
+            Cause::Variable(number) => format!("#{number}"),
+            Cause::Letters(letters, number) => format!("{}{number}", self.letters_name(letters)),
+        }
+    }
+
+    /// From here on the path is not known, because something (`what`) is an unknown value. Told once.
+    pub(super) fn lose_path_by(&mut self, range: TextRange, what: &str, cause: Cause) {
+        if std::mem::replace(&mut self.macros.unknown.path_lost, true) {
+            return;
+        }
+        let name = self.name_of(cause);
+        self.kernel.report(
+            Diagnostic::new(
+                Code::UnknownPath,
+                self.span(range),
+                format!("{what} is computed from {name}, which is not known"),
+            )
+            .label("from here on the path is not known")
+            .help(give_it(cause, &name)),
+        );
+    }
+
+    /// The time of what follows is not known. Told once.
+    fn lose_time_by(&mut self, range: TextRange, letter: u8, cause: Cause) {
+        if std::mem::replace(&mut self.macros.unknown.time_lost, true) {
+            return;
+        }
+        let (name, letter) = (self.name_of(cause), char::from(letter));
+        self.kernel.report(
+            Diagnostic::new(
+                Code::UnknownTime,
+                self.span(range),
+                format!("`{letter}` is computed from {name}, which is not known"),
+            )
+            .label("the time of what it feeds or waits is not counted")
+            .help(give_it(cause, &name)),
+        );
+    }
+
+    /// A condition that depends on an unknown value is taken as one that does not hold.
+    pub(super) fn assume_not(&mut self, range: TextRange, cause: Cause) {
+        self.macros.unknown.branch_assumed = true;
+        let name = self.name_of(cause);
+        self.report_once(
+            Diagnostic::new(
+                Code::AssumedBranch,
+                self.span(range),
+                format!("this depends on {name}, which is not known: it is taken as not fulfilled"),
+            )
+            .label("from here on the path is assumed")
+            .help(give_it(cause, &name)),
+        );
+    }
+
+    /// Names the variables that the run has read and nobody knows.
+    pub(in super::super) fn report_unknown_variables(&mut self) {
+        let unknown = &self.macros.unknown;
+        let (own, others): (Vec<Cause>, Vec<Cause>) =
+            unknown.read.iter().copied().partition(|cause| self.is_own(*cause));
+        let (first, first_of_system) = (unknown.first, unknown.first_of_system);
+        if let (Some(span), Some(&cause)) = (first, own.first()) {
+            let one = own.len() == 1;
+            let (names, it) = (self.names_of(&own), if one { "it" } else { "them" });
+            let what = if one { "its value is" } else { "their values are" };
+            let message =
+                format!("{names}: read before the program sets {it}, so {what} not known");
+            let mut diagnostic = Diagnostic::new(Code::UnknownVariable, span, message)
+                .label("the first one")
+                .help(give(cause, &self.name_of(cause)));
+            let held = |held: Held| -> Vec<Cause> {
+                let is_held = |cause: &Cause| match *cause {
+                    Cause::Variable(number) => {
+                        self.rules().common_range(number).is_some_and(|range| range.held == held)
+                    }
+                    Cause::Letters(..) => false,
+                };
+                own.iter().copied().filter(is_held).collect()
+            };
+            let keep = |some: &[Cause]| {
+                if some.len() == 1 { "keeps its value" } else { "keep their values" }
+            };
+            let over = held(Held::OverPowerOff);
+            let until = held(Held::UntilPowerOff);
+            for (some, how) in [(over, "over power-off"), (until, "until power-off")] {
+                if !some.is_empty() {
+                    let text = format!("{} {} {how}", self.names_of(&some), keep(&some));
+                    diagnostic = diagnostic.note(text);
+                }
+            }
+            self.kernel.report(diagnostic);
+        }
+        if let (Some(span), Some(&cause)) = (first_of_system, others.first()) {
+            let names = self.names_of(&others);
+            let show = if others.len() == 1 { "shows a state" } else { "show states" };
+            let message =
+                format!("{names} {show} of the machine, and Chordal cannot know the value");
+            let diagnostic = Diagnostic::new(Code::SystemVariable, span, message)
+                .label("the first one")
+                .help(give(cause, &self.name_of(cause)));
+            self.kernel.report(diagnostic);
+        }
+    }
+
+    fn names_of(&self, causes: &[Cause]) -> String {
+        let mut names: Vec<String> =
+            causes.iter().take(MOST_NAMED).map(|cause| self.name_of(*cause)).collect();
+        match causes.len().saturating_sub(MOST_NAMED) {
+            0 => {}
+            more => names.push(format!("{more} more")),
+        }
+        match names.as_slice() {
+            [] => String::new(),
+            [one] => one.clone(),
+            [most @ .., last] => format!("{} and {last}", most.join(", ")),
+        }
+    }
+
+    /// A word that names a register which nobody has set, in no word before it.
+    pub(super) fn unset_register(&self, word: &Word, before: &[Word]) -> Option<Cause> {
+        let chordal_syntax::Value::Register { index, .. } = word.value else { return None };
+        let is_set = self.registers[index as usize].is_some()
+            || before.iter().any(|word| word.register == Some(index));
+        if is_set {
+            return None;
+        }
+        let names = self.control.table.lexicon.grammar.letter_variables;
+        let letters = names.iter().position(|name| *name == "R")?;
+        Some(self.cause_of_register(letters as u8, u32::from(index)))
+    }
+
+    /// Why a register is not known: what was written into it, or that nothing was.
+    pub(super) fn cause_of_register(&self, letters: u8, index: u32) -> Cause {
+        let written = self.macros.unknown.registers.get(index as usize).copied().flatten();
+        written.unwrap_or(Cause::Letters(letters, index))
+    }
+
+    /// Takes the words of a block that have unknown values, which are not in it any more, and leaves out of the
+    /// block what cannot be carried out without them.
+    pub(super) fn take_unknown_words(&mut self, block: &mut Block, unknown: &[(Word, Cause)]) {
+        let actions: Vec<Action> =
+            block.words.iter().filter_map(|word| self.action_of(word)).collect();
+        let mut drops = Drops::default();
+        let mut astray = AxisMask::NONE;
+        for (word, cause) in unknown {
+            let letter = char::from(word.letter);
+            match self.part_of(word, &actions) {
+                Part::Feed => {
+                    self.kernel.set_unknown_feed();
+                    self.lose_time_by(word.range, word.letter, *cause);
+                }
+                Part::Speed => self.kernel.set_unknown_speed(),
+                Part::Tool => self.kernel.select_unknown_tool(),
+                Part::RadiusOffset => {
+                    self.kernel.state.radius_offset = None;
+                    self.kernel.state.unknown.radius_offset = true;
+                }
+                // The length changes no place in program coordinates.
+                Part::LengthOffset => drops.length = true,
+                Part::Label => {}
+                Part::Wait => {
+                    drops.once = true;
+                    self.lose_time_by(word.range, word.letter, *cause);
+                }
+                Part::Callee => {
+                    drops.call = true;
+                    self.lose_path_by(word.range, &format!("`{letter}`"), *cause);
+                }
+                Part::Repeats => self.lose_path_by(word.range, &format!("`{letter}`"), *cause),
+                Part::Place(axis) => {
+                    astray.insert(axis);
+                    drops.motion |= !self.goes_straight(block, &actions);
+                    self.lose_path_by(word.range, &format!("`{letter}`"), *cause);
+                }
+                Part::Shape => {
+                    drops.motion = true;
+                    self.lose_path_by(word.range, &format!("`{letter}`"), *cause);
+                }
+            }
+        }
+        if drops.motion {
+            astray = astray.or(self.axes_of_shape(block, &actions));
+            if actions.iter().any(|action| action.cycle().is_some()) {
+                self.kernel.end_cycle_if(true);
+            }
+        }
+        self.kernel.go_astray(astray);
+        self.drop_words(block, drops);
+    }
+
+    fn action_of(&self, word: &Word) -> Option<Action> {
+        let code = code_number(word.number()?)?;
+        match word.letter {
+            b'G' => self.control.g_code(code).map(|row| row.action),
+            b'M' => self.control.m_code(code).map(|row| row.action),
+            _ => None,
+        }
+    }
+
+    fn part_of(&self, word: &Word, actions: &[Action]) -> Part {
+        let has = |test: fn(&Action) -> bool| actions.iter().any(test);
+        let calls = has(|action| matches!(action, Action::Call(_)));
+        let waits = has(|action| *action == Action::Once(OnceCode::Dwell));
+        let alone = has(|action| action.cycle().is_some() || matches!(action, Action::Once(_)));
+        let axis = AXIS_LETTERS.find(char::from(word.letter)).or_else(|| self.increment_axis(word));
+        match word.letter {
+            _ if word.comma => Part::Shape,
+            b'N' | b'O' => Part::Label,
+            b'P' | b'Q' if calls => Part::Callee,
+            b'L' if calls => Part::Repeats,
+            b'P' | b'X' | b'U' | b'S' | b'F' if waits => Part::Wait,
+            b'F' => Part::Feed,
+            b'S' => Part::Speed,
+            b'T' => Part::Tool,
+            _ if axis.is_some() => Part::Place(axis.unwrap_or(0)),
+            b'D' if !alone => Part::RadiusOffset,
+            b'H' if !alone && !calls => Part::LengthOffset,
+            _ => Part::Shape,
+        }
+    }
+
+    /// A rapid or a straight cut, where an axis that is left out changes nothing of the others.
+    fn goes_straight(&self, block: &Block, actions: &[Action]) -> bool {
+        let own = actions.iter().rev().find_map(|action| action.motion());
+        let straight = match own {
+            Some(code) => matches!(
+                code,
+                chordal_dialect::MotionCode::Rapid | chordal_dialect::MotionCode::Linear
+            ),
+            None => {
+                matches!(self.kernel.state.motion, Motion::Rapid | Motion::Linear | Motion::None)
+            }
+        };
+        let special = |action: &Action| {
+            action.cycle().is_some()
+                || matches!(action, Action::Once(code) if *code != OnceCode::Dwell)
+        };
+        straight
+            && !actions.iter().any(special)
+            && !block.letters().meets(Letters::of("IJKR"))
+            && block.polar.is_empty()
+    }
+
+    /// The axes whose place is not known where the shape of a motion is not: those that the block names, of an
+    /// arc those of its plane, of a cycle that along which it goes.
+    fn axes_of_shape(&self, block: &Block, actions: &[Action]) -> AxisMask {
+        let mut axes = AxisMask::NONE;
+        for word in &block.words {
+            let axis = AXIS_LETTERS.find(char::from(word.letter));
+            if let Some(axis) = axis.or_else(|| self.increment_axis(word)) {
+                axes.insert(axis);
+            }
+        }
+        let (first, second, normal) = self.kernel.state.plane.axes();
+        if block.letters().meets(Letters::of("IJK")) || !block.polar.is_empty() {
+            axes.insert(first);
+            axes.insert(second);
+        }
+        let in_cycle = self.kernel.state.cycle.is_some();
+        if in_cycle || actions.iter().any(|action| action.cycle().is_some()) {
+            axes.insert(normal);
+        }
+        axes
+    }
+
+    fn drop_words(&self, block: &mut Block, drops: Drops) {
+        if drops == Drops::default() {
+            return;
+        }
+        // The words of a macro call are its arguments.
+        if drops.call && self.is_macro_call(block) {
+            return block.truncate(0);
+        }
+        let words: Vec<Word> = block.words.iter().chain(&block.polar).copied().collect();
+        block.truncate(0);
+        for word in words {
+            let action = self.action_of(&word);
+            let is_motion = match action {
+                Some(action) => action.cycle().is_some() || matches!(action, Action::Once(_)),
+                None => !KEPT_WORDS.has(word.letter) || word.comma,
+            };
+            let is_wait = action == Some(Action::Once(OnceCode::Dwell));
+            let is_call = match action {
+                Some(Action::Call(code)) => code != CallCode::Return,
+                _ => matches!(word.letter, b'P' | b'Q' | b'L'),
+            };
+            let is_length = matches!(action, Some(Action::Length(_)));
+            let left_out = drops.motion && is_motion
+                || drops.once && is_wait
+                || drops.call && is_call
+                || drops.length && is_length;
+            if !left_out {
+                block.push_any(word);
+            }
+        }
+    }
+}
+
+/// What of a block is left out.
+#[derive(Clone, Copy, Default, PartialEq, Debug)]
+struct Drops {
+    /// The words of its motion.
+    motion: bool,
+    /// The dwell.
+    once: bool,
+    /// The call.
+    call: bool,
+    /// The code of the tool length.
+    length: bool,
+}
+
+/// How a user gives a value, in short.
+fn give_it(cause: Cause, name: &str) -> String {
+    match cause {
+        Cause::Variable(_) => format!("give the value with `--set '{name}=1.5'`"),
+        Cause::Letters(..) => format!("set {name} at the start of the program"),
+    }
+}
+
+/// All the ways in which a user gives a value.
+fn give(cause: Cause, name: &str) -> String {
+    match cause {
+        Cause::Variable(number) => format!(
+            "give the value with `--set '{name}=1.5'`, in the machine file (`[macros.variables]`, `{number} = 1.5`), \
+             or put the control's file of variables (MACRO.TXT, COMMON.VAR) next to the program"
+        ),
+        Cause::Letters(..) => format!("set {name} at the start of the program"),
+    }
+}

@@ -1,0 +1,129 @@
+//! The control's own output of its macro variables, next to a program: MACRO.TXT of a Fanuc, COMMON.VAR of a
+//! Mitsubishi, the .var files of Haas and LinuxCNC.
+
+use std::path::{Path, PathBuf};
+
+use chordal::control::ControlTable;
+use chordal::control::macros::{MacroForm, System};
+use chordal::machine::{VariableDump, read_variable_dump};
+use chordal::{Code, Diagnostic, Machine, Span};
+
+use crate::files::Files;
+
+/// A larger file is none of variables, bytes.
+const LARGEST: u64 = 8 << 20;
+
+/// Most bad lines of a file that are said.
+const MOST_SAID: usize = 5;
+
+/// What the files of a folder say, in the order in which they count: the first one that has a variable.
+#[derive(Default)]
+pub struct Variables(Vec<(PathBuf, VariableDump)>);
+
+impl Variables {
+    /// Reads the files next to a program. One that cannot be read, or holds something else, says nothing.
+    pub(crate) fn next_to(files: &Files, program: &Path) -> Variables {
+        let mut found: Vec<(u8, PathBuf)> = files
+            .next_to(program)
+            .into_iter()
+            .filter_map(|path| Some((order_of(&path)?, path)))
+            .collect();
+        found.sort();
+        let read = found.into_iter().filter_map(|(_, path)| {
+            let bytes = files.head(&path, LARGEST + 1).ok()?;
+            let dump = (bytes.len() as u64 <= LARGEST).then(|| read_variable_dump(&bytes))??;
+            Some((path, dump))
+        });
+        Variables(read.collect())
+    }
+
+    /// Gives the machine those that it does not have, and says which lines cannot be read.
+    pub(crate) fn give(
+        &self,
+        machine: &mut Machine,
+        table: &ControlTable,
+        text: &[u8],
+    ) -> Vec<Diagnostic> {
+        let mut said = Vec::new();
+        if table.macros.form == MacroForm::None || !text.contains(&b'#') {
+            return said;
+        }
+        for (path, dump) in &self.0 {
+            for (&number, &value) in &dump.values {
+                let macros = &mut machine.macros;
+                let is_given =
+                    macros.variables.contains_key(&number) || macros.vacant.contains(&number);
+                if is_given || !is_programs(table, number) {
+                    continue;
+                }
+                match value {
+                    Some(value) => {
+                        macros.variables.insert(number, value);
+                    }
+                    None => {
+                        macros.vacant.insert(number);
+                    }
+                }
+            }
+            let file = path.file_name().unwrap_or_default().to_string_lossy();
+            for bad in dump.bad_lines.iter().take(MOST_SAID) {
+                let (line, text) = (bad.line, &bad.text);
+                let message = format!("{file}:{line}: `{text}` is no value of a variable");
+                said.push(
+                    Diagnostic::new(Code::VariableFile, Span::default(), message)
+                        .label("a file of variables next to this program")
+                        .help("correct the line, or take the file out of the folder"),
+                );
+            }
+        }
+        said
+    }
+}
+
+/// The place of a file among those that count; `None` for other files.
+fn order_of(path: &Path) -> Option<u8> {
+    let name = path.file_name()?.to_str()?.to_ascii_lowercase();
+    match name.as_str() {
+        "macro.txt" => Some(0),
+        "common.var" => Some(1),
+        name if name.ends_with(".var") => Some(2),
+        _ => None,
+    }
+}
+
+/// A variable of programs, or one that shows what only the machine knows. Offsets and positions have other
+/// files.
+fn is_programs(table: &ControlTable, number: u32) -> bool {
+    let macros = table.macros;
+    macros.common_range(number).is_some()
+        || macros.system_at(number).is_some_and(|(what, _)| {
+            matches!(
+                what,
+                System::Input
+                    | System::Timer
+                    | System::Setting
+                    | System::MachineState
+                    | System::Kept
+            )
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files() {
+        for (name, order) in [
+            ("MACRO.TXT", Some(0)),
+            ("macro.txt", Some(0)),
+            ("Common.Var", Some(1)),
+            ("linuxcnc.var", Some(2)),
+            ("mill.VAR", Some(2)),
+            ("var", None),
+            ("MACRO.NC", None),
+        ] {
+            assert_eq!(order_of(Path::new(name)), order, "{name}");
+        }
+    }
+}

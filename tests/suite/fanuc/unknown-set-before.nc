@@ -1,0 +1,16 @@
+%
+O1 (A PROGRAM THAT SETS ALL IT READS)
+(machine: fanuc-30i)
+G21 G17 G90 G94 S1000 M3
+#100=5.
+#500=#100*2
+#501=#0
+G0 X0 Y0 Z0
+G1 X#500 F#100 (= line to X10 feed 5)
+IF[#501EQ#0]GOTO10
+X99. (= none)
+N10 #502=#33
+IF[#502NE#0]GOTO20
+Y#502 X1. (= line to X1 Y0)
+N20 M30
+%
