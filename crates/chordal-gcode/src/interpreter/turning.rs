@@ -154,7 +154,11 @@ impl Interpreter<'_> {
             return self.refuse_cycle(span, message, &help, TurnFault::Depth);
         }
         let allowance = self.allowance(block);
-        let Some((contour, profile)) = self.read_contour(block, at) else { return };
+        let Some((contour, mut profile)) = self.read_contour(block, at) else { return };
+        if self.control.parameters.rules.turning.return_left_out {
+            let position = &self.kernel.state.position;
+            profile.without_return(along_x, [position[X], position[Z]]);
+        }
         let words = RoughWords {
             along_x,
             allowance,
