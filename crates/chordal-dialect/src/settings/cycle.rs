@@ -59,7 +59,7 @@ const DEFINITIONS: Choices<DefinitionFires> = &[
 ];
 
 const MISSING: Choices<MissingLevel> =
-    &[("refused", MissingLevel::Refused), ("current", MissingLevel::Current)];
+    &[("refused", MissingLevel::Refused), ("current", MissingLevel::Current), ("initial", MissingLevel::Initial)];
 
 const R_LEVELS: Choices<bool> = &[("from-initial", true), ("absolute", false)];
 

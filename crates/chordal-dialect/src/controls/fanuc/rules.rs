@@ -36,6 +36,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
 
 const CYCLES: CycleRules = CycleRules {
     repeat_letter: b'K',
+    // Proven programs tap with M29 and G84 without R.
+    missing_r: MissingLevel::Initial,
     tap: TapRules { pecks_by_q: true, ..CycleRules::COMMON.tap },
     ..CycleRules::COMMON
 };
