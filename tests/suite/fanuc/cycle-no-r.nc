@@ -1,7 +1,7 @@
 (machine: fanuc-30i)
 (R is left out: every cycle feeds from the initial level, which is noted once.)
 G21 G17 G90 G94
-G0 X0. Y0. Z5.
+G0 X0. Y0. Z5. S1000 M3
 M29 S1000
 G84 Z-8.5 F500. (= line to Z-8.5 feed 500 | spindle off | spindle ccw | line to Z5 | spindle off | spindle cw | ! CH800 "a tapping cycle without R: it feeds from the initial level")
 X10. (= rapid to X10 Z5 | line to Z-8.5 | spindle off | spindle ccw | line to Z5 | spindle off | spindle cw)

@@ -1,4 +1,5 @@
 (machine: haas-vf2)
+(set: settings.units="mm")
 (R is left out: a cycle feeds from where the tool is, as the manual's own example does.)
 G21 G17 G90 G94 G54
 G0 X0. Y0. Z5. S1000 M3

@@ -128,6 +128,7 @@ pub(in crate::controls) const M_CODES: &[CodeRow] = &[
     row(190, Group::Spindle, Before(SpindleOrient), "RP", "spindle orientation"),
     row(230, Group::Auxiliary, NoEffect, "", "thread chamfer on"),
     row(240, Group::Auxiliary, NoEffect, "", "thread chamfer off"),
+    row(290, Group::Auxiliary, NoEffect, "PQR", "rigid tapping"),
     row(300, Group::Stopping, After(ProgramEnd { rewind: true }), "", "program end and rewind"),
     row(410, Group::Auxiliary, NoEffect, "PQR", "low gear"),
     row(420, Group::Auxiliary, NoEffect, "PQR", "high gear"),
