@@ -174,6 +174,8 @@ pub struct Parameters {
     pub preset_limits_speed: bool,
     /// A block with G2 or G3 in force, and no word of a centre, is a straight line.
     pub arc_without_center_is_line: bool,
+    /// Such a line after an arc is the usual way of writing, and is not reported (lathes).
+    pub line_after_arc_is_usual: bool,
     /// Which of the systems of G codes of the table it has: 0 the table itself, 1 the first of the others.
     pub code_system: u8,
     /// I, K and R of a straight cut are a chamfer or a rounding at its end, and `,A` is its angle from Z (lathes).
@@ -309,6 +311,7 @@ impl Parameters {
         tool_word: ToolWord::Tool,
         preset_limits_speed: false,
         arc_without_center_is_line: false,
+        line_after_arc_is_usual: false,
         code_system: 0,
         corners_of_lines: false,
         thread_lead: b'K',

@@ -399,13 +399,19 @@ impl Interpreter<'_> {
         named: AxisMask,
         explicit: bool,
     ) {
-        if explicit {
+        if explicit || !self.control.parameters.line_after_arc_is_usual {
             let span = self.span(block.range);
+            let message = match explicit {
+                true => "this arc has neither a centre nor a radius: it is a straight line",
+                false => {
+                    "an arc is active from a block before, and this block has neither centre nor radius: it is a straight line"
+                }
+            };
             self.kernel.report(
-                Diagnostic::new(Code::NoCenter, span, "this arc has neither a centre nor a radius")
+                Diagnostic::new(Code::NoCenter, span, message)
                     .severity(Severity::Warning)
                     .label("a straight line on this control")
-                    .help("give R, or write G1 for a line"),
+                    .help("write G1 for a line; for an arc give its centre or R"),
             );
         }
         self.kernel.line(&self.at(block), target, named);

@@ -8,6 +8,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     nesting: 10,
     packed_calls: true,
     macro_angles_full_circle: true,
+    arc_without_center_is_line: true,
     rules: Rules {
         frames: FRAMES,
         machine_move_is_rapid: true,

@@ -122,6 +122,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         "30i",
     ),
     setting(
+        "No. 3403#5",
+        Field::ArcWithoutCenter,
+        &[("0", "line"), ("1", "refused")],
+        "CIR: a block of G2 or G3 with neither a centre nor a radius is a straight line (0), or alarm PS0022 (1)",
+        Certainty::Trade,
+        "30i",
+    ),
+    setting(
         "No. 3401#0",
         Field::DecimalPoint,
         &[("0", "least-increment"), ("1", "calculator")],

@@ -12,6 +12,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     tool_word: ToolWord::StationAndOffset { digits: 2 },
     preset_limits_speed: true,
     arc_without_center_is_line: true,
+    line_after_arc_is_usual: true,
     corners_of_lines: true,
     thread_lead: b'F',
     live_tool_p: 12,
