@@ -16,7 +16,7 @@ X40. (= line to X40 Y20)
 G40 X50. (= line to X50 Y20)
 (A D from before is in force without being written again.)
 D1
-G41 Y40. (= line to X45 Y40)
-Y50. (= line to X45 Y50)
+G41 X60. (= line to X55 Y20)
+Y50. (= line to X55 Y50)
 G40 X30. (= line to X30 Y50)
 M30
