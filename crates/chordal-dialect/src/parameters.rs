@@ -168,8 +168,8 @@ pub struct Parameters {
     pub face_x_radius: bool,
     /// P of M3 and M4 that names the second spindle; 0 for none.
     pub second_spindle_p: u32,
-    /// The letter of the axis that carries the second spindle, where the machine has no other axis of that name.
-    pub second_spindle_axis: Option<u8>,
+    /// Letters of axes that carry a second spindle, where the machine has no other axis of that name.
+    pub second_spindle_axes: &'static [u8],
     /// The first and the last M code that waits for another path; 0 for none.
     pub wait_codes: [u32; 2],
     /// P of M3, M4 and M5 that names the live tool; 0 for none.
@@ -180,6 +180,8 @@ pub struct Parameters {
     pub preset_limits_speed: bool,
     /// A block with G2 or G3 in force, and no word of a centre, is a straight line.
     pub arc_without_center_is_line: bool,
+    /// Such a line after an arc is the usual way of writing, and is not reported (lathes).
+    pub line_after_arc_is_usual: bool,
     /// Which of the systems of G codes of the table it has: 0 the table itself, 1 the first of the others.
     pub code_system: u8,
     /// I, K and R of a straight cut are a chamfer or a rounding at its end, and `,A` is its angle from Z (lathes).
@@ -359,12 +361,13 @@ impl Parameters {
         starts_with_radii: false,
         face_x_radius: false,
         second_spindle_p: 0,
-        second_spindle_axis: None,
+        second_spindle_axes: &[],
         wait_codes: [0; 2],
         live_tool_p: 0,
         tool_word: ToolWord::Tool,
         preset_limits_speed: false,
         arc_without_center_is_line: false,
+        line_after_arc_is_usual: false,
         code_system: 0,
         corners_of_lines: false,
         thread_lead: b'K',

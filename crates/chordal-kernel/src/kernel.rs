@@ -37,6 +37,8 @@ pub struct Reported {
     pub inverse_time_arc: bool,
     /// Offsets that the machine file does not give.
     pub offsets: Vec<String>,
+    /// A cycle without R, which feeds from the initial level.
+    pub cycle_without_r: bool,
     /// Routines whose path is a choice.
     pub assumed_paths: Vec<String>,
     /// The other rule for arc centres under which an arc was right.

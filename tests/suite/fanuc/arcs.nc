@@ -14,7 +14,7 @@ G2 X10.02 I5. (= arc cw | ! CH401 "0.02 mm" "PS0020")
 G0 X0.
 G2 I5. Z-1. (= helix cw center X5 Y0 sweep 360 to X0 Z-1 along plane feed 100)
 G2 I5. (= arc cw sweep 360 along path)
-G2 X5. (= line to X5 | ! CH405 "PS0022")
+G2 X5. (= line to X5 | ! CH405 "a straight line")
 G18 G3 X15. Z9. I10. (= arc ccw plane zx center Z-1 X15 radius 10 sweep 90 to X15 Z9)
 G19 G2 Y10. Z-1. K-10. (= arc cw plane yz center Y0 Z-1 radius 10 sweep 90 to Y10 Z-1)
 M30

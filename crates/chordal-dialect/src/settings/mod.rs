@@ -60,6 +60,8 @@ pub enum Field {
     RapidDisarmsArc,
     CenterAndRadius,
     FullCircleByRadius,
+    /// A block of an arc without a centre and without a radius (Fanuc No. 3403#5).
+    ArcWithoutCenter,
     Rapid,
     RapidFeed,
     PowerLetter,
@@ -424,6 +426,9 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
                 ],
             )?;
         }
+        Field::ArcWithoutCenter => {
+            p.arc_without_center_is_line = choose(word, ARCS_WITHOUT_CENTER)?;
+        }
         Field::FullCircleByRadius => {
             p.rules.arc.full_circle_by_radius = choose(word, FULL_CIRCLES_BY_RADIUS)?;
         }
@@ -549,6 +554,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
             let wins = p.center_and_radius == CenterAndRadius::RadiusWins;
             if wins { "radius-wins" } else { "refused" }.into()
         }
+        Field::ArcWithoutCenter => name_of(p.arc_without_center_is_line, ARCS_WITHOUT_CENTER),
         Field::FullCircleByRadius => {
             name_of(p.rules.arc.full_circle_by_radius, FULL_CIRCLES_BY_RADIUS)
         }
@@ -642,6 +648,7 @@ const SPIRAL_ON_RAY: &[(&str, SpiralOnRay)] =
 const OMITTED_CENTER: &[(&str, OmittedCenter)] =
     &[("start", OmittedCenter::Start), ("zero", OmittedCenter::Zero)];
 
+const ARCS_WITHOUT_CENTER: &[(&str, bool)] = &[("line", true), ("refused", false)];
 const MACHINE_MOVES: &[(&str, bool)] = &[("rapid", true), ("in-force", false)];
 
 const EXCESS_DECIMALS: &[(&str, ExcessDecimals)] = &[

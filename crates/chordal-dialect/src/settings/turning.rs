@@ -20,10 +20,13 @@ pub enum TurningField {
     ThreadFinishPasses,
     ThreadAngle,
     PocketsByR,
+    ReturnOfContour,
 }
 
 const FIRST_LEVELS: &[(&str, FirstLevel)] =
     &[("allowance", FirstLevel::Allowance), ("start", FirstLevel::Start)];
+
+const RETURNS: &[(&str, bool)] = &[("left out", true), ("refused", false)];
 
 const STYLES: &[(&str, Option<u8>)] = &[("fanuc", None), ("yasnac", Some(b'R'))];
 
@@ -53,6 +56,7 @@ pub(super) fn set(
         TurningField::ThreadFinishPasses => rules.thread_finish_passes = whole(99)?,
         TurningField::ThreadAngle => rules.thread_angle_deg = f64::from(whole(120)?),
         TurningField::PocketsByR => rules.pockets_by = choose(word, STYLES)?,
+        TurningField::ReturnOfContour => rules.return_left_out = choose(word, RETURNS)?,
     }
     Ok(())
 }
@@ -71,5 +75,6 @@ pub(super) fn value_text(p: &Parameters, field: TurningField) -> String {
         TurningField::ThreadFinishPasses => rules.thread_finish_passes.to_string(),
         TurningField::ThreadAngle => rules.thread_angle_deg.to_string(),
         TurningField::PocketsByR => name_of(rules.pockets_by, STYLES),
+        TurningField::ReturnOfContour => name_of(rules.return_left_out, RETURNS),
     }
 }

@@ -225,12 +225,16 @@ struct Reported {
     axes: AxisMask,
     /// M codes that nothing says anything about.
     open_codes: BTreeSet<i64>,
+    /// G codes of another system than the machine has.
+    other_system: BTreeSet<u16>,
     points_seen: bool,
     excess_decimals: bool,
     sender_changes_tools: bool,
     /// Another channel, and the second spindle of a lathe.
     channels: bool,
     second_spindle: bool,
+    /// The second spindle moves, and the tools go on as written.
+    second_spindle_noted: bool,
 }
 
 /// Runs one program of a library and pushes its commands into a sink.

@@ -31,8 +31,12 @@ impl Interpreter<'_> {
         along_x: bool,
     ) -> bool {
         let axis = usize::from(!along_x);
-        let (first, last) = (profile.start[axis], profile.end()[axis]);
-        let forth = if last < first { -1.0 } else { 1.0 };
+        // The way of the passes is that to the place farthest from the first one: the end may lie above that again.
+        let first = profile.start[axis];
+        let away = profile.edges.iter().map(|edge| edge.to[axis] - first);
+        let farthest =
+            away.fold(0.0, |most: f64, by| if by.abs() > most.abs() { by } else { most });
+        let forth = if farthest < 0.0 { -1.0 } else { 1.0 };
         let back = profile.edges.iter().find(|edge| {
             let by = (edge.to[axis] - edge.from[axis]) * forth;
             by < -1e-6

@@ -59,6 +59,7 @@ impl Kernel<'_> {
         let r = match words.r {
             Some(r) if again => words.initial + r,
             Some(r) => r,
+            None if rules.missing_r == MissingLevel::Initial => words.initial,
             None => self.state.position[axis],
         };
         let z = words.z.map(|z| if again { r + z } else { z })?;
@@ -129,6 +130,7 @@ impl Kernel<'_> {
             let help = "give the level where the feed begins with R".to_string();
             return missing(Code::CycleWithoutR, "its R level", help);
         }
+        let notes_r = words.r.is_none() && rules.missing_r == MissingLevel::Initial;
         if words.z.is_none() {
             let help = format!("give the bottom of the hole with {depth}");
             return missing(Code::CycleWithoutDepth, &format!("its depth {depth}"), help);
@@ -169,7 +171,28 @@ impl Kernel<'_> {
             let help = "give the lead of the thread with Q; F is the spindle speed".to_string();
             return missing(Code::CycleWithoutLead, "the lead of its thread (Q)", help);
         }
+        if notes_r {
+            self.note_missing_r(at, words);
+        }
         true
+    }
+
+    /// R is left out where that is allowed: said once of a program.
+    fn note_missing_r(&mut self, at: &dyn Statement, words: &CycleState) {
+        if std::mem::replace(&mut self.reported.cycle_without_r, true) {
+            return;
+        }
+        let name = words.kind.name();
+        let level = self.length_text(words.initial);
+        self.report(
+            Diagnostic::new(
+                Code::CycleWithoutR,
+                at.span(),
+                format!("{name} without R: it feeds from the initial level, {level}"),
+            )
+            .severity(Severity::Note)
+            .help("give the level where the feed begins with R"),
+        );
     }
 
     fn levels_in_order(&mut self, at: &dyn Statement, hole: &Hole) -> bool {

@@ -127,6 +127,8 @@ pub enum MissingLevel {
     Refused,
     /// The level where the tool stands.
     Current,
+    /// The initial level, which is noted once: the whole way down is a feed.
+    Initial,
 }
 
 /// What the order of the levels must be.

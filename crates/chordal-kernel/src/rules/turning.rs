@@ -73,6 +73,9 @@ pub struct TurningRules {
     pub pockets_by: Option<u8>,
     /// A names the program that holds the contour (Mitsubishi).
     pub contour_program: bool,
+    /// What a contour of G71 and G72 has at its end outside the stock, back towards the start of the cycle, is no part of the
+    /// shape (Haas).
+    pub return_left_out: bool,
     /// A first block without P and Q gives depth and retract; else all is in one block (Haas).
     pub two_blocks: bool,
     /// Tip numbers count with X turned round: 2 is the tool for turning outside, not 3 (LinuxCNC).
@@ -93,6 +96,7 @@ impl TurningRules {
         thread_finish_mm: 0.0,
         pockets_by: None,
         contour_program: false,
+        return_left_out: false,
         two_blocks: true,
         tips_mirrored: false,
     };

@@ -51,6 +51,25 @@ impl Profile {
         commands.iter().filter_map(Edge::of).collect()
     }
 
+    /// Leaves out what comes at the end of the contour outside the stock, from its first edge back towards the start of the
+    /// cycle on: it brings the tool back, and cuts nothing.
+    pub fn without_return(&mut self, along_x: bool, start: [f64; 2]) {
+        let axis = usize::from(!along_x);
+        let cross = 1 - axis;
+        let out = start[cross] - self.start[cross];
+        let is_outside =
+            |at: [f64; 2]| out != 0.0 && (at[cross] - start[cross]) * out.signum() >= -SAME_MM;
+        let is_cut = |edge: &Edge| !(is_outside(edge.from) && is_outside(edge.to));
+        let tail = self.edges.iter().rposition(is_cut).map_or(0, |last| last + 1);
+        let first = self.start[axis];
+        let goes_back = |edge: &Edge| {
+            (edge.to[axis] - edge.from[axis]) * (edge.from[axis] - first) < -SAME_MM * SAME_MM
+        };
+        if let Some(back) = self.edges[tail..].iter().position(goes_back) {
+            self.edges.truncate(tail + back);
+        }
+    }
+
     /// Where it ends.
     pub fn end(&self) -> [f64; 2] {
         self.edges.last().map_or(self.start, |edge| edge.to)

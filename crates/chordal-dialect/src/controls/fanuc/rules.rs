@@ -8,6 +8,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     nesting: 10,
     packed_calls: true,
     macro_angles_full_circle: true,
+    arc_without_center_is_line: true,
     rules: Rules {
         frames: FRAMES,
         machine_move_is_rapid: true,
@@ -36,6 +37,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
 
 const CYCLES: CycleRules = CycleRules {
     repeat_letter: b'K',
+    // Proven programs tap with M29 and G84 without R.
+    missing_r: MissingLevel::Initial,
     tap: TapRules { pecks_by_q: true, ..CycleRules::COMMON.tap },
     ..CycleRules::COMMON
 };

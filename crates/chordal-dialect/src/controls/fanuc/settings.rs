@@ -122,6 +122,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         "30i",
     ),
     setting(
+        "No. 3403#5",
+        Field::ArcWithoutCenter,
+        &[("0", "line"), ("1", "refused")],
+        "CIR: a block of G2 or G3 with neither a centre nor a radius is a straight line (0), or alarm PS0022 (1)",
+        Certainty::Trade,
+        "30i",
+    ),
+    setting(
         "No. 3401#0",
         Field::DecimalPoint,
         &[("0", "least-increment"), ("1", "calculator")],
@@ -303,6 +311,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         "an arc while the axes of its plane have different factors: `judged` as always, or `refused`",
         Certainty::Inferred,
         "G51",
+    ),
+    setting(
+        "cycle without R",
+        Field::Cycle(CycleField::MissingR),
+        &[],
+        "a cycle without R: it feeds from the `initial` level, with a note; or from where the tool stands (`current`), or it is `refused`",
+        Certainty::Trade,
+        "proven programs: M29, then G84 without R",
     ),
 ];
 

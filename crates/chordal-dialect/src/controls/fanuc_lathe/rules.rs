@@ -12,11 +12,12 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     tool_word: ToolWord::StationAndOffset { digits: 2 },
     preset_limits_speed: true,
     arc_without_center_is_line: true,
+    line_after_arc_is_usual: true,
     corners_of_lines: true,
     thread_lead: b'F',
     live_tool_p: 12,
     second_spindle_p: 13,
-    second_spindle_axis: Some(b'B'),
+    second_spindle_axes: b"AB",
     rules: Rules {
         starts_in: Plane::Zx,
         starts_per_revolution: true,

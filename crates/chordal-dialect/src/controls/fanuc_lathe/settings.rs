@@ -31,6 +31,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         "18i-T, No. 3401#6, #7",
     ),
     setting(
+        "No. 3403#5",
+        Field::ArcWithoutCenter,
+        &[("0", "line"), ("1", "refused")],
+        "CIR: a block of G2 or G3 with neither a centre nor a radius is a straight line (0), or alarm PS0022 (1)",
+        Certainty::Trade,
+        "18i-T; proven programs rely on 0",
+    ),
+    setting(
         "P of the second spindle",
         Field::SecondSpindleP,
         &[],

@@ -49,6 +49,7 @@ const TURNING: TurningRules = TurningRules {
     peck_retract_mm: 0.508,
     thread_finish_passes: 0,
     thread_angle_deg: 0.0,
+    return_left_out: true,
     two_blocks: false,
     ..TurningRules::COMMON
 };

@@ -92,6 +92,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         "G71",
     ),
     setting(
+        "return of a contour",
+        Field::Turning(TurningField::ReturnOfContour),
+        &[],
+        "a contour of G71 and G72 whose last block goes back in Z (G72: X) outside the stock: that block is `left out` of roughing, or the cycle is `refused`",
+        Certainty::Trade,
+        "proven programs of schools; the manual does not say it",
+    ),
+    setting(
         "drill clearance",
         Field::Cycle(CycleField::Lifts),
         &[],

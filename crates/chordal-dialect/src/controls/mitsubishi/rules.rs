@@ -30,6 +30,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
 };
 
 const CYCLES: CycleRules = CycleRules {
+    // Proven programs tap with M29 and G84 without R.
+    missing_r: MissingLevel::Initial,
     peck: PeckRules { dwell: PeckDwell::EachPeck, ..CycleRules::COMMON.peck },
     bore: BoreRules {
         dwell_before_stop: true,

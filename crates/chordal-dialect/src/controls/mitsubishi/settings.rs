@@ -149,6 +149,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Unknown,
         "M700V manual, G51",
     ),
+    setting(
+        "cycle without R",
+        Field::Cycle(CycleField::MissingR),
+        &[],
+        "a cycle without R: it feeds from the `initial` level, with a note; or from where the tool stands (`current`), or it is `refused`",
+        Certainty::Trade,
+        "proven programs: M29, then G84 without R",
+    ),
 ];
 
 /// Type A or B.

@@ -3,7 +3,7 @@
 use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::macros::ArgumentScale;
-use chordal_dialect::{Action, CallCode, ModeCode, OnceCode};
+use chordal_dialect::{Action, CallCode, LengthCode, ModeCode, OnceCode};
 use chordal_dialect::{DecimalPoint, FIRST_ALIAS_SUBPROGRAM, Group, code_number};
 use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
@@ -107,12 +107,59 @@ impl Interpreter<'_> {
             return None;
         }
         let Some((call, at)) = self.call_of(block) else { return self.block_in_modal_call(block) };
+        self.codes_before_call(block, at);
         match call {
             Call::Alias { program, arguments } => self.call_alias(block, at, program, arguments),
             Call::Once => self.call_once(block, at),
             Call::Modal { every_block } => self.begin_modal_call(block, at, every_block),
         }
         Some(Flow::Next)
+    }
+
+    /// Whether a word of a block that calls acts before the call: a code that stays in force, and F, M, S and T. The control
+    /// takes as arguments what comes after the code that calls.
+    fn acts_before_call(&self, block: &Block, call: Option<usize>, at: usize) -> bool {
+        let word = &block.words[at];
+        if call.is_none_or(|call| at >= call) {
+            return false;
+        }
+        match word.letter {
+            b'F' | b'M' | b'S' | b'T' => true,
+            b'G' => {
+                let code = word.number().and_then(code_number);
+                code.and_then(|code| self.control.g_code(code)).is_some_and(|row| {
+                    match row.action {
+                        Action::Reading(_)
+                        | Action::Mode(_)
+                        | Action::Motion(_)
+                        | Action::NoEffect
+                        | Action::NotSimulated => true,
+                        Action::Length(code) => code == LengthCode::Cancel,
+                        Action::Before(_)
+                        | Action::Cycle(_)
+                        | Action::Once(_)
+                        | Action::After(_)
+                        | Action::Call(_)
+                        | Action::NotFollowed => false,
+                    }
+                })
+            }
+            _ => false,
+        }
+    }
+
+    /// Carries out the codes that stand before a call in its block.
+    fn codes_before_call(&mut self, block: &Block, at: usize) {
+        let mut before = Block::new();
+        (before.range, before.line) = (block.range, block.line);
+        for (place, word) in block.words.iter().enumerate() {
+            if self.acts_before_call(block, Some(at), place) {
+                before.push(*word);
+            }
+        }
+        if !before.words.is_empty() {
+            self.carry_out(&before);
+        }
     }
 
     fn call_once(&mut self, block: &Block, at: usize) {
@@ -305,7 +352,8 @@ impl Interpreter<'_> {
         let mut arguments: Vec<(u32, Value)> = Vec::new();
         for (at, word) in block.words.iter().enumerate() {
             let own = matches!(word.letter, b'P' | b'L' | b'N' | b'O') && !all_letters;
-            if Some(at) == call || own || word.letter == b'N' {
+            let acts = self.acts_before_call(block, call, at);
+            if Some(at) == call || own || acts || word.letter == b'N' {
                 continue;
             }
             let variable = match assigner.next(word.letter) {
