@@ -11,7 +11,7 @@ use clap::ValueEnum;
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{counted, grouped};
 use crate::options::{Common, Showing, length};
-use crate::programs::{Programs, recognized};
+use crate::programs::Programs;
 use crate::readings;
 use crate::stock;
 use crate::terminal::{BOLD, Terminal, style};
@@ -138,13 +138,11 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         match format {
             Format::Text => {
                 let problems = report.worst().is_some();
-                let asked = readings::asked(loaded, report.worst() >= Some(Severity::Warning));
-                match asked {
-                    Some(asked) => programs.say(&asked)?,
-                    None if problems => {
-                        programs.say(&recognized(loaded))?;
-                    }
-                    None => {}
+                if problems {
+                    programs.say(&readings::head(loaded))?;
+                } else if programs.inputs().len() == 1 {
+                    // Of a clean program nothing goes to standard output, for scripts.
+                    terminal.tell(&readings::head(loaded));
                 }
                 if problems {
                     let detail = showing.detail();

@@ -62,6 +62,11 @@ impl ReadingGroup {
         }
     }
 
+    /// Its other controls, for people.
+    pub fn other_titles(&self) -> Vec<&'static str> {
+        self.controls.iter().skip(1).map(|control| table(*control).title).collect()
+    }
+
     /// The size of what it cuts: `36 x 20 x 6 mm`.
     pub fn size(&self) -> Option<String> {
         let (low, high) = self.cut_box?;
