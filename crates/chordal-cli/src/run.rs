@@ -14,7 +14,6 @@ use crate::failure::{Failure, Verdict};
 use crate::options::{Common, Showing};
 use crate::output::{self, Outputs};
 use crate::programs::Programs;
-use crate::readings;
 use crate::stock;
 use crate::summary;
 use crate::terminal::{BOLD, Terminal, say, style};
@@ -162,10 +161,6 @@ fn text(loaded: &Loaded, job: &Job, done: &Done, showing: Showing, terminal: Ter
         let is_dxf = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("dxf"));
         let unit = if is_dxf { ", in millimetres" } else { "" };
         text.push_str(&format!("  {row:10}{}{unit}\n", path.display()));
-    }
-    if let Some(asked) = readings::asked(loaded, report.worst() >= Some(Severity::Warning)) {
-        text.push('\n');
-        text.push_str(&asked);
     }
     if report.worst().is_some() {
         text.push('\n');

@@ -242,6 +242,14 @@ fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
             b'R' => "how far Z is raised before",
             _ => return None,
         },
+        OnceCode::Engraving => match letter {
+            b'P' => "0: the text in the comment; 1: a serial number; 32 to 126: one character",
+            b'R' => "level to which the tool returns",
+            b'I' => "angle of the text, degrees",
+            b'J' => "height of the letters",
+            b'E' => "feed of the plunges",
+            _ => return None,
+        },
         OnceCode::ReturnFromReference
         | OnceCode::MachineCoordinates
         | OnceCode::LocalShift
