@@ -435,6 +435,9 @@ impl Interpreter<'_> {
         if let Some(value) = value {
             return Value::Number(f64::from(value));
         }
+        if let Some(&value) = self.macros.kept.get(&index) {
+            return Value::Number(value);
+        }
         self.report_once(
             Diagnostic::new(
                 Code::DateNotSet,

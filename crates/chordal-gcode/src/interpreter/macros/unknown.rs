@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 
 use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, Diagnostic, FileId, Shift, Span, TextRange};
-use chordal_dialect::macros::Held;
+use chordal_dialect::macros::{Held, System};
 use chordal_dialect::{Action, CallCode, OnceCode, code_number};
 use chordal_kernel::Motion;
 use chordal_machine::AXIS_LETTERS;
@@ -93,6 +93,12 @@ impl Interpreter<'_> {
     /// A variable was read.
     pub(super) fn note_unknown(&mut self, value: Value, range: TextRange) {
         let Value::Unknown(cause) = value else { return };
+        // Of date and time their own note is told.
+        if let Cause::Variable(number) = cause
+            && let Some((System::Date | System::Time, _)) = self.rules().system_at(number)
+        {
+            return;
+        }
         let span = self.span(range);
         let is_own = self.is_own(cause);
         let unknown = &mut self.macros.unknown;
