@@ -66,10 +66,10 @@ impl Loader {
     /// # Errors
     /// A text that is no program, a machine that cannot be used, a program that is not there.
     pub fn load_text(&mut self, text: Text, input: &Input) -> Result<Loaded, LoadError> {
-        not_a_program::refuse_certain(&text)?;
+        not_a_program::refuse_certain(text.name(), text.bytes())?;
         let named = self.given.is_some() || machine::is_named(input, &self.request);
         if !named {
-            not_a_program::refuse_likely(&text)?;
+            not_a_program::refuse_likely(text.name(), text.bytes())?;
         }
         self.load_unsaved(text, input)
     }

@@ -126,7 +126,7 @@ mine.toml:15: `program` has no key `travel`
   ^ travel
   = did you mean `axes.<axis>.travel`?
 mine.toml: the machine file does not name its control
-  = write `control = "…"` with fadal, haas, fanuc, mitsubishi, linuxcnc, fanuc-lathe, linuxcnc-lathe, haas-lathe, mitsubishi-lathe, grbl, grblhal, fluidnc or mach3
+  = write `control = "…"` with fadal, haas, fanuc, mitsubishi, linuxcnc, fanuc-lathe, linuxcnc-lathe, haas-lathe, mitsubishi-lathe, grbl, grblhal, fluidnc, mach3 or marlin
 "#,
     );
 }

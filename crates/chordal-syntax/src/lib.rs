@@ -17,6 +17,7 @@
 
 #![forbid(unsafe_code)]
 
+mod alignment;
 mod block;
 mod decimal;
 mod encoding;

@@ -2,6 +2,7 @@
 
 use chordal_diagnostics::{TextRange, line_ends};
 
+use crate::alignment::is_alignment_number;
 use crate::lexicon::{Lexicon, Semicolon};
 use crate::reader::Position;
 
@@ -51,14 +52,6 @@ pub fn find_programs(text: &[u8], lexicon: &Lexicon) -> Vec<ProgramHead> {
 fn nameless(end: u32) -> ProgramHead {
     let start = Position { offset: 0, line: 1 };
     ProgramHead { number: None, head: TextRange::default(), start, end }
-}
-
-/// `:0030 T01 M06`: a colon, a number and words after it. The colon stands for N in a block from which a
-/// program may be begun again (ISO 6983-1, alignment function); before a program number nothing follows but a comment.
-pub(crate) fn is_alignment_number(text: &[u8]) -> bool {
-    let digits = text[1..].iter().take_while(|byte| byte.is_ascii_digit()).count();
-    let rest = text[1 + digits..].iter().find(|byte| !matches!(byte, b' ' | b'\t'));
-    digits > 0 && rest.is_some_and(u8::is_ascii_alphabetic)
 }
 
 /// Line start, number and end of a head whose letter is at `at`, if it is one.

@@ -9,10 +9,10 @@ use chordal_diagnostics::{
     Applicability, Code, Diagnostic, FileId, Fix, Span, TextRange, line_end_length,
 };
 
+use crate::alignment::is_alignment_number;
 use crate::block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
 use crate::decimal::{self, Decimal};
 use crate::lexicon::{Lexicon, ParenthesisComment, Semicolon};
-use crate::programs::is_alignment_number;
 
 /// A place between two blocks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]

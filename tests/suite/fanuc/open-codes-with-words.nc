@@ -1,10 +1,10 @@
 (machine: fanuc-30i)
 (set: shop_codes.M170 = {})
-(An unknown M code with axis words after it and no G code: a macro call, whose words are no move. It is reported once.)
+(An unknown M code with axis words after it and no G code: a macro call, whose words are no move.)
 G21 G17 G90 G94 S1000 M3
 G0 X0. Y0. Z50.
 M165 P9811 Z0 S1. (= none | ! CH312 "M165" "shop_codes.M165")
-M165 P9811 Z0 S2. (= none)
+M165 P9811 Z0 S2. (= none | ! CH312 "M165")
 (A code of the machine's builder comes after the move of its block, or in the block of a motion code.)
 X10. M166 (= rapid to X10 Y0 Z50 | ! CH306 "M166")
 G0 X20. M166 (= rapid to X20)

@@ -49,13 +49,13 @@ is one inch a minute in G20 and one millimetre a minute in G21. Feeds above 20 m
 its feed or its spindle allow. That says something about the program only if the machine is yours: name your machine
 with `--machine`, or describe it in `chordal.toml`. Then every such move is an error of its own."#;
 
-    InternalError = 901, "internal-error", Error;
-    "Chordal has a defect";
-    r#"This is a defect of Chordal, not of the program. Please report it with the program."#;
-
     DiameterNotSet = 609, "diameter-not-set", Note;
     "the machine file has no diameter for an offset that compensates";
     r#"G41 or G42 is active, and the machine file gives no diameter for the offset: compensation has no effect, and the
 programmed contour is shown instead of the path of the tool's centre. Give `[tools.1] diameter` in the machine file
 or with `--set`."#;
+
+    InternalError = 901, "internal-error", Error;
+    "Chordal has a defect";
+    r#"This is a defect of Chordal, not of the program. Please report it with the program."#;
 }

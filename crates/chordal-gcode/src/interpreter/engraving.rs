@@ -24,6 +24,7 @@ impl Interpreter<'_> {
     /// known, so neither is X and Y until the program names them.
     pub(super) fn engrave(&mut self, block: &Block, at: usize) {
         let (target, named) = self.target(block);
+        self.unused_axes(block, |axis, _| axis <= Z);
         let height = self.length_of(block, b'J').unwrap_or(LETTER_HEIGHT_MM).abs();
         let begin = named.and(XY);
         let mut place = self.kernel.state.position;

@@ -147,9 +147,8 @@ impl Interpreter<'_> {
     }
 
     fn report_call_with_words(&mut self, word: &Word, number: i64) {
-        if !self.reported.open_codes.insert(number) {
-            return;
-        }
+        // Its words are lost at every place, so that each is reported.
+        self.reported.open_codes.insert(number);
         let title = self.control.table.title;
         let message = format!(
             "{title} has no M{number}: with axis words after it, it is taken as the call of a macro, which is not followed"

@@ -31,12 +31,13 @@ impl Interpreter<'_> {
         along_x: bool,
     ) -> bool {
         let axis = usize::from(!along_x);
-        // The way of the passes is that to the place farthest from the first one: the end may lie above that again.
+        // The passes go to the side of the first place on which most of the contour lies: its end may lie at the
+        // beginning again, and one of its places may be wrong.
         let first = profile.start[axis];
-        let away = profile.edges.iter().map(|edge| edge.to[axis] - first);
-        let farthest =
-            away.fold(0.0, |most: f64, by| if by.abs() > most.abs() { by } else { most });
-        let forth = if farthest < 0.0 { -1.0 } else { 1.0 };
+        let mut away: Vec<f64> = profile.edges.iter().map(|edge| edge.to[axis] - first).collect();
+        away.sort_by(f64::total_cmp);
+        let middle = away.get(away.len() / 2).copied().unwrap_or(0.0);
+        let forth = if middle < 0.0 { -1.0 } else { 1.0 };
         let back = profile.edges.iter().find(|edge| {
             let by = (edge.to[axis] - edge.from[axis]) * forth;
             by < -1e-6

@@ -13,7 +13,6 @@ use std::borrow::Cow;
 use chordal::control::{Strength, recognize};
 
 use crate::error::LoadError;
-use crate::text::Text;
 use sample::Sample;
 
 /// A kind of file that is no program.
@@ -65,21 +64,21 @@ fn is_letter(text: &[u8]) -> bool {
 }
 
 /// Refuses what is no program for certain.
-pub(crate) fn refuse_certain(text: &Text) -> Result<(), LoadError> {
-    match kind_of(text.bytes()) {
-        Some(kind) if kind.certain => Err(refusal(text.name(), kind)),
+pub(crate) fn refuse_certain(name: &str, text: &[u8]) -> Result<(), LoadError> {
+    match kind_of(text) {
+        Some(kind) if kind.certain => Err(refusal(name, kind)),
         _ => Ok(()),
     }
 }
 
 /// Refuses what looks like something else than a program, where nobody named the machine.
-pub(crate) fn refuse_likely(text: &Text) -> Result<(), LoadError> {
-    if let Some(kind) = kind_of(text.bytes()) {
-        return Err(refusal(text.name(), kind));
+pub(crate) fn refuse_likely(name: &str, text: &[u8]) -> Result<(), LoadError> {
+    if let Some(kind) = kind_of(text) {
+        return Err(refusal(name, kind));
     }
-    if is_letter(text.bytes()) {
+    if is_letter(text) {
         let message =
-            format!("{}: this is not an NC program: no line of it looks like a block", text.name());
+            format!("{name}: this is not an NC program: no line of it looks like a block");
         return Err(LoadError::wrong(message, "to run it anyway, name the machine with --machine"));
     }
     Ok(())

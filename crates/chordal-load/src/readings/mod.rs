@@ -13,7 +13,6 @@ use chordal::control::recognition::LEAD;
 use chordal::control::{ANOTHER_KIND, Candidate, Control, Recognition, Units, table};
 use chordal::machine::ControlName;
 
-use crate::machine::typical_name;
 use crate::text::whole_lines;
 use trace::MotionTrace;
 use vocabulary::WordKinds;
@@ -41,7 +40,7 @@ pub(crate) struct PossibleReading {
 
 /// The built-in machine of a candidate: that of its signs, or the usual one of its control.
 pub(crate) fn machine_name(candidate: &Candidate) -> &'static str {
-    candidate.machine().unwrap_or_else(|| typical_name(candidate.control))
+    candidate.machine().unwrap_or(table(candidate.control).default_machine)
 }
 
 /// The machine of a built-in name.
