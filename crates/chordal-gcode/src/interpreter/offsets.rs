@@ -87,16 +87,11 @@ impl Interpreter<'_> {
         let span = self.span(block.words[at].range);
         self.check_compensation_move(block, side, span);
         let number = self.compensation_number(block);
-        if side != Side::Off && number.is_none() {
-            let code = Code::CompensationWithoutOffset;
-            let alarms = self.control.table.alarm(code).is_some();
-            let severity = if alarms { Severity::Error } else { code.info().severity };
-            self.kernel.report(
-                Diagnostic::new(code, span, "compensation is turned on without an offset number")
-                    .severity(severity)
-                    .label("no offset number for this")
-                    .help("put the D word into this block or before it"),
-            );
+        let without = side != Side::Off && number.is_none();
+        // Where that is no alarm, D0 is in force from power-on.
+        let refused = self.control.table.alarm(Code::CompensationWithoutOffset).is_some();
+        if without {
+            self.report_no_offset_number(span, refused);
         }
         if before == Side::Off {
             self.note_contour_of_call(block);
@@ -106,6 +101,13 @@ impl Interpreter<'_> {
             self.check_lead_in_words(block, span);
         }
         let toward = self.compensation_direction(block);
+        if without && !refused {
+            let (side, tip) = (self.kernel.state.side, [0.0; 2]);
+            let (number, radius_mm) = (Some(0), Some(0.0));
+            return self
+                .kernel
+                .emit(CommandKind::Compensation { side, number, radius_mm, toward, tip });
+        }
         self.kernel.emit_compensation(number, toward, span);
     }
 

@@ -3,7 +3,7 @@
 use chordal_command::Side;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
 use chordal_dialect::{Action, MotionCode};
-use chordal_dialect::{CodeRow, CycleField, Field, code_name, code_number};
+use chordal_dialect::{CodeRow, CycleField, Field, ToolWord, code_name, code_number};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
@@ -321,6 +321,34 @@ impl Interpreter<'_> {
                 .help("put `M30` at the end")
                 .severity(if refused { Severity::Error } else { Severity::Warning })
                 .note(format!("{title} needs an end code to stop spindle and coolant")),
+        );
+    }
+
+    /// G41 or G42, and no offset was named before.
+    pub(super) fn report_no_offset_number(&mut self, span: Span, refused: bool) {
+        let code = Code::CompensationWithoutOffset;
+        let by_tool = matches!(self.control.parameters.tool_word, ToolWord::StationAndOffset { .. });
+        let (severity, message) = match (refused, by_tool) {
+            (true, _) => {
+                (Severity::Error, "compensation is turned on without an offset number")
+            }
+            (false, false) => (
+                code.info().severity,
+                "no D before this: the offset is 0, and compensation has no effect",
+            ),
+            (false, true) => (
+                code.info().severity,
+                "no tool offset is active: the nose radius is 0, and compensation has no effect",
+            ),
+        };
+        self.kernel.report(
+            Diagnostic::new(code, span, message)
+                .severity(severity)
+                .label("no offset number for this")
+                .help(match by_tool {
+                    true => "write T with the number of the offset before it",
+                    false => "put the D word into this block or before it",
+                }),
         );
     }
 

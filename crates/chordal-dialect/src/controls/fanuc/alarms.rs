@@ -13,7 +13,6 @@ pub(in crate::controls) const ALARMS: &[(Code, &str)] = &[
     (Code::CenterOutsidePlane, "PS0021 ILLEGAL PLANE AXIS COMMANDED"),
     (Code::CompensationOnArc, "PS0034 NO CIRC ALLOWED IN ST-UP /EXT BLK"),
     (Code::PlaneChangeInCompensation, "PS0037 CAN NOT CHANGE PLANE IN CRC"),
-    (Code::CompensationWithoutOffset, "PS0030 ILLEGAL OFFSET NUMBER"),
     (Code::CornerNext, "PS0051 MISSING MOVE AFTER CNR/CHF"),
     (Code::CornerNextMotion, "PS0052 CODE IS NOT G01 AFTER CNR/CHF"),
     (Code::CornerTooLarge, "PS0055 MISSING MOVE VALUE IN CNR/CHF"),
