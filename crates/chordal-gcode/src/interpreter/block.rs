@@ -30,6 +30,12 @@ impl Interpreter<'_> {
         let active = self.macros.active;
         let mut codes = std::mem::take(&mut self.codes);
         self.gather(block, &mut codes);
+        if self.shop.takes_words {
+            // The axis words are no move.
+            let flow = self.take_after_motion(block, &codes);
+            self.codes = codes;
+            return flow;
+        }
         let flow = self.carry_out_codes(block, &codes);
         codes.clear();
         self.codes = codes;
@@ -102,7 +108,7 @@ impl Interpreter<'_> {
                 b'G' => self.control.g_code(code).filter(|row| self.has_unit_code(row)),
                 _ => self.m_row(block, at, code),
             });
-            let row = row.or_else(|| self.open_m_code(word, number));
+            let row = row.or_else(|| self.open_m_code(block, at, number));
             match row {
                 Some(row) => {
                     if number.scale > 0 {

@@ -10,6 +10,7 @@ use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
 use chordal_syntax::{Block, Decimal, Letters, Position as TextPosition, ProgramHead, Word};
 
 use super::Interpreter;
+use super::literals::AXIS_OF;
 use crate::library::Program;
 use crate::shop::{ShopAnswer, ShopCall, ShopCode};
 
@@ -28,6 +29,8 @@ pub(super) struct ShopState {
     asked: u32,
     /// The answers for the block under way, by the place of their words.
     answers: Vec<(usize, ShopCode, ShopAnswer)>,
+    /// An unknown M code takes the words of the block under way as the arguments of a macro.
+    pub takes_words: bool,
     /// Texts that were answered.
     programs: Vec<Program>,
     by_file: HashMap<FileId, usize>,
@@ -46,6 +49,7 @@ impl ShopState {
             main,
             asked: 0,
             answers: Vec::new(),
+            takes_words: false,
             programs: Vec::new(),
             by_file: HashMap::new(),
         }
@@ -55,6 +59,7 @@ impl ShopState {
     #[inline]
     pub fn begin_block(&mut self) {
         self.answers.clear();
+        self.takes_words = false;
     }
 
     /// The program of an answered text.
@@ -93,10 +98,21 @@ impl Interpreter<'_> {
 
     /// The row of an M code that neither the control nor anybody else says anything about, where such a
     /// code may be the machine builder's. It is noted once and moves nothing.
-    pub(super) fn open_m_code(&mut self, word: &Word, number: Decimal) -> Option<&'static CodeRow> {
+    pub(super) fn open_m_code(
+        &mut self,
+        block: &Block,
+        at: usize,
+        number: Decimal,
+    ) -> Option<&'static CodeRow> {
+        let word = &block.words[at];
         let is_open = self.control.table.open_m_codes && word.letter == b'M';
         let number = number.to_integer().filter(|number| is_open && *number >= 0)?;
         if self.waits_for_path(word, number) {
+            return Some(&SHOP_CODE);
+        }
+        if self.calls_with_words(block, at) {
+            self.shop.takes_words = true;
+            self.report_call_with_words(word, number);
             return Some(&SHOP_CODE);
         }
         if self.reported.open_codes.insert(number) {
@@ -115,6 +131,37 @@ impl Interpreter<'_> {
             );
         }
         Some(&SHOP_CODE)
+    }
+
+    /// Whether the words after an unknown M code are the arguments of a macro that it calls. Such a code comes first and its
+    /// block has no G code, which cannot be an argument; a code of the machine's builder comes after the move of its block.
+    fn calls_with_words(&self, block: &Block, at: usize) -> bool {
+        let axes = self.control.axes();
+        let is_axis = |word: &Word| {
+            let axis = AXIS_OF[usize::from(word.letter)] as usize;
+            let axis = if axis < 6 { Some(axis) } else { self.increment_axis(word) };
+            axis.is_some_and(|axis| axes.has(axis)) && !word.comma
+        };
+        let first = block.words.iter().position(is_axis);
+        first.is_some_and(|first| at < first) && !block.letters().has(b'G')
+    }
+
+    fn report_call_with_words(&mut self, word: &Word, number: i64) {
+        if !self.reported.open_codes.insert(number) {
+            return;
+        }
+        let title = self.control.table.title;
+        let message = format!(
+            "{title} has no M{number}: with axis words after it, it is taken as the call of a macro, which is not followed"
+        );
+        self.kernel.report(
+            Diagnostic::new(Code::NotFollowed, self.span(word.range), message)
+                .label("its words are arguments; from here on the path is not known")
+                .help(format!(
+                    "say in the machine file what it does: `[shop_codes.M{number}]` with `label`, `time` or \
+                     `blocks`; if the axes move in this block, write their words before the M code"
+                )),
+        );
     }
 
     /// Carries out what was answered for the code at a place of its block.
