@@ -162,8 +162,8 @@ pub struct Parameters {
     pub face_x_radius: bool,
     /// P of M3 and M4 that names the second spindle; 0 for none.
     pub second_spindle_p: u32,
-    /// The letter of the axis that carries the second spindle, where the machine has no other axis of that name.
-    pub second_spindle_axis: Option<u8>,
+    /// Letters of axes that carry a second spindle, where the machine has no other axis of that name.
+    pub second_spindle_axes: &'static [u8],
     /// The first and the last M code that waits for another path; 0 for none.
     pub wait_codes: [u32; 2],
     /// P of M3, M4 and M5 that names the live tool; 0 for none.
@@ -305,7 +305,7 @@ impl Parameters {
         starts_with_radii: false,
         face_x_radius: false,
         second_spindle_p: 0,
-        second_spindle_axis: None,
+        second_spindle_axes: &[],
         wait_codes: [0; 2],
         live_tool_p: 0,
         tool_word: ToolWord::Tool,

@@ -1,6 +1,7 @@
 //! What a lathe does besides: a second spindle, and other channels. Each is said once of a program, and not followed.
+//! Where only the second spindle itself moves, the path of the tools goes on as written.
 
-use chordal_diagnostics::TextRange;
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_dialect::code_number;
 use chordal_syntax::{Block, Word};
 
@@ -51,24 +52,42 @@ impl Interpreter<'_> {
         is_one
     }
 
-    /// P of M3 and M4 that names the second spindle (Fanuc).
+    /// P of M3 and M4 that names the second spindle (Fanuc). What the tools do meanwhile is as written.
     pub(super) fn check_second_spindle(&mut self, block: &Block) {
         let number = self.control.parameters.second_spindle_p;
         let word = block.last(b'P').copied().filter(|_| number > 0);
         let Some(word) = word else { return };
         let given = self.literal(&word).map(|number| number.to_f64());
         if given == Some(f64::from(number)) {
-            self.second_spindle(word.range, &format!("P{number}"));
+            let message = format!("P{number} names the second spindle, which is not followed");
+            self.note_second_spindle(word.range, message, "check by other means what is cut at that spindle");
         }
     }
 
-    /// B of a lathe that has no such axis of its own: it carries the second spindle.
+    /// An axis of a lathe that the machine does not have, and that carries the second spindle: its moves are left out.
     pub(super) fn is_axis_of_second_spindle(&mut self, letter: char, range: TextRange) -> bool {
-        let is_one = self.control.parameters.second_spindle_axis == Some(letter as u8);
+        let is_one = self.control.parameters.second_spindle_axes.contains(&(letter as u8));
         if is_one {
-            self.second_spindle(range, &letter.to_string());
+            let machine = &self.machine.name;
+            let message = format!(
+                "the machine {machine} has no {letter} axis, which carries the second spindle: its moves are left out"
+            );
+            let help = format!("add `[axes.{letter}]` to the machine file");
+            self.note_second_spindle(range, message, &help);
         }
         is_one
+    }
+
+    fn note_second_spindle(&mut self, range: TextRange, message: String, help: &str) {
+        if std::mem::replace(&mut self.reported.second_spindle_noted, true) {
+            return;
+        }
+        let code = Code::NotSimulated;
+        self.kernel.report(
+            Diagnostic::new(code, self.span(range), message)
+                .label("the other axes move as written")
+                .help(help),
+        );
     }
 
     fn second_spindle(&mut self, range: TextRange, name: &str) {

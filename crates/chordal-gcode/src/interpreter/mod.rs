@@ -224,6 +224,8 @@ struct Reported {
     /// Another channel, and the second spindle of a lathe.
     channels: bool,
     second_spindle: bool,
+    /// The second spindle moves, and the tools go on as written.
+    second_spindle_noted: bool,
 }
 
 /// Runs one program of a library and pushes its commands into a sink.

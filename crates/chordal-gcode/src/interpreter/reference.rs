@@ -194,10 +194,16 @@ impl Interpreter<'_> {
     /// G28 and G30: over the point that the words give, then home with the axes they name.
     fn return_to_reference(&mut self, block: &Block, second: bool) {
         let (target, mut named) = self.target(block);
+        // An axis that the machine does not have is named all the same.
+        let names_none = !block.words.iter().any(|word| {
+            AXIS_OF[usize::from(word.letter)] < 6 || self.increment_axis(word).is_some()
+        });
         let number = if second { self.count_of(block, b'P').unwrap_or(2).clamp(2, 4) } else { 1 };
         let place = self.reference(number);
-        let bare = named == AxisMask::NONE;
-        if bare {
+        if named == AxisMask::NONE {
+            if !names_none {
+                return;
+            }
             if !self.control.parameters.rules.bare_home_moves_all {
                 let span = self.span(block.range);
                 return self.kernel.missing_word(
@@ -253,7 +259,13 @@ impl Interpreter<'_> {
             }
         }
         let axes = self.control.axes();
-        self.unused_axes(block, |axis, _| axes.has(axis));
+        for word in &block.words {
+            let axis = AXIS_OF[usize::from(word.letter)] as usize;
+            let absent = axis < AXES && !word.comma && !axes.has(axis);
+            if absent && !self.is_axis_of_second_spindle(char::from(word.letter), word.range) {
+                self.unused_word(word);
+            }
+        }
         let named = named.and(axes);
         if named == AxisMask::NONE {
             return;

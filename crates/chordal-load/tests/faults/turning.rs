@@ -27,7 +27,7 @@ pub const KINDS: &[Kind] = &[
     kind("no pass of a pattern", no_passes, &["CH303"]),
     kind("end of a thread missing", no_end_of_thread, &["CH303", "CH308"]),
     // B is the axis of the second spindle, except on LinuxCNC.
-    kind("an axis that is not there", other_axis, &["CH309", "CH312"]),
+    kind("an axis that is not there", other_axis, &["CH309", "CH306"]),
     kind("negative speed", negative_speed, &["CH303"]),
     Kind { place: first_cut_or_cycle, ..kind("spindle not started", no_spindle, &["CH413"]) },
     Kind { anywhere: true, ..kind("radius of an arc too small", small_radius, &["CH402"]) },

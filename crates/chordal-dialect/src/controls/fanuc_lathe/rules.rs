@@ -17,7 +17,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     thread_lead: b'F',
     live_tool_p: 12,
     second_spindle_p: 13,
-    second_spindle_axis: Some(b'B'),
+    second_spindle_axes: b"AB",
     rules: Rules {
         starts_in: Plane::Zx,
         starts_per_revolution: true,
