@@ -189,6 +189,11 @@ impl<'a> BlockReader<'a> {
                     self.skip_to_line_end();
                 }
             }
+            // `M30%`: the mark after the last block of a tape is a block of its own.
+            b'%' if self.ends_tape_here() => {
+                block.range.end = start as u32;
+                return false;
+            }
             b'&' if block.words.is_empty() => {
                 block.kind = BlockKind::Folder;
                 self.skip_to_line_end();
@@ -242,6 +247,15 @@ impl<'a> BlockReader<'a> {
             self.at += 1 + blanks;
         }
         follows
+    }
+
+    /// A percent sign with nothing after it on its line.
+    fn ends_tape_here(&self) -> bool {
+        let rest = &self.text[self.at + 1..self.end];
+        let blanks =
+            rest.iter().take_while(|byte| CLASSES[usize::from(**byte)] == Class::Blank).count();
+        self.lexicon.semicolon == Semicolon::EndOfBlock
+            && rest.get(blanks).is_none_or(|byte| matches!(byte, b'\n' | b'\r' | b';'))
     }
 
     fn skip_to_line_end(&mut self) {

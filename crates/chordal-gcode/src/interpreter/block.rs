@@ -5,7 +5,7 @@ use chordal_dialect::table::{LineRepeat, Subroutines};
 use chordal_dialect::{Action, BeforeCode, OnceCode};
 use chordal_dialect::{CodeRow, Group, UnitCodes, code_number};
 use chordal_machine::AXIS_LETTERS;
-use chordal_syntax::{Block, Letters};
+use chordal_syntax::{Block, Letters, Word};
 
 use super::conflicts::ALWAYS;
 use super::{EndReason, Flow, Interpreter};
@@ -105,7 +105,10 @@ impl Interpreter<'_> {
             }
             let Some(number) = self.literal(word) else { continue };
             let row = code_number(number).and_then(|code| match word.letter {
-                b'G' => self.control.g_code(code).filter(|row| self.has_unit_code(row)),
+                b'G' => {
+                    let own = self.control.g_code(code).filter(|row| self.has_unit_code(row));
+                    own.or_else(|| self.row_of_other_system(word, code))
+                }
                 _ => self.m_row(block, at, code),
             });
             let row = row.or_else(|| self.open_m_code(block, at, number));
@@ -120,6 +123,18 @@ impl Interpreter<'_> {
             }
         }
         self.check_groups(block, codes);
+    }
+
+    /// The row of a G code that another system of the control's codes has, and this one does not: said with a warning, and
+    /// carried out, since nothing else can be meant.
+    fn row_of_other_system(&mut self, word: &Word, code: u16) -> Option<&'static CodeRow> {
+        let systems = self.control.table.systems;
+        let (name, row) = systems.iter().find_map(|system| {
+            let row = system.codes.iter().find(|row| row.code == code)?;
+            Some((system.name, row))
+        })?;
+        self.report_other_system(word, row, name);
+        Some(row)
     }
 
     /// The row of an M code. What the table lacks or leaves out may be the shop's own.

@@ -218,6 +218,8 @@ struct Reported {
     axes: AxisMask,
     /// M codes that nothing says anything about.
     open_codes: BTreeSet<i64>,
+    /// G codes of another system than the machine has.
+    other_system: BTreeSet<u16>,
     points_seen: bool,
     excess_decimals: bool,
     sender_changes_tools: bool,

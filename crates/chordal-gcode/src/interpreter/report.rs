@@ -48,6 +48,27 @@ impl Interpreter<'_> {
         self.kernel.report(diagnostic);
     }
 
+    /// A code of another system of G codes (Fanuc lathes: A, B and C).
+    #[cold]
+    pub(super) fn report_other_system(&mut self, word: &Word, row: &CodeRow, system: &str) {
+        if !self.reported.other_system.insert(row.code) {
+            return;
+        }
+        let name = row.name(b'G');
+        let setting = self.control.table.settings.iter().find(|row| row.field == Field::CodeSystem);
+        let setting = setting.map_or("the system of G codes", |setting| setting.name);
+        self.kernel.report(
+            Diagnostic::new(
+                Code::UnknownCode,
+                self.span(word.range),
+                format!("{name} ({}) is a code of system {system}, and this machine has another", row.title),
+            )
+            .severity(Severity::Warning)
+            .label(format!("carried out as in system {system}"))
+            .help(format!("set `{setting}` to \"{system}\" if the machine has that system")),
+        );
+    }
+
     pub(super) fn same_group(
         &mut self,
         block: &Block,

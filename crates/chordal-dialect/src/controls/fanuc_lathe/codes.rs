@@ -52,6 +52,7 @@ pub(in crate::controls) const G_CODES: &[CodeRow] = &[
     row(400, Group::Compensation, Mode(CompensationOff), "IK", "nose radius compensation off"),
     row(410, Group::Compensation, Mode(CompensationLeft), "IK", "nose left of the contour"),
     row(420, Group::Compensation, Mode(CompensationRight), "IK", "nose right of the contour"),
+    row(490, Group::Auxiliary, NoEffect, "", "tool length off: on a lathe the offset of T stays"),
     row(
         500,
         Group::OneShot,
@@ -69,6 +70,8 @@ pub(in crate::controls) const G_CODES: &[CodeRow] = &[
     row(580, Group::WorkOffset, Mode(WorkOffset(58)), "", "work offset 5"),
     row(590, Group::WorkOffset, Mode(WorkOffset(59)), "", "work offset 6"),
     row(610, Group::PathMode, Mode(Path(PathCode::ExactStop)), "", "exact stop mode"),
+    row(620, Group::PathMode, Mode(Path(PathCode::CornerOverride)), "", "corner override"),
+    row(630, Group::PathMode, Mode(Path(PathCode::Tapping)), "", "tapping mode"),
     row(640, Group::PathMode, Mode(Path(PathCode::Continuous)), "", "cutting mode"),
     row(650, Group::ModalCall, Call(MacroCall), "ABCDEFHIJKLMPQRSTUVWXYZ", "macro call"),
     row(
