@@ -28,6 +28,9 @@ const LARGEST_OF_FEW_DIGITS: u64 = 10_000_000;
 /// Below this many it is when the program writes points elsewhere.
 const SUSPICIOUS_AMONG_POINTS: u64 = 10_000;
 
+/// Below this many a length of a cycle is, too: `G71 U2` for a pass of 2 mm.
+const SUSPICIOUS_IN_CYCLE: u64 = 10;
+
 impl Interpreter<'_> {
     /// The literal of a word, or of the register it names.
     #[inline(always)]
@@ -135,6 +138,22 @@ impl Interpreter<'_> {
             .label(format!("at most {most} digits"))
             .help("write fewer decimals"),
         );
+    }
+
+    /// A length of a drilling, turning or threading cycle. Manuals give P, Q, R and the like in least increments, so one
+    /// without a point is no slip unless it is very small.
+    pub(super) fn length_in_cycle(&mut self, word: &Word) -> Option<f64> {
+        let number = self.literal(word)?;
+        if number.has_point || number.mantissa.unsigned_abs() < SUSPICIOUS_IN_CYCLE {
+            return self.length(word);
+        }
+        Some(self.scale.length(number))
+    }
+
+    /// The same by its letter, if it is there.
+    pub(super) fn cycle_length(&mut self, block: &Block, letter: u8) -> Option<f64> {
+        let word = *block.last(letter)?;
+        self.length_in_cycle(&word)
     }
 
     /// A word of an axis: mm, or rad for rotary axes; half of a diameter.

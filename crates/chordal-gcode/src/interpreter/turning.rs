@@ -24,7 +24,7 @@ impl Interpreter<'_> {
         explicit: bool,
     ) {
         let taper_letters: &[u8] = if pass == TurnPass::Facing { b"RK" } else { b"RI" };
-        let taper = taper_letters.iter().find_map(|letter| self.length_of(block, *letter));
+        let taper = taper_letters.iter().find_map(|letter| self.cycle_length(block, *letter));
         let lead = if pass == TurnPass::Thread { self.length_of(block, b'F') } else { None };
         let memory = &mut self.kernel.state.turning;
         if explicit {
@@ -126,10 +126,10 @@ impl Interpreter<'_> {
         let depth_letter = if along_x { b'W' } else { b'U' };
         let two_blocks = self.control.parameters.rules.turning.two_blocks;
         if two_blocks && !letters.meets(Letters::of("PQ")) {
-            if let Some(depth) = self.length_of(block, depth_letter) {
+            if let Some(depth) = self.cycle_length(block, depth_letter) {
                 self.kernel.state.turning.rough_depth = depth.abs();
             }
-            if let Some(retract) = self.length_of(block, b'R') {
+            if let Some(retract) = self.cycle_length(block, b'R') {
                 self.kernel.state.turning.rough_retract = retract.abs();
             }
             return;
@@ -139,7 +139,7 @@ impl Interpreter<'_> {
             self.contour(block, at);
             return;
         }
-        if let Some(depth) = self.length_of(block, b'D') {
+        if let Some(depth) = self.cycle_length(block, b'D') {
             self.kernel.state.turning.rough_depth = depth.abs();
         }
         let depth = self.kernel.state.turning.rough_depth;
@@ -177,7 +177,7 @@ impl Interpreter<'_> {
     /// side of U and W.
     fn rough_allowance(&mut self, block: &Block, allowance: [f64; 2]) -> [f64; 2] {
         let sign = |value: f64| if value < 0.0 { -1.0 } else { 1.0 };
-        let mut along = |letter: u8| self.length_of(block, letter).unwrap_or(0.0).abs();
+        let mut along = |letter: u8| self.cycle_length(block, letter).unwrap_or(0.0).abs();
         [along(b'I') * sign(allowance[0]), along(b'K') * sign(allowance[1])]
     }
 
@@ -194,10 +194,10 @@ impl Interpreter<'_> {
     fn pattern_contour(&mut self, block: &Block, at: usize) {
         let letters = block.letters();
         if !letters.meets(Letters::of("PQ")) {
-            if let Some(along_x) = self.length_of(block, b'U') {
+            if let Some(along_x) = self.cycle_length(block, b'U') {
                 self.kernel.state.turning.pattern[0] = along_x;
             }
-            if let Some(along_z) = self.length_of(block, b'W') {
+            if let Some(along_z) = self.cycle_length(block, b'W') {
                 self.kernel.state.turning.pattern[1] = along_z;
             }
             if let Some(passes) = self.passes_of_pattern(block, b'R') {
@@ -207,7 +207,7 @@ impl Interpreter<'_> {
         }
         if letters.has(b'D') {
             // In one block: the distances by I and K, the passes by D.
-            let (x, z) = (self.length_of(block, b'I'), self.length_of(block, b'K'));
+            let (x, z) = (self.cycle_length(block, b'I'), self.cycle_length(block, b'K'));
             let Some(passes) = self.passes_of_pattern(block, b'D') else { return };
             let turning = &mut self.kernel.state.turning;
             turning.pattern = [x.unwrap_or(0.0), z.unwrap_or(0.0)];
@@ -239,7 +239,7 @@ impl Interpreter<'_> {
     fn peck_cycle(&mut self, block: &Block, cycle: TurnCycle) {
         let letters = block.letters();
         if !letters.meets(Letters::of("XZUW")) {
-            if let Some(retract) = self.length_of(block, b'R') {
+            if let Some(retract) = self.cycle_length(block, b'R') {
                 self.kernel.state.turning.peck_retract = retract.abs();
             }
             return;
@@ -271,7 +271,7 @@ impl Interpreter<'_> {
             let message = format!("the plunges of this cycle need {letter}, their distance");
             return self.refuse_cycle(span, message, "give the distance", TurnFault::Step);
         }
-        let aside = self.length_of(block, if one_line { b'D' } else { b'R' });
+        let aside = self.cycle_length(block, if one_line { b'D' } else { b'R' });
         let aside = aside.unwrap_or(0.0).abs();
         let step = step.filter(|_| moves_across);
         let words = PeckWords { along_x, end, peck, step, aside };
@@ -289,7 +289,7 @@ impl Interpreter<'_> {
         let one_line = letters.has(b'K') || letters.has(b'D');
         let height = self.quiet_length(block, if one_line { b'K' } else { b'P' });
         let first = self.quiet_length(block, if one_line { b'D' } else { b'Q' });
-        let taper = self.length_of(block, if one_line { b'I' } else { b'R' }).unwrap_or(0.0);
+        let taper = self.cycle_length(block, if one_line { b'I' } else { b'R' }).unwrap_or(0.0);
         let packed = self.kernel.state.turning.thread;
         if one_line {
             // All is said here: what a first block has said does not count.
@@ -365,8 +365,8 @@ impl Interpreter<'_> {
 
     /// U, a diameter, and W: what is left for finishing.
     fn allowance(&mut self, block: &Block) -> [f64; 2] {
-        let u = self.length_of(block, b'U').unwrap_or(0.0) * self.per_word[X];
-        [u, self.length_of(block, b'W').unwrap_or(0.0)]
+        let u = self.cycle_length(block, b'U').unwrap_or(0.0) * self.per_word[X];
+        [u, self.cycle_length(block, b'W').unwrap_or(0.0)]
     }
 
     /// A cycle that the control refuses: nothing of it is shown.

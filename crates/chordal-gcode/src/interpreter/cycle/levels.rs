@@ -39,7 +39,7 @@ impl Interpreter<'_> {
         let reads_again = rules.incremental == IncrementalLevels::ReadAgain;
         let from = |relative: bool, base: f64| if relative && !reads_again { base } else { 0.0 };
         if letters.has(b'R')
-            && let Some(value) = self.radius_word(block).and_then(|word| self.length(&word))
+            && let Some(value) = self.radius_word(block).and_then(|word| self.length_in_cycle(&word))
         {
             let relative = rules.incremental == IncrementalLevels::WhenGiven
                 && self.incremental_at(block, b'R');
@@ -75,7 +75,7 @@ impl Interpreter<'_> {
             // On lathes it is usually written in least increments.
             let step = match rules.axis {
                 DrillingAxis::OfCode => self.quiet_length(block, b'Q'),
-                DrillingAxis::AlwaysZ | DrillingAxis::PlaneNormal => self.length_of(block, b'Q'),
+                DrillingAxis::AlwaysZ | DrillingAxis::PlaneNormal => self.cycle_length(block, b'Q'),
             };
             cycle.q = step.or(cycle.q);
         }
@@ -113,7 +113,7 @@ impl Interpreter<'_> {
                 }
                 continue;
             }
-            cycle.vector[index] = self.length_of(block, letter);
+            cycle.vector[index] = self.cycle_length(block, letter);
         }
     }
 
@@ -127,7 +127,7 @@ impl Interpreter<'_> {
         };
         let (integer_s, point_s) = (rules.dwell_integer_s, rules.dwell_point_s);
         if is_distance {
-            cycle.lift = self.length_of(block, b'P').map(f64::abs);
+            cycle.lift = self.cycle_length(block, b'P').map(f64::abs);
         } else if let Some(number) = block.last(b'P').and_then(|word| self.literal(word)) {
             let unit = if number.has_point { point_s } else { integer_s };
             cycle.dwell_s = Some((number.to_f64() * unit).max(0.0));
