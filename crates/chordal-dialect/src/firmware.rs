@@ -86,7 +86,7 @@ pub struct LineRules {
     pub longest: usize,
     /// Blanks and comments count among them.
     pub counts_blanks: bool,
-    /// `%` on a line of its own marks the program, and says nothing.
+    /// The firmware itself reads `%` on a line of its own as a mark; for others the sender drops it.
     pub percent_marks: bool,
     /// A slash.
     pub slash: Slash,

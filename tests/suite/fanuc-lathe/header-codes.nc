@@ -5,7 +5,7 @@
 (Codes of a safety line: tapping mode, tool length off, and G95 of system B, which is said once.)
 G21 G18 G40 G49 G63 G80 G99 (= none)
 G64
-G95 (= none | ! CH301 "G95 (feed per revolution) is a code of system B")
+G95 (= none | ! CH301 "is a code of system B")
 G95 (= none)
 (Five digits: station 13, offset 013.)
 T13013

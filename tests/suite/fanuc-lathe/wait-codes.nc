@@ -5,7 +5,7 @@
 (set: tools.1.offset.Z="-50 mm")
 G21 G18 G40 G98
 T0101
-S800 M3 P13 (= spindle cw | ! CH312 "P13 is for the second spindle")
+S800 M3 P13 (= spindle cw | ! CH306 "P13 names the second spindle")
 M5
 (A live tool by P, at its own speed.)
 S1500 P12 M3 (= spindle cw)

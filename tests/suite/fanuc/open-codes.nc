@@ -12,7 +12,8 @@ G21 G17 G90 S1000 M3
 G0 X0. Y0. Z0.
 M123 (= none | ! CH306 "M123" "shop_codes.M123")
 M123 (= none)
-M124 P5. Q2 R1 K7 A1. (= ! CH306 "M124")
+M124 P5. Q2 R1 K7 (= ! CH306 "M124")
+M125 P5. Q2 R1 K7 A1. (= none | ! CH312 "M125")
 M9999 (= none | ! CH306 "M9999")
 G1 X1. F100. M123 (= line to X1)
 M78 (= dwell 2)

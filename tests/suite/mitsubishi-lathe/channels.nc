@@ -9,5 +9,5 @@ G0 X50. Z2.
 !2L1 (= none | ! CH312 "!2L1 waits for another channel: only this program is followed, not what the other channel cuts meanwhile")
 G1 Z-10. F.2 !2L2 (= line to Z-10)
 G0 X100.
-G0 B-300. (= none | ! CH312 "B is for the second spindle")
+G0 B-300. (= none | ! CH306 "no B axis")
 M30

@@ -56,6 +56,8 @@ impl<'a> Line<'a> {
                 b'(' => in_comment = true,
                 b';' => break,
                 0..=b' ' => {}
+                // Taken out of the stream as they arrive: status, feed hold, resume.
+                b'?' | b'!' | b'~' => {}
                 b'/' if rules.slash != Slash::Kept => {
                     let takes_line = line.is_empty() && rules.slash == Slash::Deletes && deletes;
                     if takes_line {
@@ -85,9 +87,9 @@ impl<'a> Line<'a> {
         self.characters.is_empty()
     }
 
-    /// A percent sign that marks the program.
+    /// A percent sign that marks the program. Firmware that does not read it never meets it: senders drop it.
     pub fn is_mark(&self) -> bool {
-        self.rules.percent_marks && matches!(self.characters[..], [(b'%', _)])
+        matches!(self.characters[..], [(b'%', _)])
     }
 
     /// The text of a system command (`$H`), without its `$`.

@@ -69,6 +69,11 @@ impl Judge {
         self.memory.position
     }
 
+    /// The machine has gone there by itself, mm.
+    pub fn set_position(&mut self, position: [f64; 3]) {
+        self.memory.position = position.map(|value| value as f32);
+    }
+
     /// The tool length that the table of the control gives, mm.
     pub fn set_length(&mut self, length: [f64; 3]) {
         self.memory.length = length.map(|value| value as f32);

@@ -1,10 +1,11 @@
 //! Blocks that a firmware judges as a whole.
 
-use chordal_command::{FeedMode, WorkName};
+use chordal_command::{AxisMask, FeedMode, WorkName};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::firmware::Firmware;
 use chordal_dialect::{Action, Group, MotionCode, ToolChanger};
 use chordal_kernel::EndReason;
+use chordal_machine::Axis;
 use chordal_syntax::{Block, BlockKind, Decimal, Value, Word};
 
 use super::{Flow, Interpreter};
@@ -26,6 +27,21 @@ impl Interpreter<'_> {
             .collect();
         self.judge = Some(Judge::new(place, &systems));
         self
+    }
+
+    /// `$H`: to the switches, Z first.
+    fn home_machine(&mut self) {
+        let place = self.reference(1);
+        let axes = self.control.axes();
+        let z = AxisMask(1 << (Axis::Z as usize)).and(axes);
+        for named in [z, axes.without(z)] {
+            self.kernel.go_to_reference(named, &place);
+        }
+        let state = &self.kernel.state;
+        let position = [0, 1, 2].map(|axis| state.machine_position(axis));
+        if let Some(judge) = &mut self.judge {
+            judge.set_position(position);
+        }
     }
 
     /// What follows where the firmware does not let a block act; nothing where it does, with its own words.
@@ -60,9 +76,7 @@ impl Interpreter<'_> {
             Verdict::Nothing => {}
             // It begins there: the switches are its reference.
             Verdict::Homing if !self.carried_out => {}
-            Verdict::Homing => {
-                self.lose_path(block.range, "`$H` sends the machine to its switches".to_string());
-            }
+            Verdict::Homing => self.home_machine(),
             Verdict::Jog(words) => self.jog(block, words),
             Verdict::Setting => self.report_setting_in_program(block),
             Verdict::Refused(fault) => {
