@@ -158,6 +158,9 @@ impl Interpreter<'_> {
             }
             ModeCode::StoreReference { second } => self.store_reference(second),
             ModeCode::CornerArc => self.corner_arc(block, false),
+            ModeCode::WorkOffset(_) if self.numbers_by_p(block, row, at) => {
+                self.select_extended_work(block, at);
+            }
             ModeCode::WorkOffset(number) => self.change_work(block, at, WorkName::G(number)),
             ModeCode::WorkOffsetPoint(number) => {
                 self.change_work(block, at, WorkName::G59(number));

@@ -2,6 +2,7 @@
 
 use chordal_command::WorkName;
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_dialect::CodeRow;
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
@@ -34,6 +35,18 @@ impl Interpreter<'_> {
                 self.kernel.missing_word(span, message, "write P and the number after the code");
             }
         }
+    }
+
+    /// G54 with P of its own is an extended work offset, where the control has it so: another code of the block may be the one
+    /// that takes P.
+    pub(super) fn numbers_by_p(&self, block: &Block, row: &CodeRow, at: usize) -> bool {
+        row.words.has(b'P')
+            && block.letters().has(b'P')
+            && !block.words.iter().enumerate().any(|(place, word)| {
+                place != at
+                    && matches!(word.letter, b'G' | b'M')
+                    && self.control.row_of(word).is_none_or(|row| row.words.has(b'P'))
+            })
     }
 
     /// G59, or G59 with P, the number of any work offset.

@@ -67,7 +67,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(530, Group::OneShot, Once(MachineCoordinates), "", "this block in machine coordinates"),
     row(531, Group::Auxiliary, NotFollowed, ANY_WORDS, "tool axis direction"),
     row(536, Group::Auxiliary, NotFollowed, ANY_WORDS, "tool axis direction, tool tip held"),
-    row(540, Group::WorkOffset, Mode(WorkOffset(54)), "", "work offset 1"),
+    row(540, Group::WorkOffset, Mode(WorkOffset(54)), "P", "work offset 1; with P an extended work offset"),
     row(541, Group::WorkOffset, Mode(WorkOffsetExtended), "P", "extended work offset"),
     row(542, Group::Auxiliary, NotFollowed, ANY_WORDS, "offset of a turned part"),
     row(550, Group::WorkOffset, Mode(WorkOffset(55)), "", "work offset 2"),

@@ -62,7 +62,7 @@ pub(in crate::controls) const G_CODES: &[CodeRow] = &[
     ),
     row(520, Group::OneShot, Once(LocalShift), "", "shift of the work coordinates"),
     row(530, Group::OneShot, Once(MachineCoordinates), "", "this block in machine coordinates"),
-    row(540, Group::WorkOffset, Mode(WorkOffset(54)), "", "work offset 1"),
+    row(540, Group::WorkOffset, Mode(WorkOffset(54)), "P", "work offset 1; with P an extended work offset"),
     row(541, Group::WorkOffset, Mode(WorkOffsetExtended), "P", "extended work offset"),
     row(550, Group::WorkOffset, Mode(WorkOffset(55)), "", "work offset 2"),
     row(560, Group::WorkOffset, Mode(WorkOffset(56)), "", "work offset 3"),

@@ -78,7 +78,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(520, Group::OneShot, Once(LocalShift), "", "shift of the work coordinates"),
     row(530, Group::OneShot, Once(MachineCoordinates), "", "this block in machine coordinates"),
     row(531, Group::Auxiliary, NotFollowed, ANY_WORDS, "tool axis direction"),
-    row(540, Group::WorkOffset, Mode(WorkOffset(54)), "", "work offset 1"),
+    row(540, Group::WorkOffset, Mode(WorkOffset(54)), "P", "work offset 1; with P an extended work offset"),
     row(541, Group::WorkOffset, Mode(WorkOffsetExtended), "P", "extended work offset"),
     row(550, Group::WorkOffset, Mode(WorkOffset(55)), "", "work offset 2"),
     row(560, Group::WorkOffset, Mode(WorkOffset(56)), "", "work offset 3"),
@@ -155,6 +155,8 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(970, Group::Auxiliary, NoEffect, "", "constant surface speed off"),
     row(980, Group::ReturnLevel, Mode(ReturnInitial), "", "cycles return to the initial level"),
     row(990, Group::ReturnLevel, Mode(ReturnToR), "", "cycles return to the R level"),
+    row(1201, Group::Auxiliary, NoEffect, "PQ", "machining condition selection"),
+    row(1210, Group::Auxiliary, NoEffect, "", "machining condition selection off"),
 ];
 
 pub(super) const M_CODES: &[CodeRow] = &[
