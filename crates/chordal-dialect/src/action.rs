@@ -244,6 +244,8 @@ pub enum OnceCode {
     CircularPocketCcw,
     /// A pocket of any outline by one block.
     GeneralPocket,
+    /// Engraves the text of a comment, or a number (Haas G47).
+    Engraving,
     /// Holes of the cycle in force on a circle, an arc or a line.
     Pattern(HolePattern),
     /// A move that ends where a probe touches; `must_hit`: without a touch it is an alarm.

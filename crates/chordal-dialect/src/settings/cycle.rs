@@ -58,8 +58,11 @@ const DEFINITIONS: Choices<DefinitionFires> = &[
     ("never", DefinitionFires::Never),
 ];
 
-const MISSING: Choices<MissingLevel> =
-    &[("refused", MissingLevel::Refused), ("current", MissingLevel::Current), ("initial", MissingLevel::Initial)];
+const MISSING: Choices<MissingLevel> = &[
+    ("refused", MissingLevel::Refused),
+    ("current", MissingLevel::Current),
+    ("initial", MissingLevel::Initial),
+];
 
 const R_LEVELS: Choices<bool> = &[("from-initial", true), ("absolute", false)];
 

@@ -172,6 +172,7 @@ fn of_once(once: OnceCode, view: &View) -> Option<String> {
         | OnceCode::Scaling
         | OnceCode::MirrorOff
         | OnceCode::GeneralPocket
+        | OnceCode::Engraving
         | OnceCode::Pattern(_)
         | OnceCode::Probe { .. }
         | OnceCode::Surface(_)

@@ -236,6 +236,14 @@ fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
         },
         OnceCode::Surface(SurfaceCode::Face | SurfaceCode::FaceOff) => return None,
         OnceCode::Mirror { .. } | OnceCode::MirrorOff => return None,
+        OnceCode::Engraving => match letter {
+            b'P' => "0: the text in the comment; 1: a serial number; 32 to 126: one character",
+            b'R' => "level to which the tool returns",
+            b'I' => "angle of the text, degrees",
+            b'J' => "height of the letters",
+            b'E' => "feed of the plunges",
+            _ => return None,
+        },
         OnceCode::ReturnFromReference
         | OnceCode::MachineCoordinates
         | OnceCode::LocalShift

@@ -60,7 +60,11 @@ impl Interpreter<'_> {
         let given = self.literal(&word).map(|number| number.to_f64());
         if given == Some(f64::from(number)) {
             let message = format!("P{number} names the second spindle, which is not followed");
-            self.note_second_spindle(word.range, message, "check by other means what is cut at that spindle");
+            self.note_second_spindle(
+                word.range,
+                message,
+                "check by other means what is cut at that spindle",
+            );
         }
     }
 

@@ -15,6 +15,7 @@ mod conflicts;
 mod context;
 mod corner;
 mod cycle;
+mod engraving;
 mod firmware;
 mod frames;
 mod in_force;

@@ -104,9 +104,13 @@ impl Interpreter<'_> {
         if without && !refused {
             let (side, tip) = (self.kernel.state.side, [0.0; 2]);
             let (number, radius_mm) = (Some(0), Some(0.0));
-            return self
-                .kernel
-                .emit(CommandKind::Compensation { side, number, radius_mm, toward, tip });
+            return self.kernel.emit(CommandKind::Compensation {
+                side,
+                number,
+                radius_mm,
+                toward,
+                tip,
+            });
         }
         self.kernel.emit_compensation(number, toward, span);
     }

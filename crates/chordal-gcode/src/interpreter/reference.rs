@@ -97,6 +97,7 @@ impl Interpreter<'_> {
             OnceCode::CornerArcAlone => self.corner_arc(block, true),
             OnceCode::Turning(cycle) => self.turning_cycle(block, at, cycle),
             OnceCode::Surface(code) => self.surface_code(block, at, code),
+            OnceCode::Engraving => self.engrave(block, at),
         }
     }
 

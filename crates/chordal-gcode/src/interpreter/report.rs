@@ -61,7 +61,10 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::UnknownCode,
                 self.span(word.range),
-                format!("{name} ({}) is a code of system {system}, and this machine has another", row.title),
+                format!(
+                    "{name} ({}) is a code of system {system}, and this machine has another",
+                    row.title
+                ),
             )
             .severity(Severity::Warning)
             .label(format!("carried out as in system {system}"))
@@ -348,11 +351,10 @@ impl Interpreter<'_> {
     /// G41 or G42, and no offset was named before.
     pub(super) fn report_no_offset_number(&mut self, span: Span, refused: bool) {
         let code = Code::CompensationWithoutOffset;
-        let by_tool = matches!(self.control.parameters.tool_word, ToolWord::StationAndOffset { .. });
+        let by_tool =
+            matches!(self.control.parameters.tool_word, ToolWord::StationAndOffset { .. });
         let (severity, message) = match (refused, by_tool) {
-            (true, _) => {
-                (Severity::Error, "compensation is turned on without an offset number")
-            }
+            (true, _) => (Severity::Error, "compensation is turned on without an offset number"),
             (false, false) => (
                 code.info().severity,
                 "no D before this: the offset is 0, and compensation has no effect",

@@ -34,7 +34,8 @@ impl Interpreter<'_> {
         // The way of the passes is that to the place farthest from the first one: the end may lie above that again.
         let first = profile.start[axis];
         let away = profile.edges.iter().map(|edge| edge.to[axis] - first);
-        let farthest = away.fold(0.0, |most: f64, by| if by.abs() > most.abs() { by } else { most });
+        let farthest =
+            away.fold(0.0, |most: f64, by| if by.abs() > most.abs() { by } else { most });
         let forth = if farthest < 0.0 { -1.0 } else { 1.0 };
         let back = profile.edges.iter().find(|edge| {
             let by = (edge.to[axis] - edge.from[axis]) * forth;

@@ -328,6 +328,7 @@ impl<'c, 'a> Plan<'c, 'a> {
         let is_hidden = writes
             || has(Action::NotSimulated)
             || has(Action::NotFollowed)
+            || has(Action::Once(OnceCode::Engraving))
             || exec.block.is_some_and(|at| turning::is_hidden(self.context, at));
         if commands.is_empty() && !is_hidden {
             return Ok(());

@@ -240,6 +240,7 @@ impl Walk<'_, '_> {
             | OnceCode::CircularPocketCw
             | OnceCode::CircularPocketCcw
             | OnceCode::GeneralPocket
+            | OnceCode::Engraving
             | OnceCode::Pattern(_)
             | OnceCode::Probe { .. }
             | OnceCode::Turning(_)

@@ -219,6 +219,10 @@ fn without_roles(action: Action) -> Option<(&'static str, &'static str)> {
         let help = "write the splines as lines or arcs first, or move the work offset in place of the program";
         return Some(("the words of splines are not transformed", help));
     }
+    if action == Action::Once(OnceCode::Engraving) {
+        let help = "move the work offset in place of the program";
+        return Some(("the words of an engraved text are not transformed", help));
+    }
     if let Action::Once(OnceCode::Surface(code)) = action {
         let help = "move the work offset, or the angle of the rotary axis, in place of the program";
         let what = "coordinates on a face or a cylinder are not transformed";

@@ -87,6 +87,7 @@ fn sort_of(action: Action) -> Option<Sort> {
             | OnceCode::Turning(_)
             // Programs with them are not transformed.
             | OnceCode::Surface(_)
+            | OnceCode::Engraving
             | OnceCode::CornerArcAlone => None,
         },
         Action::Call(code) => match code {

@@ -41,7 +41,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(420, Group::Compensation, Mode(CompensationRight), "D", "cutter right of the contour"),
     row(430, Group::ToolLength, Length(Plus), "H", "tool length added"),
     row(440, Group::ToolLength, Length(Minus), "H", "tool length subtracted"),
-    row(470, Group::Auxiliary, NotFollowed, ANY_WORDS, "engraving"),
+    row(470, Group::OneShot, Once(Engraving), "PRIJED", "engraving"),
     row(490, Group::ToolLength, Length(Cancel), "", "tool length off"),
     row(500, Group::Scaling, Mode(ScalingOff), "", "scaling off"),
     row(510, Group::Scaling, Once(Scaling), "P", "scaling"),

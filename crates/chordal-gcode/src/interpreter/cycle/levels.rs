@@ -39,7 +39,8 @@ impl Interpreter<'_> {
         let reads_again = rules.incremental == IncrementalLevels::ReadAgain;
         let from = |relative: bool, base: f64| if relative && !reads_again { base } else { 0.0 };
         if letters.has(b'R')
-            && let Some(value) = self.radius_word(block).and_then(|word| self.length_in_cycle(&word))
+            && let Some(value) =
+                self.radius_word(block).and_then(|word| self.length_in_cycle(&word))
         {
             let relative = rules.incremental == IncrementalLevels::WhenGiven
                 && self.incremental_at(block, b'R');

@@ -77,7 +77,9 @@ fn of_code(word: &str, action: Action) -> Option<Reason> {
         Some((what, "write the program from one zero"))
     } else if is(|code| matches!(code, OnceCode::Probe { .. })) {
         Some((format!("`{word}` measures a place itself"), "take the probing out of the program"))
-    } else if is(|code| code.is_pocket() || matches!(code, OnceCode::Pattern(_))) {
+    } else if is(|code| {
+        code.is_pocket() || matches!(code, OnceCode::Pattern(_) | OnceCode::Engraving)
+    }) {
         Some((format!("`{word}` makes moves of its own"), "write the moves out"))
     } else {
         None
