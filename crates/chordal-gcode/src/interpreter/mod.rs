@@ -219,6 +219,8 @@ struct Reported {
     axes: AxisMask,
     /// M codes that nothing says anything about.
     open_codes: BTreeSet<i64>,
+    /// Such codes with axis words, as calls of macros.
+    open_calls: BTreeSet<i64>,
     /// G codes of another system than the machine has.
     other_system: BTreeSet<u16>,
     points_seen: bool,

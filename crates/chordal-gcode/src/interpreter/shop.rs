@@ -147,7 +147,7 @@ impl Interpreter<'_> {
     }
 
     fn report_call_with_words(&mut self, word: &Word, number: i64) {
-        if !self.reported.open_codes.insert(number) {
+        if !self.reported.open_calls.insert(number) {
             return;
         }
         let title = self.control.table.title;
