@@ -125,12 +125,14 @@ impl Interpreter<'_> {
         self.check_groups(block, codes);
     }
 
-    /// The row of a G code that another system of the control's codes has, and this one does not: said with a warning, and
-    /// carried out, since nothing else can be meant.
+    /// The row of a feed mode that another system of the control's codes has, and this one does not (G95): said with a
+    /// warning, and carried out, since nothing else can be meant. Other codes mean something only together with their
+    /// system: G91 of system B with G90 of system A would be in force without end.
     fn row_of_other_system(&mut self, word: &Word, code: u16) -> Option<&'static CodeRow> {
         let systems = self.control.table.systems;
         let (name, row) = systems.iter().find_map(|system| {
-            let row = system.codes.iter().find(|row| row.code == code)?;
+            let mut rows = system.codes.iter();
+            let row = rows.find(|row| row.code == code && row.group == Group::FeedMode)?;
             Some((system.name, row))
         })?;
         self.report_other_system(word, row, name);

@@ -23,8 +23,8 @@ impl Interpreter<'_> {
     /// To the start of the text and down, the estimated time of its letters, and up to R. Where the last letter ends is not
     /// known, so neither is X and Y until the program names them.
     pub(super) fn engrave(&mut self, block: &Block, at: usize) {
+        self.unused_axes(block, |axis, _| axis < 3);
         let (target, named) = self.target(block);
-        self.unused_axes(block, |axis, _| axis <= Z);
         let height = self.length_of(block, b'J').unwrap_or(LETTER_HEIGHT_MM).abs();
         let begin = named.and(XY);
         let mut place = self.kernel.state.position;
