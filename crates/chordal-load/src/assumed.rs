@@ -4,7 +4,7 @@ use chordal::control::RunOptions;
 use chordal::machine::{AXIS_LETTERS, builtin_names};
 use chordal::{Code, Job, Machine, Source, SourceMap};
 
-use crate::text::whole_lines;
+use crate::head::whole_lines;
 
 /// So much of the beginning is run to see which axes move, bytes.
 const HEAD: usize = 256 << 10;

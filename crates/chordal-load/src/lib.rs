@@ -30,6 +30,7 @@ mod assumed;
 mod chosen;
 mod error;
 mod files;
+mod head;
 mod input;
 mod loaded;
 mod loader;

@@ -12,7 +12,7 @@ pub(super) struct Sample {
 impl Sample {
     pub fn new(text: &[u8]) -> Sample {
         // The last line may be cut.
-        let text = String::from_utf8_lossy(crate::text::whole_lines(text, SAMPLE));
+        let text = String::from_utf8_lossy(crate::head::whole_lines(text, SAMPLE));
         let lines = text.split(['\n', '\r']).map(|line| line.trim_matches('\0'));
         let lines = lines.filter(|line| !line.trim().is_empty());
         let lines = lines.map(|line| (line.trim().to_string(), line.starts_with([' ', '\t'])));

@@ -13,7 +13,7 @@ use chordal::control::recognition::LEAD;
 use chordal::control::{ANOTHER_KIND, Candidate, Control, Recognition, Units, table};
 use chordal::machine::ControlName;
 
-use crate::text::whole_lines;
+use crate::head::whole_lines;
 use trace::MotionTrace;
 use vocabulary::WordKinds;
 

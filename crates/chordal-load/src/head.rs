@@ -1,0 +1,10 @@
+//! The beginning of a text.
+
+/// Whole lines of the beginning, at most so many bytes.
+pub(crate) fn whole_lines(text: &[u8], most: usize) -> &[u8] {
+    if text.len() <= most {
+        return text;
+    }
+    let end = text[..most].iter().rposition(|byte| matches!(byte, b'\n' | b'\r'));
+    &text[..end.map_or(most, |end| end + 1)]
+}
