@@ -22,6 +22,9 @@ pub(super) struct Contour {
     pub end: TextPosition,
 }
 
+/// A contour that ends nearer to its beginning than this share of its length comes back to it.
+const RETURN_SHARE: f64 = 0.1;
+
 impl Interpreter<'_> {
     /// The contour goes on along the passes without turning back.
     pub(super) fn contour_goes_on(
@@ -31,13 +34,15 @@ impl Interpreter<'_> {
         along_x: bool,
     ) -> bool {
         let axis = usize::from(!along_x);
-        // The passes go to the side of the first place on which most of the contour lies: its end may lie at the
-        // beginning again, and one of its places may be wrong.
-        let first = profile.start[axis];
+        // The passes go towards the end of the contour; where that lies at the beginning again, to the side on which
+        // most of it lies.
+        let (first, last) = (profile.start[axis], profile.end()[axis]);
         let mut away: Vec<f64> = profile.edges.iter().map(|edge| edge.to[axis] - first).collect();
         away.sort_by(f64::total_cmp);
+        let length = away.iter().fold(0.0, |most: f64, by| most.max(by.abs()));
         let middle = away.get(away.len() / 2).copied().unwrap_or(0.0);
-        let forth = if middle < 0.0 { -1.0 } else { 1.0 };
+        let returns = (last - first).abs() < RETURN_SHARE * length;
+        let forth = if (if returns { middle } else { last - first }) < 0.0 { -1.0 } else { 1.0 };
         let back = profile.edges.iter().find(|edge| {
             let by = (edge.to[axis] - edge.from[axis]) * forth;
             by < -1e-6
