@@ -77,7 +77,10 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Premi
     if !has_units {
         readings = in_both_units(readings, text, run);
     }
-    let premise = Premise::of(&readings, text, run.len() == text.len());
+    if readings.is_empty() {
+        return (found, None);
+    }
+    let premise = Premise::of(&readings, run.len() == text.len());
     (found, Some(premise))
 }
 

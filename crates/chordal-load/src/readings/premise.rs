@@ -83,10 +83,6 @@ impl ReadingGroup {
 pub struct ReadingDifference {
     /// The block.
     pub span: Span,
-    /// Its line, from 1.
-    pub line: u32,
-    /// Its words.
-    pub words: String,
     /// Only feeds differ, and so the time; the path is the same.
     pub only_feed: bool,
 }
@@ -101,7 +97,8 @@ pub struct Premise {
 }
 
 impl Premise {
-    pub(super) fn of(readings: &[PossibleReading], text: &[u8], is_whole: bool) -> Premise {
+    /// Of at least one reading.
+    pub(super) fn of(readings: &[PossibleReading], is_whole: bool) -> Premise {
         // The readings that move alike, by the index of the first of each.
         let mut alike: Vec<Vec<usize>> = Vec::new();
         let mut difference: Option<FirstDifference> = None;
@@ -150,7 +147,7 @@ impl Premise {
             }
         };
         let groups = alike.iter().map(group).collect();
-        let difference = difference.map(|at| at.in_text(text));
+        let difference = difference.map(|at| at.place());
         Premise { groups, difference }
     }
 
@@ -242,13 +239,10 @@ impl FirstDifference {
         }
     }
 
-    fn in_text(self, text: &[u8]) -> ReadingDifference {
+    fn place(&self) -> ReadingDifference {
         let (start, end) = self.block.range;
-        let words = text.get(start as usize..end as usize).unwrap_or_default();
         ReadingDifference {
             span: Span::new(FileId(0), start, end),
-            line: self.block.line,
-            words: String::from_utf8_lossy(words).trim().to_string(),
             only_feed: self.aspect == MotionAspect::Feed,
         }
     }

@@ -5,8 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use chordal::control::{ArcShape, AxisMask, CallPath, FeedMode, Move, Position, RunOptions};
 use chordal::diagnostics::FileId;
 use chordal::{
-    Code, Command, CommandKind, Diagnostic, Job, Machine, RunSink, Severity, Sink, Source,
-    SourceMap,
+    Code, Command, Diagnostic, Job, Machine, RunSink, Severity, Sink, Source, SourceMap,
 };
 
 /// Repeated blocks in each of these runs.
@@ -18,7 +17,6 @@ pub struct BlockMotion {
     /// Where the block stands: its file, its first byte and its end.
     pub file: FileId,
     pub range: (u32, u32),
-    pub line: u32,
     call: CallPath,
     /// It cuts.
     pub cuts: bool,
@@ -38,7 +36,6 @@ impl BlockMotion {
         BlockMotion {
             file: FileId(0),
             range: (0, 0),
-            line: 1,
             call: CallPath::default(),
             cuts: false,
             end: Position::default(),
@@ -58,8 +55,6 @@ pub struct MotionTrace {
     pub errors: u64,
     /// Numbers that the control reads in least increments, and that may be meant in whole units.
     pub least_increment_numbers: u64,
-    /// Dwells: the first byte of the block and the time, s.
-    pub dwells: Vec<(u32, f64)>,
     /// The largest cutting feeds: mm/s, and mm per revolution.
     pub largest_feed_mm_per_s: f64,
     pub largest_feed_mm_per_rev: f64,
@@ -112,7 +107,6 @@ impl MotionTrace {
             self.blocks.push(BlockMotion {
                 file: origin.span.file,
                 range,
-                line: origin.line,
                 call: origin.call,
                 ..BlockMotion::nowhere()
             });
@@ -175,15 +169,8 @@ fn extremes(shape: &ArcShape, motion: &Move, mut reach: impl FnMut(&Position)) {
 
 impl Sink for MotionTrace {
     fn command(&mut self, command: &Command) {
-        match &command.kind {
-            CommandKind::Dwell { seconds, .. } => {
-                self.dwells.push((command.origin.span.range.start, *seconds));
-            }
-            kind => {
-                if let Some(motion) = kind.motion().copied() {
-                    self.motion(command, &motion);
-                }
-            }
+        if let Some(motion) = command.kind.motion() {
+            self.motion(command, motion);
         }
     }
 
