@@ -59,8 +59,7 @@ impl Head<'_, '_> {
         let mut lines = self.modes();
         lines.extend(self.tool());
         lines.extend(self.work());
-        let spindle = self.spindle().join(self.gap());
-        lines.extend(Some(spindle).filter(|words| !words.is_empty()));
+        lines.extend(self.spindle_line());
         lines.extend(self.before.said.coolant.iter().cloned());
         lines.extend(self.ready());
         lines.extend(feed_word(&self.before.modal, self.source.style));
@@ -76,6 +75,10 @@ impl Head<'_, '_> {
         let Before { said, highest, .. } = self.before;
         let mut lines = self.modes();
         lines.extend(self.tool());
+        if self.has_one_command_a_line() {
+            lines.extend(self.work());
+            lines.extend(self.spindle_line());
+        }
         lines.push(self.over()?);
         lines.push(self.down(*highest)?);
         lines.extend(said.coolant.iter().cloned());
@@ -89,6 +92,11 @@ impl Head<'_, '_> {
             lines.pop();
         }
         Ok(lines)
+    }
+
+    /// A further code in a line would do nothing.
+    fn has_one_command_a_line(&self) -> bool {
+        self.control.table.command_line.is_some()
     }
 
     pub(super) fn name(&self, action: Action) -> Option<String> {
@@ -138,7 +146,10 @@ impl Head<'_, '_> {
         if let Some(code) = self.name(Action::Reading(ReadingCode::Absolute)) {
             codes.insert(Slot::Distance, code);
         }
-        let mut lines = vec![self.safe_line(codes)];
+        let mut lines = match self.has_one_command_a_line() {
+            true => codes.into_values().collect(),
+            false => vec![self.safe_line(codes)],
+        };
         lines.extend(said.lines.values().cloned());
         lines.extend(said.data.iter().cloned());
         lines.extend(self.before.shift.presets.iter().cloned());
@@ -179,13 +190,16 @@ impl Head<'_, '_> {
     fn over(&self) -> Result<String, Lack> {
         let modal = &self.before.modal;
         let mut words = vec![self.needed(Action::Motion(MotionCode::Rapid), "a rapid")?];
-        words.extend(self.work());
+        let with_others = !self.has_one_command_a_line();
+        words.extend(self.work().filter(|_| with_others));
         for axis in [0, 1, 3, 4, 5] {
             if modal.known.has(axis) && (axis < 3 || self.names(axis)) {
                 words.push(self.place(axis, modal.position[axis])?);
             }
         }
-        words.extend(self.spindle());
+        if with_others {
+            words.extend(self.spindle());
+        }
         Ok(words.join(self.gap()))
     }
 
@@ -196,6 +210,15 @@ impl Head<'_, '_> {
             words.extend(said.spindle.clone());
         }
         words
+    }
+
+    /// The spindle in a line of its own; its code first, where S is a word of that.
+    fn spindle_line(&self) -> Option<String> {
+        let mut words = self.spindle();
+        if self.has_one_command_a_line() {
+            words.reverse();
+        }
+        Some(words.join(self.gap())).filter(|words| !words.is_empty())
     }
 
     fn speed(&self) -> Option<String> {
@@ -214,7 +237,7 @@ impl Head<'_, '_> {
     /// By rapid down to where the program has been clear, with the length offset.
     fn down(&self, highest: f64) -> Result<String, Lack> {
         let Before { modal, said, .. } = self.before;
-        let mut words = Vec::new();
+        let mut words: Vec<String> = self.rapid_of_line()?.into_iter().collect();
         if let Some(number) = modal.length_offset {
             words.extend(said.length.clone());
             let written = said.h.clone().filter(|word| word[1..].parse() == Ok(number));
@@ -222,6 +245,12 @@ impl Head<'_, '_> {
         }
         words.push(self.place(2, highest)?);
         Ok(words.join(self.gap()))
+    }
+
+    /// The code of a rapid, where each line needs its own.
+    fn rapid_of_line(&self) -> Result<Option<String>, Lack> {
+        let rapid = || self.needed(Action::Motion(MotionCode::Rapid), "a rapid");
+        self.has_one_command_a_line().then(rapid).transpose()
     }
 
     /// By feed to the place itself; by rapid only where the program has no feed yet.
@@ -236,8 +265,10 @@ impl Head<'_, '_> {
             ));
         }
         let depth = self.place(2, modal.position[2])?;
+        let rapid = self.rapid_of_line()?;
         let Some(feed) = feed_word(&self.before.modal, self.source.style) else {
-            return Ok(Some(depth));
+            let words: Vec<String> = rapid.into_iter().chain([depth]).collect();
+            return Ok(Some(words.join(self.gap())));
         };
         let is_per_turn = modal.feed_mode == FeedMode::PerRevolution;
         if is_per_turn && modal.spindle == SpindleState::Off {
