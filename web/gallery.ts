@@ -31,7 +31,8 @@ function shows(text: string): string {
   for (const line of text.split("\n")) {
     const comment = /^[^(;]*(?:\(([^)]*)\)?|;(.*))/.exec(line.trim());
     const words = (comment?.[1] ?? comment?.[2] ?? "").trim();
-    if (words === "" || /^(machine|set|units|tools|settings): /.test(words)) {
+    // After a semicolon as well: `;(machine: marlin-router)`.
+    if (words === "" || /^\(?(machine|set|units|tools|settings): /.test(words)) {
       if (told.length > 0) break;
       continue;
     }
