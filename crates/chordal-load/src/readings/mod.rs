@@ -9,7 +9,6 @@ mod units;
 mod vocabulary;
 
 use chordal::Machine;
-use chordal::control::recognition::LEAD;
 use chordal::control::{ANOTHER_KIND, Candidate, Control, Recognition, Units, table};
 use chordal::machine::ControlName;
 
@@ -24,6 +23,10 @@ const HEAD_BYTES: usize = 128 << 10;
 
 /// A control stays possible while its score is at most this much lower than that of the best.
 const POSSIBLE_SCORE_GAP: i32 = 6;
+
+/// What the first error costs a control, where another has fewer. A firmware that stops at its first error has
+/// no more of them, however much it would refuse.
+const FIRST_ERROR_PENALTY: i32 = 6;
 
 /// What errors cost a control at most.
 const LARGEST_PENALTY: i32 = 12;
@@ -62,16 +65,16 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Premi
     let head = whole_lines(text, HEAD_BYTES);
     let mut readings = if is_certain {
         let (control, machine) = (found.control(), machine_name(found.chosen()));
-        let trace = MotionTrace::of(built_in(machine, control), head);
+        let trace = MotionTrace::of(built_in(machine, control), head, head.len() < text.len());
         vec![PossibleReading { control, machine, units: None, trace }]
     } else {
-        possible(&mut found, head)
+        possible(&mut found, head, head.len() < text.len())
     };
     let mut run = head;
     if head.len() < text.len() && !WordKinds::of(head).covers(&WordKinds::of(&text[head.len()..])) {
         run = text;
         for reading in &mut readings {
-            reading.trace = MotionTrace::of(built_in(reading.machine, reading.control), run);
+            reading.trace = MotionTrace::of(built_in(reading.machine, reading.control), run, false);
         }
     }
     if !has_units {
@@ -86,7 +89,7 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Premi
 
 /// Runs the beginning on the controls that the signs leave possible, puts the best of them first in the
 /// recognition, and gives those that remain, the best first.
-fn possible(found: &mut Recognition, head: &[u8]) -> Vec<PossibleReading> {
+fn possible(found: &mut Recognition, head: &[u8], is_cut: bool) -> Vec<PossibleReading> {
     let weakest = (found.chosen().weight - POSSIBLE_SCORE_GAP).max(ANOTHER_KIND + 1);
     let turns = table(found.control()).turns();
     let mut runs: Vec<(usize, MotionTrace)> = Vec::new();
@@ -96,7 +99,7 @@ fn possible(found: &mut Recognition, head: &[u8]) -> Vec<PossibleReading> {
             continue;
         }
         let machine = built_in(machine_name(candidate), candidate.control);
-        let trace = MotionTrace::of(machine, head);
+        let trace = MotionTrace::of(machine, head, is_cut);
         candidate.errors = Some(trace.errors);
         runs.push((place, trace));
     }
@@ -132,10 +135,10 @@ fn faults(trace: &MotionTrace) -> u64 {
 }
 
 fn penalty(faults: u64) -> i32 {
-    if faults == 0 {
-        0
-    } else {
-        (LEAD + i32::try_from(faults).unwrap_or(i32::MAX - LEAD)).min(LARGEST_PENALTY)
+    match i32::try_from(faults) {
+        Ok(0) => 0,
+        Ok(faults) => faults.saturating_add(FIRST_ERROR_PENALTY - 1).min(LARGEST_PENALTY),
+        Err(_) => LARGEST_PENALTY,
     }
 }
 
@@ -149,7 +152,7 @@ fn in_both_units(readings: Vec<PossibleReading>, text: &[u8], run: &[u8]) -> Vec
         let own = Control::of(&other_machine).0.parameters.rules.units;
         let other = other_units(own);
         let other_trace = (named != Some(own) && set_units(&mut other_machine, other))
-            .then(|| MotionTrace::of(other_machine, run))
+            .then(|| MotionTrace::of(other_machine, run, run.len() < text.len()))
             .filter(units::is_plausible);
         let own_is_possible = named != Some(other) && units::is_plausible(&trace);
         if own_is_possible || other_trace.is_none() {

@@ -53,6 +53,8 @@ pub struct MotionTrace {
     pub blocks: Vec<BlockMotion>,
     /// Errors that say something about the control: not those of files that are not there.
     pub errors: u64,
+    /// The text is the beginning of a longer one, so that its end is missing on every control.
+    is_cut: bool,
     /// Numbers that the control reads in least increments, and that may be meant in whole units.
     pub least_increment_numbers: u64,
     /// The largest cutting feeds: mm/s, and mm per revolution.
@@ -61,9 +63,9 @@ pub struct MotionTrace {
 }
 
 impl MotionTrace {
-    /// Runs a text on a machine.
-    pub fn of(machine: Machine, text: &[u8]) -> MotionTrace {
-        let mut trace = MotionTrace::default();
+    /// Runs a text on a machine; `is_cut`: it is only the beginning of one.
+    pub fn of(machine: Machine, text: &[u8], is_cut: bool) -> MotionTrace {
+        let mut trace = MotionTrace { is_cut, ..MotionTrace::default() };
         let mut sources = SourceMap::new();
         sources.add(Source::new("", text));
         let options = RunOptions {
@@ -177,6 +179,7 @@ impl Sink for MotionTrace {
     fn diagnostic(&mut self, diagnostic: Diagnostic) {
         match diagnostic.code {
             Code::MissingSubprogram | Code::BudgetReached => {}
+            Code::ProgramWithoutEnd if self.is_cut => {}
             Code::MissingDecimalPoint => self.least_increment_numbers += 1,
             _ => self.errors += u64::from(diagnostic.severity == Severity::Error),
         }

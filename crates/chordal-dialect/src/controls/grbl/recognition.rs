@@ -56,6 +56,7 @@ const SIGNS: &[Evidence] = &[
     evidence(Sign::Form(Form::OWord), -12, "O words are flow control"),
     evidence(Sign::Block("G81..89"), -4, "canned cycles"),
     evidence(Sign::Block("G41|G42"), -4, "cutter compensation"),
+    evidence(Sign::Block("G64|G61.1"), -6, "a path mode that it does not have"),
     evidence(Sign::Block("M98|G65"), -6, "calls of subprograms"),
 ];
 
