@@ -62,15 +62,16 @@ pub use text::Text;
 /// A file that cannot be read, a machine that cannot be used, a program that is not there.
 pub fn file(path: &Path, request: &Request) -> Result<Loaded, LoadError> {
     let input = Input { path: Some(path.to_path_buf()), root: None };
-    load(Text::read(&input)?, &input, request)
+    Loader::new(request.clone())?.load_text(Text::read(&input)?, &input)
 }
 
-/// Loads a text, under a name that messages show.
+/// Loads a text, under a name that messages show. It is read whatever it is: that it is no program is said of files.
 ///
 /// # Errors
 /// A machine that cannot be used, a program that is not there.
 pub fn text(name: &str, bytes: Vec<u8>, request: &Request) -> Result<Loaded, LoadError> {
-    load(Text::of(name, bytes)?, &Input { path: None, root: None }, request)
+    let input = Input { path: None, root: None };
+    Loader::new(request.clone())?.load_unsaved(Text::of(name, bytes)?, &input)
 }
 
 /// Loads the text of an editor, which lies or will lie at a path. While somebody writes it, it may be anything.
@@ -85,8 +86,4 @@ pub fn unsaved(
     let input = Input { path: path.map(Path::to_path_buf), root: None };
     let text = Text::of(&input.name(), bytes)?;
     Loader::new(request.clone())?.load_unsaved(text, &input)
-}
-
-fn load(text: Text, input: &Input, request: &Request) -> Result<Loaded, LoadError> {
-    Loader::new(request.clone())?.load_text(text, input)
 }

@@ -7,7 +7,12 @@ mod labelled;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use chordal_load::{Given, LoadError, Request, file, find, looks_like_program, text};
+use chordal_load::{
+    Given, Input, LoadError, Loader, Request, Text, file, find, looks_like_program,
+};
+
+/// A file whose name says nothing.
+const INPUT: Input = Input { path: None, root: None };
 
 /// The beginning of a file's name, and what the sentence says. The first that fits counts.
 const KINDS: &[(&str, &str)] = &[
@@ -138,7 +143,9 @@ fn tool_tables_name_their_option() {
 #[test]
 fn programs_stay_programs() {
     let refused = |name: &str, program: &str| {
-        let loaded = text(name, program.as_bytes().to_vec(), &Request::default());
+        let text = Text::of(name, program.as_bytes().to_vec()).expect("a text");
+        let loaded =
+            Loader::new(Request::default()).and_then(|mut loader| loader.load_text(text, &INPUT));
         match loaded {
             Err(LoadError::Request { message, .. }) => Some(message),
             _ => None,
