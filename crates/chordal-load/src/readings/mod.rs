@@ -3,23 +3,20 @@
 //! not verified, and a message says what differs.
 
 mod difference;
+mod excerpt;
 mod premise;
 mod trace;
 mod units;
-mod vocabulary;
+mod word_kinds;
 
 use chordal::Machine;
 use chordal::control::{ANOTHER_KIND, Candidate, Control, Recognition, Units, table};
 use chordal::machine::ControlName;
 
-use crate::head::whole_lines;
+use excerpt::Excerpt;
 use trace::MotionTrace;
-use vocabulary::WordKinds;
 
 pub use premise::{Premise, ReadingDifference, ReadingGroup};
-
-/// The beginning that is run on each control, bytes: some thousand blocks.
-const HEAD_BYTES: usize = 128 << 10;
 
 /// A control stays possible while its score is at most this much lower than that of the best.
 const POSSIBLE_SCORE_GAP: i32 = 6;
@@ -46,6 +43,15 @@ pub(crate) fn machine_name(candidate: &Candidate) -> &'static str {
     candidate.machine().unwrap_or(table(candidate.control).default_machine)
 }
 
+/// The machine of a reading.
+fn machine_of(reading: &PossibleReading) -> Machine {
+    let mut machine = built_in(reading.machine, reading.control);
+    if let Some(units) = reading.units {
+        set_units(&mut machine, units);
+    }
+    machine
+}
+
 /// The machine of a built-in name.
 fn built_in(name: &'static str, control: ControlName) -> Machine {
     Machine::from_builtin(name).unwrap_or_else(|_| Machine::new(name, control))
@@ -62,34 +68,27 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Premi
     if is_certain && has_units {
         return (found, None);
     }
-    let head = whole_lines(text, HEAD_BYTES);
+    let excerpt = Excerpt::of(text);
     let mut readings = if is_certain {
         let (control, machine) = (found.control(), machine_name(found.chosen()));
-        let trace = MotionTrace::of(built_in(machine, control), head, head.len() < text.len());
+        let trace = MotionTrace::of(built_in(machine, control), &excerpt);
         vec![PossibleReading { control, machine, units: None, trace }]
     } else {
-        possible(&mut found, head, head.len() < text.len())
+        possible(&mut found, &excerpt)
     };
-    let mut run = head;
-    if head.len() < text.len() && !WordKinds::of(head).covers(&WordKinds::of(&text[head.len()..])) {
-        run = text;
-        for reading in &mut readings {
-            reading.trace = MotionTrace::of(built_in(reading.machine, reading.control), run, false);
-        }
-    }
     if !has_units {
-        readings = in_both_units(readings, text, run);
+        readings = in_both_units(readings, text, &excerpt);
     }
     if readings.is_empty() {
         return (found, None);
     }
-    let premise = Premise::of(&readings, run.len() == text.len());
+    let premise = Premise::of(&readings, text, &excerpt);
     (found, Some(premise))
 }
 
-/// Runs the beginning on the controls that the signs leave possible, puts the best of them first in the
+/// Runs the excerpt on the controls that the signs leave possible, puts the best of them first in the
 /// recognition, and gives those that remain, the best first.
-fn possible(found: &mut Recognition, head: &[u8], is_cut: bool) -> Vec<PossibleReading> {
+fn possible(found: &mut Recognition, excerpt: &Excerpt) -> Vec<PossibleReading> {
     let weakest = (found.chosen().weight - POSSIBLE_SCORE_GAP).max(ANOTHER_KIND + 1);
     let turns = table(found.control()).turns();
     let mut runs: Vec<(usize, MotionTrace)> = Vec::new();
@@ -99,7 +98,7 @@ fn possible(found: &mut Recognition, head: &[u8], is_cut: bool) -> Vec<PossibleR
             continue;
         }
         let machine = built_in(machine_name(candidate), candidate.control);
-        let trace = MotionTrace::of(machine, head, is_cut);
+        let trace = MotionTrace::of(machine, excerpt);
         candidate.errors = Some(trace.errors);
         runs.push((place, trace));
     }
@@ -144,7 +143,11 @@ fn penalty(faults: u64) -> i32 {
 
 /// Adds the other units to the readings of a text that names none, where neither a comment nor the size of
 /// the part and the feeds decide.
-fn in_both_units(readings: Vec<PossibleReading>, text: &[u8], run: &[u8]) -> Vec<PossibleReading> {
+fn in_both_units(
+    readings: Vec<PossibleReading>,
+    text: &[u8],
+    excerpt: &Excerpt,
+) -> Vec<PossibleReading> {
     let named = units::units_of_comments(text);
     let mut both = Vec::new();
     for PossibleReading { control, machine, trace, .. } in readings {
@@ -152,7 +155,7 @@ fn in_both_units(readings: Vec<PossibleReading>, text: &[u8], run: &[u8]) -> Vec
         let own = Control::of(&other_machine).0.parameters.rules.units;
         let other = other_units(own);
         let other_trace = (named != Some(own) && set_units(&mut other_machine, other))
-            .then(|| MotionTrace::of(other_machine, run, run.len() < text.len()))
+            .then(|| MotionTrace::of(other_machine, excerpt))
             .filter(units::is_plausible);
         let own_is_possible = named != Some(other) && units::is_plausible(&trace);
         if own_is_possible || other_trace.is_none() {

@@ -6,8 +6,9 @@ use chordal::machine::{AXIS_LETTERS, ControlName};
 use chordal::{Code, Diagnostic};
 
 use super::difference::{MotionAspect, first_difference};
+use super::excerpt::Excerpt;
 use super::trace::{BlockMotion, MotionTrace};
-use super::{PossibleReading, units_name};
+use super::{PossibleReading, machine_of, units_name};
 
 /// So many controls of one reading are named; the others are counted.
 const NAMED_CONTROLS: usize = 4;
@@ -97,8 +98,8 @@ pub struct Premise {
 }
 
 impl Premise {
-    /// Of at least one reading.
-    pub(super) fn of(readings: &[PossibleReading], is_whole: bool) -> Premise {
+    /// Of at least one reading of a text, each run on its excerpt.
+    pub(super) fn of(readings: &[PossibleReading], text: &[u8], excerpt: &Excerpt) -> Premise {
         // The readings that move alike, by the index of the first of each.
         let mut alike: Vec<Vec<usize>> = Vec::new();
         let mut difference: Option<FirstDifference> = None;
@@ -140,14 +141,14 @@ impl Premise {
                 controls,
                 machine: first.machine,
                 units: first.units,
-                cut_box: first.trace.cut_box().filter(|_| is_whole),
+                cut_box: cut_box(first, difference.is_some(), text, excerpt),
                 motion: difference
                     .as_ref()
                     .map_or_else(String::new, |at| at.motion_of(&first.trace)),
             }
         };
         let groups = alike.iter().map(group).collect();
-        let difference = difference.map(|at| at.place());
+        let difference = difference.map(|at| at.place(excerpt));
         Premise { groups, difference }
     }
 
@@ -183,6 +184,19 @@ impl Premise {
         );
         Some(diagnostic.help(help))
     }
+}
+
+/// What a reading cuts of the whole text. A long text is run whole only where the readings differ.
+fn cut_box(
+    reading: &PossibleReading,
+    differs: bool,
+    text: &[u8],
+    excerpt: &Excerpt,
+) -> Option<([f64; 3], [f64; 3])> {
+    if excerpt.is_whole() {
+        return reading.trace.cut_box();
+    }
+    differs.then(|| MotionTrace::of(machine_of(reading), &Excerpt::whole(text)).cut_box()).flatten()
 }
 
 /// The first difference, with the block as one of the two readings has it.
@@ -239,8 +253,9 @@ impl FirstDifference {
         }
     }
 
-    fn place(&self) -> ReadingDifference {
+    fn place(&self, excerpt: &Excerpt) -> ReadingDifference {
         let (start, end) = self.block.range;
+        let (start, end) = (excerpt.offset_in_text(start), excerpt.offset_in_text(end));
         ReadingDifference {
             span: Span::new(FileId(0), start, end),
             only_feed: self.aspect == MotionAspect::Feed,

@@ -8,6 +8,8 @@ use chordal::{
     Code, Command, Diagnostic, Job, Machine, RunSink, Severity, Sink, Source, SourceMap,
 };
 
+use super::excerpt::Excerpt;
+
 /// Repeated blocks in each of these runs.
 const REPEATED_BLOCKS_LIMIT: u64 = 2_000;
 
@@ -53,8 +55,8 @@ pub struct MotionTrace {
     pub blocks: Vec<BlockMotion>,
     /// Errors that say something about the control: not those of files that are not there.
     pub errors: u64,
-    /// The text is the beginning of a longer one, so that its end is missing on every control.
-    is_cut: bool,
+    /// From this byte on parts of the text are left out: an arc there may begin where no arc does.
+    gaps_from: u32,
     /// Numbers that the control reads in least increments, and that may be meant in whole units.
     pub least_increment_numbers: u64,
     /// The largest cutting feeds: mm/s, and mm per revolution.
@@ -63,11 +65,12 @@ pub struct MotionTrace {
 }
 
 impl MotionTrace {
-    /// Runs a text on a machine; `is_cut`: it is only the beginning of one.
-    pub fn of(machine: Machine, text: &[u8], is_cut: bool) -> MotionTrace {
-        let mut trace = MotionTrace { is_cut, ..MotionTrace::default() };
+    /// Runs what is run of a text on a machine.
+    pub fn of(machine: Machine, excerpt: &Excerpt) -> MotionTrace {
+        let gaps_from = excerpt.beginning_bytes() as u32;
+        let mut trace = MotionTrace { gaps_from, ..MotionTrace::default() };
         let mut sources = SourceMap::new();
-        sources.add(Source::new("", text));
+        sources.add(Source::new("", &excerpt.text[..]));
         let options = RunOptions {
             max_repeated_blocks: REPEATED_BLOCKS_LIMIT,
             assumed_machine: true,
@@ -179,7 +182,8 @@ impl Sink for MotionTrace {
     fn diagnostic(&mut self, diagnostic: Diagnostic) {
         match diagnostic.code {
             Code::MissingSubprogram | Code::BudgetReached => {}
-            Code::ProgramWithoutEnd if self.is_cut => {}
+            Code::RadiusMismatch | Code::RadiusTooShort | Code::FullCircleByRadius
+                if diagnostic.primary.span.range.start >= self.gaps_from => {}
             Code::MissingDecimalPoint => self.least_increment_numbers += 1,
             _ => self.errors += u64::from(diagnostic.severity == Severity::Error),
         }

@@ -1,0 +1,176 @@
+//! Which kinds of words a text has, so that all of a long one can be judged by a part of it.
+
+use std::collections::HashSet;
+
+/// Codes below this number, in tenths, are kept as bits.
+const CODE_BITS: usize = 2_048;
+
+/// G and M codes that call or jump, in tenths: what they reach may stand anywhere in the text.
+const CALL_CODES: [(u8, u32); 9] = [
+    (b'G', 650),
+    (b'G', 660),
+    (b'G', 661),
+    (b'G', 670),
+    (b'M', 960),
+    (b'M', 970),
+    (b'M', 980),
+    (b'M', 990),
+    (b'M', 1980),
+];
+
+/// The kinds of words of a text: letters with a whole number, letters with a decimal point, codes. What a text
+/// moves may differ between controls only where they read one of these differently.
+#[derive(Debug)]
+pub struct WordKinds {
+    /// The letters of words without and with a decimal point, A in the lowest bit.
+    whole: u32,
+    decimal: u32,
+    /// G and M codes by ten times their number.
+    codes: [[u64; CODE_BITS / 64]; 2],
+    large_codes: HashSet<(u8, u32)>,
+    /// Something else than words: a macro statement.
+    statements: bool,
+    /// Program numbers.
+    programs: u32,
+}
+
+impl Default for WordKinds {
+    fn default() -> WordKinds {
+        WordKinds {
+            whole: 0,
+            decimal: 0,
+            codes: [[0; CODE_BITS / 64]; 2],
+            large_codes: HashSet::new(),
+            statements: false,
+            programs: 0,
+        }
+    }
+}
+
+impl WordKinds {
+    /// Reads a text, or a line of one; true where it has a kind of word that is new.
+    pub fn read(&mut self, text: &[u8]) -> bool {
+        let mut is_new = false;
+        let mut at = 0;
+        while let Some(byte) = text.get(at).copied() {
+            at = match byte {
+                b'(' => comment_end(text, at),
+                b';' => line_end(text, at),
+                b'A'..=b'Z' | b'a'..=b'z' => self.word(text, at, &mut is_new),
+                b'#' | b'[' | b'=' => {
+                    is_new |= !self.statements;
+                    self.statements = true;
+                    at + 1
+                }
+                _ => at + 1,
+            };
+        }
+        is_new
+    }
+
+    /// Some word or statement calls, jumps or repeats, as `L` does on some controls, or there is more than one
+    /// program.
+    pub fn jumps(&self) -> bool {
+        self.statements
+            || self.programs > 1
+            || (self.whole | self.decimal) & letter_bit(b'L') != 0
+            || CALL_CODES.iter().any(|(letter, tenths)| self.has_code(*letter, *tenths))
+    }
+
+    fn has_code(&self, letter: u8, tenths: u32) -> bool {
+        let tenths = tenths as usize;
+        self.codes[code_row(letter)][tenths / 64] & (1 << (tenths % 64)) != 0
+    }
+
+    /// Adds a code; true where it is new.
+    fn add_code(&mut self, letter: u8, tenths: u32) -> bool {
+        if tenths as usize >= CODE_BITS {
+            return self.large_codes.insert((letter, tenths));
+        }
+        let is_new = !self.has_code(letter, tenths);
+        let tenths = tenths as usize;
+        self.codes[code_row(letter)][tenths / 64] |= 1 << (tenths % 64);
+        is_new
+    }
+
+    fn word(&mut self, text: &[u8], at: usize, is_new: &mut bool) -> usize {
+        let letter = text[at].to_ascii_uppercase();
+        let mut end = at + 1;
+        let (mut value, mut tenths, mut digits_after) = (0_u32, 0_u32, None::<u32>);
+        let mut is_zero = true;
+        while let Some(byte) = text.get(end).copied() {
+            match byte {
+                b'0'..=b'9' => {
+                    is_zero &= byte == b'0';
+                    let digit = u32::from(byte - b'0');
+                    match digits_after {
+                        None => value = value.saturating_mul(10).saturating_add(digit),
+                        Some(0) => tenths = digit,
+                        Some(_) => {}
+                    }
+                    digits_after = digits_after.map(|count| count + 1);
+                }
+                b'.' if digits_after.is_none() => digits_after = Some(0),
+                b'-' | b'+' | b' ' => {}
+                _ => break,
+            }
+            end += 1;
+        }
+        let bit = letter_bit(letter);
+        let letters = match letter {
+            b'G' | b'M' => {
+                *is_new |= self.add_code(letter, value.saturating_mul(10).saturating_add(tenths));
+                return end;
+            }
+            b'N' => return end,
+            b'O' => {
+                self.programs += 1;
+                return end;
+            }
+            // Nothing reads a zero in another unit.
+            _ if digits_after.is_some() || is_zero => &mut self.decimal,
+            _ => &mut self.whole,
+        };
+        *is_new |= *letters & bit == 0;
+        *letters |= bit;
+        end
+    }
+}
+
+fn letter_bit(letter: u8) -> u32 {
+    1 << (letter - b'A')
+}
+
+fn code_row(letter: u8) -> usize {
+    usize::from(letter == b'M')
+}
+
+fn comment_end(text: &[u8], at: usize) -> usize {
+    let end = text[at..].iter().position(|byte| matches!(byte, b')' | b'\n' | b'\r'));
+    end.map_or(text.len(), |end| at + end + 1)
+}
+
+fn line_end(text: &[u8], at: usize) -> usize {
+    text[at..]
+        .iter()
+        .position(|byte| matches!(byte, b'\n' | b'\r'))
+        .map_or(text.len(), |end| at + end)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_whole_number_is_another_kind_than_a_decimal() {
+        let is_new = |line: &[u8]| {
+            let mut kinds = WordKinds::default();
+            kinds.read(b"G1 X1.5 Y0 F100\nG0 Z2.\n");
+            kinds.read(line)
+        };
+        assert!(!is_new(b"X3.25 Y-1.\n(Z5 IN A COMMENT) ; Z5\nN100 G01 Z0 F5\n"));
+        for line in ["X3\n", "G81 X1.\n", "X#1\n", "M300\n"] {
+            assert!(is_new(line.as_bytes()), "{line}");
+        }
+    }
+}
