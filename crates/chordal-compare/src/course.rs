@@ -2,7 +2,7 @@
 
 use chordal::control::{
     Command, CommandKind, Coolant, EndReason, FeedMode, Origin, Overrides, PathMode, RapidPath,
-    RotarySurface, Side, SpindleState, initial_offset,
+    RotarySurface, Side, SpindleState,
 };
 use chordal::geometry::{Curve, ParamCurve};
 use chordal::path::PathBuilder;
@@ -112,8 +112,7 @@ impl Course {
         let assume_known = options.assume_known;
         let mut gather = Gather { machine_places, assume_known, ..Gather::new() };
         let report = if options.programmed {
-            let (offset, known) = initial_offset(job.machine(), job.control());
-            let builder = PathBuilder::new(job.machine(), offset, known);
+            let builder = job.path_builder();
             let mut contour = Programmed { gather: &mut gather, builder, segments: Vec::new() };
             job.report_watched(&mut contour)
         } else {

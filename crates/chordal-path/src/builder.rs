@@ -4,11 +4,13 @@ use chordal_command::{
     AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, SpindleState,
 };
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
+use chordal_kernel::rules::ToolLengths;
 use chordal_machine::{AXES, Machine};
 
 use crate::frame::Frame;
 use crate::rapid;
 use crate::segment::{Segment, SegmentKind, curve_of, curves_of, is_known, point};
+use crate::tip::{TipPlace, TipTracker};
 
 /// Turns commands into segments in one frame: the program coordinates of the first cut.
 /// What runs under another work offset is moved to where it lies relative to that.
@@ -18,6 +20,7 @@ pub struct PathBuilder<'a> {
     frame: Frame,
     base: Option<(Position, AxisMask)>,
     tool: u32,
+    tip: TipTracker,
     /// The speed of the spindle, 1/min; 0 while it stands.
     rpm: f64,
     /// No move has named Z yet, and with it a cut was made: a laser, a plotter.
@@ -56,6 +59,7 @@ impl<'a> PathBuilder<'a> {
     /// [`initial_offset`](chordal_gcode::initial_offset) gives them.
     pub fn new(machine: &'a Machine, offset: Position, known: AxisMask) -> PathBuilder<'a> {
         PathBuilder {
+            tip: TipTracker::new(machine, ToolLengths::Absent, known),
             machine,
             frame: Frame::new(offset, known),
             base: None,
@@ -63,6 +67,12 @@ impl<'a> PathBuilder<'a> {
             rpm: 0.0,
             flat: Flat::Open,
         }
+    }
+
+    /// The tip of a tool stands where the machine puts it, not where the program means it to be.
+    pub fn with_tool_lengths(self, lengths: ToolLengths) -> PathBuilder<'a> {
+        let tip = TipTracker::new(self.machine, lengths, self.frame.known);
+        PathBuilder { tip, ..self }
     }
 
     /// Follows a command and hands its segments on.
@@ -74,6 +84,7 @@ impl<'a> PathBuilder<'a> {
             let turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
             self.rpm = if turns { rpm } else { 0.0 };
         }
+        self.tip.follow(command, self.machine);
         if self.frame.follow(command) {
             return;
         }
@@ -130,6 +141,13 @@ impl<'a> PathBuilder<'a> {
 
     /// From the active program coordinates to the frame of the run.
     fn shift(&mut self, cuts: bool) -> Vec3 {
+        match self.tip.place() {
+            TipPlace::Shifted(by) => self.shift_of_frame(cuts) + by,
+            _ => self.shift_of_frame(cuts),
+        }
+    }
+
+    fn shift_of_frame(&mut self, cuts: bool) -> Vec3 {
         if cuts && self.base.is_none() {
             self.base = Some((self.frame.work, self.frame.known));
         }
@@ -162,6 +180,9 @@ impl<'a> PathBuilder<'a> {
             tool: self.tool,
             rpm: self.rpm,
             known: is_known(motion),
+            from_known: motion.from_known,
+            to_known: motion.to_known,
+            tip_known: !matches!(self.tip.place(), TipPlace::Unknown(_)),
             flat: false,
             origin: command.origin,
         }

@@ -1,6 +1,7 @@
 //! Checks that need the path: travel, rapids into the part, nearly tangent joints.
 
 mod surface;
+mod tip;
 
 use chordal_command::{
     AxisMask, Command, CommandKind, Feed, FeedMode, Move, Origin, Position, Side, Units,
@@ -8,6 +9,7 @@ use chordal_command::{
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity, Shift, Span};
 use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
+use chordal_kernel::rules::ToolLengths;
 use chordal_machine::{AXES, Axis, Machine, PerAxis};
 
 use crate::builder::duration_s;
@@ -17,6 +19,7 @@ use crate::excess::Excess;
 use crate::frame::Frame;
 use crate::rapid_check::{LowRapid, RapidLog, Way};
 use crate::segment::{curve_of, is_known, point};
+use crate::tip::TipTracker;
 
 /// Joints that turn by less are tangent within rounding of coordinates, rad (0.1°).
 const TANGENT_RAD: f64 = 0.001_745;
@@ -64,6 +67,9 @@ pub struct ChecksMemory {
     /// Rapids sideways at depth, until the next motion shows where they led.
     legs: Vec<LowRapid>,
     contour: ContourRapid,
+    tip: TipTracker,
+    /// The tools and length offsets whose tip was reported.
+    reported_tips: Vec<(u32, Option<u32>)>,
     told_axes: AxisMask,
     /// A rotary axis that cannot keep up was reported.
     told_speed: bool,
@@ -129,6 +135,8 @@ impl<'a> Checks<'a> {
             at_depth: false,
             legs: Vec::new(),
             contour: ContourRapid::default(),
+            tip: TipTracker::new(machine, ToolLengths::Absent, known),
+            reported_tips: Vec::new(),
             told_axes: AxisMask::NONE,
             told_speed: false,
         };
@@ -145,6 +153,13 @@ impl<'a> Checks<'a> {
             now,
             seen: Seen::default(),
         }
+    }
+
+    /// The tip of a tool stands where the machine puts it.
+    pub fn with_tool_lengths(mut self, lengths: ToolLengths) -> Checks<'a> {
+        self.now.tip = TipTracker::new(self.machine, lengths, self.now.frame.known);
+        self.start = self.now.clone();
+        self
     }
 
     /// Nobody named the machine: its limits are a guess.
@@ -217,6 +232,10 @@ impl<'a> Checks<'a> {
         let as_programmed = path.side == Side::Off;
         if self.now.frame.surface.is_some() {
             return self.on_surface(path, &mut report);
+        }
+        self.now.tip.follow(command, self.machine);
+        if self.now.tip.is_doubtful() {
+            self.tip(command, &mut report);
         }
         if self.assumed {
             self.seen.excess.command(&command.kind, self.machine);

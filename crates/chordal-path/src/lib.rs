@@ -48,6 +48,7 @@ mod rotary_extremes;
 mod segment;
 mod side_check;
 mod surface;
+mod tip;
 
 pub use builder::{PathBuilder, duration_s};
 pub use checks::{Checks, ChecksMemory, Seen};
@@ -62,3 +63,4 @@ pub use rotary_extremes::places_on_axes;
 pub use segment::{Segment, SegmentKind, curve_of, curves_of};
 pub use side_check::SideCheck;
 pub use surface::{SurfacePart, surface_parts};
+pub use tip::{TipDoubt, TipPlace, TipTracker};

@@ -39,6 +39,12 @@ pub struct Segment {
     pub rpm: f64,
     /// Both ends are known relative to the part, so that it can be drawn.
     pub known: bool,
+    /// The axes that are known relative to the part at the start.
+    pub from_known: AxisMask,
+    /// Those that are at the end.
+    pub to_known: AxisMask,
+    /// The tip is at the programmed point, or as far from it as the curve says.
+    pub tip_known: bool,
     /// Only X and Y are, and no move has named Z yet: it lies flat, as the cuts of a laser do, and can be drawn so.
     pub flat: bool,
     /// The block that says so.

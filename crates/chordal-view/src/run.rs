@@ -46,7 +46,7 @@ pub fn run(
         out,
         rows: PathStream::new(header, program.text().len(), rows, out, wanted),
         contour: Columns::default(),
-        programmed: PathBuilder::new(job.machine(), offset, known),
+        programmed: job.path_builder(),
         compensated: false,
         modal: ModalTrack::new(job.control(), Frame::new(offset, known)),
     };

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use chordal::control::{Command, initial_offset};
+use chordal::control::Command;
 use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
     LimitError, MotionOptions, PlanSink, Sample, Sampler, Sources, Step, StepKind, StepSource,
@@ -36,11 +36,10 @@ pub fn times(
     about_s: f64,
     wanted: &Wanted,
 ) -> Result<Option<(Vec<u8>, Value)>, LimitError> {
-    let (offset, known) = initial_offset(job.machine(), job.control());
     let period_s = (about_s / (MOST as f64 / 2.0)).max(SHORTEST_S);
     let period_s = if period_s.is_finite() { period_s } else { 1.0 };
     let mut sink = Setpoints {
-        builder: PathBuilder::new(job.machine(), offset, known),
+        builder: job.path_builder(),
         expected: VecDeque::new(),
         rows: 0,
         steps: VecDeque::new(),

@@ -21,8 +21,7 @@ pub(crate) const MOST_WAITING: usize = 10_000;
 impl Job<'_> {
     /// Runs and pushes the exact path, segment by segment, in one frame.
     pub fn path(&self, push: impl FnMut(&Segment)) -> Vec<Outcome> {
-        let (offset, known) = self.initial_offset();
-        let builder = PathBuilder::new(self.machine(), offset, known);
+        let builder = self.path_builder();
         let (outcomes, _) = Compensated::run(self, PathSegments { builder, push });
         outcomes
     }

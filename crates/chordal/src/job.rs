@@ -9,6 +9,7 @@ use chordal_geometry::Placement;
 use chordal_kernel::Outcome;
 use chordal_kernel::{Checkpoint, Language, Ran, RunSink};
 use chordal_machine::{Machine, PerAxis};
+use chordal_path::{Checks, PathBuilder};
 use chordal_syntax::ProgramHead;
 
 /// Why there is no job.
@@ -297,6 +298,22 @@ impl<'a> Job<'a> {
     /// Nobody named the machine, so its limits are a guess.
     pub fn has_assumed_machine(&self) -> bool {
         self.options.assumed_machine
+    }
+
+    /// Checks the path of one run of this job.
+    pub(crate) fn checks(&self) -> Checks<'_> {
+        let (offset, known) = self.initial_offset();
+        let rules = &self.control().parameters.rules;
+        Checks::new(self.machine(), offset, known, rules.units)
+            .assumed(self.has_assumed_machine())
+            .with_tool_lengths(rules.tool_lengths)
+    }
+
+    /// Makes the path of one run of this job from its commands.
+    pub fn path_builder(&self) -> PathBuilder<'_> {
+        let (offset, known) = self.initial_offset();
+        PathBuilder::new(self.machine(), offset, known)
+            .with_tool_lengths(self.control().parameters.rules.tool_lengths)
     }
 
     pub(crate) fn initial_offset(&self) -> (PerAxis<f64>, AxisMask) {

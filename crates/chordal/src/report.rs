@@ -181,11 +181,7 @@ pub(crate) struct CheckSink<'m, N> {
 
 impl<'m, N> CheckSink<'m, N> {
     pub fn new(job: &'m Job<'_>, notes: N) -> CheckSink<'m, N> {
-        let (offset, known) = job.initial_offset();
-        let units = job.control().parameters.rules.units;
-        let checks =
-            Checks::new(job.machine(), offset, known, units).assumed(job.has_assumed_machine());
-        CheckSink { checks, notes, output: Vec::new() }
+        CheckSink { checks: job.checks(), notes, output: Vec::new() }
     }
 }
 
@@ -253,12 +249,9 @@ impl chordal_path::PathSink for ReportSink<'_, '_> {
 
 impl<'m, 'w> ReportSink<'m, 'w> {
     pub fn new(job: &'m Job<'_>, watch: &'w mut dyn Watch) -> ReportSink<'m, 'w> {
-        let (offset, known) = job.initial_offset();
-        let units = job.control().parameters.rules.units;
         ReportSink {
-            builder: PathBuilder::new(job.machine(), offset, known),
-            checks: Checks::new(job.machine(), offset, known, units)
-                .assumed(job.has_assumed_machine()),
+            builder: job.path_builder(),
+            checks: job.checks(),
             summary: SummaryBuilder::new(job.control(), job.machine()),
             collector: Collector::new(KEPT_PER_CODE),
             output: Vec::new(),

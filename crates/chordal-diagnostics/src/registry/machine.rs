@@ -55,6 +55,20 @@ with `--machine`, or describe it in `chordal.toml`. Then every such move is an e
 programmed contour is shown instead of the path of the tool's centre. Give `[tools.1] diameter` in the machine file
 or with `--set`."#;
 
+    TipElsewhere = 610, "tip-elsewhere", Error;
+    "the tip of the tool is not at the programmed point";
+    r#"The length offset in force is not that of the tool in the spindle, or none is in force, and both lengths are
+in the machine file: the tip is at the programmed point plus the length in force minus the length of the tool. Often
+G43 or its H is missing, or H is the number of another tool. It is reported at the first cut, or the first rapid that
+takes the tip below the clearance plane; the path, the stock and the pictures show the tip where it is."#;
+
+    TipNotKnown = 611, "tip-not-known", Warning;
+    "the length of the tool in the spindle is not taken into account";
+    r#"No length offset is in force after a change of tools, or the one in force is that of another tool, and the
+machine file does not give both lengths: nobody can say where the tip is, and nothing of the path of this tool is
+proved. Where the work offset is set anew with each tool, set `tool_lengths` to `touched-off` in `[settings]` of the
+machine file."#;
+
     InternalError = 901, "internal-error", Error;
     "Chordal has a defect";
     r#"This is a defect of Chordal, not of the program. Please report it with the program."#;

@@ -105,9 +105,11 @@ impl Code {
             | Code::MissingSubprogram
             | Code::UnsupportedMacro
             | Code::BudgetReached => matches!(severity, Severity::Error),
-            Code::ReadingNotKnown | Code::UnknownPath | Code::AssumedBranch | Code::MacroAlone => {
-                true
-            }
+            Code::ReadingNotKnown
+            | Code::UnknownPath
+            | Code::AssumedBranch
+            | Code::MacroAlone
+            | Code::TipNotKnown => true,
             _ => false,
         }
     }

@@ -49,6 +49,7 @@ pub enum Field {
     ArcMismatch,
     SemicircleTolerance,
     ExcessDecimals,
+    ToolLengths,
     MostDigits,
     HelixFeed,
     Spiral,
@@ -167,6 +168,11 @@ const GENERAL: &[Setting] = &[
         "excess_decimals",
         Field::ExcessDecimals,
         "decimals beyond the least increment (X1.23456 in inch): `cut`, `rounded`, `exact`, or `unknown` (exact, with a note)",
+    ),
+    common(
+        "tool_lengths",
+        Field::ToolLengths,
+        "where the length of a tool comes from: `table` (a code of the program), `touched-off` (the work offset is set with each tool) or `absent`",
     ),
     common(
         "most_digits",
@@ -405,6 +411,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         }
         Field::SemicircleTolerance => p.rules.arc.semicircle_tolerance_mm = Some(length()?),
         Field::ExcessDecimals => p.excess_decimals = choose(word, EXCESS_DECIMALS)?,
+        Field::ToolLengths => p.rules.tool_lengths = choose(word, TOOL_LENGTHS)?,
         Field::MostDigits => p.most_digits = count()?.min(18) as u8,
         Field::HelixFeed => {
             p.rules.arc.helix_feed =
@@ -539,6 +546,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
             None => "two-increments".into(),
         },
         Field::ExcessDecimals => name_of(p.excess_decimals, EXCESS_DECIMALS),
+        Field::ToolLengths => name_of(p.rules.tool_lengths, TOOL_LENGTHS),
         Field::MostDigits => p.most_digits.to_string(),
         Field::HelixFeed => {
             if p.rules.arc.helix_feed == FeedAlong::Path { "path" } else { "plane" }.into()
@@ -656,6 +664,12 @@ const EXCESS_DECIMALS: &[(&str, ExcessDecimals)] = &[
     ("cut", ExcessDecimals::Cut),
     ("rounded", ExcessDecimals::Rounded),
     ("unknown", ExcessDecimals::Unknown),
+];
+
+const TOOL_LENGTHS: &[(&str, ToolLengths)] = &[
+    ("table", ToolLengths::Table),
+    ("touched-off", ToolLengths::TouchedOff),
+    ("absent", ToolLengths::Absent),
 ];
 
 const ROTARY_IN_ARC: &[(&str, bool)] = &[("allowed", true), ("refused", false)];

@@ -9,6 +9,7 @@ mod corner;
 mod cycle;
 mod frame;
 mod path_mode;
+mod tool_lengths;
 mod turning;
 
 use chordal_command::{FeedMode, RapidPath, Units};
@@ -20,6 +21,7 @@ pub use corner::*;
 pub use cycle::*;
 pub use frame::*;
 pub use path_mode::*;
+pub use tool_lengths::*;
 pub use turning::*;
 
 /// How fast G0 moves.
@@ -86,6 +88,8 @@ pub struct Rules {
     pub shift_is_preset: bool,
     /// G43 takes a copy of the tool's offsets: what is written into the table later acts at the next G43.
     pub length_is_copied: bool,
+    /// How tools of different length are made to work on the same part.
+    pub tool_lengths: ToolLengths,
     /// G28 without axis words sends all axes home.
     pub bare_home_moves_all: bool,
     /// A circular pocket is one circle about the present place: out along X by I, round and back, without the
@@ -157,6 +161,7 @@ impl Rules {
         work_values_add: true,
         shift_is_preset: false,
         length_is_copied: false,
+        tool_lengths: ToolLengths::Table,
         bare_home_moves_all: false,
         pocket_is_one_circle: false,
         pocket_stepover_mm: f64::INFINITY,

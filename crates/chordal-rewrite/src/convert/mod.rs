@@ -37,7 +37,7 @@ mod turning;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use chordal::control::{Field, RapidPath, RotarySurface, Side, SurfaceShape};
+use chordal::control::{Field, RapidPath, RotarySurface, Side, SurfaceShape, ToolLengths};
 use chordal::machine::{
     AXIS_LETTERS, RapidShape, Setting, SettingValue, WorkOffset, mirrored_tip, work_offset_name,
 };
@@ -510,6 +510,10 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
         RapidPath::Straight | RapidPath::AtFeed(_) => RapidShape::Straight,
     });
     machine.tools = old.tools.clone();
+    // Who sets the work offset with each tool does so on the new machine, too.
+    if job.control().parameters.rules.tool_lengths != ToolLengths::Table {
+        machine.set("settings.tool_lengths=\"touched-off\"").ok();
+    }
     goes_on_after_refusal(&mut machine);
     if job.control().table.turns() {
         machine.spindle_max_rpm = old.spindle_max_rpm;

@@ -7,6 +7,8 @@ use crate::common::{Columns, Live, Shown, Told, serve};
 
 const SETUP: &str = r#"
 machine = "haas-vf2"
+[settings]
+tool_lengths = "touched-off"
 [stock]
 shape = "box"
 from = { X = "0 mm", Y = "0 mm", Z = "-20 mm" }

@@ -72,7 +72,6 @@ pub(crate) struct MotionBuilder<'a, S> {
 impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     pub fn new(job: &'a Job<'_>, limits: MachineLimits, options: &MotionOptions, sink: S) -> Self {
         let machine: &Machine = job.machine();
-        let (offset, known) = job.initial_offset();
         let rules = job.control().parameters.rules.path;
         let report = MotionReport {
             limits,
@@ -86,7 +85,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             outcomes: Vec::new(),
         };
         MotionBuilder {
-            path: PathBuilder::new(machine, offset, known),
+            path: job.path_builder(),
             segments: Vec::new(),
             mode: forced(options.path_mode, rules.start_mode()),
             rules,

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use chordal_command::{CommandKind, FeedMode, Origin, SpindleState, Units, WorkNaming};
+use chordal_command::{AxisMask, CommandKind, FeedMode, Origin, SpindleState, Units, WorkNaming};
 use chordal_diagnostics::{Code, Diagnostic};
-use chordal_geometry::ParamCurve;
+use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
 use chordal_machine::Rotary;
 use chordal_path::{PathCommand, Segment};
 use chordal_stock::Move;
@@ -17,6 +17,10 @@ use crate::report::Watch;
 
 /// The most angles of a run at which the part is cut: each has columns of its own.
 const MOST_TURNS: usize = 64;
+/// A rapid down from an unknown height begins so far above its end, mm.
+const ABOVE_MM: f64 = 1000.0;
+/// Below the clearance plane by less is on it, mm.
+const ON_PLANE_MM: f64 = 1e-6;
 /// The most moves of a run on which the part turns and of which it is asked whether the tool is clear of it.
 const MOST_SWINGS: usize = 100_000;
 
@@ -57,6 +61,16 @@ pub(super) struct Rate {
     pub by_time: bool,
 }
 
+/// What is known of a rapid whose start or end is not known.
+enum PartlyKnown {
+    /// It is above the part.
+    Clear,
+    /// It begins below the clearance plane and does not go straight up.
+    AtDepth,
+    /// Its end, and what leads down to it.
+    End(Line),
+}
+
 /// Gathers what a run moves.
 pub(super) struct Gathered<'a> {
     tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
@@ -83,6 +97,12 @@ pub(super) struct Gathered<'a> {
     on_surface: bool,
     /// The move under way has a feed by time.
     by_time: bool,
+    /// Nothing of the part is above this, mm.
+    clearance_mm: f64,
+    /// The spindle is switched on by hand, or its speed is set by hand.
+    spindle_by_hand: bool,
+    /// The tool has moved in Z since it was changed.
+    has_moved_in_z: bool,
     /// What was told of a tool, once.
     told: Vec<(Code, u32)>,
     pub diagnostics: Vec<Diagnostic>,
@@ -117,6 +137,9 @@ impl<'a> Gathered<'a> {
             rpm: 0.0,
             on_surface: false,
             by_time: false,
+            clearance_mm: job.machine().clearance_mm.unwrap_or(0.0),
+            spindle_by_hand: control.parameters.rules.spindle_by_hand,
+            has_moved_in_z: false,
             told: Vec::new(),
             diagnostics: Vec::new(),
             counts: BTreeMap::new(),
@@ -163,7 +186,6 @@ impl<'a> Gathered<'a> {
     }
 
     fn segment(&mut self, segment: &Segment, kind: Kind) {
-        let row = self.row;
         self.row = self.row.saturating_add(1);
         let reason = match self.tools.get(&segment.tool) {
             Some(Ok(_)) => None,
@@ -181,12 +203,51 @@ impl<'a> Gathered<'a> {
             return self.tell(Code::StockNotFollowed, segment, why);
         }
         if !segment.known {
-            // Before the first place that the program names nothing is known: the tool is far away.
             if kind != Kind::Rapid {
                 let why = "where the tool is relative to the part is not known";
-                self.tell(Code::StockNotFollowed, segment, why);
+                return self.tell(Code::StockNotFollowed, segment, why);
             }
-            return;
+            match self.rapid_of(segment) {
+                PartlyKnown::Clear => return,
+                PartlyKnown::AtDepth => {
+                    let why =
+                        "it leaves a place below the clearance plane for one that is not known";
+                    return self.tell(Code::StockNotFollowed, segment, why);
+                }
+                PartlyKnown::End(line) => {
+                    let known = Segment { curve: Curve::Line(line), known: true, ..*segment };
+                    return self.segment_from(&known, kind);
+                }
+            }
+        }
+        self.segment_from(segment, kind);
+    }
+
+    /// What is known of a rapid whose start or end is not.
+    fn rapid_of(&self, segment: &Segment) -> PartlyKnown {
+        const XY: AxisMask = AxisMask(0b011);
+        let [start, end] = [segment.curve.start(), segment.curve.end()];
+        let is_upright = (start.x, start.y) == (end.x, end.y);
+        if segment.to_known.covers(AxisMask::LINEAR) {
+            // From above, where it comes down at a known place; otherwise its end alone.
+            let is_down = segment.from_known.covers(XY) && is_upright;
+            let above = Vec3::new(end.x, end.y, end.z + if is_down { ABOVE_MM } else { 0.0 });
+            return PartlyKnown::End(Line { start: above, end });
+        }
+        let is_retract = segment.to_known.covers(XY) && is_upright;
+        let is_low = start.z < self.clearance_mm - ON_PLANE_MM;
+        match segment.from_known.covers(AxisMask::LINEAR) && is_low && !is_retract {
+            true => PartlyKnown::AtDepth,
+            // Before the first place that the program names nothing is known, nor after a reference return: the
+            // tool is above the part.
+            false => PartlyKnown::Clear,
+        }
+    }
+
+    /// A move between known places.
+    fn segment_from(&mut self, segment: &Segment, kind: Kind) {
+        if !segment.tip_known {
+            return self.tip_not_known(segment, kind);
         }
         let has_swung = !turns::are_same(segment.rotary_from, segment.rotary_to);
         if has_swung && self.follows_turns {
@@ -240,8 +301,21 @@ impl<'a> Gathered<'a> {
             batch.moves.push(Move { curve: segment.curve, tag: segment.tool });
             batch.origins.push(segment.origin);
             batch.rates.push(rate);
-            batch.rows.push(row);
+            batch.rows.push(self.row - 1);
         }
+    }
+
+    /// The length offset in force is not that of the tool. A tool change leaves the tool clear of the part: until it
+    /// moves in Z nothing is asked.
+    fn tip_not_known(&mut self, segment: &Segment, kind: Kind) {
+        let is_level = segment.curve.start().z == segment.curve.end().z;
+        if kind == Kind::Rapid && is_level && !self.has_moved_in_z {
+            return;
+        }
+        self.has_moved_in_z = true;
+        let why =
+            "where its tip is is not known: the length offset in force is not that of the tool";
+        self.tell(Code::StockNotFollowed, segment, why);
     }
 
     /// Says once of a tool why its moves remove nothing.
@@ -259,9 +333,12 @@ impl Watch for Gathered<'_> {
         let kind = &path.command.kind;
         match kind {
             CommandKind::Spindle { state, rpm } => {
-                self.spindle_turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
+                // M3 with S0 does not turn it, nor does M3 where no S came before.
+                let is_on = matches!(state, SpindleState::Cw | SpindleState::Ccw);
+                self.spindle_turns = is_on && (*rpm > 0.0 || self.spindle_by_hand);
                 self.rpm = *rpm;
             }
+            CommandKind::Tool { .. } => self.has_moved_in_z = false,
             CommandKind::Units(units) => self.units = *units,
             CommandKind::Surface { surface, .. } => self.on_surface = surface.is_some(),
             CommandKind::WorkOffset { name, .. } => {

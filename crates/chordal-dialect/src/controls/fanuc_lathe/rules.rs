@@ -19,6 +19,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     second_spindle_p: 13,
     second_spindle_axes: b"AB",
     rules: Rules {
+        tool_lengths: ToolLengths::TouchedOff,
         starts_in: Plane::Zx,
         starts_per_revolution: true,
         machine_move_is_rapid: true,

@@ -7,6 +7,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     tool_change: ToolChanger::Machine,
     nesting: 10,
     rules: Rules {
+        tool_lengths: ToolLengths::TouchedOff,
         cycles: CYCLES,
         chip_break_mm: 0.1,
         length_is_copied: true,

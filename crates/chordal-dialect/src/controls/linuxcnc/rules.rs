@@ -17,6 +17,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     plain_block_delete: true,
     nesting: 9,
     rules: Rules {
+        tool_lengths: ToolLengths::TouchedOff,
         frames: FRAMES,
         turning: TurningRules { tips_mirrored: true, ..TurningRules::COMMON },
         rapid: RapidPath::Straight,

@@ -26,6 +26,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         ..Build::COMMON
     },
     rules: Rules {
+        tool_lengths: ToolLengths::Absent,
         units: Units::Millimetre,
         starts_without_motion: true,
         rapid: RapidPath::Straight,

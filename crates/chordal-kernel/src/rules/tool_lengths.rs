@@ -1,0 +1,13 @@
+//! How tools of different length are made to work on the same part.
+
+/// Where the length of a tool comes from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ToolLengths {
+    /// From the offset table, by a code of the program. A program of one tool may have its work offset set with
+    /// that tool.
+    Table,
+    /// From the table where the program says so; otherwise the work offset is set anew with each tool.
+    TouchedOff,
+    /// The control has no tool lengths.
+    Absent,
+}

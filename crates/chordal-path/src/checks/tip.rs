@@ -1,0 +1,113 @@
+//! The first move that goes near the part while the tip is not where the program means it to be.
+
+use chordal_command::{Command, CommandKind};
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_geometry::Vec3;
+use chordal_machine::{Axis, Machine};
+
+use super::{Checks, ON_PLANE_MM};
+use crate::tip::{TipDoubt, TipPlace};
+
+const Z: usize = Axis::Z as usize;
+
+impl Checks<'_> {
+    /// Reports each tool and length offset once.
+    #[cold]
+    pub(super) fn tip(&mut self, command: &Command, report: &mut impl FnMut(Diagnostic)) {
+        let place = self.now.tip.place();
+        let pair = self.now.tip.tool_and_offset();
+        if self.now.reported_tips.contains(&pair) || !self.is_near_part(&command.kind, place) {
+            return;
+        }
+        self.now.reported_tips.push(pair);
+        let span = command.origin.span;
+        let (tool, number) = pair;
+        let in_force = match number {
+            Some(number) => format!("length offset {number} is in force"),
+            None => "no length offset is in force".to_string(),
+        };
+        let diagnostic = match place {
+            TipPlace::Shifted(by) => {
+                let message = format!("the tip of tool {tool} is {}: {in_force}", self.beside(by));
+                Diagnostic::new(Code::TipElsewhere, span, message)
+                    .label(self.tip_label(&command.kind, by))
+                    .help(self.lengths_help(tool, number))
+            }
+            TipPlace::Unknown(doubt) => {
+                let why = match doubt {
+                    TipDoubt::NoLength => in_force,
+                    TipDoubt::OtherTool => format!("{in_force}, which is that of another tool"),
+                };
+                let message = format!("where the tip of tool {tool} is is not known: {why}");
+                Diagnostic::new(Code::TipNotKnown, span, message)
+                    .label("the first move near the part with it")
+                    .help(format!(
+                        "bring the length of tool {tool} into force before; where the work offset is set with each \
+                         tool, set `tool_lengths` to `touched-off`"
+                    ))
+            }
+            TipPlace::AsProgrammed | TipPlace::TouchedOff => return,
+        };
+        report(diagnostic);
+    }
+
+    /// A cut, or a rapid after which the tip is below the clearance plane.
+    fn is_near_part(&self, kind: &CommandKind, place: TipPlace) -> bool {
+        let Some(motion) = kind.motion() else { return false };
+        if kind.feed().is_some() {
+            return !kind.only_turns();
+        }
+        let by = match place {
+            TipPlace::Shifted(by) => by.z,
+            _ => 0.0,
+        };
+        motion.to_known.has(Z) && motion.to[Z] + by < self.clearance_mm() - ON_PLANE_MM
+    }
+
+    /// `200 mm below the programmed point`.
+    fn beside(&self, by: Vec3) -> String {
+        let units = self.now.units;
+        let mut parts = Vec::new();
+        if by.z != 0.0 && !self.machine.turns() {
+            let side = if by.z < 0.0 { "below" } else { "above" };
+            parts.push(format!("{} {side} the programmed point", units.length_text(by.z.abs())));
+        } else {
+            let along = [("X", by.x), ("Y", by.y), ("Z", by.z)];
+            let moved = along.into_iter().filter(|(_, by)| *by != 0.0);
+            let moved: Vec<String> =
+                moved.map(|(axis, by)| format!("{axis} {}", units.length_text(by))).collect();
+            parts.push(format!("{} from the programmed point", moved.join(", ")));
+        }
+        parts.join(" and ")
+    }
+
+    fn tip_label(&self, kind: &CommandKind, by: Vec3) -> String {
+        match kind.motion() {
+            Some(motion) if !self.machine.turns() && motion.to_known.has(Z) => {
+                let z = self.now.units.length_text(motion.to[Z] + by.z);
+                format!("the tip goes to Z {z}")
+            }
+            _ => "the first move near the part with it".to_string(),
+        }
+    }
+
+    /// What is known of the lengths, and what to do.
+    fn lengths_help(&self, tool: u32, number: Option<u32>) -> String {
+        let length =
+            |number: u32| length_of(self.machine, number).map(|mm| self.now.units.length_text(mm));
+        let own = match length(tool).filter(|_| !self.machine.turns()) {
+            Some(own) => format!("tool {tool} is {own} long"),
+            None => format!("the machine file gives the offset of tool {tool}"),
+        };
+        let other = number.filter(|number| *number != tool).and_then(|number| {
+            let length = length(number).filter(|_| !self.machine.turns())?;
+            Some(format!(", offset {number} is {length}"))
+        });
+        let other = other.unwrap_or_default();
+        format!("{own}{other}; bring the offset of tool {tool} into force before this move")
+    }
+}
+
+fn length_of(machine: &Machine, number: u32) -> Option<f64> {
+    machine.tools.get(&number)?.offset_of(Z)
+}

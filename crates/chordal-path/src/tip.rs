@@ -1,0 +1,212 @@
+//! Where the tip of the tool is, seen from the programmed point: the length offset in force against the length of
+//! the tool in the spindle.
+
+use chordal_command::{AxisMask, Command, CommandKind, Position, WorkName};
+use chordal_geometry::Vec3;
+use chordal_kernel::rules::ToolLengths;
+use chordal_machine::{AXES, Axis, Machine, PerAxis};
+
+/// Offsets that differ by less are the same, mm: below the least increment of every control.
+const SAME_OFFSET_MM: f64 = 1e-5;
+
+/// Where the tip is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TipPlace {
+    /// At the programmed point.
+    AsProgrammed,
+    /// At the programmed point, if the operator has set the work offset with this tool.
+    TouchedOff,
+    /// Beside the programmed point by this much, mm.
+    Shifted(Vec3),
+    /// Somewhere else, nobody knows where.
+    Unknown(TipDoubt),
+}
+
+/// Why nobody knows where the tip is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TipDoubt {
+    /// No length offset is in force, and nothing says that the work offset was set with this tool.
+    NoLength,
+    /// The length offset in force is that of another tool.
+    OtherTool,
+}
+
+/// Follows tools and offsets.
+#[derive(Clone, Debug)]
+pub struct TipTracker {
+    lengths: ToolLengths,
+    /// The axes along which tools differ.
+    axes: &'static [usize],
+    tool: u32,
+    /// The tool before it, where there was one.
+    has_changed: bool,
+    number: Option<u32>,
+    /// What the tool's offsets add, and whether all of it is in the table.
+    offset: Position,
+    has_values: bool,
+    /// Some length offset was in force before.
+    has_had_length: bool,
+    /// The axes whose work offset is known, where no length is in force.
+    work_known: AxisMask,
+    /// Coordinates are those of the machine: they say nothing of the part.
+    is_in_machine: bool,
+    used: Vec<u32>,
+    place: TipPlace,
+}
+
+/// Tools differ in Z on mills.
+const MILL_AXES: &[usize] = &[Axis::Z as usize];
+
+/// Tools differ in X and Z on lathes.
+const LATHE_AXES: &[usize] = &[Axis::X as usize, Axis::Z as usize];
+
+impl TipTracker {
+    /// Before the first command; `known`: the axes whose work offset is known.
+    pub fn new(machine: &Machine, lengths: ToolLengths, known: AxisMask) -> TipTracker {
+        TipTracker {
+            lengths,
+            axes: if machine.turns() { LATHE_AXES } else { MILL_AXES },
+            tool: 0,
+            has_changed: false,
+            number: None,
+            offset: [0.0; AXES],
+            has_values: true,
+            has_had_length: false,
+            work_known: known,
+            is_in_machine: false,
+            used: Vec::new(),
+            place: TipPlace::AsProgrammed,
+        }
+    }
+
+    /// Follows a command.
+    #[inline]
+    pub fn follow(&mut self, command: &Command, machine: &Machine) {
+        match &command.kind {
+            CommandKind::Tool { number } | CommandKind::ToolNumber { number } => {
+                if *number != self.tool {
+                    self.has_changed = self.tool != 0;
+                    self.tool = *number;
+                }
+                if !self.used.contains(number) {
+                    self.used.push(*number);
+                }
+            }
+            CommandKind::ToolLength { number, length_mm, offset, known } => {
+                self.number = *number;
+                self.offset = *offset;
+                self.has_values = length_mm.is_some();
+                if number.is_some() {
+                    self.has_had_length = true;
+                } else {
+                    self.work_known = *known;
+                }
+            }
+            CommandKind::WorkOffset { name, known, .. } => {
+                self.is_in_machine = *name == WorkName::Machine;
+                if self.number.is_none() {
+                    self.work_known = *known;
+                }
+            }
+            _ => return,
+        }
+        self.place = self.placed(machine);
+    }
+
+    /// Where the tip is now.
+    #[inline]
+    pub fn place(&self) -> TipPlace {
+        self.place
+    }
+
+    /// The length in force is not that of the tool. Where the program itself has written another value into the
+    /// tool's own offset, it means the tip to be elsewhere.
+    #[inline]
+    pub fn is_doubtful(&self) -> bool {
+        matches!(self.place, TipPlace::Shifted(_) | TipPlace::Unknown(_))
+            && self.number != Some(self.tool)
+    }
+
+    /// The tool in the spindle, and the number of the length offset in force.
+    pub fn tool_and_offset(&self) -> (u32, Option<u32>) {
+        (self.tool, self.number)
+    }
+
+    fn placed(&self, machine: &Machine) -> TipPlace {
+        if self.lengths == ToolLengths::Absent || self.tool == 0 || self.is_in_machine {
+            return TipPlace::AsProgrammed;
+        }
+        let own = self.offsets_of(machine, self.tool);
+        match self.number {
+            None => self.without_number(own),
+            Some(number) if number == self.tool => match own {
+                Some(own) if self.has_values => self.beside(&own, self.sign(machine, number)),
+                _ => TipPlace::AsProgrammed,
+            },
+            // The number is of no other tool: the shop numbers offsets in another way, or the tool has several.
+            Some(number) if !self.is_of_other_tool(machine, number) => TipPlace::AsProgrammed,
+            Some(number) => match own {
+                Some(own) if self.has_values => self.beside(&own, self.sign(machine, number)),
+                _ => TipPlace::Unknown(TipDoubt::OtherTool),
+            },
+        }
+    }
+
+    /// No length is in force, or one that the program itself gives.
+    fn without_number(&self, own: Option<PerAxis<f64>>) -> TipPlace {
+        let has_own_values = self.axes.iter().any(|axis| self.offset[*axis] != 0.0);
+        match own {
+            Some(own) if has_own_values => self.beside(&own, 1.0),
+            None if has_own_values => TipPlace::AsProgrammed,
+            Some(own) if self.axes.iter().all(|axis| self.work_known.has(*axis)) => {
+                self.beside(&own, 1.0)
+            }
+            Some(own) if self.beside(&own, 1.0) == TipPlace::AsProgrammed => TipPlace::AsProgrammed,
+            _ if self.lengths == ToolLengths::TouchedOff => TipPlace::TouchedOff,
+            Some(_) => TipPlace::Unknown(TipDoubt::NoLength),
+            None if self.has_changed || self.has_had_length => {
+                TipPlace::Unknown(TipDoubt::NoLength)
+            }
+            None => TipPlace::TouchedOff,
+        }
+    }
+
+    /// The offset in force against that of the tool.
+    fn beside(&self, own: &PerAxis<f64>, sign: f64) -> TipPlace {
+        let mut by = [0.0; 3];
+        for axis in self.axes {
+            by[*axis] = self.offset[*axis] - sign * own[*axis];
+        }
+        match by.iter().all(|by| by.abs() < SAME_OFFSET_MM) {
+            true => TipPlace::AsProgrammed,
+            false => TipPlace::Shifted(Vec3::from_array(by)),
+        }
+    }
+
+    /// -1 where the offset in force is subtracted (G44): lengths are then kept with the other sign.
+    fn sign(&self, machine: &Machine, number: u32) -> f64 {
+        let Some(table) = self.offsets_of(machine, number) else { return 1.0 };
+        let z = Axis::Z as usize;
+        let is_subtracted = table[z] != 0.0 && (self.offset[z] + table[z]).abs() < SAME_OFFSET_MM;
+        if is_subtracted { -1.0 } else { 1.0 }
+    }
+
+    /// The offsets of a tool as it was measured; nothing where one of them is not known.
+    fn offsets_of(&self, machine: &Machine, number: u32) -> Option<PerAxis<f64>> {
+        let tool = machine.tools.get(&number)?;
+        let mut offsets = [0.0; AXES];
+        for axis in self.axes {
+            offsets[*axis] = tool.offset_of(*axis)?;
+        }
+        Some(offsets)
+    }
+
+    /// The offset belongs to another tool: one with a shape, or one that the program has used.
+    fn is_of_other_tool(&self, machine: &Machine, number: u32) -> bool {
+        let has_shape = |number: &u32| machine.tools.get(number).is_some_and(|t| t.shape.is_some());
+        self.used.contains(&number) || has_shape(&number) || {
+            let no_shapes = !machine.tools.keys().any(has_shape);
+            no_shapes && machine.tools.contains_key(&number)
+        }
+    }
+}
