@@ -10,7 +10,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     macro_angles_full_circle: true,
     arc_without_center_is_line: true,
     m_groups: SPINDLE_CODES,
-    // Options included: 30i has N and O of eight digits, and 2000 offsets.
+    // With every option, as the trade knows it; no manual was found: eight digits of N and O, 2000 offsets.
     largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999_999, offset: 2000, tool: 0 },
     rules: Rules {
         frames: FRAMES,

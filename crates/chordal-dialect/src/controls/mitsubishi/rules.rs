@@ -7,7 +7,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     nesting: 8,
     macro_angles_full_circle: true,
     m_groups: SPINDLE_CODES,
-    // M800 with every option: N and O of eight digits, 999 offsets.
+    // With every option, as the trade knows it; no manual was found: eight digits of N and O, 999 offsets.
     largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999_999, offset: 999, tool: 0 },
     rules: Rules {
         frames: FRAMES,
