@@ -126,8 +126,15 @@ pub struct Parameters {
     pub strict_words: bool,
     /// Letters that no block may have without a code that uses them, of those that most controls store.
     pub words_of_codes: Letters,
+    /// A motion code excludes another code that takes the axis words of its block, and G53 excludes an arc (RS274/NGC): what
+    /// it shows for the first.
+    pub one_code_takes_axes: Option<&'static str>,
     /// M codes of which one block may have one.
     pub m_groups: &'static [&'static [u16]],
+    /// What it shows for two of them.
+    pub m_groups_alarm: Option<&'static str>,
+    /// The largest numbers that its words may have.
+    pub largest_numbers: LargestNumbers,
     /// Most characters of a line; 0 for any.
     pub longest_line: u32,
     /// Block delete is a slash at the begin of the line, without a number.
@@ -190,6 +197,27 @@ pub struct Parameters {
     pub thread_lead: u8,
     /// What the machine does, whatever the language.
     pub rules: Rules,
+}
+
+/// The largest numbers of words that count things; 0 for any.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct LargestNumbers {
+    /// N of a block.
+    pub block: u32,
+    /// O of a program, with the digits of every option of the control.
+    pub program: u32,
+    /// H and D.
+    pub offset: u32,
+    /// T.
+    pub tool: u32,
+}
+
+/// The codes of a spindle, ten times the number: it turns one way, or the other, or not at all.
+pub const SPINDLE_CODES: &[&[u16]] = &[&[30, 40, 50]];
+
+impl LargestNumbers {
+    /// What no manual limits.
+    pub const ANY: LargestNumbers = LargestNumbers { block: 0, program: 0, offset: 0, tool: 0 };
 }
 
 /// Who changes tools.
@@ -340,7 +368,10 @@ impl Parameters {
         power_letter: None,
         strict_words: false,
         words_of_codes: Letters::NONE,
+        one_code_takes_axes: None,
         m_groups: &[],
+        m_groups_alarm: None,
+        largest_numbers: LargestNumbers::ANY,
         longest_line: 0,
         plain_block_delete: false,
         nesting: 4,

@@ -301,7 +301,7 @@ impl<'a> Checks<'a> {
         let (length, time) = (curve.length(), duration_s(feed, motion, curve));
         if feed.mode != FeedMode::PerTime
             || length == 0.0
-            || !is_known(motion)
+            || !has_known_length(motion)
             || time <= LONG_CUT_S
         {
             return;
@@ -608,6 +608,12 @@ impl<'a> Checks<'a> {
             .help("no work offset makes it fit; choose a larger machine"),
         );
     }
+}
+
+/// The linear axes that move are known at both ends; those that stand add nothing to the length.
+fn has_known_length(motion: &Move) -> bool {
+    let known = motion.from_known.and(motion.to_known);
+    (0..3).all(|axis| known.has(axis) || motion.from[axis] == motion.to[axis])
 }
 
 trait Degrees {

@@ -25,6 +25,8 @@ pub enum Semicolon {
 pub struct Lexicon {
     /// How a `(` comment ends.
     pub parenthesis: ParenthesisComment,
+    /// A `(` inside of a comment is an error, whatever closes it (RS274/NGC).
+    pub nested_comment_refused: bool,
     /// What a semicolon is.
     pub semicolon: Semicolon,
     /// `*` starts a comment to the end of the line.
@@ -52,6 +54,7 @@ impl Lexicon {
     /// The common ground of Fanuc-style controls.
     pub const FANUC_STYLE: Lexicon = Lexicon {
         parenthesis: ParenthesisComment::Closed,
+        nested_comment_refused: false,
         semicolon: Semicolon::EndOfBlock,
         star_comment: false,
         registers: false,

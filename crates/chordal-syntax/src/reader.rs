@@ -324,10 +324,13 @@ impl<'a> BlockReader<'a> {
             }
             depth == 0
         });
-        // More open than closed: the first `)` ends the comment, and nothing is left over.
-        let Some(length) = length else { return };
         let close = self.at as u32;
-        self.at = start + length + 1;
+        match length {
+            Some(length) => self.at = start + length + 1,
+            // More open than closed: the first `)` ends the comment, and nothing is left over.
+            None if self.lexicon.nested_comment_refused => {}
+            None => return,
+        }
         self.problem(block, || {
             let inner = Span::new(self.file, inner as u32, inner as u32 + 1);
             Diagnostic::new(Code::NestedComment, inner, "there is a comment inside this comment")

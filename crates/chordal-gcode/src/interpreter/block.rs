@@ -21,6 +21,7 @@ impl Interpreter<'_> {
         if block.channel.is_some() {
             self.check_channel(block);
         }
+        self.check_numbers(block);
         if self.plain_motion(block) {
             return Flow::Next;
         }

@@ -1,7 +1,7 @@
 //! Whether the words of a block go together: what may stand twice, what excludes each other, and
 //! which letters the codes and modes in force take.
 
-use chordal_diagnostics::{Code, Diagnostic};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::table::MotionModality;
 use chordal_dialect::{Action, ModeCode, MotionCode, OnceCode};
 use chordal_dialect::{CodeRow, Group};
@@ -57,6 +57,10 @@ impl Interpreter<'_> {
                 self.same_group(block, *first, *second);
             } else if let Some(first) = before.iter().find(|(row, _)| share(row, second.0)) {
                 self.report_shared_words(block, *first, *second);
+            } else if let Some(alarm) = self.control.parameters.one_code_takes_axes
+                && let Some(first) = before.iter().find(|(row, _)| both_take_axes(row, second.0))
+            {
+                self.report_two_takers(block, *first, *second, alarm);
             }
             let is_known =
                 |first: &(&CodeRow, usize)| has_letter(first) && std::ptr::eq(first.0, second.0);
@@ -85,6 +89,25 @@ impl Interpreter<'_> {
         );
     }
 
+    /// A motion code beside another code that takes the axis words.
+    fn report_two_takers(
+        &mut self,
+        block: &Block,
+        first: (&CodeRow, usize),
+        second: (&CodeRow, usize),
+        alarm: &str,
+    ) {
+        let title = self.control.table.title;
+        let (one, two) = (first.0.name(b'G'), second.0.name(b'G'));
+        let message = format!("{one} and {two} in one block: both use its axis words");
+        self.kernel.report(
+            Diagnostic::new(Code::SameGroup, self.span(block.words[second.1].range), message)
+                .also(self.span(block.words[first.1].range), "the first")
+                .alarm(format!("{title}: {alarm}"))
+                .help("write them in two blocks"),
+        );
+    }
+
     /// A probe move with a code that leaves it the axis words of the block: G4, G92.1.
     fn probes_beside(&self, first: &CodeRow, second: &CodeRow) -> bool {
         let dwells = self.control.parameters.dwell_with_motion;
@@ -103,16 +126,19 @@ impl Interpreter<'_> {
             let (Some(first), Some(second)) = (found.next(), found.next()) else { continue };
             let names = [first.0.name(b'M'), second.0.name(b'M')];
             let title = self.control.table.title;
-            self.kernel.report(
-                Diagnostic::new(
-                    Code::SameGroup,
-                    self.span(block.words[second.1].range),
-                    format!("{} and {} cannot be in one block", names[0], names[1]),
-                )
-                .also(self.span(block.words[first.1].range), "the first")
-                .alarm(format!("{title}: Two m codes used from same modal group"))
-                .help("write them in two blocks"),
-            );
+            let said = Diagnostic::new(
+                Code::SameGroup,
+                self.span(block.words[second.1].range),
+                format!("{} and {} cannot be in one block", names[0], names[1]),
+            )
+            .also(self.span(block.words[first.1].range), "the first")
+            .help("write them in two blocks");
+            self.kernel.report(match self.control.parameters.m_groups_alarm {
+                Some(alarm) => said.alarm(format!("{title}: {alarm}")),
+                // More than one M code is an option there, and what two of a spindle do is not written.
+                None if self.control.table.last_of_group_counts => said.severity(Severity::Warning),
+                None => said,
+            });
         }
     }
 
@@ -209,8 +235,12 @@ impl Interpreter<'_> {
         let drills = drills || codes.iter().any(|(row, _)| takes(row));
         let own = self.control.parameters.corners_of_lines
             && codes.iter().any(|(row, _)| row.action.motion().is_some());
+        // A motion code of the block itself ends the motion in force, and the words of that.
+        let armed = self.control.table.motion == MotionModality::Armed;
+        let ended = !armed && codes.iter().any(|(row, _)| row.action.motion().is_some());
         if !drills
             && !own
+            && !ended
             && let Some(words) = self.modal_arc_words()
         {
             claims = claims.union(words);
@@ -317,4 +347,21 @@ fn share(first: &CodeRow, second: &CodeRow) -> bool {
         |row: &CodeRow| matches!(row.group, Group::Scaling | Group::Rotation | Group::Mirror);
     let takes = |row: &CodeRow| row.action.once().is_some() && row.takes_axes();
     takes(first) && takes(second) && (frame(first) || frame(second)) && first.group != second.group
+}
+
+/// A motion code and a code that takes the axis words for itself: G10, G28, G30, G52, G92.
+fn both_take_axes(first: &CodeRow, second: &CodeRow) -> bool {
+    let moves = |row: &CodeRow| row.action.motion().is_some() || row.action.cycle().is_some();
+    let takes = |row: &CodeRow| {
+        matches!(
+            row.action,
+            Action::Once(
+                OnceCode::SetData
+                    | OnceCode::ReturnToReference { .. }
+                    | OnceCode::LocalShift
+                    | OnceCode::PresetPosition
+            )
+        )
+    };
+    moves(first) && takes(second) || takes(first) && moves(second)
 }

@@ -22,6 +22,9 @@ pub(super) const AXIS_OF: [u8; 256] = {
 /// Below this many least increments a number without a point is suspicious by itself.
 const SUSPICIOUS_INCREMENTS: u64 = 100;
 
+/// A letter and four digits: no control has a smaller largest number of blocks or programs.
+const FEWEST_LONG_NUMBER: u32 = 5;
+
 /// No control refuses a whole number below this for its digits.
 const LARGEST_OF_FEW_DIGITS: u64 = 10_000_000;
 
@@ -64,6 +67,12 @@ impl Interpreter<'_> {
             self.reported.points_seen = true;
             if number.scale > self.scale.decimals {
                 return Some(self.length_beyond_increment(word, number));
+            }
+            // Where every decimal counts, there is no limit of them either.
+            if number.mantissa.unsigned_abs() >= LARGEST_OF_FEW_DIGITS
+                && self.control.parameters.excess_decimals != ExcessDecimals::Exact
+            {
+                self.check_whole_digits(word, number);
             }
         }
         Some(self.scale.length(number))
@@ -240,6 +249,56 @@ impl Interpreter<'_> {
             );
         }
         whole
+    }
+
+    /// The number of an offset or a tool, if it is there: not above the largest.
+    pub(super) fn count_up_to(&mut self, block: &Block, letter: u8, largest: u32) -> Option<u32> {
+        let word = *block.last(letter)?;
+        let number = self.count(&word)?;
+        if largest > 0 && number > largest {
+            let (letter, title) = (letter as char, self.control.table.title);
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    self.span(word.range),
+                    format!("{title} has no {letter}{number}: the last one is {letter}{largest}"),
+                )
+                .help(format!("write {letter} with a number from 0 to {largest}")),
+            );
+        }
+        Some(number)
+    }
+
+    /// N and O, which stand first in their block, against the largest.
+    #[inline]
+    pub(super) fn check_numbers(&mut self, block: &Block) {
+        for index in 0..block.words.len().min(2) {
+            let word = &block.words[index];
+            if matches!(word.letter, b'N' | b'O') && word.range.len() > FEWEST_LONG_NUMBER {
+                let word = *word;
+                self.check_long_number(&word);
+            }
+        }
+    }
+
+    #[cold]
+    fn check_long_number(&mut self, word: &Word) {
+        let largest = match word.letter {
+            b'N' => self.control.parameters.largest_numbers.block,
+            _ => self.control.parameters.largest_numbers.program,
+        };
+        let Some(number) = self.literal(word).filter(|_| largest > 0) else { return };
+        if number.to_f64() > f64::from(largest) {
+            let letter = word.letter as char;
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::TooManyDigits,
+                    self.span(word.range),
+                    format!("{letter}{number} is above the largest number, {letter}{largest}"),
+                )
+                .help("write a number with fewer digits"),
+            );
+        }
     }
 
     /// The count of a letter of the block, if it is there.

@@ -83,11 +83,12 @@ impl Interpreter<'_> {
                 || row.action == Action::Mode(ModeCode::CompensationRightBy)
         };
         let turns = |row: &CodeRow| matches!(row.action, Action::Once(OnceCode::Turning(_)));
+        let largest = self.control.parameters.largest_numbers.offset;
         if letters.has(b'D')
             && surface.is_none()
             && !codes.iter().any(|(row, _)| turns(row))
             && !codes.iter().any(|(row, _)| by_diameter(row))
-            && let Some(number) = self.count_of(block, b'D')
+            && let Some(number) = self.count_up_to(block, b'D', largest)
         {
             self.kernel.state.unknown.radius_offset = false;
             let before = self.kernel.state.radius_offset.replace(number);
@@ -294,7 +295,10 @@ impl Interpreter<'_> {
             return;
         }
         let number = match block.letters().has(b'H') {
-            true => self.count_of(block, b'H'),
+            true => {
+                let largest = self.control.parameters.largest_numbers.offset;
+                self.count_up_to(block, b'H', largest)
+            }
             // The values are copied, not those of a number that stays in force.
             false if self.control.parameters.rules.length_is_copied => Some(self.kernel.state.tool),
             false => {
@@ -361,7 +365,10 @@ impl Interpreter<'_> {
                 self.span(block.words[at].range),
                 format!("{arc} makes no arc in the block of {taker}, which uses the axis words"),
             )
-            .severity(chordal_diagnostics::Severity::Warning)
+            .severity(match self.control.parameters.one_code_takes_axes {
+                Some(_) => chordal_diagnostics::Severity::Error,
+                None => chordal_diagnostics::Severity::Warning,
+            })
             .label("the arc is skipped")
             .help("write the arc in a separate block"),
         );

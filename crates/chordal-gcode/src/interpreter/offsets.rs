@@ -25,11 +25,14 @@ enum ToolFrom {
     Fixture,
 }
 
+/// The last work offset of a control that chooses them by E.
+const MOST_BY_E: u32 = 48;
+
 impl Interpreter<'_> {
     /// E.
     pub(super) fn take_e_word(&mut self, block: &Block) {
         let Some(number) = self.count_of(block, b'E') else { return };
-        if number > 48 {
+        if number > MOST_BY_E {
             let span = self.words_span(block, Letters::of("E"));
             self.kernel.report(
                 Diagnostic::new(
@@ -417,12 +420,12 @@ impl Interpreter<'_> {
             _ => self.count_of(block, b'P')?,
         };
         let name = match number {
-            n if table.work_names.by_e => return Some(format!("E{n}")),
+            n if table.work_names.by_e => return (n <= MOST_BY_E).then(|| format!("E{n}")),
             n if table.work_names.first > 1 => counted(n)?,
             0 if parameters.offset_zero_in_force => self.kernel.state.offsets.active(),
             0 => return Some("EXT".into()),
             n @ 1..=6 => WorkName::G(n as u16 + 53),
-            n @ 7..=9 => WorkName::G59(n as u16 - 6),
+            n @ 7..=9 if table.work_names.extended == "G59" => WorkName::G59(n as u16 - 6),
             _ => return None,
         };
         Some(self.kernel.state.offsets.key(name))
@@ -431,6 +434,11 @@ impl Interpreter<'_> {
     fn write_work_offset(&mut self, block: &Block, from_position: bool) {
         let Some(key) = self.work_key(block) else {
             let span = self.words_span(block, Letters::of("P"));
+            if let Some(word) = block.last(b'P') {
+                let text = String::from_utf8_lossy(word.range.slice(self.reader.text()));
+                let said = format!("there is no work offset {text} for G10 L2");
+                return self.kernel.report(Diagnostic::new(Code::BadWordValue, span, said));
+            }
             let message = "G10 L2 needs P, the number of the work offset".to_string();
             return self.kernel.missing_word(span, message, "P1 to P6 are G54 to G59");
         };
@@ -605,7 +613,8 @@ impl Interpreter<'_> {
         if let ToolWord::StationAndOffset { digits } = self.control.parameters.tool_word {
             return self.take_station(block, digits);
         }
-        if let Some(number) = self.count_of(block, b'T') {
+        let largest = self.control.parameters.largest_numbers.tool;
+        if let Some(number) = self.count_up_to(block, b'T', largest) {
             self.kernel.select_tool(number);
         }
     }

@@ -131,13 +131,23 @@ impl Kernel<'_> {
         if !has_feed && !state.unknown.feed || each_block {
             self.report_missing_feed(at);
         }
-        if self.turning() == SpindleState::Off {
+        if self.turning() == SpindleState::Off
+            || self.state.rpm == 0.0 && self.turns_without_speed()
+        {
             self.report_spindle_stopped(at);
         }
         if let Some(word) = self.state.feed_over {
             self.check_feed_limit(word, &feed, angular);
         }
         feed
+    }
+
+    /// The spindle was started, and no S has said how fast.
+    #[cold]
+    fn turns_without_speed(&self) -> bool {
+        let state = &self.state;
+        let known = state.live.is_none() && state.surface_speed.is_none() && !state.unknown.speed;
+        known && !self.rules.speed_by_hand
     }
 
     #[cold]
@@ -171,14 +181,16 @@ impl Kernel<'_> {
         let span = at.span();
         let tool = self.state.tool;
         let with = if tool == 0 { String::new() } else { format!(" with tool {tool}") };
+        let (why, help) = match self.turning() {
+            SpindleState::Off => {
+                ("the spindle does not turn", "start the spindle (S… M3) before the first cut")
+            }
+            _ => ("the spindle has no speed", "write S into the block that starts the spindle"),
+        };
         self.report(
-            Diagnostic::new(
-                Code::SpindleStopped,
-                span,
-                format!("a cutting move{with}, and the spindle does not turn"),
-            )
-            .label("the first cut without a spindle")
-            .help("start the spindle (S… M3) before the first cut"),
+            Diagnostic::new(Code::SpindleStopped, span, format!("a cutting move{with}, and {why}"))
+                .label("the first cut without a spindle")
+                .help(help),
         );
     }
 
@@ -214,12 +226,19 @@ impl Kernel<'_> {
     fn check_feed_limit(&mut self, word: Span, feed: &Feed, angular: bool) {
         let limits = self.machine.feed;
         let max = if angular { limits.max_rad_per_s } else { limits.max_mm_per_s };
-        if feed.mode == FeedMode::PerTime
-            && let Some(max) = max
-            && is_over(feed.value, Some(max))
+        let value = match feed.mode {
+            FeedMode::PerTime => feed.value,
+            // At a cutting speed the revolutions follow the diameter.
+            FeedMode::PerRevolution if feed.surface.is_none() => {
+                feed.value * feed.spindle_rev_per_s
+            }
+            FeedMode::PerRevolution | FeedMode::InverseTime => return,
+        };
+        if let Some(max) = max
+            && is_over(value, Some(max))
         {
             self.state.feed_over = None;
-            self.report_feed_over(word, feed.value, max, angular);
+            self.report_feed_over(word, value, max, angular);
         }
     }
 
@@ -296,8 +315,14 @@ impl Kernel<'_> {
         }
         self.emit(CommandKind::FeedRate { value: feed, mode: self.state.feed_mode });
         let limits = &self.machine.feed;
-        let over = self.state.feed_mode == FeedMode::PerTime
-            && (is_over(feed, limits.max_mm_per_s) || is_over(angular, limits.max_rad_per_s));
+        let over = match self.state.feed_mode {
+            FeedMode::PerTime => {
+                is_over(feed, limits.max_mm_per_s) || is_over(angular, limits.max_rad_per_s)
+            }
+            // Whether it is depends on the spindle at the next cut.
+            FeedMode::PerRevolution => limits.max_mm_per_s.is_some(),
+            FeedMode::InverseTime => false,
+        };
         self.state.feed_over = over.then_some(word);
     }
 }

@@ -70,6 +70,8 @@ pub struct Rules {
     pub radius_offsets: OffsetKind,
     /// Many of its machines have a spindle that is switched by hand, or none: a pen, a knife (GRBL).
     pub spindle_by_hand: bool,
+    /// M3 without an S turns the spindle at the speed that was set by hand.
+    pub speed_by_hand: bool,
     /// Outside corners with compensation.
     pub outside_corner: OutsideCorner,
     /// Start and end of compensation.
@@ -151,6 +153,7 @@ impl Rules {
         starting_feed_mm_s: None,
         max_rotary_per_block_rad: f64::INFINITY,
         spindle_by_hand: false,
+        speed_by_hand: false,
         radius_offsets: OffsetKind::Radius,
         outside_corner: OutsideCorner::Linear,
         compensation_entry: CompensationEntry::A,

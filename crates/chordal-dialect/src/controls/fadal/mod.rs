@@ -61,6 +61,7 @@ pub static TABLE: ControlTable = ControlTable {
 
 const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
+    nested_comment_refused: false,
     semicolon: Semicolon::EndOfBlock,
     star_comment: true,
     registers: true,

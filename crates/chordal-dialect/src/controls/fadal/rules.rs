@@ -8,6 +8,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     unit_codes: UnitCodes::Both,
     nesting: 7,
     max_repeats: 99,
+    // User Manual 2003: N to 99999, O to 9999, a table of 99 offsets.
+    largest_numbers: LargestNumbers { block: 99_999, program: 9999, offset: 99, tool: 0 },
     rules: Rules {
         rapid: RapidPath::DogLeg,
         // Section 10: a rotary axis turns at most 1080 degrees in a block.

@@ -9,6 +9,9 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     packed_calls: true,
     macro_angles_full_circle: true,
     arc_without_center_is_line: true,
+    m_groups: SPINDLE_CODES,
+    // With every option, as the trade knows it; no manual was found: eight digits of N and O, 2000 offsets.
+    largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999_999, offset: 2000, tool: 0 },
     rules: Rules {
         frames: FRAMES,
         machine_move_is_rapid: true,

@@ -12,6 +12,8 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     tool_word: ToolWord::StationAndOffset { digits: 2 },
     preset_limits_speed: true,
     arc_without_center_is_line: true,
+    m_groups: SPINDLE_CODES,
+    largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999_999, offset: 0, tool: 0 },
     line_after_arc_is_usual: true,
     corners_of_lines: true,
     thread_lead: b'F',

@@ -64,6 +64,7 @@ pub(in crate::controls) const FAMILY: ControlTable = ControlTable {
 /// Comments, and nothing that a number could not begin with: the firmware reads its lines itself.
 const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
+    nested_comment_refused: false,
     semicolon: Semicolon::Comment,
     star_comment: false,
     registers: false,

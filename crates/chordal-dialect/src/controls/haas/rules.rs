@@ -8,6 +8,9 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     nesting: 9,
     max_repeats: 99,
     length_must_match_tool: true,
+    m_groups: SPINDLE_CODES,
+    // D to 200 and O of five digits are documented; H and T as D. N is not known: what no post writes.
+    largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999, offset: 200, tool: 200 },
     return_label_in_callee: true,
     rules: Rules {
         frames: FRAMES,

@@ -7,6 +7,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     most_digits: 0,
     nesting: 9,
     max_repeats: 99,
+    largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999, offset: 0, tool: 0 },
     packed_calls: false,
     macro_angles_full_circle: false,
     return_label_in_callee: true,

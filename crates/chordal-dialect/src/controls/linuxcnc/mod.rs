@@ -68,6 +68,7 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
 
 pub(in crate::controls) const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::Closed,
+    nested_comment_refused: true,
     semicolon: Semicolon::Comment,
     star_comment: false,
     registers: false,

@@ -12,7 +12,10 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     end_required: true,
     strict_words: true,
     words_of_codes: Letters::of("DH"),
+    // Its `enhance_block` and `check_g_codes`.
+    one_code_takes_axes: Some("Cannot use two g codes that both use axis values"),
     m_groups: M_GROUPS,
+    m_groups_alarm: Some("Two m codes used from same modal group"),
     longest_line: 253,
     plain_block_delete: true,
     nesting: 9,

@@ -16,6 +16,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     calls_counted_by_q: true,
     calls_upwards: true,
     rules: Rules {
+        // Its screen has a field for S, and many routers a drive with a knob; LazyCam writes M3 alone.
+        speed_by_hand: true,
         starts_without_motion: false,
         pocket_is_one_circle: true,
         cycles: CYCLES,

@@ -61,6 +61,7 @@ pub static TABLE: ControlTable = ControlTable {
 /// A line is read as a whole (`line.rs`); this is what comments and words look like in an editor.
 const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
+    nested_comment_refused: false,
     semicolon: Semicolon::Comment,
     star_comment: false,
     registers: false,

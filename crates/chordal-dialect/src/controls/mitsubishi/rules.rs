@@ -6,6 +6,9 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     excess_decimals: ExcessDecimals::Cut,
     nesting: 8,
     macro_angles_full_circle: true,
+    m_groups: SPINDLE_CODES,
+    // With every option, as the trade knows it; no manual was found: eight digits of N and O, 999 offsets.
+    largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999_999, offset: 999, tool: 0 },
     rules: Rules {
         frames: FRAMES,
         machine_move_is_rapid: true,
