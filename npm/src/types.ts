@@ -63,6 +63,30 @@ export interface Fix {
   end: number;
 }
 
+/** As what a text may be read that does not name its control and its units for certain. */
+export interface Readings {
+  /** The controls that move it alike are one reading; the first one is what runs. */
+  possible: {
+    /** For people: `GRBL and LinuxCNC in inch`. */
+    title: string;
+    /** The likeliest of `controls`. */
+    control: string;
+    controls: string[];
+    /** The built-in machine of `control`. */
+    machine: string;
+    /** Units at power-on; null where the text names its units. */
+    units: "inch" | "mm" | null;
+    /** The size of what is cut along X, Y and Z; null where only the beginning was run or nothing is cut. */
+    size_mm: (number | null)[] | null;
+    /** What the block of the difference does: `Z 127 mm`; empty where there is none. */
+    motion: string;
+    /** What to type to read the text so. */
+    option: string;
+  }[];
+  /** The first block that they move differently; null where all move alike. */
+  difference: { line: number | null; only_feed: boolean } | null;
+}
+
 /** On what a program was read, and its problems. */
 export interface Reading {
   file: string;
@@ -74,6 +98,8 @@ export interface Reading {
   control_strength: "sure" | "likely" | "weak" | "assumed" | null;
   control_evidence: { sign: string; line: number; weight: number }[];
   runner_up: { control: string; weight: number; errors: number | null } | null;
+  /** Only where the control or the units are a guess. */
+  readings?: Readings;
   counts: { errors: number; warnings: number; notes: number };
   /** The whole path is known. */
   verified: boolean;

@@ -131,7 +131,10 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
     },
     /** What was chosen; the same text, on the machine of this title. */
     chosen(other: Other, machine?: string): void {
-      against.value = keyOf(other);
+      const key = keyOf(other);
+      // A machine with units is in no list.
+      if (![...against.options].some(({ value }) => value === key)) against.append(new Option(key.slice("machine ".length), key));
+      against.value = key;
       const option = against.selectedOptions[0];
       if (option && other === "named" && machine) option.textContent = `this program on ${machine}`;
     },

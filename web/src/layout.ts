@@ -2,7 +2,7 @@
 
 import { type ColorBy, type Palette, toolColor } from "./colors";
 import { icon } from "./icons";
-import type { MachineInfo, Report, Tool } from "./link";
+import type { MachineChoice, MachineInfo, Report, Tool } from "./link";
 import { element } from "./panels";
 import type { Path, Vec3 } from "./path";
 import { setRich } from "./rich";
@@ -257,7 +257,9 @@ export function layout(root: HTMLElement) {
   const toast = element("div", "toast");
   toast.setAttribute("role", "alert");
   toast.hidden = true;
-  root.append(header, main, toast);
+  const readings = element("section", "readings");
+  readings.hidden = true;
+  root.append(header, readings, main, toast);
 
   theme.addEventListener("click", () => {
     const { dataset } = document.documentElement;
@@ -279,8 +281,9 @@ export function layout(root: HTMLElement) {
   show("problems");
 
   let toastTimer = 0;
+  let machineOfReading: MachineChoice | undefined;
   const api = {
-    header, save, machine, measure, section, stockSlot, canvas, axes, code, timeline, panels, paths, rapids, travel, toolOn, chordsOn, balanced,
+    header, save, machine, readings, measure, section, stockSlot, canvas, axes, code, timeline, panels, paths, rapids, travel, toolOn, chordsOn, balanced,
     onView: (_view: ViewName) => {},
     onFit: () => {},
     onColor: (_by: ColorBy) => {},
@@ -326,15 +329,23 @@ export function layout(root: HTMLElement) {
       empty.textContent = text;
       empty.hidden = text === "";
     },
-    setMachines(machines: { name: string; title: string }[]): void {
+    setMachines(machines: MachineChoice[]): void {
       machine.replaceChildren(new Option("recognized from the program", ""));
       for (const { name, title } of machines) machine.append(new Option(title, name));
     },
     /** More machines to choose from; the one that is chosen stays. */
-    offerMachines(machines: { name: string; title: string }[]): void {
+    offerMachines(machines: MachineChoice[]): void {
       const { value } = machine;
       api.setMachines(machines);
       if (machines.some(({ name }) => name === value)) machine.value = value;
+      else if (machineOfReading?.name === value) api.chooseMachine(machineOfReading);
+    },
+    /** Shows a machine as chosen that may have units, which no machine of the list names. */
+    chooseMachine(chosen: MachineChoice): void {
+      const isListed = [...machine.options].some(({ value }) => value === chosen.name);
+      if (!isListed) machine.append(new Option(chosen.title, chosen.name));
+      machineOfReading = chosen;
+      machine.value = chosen.name;
     },
     machineWhy(title: string, reason: string | null): void {
       machine.options[0]!.textContent = machine.value === "" ? title : "recognized from the program";

@@ -211,10 +211,29 @@ export interface OtherText {
   text: string;
 }
 
+/** A machine to choose from; its name may have the units at power-on: `haas-vf2 in inch`. */
+export interface MachineChoice {
+  name: string;
+  title: string;
+}
+
+/** As what a program may be read that names no control for certain, where that makes a difference. */
+export interface Readings {
+  /** What is not known. */
+  message: string;
+  /** The first block that differs. */
+  line: number | null;
+  block: string | null;
+  /** The likeliest, of which the first is assumed: the controls, the size of what is cut, what that block does there. */
+  shown: { title: string; size: string | null; motion: string; machine: MachineChoice }[];
+  /** So many more are not shown. */
+  more: number;
+}
+
 export interface Hello {
   name: string;
   writable: boolean;
-  machines: { name: string; title: string }[];
+  machines: MachineChoice[];
   against: { name: string; own_text: boolean } | null;
   tolerance_mm: number;
 }
@@ -252,7 +271,7 @@ export type Told =
   | ({ type: "comparison" } & Comparison)
   | { type: "no_comparison"; run: number; version: number; message: string }
   | ({ type: "other_text"; id: number } & OtherText)
-  | { type: "run"; run: number; machine: MachineInfo; why: string | null }
+  | { type: "run"; run: number; machine: MachineInfo; why: string | null; readings: Readings | null }
   | { type: "refused"; run: number; message: string; help?: string | null }
   | ({ type: "report" } & Report)
   | ({ type: "times" } & Times)

@@ -16,6 +16,7 @@ import { Link, type MachineInfo, type Report, type Times, type Told } from "./li
 import { notVerified, showOutline, showState, showTimes } from "./panels";
 import { Path, type Vec3, batchOf, kindOf } from "./path";
 import { Problems } from "./problems";
+import { readingsPanel } from "./readings";
 import { Kinematics, unknownTurns } from "./turn";
 import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
 import type { ViewName } from "./eye";
@@ -80,6 +81,15 @@ const problems = new Problems(ui.panels.problems, ({ place }) => {
   cursorAt(place.line, true);
 });
 
+const readings = readingsPanel(ui.readings, {
+  read: (choice) => {
+    editor.flush();
+    ui.chooseMachine(choice);
+    link.tell("machine", { name: choice.name, is_answer: true });
+  },
+  leave: () => ui.machine.focus(),
+});
+
 const against = againstProgram({
   panel: ui.panels.compare,
   legend: ui.paths,
@@ -139,6 +149,7 @@ function take(told: Told): void {
       run = 0;
       stateAsked = false;
       against.offer(told);
+      readings.opened();
       break;
     case "machines":
       ui.offerMachines(told.machines);
@@ -203,6 +214,7 @@ function begin(told: Extract<Told, { type: "run" }>): void {
   view.setLathe(told.machine.turret ?? undefined);
   askWords(editor.view);
   ui.machineWhy(told.machine.title, told.why);
+  readings.ran(programName, told.readings);
   path = new Path();
   started = false;
   report = undefined;
@@ -551,6 +563,8 @@ editor.onDirty = (dirty) => ui.setDirty(dirty);
 ui.save.addEventListener("click", () => void save(false));
 ui.machine.addEventListener("change", () => {
   editor.flush();
+  const [chosen] = ui.machine.selectedOptions;
+  readings.chosen(chosen?.value ? { name: chosen.value, title: chosen.text } : undefined);
   link.tell("machine", { name: ui.machine.value || null });
 });
 ui.onView = (name: ViewName) => view.setView(name);

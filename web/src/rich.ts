@@ -30,7 +30,7 @@ export function setRich(element: HTMLElement, text: string): void {
   );
 }
 
-export function rich(text: string, className: string, name: "span" | "div" | "p" | "strong" = "span"): HTMLElement {
+export function rich(text: string, className: string, name: "span" | "div" | "p" | "strong" | "dd" = "span"): HTMLElement {
   const made = document.createElement(name);
   if (className) made.className = className;
   setRich(made, text);

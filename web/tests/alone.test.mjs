@@ -10,6 +10,7 @@ process.env.CHORDAL_ALONE = "1";
 const { otherServer } = await import("./alone.mjs");
 const { ROOT, picture, reported, session } = await import("./browser.mjs");
 await import("./page.test.mjs");
+await import("./readings.test.mjs");
 
 const PROFILE = join(ROOT, "examples/fadal/profile-g18.nc");
 const tests = session();

@@ -80,9 +80,9 @@ pub fn setup_of(
     }
     let loaded = unsaved(path, text.to_vec(), &request);
     let loaded = loaded.map_err(|failure| failure.to_string())?;
-    let (why, program) = (loaded.why(), loaded.program);
+    let (why, program, readings) = (loaded.why(), loaded.program, loaded.choices());
     let (mut texts, machine, options) = loaded.into_parts();
     // The first is the text itself.
     let beside = texts.split_off(1);
-    Ok(Setup { machine, why, options, program, beside })
+    Ok(Setup { machine, why, readings, options, program, beside })
 }

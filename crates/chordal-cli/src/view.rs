@@ -10,7 +10,7 @@ use chordal_compare::Options;
 use chordal_editor::Program;
 use chordal_load::{Given, Input, LoadError, Loader, Text, reason};
 use chordal_server::{Against, MachineChoice, Programs, Refusal, ServeError, Server, save};
-use chordal_view::{builtin_machines, refusal};
+use chordal_view::{ChosenMachine, builtin_machines, refusal};
 
 use crate::compare::{length_mm, sides};
 use crate::failure::{Failure, Verdict};
@@ -223,17 +223,19 @@ impl Programs for Shown {
     }
 
     fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
-        let loader = match machine {
+        let loader = match machine.map(ChosenMachine::of) {
             // The page may choose from what it was offered, and name no file.
-            Some(name) if !builtin_names().contains(&name) => {
+            Some(chosen) if !builtin_names().contains(&chosen.name) => {
                 return Err(Refusal {
-                    message: format!("{name} is not a machine of the list"),
+                    message: format!("{} is not a machine of the list", chosen.name),
                     help: Some(
                         "choose one from the list, or start `chordal view` with --machine".into(),
                     ),
                 });
             }
-            Some(name) => self.loader.on(Given::Name(name.to_string())),
+            Some(chosen) => {
+                self.loader.on(Given::Name(chosen.name.to_string()), chosen.assignments())
+            }
             None => Ok(self.loader.again()),
         };
         let loader = loader.map_err(|error| refusal(&error))?;

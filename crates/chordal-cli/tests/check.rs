@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use std::process::Command;
 
 use common::{BROKEN, CLEAN, Folder};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 #[test]
 fn a_clean_program_ends_with_zero() {
@@ -95,6 +95,36 @@ fn json_is_one_object_for_one_file_and_for_many() {
             assert_eq!(file["diagnostics"].as_array().unwrap().is_empty(), *name == "part.nc");
         }
     }
+}
+
+#[test]
+fn json_has_the_readings_of_a_text_that_names_no_control() {
+    let folder = Folder::with_part();
+    folder.write("unclear.nc", "G0 X0 Y0 Z5\nG1 Z-1 F100\nX20 Y10\n");
+    let check = |more: &[&str]| -> Value {
+        let done = folder.run(&[&["check", "--format", "json", "unclear.nc"], more].concat());
+        serde_json::from_str::<Value>(&done.out).unwrap()["files"][0].clone()
+    };
+    let readings = &check(&[])["readings"];
+    assert_eq!(readings["difference"], json!({ "line": 1, "only_feed": false }));
+    let possible = readings["possible"].as_array().unwrap();
+    assert!(possible.len() >= 2, "{readings:#}");
+    for reading in possible {
+        assert_eq!(reading["control"], reading["controls"][0]);
+        // What is typed gives this reading, and nothing is left to ask.
+        let option: Vec<&str> = reading["option"].as_str().unwrap().split(' ').collect();
+        let read = check(&option);
+        assert_eq!(read["control"], reading["control"]);
+        assert_eq!(read["machine"], reading["machine"]);
+        assert_eq!(read.get("readings"), None);
+        assert_eq!(read["verified"], true);
+    }
+    let size = |units: &str| {
+        let found = possible.iter().find(|reading| reading["units"] == units);
+        found.map(|reading| (reading["size_mm"].clone(), reading["motion"].clone()))
+    };
+    assert_eq!(size("mm"), Some((json!([20.0, 10.0, 6.0]), json!("Z 5 mm"))));
+    assert_eq!(size("inch"), Some((json!([508.0, 254.0, 152.4]), json!("Z 127 mm"))));
 }
 
 #[test]

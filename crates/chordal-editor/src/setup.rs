@@ -1,7 +1,7 @@
 //! What a text needs to run.
 
-use chordal::Machine;
 use chordal::control::{Control, RunOptions};
+use chordal::{Machine, ReadingChoices};
 
 /// What a text needs to run.
 #[derive(Clone, Debug)]
@@ -10,6 +10,8 @@ pub struct Setup {
     pub machine: Machine,
     /// Why this one, in a line, where the user did not say it.
     pub why: Option<String>,
+    /// As what else the text may be read, where it does not name its control and its units for certain.
+    pub readings: Option<ReadingChoices>,
     /// Budgets.
     pub options: RunOptions,
     /// The one program of the text to run, where only one is wanted.
@@ -22,7 +24,7 @@ impl Setup {
     /// A machine, and nothing else.
     pub fn of(machine: Machine) -> Setup {
         let options = RunOptions::default();
-        Setup { machine, why: None, options, program: None, beside: Vec::new() }
+        Setup { machine, why: None, readings: None, options, program: None, beside: Vec::new() }
     }
 }
 

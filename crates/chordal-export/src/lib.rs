@@ -36,7 +36,7 @@
 //! let found = job.report_of_commands(|command| canon.command(command).unwrap());
 //! let text = String::from_utf8(canon.finish().unwrap()).unwrap();
 //! assert!(text.contains("STRAIGHT_FEED(10.000000"));
-//! let reading = Reading { machine: None, control: "haas", from: "given", recognition: None };
+//! let reading = Reading { machine: None, control: "haas", from: "given", recognition: None, choices: None };
 //! let text = report::json(&found, job.sources(), "part.nc", &reading);
 //! assert!(text.contains("chordal.diagnostics/1"));
 //! ```

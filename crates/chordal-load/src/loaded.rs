@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use chordal::control::{Interrupt, RunOptions, ShopCodes, ShopRecord};
-use chordal::{Command, Diagnostic, Job, Machine, Reading, RunSink, Sink, Source, SourceMap};
+use chordal::{
+    Command, Diagnostic, Job, Machine, Reading, ReadingChoices, RunSink, Sink, Source, SourceMap,
+};
 
 use crate::chosen::Chosen;
 use crate::error::LoadError;
@@ -101,7 +103,13 @@ impl Loaded {
             control: self.control(),
             from: self.chosen.from(),
             recognition: self.chosen.recognition(),
+            choices: self.choices(),
         }
+    }
+
+    /// As what else the text may be read; nothing where its control and its units are named or certain.
+    pub fn choices(&self) -> Option<ReadingChoices> {
+        self.premise.as_ref().map(Premise::choices)
     }
 
     /// Its machine.

@@ -1,8 +1,8 @@
 //! Loads programs by one request.
 
+use chordal::Machine;
 use chordal::control::{Control, RunOptions};
 use chordal::syntax::{ProgramHead, find_programs};
-use chordal::{Diagnostic, Machine};
 
 use crate::chosen::Chosen;
 use crate::error::LoadError;
@@ -40,12 +40,15 @@ impl Loader {
         Loader { request, given, folders: Folders::default() }
     }
 
-    /// The same on another machine, for which the assignments and the tool table count as well.
+    /// The same on another machine, for which the assignments and the tool table count as well; `more` are further
+    /// assignments.
     ///
     /// # Errors
     /// A machine that cannot be used.
-    pub fn on(&self, machine: Given) -> Result<Loader, LoadError> {
-        Loader::new(Request { machine: Some(machine), ..self.request.clone() })
+    pub fn on(&self, machine: Given, more: Vec<String>) -> Result<Loader, LoadError> {
+        let mut request = Request { machine: Some(machine), ..self.request.clone() };
+        request.set.extend(more);
+        Loader::new(request)
     }
 
     /// The same on another machine as it is: assignments and tool table do not count for it.
@@ -81,6 +84,8 @@ impl Loader {
             Some(machine) => (machine.clone(), Chosen::Given, None),
             None => machine::choose(input, text.bytes(), request)?,
         };
+        // An assignment that names the control leaves nothing to assume.
+        let premise = premise.filter(|_| !says(request, &["control"]));
         let (mut machine, mut notes) = (machine, Vec::new());
         let (control, _) = Control::of(&machine);
         if let Some(path) = &input.path {
@@ -100,7 +105,12 @@ impl Loader {
             texts.extend(found);
         }
         let options = RunOptions {
-            notes: premise_notes(request, premise.as_ref()).chain(notes).collect(),
+            notes: premise
+                .as_ref()
+                .and_then(Premise::diagnostic)
+                .into_iter()
+                .chain(notes)
+                .collect(),
             ..options(request, &chosen, texts[0].bytes())
         };
         let (program, shop_texts) = (request.program, Vec::new());
@@ -122,12 +132,6 @@ fn options(request: &Request, chosen: &Chosen, text: &[u8]) -> RunOptions {
         not_read: chosen.refusal(text).filter(|_| !named_control),
         ..usual
     }
-}
-
-/// What is said of the assumptions, where the request does not name the control.
-fn premise_notes(request: &Request, premise: Option<&Premise>) -> impl Iterator<Item = Diagnostic> {
-    let said = premise.and_then(Premise::diagnostic);
-    said.filter(|_| !says(request, &["control"])).into_iter()
 }
 
 /// Keys of a machine that say its limits.

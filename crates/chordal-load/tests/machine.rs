@@ -112,7 +112,7 @@ fn a_request_changes_whichever_machine_runs() {
     // For another machine, too, unless that one counts as it is.
     let loader = Loader::new(request.clone()).expect("a loader");
     let input = Input { path: Some(folder.path("part.nc")), root: None };
-    let mut other = loader.on(Given::Name("fadal-4020".into())).expect("a machine");
+    let mut other = loader.on(Given::Name("fadal-4020".into()), Vec::new()).expect("a machine");
     assert_eq!(other.load(&input).expect("a program").machine().title, "Mill 4");
     let exact = machine::named("fadal-4020").expect("a machine");
     let loaded = loader.on_exactly(exact.clone()).load(&input).expect("a program");

@@ -6,7 +6,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use chordal_editor::Program;
 use chordal_load::{Files, Given as GivenMachine, Input, Loader, Request, machine};
 use chordal_memory::{Message, TornMessage};
-use chordal_view::{Against, MachineChoice, Outbox, Programs, Refusal, builtin_machines, refusal};
+use chordal_view::{
+    Against, ChosenMachine, MachineChoice, Outbox, Programs, Refusal, builtin_machines, refusal,
+};
 use serde_json::json;
 
 use crate::begin::{self, Begin};
@@ -106,8 +108,10 @@ fn opened(
     name: &str,
     text: Vec<u8>,
 ) -> Result<Program, Refusal> {
-    let machine = machine.map(GivenMachine::Name);
-    let loader = Loader::new(Request { machine, files, ..Request::default() });
+    let chosen = machine.as_deref().map(ChosenMachine::of);
+    let set = chosen.map_or_else(Vec::new, |chosen| chosen.assignments());
+    let machine = chosen.map(|chosen| GivenMachine::Name(chosen.name.to_string()));
+    let loader = Loader::new(Request { machine, set, files, ..Request::default() });
     let input = Input { path: Some(PathBuf::from(name)), root: None };
     let named_in = |file: &Path| {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
@@ -146,7 +150,7 @@ impl Programs for Given {
 
     fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
         let beside = self.beside();
-        if let Some(name) = machine
+        if let Some(ChosenMachine { name, .. }) = machine.map(ChosenMachine::of)
             && !beside.machines.iter().any(|choice| choice.name == name)
         {
             return Err(Refusal {

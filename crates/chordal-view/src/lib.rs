@@ -7,7 +7,8 @@
 //! One file per concern: `request` says what a page may ask and `outbox` takes what goes to it;
 //! `document` is the text as it is edited; `run` and `times` make columns of a path and of its time,
 //! `stream` and `frame` pack them, `other` compares it with another program, `stock` and `turned` cut
-//! the stock with it, `words` asks what an editor asks; `handed` is a view that works for another one.
+//! the stock with it, `words` asks what an editor asks; `reading`
+//! says as what a program may be read; `handed` is a view that works for another one.
 
 #![forbid(unsafe_code)]
 
@@ -24,6 +25,7 @@ mod open;
 mod other;
 mod outbox;
 mod program;
+mod reading;
 mod request;
 mod run;
 mod stock;
@@ -39,5 +41,6 @@ pub use handed::Handed;
 pub use open::{open, refusal};
 pub use outbox::{Outbox, Port};
 pub use program::{Against, MachineChoice, Programs, Refusal, builtin_machines};
+pub use reading::ChosenMachine;
 pub use request::Request;
 pub use view::{View, Work};

@@ -37,7 +37,7 @@ pub fn open(
             .why(&title)
             .map(|why| format!("{why}; machine not named, its limits are typical")),
     };
-    let program = loaded.program;
+    let (program, readings) = (loaded.program, loaded.choices());
     let (mut texts, mut machine, options) = loaded.into_parts();
     if is_guess {
         machine.title = title;
@@ -45,7 +45,7 @@ pub fn open(
     // The first is the text itself.
     let beside = texts.split_off(1);
     let (name, text) = texts.pop().unwrap_or_default();
-    let setup = Setup { machine, why, options, program, beside };
+    let setup = Setup { machine, why, readings, options, program, beside };
     Program::set_up(name, text, setup).map_err(|errors| Refusal {
         message: "the control does not know settings of the machine".into(),
         help: Some(format!("{errors:?}")),

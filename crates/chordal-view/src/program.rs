@@ -74,7 +74,7 @@ pub trait Programs: Send + Sync + 'static {
     fn read(&self) -> Result<Vec<u8>, Refusal>;
 
     /// A text with its machine and its subprograms; without a machine the one that the command
-    /// line, the folder or the text says.
+    /// line, the folder or the text says. The machine is a [`ChosenMachine`](crate::ChosenMachine).
     ///
     /// # Errors
     /// A machine that cannot be used, a program that is not there.

@@ -63,8 +63,11 @@ pub enum Ask {
     },
     /// Another machine; `None` is the one that the command line, the folder or the text says.
     Machine {
-        /// As `chordal machines` lists it.
+        /// As `chordal machines` lists it, and the units at power-on where they are chosen, too: `haas-vf2 in inch`.
         name: Option<String>,
+        /// It answers as what the program is read, and is not compared with the machine before.
+        #[serde(default)]
+        is_answer: bool,
     },
     /// What the program is compared with.
     Against {

@@ -28,7 +28,7 @@ use crate::request::{Ask, AskedChords, Other, Request};
 use crate::run::{Ran, run};
 use crate::stock::{Cutting, USUAL_COLUMNS};
 use crate::wanted::Wanted;
-use crate::{answer, chords, times, words};
+use crate::{answer, chords, reading, times, words};
 
 /// Bytes of text that are sent in one message, about: a page is busy with each without a break.
 const TEXT_PIECE: usize = 1 << 20;
@@ -127,10 +127,10 @@ impl RanElsewhere {
 
 impl Held {
     /// Runs on another machine, and is compared with the one before unless the command line names what to hold
-    /// it against.
-    fn run_on(&mut self, machine: Option<String>) {
+    /// it against, or the machine answers as what the program is read: the one before was only assumed.
+    fn run_on(&mut self, machine: Option<String>, is_answer: bool) {
         let before = std::mem::replace(&mut self.machine, machine);
-        if self.other != Other::Named {
+        if self.other != Other::Named && !is_answer {
             self.other = Other::Machine(before);
         }
     }
@@ -279,8 +279,8 @@ impl View {
                     }
                 }
             }
-            Ask::Machine { name } => {
-                self.held().run_on(name);
+            Ask::Machine { name, is_answer } => {
+                self.held().run_on(name, is_answer);
                 self.start(want);
             }
             Ask::Against { other } => self.against(id, other, want),
@@ -520,6 +520,7 @@ impl View {
             "run": number,
             "machine": answer::machine(&job),
             "why": program.setup().why,
+            "readings": reading::question(program.setup().readings.as_ref(), job.sources()),
         }));
         let (ran, told) = run(number, program, &job, &self.out, wanted)?;
         let about = RanElsewhere::of(&ran);

@@ -60,7 +60,7 @@ pub use chordal_path::{
 };
 pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
 pub use job::{Job, JobError, TextProgram};
-pub use reading::Reading;
+pub use reading::{ChoiceDifference, Reading, ReadingChoice, ReadingChoices};
 pub use recheck::CheckMemory;
 pub use report::{EVERY_PLACE, KEPT_PER_CODE, Report, Watch};
 pub use summary::{AxisTravel, Summary, ToolUse};

@@ -2,13 +2,13 @@
 
 use chordal::control::Recognition;
 use chordal::diagnostics::{Applicability, Fix};
-use chordal::{Diagnostic, Reading, Report, SourceMap, Span};
+use chordal::{Diagnostic, Reading, ReadingChoices, Report, SourceMap, Span};
 use serde_json::{Map, Value, json};
 
 use super::place::{call_text, place};
 
 /// The members of the object that say on what the program was read.
-fn insert_reading(object: &mut Map<String, Value>, reading: &Reading<'_>) {
+fn insert_reading(object: &mut Map<String, Value>, reading: &Reading<'_>, sources: &SourceMap<'_>) {
     let found = reading.recognition;
     let signs = found.into_iter().flat_map(Recognition::evidence);
     let evidence: Value = signs
@@ -24,6 +24,31 @@ fn insert_reading(object: &mut Map<String, Value>, reading: &Reading<'_>) {
     object.insert("control_strength".into(), json!(strength));
     object.insert("control_evidence".into(), evidence);
     object.insert("runner_up".into(), json!(next));
+    if let Some(choices) = &reading.choices {
+        object.insert("readings".into(), readings_value(choices, sources));
+    }
+}
+
+/// As what a text may be read that does not name its control and its units for certain: the member `readings` of
+/// that object.
+fn readings_value(choices: &ReadingChoices, sources: &SourceMap) -> Value {
+    let readings = choices.readings.iter().map(|reading| {
+        json!({
+            "title": reading.title,
+            "control": reading.controls.first(),
+            "controls": reading.controls,
+            "machine": reading.machine,
+            "units": reading.units,
+            "size_mm": reading.size_mm,
+            "motion": reading.motion,
+            "option": reading.option,
+        })
+    });
+    let difference = choices.difference.as_ref().map(|at| {
+        let line = place(at.span, sources).map(|place| place.start.line);
+        json!({ "line": line, "only_feed": at.only_feed })
+    });
+    json!({ "possible": readings.collect::<Value>(), "difference": difference })
 }
 
 /// All problems of a run as one JSON object, schema `chordal.diagnostics/1`; `file` is the
@@ -70,7 +95,7 @@ pub(super) fn problems(
     });
     let mut object = Map::new();
     object.extend(members(head));
-    insert_reading(&mut object, reading);
+    insert_reading(&mut object, reading, sources);
     object.extend(members(found));
     object
 }

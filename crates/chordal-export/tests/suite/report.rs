@@ -13,8 +13,13 @@ fn text_of_wrong_blocks() {
 #[test]
 fn json_of_wrong_blocks() {
     let job = job("haas-vf2", "wrong.nc", WRONG);
-    let reading =
-        Reading { machine: Some("haas-vf2"), control: "haas", from: "given", recognition: None };
+    let reading = Reading {
+        machine: Some("haas-vf2"),
+        control: "haas",
+        from: "given",
+        recognition: None,
+        choices: None,
+    };
     let text = report::json(&job.report(), job.sources(), "wrong.nc", &reading);
     let value: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(value["schema"], "chordal.diagnostics/1");

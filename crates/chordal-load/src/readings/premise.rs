@@ -3,7 +3,7 @@
 use chordal::control::{Units, table};
 use chordal::diagnostics::{FileId, Span};
 use chordal::machine::{AXIS_LETTERS, ControlName};
-use chordal::{Code, Diagnostic};
+use chordal::{ChoiceDifference, Code, Diagnostic, ReadingChoice, ReadingChoices};
 
 use super::difference::{MotionAspect, first_difference};
 use super::excerpt::Excerpt;
@@ -12,9 +12,6 @@ use super::{PossibleReading, machine_of, units_name};
 
 /// So many controls of one reading are named; the others are counted.
 const NAMED_CONTROLS: usize = 4;
-
-/// So many readings are shown.
-const SHOWN_READINGS: usize = 4;
 
 /// Controls that move a text alike.
 #[derive(Clone, Debug)]
@@ -68,14 +65,30 @@ impl ReadingGroup {
         self.controls.iter().skip(1).map(|control| table(*control).title).collect()
     }
 
-    /// The size of what it cuts: `36 x 20 x 6 mm`.
-    pub fn size(&self) -> Option<String> {
+    /// The size of what it cuts, mm; nothing on an axis where nothing is cut.
+    pub fn size_mm(&self) -> Option<[Option<f64>; 3]> {
         let (low, high) = self.cut_box?;
-        let sides: Vec<String> = (0..3)
-            .filter(|axis| low[*axis] <= high[*axis])
-            .map(|axis| millimetres(high[axis] - low[axis]))
-            .collect();
+        Some([0, 1, 2].map(|axis| (low[axis] <= high[axis]).then(|| high[axis] - low[axis])))
+    }
+
+    /// The same in words: `36 x 20 x 6 mm`.
+    pub fn size(&self) -> Option<String> {
+        let sides: Vec<String> = self.size_mm()?.into_iter().flatten().map(millimetres).collect();
         Some(format!("{} mm", sides.join(" x ")))
+    }
+
+    /// As a shell shows it.
+    fn choice(&self) -> ReadingChoice {
+        ReadingChoice {
+            controls: self.controls.iter().map(|control| control.as_str()).collect(),
+            machine: self.machine,
+            units: self.units.map(units_name),
+            size_mm: self.size_mm(),
+            motion: self.motion.clone(),
+            option: self.option(),
+            title: self.title(),
+            size: self.size(),
+        }
     }
 }
 
@@ -157,26 +170,43 @@ impl Premise {
         self.groups.first()?.units
     }
 
-    /// The path, or the time, depends on a guess: what is said of it.
-    pub fn diagnostic(&self) -> Option<Diagnostic> {
-        let at = self.difference.as_ref()?;
-        let (code, what) = if at.only_feed {
-            (Code::FeedNotKnown, "how fast this program cuts depends on its control")
-        } else {
-            (Code::ReadingNotKnown, "what this program moves depends on its control")
+    /// The readings as a shell shows them.
+    pub fn choices(&self) -> ReadingChoices {
+        let difference = self.difference.as_ref().map(|at| ChoiceDifference {
+            span: at.span,
+            only_feed: at.only_feed,
+            message: self.message(at),
+        });
+        let readings = self.groups.iter().map(ReadingGroup::choice).collect();
+        ReadingChoices { readings, difference }
+    }
+
+    /// What is not known.
+    fn message(&self, at: &ReadingDifference) -> String {
+        let what = match at.only_feed {
+            true => "how fast this program cuts depends on its control",
+            false => "what this program moves depends on its control",
         };
         let unnamed = match self.groups.iter().any(|group| group.units.is_some()) {
             true => "nothing in the text names it and its units for certain",
             false => "nothing in the text names it for certain",
         };
-        let shown = self.groups.iter().take(SHOWN_READINGS);
-        let readings: Vec<String> =
-            shown.map(|group| format!("{} on {}", group.motion, group.title())).collect();
-        let mut diagnostic = Diagnostic::new(code, at.span, format!("{what}, and {unnamed}"))
-            .label(readings.join("; "));
-        for group in self.groups.iter().take(SHOWN_READINGS) {
-            let size = group.size().map_or_else(String::new, |size| format!("cuts {size}: "));
-            diagnostic = diagnostic.note(format!("{}: {size}{}", group.title(), group.option()));
+        format!("{what}, and {unnamed}")
+    }
+
+    /// The path, or the time, depends on a guess: what is said of it.
+    pub fn diagnostic(&self) -> Option<Diagnostic> {
+        let at = self.difference.as_ref()?;
+        let code = if at.only_feed { Code::FeedNotKnown } else { Code::ReadingNotKnown };
+        let choices = self.choices();
+        let shown = choices.shown();
+        let motions: Vec<String> =
+            shown.iter().map(|each| format!("{} on {}", each.motion, each.title)).collect();
+        let mut diagnostic =
+            Diagnostic::new(code, at.span, self.message(at)).label(motions.join("; "));
+        for ReadingChoice { title, size, option, .. } in shown {
+            let size = size.as_ref().map_or_else(String::new, |size| format!("cuts {size}: "));
+            diagnostic = diagnostic.note(format!("{title}: {size}{option}"));
         }
         let first = self.groups.first().map_or_else(String::new, ReadingGroup::title);
         let help = format!(
