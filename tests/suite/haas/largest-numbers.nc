@@ -13,7 +13,7 @@ G1 X10. F200. (= line to X10 | ! CH413 "the spindle has no speed")
 N123456789 X20. (= line to X20 | ! CH311 "above the largest number, N99999999")
 S1000 M3 M5 (= ! CH302 "M3 and M5 cannot be in one block")
 S1000 M3
-G43 Z5. H201 (= ! CH303 "no H201" | ! CH604)
+G43 Z5. H201 (= ! CH303 "no H201" | ! CH604 | ! CH611)
 G10 L2 P7 X0. (= ! CH303 "no work offset P7")
 (A feed per minute with G95: 200 mm/rev at 1000 rpm.)
 G95 G1 X30. F200. (= line to X30 | ! CH407 "200000 mm/min")

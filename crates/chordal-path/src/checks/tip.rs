@@ -51,7 +51,7 @@ impl Checks<'_> {
         report(diagnostic);
     }
 
-    /// A cut, or a rapid after which the tip is below the clearance plane.
+    /// A cut, or a rapid that does not go up and after which the tip is below the clearance plane.
     fn is_near_part(&self, kind: &CommandKind, place: TipPlace) -> bool {
         let Some(motion) = kind.motion() else { return false };
         if kind.feed().is_some() {
@@ -61,7 +61,8 @@ impl Checks<'_> {
             TipPlace::Shifted(by) => by.z,
             _ => 0.0,
         };
-        motion.to_known.has(Z) && motion.to[Z] + by < self.clearance_mm() - ON_PLANE_MM
+        let is_retract = motion.from[..2] == motion.to[..2] && motion.to[Z] >= motion.from[Z];
+        !is_retract && motion.to_known.has(Z) && motion.to[Z] + by < self.clearance_mm() - ON_PLANE_MM
     }
 
     /// `200 mm below the programmed point`.
