@@ -62,7 +62,9 @@ impl Checks<'_> {
             _ => 0.0,
         };
         let is_retract = motion.from[..2] == motion.to[..2] && motion.to[Z] >= motion.from[Z];
-        !is_retract && motion.to_known.has(Z) && motion.to[Z] + by < self.clearance_mm() - ON_PLANE_MM
+        !is_retract
+            && motion.to_known.has(Z)
+            && motion.to[Z] + by < self.clearance_mm() - ON_PLANE_MM
     }
 
     /// `200 mm below the programmed point`.

@@ -164,7 +164,7 @@ fn the_page_may_ask_for_other_columns_and_an_edit_begins_anew() {
 
 #[test]
 fn gaps_of_undercuts_come_with_their_moments() {
-    let setup = "machine = \"haas-vf2\"\n[stock]\nshape = \"box\"\n\
+    let setup = "machine = \"haas-vf2\"\n[settings]\ntool_lengths = \"touched-off\"\n[stock]\nshape = \"box\"\n\
                  from = { X = \"0 mm\", Y = \"-30 mm\", Z = \"-20 mm\" }\n\
                  to = { X = \"100 mm\", Y = \"30 mm\", Z = \"0 mm\" }\n\
                  [tools.1]\nshape = \"flat\"\ndiameter = \"10 mm\"\nflute_length = \"25 mm\"\n\
