@@ -87,7 +87,12 @@ pub(crate) fn missing_call(
 
 /// A quick look: most programs end here.
 fn may_be_macro(text: &[u8], form: MacroForm) -> bool {
-    let has = |part: &[u8]| text.windows(part.len()).any(|at| at.eq_ignore_ascii_case(part));
+    let has = |part: &[u8]| {
+        let first = part[0];
+        memchr::memchr2_iter(first.to_ascii_lowercase(), first.to_ascii_uppercase(), text)
+            .filter_map(|at| text.get(at..at + part.len()))
+            .any(|found| found.eq_ignore_ascii_case(part))
+    };
     match form {
         MacroForm::OWords => has(b"endsub"),
         _ => has(b"M99") && (has(b"#") || has(b"R")),
