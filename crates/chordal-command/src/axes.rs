@@ -16,6 +16,8 @@ impl AxisMask {
     pub const ALL: AxisMask = AxisMask(0b11_1111);
     /// X, Y and Z.
     pub const LINEAR: AxisMask = AxisMask(0b111);
+    /// X and Y.
+    pub const XY: AxisMask = AxisMask(0b11);
     /// A, B and C.
     pub const ROTARY: AxisMask = AxisMask(0b11_1000);
 

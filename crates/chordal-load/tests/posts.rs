@@ -6,12 +6,13 @@
 
 #![allow(clippy::disallowed_methods, reason = "reads the programs of the tree")]
 
+mod post_set;
+
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
 
 use chordal::{Code, Report, Severity};
 use chordal_load::{Loaded, Request, text};
+use post_set::{PostProgram, programs};
 
 /// So many programs of the controls that are read must be recognized, in a hundred.
 const RECOGNIZED_PERCENT: usize = 96;
@@ -38,17 +39,6 @@ const READ: &[&str] = &[
     "mitsubishi",
     "mitsubishi-lathe",
 ];
-
-/// A program of the set.
-struct PostProgram {
-    source: String,
-    title: String,
-    /// The controls that it may be for, the one it was written for first.
-    controls: Vec<String>,
-    /// The box of its cuts along X, Y and Z, mm, where it is known.
-    ends: [Option<(f64, f64)>; 3],
-    text: String,
-}
 
 impl PostProgram {
     fn is_read(&self) -> bool {
@@ -89,37 +79,6 @@ fn load(program: &str) -> Loaded {
     text("part", program.as_bytes().to_vec(), &Request::default()).expect("a program")
 }
 
-fn set() -> Vec<PostProgram> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/posts");
-    let mut files: Vec<_> =
-        fs::read_dir(folder).expect("the set").map(|entry| entry.expect("a file").path()).collect();
-    files.sort();
-    files.iter().flat_map(|path| programs_of(path)).collect()
-}
-
-/// Each program begins after `=== controls | units | X Y Z | title`.
-fn programs_of(path: &Path) -> Vec<PostProgram> {
-    let source = path.file_stem().expect("a name").to_string_lossy().into_owned();
-    let all = fs::read_to_string(path).expect("a text");
-    let program = |part: &str| {
-        let (head, text) = part.split_once('\n').expect("a program");
-        let fields: Vec<&str> = head.split(" | ").map(str::trim).collect();
-        let [controls, _, ends, title] = fields[..] else { panic!("{source}: {head}") };
-        let mut boxes = ends.split(' ').map(|end| {
-            let (low, high) = end.trim_start_matches(['X', 'Y', 'Z']).split_once("..")?;
-            Some((low.parse().ok()?, high.parse().ok()?))
-        });
-        PostProgram {
-            source: source.clone(),
-            title: title.to_string(),
-            controls: controls.split(',').map(str::to_string).collect(),
-            ends: std::array::from_fn(|_| boxes.next().flatten()),
-            text: format!("{}\n", text.trim_end_matches('\n')),
-        }
-    };
-    all.split("\n=== ").skip(1).map(program).collect()
-}
-
 /// Errors that say what Chordal was not given or does not carry out, and nothing of the program.
 const NOT_KNOWN: &[Code] =
     &[Code::NotFollowed, Code::MissingSubprogram, Code::PocketWithoutDiameter];
@@ -128,7 +87,7 @@ const NOT_KNOWN: &[Code] =
 fn no_program_is_silently_read_as_another_path() {
     let (mut counts, mut wrong) = (BTreeMap::<String, (usize, usize)>::new(), Vec::new());
     let (mut silent, mut not_known, mut errors) = (Vec::new(), 0, Vec::new());
-    for program in set() {
+    for program in programs() {
         let loaded = program.load();
         let control = loaded.control();
         let (right, count) = counts.entry(program.controls[0].clone()).or_default();
@@ -215,7 +174,7 @@ fn variations(program: &str) -> [(&'static str, String); 5] {
 #[test]
 fn what_changes_nothing_does_not_change_the_reading() {
     let (mut count, mut changed) = (0, Vec::new());
-    for program in set().iter().filter(|program| program.is_read()) {
+    for program in programs().iter().filter(|program| program.is_read()) {
         // Short ones: what a variation does to them counts more. A move after subprograms alone makes a program of them.
         if program.text.len() > 4_000 || program.ends == [None; 3] {
             continue;

@@ -41,12 +41,12 @@ enum Flat {
 impl Flat {
     /// Follows a move; true where it lies flat although its height is not known.
     fn follow(&mut self, motion: &Move, cuts: bool) -> bool {
-        const XY: AxisMask = AxisMask(0b11);
         let both = motion.from_known.and(motion.to_known);
         if motion.from_known.or(motion.to_known).has(2) || motion.from[2] != motion.to[2] {
             *self = Flat::No;
         }
-        let is_flat = both.covers(XY) && *self != Flat::No && (cuts || *self == Flat::Cut);
+        let is_flat =
+            both.covers(AxisMask::XY) && *self != Flat::No && (cuts || *self == Flat::Cut);
         if is_flat {
             *self = Flat::Cut;
         }

@@ -140,14 +140,9 @@ impl<'a> Checks<'a> {
             told_axes: AxisMask::NONE,
             told_speed: false,
         };
-        // The tool of a lathe comes from the side: no plane is above the part.
-        let clearance_mm = match machine.turns() {
-            true => f64::NEG_INFINITY,
-            false => machine.clearance_mm.unwrap_or(0.0),
-        };
         Checks {
             machine,
-            clearance_mm,
+            clearance_mm: clearance_mm(machine),
             assumed: false,
             start: now.clone(),
             now,
@@ -198,7 +193,7 @@ impl<'a> Checks<'a> {
     pub fn programmed(&mut self, command: &Command, mut report: impl FnMut(Diagnostic)) {
         match &command.kind {
             CommandKind::Rapid { motion, .. } => {
-                self.now.contour.rapid(motion, self.clearance_mm() - ON_PLANE_MM, command.origin);
+                self.now.contour.rapid(motion, self.depth_mm(), command.origin);
             }
             CommandKind::Arc { motion, shape, .. } => {
                 if let Some(rapid) = self.now.contour.arc(motion, shape) {
@@ -417,9 +412,9 @@ impl<'a> Checks<'a> {
         if origin.cycle || !is_known(motion) {
             return;
         }
-        let (plane, units) = (self.clearance_mm(), self.now.units);
+        let (plane, units) = (self.clearance_mm, self.now.units);
         let (from, to) = (point(&motion.from), point(&motion.to));
-        if to.z >= plane - ON_PLANE_MM {
+        if to.z >= self.depth_mm() {
             return;
         }
         let rapid = |way| LowRapid { way, from, to, plane, units, origin };
@@ -436,8 +431,9 @@ impl<'a> Checks<'a> {
         }
     }
 
-    fn clearance_mm(&self) -> f64 {
-        self.clearance_mm
+    /// A place below this is at depth, mm.
+    fn depth_mm(&self) -> f64 {
+        self.clearance_mm - ON_PLANE_MM
     }
 
     /// A cut: the rapids that led here at depth from another cut count.
@@ -450,7 +446,7 @@ impl<'a> Checks<'a> {
 
     #[inline]
     fn cut_at_depth(&mut self, motion: &Move) {
-        let below = motion.to[2] < self.clearance_mm() - ON_PLANE_MM;
+        let below = motion.to[2] < self.depth_mm();
         self.now.at_depth = below && is_known(motion);
     }
 
@@ -477,7 +473,7 @@ impl<'a> Checks<'a> {
     #[cold]
     fn rapid_in_contour(&self, rapid: &OpenRapid) -> Diagnostic {
         let length = self.now.units.length_text((rapid.to - rapid.from).length());
-        let depth = self.now.units.length_text(self.clearance_mm() - rapid.to.z);
+        let depth = self.now.units.length_text(self.clearance_mm - rapid.to.z);
         Diagnostic::new(
             Code::RapidIntoPart,
             rapid.origin.span,
@@ -608,6 +604,19 @@ impl<'a> Checks<'a> {
             .help("no work offset makes it fit; choose a larger machine"),
         );
     }
+}
+
+/// Nothing of the part is above this, mm. The tool of a lathe comes from the side: no plane is above its part.
+fn clearance_mm(machine: &Machine) -> f64 {
+    match machine.turns() {
+        true => f64::NEG_INFINITY,
+        false => machine.clearance_mm.unwrap_or(0.0),
+    }
+}
+
+/// A place below this is at depth, mm: below the clearance plane by more than rounding.
+pub fn depth_mm(machine: &Machine) -> f64 {
+    clearance_mm(machine) - ON_PLANE_MM
 }
 
 /// The linear axes that move are known at both ends; those that stand add nothing to the length.

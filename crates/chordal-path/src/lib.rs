@@ -51,7 +51,7 @@ mod surface;
 mod tip;
 
 pub use builder::{PathBuilder, duration_s};
-pub use checks::{Checks, ChecksMemory, Seen};
+pub use checks::{Checks, ChecksMemory, Seen, depth_mm};
 pub use compensation::{
     Compensator, CompensatorMemory, ContourPiece, PathCommand, PathSink, PlaneCurve, Role,
 };

@@ -12,11 +12,9 @@ const SAME_OFFSET_MM: f64 = 1e-5;
 /// Where the tip is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TipPlace {
-    /// At the programmed point.
+    /// At the programmed point; where no length is known, because the work offset was set with this tool.
     AsProgrammed,
-    /// At the programmed point, if the operator has set the work offset with this tool.
-    TouchedOff,
-    /// Beside the programmed point by this much, mm.
+    /// Away from the programmed point by this much, mm.
     Shifted(Vec3),
     /// Somewhere else, nobody knows where.
     Unknown(TipDoubt),
@@ -38,8 +36,6 @@ pub struct TipTracker {
     /// The axes along which tools differ.
     axes: &'static [usize],
     tool: u32,
-    /// The tool before it, where there was one.
-    has_changed: bool,
     number: Option<u32>,
     /// What the tool's offsets add, and whether all of it is in the table.
     offset: Position,
@@ -50,6 +46,7 @@ pub struct TipTracker {
     work_known: AxisMask,
     /// Coordinates are those of the machine: they say nothing of the part.
     is_in_machine: bool,
+    /// The tools that were in the spindle.
     used: Vec<u32>,
     place: TipPlace,
 }
@@ -67,7 +64,6 @@ impl TipTracker {
             lengths,
             axes: if machine.turns() { LATHE_AXES } else { MILL_AXES },
             tool: 0,
-            has_changed: false,
             number: None,
             offset: [0.0; AXES],
             has_values: true,
@@ -84,11 +80,8 @@ impl TipTracker {
     pub fn follow(&mut self, command: &Command, machine: &Machine) {
         match &command.kind {
             CommandKind::Tool { number } | CommandKind::ToolNumber { number } => {
-                if *number != self.tool {
-                    self.has_changed = self.tool != 0;
-                    self.tool = *number;
-                }
-                if !self.used.contains(number) {
+                self.tool = *number;
+                if *number != 0 && !self.used.contains(number) {
                     self.used.push(*number);
                 }
             }
@@ -140,13 +133,13 @@ impl TipTracker {
         match self.number {
             None => self.without_number(own),
             Some(number) if number == self.tool => match own {
-                Some(own) if self.has_values => self.beside(&own, self.sign(machine, number)),
+                Some(own) if self.has_values => self.deviation(&own, self.sign(machine, number)),
                 _ => TipPlace::AsProgrammed,
             },
             // The number is of no other tool: the shop numbers offsets in another way, or the tool has several.
             Some(number) if !self.is_of_other_tool(machine, number) => TipPlace::AsProgrammed,
             Some(number) => match own {
-                Some(own) if self.has_values => self.beside(&own, self.sign(machine, number)),
+                Some(own) if self.has_values => self.deviation(&own, self.sign(machine, number)),
                 _ => TipPlace::Unknown(TipDoubt::OtherTool),
             },
         }
@@ -156,23 +149,25 @@ impl TipTracker {
     fn without_number(&self, own: Option<PerAxis<f64>>) -> TipPlace {
         let has_own_values = self.axes.iter().any(|axis| self.offset[*axis] != 0.0);
         match own {
-            Some(own) if has_own_values => self.beside(&own, 1.0),
+            Some(own) if has_own_values => self.deviation(&own, 1.0),
             None if has_own_values => TipPlace::AsProgrammed,
             Some(own) if self.axes.iter().all(|axis| self.work_known.has(*axis)) => {
-                self.beside(&own, 1.0)
+                self.deviation(&own, 1.0)
             }
-            Some(own) if self.beside(&own, 1.0) == TipPlace::AsProgrammed => TipPlace::AsProgrammed,
-            _ if self.lengths == ToolLengths::TouchedOff => TipPlace::TouchedOff,
+            Some(own) if self.deviation(&own, 1.0) == TipPlace::AsProgrammed => {
+                TipPlace::AsProgrammed
+            }
+            _ if self.lengths == ToolLengths::TouchedOff => TipPlace::AsProgrammed,
             Some(_) => TipPlace::Unknown(TipDoubt::NoLength),
-            None if self.has_changed || self.has_had_length => {
+            None if self.used.len() > 1 || self.has_had_length => {
                 TipPlace::Unknown(TipDoubt::NoLength)
             }
-            None => TipPlace::TouchedOff,
+            None => TipPlace::AsProgrammed,
         }
     }
 
     /// The offset in force against that of the tool.
-    fn beside(&self, own: &PerAxis<f64>, sign: f64) -> TipPlace {
+    fn deviation(&self, own: &PerAxis<f64>, sign: f64) -> TipPlace {
         let mut by = [0.0; 3];
         for axis in self.axes {
             by[*axis] = self.offset[*axis] - sign * own[*axis];

@@ -55,7 +55,7 @@ with `--machine`, or describe it in `chordal.toml`. Then every such move is an e
 programmed contour is shown instead of the path of the tool's centre. Give `[tools.1] diameter` in the machine file
 or with `--set`."#;
 
-    TipElsewhere = 610, "tip-elsewhere", Error;
+    TipDisplaced = 610, "tip-displaced", Error;
     "the tip of the tool is not at the programmed point";
     r#"The length offset in force is not that of the tool in the spindle, or none is in force, and both lengths are
 in the machine file: the tip is at the programmed point plus the length in force minus the length of the tool. Often

@@ -82,11 +82,21 @@ impl Interpreter<'_> {
             "{} and {} in one block: both use its axis words, and only {} is carried out",
             names[0], names[1], names[1]
         );
-        self.kernel.report(
-            Diagnostic::new(Code::SameGroup, self.span(block.words[second.1].range), message)
-                .also(self.span(block.words[first.1].range), "not carried out")
-                .help("write them in two blocks"),
-        );
+        self.kernel.report(self.two_codes(block, first.1, second.1, message, "not carried out"));
+    }
+
+    /// Two codes that cannot be in one block, by their words.
+    fn two_codes(
+        &self,
+        block: &Block,
+        first: usize,
+        second: usize,
+        message: String,
+        first_label: &str,
+    ) -> Diagnostic {
+        Diagnostic::new(Code::SameGroup, self.span(block.words[second].range), message)
+            .also(self.span(block.words[first].range), first_label)
+            .help("write them in two blocks")
     }
 
     /// A motion code beside another code that takes the axis words.
@@ -100,12 +110,8 @@ impl Interpreter<'_> {
         let title = self.control.table.title;
         let (one, two) = (first.0.name(b'G'), second.0.name(b'G'));
         let message = format!("{one} and {two} in one block: both use its axis words");
-        self.kernel.report(
-            Diagnostic::new(Code::SameGroup, self.span(block.words[second.1].range), message)
-                .also(self.span(block.words[first.1].range), "the first")
-                .alarm(format!("{title}: {alarm}"))
-                .help("write them in two blocks"),
-        );
+        let said = self.two_codes(block, first.1, second.1, message, "the first");
+        self.kernel.report(said.alarm(format!("{title}: {alarm}")));
     }
 
     /// A probe move with a code that leaves it the axis words of the block: G4, G92.1.
@@ -126,13 +132,8 @@ impl Interpreter<'_> {
             let (Some(first), Some(second)) = (found.next(), found.next()) else { continue };
             let names = [first.0.name(b'M'), second.0.name(b'M')];
             let title = self.control.table.title;
-            let said = Diagnostic::new(
-                Code::SameGroup,
-                self.span(block.words[second.1].range),
-                format!("{} and {} cannot be in one block", names[0], names[1]),
-            )
-            .also(self.span(block.words[first.1].range), "the first")
-            .help("write them in two blocks");
+            let message = format!("{} and {} cannot be in one block", names[0], names[1]);
+            let said = self.two_codes(block, first.1, second.1, message, "the first");
             self.kernel.report(match self.control.parameters.m_groups_alarm {
                 Some(alarm) => said.alarm(format!("{title}: {alarm}")),
                 // More than one M code is an option there, and what two of a spindle do is not written.

@@ -12,9 +12,6 @@ use super::Interpreter;
 /// The order of a NURBS without L, and the least with one.
 const LEAST_ORDER: usize = 3;
 
-/// The axes of a spline.
-const XY: AxisMask = AxisMask(0b11);
-
 /// What splines remember from block to block.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct SplineMemory {
@@ -66,10 +63,14 @@ impl Interpreter<'_> {
                         let points =
                             [&[self.kernel.point()], &middle[..], &[point(&target)]].concat();
                         if let Ok(curve) = Spline::bezier(points) {
-                            self.kernel.spline(&self.at(block), curve, named.and(XY));
+                            self.kernel.spline(&self.at(block), curve, named.and(AxisMask::XY));
                         }
                     }
-                    _ => self.kernel.straight_instead(&self.at(block), target, named.and(XY)),
+                    _ => self.kernel.straight_instead(
+                        &self.at(block),
+                        target,
+                        named.and(AxisMask::XY),
+                    ),
                 }
             }
         }
@@ -187,7 +188,7 @@ impl Interpreter<'_> {
         if has != [false; 2] {
             open.points.push(point(target));
             open.weights.push(weight);
-            open.named = open.named.or(named.and(XY));
+            open.named = open.named.or(named.and(AxisMask::XY));
         }
     }
 
@@ -256,7 +257,7 @@ impl Interpreter<'_> {
     /// Plane, axes and compensation as splines need them.
     fn check_spline_axes(&mut self, block: &Block, named: AxisMask) -> bool {
         let before = self.kernel.state.side;
-        let others = named.without(XY);
+        let others = named.without(AxisMask::XY);
         if self.kernel.state.plane != Plane::Xy {
             let plane = super::arc::plane_name(self.kernel.state.plane);
             self.report_spline(

@@ -18,7 +18,6 @@ const UNREACHED_MM: f64 = 1e-3;
 /// Most moves of one pocket.
 const MAX_POCKET_MOVES: usize = 2_000_000;
 
-const XY: AxisMask = AxisMask(0b011);
 const Z: AxisMask = AxisMask(0b100);
 
 /// What a statement says of a pocket with an outline; lengths are mm.
@@ -71,7 +70,7 @@ impl Kernel<'_> {
         self.note_assumed_path(words.word, words.name, choice, label);
         let mut over = words.start;
         over[2] = self.state.position[2];
-        self.routine_rapid(over, words.named.and(XY));
+        self.routine_rapid(over, words.named.and(AxisMask::XY));
         let mut down = self.state.position;
         down[2] = words.r;
         self.routine_rapid(down, Z);
@@ -83,9 +82,9 @@ impl Kernel<'_> {
             let mut target = self.state.position;
             target[2] = *z;
             self.routine_line(target, Z, feed);
-            self.follow(&rough, feed, XY);
+            self.follow(&rough, feed, AxisMask::XY);
         }
-        self.follow(&finish, feed, XY);
+        self.follow(&finish, feed, AxisMask::XY);
     }
 
     fn feed_of_pocket(&mut self, at: &dyn Statement) -> Feed {

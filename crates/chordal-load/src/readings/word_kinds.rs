@@ -146,15 +146,11 @@ fn code_row(letter: u8) -> usize {
 }
 
 fn comment_end(text: &[u8], at: usize) -> usize {
-    let end = text[at..].iter().position(|byte| matches!(byte, b')' | b'\n' | b'\r'));
-    end.map_or(text.len(), |end| at + end + 1)
+    memchr::memchr3(b')', b'\n', b'\r', &text[at..]).map_or(text.len(), |end| at + end + 1)
 }
 
 fn line_end(text: &[u8], at: usize) -> usize {
-    text[at..]
-        .iter()
-        .position(|byte| matches!(byte, b'\n' | b'\r'))
-        .map_or(text.len(), |end| at + end)
+    memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |end| at + end)
 }
 
 #[cfg(test)]

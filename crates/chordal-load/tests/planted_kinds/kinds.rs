@@ -100,6 +100,14 @@ const MISMATCH: &[&str] = &["CH401", "CH313"];
 /// What an arc is that has no usable centre in its plane.
 const CENTER: &[&str] = &["CH401", "CH404", "CH405", "CH412", "CH313"];
 const GROUP: &[&str] = &["CH302", "CH307", "CH313"];
+/// An unused word is an error of LinuxCNC and error 36 of GRBL; how strict Mach3 is, is not known.
+const UNUSED_WORD: &[Expected] = &[
+    on(LINUXCNC, Error, UNUSED),
+    on(&["mach3"], Warning, UNUSED),
+    on(FIRMWARE, Error, UNUSED),
+    on(ISO, Warning, UNUSED),
+    on(MARLIN, Warning, UNUSED),
+];
 const UNUSED: &[&str] = &["CH304", "CH313"];
 /// A function that the control does not have is CH703 as a macro form that is not there: as right as the others.
 const EXPRESSION: &[&str] = &["CH700", "CH703", "CH704"];
@@ -252,29 +260,9 @@ pub const KINDS: &[Kind] = &[
             on(FADAL, Error, &["CH302", "CH307"]),
         ],
     ),
-    // An unused word is an error of LinuxCNC and error 36 of GRBL; how strict Mach3 is, is not known. Fadal keeps the direction of the arc before.
-    kind(
-        "G1 for G2",
-        straight_arc,
-        &[
-            on(LINUXCNC, Error, UNUSED),
-            on(&["mach3"], Warning, UNUSED),
-            on(FIRMWARE, Error, UNUSED),
-            on(ISO, Warning, UNUSED),
-            on(MARLIN, Warning, UNUSED),
-        ],
-    ),
-    kind(
-        "word without its code",
-        stray_word,
-        &[
-            on(LINUXCNC, Error, UNUSED),
-            on(&["mach3"], Warning, UNUSED),
-            on(FIRMWARE, Error, UNUSED),
-            on(ISO, Warning, UNUSED),
-            on(MARLIN, Warning, UNUSED),
-        ],
-    ),
+    // Fadal keeps the direction of the arc before.
+    kind("G1 for G2", straight_arc, UNUSED_WORD),
+    kind("word without its code", stray_word, UNUSED_WORD),
     kind(
         "dwell without its time",
         dwell_without_time,

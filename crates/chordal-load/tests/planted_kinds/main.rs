@@ -10,6 +10,8 @@ mod kinds;
 #[path = "../labelled/mod.rs"]
 mod labelled;
 mod plants;
+#[path = "../post_set/mod.rs"]
+mod post_set;
 mod set;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,14 +1,13 @@
 //! The labelled set `tests/posts`, each program on every control of its label.
 
-use std::fs;
-use std::path::Path;
-
 use chordal::Machine;
 use chordal::machine::ControlName;
 use chordal_load::{Given, Loaded, Request, text};
 
+use crate::post_set;
+
 /// A program of the set on one of the controls that it may be for.
-pub struct PostProgram {
+pub struct LabelledProgram {
     /// The file of its source and its own title.
     pub title: String,
     pub control: ControlName,
@@ -17,7 +16,7 @@ pub struct PostProgram {
     pub text: String,
 }
 
-impl PostProgram {
+impl LabelledProgram {
     /// The program on a machine of its control: that which the text itself names, as one with G70 and G71 for the units or
     /// a lathe with system B, or else the typical one.
     pub fn load(&self) -> Loaded {
@@ -41,34 +40,20 @@ pub fn load_on(program: &str, machine: &Machine) -> Loaded {
 }
 
 /// Every program of a control that is read, once for each control of its label.
-pub fn programs() -> Vec<PostProgram> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/posts");
-    let entries = fs::read_dir(folder).expect("the set");
-    let mut files: Vec<_> = entries.map(|entry| entry.expect("a file").path()).collect();
-    files.sort();
-    files.iter().flat_map(|path| programs_of(path)).collect()
+pub fn programs() -> Vec<LabelledProgram> {
+    post_set::programs().iter().flat_map(on_controls).collect()
 }
 
-/// Each program begins after `=== controls | units | X Y Z | title`.
-fn programs_of(path: &Path) -> Vec<PostProgram> {
-    let source = path.file_stem().expect("a name").to_string_lossy();
-    let all = fs::read_to_string(path).expect("a text");
-    let mut programs = Vec::new();
-    for part in all.split("\n=== ").skip(1) {
-        let (head, text) = part.split_once('\n').expect("a program");
-        let mut fields = head.split(" | ").map(str::trim);
-        let controls = fields.next().expect("the controls");
-        let title = fields.last().expect("a title");
-        // Languages that are not read, and texts of which nobody can tell, have no control.
-        for (index, name) in controls.split(',').enumerate() {
-            let Ok(control) = name.parse() else { continue };
-            programs.push(PostProgram {
-                is_own: index == 0,
-                title: format!("{source}: {title}"),
-                control,
-                text: format!("{}\n", text.trim_end_matches('\n')),
-            });
-        }
-    }
-    programs
+/// Languages that are not read, and texts of which nobody can tell, have no control.
+fn on_controls(program: &post_set::PostProgram) -> Vec<LabelledProgram> {
+    let controls = program.controls.iter().enumerate();
+    let on_control = |(index, name): (usize, &String)| {
+        Some(LabelledProgram {
+            title: format!("{}: {}", program.source, program.title),
+            control: name.parse().ok()?,
+            is_own: index == 0,
+            text: program.text.clone(),
+        })
+    };
+    controls.filter_map(on_control).collect()
 }

@@ -5,7 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::Vec3;
 use chordal_machine::{Axis, Machine};
 
-use super::{Checks, ON_PLANE_MM};
+use super::Checks;
 use crate::tip::{TipDoubt, TipPlace};
 
 const Z: usize = Axis::Z as usize;
@@ -28,8 +28,9 @@ impl Checks<'_> {
         };
         let diagnostic = match place {
             TipPlace::Shifted(by) => {
-                let message = format!("the tip of tool {tool} is {}: {in_force}", self.beside(by));
-                Diagnostic::new(Code::TipElsewhere, span, message)
+                let message =
+                    format!("the tip of tool {tool} is {}: {in_force}", self.deviation_text(by));
+                Diagnostic::new(Code::TipDisplaced, span, message)
                     .label(self.tip_label(&command.kind, by))
                     .help(self.lengths_help(tool, number))
             }
@@ -46,7 +47,7 @@ impl Checks<'_> {
                          tool, set `tool_lengths` to `touched-off`"
                     ))
             }
-            TipPlace::AsProgrammed | TipPlace::TouchedOff => return,
+            TipPlace::AsProgrammed => return,
         };
         report(diagnostic);
     }
@@ -62,26 +63,21 @@ impl Checks<'_> {
             _ => 0.0,
         };
         let is_retract = motion.from[..2] == motion.to[..2] && motion.to[Z] >= motion.from[Z];
-        !is_retract
-            && motion.to_known.has(Z)
-            && motion.to[Z] + by < self.clearance_mm() - ON_PLANE_MM
+        !is_retract && motion.to_known.has(Z) && motion.to[Z] + by < self.depth_mm()
     }
 
     /// `200 mm below the programmed point`.
-    fn beside(&self, by: Vec3) -> String {
+    fn deviation_text(&self, by: Vec3) -> String {
         let units = self.now.units;
-        let mut parts = Vec::new();
         if by.z != 0.0 && !self.machine.turns() {
             let side = if by.z < 0.0 { "below" } else { "above" };
-            parts.push(format!("{} {side} the programmed point", units.length_text(by.z.abs())));
-        } else {
-            let along = [("X", by.x), ("Y", by.y), ("Z", by.z)];
-            let moved = along.into_iter().filter(|(_, by)| *by != 0.0);
-            let moved: Vec<String> =
-                moved.map(|(axis, by)| format!("{axis} {}", units.length_text(by))).collect();
-            parts.push(format!("{} from the programmed point", moved.join(", ")));
+            return format!("{} {side} the programmed point", units.length_text(by.z.abs()));
         }
-        parts.join(" and ")
+        let axes = [("X", by.x), ("Y", by.y), ("Z", by.z)];
+        let moved = axes.into_iter().filter(|(_, by)| *by != 0.0);
+        let moved: Vec<String> =
+            moved.map(|(axis, by)| format!("{axis} {}", units.length_text(by))).collect();
+        format!("{} from the programmed point", moved.join(", "))
     }
 
     fn tip_label(&self, kind: &CommandKind, by: Vec3) -> String {

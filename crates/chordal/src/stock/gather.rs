@@ -6,7 +6,7 @@ use chordal_command::{AxisMask, CommandKind, FeedMode, Origin, SpindleState, Uni
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
 use chordal_machine::Rotary;
-use chordal_path::{PathCommand, Segment};
+use chordal_path::{PathCommand, Segment, depth_mm};
 use chordal_stock::Move;
 
 use super::problems::not_cut;
@@ -19,8 +19,6 @@ use crate::report::Watch;
 const MOST_TURNS: usize = 64;
 /// A rapid down from an unknown height begins so far above its end, mm.
 const ABOVE_MM: f64 = 1000.0;
-/// Below the clearance plane by less is on it, mm.
-const ON_PLANE_MM: f64 = 1e-6;
 /// The most moves of a run on which the part turns and of which it is asked whether the tool is clear of it.
 const MOST_SWINGS: usize = 100_000;
 
@@ -97,10 +95,8 @@ pub(super) struct Gathered<'a> {
     on_surface: bool,
     /// The move under way has a feed by time.
     by_time: bool,
-    /// Nothing of the part is above this, mm.
-    clearance_mm: f64,
-    /// The spindle is switched on by hand, or its speed is set by hand.
-    spindle_by_hand: bool,
+    /// Below this a rapid is at depth, mm.
+    depth_mm: f64,
     /// The tool has moved in Z since it was changed.
     has_moved_in_z: bool,
     /// What was told of a tool, once.
@@ -137,8 +133,7 @@ impl<'a> Gathered<'a> {
             rpm: 0.0,
             on_surface: false,
             by_time: false,
-            clearance_mm: job.machine().clearance_mm.unwrap_or(0.0),
-            spindle_by_hand: control.parameters.rules.spindle_by_hand,
+            depth_mm: depth_mm(job.machine()),
             has_moved_in_z: false,
             told: Vec::new(),
             diagnostics: Vec::new(),
@@ -186,7 +181,6 @@ impl<'a> Gathered<'a> {
     }
 
     fn segment(&mut self, segment: &Segment, kind: Kind) {
-        self.row = self.row.saturating_add(1);
         let reason = match self.tools.get(&segment.tool) {
             Some(Ok(_)) => None,
             Some(Err(reason)) => Some(reason.why()),
@@ -225,17 +219,16 @@ impl<'a> Gathered<'a> {
 
     /// What is known of a rapid whose start or end is not.
     fn rapid_of(&self, segment: &Segment) -> PartlyKnown {
-        const XY: AxisMask = AxisMask(0b011);
         let [start, end] = [segment.curve.start(), segment.curve.end()];
         let is_upright = (start.x, start.y) == (end.x, end.y);
         if segment.to_known.covers(AxisMask::LINEAR) {
             // From above, where it comes down at a known place; otherwise its end alone.
-            let is_down = segment.from_known.covers(XY) && is_upright;
+            let is_down = segment.from_known.covers(AxisMask::XY) && is_upright;
             let above = Vec3::new(end.x, end.y, end.z + if is_down { ABOVE_MM } else { 0.0 });
             return PartlyKnown::End(Line { start: above, end });
         }
-        let is_retract = segment.to_known.covers(XY) && is_upright;
-        let is_low = start.z < self.clearance_mm - ON_PLANE_MM;
+        let is_retract = segment.to_known.covers(AxisMask::XY) && is_upright;
+        let is_low = start.z < self.depth_mm;
         match segment.from_known.covers(AxisMask::LINEAR) && is_low && !is_retract {
             true => PartlyKnown::AtDepth,
             // Before the first place that the program names nothing is known, nor after a reference return: the
@@ -301,7 +294,7 @@ impl<'a> Gathered<'a> {
             batch.moves.push(Move { curve: segment.curve, tag: segment.tool });
             batch.origins.push(segment.origin);
             batch.rates.push(rate);
-            batch.rows.push(self.row - 1);
+            batch.rows.push(self.row);
         }
     }
 
@@ -333,9 +326,7 @@ impl Watch for Gathered<'_> {
         let kind = &path.command.kind;
         match kind {
             CommandKind::Spindle { state, rpm } => {
-                // M3 with S0 does not turn it, nor does M3 where no S came before.
-                let is_on = matches!(state, SpindleState::Cw | SpindleState::Ccw);
-                self.spindle_turns = is_on && (*rpm > 0.0 || self.spindle_by_hand);
+                self.spindle_turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
                 self.rpm = *rpm;
             }
             CommandKind::Tool { .. } => self.has_moved_in_z = false,
@@ -359,6 +350,7 @@ impl Watch for Gathered<'_> {
         };
         for segment in segments {
             self.segment(segment, kind);
+            self.row = self.row.saturating_add(1);
         }
     }
 }

@@ -384,7 +384,9 @@ fn finish(
     is_proved: bool,
     gathered: &Gathered<'_>,
 ) -> StockReport {
-    let has_problems = problems.hits > 0 || report.counts.errors > 0;
+    // A spindle that was started without a speed does not turn either; the run itself knows which one does.
+    let is_still = report.diagnostics.iter().any(|found| found.code == Code::SpindleStopped);
+    let has_problems = problems.hits > 0 || report.counts.errors > 0 || is_still;
     let is_proved = is_proved && report.verified();
     report.add(problems.diagnostics);
     let Cut { checked: Checked { stock, refined, .. }, volumes, others, .. } = cut;
