@@ -82,6 +82,9 @@ export class PathView {
   readonly stock: StockLayer;
   /** The half section of a lathe. */
   readonly turned: SectionLayer;
+  /** What the picture was made for, CSS pixels. */
+  private width = 0;
+  private height = 0;
   private palette: Palette;
   private colorBy: ColorBy = "tool";
   private turning = false;
@@ -592,7 +595,13 @@ export class PathView {
   /** The picture shows all of the path, and the coarse one is there for the next turn. */
   get isComplete(): boolean {
     const isReady = this.path.rows < MANY || this.coarse.isReady;
-    return !this.turning && isReady && this.painter.isComplete && this.stock.isComplete && this.turned.isComplete;
+    return this.fillsItsPlace && !this.turning && isReady && this.painter.isComplete && this.stock.isComplete && this.turned.isComplete;
+  }
+
+  /** The window's last change of size has reached the picture. */
+  private get fillsItsPlace(): boolean {
+    const { clientWidth, clientHeight } = this.canvas.parentElement!;
+    return this.width === Math.max(1, clientWidth) && this.height === Math.max(1, clientHeight);
   }
 
   /** Lines of the last frame that are one pixel wide: for tests and measurements. */
@@ -603,6 +612,7 @@ export class PathView {
   private resize(): void {
     const parent = this.canvas.parentElement!;
     const [width, height] = [Math.max(1, parent.clientWidth), Math.max(1, parent.clientHeight)];
+    [this.width, this.height] = [width, height];
     this.eye.resize(width, height);
     this.painter.resize(width, height);
     if (!this.eye.userMoved) this.fit();

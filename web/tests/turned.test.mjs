@@ -17,6 +17,7 @@ async function show(program, setup) {
   const { page } = opened;
   // So wide that the line of the position never wraps: the picture keeps its size.
   await page.setViewportSize({ width: 1600, height: 800 });
+  await page.waitForFunction(() => innerWidth === 1600);
   await page.waitForFunction(() => window.chordal.setpoints() && window.chordal.turned.sections());
   await page.waitForFunction(() => /removed/.test(document.querySelector("#turned").textContent));
   await complete(page);
