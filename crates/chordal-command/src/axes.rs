@@ -44,6 +44,12 @@ impl AxisMask {
         self.0 |= 1 << axis;
     }
 
+    /// Takes an axis out.
+    #[inline]
+    pub const fn remove(&mut self, axis: usize) {
+        self.0 &= !(1 << axis);
+    }
+
     /// The axes of both.
     #[inline]
     pub const fn and(self, other: AxisMask) -> AxisMask {

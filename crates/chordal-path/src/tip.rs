@@ -78,6 +78,20 @@ impl TipTracker {
     /// Follows a command.
     #[inline]
     pub fn follow(&mut self, command: &Command, machine: &Machine) {
+        // Most commands are moves.
+        if matches!(
+            command.kind,
+            CommandKind::Tool { .. }
+                | CommandKind::ToolNumber { .. }
+                | CommandKind::ToolLength { .. }
+                | CommandKind::WorkOffset { .. }
+        ) {
+            self.follow_change(command, machine);
+        }
+    }
+
+    #[cold]
+    fn follow_change(&mut self, command: &Command, machine: &Machine) {
         match &command.kind {
             CommandKind::Tool { number } | CommandKind::ToolNumber { number } => {
                 self.tool = *number;

@@ -521,6 +521,18 @@ impl Interpreter<'_> {
         places.get(next).or(places.first()).copied()
     }
 
+    /// The last block with an N number above a place.
+    pub(super) fn label_above(
+        &mut self,
+        program: usize,
+        label: i64,
+        above: u32,
+    ) -> Option<TextPosition> {
+        let places = self.labels(program, label);
+        let next = places.partition_point(|place| place.offset < above);
+        places[..next].last().copied()
+    }
+
     fn labels(&mut self, program: usize, label: i64) -> &[TextPosition] {
         let mut reader = self.reader_of(program);
         let table = self.control.table;

@@ -3,7 +3,7 @@
 use chordal_diagnostics::{Applicability, Code, Diagnostic, Fix};
 use chordal_dialect::{DecimalPoint, ExcessDecimals};
 use chordal_machine::AXIS_LETTERS;
-use chordal_syntax::{Block, Decimal, Value, Word};
+use chordal_syntax::{Block, Decimal, Letters, Value, Word};
 
 use super::Interpreter;
 
@@ -24,6 +24,9 @@ const SUSPICIOUS_INCREMENTS: u64 = 100;
 
 /// A letter and four digits: no control has a smaller largest number of blocks or programs.
 const FEWEST_LONG_NUMBER: u32 = 5;
+
+/// The letters of numbers that name blocks and programs.
+const NUMBERS: Letters = Letters::of("NO");
 
 /// No control refuses a whole number below this for its digits.
 const LARGEST_OF_FEW_DIGITS: u64 = 10_000_000;
@@ -272,6 +275,9 @@ impl Interpreter<'_> {
     /// N and O, which stand first in their block, against the largest.
     #[inline]
     pub(super) fn check_numbers(&mut self, block: &Block) {
+        if !block.letters().meets(NUMBERS) {
+            return;
+        }
         for index in 0..block.words.len().min(2) {
             let word = &block.words[index];
             if matches!(word.letter, b'N' | b'O') && word.range.len() > FEWEST_LONG_NUMBER {

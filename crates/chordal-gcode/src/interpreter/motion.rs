@@ -27,17 +27,17 @@ impl Interpreter<'_> {
         let from = self.kernel.state.believed.unwrap_or(self.kernel.state.position);
         let mut target = from;
         let mut named = AxisMask::NONE;
-        let mut absolute = AxisMask::NONE;
+        let is_astray = self.kernel.state.astray != AxisMask::NONE;
         let left_to_right = self.control.table.distance_left_to_right && block.letters().has(b'G');
         for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6 && !word.comma {
                 let Some(value) = self.axis_value(word, axis) else { continue };
-                if self.kernel.state.incremental {
-                    target[axis] = from[axis] + value;
-                } else {
-                    target[axis] = value;
-                    absolute.insert(axis);
+                target[axis] =
+                    if self.kernel.state.incremental { from[axis] + value } else { value };
+                if is_astray && !self.kernel.state.incremental {
+                    // An absolute coordinate makes the place of its axis known again.
+                    self.kernel.state.astray.remove(axis);
                 }
                 named.insert(axis);
             } else if let Some(axis) = self.increment_axis(word) {
@@ -50,9 +50,6 @@ impl Interpreter<'_> {
         }
         if !block.polar.is_empty() {
             self.radius_and_angle(block, &mut target, &mut named);
-        }
-        if self.kernel.state.astray != AxisMask::NONE {
-            self.kernel.state.astray = self.kernel.state.astray.without(absolute);
         }
         if !self.control.axes().covers(named) {
             self.missing_axes(block, &mut target, &mut named);

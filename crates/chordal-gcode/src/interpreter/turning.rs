@@ -110,7 +110,7 @@ impl Interpreter<'_> {
 
     /// G70: the contour as it is written, and back.
     fn finish_contour(&mut self, block: &Block, at: usize) {
-        let Some(contour) = self.contour(block, at) else { return };
+        let Some(contour) = self.contour(block, at, true) else { return };
         let position = &self.kernel.state.position;
         let start = [position[X], position[Z]];
         self.kernel.contour_again = true;
@@ -136,7 +136,7 @@ impl Interpreter<'_> {
         }
         if !letters.meets(Letters::of("PQ")) {
             // It says what is missing.
-            self.contour(block, at);
+            self.contour(block, at, false);
             return;
         }
         if let Some(depth) = self.cycle_length(block, b'D') {

@@ -63,8 +63,8 @@ impl Interpreter<'_> {
         false
     }
 
-    /// The blocks from N P to N Q.
-    pub(super) fn contour(&mut self, block: &Block, at: usize) -> Option<Contour> {
+    /// The blocks from N P to N Q, of a cycle that roughs or finishes them.
+    pub(super) fn contour(&mut self, block: &Block, at: usize, finishes: bool) -> Option<Contour> {
         if self.control.parameters.rules.turning.contour_program
             && let Some(word) = block.last(b'A').copied()
         {
@@ -87,8 +87,14 @@ impl Interpreter<'_> {
             self.report_turn_fault(diagnostic, TurnFault::NoContour);
             return None;
         };
-        let below = block.range.start;
-        let first = self.label_below(self.program, i64::from(p), below);
+        let here = block.range.start;
+        // The control keeps where the roughing cycle found its contour, and G70 cuts that one (Fanuc B-64304EN,
+        // II-4.2.5): of several blocks of this number the last one above it.
+        let roughed = match finishes {
+            true => self.label_above(self.program, i64::from(p), here),
+            false => None,
+        };
+        let first = roughed.or_else(|| self.label_below(self.program, i64::from(p), here));
         let first = match first {
             Some(first) => first,
             None => {
@@ -115,7 +121,7 @@ impl Interpreter<'_> {
 
     /// Carries out the blocks of a contour for its moves alone: nothing else of them stays.
     pub(super) fn read_contour(&mut self, block: &Block, at: usize) -> Option<(Contour, Profile)> {
-        let contour = self.contour(block, at)?;
+        let contour = self.contour(block, at, false)?;
         let commands = self.collect_contour(&contour, block, None);
         let profile = Profile::of(&commands);
         if profile.as_ref().is_none_or(|profile| profile.edges.is_empty()) {
