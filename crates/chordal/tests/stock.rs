@@ -4,6 +4,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "a test reads how many rounds it is to run")]
 
+mod holes;
 mod tips;
 mod turned;
 
@@ -416,7 +417,7 @@ fn taps_and_thread_mills_are_compared_with_the_target() {
     assert!(codes(&between).contains(&"CH629"));
     assert!(codes(&tap(13.0)).contains(&"CH626"));
     let mill = "shape = 'thread mill'\ndiameter = '6 mm'\npitch = '2 mm'\nteeth = 3\nshank_diameter = '3 mm'";
-    let on = |y: f64| in_the_slot(mill, y, "G1 Z-5. F100.\nX60. F300.\n");
+    let on = |y: f64| in_the_slot(mill, y, "G1 Z-5. F100.\nX60. F300.\nZ20.\n");
     let found = on(1.9);
     assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.problems);
     // 0.2 of the crests in the wall is within the tolerance; of 0.9 the core is clear of the wall and teeth are in it.

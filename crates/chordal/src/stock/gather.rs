@@ -12,6 +12,7 @@ use chordal_stock::Move;
 use super::problems::not_cut;
 use super::tools::{NoBody, ToolBody};
 use super::turns::{self, Turn};
+use super::visited::Visited;
 use crate::job::Job;
 use crate::report::Watch;
 
@@ -27,10 +28,18 @@ const MOST_SWINGS: usize = 100_000;
 pub(super) enum Kind {
     /// At rapid speed: nothing may be cut.
     Rapid,
+    /// The same with the spindle at its mark: a boring bar beside its hole.
+    Aside,
     /// At feed.
     Cut,
     /// At feed with the spindle stopped.
     Still,
+}
+
+impl Kind {
+    pub fn is_rapid(self) -> bool {
+        matches!(self, Kind::Rapid | Kind::Aside)
+    }
 }
 
 /// Moves of one kind and tool, one after the other, on a part that lies the same way.
@@ -41,6 +50,8 @@ pub(super) struct Batch {
     /// How the part lies, by its number in [`Gathered::turns`].
     pub turn: usize,
     pub moves: Vec<Move>,
+    /// Of moves that must touch nothing the part of each that may touch what no cut of the tool has touched before.
+    pub asked: Vec<Option<Move>>,
     pub origins: Vec<Origin>,
     /// How fast each move goes.
     pub rates: Vec<Rate>,
@@ -82,6 +93,7 @@ pub(super) struct Gathered<'a> {
     pub swings: Vec<Segment>,
     /// Moves are left out on which the part is turned, or turns.
     pub leaves_out_turned: bool,
+    visited: Visited,
     row: u32,
     /// The work offset of the first cut, which is the frame of the run.
     pub work: Option<String>,
@@ -90,6 +102,7 @@ pub(super) struct Gathered<'a> {
     has_cut: bool,
     pub units: Units,
     spindle_turns: bool,
+    is_oriented: bool,
     rpm: f64,
     /// Two coordinates lie on a surface that turns with a rotary axis.
     on_surface: bool,
@@ -123,6 +136,7 @@ impl<'a> Gathered<'a> {
             turns: vec![Turn::NONE],
             swings: Vec::new(),
             leaves_out_turned: false,
+            visited: Visited::default(),
             row: 0,
             work: None,
             work_now: None,
@@ -130,6 +144,7 @@ impl<'a> Gathered<'a> {
             has_cut: false,
             units,
             spindle_turns: false,
+            is_oriented: false,
             rpm: 0.0,
             on_surface: false,
             by_time: false,
@@ -187,7 +202,7 @@ impl<'a> Gathered<'a> {
             None => Some(NoBody::Unknown.why()),
         };
         if let Some(why) = reason {
-            if kind != Kind::Rapid {
+            if !kind.is_rapid() {
                 self.tell(Code::ToolWithoutShape, segment, &why);
             }
             return;
@@ -197,7 +212,7 @@ impl<'a> Gathered<'a> {
             return self.tell(Code::StockNotFollowed, segment, why);
         }
         if !segment.known {
-            if kind != Kind::Rapid {
+            if !kind.is_rapid() {
                 let why = "where the tool is relative to the part is not known";
                 return self.tell(Code::StockNotFollowed, segment, why);
             }
@@ -262,7 +277,7 @@ impl<'a> Gathered<'a> {
             Ok(turn) => turn,
             Err(why) => return self.tell(Code::StockNotFollowed, segment, &why),
         };
-        if kind != Kind::Rapid {
+        if !kind.is_rapid() {
             let count = self.counts.entry(segment.tool).or_insert((0, f64::INFINITY));
             count.0 += 1;
             count.1 = count.1.min(segment.curve.bounds().min.z);
@@ -273,12 +288,13 @@ impl<'a> Gathered<'a> {
         let follows =
             |batch: &Batch| (batch.tool, batch.kind, batch.turn) == (segment.tool, kind, turn);
         if !self.batches.last().is_some_and(follows) {
-            let (moves, origins, rates, rows) = Default::default();
+            let (moves, asked, origins, rates, rows) = Default::default();
             self.batches.push(Batch {
                 tool: segment.tool,
                 kind,
                 turn,
                 moves,
+                asked,
                 origins,
                 rates,
                 rows,
@@ -290,11 +306,32 @@ impl<'a> Gathered<'a> {
             rpm: if self.spindle_turns { self.rpm } else { 0.0 },
             by_time: self.by_time && !origin.cycle,
         };
+        let path = Move { curve: segment.curve, tag: segment.tool };
+        let asked = self.asked(&path, kind, turn);
         if let Some(batch) = self.batches.last_mut() {
-            batch.moves.push(Move { curve: segment.curve, tag: segment.tool });
+            batch.moves.push(path);
+            batch.asked.extend(asked);
             batch.origins.push(segment.origin);
             batch.rates.push(rate);
             batch.rows.push(self.row);
+        }
+    }
+
+    /// What is asked of a move that must touch nothing; cuts are followed.
+    fn asked(&mut self, path: &Move, kind: Kind, turn: usize) -> Option<Option<Move>> {
+        match (kind, &path.curve, self.tools.get(&path.tag)) {
+            (Kind::Cut, ..) => {
+                self.visited.cut(path.tag, turn, &path.curve);
+                None
+            }
+            (_, Curve::Line(line), Some(Ok(body))) => {
+                let asked = self.visited.rapid(path.tag, turn, body, line);
+                // A bar that steps aside in its hole is narrow enough for that: its cycle asks for it.
+                let steps_aside =
+                    kind == Kind::Aside && self.visited.has(path.tag, turn, line.start);
+                Some(asked.of(path).filter(|_| !steps_aside))
+            }
+            _ => Some(Some(*path)),
         }
     }
 
@@ -302,7 +339,7 @@ impl<'a> Gathered<'a> {
     /// moves in Z nothing is asked.
     fn tip_not_known(&mut self, segment: &Segment, kind: Kind) {
         let is_level = segment.curve.start().z == segment.curve.end().z;
-        if kind == Kind::Rapid && is_level && !self.has_moved_in_z {
+        if kind.is_rapid() && is_level && !self.has_moved_in_z {
             return;
         }
         self.has_moved_in_z = true;
@@ -327,6 +364,7 @@ impl Watch for Gathered<'_> {
         match kind {
             CommandKind::Spindle { state, rpm } => {
                 self.spindle_turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
+                self.is_oriented = *state == SpindleState::Oriented;
                 self.rpm = *rpm;
             }
             CommandKind::Tool { .. } => self.has_moved_in_z = false,
@@ -344,6 +382,7 @@ impl Watch for Gathered<'_> {
         self.by_time =
             kind.feed().is_some_and(|feed| feed.mode == FeedMode::PerTime) && !kind.only_turns();
         let kind = match kind.feed() {
+            None if self.is_oriented && path.command.origin.cycle => Kind::Aside,
             None => Kind::Rapid,
             Some(_) if self.spindle_turns => Kind::Cut,
             Some(_) => Kind::Still,

@@ -25,6 +25,7 @@ mod teeth;
 mod tools;
 mod turned;
 mod turns;
+mod visited;
 
 pub use chordal_stock::columns::{Found, Job as TileJob, Runner};
 pub use chordal_stock::mesh;

@@ -69,6 +69,7 @@ impl<'a> Run<'a> {
     }
 
     pub fn place(&self, origin: Origin, tool: u32) -> Place<'_> {
-        Place { origin, tool, units: self.units, sources: self.job.sources(), fixture: None }
+        let (units, sources) = (self.units, self.job.sources());
+        Place { origin, tool, units, sources, is_aside: false, fixture: None }
     }
 }

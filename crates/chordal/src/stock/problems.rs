@@ -60,6 +60,8 @@ pub(super) struct Place<'a> {
     pub tool: u32,
     pub units: Units,
     pub sources: &'a SourceMap<'a>,
+    /// The spindle stands at its mark: the tool is no wider than its shape, and nobody knows how much narrower.
+    pub is_aside: bool,
     /// What is touched, where it is no stock.
     pub fixture: Option<Fixture<'a>>,
 }
@@ -97,6 +99,11 @@ impl Problems {
         for (code, contact) in contacts {
             match contact.touch(tolerance) {
                 Touch::Clean => {}
+                Touch::Hit { most, at, .. } if place.is_aside => {
+                    if open.is_none_or(|(known, _)| most > known.most) {
+                        open = Some((Amount { least: 0.0, most }, at));
+                    }
+                }
                 Touch::Hit { least, most, at } => {
                     self.hits += 1;
                     self.push(code, Amount { least, most }, vector(at), place);
@@ -224,13 +231,20 @@ fn diagnostic(code: Code, problem: &StockProblem, place: &Place<'_>) -> Diagnost
             "not proved",
             "lift the tool before this move, or move the fixture",
         ),
+        _ if place.is_aside => (
+            format!(
+                "tool {tool} goes down beside the axis of its hole, with the spindle at its mark"
+            ),
+            "not proved: its shape says how wide it is when it turns",
+            "look whether the bar goes through the hole",
+        ),
         _ => (
             format!(
                 "the tool may touch material here, at most {} deep",
                 units.length_text(problem.depth_mm.most)
             ),
             "not proved at this resolution",
-            "use a smaller resolution",
+            "a smaller resolution proves it where the tool has room; one as wide as what it goes into stays open",
         ),
     };
     Diagnostic::new(code, place.origin.span, message)

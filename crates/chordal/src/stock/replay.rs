@@ -5,7 +5,7 @@ mod hollows;
 use chordal_stock::shape::{Bound, Shape};
 use chordal_stock::{Lowered, Mode, Options, Stock};
 
-use super::gather::{Gathered, Kind};
+use super::gather::Gathered;
 use super::heights::Heights;
 use super::run::StockRunError;
 use super::setup::{Files, Named, shift_between};
@@ -159,7 +159,7 @@ impl Job<'_> {
         let mut before = before(&stock, target);
         let of_undercuts = gathered.batches.iter().filter(|batch| {
             let is_undercut = |tool: &ToolBody| !tool.undercuts.is_empty();
-            batch.kind != Kind::Rapid
+            !batch.kind.is_rapid()
                 && tools.get(&batch.tool).is_some_and(|tool| tool.as_ref().is_ok_and(is_undercut))
         });
         let undercuts = of_undercuts.map(|batch| batch.moves.len()).sum::<usize>() > MOST_UNDERCUTS;
@@ -184,7 +184,7 @@ impl Job<'_> {
         let at_once = if thinning.is_some() { AT_ONCE_THINNED } else { AT_ONCE };
         for batch in &gathered.batches {
             let Some(Ok(tool)) = tools.get(&batch.tool) else { continue };
-            if batch.kind == Kind::Rapid {
+            if batch.kind.is_rapid() {
                 continue;
             }
             if !tool.undercuts.is_empty() {

@@ -6,7 +6,6 @@ use std::sync::OnceLock;
 
 use chordal_command::Origin;
 use chordal_diagnostics::Code;
-use chordal_geometry::ParamCurve;
 use chordal_stock::columns::{Job as TileJob, Lower, Runner};
 use chordal_stock::shape::Shape;
 use chordal_stock::{
@@ -17,7 +16,7 @@ use super::earlier::{Begun, Earlier, below};
 use super::fixtures::look_at_fixtures;
 use super::gather::{Batch, Gathered, Kind};
 use super::pass::{Run, StockOptions};
-use super::problems::{Fixture, Problems};
+use super::problems::{Fixture, Place, Problems};
 use super::removed::OtherSide;
 use super::report::{StockReport, StockVerdict, ToolRemoved};
 use super::setup::{Files, Named, SetupError, shift_between};
@@ -285,7 +284,8 @@ impl<'a> Run<'a> {
         problems: &mut Problems,
     ) {
         for (index, origin) in asked.origins.iter().enumerate() {
-            let place = self.place(*origin, asked.tool);
+            let is_aside = self.batches[asked.batch].kind == Kind::Aside;
+            let place = Place { is_aside, ..self.place(*origin, asked.tool) };
             let touches = asked.codes.iter().zip(contacts);
             let touches = touches.map(|(code, of_moves)| (*code, sure(index, of_moves[index])));
             problems.touches(touches, self.options.tolerance_mm, &place);
@@ -316,7 +316,7 @@ impl<'a> Run<'a> {
         };
         match batch.kind {
             Kind::Cut => vec![cuts(above)],
-            Kind::Rapid => {
+            Kind::Rapid | Kind::Aside => {
                 let own = own(Code::RapidThroughStock);
                 vec![watched(number, batch, std::iter::once(own).chain(above))]
             }
@@ -328,19 +328,15 @@ impl<'a> Run<'a> {
     }
 }
 
-/// The moves of a batch that only ask. Straight up nothing is touched that was not touched where the move begins.
+/// What is asked of the moves of a batch that must touch nothing.
 fn watched<'r>(
     number: usize,
     batch: &Batch,
     bodies: impl Iterator<Item = (Code, Body)>,
 ) -> Asked<'r> {
-    let lifts = |path: &Move| {
-        let (from, to) = (path.curve.start(), path.curve.end());
-        from.x == to.x && from.y == to.y && to.z >= from.z
-    };
-    let kept = batch.moves.iter().zip(&batch.origins).filter(|(path, _)| !lifts(path));
+    let asked = batch.asked.iter().zip(&batch.origins);
     let (moves, origins): (Vec<Move>, Vec<Origin>) =
-        kept.map(|(path, from)| (*path, *from)).unzip();
+        asked.filter_map(|(path, from)| Some(((*path)?, *from))).unzip();
     let (codes, bodies) = bodies.unzip();
     let (moves, origins) = (Cow::Owned(moves), Cow::Owned(origins));
     let tool = batch.tool;

@@ -5,7 +5,7 @@ use chordal_geometry::{ParamCurve, Transform, Vec3};
 use chordal_stock::shape::Shape;
 use chordal_stock::{Amount, Body, Check, Move, Stock, StockError, Task};
 
-use super::gather::{Batch, Kind};
+use super::gather::Batch;
 use super::heights::Heights;
 use super::inside::{Inside, Sure};
 use super::pass::Run;
@@ -61,7 +61,7 @@ fn look_for_gouges(
 ) -> Result<(), StockError> {
     let bounds = heights.bounds();
     let mut asked: Vec<Asked<'_>> = Vec::new();
-    for batch in run.batches.iter().filter(|batch| batch.kind != Kind::Rapid) {
+    for batch in run.batches.iter().filter(|batch| !batch.kind.is_rapid()) {
         let Some(tool) = run.tool(batch.tool) else { continue };
         let Some(Inside { holds, sure, lift }) = tool.inside(target.tolerance) else {
             problems.undecided += 1;

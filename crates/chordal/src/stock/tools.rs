@@ -45,6 +45,20 @@ impl ToolBody {
         ends.fold(self.cutter.flutes().unwrap_or(LONG), f64::max)
     }
 
+    /// Nowhere it is narrower than below. Above the edges it counts as wide as they are: what is there is asked as a
+    /// cut that is deeper than the edges are long.
+    pub fn widens(&self) -> bool {
+        let edges = 2.0 * self.cutter.radius();
+        let mut widest = edges;
+        self.undercuts.is_empty()
+            && self.shank.iter().chain(&self.holder).all(|piece| {
+                let (lower, upper) = (piece.lower.max(edges), piece.upper.max(edges));
+                let goes_on = lower >= widest && upper >= lower;
+                widest = upper;
+                goes_on
+            })
+    }
+
     /// The largest radius of all, mm.
     pub fn radius(&self) -> f64 {
         let pieces = self.shank.iter().chain(&self.holder);
@@ -196,4 +210,14 @@ fn stacked(solids: &[Solid], at: &mut f64) -> Vec<Piece> {
         Piece { from, height: height_mm, lower: lower_mm, upper: upper_mm }
     };
     solids.iter().map(piece).collect()
+}
+
+/// A body of a cutter with a holder: its height, and its diameters below and above.
+#[cfg(test)]
+pub(super) fn body_for_tests(cutter: Cutter, holder: Option<[f64; 3]>) -> ToolBody {
+    let dimensions = Dimensions::Flat { diameter: 2.0 * cutter.radius() };
+    let from = cutter.flutes().unwrap_or(0.0);
+    let piece = |[height, lower, upper]: [f64; 3]| Piece { from, height, lower, upper };
+    let holder = holder.map(piece).into_iter().collect();
+    ToolBody { cutter, core: None, undercuts: Vec::new(), dimensions, shank: Vec::new(), holder }
 }
