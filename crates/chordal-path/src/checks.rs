@@ -206,7 +206,12 @@ impl<'a> Checks<'a> {
             _ => {}
         }
         match &command.kind {
-            CommandKind::Compensation { side, .. } => self.now.compensated = *side != Side::Off,
+            CommandKind::Compensation { side, number, radius_mm, .. } => {
+                self.now.compensated = *side != Side::Off;
+                if let (true, Some(number)) = (self.now.compensated, *number) {
+                    self.radius_of_other_tool(command, number, *radius_mm, &mut report);
+                }
+            }
             CommandKind::Line { motion, .. } if self.now.compensated => {
                 self.joint_of_line(motion, command.origin, &mut report);
             }

@@ -139,6 +139,11 @@ impl TipTracker {
         (self.tool, self.number)
     }
 
+    /// The program has had this tool in the spindle.
+    pub fn has_used(&self, tool: u32) -> bool {
+        self.used.contains(&tool)
+    }
+
     fn placed(&self, machine: &Machine) -> TipPlace {
         if self.lengths == ToolLengths::Absent || self.tool == 0 || self.is_in_machine {
             return TipPlace::AsProgrammed;

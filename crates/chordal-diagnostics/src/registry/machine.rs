@@ -69,6 +69,12 @@ machine file does not give both lengths: nobody can say where the tip is, and no
 proved. Where the work offset is set anew with each tool, set `tool_lengths` to `touched-off` in `[settings]` of the
 machine file."#;
 
+    RadiusOfOtherTool = 612, "radius-of-other-tool", Error;
+    "the radius offset is that of another tool";
+    r#"D has the number of a tool that the program has used before, and its radius is not that of the tool in the spindle:
+the contour is cut too large or too small by the difference. Where the machine file does not give both radii, this is a
+warning. Other numbers are the shop's own: `D21` for a second offset of tool 1."#;
+
     InternalError = 901, "internal-error", Error;
     "Chordal has a defect";
     r#"This is a defect of Chordal, not of the program. Please report it with the program."#;

@@ -50,6 +50,8 @@ pub enum Field {
     SemicircleTolerance,
     ExcessDecimals,
     ToolLengths,
+    LengthWithoutNumber,
+    LengthInIncrement,
     MostDigits,
     HelixFeed,
     Spiral,
@@ -173,6 +175,16 @@ const GENERAL: &[Setting] = &[
         "tool_lengths",
         Field::ToolLengths,
         "where the length of a tool comes from: `table` (a code of the program), `touched-off` (the work offset is set with each tool) or `absent`",
+    ),
+    common(
+        "length_without_h",
+        Field::LengthWithoutNumber,
+        "G43 without H: the length that is `in-force` (none at power-on), or that of the `tool` in the spindle",
+    ),
+    common(
+        "length_in_increment",
+        Field::LengthInIncrement,
+        "`G91 G43 Z-32. H1`: the length is `added` to the way of Z, or `not-added`",
     ),
     common(
         "most_digits",
@@ -412,6 +424,12 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::SemicircleTolerance => p.rules.arc.semicircle_tolerance_mm = Some(length()?),
         Field::ExcessDecimals => p.excess_decimals = choose(word, EXCESS_DECIMALS)?,
         Field::ToolLengths => p.rules.tool_lengths = choose(word, TOOL_LENGTHS)?,
+        Field::LengthWithoutNumber => {
+            p.rules.length_without_number = choose(word, LENGTHS_WITHOUT_NUMBER)?;
+        }
+        Field::LengthInIncrement => {
+            p.rules.length_adds_to_increment = choose(word, LENGTHS_IN_INCREMENT)?;
+        }
         Field::MostDigits => p.most_digits = count()?.min(18) as u8,
         Field::HelixFeed => {
             p.rules.arc.helix_feed =
@@ -547,6 +565,10 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         },
         Field::ExcessDecimals => name_of(p.excess_decimals, EXCESS_DECIMALS),
         Field::ToolLengths => name_of(p.rules.tool_lengths, TOOL_LENGTHS),
+        Field::LengthWithoutNumber => {
+            name_of(p.rules.length_without_number, LENGTHS_WITHOUT_NUMBER)
+        }
+        Field::LengthInIncrement => name_of(p.rules.length_adds_to_increment, LENGTHS_IN_INCREMENT),
         Field::MostDigits => p.most_digits.to_string(),
         Field::HelixFeed => {
             if p.rules.arc.helix_feed == FeedAlong::Path { "path" } else { "plane" }.into()
@@ -671,6 +693,11 @@ const TOOL_LENGTHS: &[(&str, ToolLengths)] = &[
     ("touched-off", ToolLengths::TouchedOff),
     ("absent", ToolLengths::Absent),
 ];
+
+const LENGTHS_WITHOUT_NUMBER: &[(&str, LengthWithoutNumber)] =
+    &[("in-force", LengthWithoutNumber::InForce), ("tool", LengthWithoutNumber::OfTool)];
+
+const LENGTHS_IN_INCREMENT: &[(&str, bool)] = &[("added", true), ("not-added", false)];
 
 const ROTARY_IN_ARC: &[(&str, bool)] = &[("allowed", true), ("refused", false)];
 

@@ -2,17 +2,20 @@
 //! comes after the motion.
 
 use chordal_command::{CommandKind, FeedMode, Side, SpindleState, Units, WorkName};
-use chordal_diagnostics::{Code, Diagnostic};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::{
     Action, AfterCode, BeforeCode, CallCode, LengthCode, ModeCode, OnceCode, ReadingCode,
 };
 use chordal_dialect::{CodeRow, Group, PlaneCodes, Scale, code_number};
 use chordal_geometry::Plane;
 use chordal_kernel::LengthOffset;
-use chordal_kernel::rules::ArcCenter;
+use chordal_kernel::rules::{ArcCenter, LengthWithoutNumber};
+use chordal_machine::Axis;
 use chordal_syntax::Block;
 
 use super::{EndReason, Flow, Interpreter};
+
+const Z: usize = Axis::Z as usize;
 
 impl Interpreter<'_> {
     /// Modes that change how the numbers of this very block are read.
@@ -299,14 +302,10 @@ impl Interpreter<'_> {
                 let largest = self.control.parameters.largest_numbers.offset;
                 self.count_up_to(block, b'H', largest)
             }
-            // The values are copied, not those of a number that stays in force.
-            false if self.control.parameters.rules.length_is_copied => Some(self.kernel.state.tool),
-            false => {
-                let named = self.kernel.state.named_length;
-                in_force.number.or(named).or(Some(self.kernel.state.tool))
-            }
+            false => self.length_without_number(block, length_code),
         };
         self.kernel.state.named_length = None;
+        let commanded = self.kernel.state.position[Z];
         match number {
             Some(0) => {
                 self.kernel.set_length(&self.at(block), LengthOffset { number: None, minus: false })
@@ -318,6 +317,40 @@ impl Interpreter<'_> {
             }
             None => {}
         }
+        let adds = self.control.parameters.rules.length_adds_to_increment;
+        let is_once = codes.iter().any(|(row, _)| matches!(row.action, Action::Once(_)));
+        if adds && self.kernel.state.incremental && block.letters().has(b'Z') && !is_once {
+            // The way of Z begins at the coordinate before, and the length is added to its end: from Z0 of the
+            // machine, with a length of -4 mm, `G91 G43 Z-32. H1` ends at -36.
+            let mut believed = self.kernel.state.position;
+            believed[Z] = commanded;
+            self.kernel.state.believed = Some(believed);
+        }
+    }
+
+    /// The length that G43 or G44 without H brings into force.
+    fn length_without_number(
+        &mut self,
+        block: &Block,
+        code: Option<&(&'static CodeRow, usize)>,
+    ) -> Option<u32> {
+        if self.control.parameters.rules.length_without_number == LengthWithoutNumber::OfTool {
+            return Some(self.kernel.state.tool);
+        }
+        let in_force = self.kernel.state.offsets.length().number;
+        let number = in_force.or(self.kernel.state.named_length);
+        if let (None, Some((_, at))) = (number, code) {
+            let name = self.code_text(block, *at);
+            let span = self.span(block.words[*at].range);
+            let message =
+                format!("{name} without H: the offset in force is H0, and no length acts");
+            self.kernel.report(
+                Diagnostic::new(Code::MissingWord, span, message)
+                    .severity(Severity::Warning)
+                    .help("write H and the number of the tool's offset"),
+            );
+        }
+        Some(number.unwrap_or(0))
     }
 
     /// A motion code stays in force, and decides between rapid and feed, when another code

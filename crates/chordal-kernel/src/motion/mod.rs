@@ -278,6 +278,7 @@ impl Kernel<'_> {
     /// A rapid, where it goes anywhere.
     pub fn rapid_to(&mut self, target: Position, named: AxisMask) {
         if target == self.state.position {
+            self.state.believed = None;
             self.state.known = self.state.known.or(named).without(self.state.astray);
             return;
         }

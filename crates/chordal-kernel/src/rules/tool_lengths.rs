@@ -11,3 +11,13 @@ pub enum ToolLengths {
     /// The control has no tool lengths.
     Absent,
 }
+
+/// Which length G43 or G44 without H brings into force.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LengthWithoutNumber {
+    /// The one that is in force, and none where none is (an Allen-Bradley 9 Series manual prints it so of the same
+    /// codes).
+    InForce,
+    /// That of the tool in the spindle.
+    OfTool,
+}

@@ -1,14 +1,17 @@
 //! The first move that goes near the part while the tip is not where the program means it to be.
 
 use chordal_command::{Command, CommandKind};
-use chordal_diagnostics::{Code, Diagnostic};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_geometry::Vec3;
-use chordal_machine::{Axis, Machine};
+use chordal_machine::{Axis, Machine, Tool};
 
 use super::Checks;
 use crate::tip::{TipDoubt, TipPlace};
 
 const Z: usize = Axis::Z as usize;
+
+/// Radii that differ by less are the same, mm.
+const SAME_RADIUS_MM: f64 = 1e-5;
 
 impl Checks<'_> {
     /// Reports each tool and length offset once.
@@ -50,6 +53,41 @@ impl Checks<'_> {
             TipPlace::AsProgrammed => return,
         };
         report(diagnostic);
+    }
+
+    /// Reports a radius offset that is that of another tool.
+    #[cold]
+    pub(super) fn radius_of_other_tool(
+        &mut self,
+        command: &Command,
+        offset: u32,
+        radius_mm: Option<f64>,
+        report: &mut impl FnMut(Diagnostic),
+    ) {
+        let (tool, _) = self.now.tip.tool_and_offset();
+        // Numbers of tools that the program does not use may be further offsets of this one, for passes.
+        let is_other = offset != tool && self.now.tip.has_used(offset);
+        if tool == 0 || !is_other || self.machine.turns() {
+            return;
+        }
+        let own_mm = self.machine.tools.get(&tool).and_then(Tool::radius_mm);
+        let text = |mm: f64| self.now.units.length_text(mm);
+        let (severity, why) = match (own_mm, radius_mm) {
+            (Some(own), Some(other)) if (own - other).abs() < SAME_RADIUS_MM => return,
+            (Some(own), Some(other)) => {
+                let why = format!("its radius is {}, that of D{offset} {}", text(own), text(other));
+                (Severity::Error, why)
+            }
+            _ => (Severity::Warning, "the machine file does not give both radii".to_string()),
+        };
+        let message = format!("tool {tool} cuts with D{offset}, the radius of another tool");
+        let diagnostic = Diagnostic::new(Code::RadiusOfOtherTool, command.origin.span, message);
+        report(
+            diagnostic
+                .severity(severity)
+                .note(why)
+                .help(format!("write D{tool}, where offsets have the numbers of their tools")),
+        );
     }
 
     /// A cut, or a rapid that does not go up and after which the tip is below the clearance plane.

@@ -11,6 +11,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         cycles: CYCLES,
         chip_break_mm: 0.1,
         length_is_copied: true,
+        length_without_number: LengthWithoutNumber::OfTool,
         path: PathRules {
             junctions: Some(JunctionRules {
                 deviation_mm: 0.01,

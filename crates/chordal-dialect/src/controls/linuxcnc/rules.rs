@@ -30,6 +30,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
         work_values_add: false,
         shift_is_preset: true,
         length_is_copied: true,
+        length_without_number: LengthWithoutNumber::OfTool,
         cycles: CYCLES,
         compensation: COMPENSATION,
         // Rapids are blended like cuts.
