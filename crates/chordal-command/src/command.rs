@@ -12,6 +12,7 @@ use crate::origin::Origin;
 use crate::surface::RotarySurface;
 use crate::units::Units;
 use crate::work_name::WorkName;
+use crate::work_zero::WorkZero;
 
 /// What a command does.
 #[derive(Clone, Debug, PartialEq)]
@@ -152,6 +153,8 @@ pub enum CommandKind {
         /// What is added to program coordinates to get machine coordinates, without tool
         /// length, mm and rad.
         offset: Position,
+        /// What of it the work coordinate system gives, and what shifts and presets.
+        zero: WorkZero,
         /// The axes whose way to machine coordinates, tool length included, is known.
         known: AxisMask,
         /// The tool tip in the new program coordinates.

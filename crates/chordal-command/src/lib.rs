@@ -29,6 +29,7 @@ mod sink;
 mod surface;
 mod units;
 mod work_name;
+mod work_zero;
 
 pub use axes::{AxisMask, Position};
 pub use command::{Command, CommandKind};
@@ -39,3 +40,4 @@ pub use sink::Sink;
 pub use surface::{RotarySurface, SurfaceRun, SurfaceShape};
 pub use units::{Units, number_text, telling_number};
 pub use work_name::{WorkName, WorkNaming};
+pub use work_zero::WorkZero;

@@ -6,7 +6,7 @@ use chordal_geometry::Plane;
 use chordal_machine::{AXES, PerAxis};
 
 use crate::kernel::Kernel;
-use crate::offsets::LengthOffset;
+use crate::offsets::{LengthOffset, UnknownPresets};
 use crate::rules::OffsetKind;
 use crate::statement::{Statement, What};
 
@@ -30,6 +30,7 @@ impl Kernel<'_> {
         let kind = CommandKind::WorkOffset {
             name: state.offsets.active(),
             offset: state.offsets.work(),
+            zero: state.offsets.zero(),
             known: state.offsets.known(),
             position: state.position,
         };
@@ -287,7 +288,8 @@ impl Kernel<'_> {
         for (preset, value) in preset.iter_mut().zip(values) {
             *preset = value.unwrap_or(*preset);
         }
-        self.state.shift_coordinates(|offsets| offsets.set_preset(preset));
+        let unknown = self.state.offsets.unknown_presets();
+        self.state.shift_coordinates(|offsets| offsets.set_preset(preset, unknown));
         self.note_preset();
         self.emit_work_offset();
     }
@@ -295,6 +297,7 @@ impl Kernel<'_> {
     /// G92 or G52 acts from here on.
     fn note_preset(&mut self) {
         self.preset_kept = self.state.offsets.preset();
+        self.unknown_presets_kept = self.state.offsets.unknown_presets();
         self.preset_acts = true;
     }
 
@@ -311,7 +314,9 @@ impl Kernel<'_> {
         if inside {
             named = self.state.frames.map().reached(named);
         }
+        let somewhere = named.without(self.state.known);
         self.state.shift_coordinates(|offsets| {
+            offsets.preset_somewhere(somewhere);
             for axis in 0..AXES {
                 if named.has(axis) {
                     if clears_shift {
@@ -344,9 +349,12 @@ impl Kernel<'_> {
     pub fn clear_preset(&mut self, keep: bool) {
         if !keep {
             self.preset_kept = [0.0; AXES];
+            self.unknown_presets_kept.axes = AxisMask::NONE;
         }
         self.preset_acts = false;
-        self.state.shift_coordinates(|offsets| offsets.set_preset([0.0; AXES]));
+        let count = self.state.offsets.unknown_presets().count;
+        let none = UnknownPresets { axes: AxisMask::NONE, count };
+        self.state.shift_coordinates(|offsets| offsets.set_preset([0.0; AXES], none));
         self.emit_work_offset();
     }
 
@@ -354,7 +362,8 @@ impl Kernel<'_> {
     pub fn restore_preset(&mut self) {
         let preset = self.preset_kept;
         self.preset_acts = true;
-        self.state.shift_coordinates(|offsets| offsets.set_preset(preset));
+        let unknown = self.unknown_presets_kept;
+        self.state.shift_coordinates(|offsets| offsets.set_preset(preset, unknown));
         self.emit_work_offset();
     }
 }

@@ -5,6 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_machine::{AXES, Machine, PerAxis};
 
 use crate::corner_queue::Corners;
+use crate::offsets::UnknownPresets;
 use crate::rules::{ArcCenter, Rules};
 use crate::sink::RunSink;
 use crate::state::State;
@@ -60,6 +61,8 @@ pub struct KernelMemory {
     pub block_number: Option<f64>,
     /// Presets to put back.
     pub preset_kept: PerAxis<f64>,
+    /// Those of them at a place that nobody knows.
+    pub unknown_presets_kept: UnknownPresets,
     /// Presets act.
     pub preset_acts: bool,
     /// What was reported.
@@ -91,6 +94,8 @@ pub struct Kernel<'a> {
     pub max_repeated: u64,
     /// Presets that G92.2 keeps.
     pub preset_kept: PerAxis<f64>,
+    /// Those of them at a place that nobody knows.
+    pub unknown_presets_kept: UnknownPresets,
     /// G92 or G52 acts: it was written, and not switched off since.
     pub preset_acts: bool,
     /// What was reported once.
@@ -128,6 +133,7 @@ impl<'a> Kernel<'a> {
             repeated: 0,
             max_repeated: u64::MAX,
             preset_kept: [0.0; AXES],
+            unknown_presets_kept: UnknownPresets::default(),
             preset_acts: false,
             reported: Reported::default(),
             corners: Corners::default(),
@@ -258,6 +264,7 @@ impl<'a> Kernel<'a> {
             repeated: self.repeated,
             block_number: self.block_number,
             preset_kept: self.preset_kept,
+            unknown_presets_kept: self.unknown_presets_kept,
             preset_acts: self.preset_acts,
             reported: self.reported.clone(),
         }
@@ -271,6 +278,7 @@ impl<'a> Kernel<'a> {
         self.repeated = memory.repeated;
         self.block_number = memory.block_number;
         self.preset_kept = memory.preset_kept;
+        self.unknown_presets_kept = memory.unknown_presets_kept;
         self.preset_acts = memory.preset_acts;
         self.reported = memory.reported;
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use chordal_command::{AxisMask, Position, WorkName, WorkNaming};
+use chordal_command::{AxisMask, Position, WorkName, WorkNaming, WorkZero};
 use chordal_geometry::Plane;
 use chordal_machine::{AXES, Axis, Machine, PerAxis, Tool};
 
@@ -29,12 +29,25 @@ pub struct Offsets {
     preset: Position,
     /// The axes whose place G92 has made known or unknown, whatever the table says.
     preset_known: PerAxis<Option<bool>>,
+    /// The presets that were given at a place that nobody knows in the work coordinate system.
+    unknown_presets: UnknownPresets,
     length: LengthOffset,
     /// Tool offsets in force by their values, not by the table.
     tool_values: Option<Position>,
     total: Position,
     work: Position,
+    system: Position,
+    system_known: AxisMask,
     known: AxisMask,
+}
+
+/// Presets at a place that nobody knows.
+#[derive(Clone, Copy, Default, PartialEq, Debug)]
+pub struct UnknownPresets {
+    /// The axes on which one acts.
+    pub axes: AxisMask,
+    /// The number of the last one.
+    pub count: u32,
 }
 
 /// The tool length in force.
@@ -79,10 +92,13 @@ impl Offsets {
             shift: [0.0; AXES],
             preset: [0.0; AXES],
             preset_known: [None; AXES],
+            unknown_presets: UnknownPresets::default(),
             length: LengthOffset { number: None, minus: false },
             tool_values: None,
             total: [0.0; AXES],
             work: [0.0; AXES],
+            system: [0.0; AXES],
+            system_known: AxisMask::NONE,
             known: AxisMask::NONE,
         };
         offsets.update();
@@ -98,6 +114,16 @@ impl Offsets {
     /// The same without the tool length.
     pub fn work(&self) -> Position {
         self.work
+    }
+
+    /// Where the zero of program coordinates comes from.
+    pub fn zero(&self) -> WorkZero {
+        WorkZero {
+            system: self.system,
+            system_known: self.system_known,
+            preset_unknown: self.unknown_presets.axes,
+            preset: self.unknown_presets.count,
+        }
     }
 
     /// The axes for which the total is known.
@@ -158,14 +184,28 @@ impl Offsets {
         self.preset_known[axis] = Some(known);
     }
 
+    /// Axes are preset at a place that nobody knows in the work coordinate system.
+    pub fn preset_somewhere(&mut self, axes: AxisMask) {
+        if axes != AxisMask::NONE {
+            self.unknown_presets.axes = self.unknown_presets.axes.or(axes);
+            self.unknown_presets.count += 1;
+        }
+    }
+
+    /// The presets at a place that nobody knows, to put them back later.
+    pub fn unknown_presets(&self) -> UnknownPresets {
+        self.unknown_presets
+    }
+
     /// The presets, to put them back later.
     pub fn preset(&self) -> Position {
         self.preset
     }
 
     /// Puts presets back.
-    pub fn set_preset(&mut self, preset: Position) {
+    pub fn set_preset(&mut self, preset: Position, unknown: UnknownPresets) {
         self.preset = preset;
+        self.unknown_presets = unknown;
         self.preset_known = [None; AXES];
     }
 
@@ -201,17 +241,17 @@ impl Offsets {
             return;
         }
         let degrees = self.rotation(&self.key(self.active));
-        frames.set_work_rotation(degrees, self.zero());
+        frames.set_work_rotation(degrees, self.zero_of_turn());
     }
 
     /// The turn of a system about its zero, where systems are turned.
     pub(crate) fn own_turn(&self, key: &str) -> Option<Map> {
         let turned = !self.rotations.is_empty();
-        turned.then(|| Map::rotation(Plane::Xy, self.zero(), self.rotation(key)))
+        turned.then(|| Map::rotation(Plane::Xy, self.zero_of_turn(), self.rotation(key)))
     }
 
     /// Where the zero of a system lies in its coordinates, without shift and preset.
-    fn zero(&self) -> [f64; 2] {
+    fn zero_of_turn(&self) -> [f64; 2] {
         [0, 1].map(|axis| -(self.shift[axis] + self.preset[axis]))
     }
 
@@ -279,20 +319,23 @@ impl Offsets {
         };
         let length_known = self.length_in_force().is_some();
         let tool = self.tool_in_force();
-        let mut known = AxisMask::NONE;
+        (self.known, self.system_known) = (AxisMask::NONE, AxisMask::NONE);
         for axis in 0..AXES {
             let base = system.and_then(|values| values[axis]);
             let external = if machine { 0.0 } else { self.external[axis].unwrap_or(0.0) };
-            self.work[axis] = base.unwrap_or(0.0) + external + self.shift[axis] + self.preset[axis];
+            self.system[axis] = base.unwrap_or(0.0) + external;
+            self.work[axis] = self.system[axis] + self.shift[axis] + self.preset[axis];
+            if base.is_some() || self.absent.has(axis) {
+                self.system_known.insert(axis);
+            }
             let mut is_known = self.preset_known[axis].unwrap_or(base.is_some());
             self.total[axis] = self.work[axis] + tool[axis];
             if axis == Z {
                 is_known &= length_known;
             }
             if is_known || self.absent.has(axis) {
-                known.insert(axis);
+                self.known.insert(axis);
             }
         }
-        self.known = known;
     }
 }

@@ -2,23 +2,65 @@
 
 use chordal_command::{
     AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, SpindleState,
+    WorkName, WorkZero,
 };
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
 use chordal_kernel::rules::ToolLengths;
-use chordal_machine::{AXES, Machine};
+use chordal_machine::{AXES, Machine, PerAxis};
 
 use crate::frame::Frame;
 use crate::rapid;
 use crate::segment::{Segment, SegmentKind, curve_of, curves_of, is_known, point};
 use crate::tip::{TipPlace, TipTracker};
 
-/// Turns commands into segments in one frame: the program coordinates of the first cut.
-/// What runs under another work offset is moved to where it lies relative to that.
+/// The frame of a run: the work coordinate system of its first cut.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RunFrame {
+    name: WorkName,
+    zero: WorkZero,
+    /// Added to its coordinates to get machine coordinates, mm.
+    offset: Position,
+}
+
+impl RunFrame {
+    /// The frame of a first cut that is made in `frame`. `set_up` is what the setup gives of its work coordinate
+    /// system, mm: what the program itself writes into the system moves it against that.
+    pub fn of_cut(frame: &Frame, set_up: PerAxis<Option<f64>>) -> RunFrame {
+        let zero = &frame.zero;
+        let offset = std::array::from_fn(|axis| match set_up[axis] {
+            // Nothing else is known of it but what the preset says.
+            _ if zero.preset_unknown.has(axis) => frame.work[axis],
+            Some(value) => value,
+            None => zero.system[axis],
+        });
+        RunFrame { name: frame.name, zero: *zero, offset }
+    }
+
+    /// How far program coordinates of another frame lie from this one, mm, and whether that is known of all axes.
+    fn shift_of(&self, frame: &Frame) -> (Vec3, bool) {
+        let same_system = frame.name == self.name;
+        let mut is_known = true;
+        let mut along = |axis: usize| {
+            if frame.zero.relation_is_known(&self.zero, same_system, axis) {
+                return frame.work[axis] - self.offset[axis];
+            }
+            is_known = false;
+            0.0
+        };
+        let shift = Vec3::new(along(0), along(1), along(2));
+        (shift, is_known)
+    }
+}
+
+/// Turns commands into segments in one frame: the work coordinate system of the first cut.
+/// What runs under another work offset, a shift or a preset is moved to where it lies relative to that.
 #[derive(Debug)]
 pub struct PathBuilder<'a> {
     machine: &'a Machine,
     frame: Frame,
-    base: Option<(Position, AxisMask)>,
+    run_frame: Option<RunFrame>,
+    /// From the active program coordinates to the frame of the run, mm, and whether that is known.
+    shift: (Vec3, bool),
     tool: u32,
     tip: TipTracker,
     /// The speed of the spindle, 1/min; 0 while it stands.
@@ -62,7 +104,8 @@ impl<'a> PathBuilder<'a> {
             tip: TipTracker::new(machine, ToolLengths::Absent, known),
             machine,
             frame: Frame::new(offset, known),
-            base: None,
+            run_frame: None,
+            shift: (Vec3::ZERO, true),
             tool: 0,
             rpm: 0.0,
             flat: Flat::Open,
@@ -73,6 +116,18 @@ impl<'a> PathBuilder<'a> {
     pub fn with_tool_lengths(self, lengths: ToolLengths) -> PathBuilder<'a> {
         let tip = TipTracker::new(self.machine, lengths, self.frame.known);
         PathBuilder { tip, ..self }
+    }
+
+    /// The run begins in a work coordinate system.
+    pub fn in_system(self, name: WorkName) -> PathBuilder<'a> {
+        PathBuilder { frame: self.frame.in_system(name), ..self }
+    }
+
+    /// The frame of the run is known before its first cut: what goes before lies right, too.
+    pub fn in_run_frame(mut self, run_frame: Option<RunFrame>) -> PathBuilder<'a> {
+        self.run_frame = run_frame;
+        self.place();
+        self
     }
 
     /// Follows a command and hands its segments on.
@@ -86,7 +141,7 @@ impl<'a> PathBuilder<'a> {
         }
         self.tip.follow(command, self.machine);
         if self.frame.follow(command) {
-            return;
+            return self.place();
         }
         let Some(motion) = command.kind.motion() else { return };
         let is_flat = self.flat.follow(motion, command.kind.feed().is_some());
@@ -148,14 +203,17 @@ impl<'a> PathBuilder<'a> {
     }
 
     fn shift_of_frame(&mut self, cuts: bool) -> Vec3 {
-        if cuts && self.base.is_none() {
-            self.base = Some((self.frame.work, self.frame.known));
+        if cuts && self.run_frame.is_none() {
+            self.run_frame = Some(RunFrame::of_cut(&self.frame, [None; AXES]));
+            self.place();
         }
-        let Some((base, base_known)) = self.base else { return Vec3::ZERO };
-        let known = base_known.and(self.frame.known);
-        let along =
-            |axis: usize| if known.has(axis) { self.frame.work[axis] - base[axis] } else { 0.0 };
-        Vec3::new(along(0), along(1), along(2))
+        self.shift.0
+    }
+
+    fn place(&mut self) {
+        if let Some(run_frame) = &self.run_frame {
+            self.shift = run_frame.shift_of(&self.frame);
+        }
     }
 
     #[inline]
@@ -183,6 +241,7 @@ impl<'a> PathBuilder<'a> {
             from_known: motion.from_known,
             to_known: motion.to_known,
             tip_known: !matches!(self.tip.place(), TipPlace::Unknown(_)),
+            frame_known: self.shift.1,
             flat: false,
             origin: command.origin,
         }

@@ -1,11 +1,15 @@
 //! Offsets and lengths between program and machine coordinates.
 
-use chordal_command::{AxisMask, Command, CommandKind, Position, SurfaceRun};
+use chordal_command::{AxisMask, Command, CommandKind, Position, SurfaceRun, WorkName, WorkZero};
 use chordal_machine::AXES;
 
 /// What lies between program and machine coordinates while commands go by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
+    /// The work coordinate system.
+    pub name: WorkName,
+    /// Where the zero of program coordinates comes from.
+    pub zero: WorkZero,
     /// Added to program coordinates, without tool length, mm and rad.
     pub work: Position,
     /// Added by the offsets of the tool, the length with them, mm and rad.
@@ -19,13 +23,26 @@ pub struct Frame {
 impl Frame {
     /// The frame before the first command.
     pub fn new(offset: Position, known: AxisMask) -> Frame {
-        Frame { work: offset, tool: [0.0; AXES], known, surface: None }
+        Frame {
+            name: WorkName::G(54),
+            zero: WorkZero::of_system(offset, known),
+            work: offset,
+            tool: [0.0; AXES],
+            known,
+            surface: None,
+        }
+    }
+
+    /// The same frame, where another work coordinate system is the first.
+    pub fn in_system(self, name: WorkName) -> Frame {
+        Frame { name, ..self }
     }
 
     /// Follows a command; true when the frame changed.
     pub fn follow(&mut self, command: &Command) -> bool {
         match &command.kind {
-            CommandKind::WorkOffset { offset, known, .. } => {
+            CommandKind::WorkOffset { name, offset, zero, known, .. } => {
+                (self.name, self.zero) = (*name, *zero);
                 self.work = *offset;
                 self.known = *known;
             }

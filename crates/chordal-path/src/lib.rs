@@ -50,7 +50,7 @@ mod side_check;
 mod surface;
 mod tip;
 
-pub use builder::{PathBuilder, duration_s};
+pub use builder::{PathBuilder, RunFrame, duration_s};
 pub use checks::{Checks, ChecksMemory, Seen, depth_mm};
 pub use compensation::{
     Compensator, CompensatorMemory, ContourPiece, PathCommand, PathSink, PlaneCurve, Role,

@@ -45,6 +45,8 @@ pub struct Segment {
     pub to_known: AxisMask,
     /// The tip is at the programmed point, or as far from it as the curve says.
     pub tip_known: bool,
+    /// Where its program coordinates lie in the frame of the run is known.
+    pub frame_known: bool,
     /// Only X and Y are, and no move has named Z yet: it lies flat, as the cuts of a laser do, and can be drawn so.
     pub flat: bool,
     /// The block that says so.

@@ -1,15 +1,19 @@
 //! A [`Job`]: a program on a machine, and its run.
 
+use std::sync::OnceLock;
+
 use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, Diagnostic, FileId, Source, SourceMap, Span};
 use chordal_dialect::Control;
 use chordal_dialect::SettingError;
-use chordal_gcode::{Interrupt, Library, Program, RunOptions, WordAddress, initial_offset};
+use chordal_gcode::{
+    Interrupt, Library, Program, RunOptions, WordAddress, initial_offset, initial_work_offset,
+};
 use chordal_geometry::Placement;
 use chordal_kernel::Outcome;
 use chordal_kernel::{Checkpoint, Language, Ran, RunSink};
 use chordal_machine::{Machine, PerAxis};
-use chordal_path::{Checks, PathBuilder};
+use chordal_path::{Checks, Frame, PathBuilder, RunFrame};
 use chordal_syntax::ProgramHead;
 
 /// Why there is no job.
@@ -54,6 +58,8 @@ pub struct Job<'a> {
     control: Control,
     options: RunOptions,
     program: Option<Chosen>,
+    /// The frame of the run, where it was asked for.
+    pub(crate) run_frame: OnceLock<Option<RunFrame>>,
 }
 
 /// Which program of the first text is run.
@@ -85,7 +91,8 @@ impl<'a> Job<'a> {
         if !errors.is_empty() {
             return Err(JobError::Settings(errors));
         }
-        Ok(Job { sources, machine, control, options: RunOptions::default(), program: None })
+        let (options, run_frame) = (RunOptions::default(), OnceLock::new());
+        Ok(Job { sources, machine, control, options, program: None, run_frame })
     }
 
     /// The same job with another first text.
@@ -102,12 +109,14 @@ impl<'a> Job<'a> {
             control: self.control.clone(),
             options: self.options.clone(),
             program: self.program,
+            run_frame: OnceLock::new(),
         }
     }
 
     /// Runs only the program of this number.
     pub fn program(mut self, number: Option<u32>) -> Job<'a> {
         self.program = number.map(Chosen::Number);
+        self.run_frame = OnceLock::new();
         self
     }
 
@@ -115,6 +124,7 @@ impl<'a> Job<'a> {
     /// none, nothing is run.
     pub fn program_at(mut self, place: usize) -> Job<'a> {
         self.program = Some(Chosen::Place(place));
+        self.run_frame = OnceLock::new();
         self
     }
 
@@ -137,6 +147,7 @@ impl<'a> Job<'a> {
     /// Other budgets than the usual ones.
     pub fn options(mut self, options: RunOptions) -> Job<'a> {
         self.options = options;
+        self.run_frame = OnceLock::new();
         self
     }
 
@@ -272,12 +283,16 @@ impl<'a> Job<'a> {
         }
     }
 
+    pub(crate) fn run_options(&self) -> &RunOptions {
+        &self.options
+    }
+
     /// The language of the programs, with the texts and the machine.
     pub fn language(&self) -> WordAddress<'_> {
         WordAddress::new(&self.sources, &self.machine, &self.control, &self.options)
     }
 
-    fn mains(&self, language: &WordAddress<'_>) -> Vec<usize> {
+    pub(crate) fn mains(&self, language: &WordAddress<'_>) -> Vec<usize> {
         let library = language.library();
         match self.program {
             Some(Chosen::Number(number)) => library.find(number, FileId(0)).into_iter().collect(),
@@ -311,9 +326,17 @@ impl<'a> Job<'a> {
 
     /// Makes the path of one run of this job from its commands.
     pub fn path_builder(&self) -> PathBuilder<'_> {
-        let (offset, known) = self.initial_offset();
-        PathBuilder::new(self.machine(), offset, known)
+        let frame = self.initial_frame();
+        PathBuilder::new(self.machine(), frame.work, frame.known)
+            .in_system(frame.name)
+            .in_run_frame(self.run_frame())
             .with_tool_lengths(self.control().parameters.rules.tool_lengths)
+    }
+
+    /// What lies between program and machine coordinates before the first block.
+    pub(crate) fn initial_frame(&self) -> Frame {
+        let (offset, known) = self.initial_offset();
+        Frame::new(offset, known).in_system(initial_work_offset(self.control()))
     }
 
     pub(crate) fn initial_offset(&self) -> (PerAxis<f64>, AxisMask) {

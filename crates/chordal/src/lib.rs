@@ -33,6 +33,7 @@ pub mod control {
 
 mod comp_range;
 mod compensated;
+mod first_cut;
 mod job;
 pub mod motion;
 mod reading;

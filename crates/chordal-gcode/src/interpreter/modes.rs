@@ -399,8 +399,8 @@ impl Interpreter<'_> {
                 format!("{arc} makes no arc in the block of {taker}, which uses the axis words"),
             )
             .severity(match self.control.parameters.one_code_takes_axes {
-                Some(_) => chordal_diagnostics::Severity::Error,
-                None => chordal_diagnostics::Severity::Warning,
+                Some(_) => Severity::Error,
+                None => Severity::Warning,
             })
             .label("the arc is skipped")
             .help("write the arc in a separate block"),

@@ -54,8 +54,9 @@ impl Map {
             CommandKind::CornerArc { toward } => {
                 CommandKind::CornerArc { toward: toward.map(|way| self.way_in_plane(plane, way)) }
             }
-            CommandKind::WorkOffset { name, offset, known, position } => {
-                CommandKind::WorkOffset { name, offset, known, position: self.point(&position) }
+            CommandKind::WorkOffset { name, offset, zero, known, position } => {
+                let position = self.point(&position);
+                CommandKind::WorkOffset { name, offset, zero, known, position }
             }
             // Nothing of the others lies anywhere.
             other @ (CommandKind::Dwell { .. }

@@ -23,6 +23,13 @@ const ABOVE_MM: f64 = 1000.0;
 /// The most moves of a run on which the part turns and of which it is asked whether the tool is clear of it.
 const MOST_SWINGS: usize = 100_000;
 
+/// Why a move in another work offset is not cut.
+pub(super) const FRAME_NOT_KNOWN: &str =
+    "how its work offset lies to that of the first cut is not known";
+/// Why a move of a tool of unknown length is not cut.
+pub(super) const TIP_NOT_KNOWN: &str =
+    "where its tip is is not known: the length offset in force is not that of the tool";
+
 /// What moves are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -112,6 +119,8 @@ pub(super) struct Gathered<'a> {
     depth_mm: f64,
     /// The tool has moved in Z since it was changed.
     has_moved_in_z: bool,
+    /// The height of the tip in the frame of the run, where it is known.
+    height_mm: Option<f64>,
     /// What was told of a tool, once.
     told: Vec<(Code, u32)>,
     pub diagnostics: Vec<Diagnostic>,
@@ -150,6 +159,7 @@ impl<'a> Gathered<'a> {
             by_time: false,
             depth_mm: depth_mm(job.machine()),
             has_moved_in_z: false,
+            height_mm: None,
             told: Vec::new(),
             diagnostics: Vec::new(),
             counts: BTreeMap::new(),
@@ -211,6 +221,9 @@ impl<'a> Gathered<'a> {
             let why = "polar or cylindrical interpolation is active";
             return self.tell(Code::StockNotFollowed, segment, why);
         }
+        if !segment.frame_known {
+            return self.frame_not_known(segment, kind);
+        }
         if !segment.known {
             if !kind.is_rapid() {
                 let why = "where the tool is relative to the part is not known";
@@ -232,10 +245,29 @@ impl<'a> Gathered<'a> {
         self.segment_from(segment, kind);
     }
 
+    /// How the work offset lies to that of the first cut is not known. A rapid whose height is not known in its own
+    /// work offset either is one before the first approach, or a reference return: it is taken to be above the part,
+    /// unless the tool was left below the clearance plane.
+    fn frame_not_known(&mut self, segment: &Segment, kind: Kind) {
+        let is_left_low = self.height_mm.is_some_and(|z| z < self.depth_mm);
+        if !kind.is_rapid() || segment.to_known.has(2) || is_left_low && !is_upright(segment) {
+            self.tell(Code::StockNotFollowed, segment, FRAME_NOT_KNOWN);
+        }
+    }
+
+    fn follow_height(&mut self, segment: &Segment) {
+        let [start, end] = [segment.curve.start().z, segment.curve.end().z];
+        if segment.frame_known && segment.to_known.has(2) {
+            self.height_mm = Some(end);
+        } else if segment.to_known.has(2) || start != end {
+            self.height_mm = None;
+        }
+    }
+
     /// What is known of a rapid whose start or end is not.
     fn rapid_of(&self, segment: &Segment) -> PartlyKnown {
         let [start, end] = [segment.curve.start(), segment.curve.end()];
-        let is_upright = (start.x, start.y) == (end.x, end.y);
+        let is_upright = is_upright(segment);
         if segment.to_known.covers(AxisMask::LINEAR) {
             // From above, where it comes down at a known place; otherwise its end alone.
             let is_down = segment.from_known.covers(AxisMask::XY) && is_upright;
@@ -343,9 +375,7 @@ impl<'a> Gathered<'a> {
             return;
         }
         self.has_moved_in_z = true;
-        let why =
-            "where its tip is is not known: the length offset in force is not that of the tool";
-        self.tell(Code::StockNotFollowed, segment, why);
+        self.tell(Code::StockNotFollowed, segment, TIP_NOT_KNOWN);
     }
 
     /// Says once of a tool why its moves remove nothing.
@@ -356,6 +386,12 @@ impl<'a> Gathered<'a> {
         self.told.push((code, segment.tool));
         self.diagnostics.push(not_cut(code, &segment.origin, segment.tool, why));
     }
+}
+
+/// It moves along Z alone.
+fn is_upright(segment: &Segment) -> bool {
+    let [start, end] = [segment.curve.start(), segment.curve.end()];
+    (start.x, start.y) == (end.x, end.y)
 }
 
 impl Watch for Gathered<'_> {
@@ -389,6 +425,7 @@ impl Watch for Gathered<'_> {
         };
         for segment in segments {
             self.segment(segment, kind);
+            self.follow_height(segment);
             self.row = self.row.saturating_add(1);
         }
     }

@@ -1,5 +1,7 @@
 //! Where the tip of a tool is, and what of it is proved.
 
+mod frames;
+
 use chordal::Code;
 use chordal::stock::{StockReport, StockVerdict};
 

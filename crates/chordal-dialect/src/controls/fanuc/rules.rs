@@ -14,6 +14,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999_999, offset: 2000, tool: 0 },
     rules: Rules {
         frames: FRAMES,
+        preset_clears_shift: true,
         machine_move_is_rapid: true,
         machine_move_needs_absolute: true,
         length_adds_to_increment: true,

@@ -23,6 +23,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     rules: Rules {
         tool_lengths: ToolLengths::TouchedOff,
         starts_in: Plane::Zx,
+        preset_clears_shift: true,
         starts_per_revolution: true,
         machine_move_is_rapid: true,
         radius_offsets: OffsetKind::Radius,

@@ -10,6 +10,7 @@ use chordal_geometry::{Curve, Vec2};
 use chordal_path::{PathCommand, Segment as PathSegment};
 use chordal_stock::turned::Segment;
 
+use super::super::gather::{FRAME_NOT_KNOWN, TIP_NOT_KNOWN};
 use super::super::problems::not_cut;
 use super::report::Maker;
 use super::tools::{Kind, LatheTool, NoOutline};
@@ -141,9 +142,14 @@ impl<'a> Gathered<'a> {
             }
             return self.tell(Code::StockNotFollowed, segment, "a rotary axis moves with it");
         }
-        if !segment.known {
+        let unknown = match (segment.known, segment.frame_known, segment.tip_known) {
+            (true, true, true) => None,
+            (true, true, false) => Some(TIP_NOT_KNOWN),
+            (true, false, _) => Some(FRAME_NOT_KNOWN),
+            (false, ..) => Some("where the tool is relative to the part is not known"),
+        };
+        if let Some(why) = unknown {
             if kind != MoveKind::Rapid {
-                let why = "where the tool is relative to the part is not known";
                 self.tell(Code::StockNotFollowed, segment, why);
             }
             return;

@@ -1,0 +1,254 @@
+//! Work offsets, shifts, presets, machine coordinates and reference returns against a small model of the place.
+
+use chordal::geometry::{ParamCurve, Vec3};
+use chordal::stock::StockVerdict;
+use chordal::{Job, Source, SourceMap};
+
+use crate::{Random, machine, rounds, run};
+
+/// A plate of 60 by 40 by 20 mm below Z0 of G54.
+const PLATE: [[f64; 3]; 2] = [[0.0, 0.0, -20.0], [60.0, 40.0, 0.0]];
+const RADIUS_MM: f64 = 5.0;
+/// Where G54 is, machine coordinates, mm.
+const G54: [f64; 3] = [-300.0, -250.0, -300.0];
+
+/// What the setup says of work offsets.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Given {
+    Both,
+    First,
+    None,
+}
+
+fn setup(given: Given, g55: [f64; 3]) -> String {
+    let system = |name: &str, [x, y, z]: [f64; 3]| {
+        format!("[work_offsets.{name}]\nX = \"{x} mm\"\nY = \"{y} mm\"\nZ = \"{z} mm\"\n")
+    };
+    let systems = match given {
+        Given::Both => system("G54", G54) + &system("G55", g55),
+        Given::First => system("G54", G54),
+        Given::None => String::new(),
+    };
+    let [[ax, ay, az], [bx, by, bz]] = PLATE;
+    format!(
+        "machine = \"fanuc-0i\"\n[stock]\nshape = \"box\"\nwork_offset = \"G54\"\n\
+         from = {{ X = \"{ax} mm\", Y = \"{ay} mm\", Z = \"{az} mm\" }}\n\
+         to = {{ X = \"{bx} mm\", Y = \"{by} mm\", Z = \"{bz} mm\" }}\n{systems}\
+         [tools.1]\nshape = \"flat\"\ndiameter = \"{} mm\"\nlength = \"80 mm\"\n",
+        2.0 * RADIUS_MM
+    )
+}
+
+/// The model: where the tip is, and what is added to program coordinates.
+struct Model {
+    text: String,
+    /// The tip in coordinates of G54, mm; none where it is not known.
+    tip: [Option<f64>; 3],
+    /// The systems G54 and G55 as offsets from G54, mm.
+    systems: [[f64; 3]; 2],
+    active: usize,
+    shift: [f64; 3],
+    preset: [f64; 3],
+    /// The tip goes through the plate, or may touch it.
+    touches: bool,
+    is_near: bool,
+    /// The ends of moves, in coordinates of G54.
+    ends: Vec<[Option<f64>; 3]>,
+}
+
+impl Model {
+    fn zero(&self, axis: usize) -> f64 {
+        self.systems[self.active][axis] + self.shift[axis] + self.preset[axis]
+    }
+
+    /// One axis to a place of G54.
+    fn go(&mut self, code: &str, axis: usize, to: f64) {
+        let program = to - self.zero(axis);
+        let written = (program * 1000.0).round() / 1000.0;
+        let letter = ["X", "Y", "Z"][axis];
+        self.text += &format!("{code} {letter}{written:.3}\n");
+        self.arrive(axis, written + self.zero(axis), code.starts_with("G0"));
+    }
+
+    fn arrive(&mut self, axis: usize, to: f64, is_rapid: bool) {
+        let from = self.tip;
+        self.tip[axis] = Some(to);
+        self.ends.push(self.tip);
+        if !is_rapid {
+            return;
+        }
+        let (Some(_), [Some(x), Some(y), Some(z)]) = (from[axis], self.tip) else { return };
+        let end = [x, y, z];
+        let mut start = end;
+        start[axis] = from[axis].unwrap_or(to);
+        let meets = |grow: f64, below: f64| {
+            (0..3).all(|axis| {
+                let grow = if axis == 2 { below } else { grow };
+                let (low, high) = (PLATE[0][axis] - grow, PLATE[1][axis] + grow);
+                start[axis].max(end[axis]) > low && start[axis].min(end[axis]) < high
+            })
+        };
+        // A retract leaves what it has touched before.
+        let lifts = axis == 2 && end[2] >= start[2];
+        self.touches |= meets(-2.0, -2.0) && !lifts;
+        self.is_near |= meets(RADIUS_MM + 1.0, 1.0);
+    }
+
+    fn step(&mut self, random: &mut Random) {
+        let mm = |random: &mut Random| (random.between(-25.0, 25.0) * 10.0).round() / 10.0;
+        match (random.share() * 12.0) as usize {
+            0 => {
+                let by = [mm(random), mm(random), mm(random)];
+                self.shift = by;
+                self.text += &format!("G52 X{:.1} Y{:.1} Z{:.1}\n", by[0], by[1], by[2]);
+            }
+            1 => {
+                self.shift = [0.0; 3];
+                self.text += "G52 X0 Y0 Z0\n";
+            }
+            2 => {
+                // One axis gets a coordinate where it stands.
+                let axis = (random.share() * 3.0) as usize;
+                let Some(tip) = self.tip[axis] else { return };
+                let value = mm(random);
+                // Fanuc takes G52 back on the axes that G92 names.
+                self.shift[axis] = 0.0;
+                self.preset[axis] = tip - value - self.systems[self.active][axis];
+                self.text += &format!("G92 {}{value:.1}\n", ["X", "Y", "Z"][axis]);
+            }
+            3 => {
+                self.active = 1 - self.active;
+                self.text += if self.active == 0 { "G54\n" } else { "G55\n" };
+            }
+            4 => {
+                self.text += "G53 G0 Z0\n";
+                // The machine's zero, less the tool.
+                self.arrive(2, -G54[2] - 80.0, true);
+            }
+            5 => {
+                self.text += "G91 G28 Z0\nG90\n";
+                self.arrive(2, -G54[2] - 80.0, true);
+            }
+            6 => {
+                self.go("G0", 2, [40.0, 12.0][(random.share() * 2.0) as usize]);
+            }
+            7 => {
+                self.go("G0", 2, random.between(-8.0, 12.0));
+            }
+            8 | 9 => {
+                let axis = (random.share() * 2.0) as usize;
+                let to = random.between(-20.0, 75.0);
+                self.go("G0", axis, to);
+            }
+            10 => {
+                // G55 is written anew.
+                let by = [mm(random), mm(random), mm(random)];
+                self.systems[1] = by;
+                let [x, y, z] = std::array::from_fn(|axis| G54[axis] + by[axis]);
+                self.text += &format!("G10 L2 P2 X{x:.1} Y{y:.1} Z{z:.1}\n");
+            }
+            _ => {
+                // A cut far from the plate.
+                self.go("G0", 2, 60.0);
+                self.go("G0", 0, 90.0);
+                self.go("G1 F300.", 2, 50.0);
+            }
+        }
+    }
+}
+
+fn program(random: &mut Random, g55: [f64; 3]) -> Model {
+    let from_first = std::array::from_fn(|axis| g55[axis] - G54[axis]);
+    let begin = "O1\nG21 G17 G40 G49 G80 G90 G94\nT1 M6\nG54 S3000 M3\nG0 X90. Y10.\nG43 H1 Z60.\n";
+    let mut model = Model {
+        text: begin.to_string(),
+        tip: [Some(90.0), Some(10.0), Some(60.0)],
+        systems: [[0.0; 3], from_first],
+        active: 0,
+        shift: [0.0; 3],
+        preset: [0.0; 3],
+        touches: false,
+        is_near: false,
+        ends: Vec::new(),
+    };
+    for _ in 0..12 {
+        model.step(random);
+    }
+    // In G54, so that the frame of the run is known where nothing was cut before.
+    model.go("G0", 2, 60.0);
+    model.go("G0", 0, 90.0);
+    model.go("G1 F300.", 2, 50.0);
+    model.text += "M30\n";
+    model
+}
+
+/// The ends of the moves of a run, in its frame.
+fn ends(setup: &str, program: &str) -> Vec<(Vec3, bool)> {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", program.as_bytes().to_vec()));
+    let job = Job::new(sources, machine(setup)).expect("settings of the control");
+    let mut found = Vec::new();
+    job.path(|segment| {
+        found.push((segment.curve.end(), segment.known && segment.frame_known));
+    });
+    found
+}
+
+#[test]
+fn the_tip_is_where_a_model_of_the_machine_has_it() {
+    let (mut touched, mut clean, mut placed) = (0, 0, 0);
+    for round in 0..25 * rounds() {
+        let mut random = Random::new(0xf4a3e + round);
+        let given = [Given::Both, Given::First, Given::None][(round % 3) as usize];
+        let near = |value: f64, random: &mut Random| value + (random.between(-20.0, 20.0)).round();
+        let g55 = std::array::from_fn(|axis| near(G54[axis], &mut random));
+        let model = program(&mut random, g55);
+        let first = model.text.find("G1 ").expect("a cut");
+        let is_second = model.text[..first].rfind("G55") > model.text[..first].rfind("G54");
+        if is_second && given != Given::Both {
+            // Where the plate is is not known: there is no run.
+            continue;
+        }
+        let setup = setup(given, g55);
+        let found = run(&setup, &model.text);
+        if model.touches {
+            touched += 1;
+            assert_ne!(
+                found.verdict,
+                StockVerdict::Clean,
+                "round {round} {given:?}\n{}",
+                model.text
+            );
+        }
+        if given != Given::Both {
+            continue;
+        }
+        // Everything is known: a path that stays away is clean, and each place is the model's.
+        if !model.is_near {
+            clean += 1;
+            let said = &found.report.diagnostics;
+            assert_eq!(
+                found.verdict,
+                StockVerdict::Clean,
+                "round {round}: {said:?}\n{}",
+                model.text
+            );
+        }
+        let set_up = std::array::from_fn(|axis| g55[axis] - G54[axis]);
+        let origin = if is_second { set_up } else { [0.0; 3] };
+        let ends = ends(&setup, &model.text);
+        // Moves that go nowhere are no piece of path.
+        let mut at = 0;
+        for place in &model.ends {
+            let [Some(x), Some(y), Some(z)] = *place else { continue };
+            let place = Vec3::new(x - origin[0], y - origin[1], z - origin[2]);
+            let same = |(end, known): &(Vec3, bool)| *known && (*end - place).length() < 1e-6;
+            if let Some(next) = ends[at..].iter().position(same) {
+                (at, placed) = (at + next, placed + 1);
+            } else {
+                panic!("round {round}: no move ends at {place:?}\n{}\n{ends:?}", model.text);
+            }
+        }
+    }
+    assert!(touched > 30 && clean > 100 && placed > 1000, "{touched} {clean} {placed}");
+}
