@@ -126,7 +126,9 @@ fn run_and_report_show_what_is_left() {
     // Two views of the path, and the stock alone.
     folder.run(&[&["report", "part.nc", "-o", "setup.html"], &setup[..]].concat()).ends(0);
     assert_eq!(images("setup.html"), 3);
-    assert!(folder.read("setup.html").contains("Clean: no rapid, shank or holder"));
+    assert!(
+        folder.read("setup.html").contains("Clean: no rapid, and no shank or holder that is given")
+    );
     let done =
         folder.run(&[&["report", "hit.nc", "--format", "json"], &setup[..]].concat()).ends(1);
     let found: serde_json::Value = serde_json::from_str(&done.out).expect("JSON");
@@ -386,4 +388,20 @@ fn wrong_setups_of_a_lathe_are_named() {
         .run(&["stock", "shaft.nc", "--setup", "crossed.toml"])
         .ends(2)
         .complains(&["crosses itself"]);
+}
+
+#[test]
+fn what_is_not_given_of_a_tool_is_named() {
+    let folder = folder();
+    let of = |tool: &str| SETUP.replace("kind = 'flat'\ndiameter = '10 mm'\n", tool);
+    folder.write("drill.toml", of("shape = 'drill'\ndiameter = '10 mm'\n"));
+    folder.write("tap.toml", of("shape = 'tap'\ndiameter = '10 mm'\n"));
+    let run = |setup: &str| folder.run(&["stock", "part.nc", "--setup", setup]);
+    run("drill.toml").says(&["CH634", "118°", "no holder is given of tool 1"]);
+    // Nobody knows what the tap removes: 96 cm³ are there.
+    run("tap.toml").ends(1).says(&["CH628", "`pitch`", "removed     0 to 96 cm³"]);
+    folder
+        .run(&["stock", "part.nc", "--setup", "op1.toml", "--resolution", "1e20 mm"])
+        .ends(2)
+        .complains(&["one column is wider than the stock"]);
 }

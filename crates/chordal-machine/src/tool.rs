@@ -3,6 +3,9 @@
 use crate::axis::{Axis, PerAxis};
 use crate::turning::TurningTool;
 
+/// The whole angle of the point of a drill that nobody gives, rad: 118°, as twist drills have it.
+pub const USUAL_POINT_ANGLE_RAD: f64 = 118.0 * std::f64::consts::PI / 180.0;
+
 /// A tool, its offsets and its shape.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tool {
@@ -96,7 +99,7 @@ impl Tool {
             },
             ToolShape::Drill => Cutter::Drill {
                 diameter_mm: diameter_mm()?,
-                point_angle_rad: self.point_angle_rad?,
+                point_angle_rad: self.point_angle_rad.unwrap_or(USUAL_POINT_ANGLE_RAD),
             },
             ToolShape::Tap => Cutter::Tap { diameter_mm: diameter_mm()?, pitch_mm: self.pitch_mm? },
             ToolShape::ThreadMill => Cutter::ThreadMill {
@@ -121,6 +124,35 @@ impl Tool {
                 Cutter::Groove { width_mm: self.turning.width_mm?, tip: self.tip? }
             }
         })
+    }
+
+    /// A drill whose point angle nobody gives: the usual one is taken.
+    pub fn has_assumed_point_angle(&self) -> bool {
+        self.shape == Some(ToolShape::Drill) && self.point_angle_rad.is_none()
+    }
+
+    /// The keys of dimensions that the shape needs and that are missing, as a machine file writes them.
+    pub fn missing_dimensions(&self) -> Vec<&'static str> {
+        let Some(shape) = self.shape else { return vec!["shape"] };
+        let diameter = ("diameter", self.diameter_mm.is_some());
+        let pitch = ("pitch", self.pitch_mm.is_some());
+        let neck = ("shank_diameter", self.neck_mm().is_some());
+        let tip = ("tip", self.tip.is_some());
+        let needed = match shape {
+            ToolShape::Flat | ToolShape::Ball | ToolShape::Drill => vec![diameter],
+            ToolShape::Bull => vec![diameter, ("corner_radius", self.corner_radius_mm.is_some())],
+            ToolShape::Chamfer => vec![diameter, ("point_angle", self.point_angle_rad.is_some())],
+            ToolShape::Tap => vec![diameter, pitch],
+            ToolShape::ThreadMill => vec![diameter, pitch, ("teeth", self.teeth.is_some())],
+            ToolShape::TSlot => {
+                vec![diameter, ("flute_length", self.flute_length_mm.is_some()), neck]
+            }
+            ToolShape::Lollipop => vec![diameter, neck],
+            ToolShape::Form => vec![("profile", self.profile.len() >= 2)],
+            ToolShape::Insert => vec![("nose_radius", self.nose_radius_mm.is_some()), tip],
+            ToolShape::Groove => vec![("width", self.turning.width_mm.is_some()), tip],
+        };
+        needed.into_iter().filter(|(_, is_given)| !is_given).map(|(key, _)| key).collect()
     }
 
     /// The diameter of the shank where the edges end.

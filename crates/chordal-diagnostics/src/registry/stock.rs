@@ -73,6 +73,11 @@ F in this block, or let `chordal optimize` do it."#;
     r#"The thickest chip of this cut is below `min_chip` of the tool: its edges rub instead of cutting, get hot and wear.
 Feed faster, or leave more material for this pass."#;
 
+    AssumedShape = 634, "assumed-shape", Note;
+    "a dimension of a tool was assumed";
+    r#"A drill without `point_angle` has the point of a twist drill, 118°. Give the angle in the machine or setup file, or
+in the program's comments, if it has another one."#;
+
     GrooveRidge = 640, "groove-ridge", Warning;
     "a ridge is left between two grooving plunges";
     r#"On a lathe: the step between two plunges is larger than the tool is wide, so a ridge stays between them. The message

@@ -40,14 +40,26 @@ pub fn stock_text(found: &StockReport) -> String {
     }
     text += stock_verdict_text(found.verdict);
     text.push('\n');
+    text += &without_holder(found);
     text
+}
+
+/// The tools of which no holder is given, where it counts.
+fn without_holder(found: &StockReport) -> String {
+    let missing = found.tools.iter().filter(|tool| !tool.has_holder);
+    let numbers: Vec<String> = missing.map(|tool| tool.number.to_string()).collect();
+    if numbers.is_empty() || found.verdict != StockVerdict::Clean {
+        return String::new();
+    }
+    let tools = if numbers.len() == 1 { "tool" } else { "tools" };
+    format!("no holder is given of {tools} {}, so none was looked at\n", numbers.join(", "))
 }
 
 /// What a verdict says.
 pub fn stock_verdict_text(verdict: StockVerdict) -> &'static str {
     match verdict {
         StockVerdict::Clean => {
-            "clean: no rapid, shank or holder touches material, proved within the resolution"
+            "clean: no rapid, and no shank or holder that is given, touches material; proved within the resolution"
         }
         StockVerdict::Problems => "problems: see the list of problems",
         StockVerdict::NotProved => {

@@ -83,7 +83,7 @@ pub fn turned_text(found: &TurnedReport) -> String {
     }
     text += match found.verdict {
         StockVerdict::Clean => {
-            "clean: no rapid, shank or holder touches material; the half section is exact\n"
+            "clean: no rapid, and no shank or holder that is given, touches material; the half section is exact\n"
         }
         StockVerdict::Problems => "problems: see above\n",
         StockVerdict::NotProved => {
@@ -100,7 +100,7 @@ pub fn turned_text(found: &TurnedReport) -> String {
 pub fn turned_verdict_text(verdict: StockVerdict) -> &'static str {
     match verdict {
         StockVerdict::Clean => {
-            "clean: no rapid, shank or holder touches material; the half section is exact"
+            "clean: no rapid, and no shank or holder that is given, touches material; the half section is exact"
         }
         StockVerdict::Problems => "problems: see the list of problems",
         StockVerdict::NotProved => {

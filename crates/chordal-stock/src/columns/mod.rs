@@ -93,6 +93,14 @@ pub enum StockError {
     /// The stock has no volume, or its box is not finite.
     #[error("the stock's box has no volume, or is not finite")]
     Empty,
+    /// One column would be wider than the stock.
+    #[error("at {resolution} mm one column is wider than the stock; at {widest:.3} mm it is not")]
+    TooCoarse {
+        /// What was asked, mm.
+        resolution: f64,
+        /// The widest that the stock has room for, mm.
+        widest: f64,
+    },
     /// More columns than the budget allows.
     #[error(
         "at {resolution} mm the stock needs up to {needed} bytes, {budget} are allowed; at {fits:.3} mm it fits"
@@ -151,6 +159,10 @@ impl Stock {
         let size = bounds.size();
         if !(size.is_finite() && size.x > 0.0 && size.y > 0.0 && size.z > 0.0) {
             return Err(StockError::Empty);
+        }
+        let widest = size.x.min(size.y);
+        if options.resolution > widest {
+            return Err(StockError::TooCoarse { resolution: options.resolution, widest });
         }
         let needed = |resolution: f64| tile::bytes(bounds, resolution, &options);
         if needed(options.resolution) > options.budget as f64 {

@@ -6,10 +6,10 @@ use chordal_command::{AxisMask, CommandKind, FeedMode, Origin, SpindleState, Uni
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
 use chordal_machine::Rotary;
-use chordal_path::{PathCommand, Segment, depth_mm};
+use chordal_path::{PathCommand, Segment, SegmentKind, depth_mm};
 use chordal_stock::Move;
 
-use super::problems::not_cut;
+use super::problems::{assumed_point_angle, not_cut};
 use super::tools::{NoBody, ToolBody};
 use super::turns::{self, Turn};
 use super::visited::Visited;
@@ -121,6 +121,8 @@ pub(super) struct Gathered<'a> {
     has_moved_in_z: bool,
     /// The height of the tip in the frame of the run, where it is known.
     height_mm: Option<f64>,
+    /// Some cuts are in no batch.
+    pub misses_cuts: bool,
     /// What was told of a tool, once.
     told: Vec<(Code, u32)>,
     pub diagnostics: Vec<Diagnostic>,
@@ -160,6 +162,7 @@ impl<'a> Gathered<'a> {
             depth_mm: depth_mm(job.machine()),
             has_moved_in_z: false,
             height_mm: None,
+            misses_cuts: false,
             told: Vec::new(),
             diagnostics: Vec::new(),
             counts: BTreeMap::new(),
@@ -170,6 +173,12 @@ impl<'a> Gathered<'a> {
     /// The largest radius of a tool with its shank and holder, mm.
     pub fn radius(&self, tool: u32) -> Option<f64> {
         Some(self.tools.get(&tool)?.as_ref().ok()?.radius())
+    }
+
+    /// A holder is given of the tool, so that it was looked at.
+    pub fn has_holder(&self, tool: u32) -> bool {
+        let body = self.tools.get(&tool).and_then(|body| body.as_ref().ok());
+        body.is_some_and(|body| !body.holder.is_empty())
     }
 
     /// Pieces of path of the run so far.
@@ -315,6 +324,11 @@ impl<'a> Gathered<'a> {
             count.1 = count.1.min(segment.curve.bounds().min.z);
             if !self.order.contains(&segment.tool) {
                 self.order.push(segment.tool);
+                if let Some(Ok(body)) = self.tools.get(&segment.tool)
+                    && body.has_assumed_point_angle
+                {
+                    self.diagnostics.push(assumed_point_angle(&segment.origin, segment.tool));
+                }
             }
         }
         let follows =
@@ -380,6 +394,7 @@ impl<'a> Gathered<'a> {
 
     /// Says once of a tool why its moves remove nothing.
     fn tell(&mut self, code: Code, segment: &Segment, why: &str) {
+        self.misses_cuts |= segment.kind != SegmentKind::Rapid;
         if self.told.contains(&(code, segment.tool)) {
             return;
         }

@@ -38,6 +38,13 @@ pub(super) fn not_cut(code: Code, origin: &Origin, tool: u32, why: &str) -> Diag
     Diagnostic::new(code, origin.span, message).help(help)
 }
 
+/// A drill whose point angle nobody gives.
+pub(super) fn assumed_point_angle(origin: &Origin, tool: u32) -> Diagnostic {
+    let message = format!("tool {tool} is a drill without a point angle: 118° are taken");
+    Diagnostic::new(Code::AssumedShape, origin.span, message)
+        .help(format!("give `[tools.{tool}] point_angle` in the setup or machine file"))
+}
+
 /// Problems that are kept of a run.
 const MOST: usize = 1000;
 

@@ -44,6 +44,8 @@ pub struct ToolRemoved {
     pub removed_mm3: Amount,
     /// The lowest place of its tip at feed, mm; infinite without one.
     pub lowest_mm: f64,
+    /// Its holder is given, and was looked at.
+    pub has_holder: bool,
     /// Its time with changes, s, where the run was planned: see [`StockReport::take_times`].
     pub time_s: Option<f64>,
 }

@@ -386,12 +386,18 @@ fn finish(
     let is_proved = is_proved && report.verified();
     report.add(problems.diagnostics);
     let Cut { checked: Checked { stock, refined, .. }, volumes, others, .. } = cut;
-    let [removed_mm3, left_mm3] = volumes.unwrap_or_else(|| [stock.removed(), stock.left()]);
+    let [mut removed_mm3, mut left_mm3] =
+        volumes.unwrap_or_else(|| [stock.removed(), stock.left()]);
+    if gathered.misses_cuts {
+        // Nobody knows what the cuts remove that are not followed.
+        (removed_mm3.most, left_mm3.least) = (removed_mm3.least + left_mm3.most, 0.0);
+    }
     let by_tag: BTreeMap<u32, Amount> = cut.removed_by_tag.into_iter().collect();
     let tools = gathered.order.iter().map(|number| {
         let (moves, lowest_mm) = gathered.counts[number];
         let removed_mm3 = by_tag.get(number).copied().unwrap_or_default();
-        ToolRemoved { number: *number, moves, removed_mm3, lowest_mm, time_s: None }
+        let has_holder = gathered.has_holder(*number);
+        ToolRemoved { number: *number, moves, removed_mm3, lowest_mm, has_holder, time_s: None }
     });
     StockReport {
         resolution_mm: stock.grid().resolution(),

@@ -23,6 +23,8 @@ pub(super) struct ToolBody {
     /// its lower end above the tip, mm.
     pub undercuts: Vec<(f64, Undercut)>,
     dimensions: Dimensions,
+    /// A drill whose point angle nobody gives.
+    pub has_assumed_point_angle: bool,
     /// Pieces above the edges, the lowest first, each with its height above the tip, mm.
     pub shank: Vec<Piece>,
     pub holder: Vec<Piece>,
@@ -85,7 +87,7 @@ pub(super) enum NoBody {
     /// No machine file and no comment says what it is.
     Unknown,
     /// A shape without all of its dimensions.
-    Incomplete(ToolShape),
+    Incomplete(ToolShape, Vec<&'static str>),
     /// A shape that cuts no stock on a mill.
     Turning,
     /// Dimensions that do not fit each other.
@@ -96,13 +98,17 @@ impl NoBody {
     pub fn why(&self) -> String {
         match self {
             NoBody::Unknown => "its shape is not known".to_string(),
-            NoBody::Incomplete(shape) => {
-                format!("a tool of the shape `{}` lacks a dimension", shape.as_str())
-            }
+            NoBody::Incomplete(shape, missing) => lacking(*shape, missing),
             NoBody::Turning => "it is a turning tool".to_string(),
             NoBody::Wrong(error) => error.to_string(),
         }
     }
+}
+
+/// Which dimensions a tool lacks, by their keys.
+pub(super) fn lacking(shape: ToolShape, missing: &[&str]) -> String {
+    let keys: Vec<String> = missing.iter().map(|key| format!("`{key}`")).collect();
+    format!("a tool of the shape `{}` needs {}", shape.as_str(), keys.join(" and "))
 }
 
 /// The tools that a program may use, by number.
@@ -112,7 +118,8 @@ pub(super) fn tools_of(job: &Job) -> BTreeMap<u32, Result<ToolBody, NoBody>> {
 
 fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
     let shape = tool.shape.ok_or(NoBody::Unknown)?;
-    let edges = edges_of(tool.cutter().ok_or(NoBody::Incomplete(shape))?)?;
+    let lacks = || NoBody::Incomplete(shape, tool.missing_dimensions());
+    let edges = edges_of(tool.cutter().ok_or_else(lacks)?)?;
     // Where the edges end is not known: neither is where the shank begins.
     let flutes = match edges.top {
         Some(top) => Some(tool.flute_length_mm.map_or(top, |flutes| flutes.max(top))),
@@ -121,8 +128,15 @@ fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
     let Edges { cutter, undercuts, dimensions, top, neck } = edges;
     let cutter = cutter.with_flutes(flutes);
     let core = dimensions.core().map(|cutter| cutter.with_flutes(flutes));
-    let mut body =
-        ToolBody { cutter, core, undercuts, dimensions, shank: Vec::new(), holder: Vec::new() };
+    let mut body = ToolBody {
+        cutter,
+        core,
+        undercuts,
+        dimensions,
+        has_assumed_point_angle: tool.has_assumed_point_angle(),
+        shank: Vec::new(),
+        holder: Vec::new(),
+    };
     let Some(flutes) = flutes else { return Ok(body) };
     let mut at = flutes;
     body.shank = stacked(&tool.shank, &mut at);
@@ -219,5 +233,13 @@ pub(super) fn body_for_tests(cutter: Cutter, holder: Option<[f64; 3]>) -> ToolBo
     let from = cutter.flutes().unwrap_or(0.0);
     let piece = |[height, lower, upper]: [f64; 3]| Piece { from, height, lower, upper };
     let holder = holder.map(piece).into_iter().collect();
-    ToolBody { cutter, core: None, undercuts: Vec::new(), dimensions, shank: Vec::new(), holder }
+    ToolBody {
+        cutter,
+        core: None,
+        undercuts: Vec::new(),
+        dimensions,
+        has_assumed_point_angle: false,
+        shank: Vec::new(),
+        holder,
+    }
 }

@@ -11,7 +11,7 @@ use chordal_path::{PathCommand, Segment as PathSegment};
 use chordal_stock::turned::Segment;
 
 use super::super::gather::{FRAME_NOT_KNOWN, TIP_NOT_KNOWN};
-use super::super::problems::not_cut;
+use super::super::problems::{assumed_point_angle, not_cut};
 use super::report::Maker;
 use super::tools::{Kind, LatheTool, NoOutline};
 use crate::report::Watch;
@@ -82,6 +82,8 @@ pub(super) struct Gathered<'a> {
     on_surface: bool,
     /// Programmed moves that compensation holds back.
     programmed: Vec<(Origin, Segment)>,
+    /// Drills of which a point angle was assumed, and said.
+    assumed: Vec<u32>,
     told: Vec<(Code, u32)>,
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -107,6 +109,7 @@ impl<'a> Gathered<'a> {
             rotary: None,
             on_surface: false,
             programmed: Vec::new(),
+            assumed: Vec::new(),
             told: Vec::new(),
             diagnostics: Vec::new(),
         }
@@ -166,6 +169,10 @@ impl<'a> Gathered<'a> {
         if cuts && tool.kind == Kind::Drill && (is_off(curve.start) || is_off(curve.end)) {
             let why = "a drill that is not on the axis does not turn the part";
             return self.tell(Code::StockNotFollowed, segment, why);
+        }
+        if tool.has_assumed_point_angle && cuts && !self.assumed.contains(&segment.tool) {
+            self.assumed.push(segment.tool);
+            self.diagnostics.push(assumed_point_angle(&segment.origin, segment.tool));
         }
         let is_compensated = path.side != Side::Off;
         let contour = (cuts && is_compensated && !path.inserted)

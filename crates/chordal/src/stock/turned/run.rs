@@ -132,6 +132,8 @@ impl Job<'_> {
             cutting.threads.iter().map(|thread| inside(&thread.section, &sections)).sum();
         let left: f64 = sections.iter().map(|section| section.volume()).sum();
         let before_mm3 = before.volume();
+        // Nobody knows what cuts remove that are not followed.
+        let surely_left = if gathered.is_whole() { left - of_threads } else { 0.0 };
         let mut moves = std::mem::take(&mut cutting.moves);
         let mut tools = cutting.tools_in_order();
         let setup = &self.machine().setup;
@@ -149,8 +151,8 @@ impl Job<'_> {
         report.add(diagnostics);
         TurnedReport {
             before_mm3,
-            removed_mm3: Amount { least: before_mm3 - left, most: before_mm3 - left + of_threads },
-            left_mm3: Amount { least: left - of_threads, most: left },
+            removed_mm3: Amount { least: before_mm3 - left, most: before_mm3 - surely_left },
+            left_mm3: Amount { least: surely_left, most: left },
             bound_mm: bound,
             verdict: match (has_problems, is_proved) {
                 (true, _) => StockVerdict::Problems,

@@ -12,6 +12,7 @@ use chordal_stock::turned::{
 };
 
 use crate::job::Job;
+use crate::stock::tools::lacking;
 use crate::tool_comments::known_tools;
 
 /// A shank or body of which no length is known has none below this, mm.
@@ -24,6 +25,8 @@ const THREAD_DEPTH: f64 = 0.541_265_877_365_274_2;
 /// What cuts, and what must not touch.
 #[derive(Clone, Debug)]
 pub(super) struct LatheTool {
+    /// A drill whose point angle nobody gives.
+    pub has_assumed_point_angle: bool,
     pub edges: Outline,
     pub kind: Kind,
     /// How long the cutting edges are, or how deep a blade reaches, mm.
@@ -96,6 +99,7 @@ fn insert(tool: &Tool) -> Result<LatheTool, NoOutline> {
     let nose = tool.nose_radius_mm.ok_or_else(|| missing("nose_radius", "of the insert"))?;
     if tool.turning.insert == Some(InsertLetter::R) {
         return Ok(LatheTool {
+            has_assumed_point_angle: tool.has_assumed_point_angle(),
             edges: Outline::round(nose, tip)?,
             kind: Kind::Round,
             reach: 2.0 * nose,
@@ -136,6 +140,7 @@ fn insert(tool: &Tool) -> Result<LatheTool, NoOutline> {
     let middle = 0.5 * (held.flanks[0] + held.flanks[1]);
     let (sine, cosine) = libm::sincos(middle);
     Ok(LatheTool {
+        has_assumed_point_angle: tool.has_assumed_point_angle(),
         edges: held.outline()?,
         kind: Kind::Insert {
             nose,
@@ -211,6 +216,7 @@ fn blade(tool: &Tool) -> Result<LatheTool, NoOutline> {
         place(left, length + LONG),
     ];
     Ok(LatheTool {
+        has_assumed_point_angle: tool.has_assumed_point_angle(),
         edges,
         kind: Kind::Blade { facing, from, to },
         reach: length,
@@ -228,7 +234,7 @@ fn blade(tool: &Tool) -> Result<LatheTool, NoOutline> {
 
 /// A drill, reamer or tap on the axis.
 fn on_axis(tool: &Tool, shape: ToolShape) -> Result<LatheTool, NoOutline> {
-    let lacks = || NoOutline(format!("a tool of the shape `{}` lacks a dimension", shape.as_str()));
+    let lacks = || NoOutline(lacking(shape, &tool.missing_dimensions()));
     let (diameter, angle) = match tool.cutter().ok_or_else(lacks)? {
         Shape::Drill { diameter_mm, point_angle_rad } => (diameter_mm, point_angle_rad),
         Shape::Chamfer { diameter_mm, tip_diameter_mm: 0.0, point_angle_rad } => {
@@ -250,6 +256,7 @@ fn on_axis(tool: &Tool, shape: ToolShape) -> Result<LatheTool, NoOutline> {
         None => stack(&tool.shank, &mut at)?,
     };
     Ok(LatheTool {
+        has_assumed_point_angle: tool.has_assumed_point_angle(),
         edges: Outline::drill(diameter, angle, length)?,
         kind: Kind::Drill,
         reach: length,
