@@ -13,13 +13,13 @@ use chordal_path::{Frame, RunFrame};
 use crate::job::Job;
 
 /// Waits for the first cut.
-struct FirstCut {
+struct FirstCutSink {
     frame: Frame,
     found: Option<Frame>,
     is_found: Arc<AtomicBool>,
 }
 
-impl Sink for FirstCut {
+impl Sink for FirstCutSink {
     fn command(&mut self, command: &Command) {
         if self.found.is_none() && !self.frame.follow(command) && command.kind.feed().is_some() {
             self.found = Some(self.frame);
@@ -30,7 +30,7 @@ impl Sink for FirstCut {
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for FirstCut {}
+impl RunSink for FirstCutSink {}
 
 impl Job<'_> {
     /// The frame of the run; `None` where nothing is cut, or somebody is asked on the way.
@@ -48,7 +48,7 @@ impl Job<'_> {
         }
         let is_found = Arc::new(AtomicBool::new(false));
         let mut sink =
-            FirstCut { frame: self.initial_frame(), found: None, is_found: is_found.clone() };
+            FirstCutSink { frame: self.initial_frame(), found: None, is_found: is_found.clone() };
         let wanted = options.interrupt.clone();
         let ends = move || {
             is_found.load(Ordering::Relaxed) || wanted.as_ref().is_some_and(|interrupt| interrupt())

@@ -4,6 +4,7 @@ mod choices;
 mod compensation;
 mod cycle;
 mod frame;
+mod general;
 mod path_mode;
 mod turning;
 
@@ -15,6 +16,7 @@ use self::choices::{choose, mm_text, name_of};
 pub use self::compensation::CompensationField;
 pub use self::cycle::CycleField;
 pub use self::frame::FrameField;
+use self::general::*;
 pub use self::path_mode::PathField;
 pub(crate) use self::path_mode::{CORNER_ROUNDING, short_blocks};
 pub use self::turning::TurningField;
@@ -637,87 +639,3 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize].to_string(),
     }
 }
-
-const FULL_CIRCLES_BY_RADIUS: &[(&str, FullCircleByRadius)] = &[
-    ("refused", FullCircleByRadius::Refused),
-    ("no-motion", FullCircleByRadius::NoMotion),
-    ("straight", FullCircleByRadius::Straight),
-];
-
-const TOOL_CHANGERS: &[(&str, ToolChanger)] = &[
-    ("sender", ToolChanger::Sender),
-    ("nobody", ToolChanger::Nobody),
-    ("machine", ToolChanger::Machine),
-];
-
-const AFTER_REFUSAL: &[(&str, bool)] = &[("stop", false), ("continue", true)];
-
-const DWELL_UNITS: &[(&str, f64)] = &[("s", 1.0), ("ms", 0.001)];
-
-const X_WORDS: &[(&str, bool)] = &[("radii", true), ("diameters", false)];
-
-const CODE_SYSTEMS: &[(&str, u8)] = &[("A", 0), ("B", 1), ("C", 2)];
-
-const ROUTINE_COUNTS: &[(&str, FixedRoutineCount)] =
-    &[("repeat", FixedRoutineCount::Repeat), ("once", FixedRoutineCount::Once)];
-
-const REGISTERS: &[(&str, u8)] = &[("R1", 1), ("R2", 2), ("R3", 3), ("R4", 4)];
-
-const OUTSIDE_CORNERS: &[(&str, OutsideCorner)] =
-    &[("linear", OutsideCorner::Linear), ("arc", OutsideCorner::Arc)];
-
-const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] = &[
-    ("A", CompensationEntry::A),
-    ("B", CompensationEntry::B),
-    ("contour", CompensationEntry::Contour),
-];
-
-const SPIRAL_ON_RAY: &[(&str, SpiralOnRay)] =
-    &[("no-turn", SpiralOnRay::NoTurn), ("full-turn", SpiralOnRay::FullTurn)];
-
-const OMITTED_CENTER: &[(&str, OmittedCenter)] =
-    &[("start", OmittedCenter::Start), ("zero", OmittedCenter::Zero)];
-
-const ARCS_WITHOUT_CENTER: &[(&str, bool)] = &[("line", true), ("refused", false)];
-const MACHINE_MOVES: &[(&str, bool)] = &[("rapid", true), ("in-force", false)];
-
-const EXCESS_DECIMALS: &[(&str, ExcessDecimals)] = &[
-    ("exact", ExcessDecimals::Exact),
-    ("cut", ExcessDecimals::Cut),
-    ("rounded", ExcessDecimals::Rounded),
-    ("unknown", ExcessDecimals::Unknown),
-];
-
-const TOOL_LENGTHS: &[(&str, ToolLengths)] = &[
-    ("table", ToolLengths::Table),
-    ("touched-off", ToolLengths::TouchedOff),
-    ("absent", ToolLengths::Absent),
-];
-
-const LENGTHS_WITHOUT_NUMBER: &[(&str, LengthWithoutNumber)] =
-    &[("in-force", LengthWithoutNumber::InForce), ("tool", LengthWithoutNumber::OfTool)];
-
-const LENGTHS_IN_INCREMENT: &[(&str, bool)] = &[("added", true), ("not-added", false)];
-
-const ROTARY_IN_ARC: &[(&str, bool)] = &[("allowed", true), ("refused", false)];
-
-const MACRO_ANGLES: &[(&str, bool)] = &[("0-to-360", true), ("180", false)];
-
-const UNIT_CODES: &[(&str, UnitCodes)] =
-    &[("G20/G21", UnitCodes::G20), ("G70/G71", UnitCodes::G70), ("both", UnitCodes::Both)];
-
-const DECIMAL_POINTS: &[(&str, DecimalPoint)] =
-    &[("least-increment", DecimalPoint::LeastIncrement), ("calculator", DecimalPoint::Calculator)];
-
-const ARC_CENTERS: &[(&str, ArcCenter)] = &[
-    ("from-start", ArcCenter::FromStart),
-    ("absolute", ArcCenter::Absolute),
-    ("from-center", ArcCenter::FromCenter),
-];
-
-const SPIRALS: &[(&str, SpiralForm)] = &[
-    ("none", SpiralForm::None),
-    ("pitches", SpiralForm::Pitches),
-    ("increment-height-count", SpiralForm::IncrementHeightCount),
-    ("increment-count", SpiralForm::IncrementCount),
-];

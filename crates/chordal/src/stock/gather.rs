@@ -12,7 +12,7 @@ use chordal_stock::Move;
 use super::problems::{assumed_point_angle, not_cut};
 use super::tools::{NoBody, ToolBody};
 use super::turns::{self, Turn};
-use super::visited::Visited;
+use super::visited::VisitedPlaces;
 use crate::job::Job;
 use crate::report::Watch;
 
@@ -100,7 +100,7 @@ pub(super) struct Gathered<'a> {
     pub swings: Vec<Segment>,
     /// Moves are left out on which the part is turned, or turns.
     pub leaves_out_turned: bool,
-    visited: Visited,
+    visited: VisitedPlaces,
     row: u32,
     /// The work offset of the first cut, which is the frame of the run.
     pub work: Option<String>,
@@ -147,7 +147,7 @@ impl<'a> Gathered<'a> {
             turns: vec![Turn::NONE],
             swings: Vec::new(),
             leaves_out_turned: false,
-            visited: Visited::default(),
+            visited: VisitedPlaces::default(),
             row: 0,
             work: None,
             work_now: None,

@@ -20,9 +20,9 @@ const MOST_LINES: usize = 256;
 /// The side of the cells in which places are looked up, mm.
 const CELL_MM: f64 = 1e-3;
 
-/// What is asked of a rapid.
+/// What of a rapid may touch something new.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Asked {
+pub(super) enum RapidRest {
     /// Nothing: all of it is where the tool has cut, or goes straight up from there.
     Nothing,
     /// This part of it.
@@ -30,30 +30,30 @@ pub(super) enum Asked {
 }
 
 /// A tool, and how the part lies.
-type Key = (u32, usize);
+type ToolAndTurn = (u32, usize);
 
 /// Heights of the tip over one place of X and Y that cuts have passed, mm.
 type Heights = Vec<[f64; 2]>;
 
 /// A place of X and Y, mm.
 #[derive(Debug)]
-struct Spot {
+struct VisitedSpot {
     at: [f64; 2],
     heights: Heights,
 }
 
 /// The places of cuts, as far as rapids come back to them.
 #[derive(Debug, Default)]
-pub(super) struct Visited {
+pub(super) struct VisitedPlaces {
     /// By tool and cell: places of X and Y where the tool went straight down or up at feed, or where it left the path.
-    spots: HashMap<(Key, [i64; 2]), Vec<Spot>>,
+    spots: HashMap<(ToolAndTurn, [i64; 2]), Vec<VisitedSpot>>,
     /// The last straight cuts.
-    lines: VecDeque<(Key, Line)>,
+    lines: VecDeque<(ToolAndTurn, Line)>,
     /// The last cut, where no rapid has followed it yet.
-    last: Option<(Key, Vec3)>,
+    last: Option<(ToolAndTurn, Vec3)>,
 }
 
-impl Visited {
+impl VisitedPlaces {
     /// Follows a cut.
     pub fn cut(&mut self, tool: u32, turn: usize, curve: &Curve) {
         let key = (tool, turn);
@@ -71,13 +71,13 @@ impl Visited {
     }
 
     /// What is asked of a rapid.
-    pub fn rapid(&mut self, tool: u32, turn: usize, body: &ToolBody, line: &Line) -> Asked {
+    pub fn rapid(&mut self, tool: u32, turn: usize, body: &ToolBody, line: &Line) -> RapidRest {
         if let Some((key, end)) = self.last.take() {
             self.keep(key, [end.x, end.y], [end.z, end.z]);
         }
         if body.core.is_some() {
             // A tap cuts a thread: straight through it nothing is clear.
-            return Asked::Part(*line);
+            return RapidRest::Part(*line);
         }
         let key = (tool, turn);
         // Of a body that is nowhere narrower than below, all that lies higher was in the way before.
@@ -86,7 +86,7 @@ impl Visited {
             true => self.upright(key, widens, line),
             false => self.along(key, widens, line),
         };
-        asked.unwrap_or(Asked::Part(*line))
+        asked.unwrap_or(RapidRest::Part(*line))
     }
 
     /// The tool has cut at a place.
@@ -100,41 +100,41 @@ impl Visited {
         })
     }
 
-    fn upright(&self, key: Key, widens: bool, line: &Line) -> Option<Asked> {
+    fn upright(&self, key: ToolAndTurn, widens: bool, line: &Line) -> Option<RapidRest> {
         if widens && line.end.z >= line.start.z {
             // Straight up nothing is touched that was not touched where the move begins.
-            return Some(Asked::Nothing);
+            return Some(RapidRest::Nothing);
         }
         let heights = self.heights(key, [line.start.x, line.start.y])?;
         let (low, high) = (line.start.z.min(line.end.z), line.start.z.max(line.end.z));
         let mut below = heights.iter().filter(|[from, _]| *from <= low + SAME_PLACE_MM);
         if widens {
-            return below.next().map(|_| Asked::Nothing);
+            return below.next().map(|_| RapidRest::Nothing);
         }
         let passed = below.map(|[_, to]| *to).fold(f64::NEG_INFINITY, f64::max);
         if passed < low - SAME_PLACE_MM {
             return None;
         }
         if passed >= high - SAME_PLACE_MM {
-            return Some(Asked::Nothing);
+            return Some(RapidRest::Nothing);
         }
         let at = |z: f64| Vec3::new(line.start.x, line.start.y, z);
         let (start, end) = match line.start.z > line.end.z {
             true => (at(high), at(passed)),
             false => (at(passed), at(high)),
         };
-        Some(Asked::Part(Line { start, end }))
+        Some(RapidRest::Part(Line { start, end }))
     }
 
     /// A rapid along straight cuts, one after the other.
-    fn along(&self, key: Key, widens: bool, line: &Line) -> Option<Asked> {
+    fn along(&self, key: ToolAndTurn, widens: bool, line: &Line) -> Option<RapidRest> {
         let mut at = 0.0;
         for _ in 0..self.lines.len() {
             let cuts = self.lines.iter().filter(|(of, _)| *of == key);
             let reached = cuts.filter_map(|(_, cut)| reaches(cut, line, at, widens));
             let next = reached.fold(at, f64::max);
             if next >= 1.0 {
-                return Some(Asked::Nothing);
+                return Some(RapidRest::Nothing);
             }
             if next <= at {
                 return None;
@@ -144,12 +144,12 @@ impl Visited {
         None
     }
 
-    fn keep(&mut self, key: Key, at: [f64; 2], [a, b]: [f64; 2]) {
+    fn keep(&mut self, key: ToolAndTurn, at: [f64; 2], [a, b]: [f64; 2]) {
         let mut new = [a.min(b), a.max(b)];
         let spots = self.spots.entry((key, cell(at))).or_default();
         let found = spots.iter().position(|spot| are_same(spot.at, at));
         let index = found.unwrap_or_else(|| {
-            spots.push(Spot { at, heights: Vec::new() });
+            spots.push(VisitedSpot { at, heights: Vec::new() });
             spots.len() - 1
         });
         let heights = &mut spots[index].heights;
@@ -164,7 +164,7 @@ impl Visited {
         heights.push(new);
     }
 
-    fn heights(&self, key: Key, at: [f64; 2]) -> Option<&Heights> {
+    fn heights(&self, key: ToolAndTurn, at: [f64; 2]) -> Option<&Heights> {
         let [x, y] = cell(at);
         let near = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [x + i, y + j]));
         let spots = near.filter_map(|cell| self.spots.get(&(key, cell)));
@@ -221,12 +221,12 @@ fn are_same(a: [f64; 2], b: [f64; 2]) -> bool {
     (a[0] - b[0]).abs() <= SAME_PLACE_MM && (a[1] - b[1]).abs() <= SAME_PLACE_MM
 }
 
-impl Asked {
+impl RapidRest {
     /// The part of a move that is asked.
     pub fn of(self, path: &Move) -> Option<Move> {
         match self {
-            Asked::Nothing => None,
-            Asked::Part(line) => Some(Move { curve: Curve::Line(line), ..*path }),
+            RapidRest::Nothing => None,
+            RapidRest::Part(line) => Some(Move { curve: Curve::Line(line), ..*path }),
         }
     }
 }
@@ -278,7 +278,7 @@ mod tests {
         let (mut numbers, mut clear) = (Numbers(7), [0, 0]);
         for round in 0..4000 {
             let body = &bodies[round % 2];
-            let (mut visited, mut cuts) = (Visited::default(), Vec::new());
+            let (mut visited, mut cuts) = (VisitedPlaces::default(), Vec::new());
             let mut at = numbers.place();
             for _ in 0..12 {
                 let line = Line { start: at, end: numbers.place() };
@@ -288,7 +288,7 @@ mod tests {
                     cuts.push(line);
                     continue;
                 }
-                if visited.rapid(1, 0, body, &line) != Asked::Nothing {
+                if visited.rapid(1, 0, body, &line) != RapidRest::Nothing {
                     continue;
                 }
                 // Straight up needs no cut.
