@@ -34,6 +34,8 @@ pub struct Reported {
     pub missing_feed: bool,
     /// The tool that cut without a spindle.
     pub spindle_for_tool: Option<u32>,
+    /// The tap whose pitch the feed does not fit.
+    pub pitch_for_tool: Option<u32>,
     /// An arc in inverse time whose F counts otherwise.
     pub inverse_time_arc: bool,
     /// Offsets that the machine file does not give.

@@ -4,7 +4,7 @@ use crate::axis::{Axis, PerAxis};
 use crate::turning::TurningTool;
 
 /// The whole angle of the point of a drill that nobody gives, rad: 118°, as twist drills have it.
-pub const USUAL_POINT_ANGLE_RAD: f64 = 118.0 * std::f64::consts::PI / 180.0;
+pub const USUAL_POINT_ANGLE_RAD: f64 = 118.0_f64.to_radians();
 
 /// A tool, its offsets and its shape.
 #[derive(Clone, Debug, Default, PartialEq)]

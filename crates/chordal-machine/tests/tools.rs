@@ -66,7 +66,7 @@ fn every_shape_wants_its_dimensions() {
     for keys in [
         "diameter = '10 mm'",
         "shape = 'flat'",
-        "shape = 'drill'\ndiameter = '5 mm'",
+        "shape = 'drill'\npoint_angle = '118 deg'",
         "shape = 'tap'\ndiameter = '6 mm'",
         "shape = 'insert'\nnose_radius = '0.8 mm'",
         "shape = 'form'",
@@ -74,7 +74,14 @@ fn every_shape_wants_its_dimensions() {
         "shape = 'lollipop'\ndiameter = '20 mm'",
     ] {
         assert_eq!(tool(keys).cutter(), None, "{keys}");
+        assert!(!tool(keys).missing_dimensions().is_empty(), "{keys}");
     }
+    assert_eq!(tool("shape = 'tap'\ndiameter = '6 mm'").missing_dimensions(), ["pitch"]);
+    // But the point of a drill: that of a twist drill.
+    let drill = tool("shape = 'drill'\ndiameter = '5 mm'");
+    assert!(drill.has_assumed_point_angle() && drill.missing_dimensions().is_empty());
+    let usual = tool("shape = 'drill'\ndiameter = '5 mm'\npoint_angle = '118 deg'");
+    assert_eq!(format!("{:?}", drill.cutter()), format!("{:?}", usual.cutter()));
 }
 
 #[test]

@@ -33,7 +33,8 @@ threads per inch at 500 rpm write `G84 ... Q.05 F500.` The feed follows from the
     "the levels of a cycle are in the wrong order";
     r#"The order from top to bottom is: initial level (where the tool was when the cycle began), R, depth.
 LinuxCNC refuses a depth above R; a Fadal also refuses an R above the initial level. The other controls
-run the cycle as programmed, and the tool feeds upwards. Usually a sign is missing: `Z.5` for `Z-.5`."#;
+run the cycle as programmed, and the tool feeds upwards. Usually a sign is missing: `Z.5` for `Z-.5`. A depth that is
+the R level drills nothing, which is a warning."#;
 
     CycleInCompensation = 806, "cycle-in-compensation", Error;
     "a canned cycle while cutter compensation is on";
@@ -102,6 +103,12 @@ the centre, or at the first hole of a line."#;
 
     G90 G81 G99 Z-.6 R0+.1 F40. X0 Y0
     G91 X.5 L20"#;
+
+    TapPitch = 818, "tap-pitch", Error;
+    "the feed of a tap does not fit its pitch";
+    r#"F divided by S, or F itself where it is per revolution, is how far the tap goes in a turn. It differs from the
+`pitch` of the tool in the machine file by more than a floating holder takes up (5.5 %): the tap breaks, or the thread is
+torn. Often S was changed and F was not, or G94 and G95 are exchanged."#;
 
     TapExchanged = 840, "tap-exchanged", Warning;
     "a tap whose axes the control exchanges";

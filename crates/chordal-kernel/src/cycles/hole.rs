@@ -201,10 +201,20 @@ impl Kernel<'_> {
         let depth_above_r = above(hole.z, hole.r) && hole.words.kind != CycleKind::BackBore;
         let r_above_initial =
             order == LevelOrder::AllBelowInitial && above(hole.r, hole.words.initial);
+        let letter = Axis::ALL[hole.axis].letter();
+        let is_empty = (hole.z - hole.r).abs() <= LEVEL_EPSILON_MM;
+        if is_empty && hole.words.kind != CycleKind::BackBore {
+            let level = self.length_text(hole.r);
+            let message = format!("the depth {letter} {level} is the R level: nothing is drilled");
+            self.report(
+                Diagnostic::new(Code::CycleLevels, at.span(), message)
+                    .severity(Severity::Warning)
+                    .help("from top to bottom: initial level, R, depth"),
+            );
+        }
         if !depth_above_r && !r_above_initial {
             return true;
         }
-        let letter = Axis::ALL[hole.axis].letter();
         let (r, z) = (self.length_text(hole.r), self.length_text(hole.z));
         let initial = self.length_text(hole.words.initial);
         let message = if depth_above_r {

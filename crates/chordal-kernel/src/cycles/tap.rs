@@ -3,12 +3,16 @@
 use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::Plane;
+use chordal_machine::ToolShape;
 
 use super::hole::{Hole, LEVEL_EPSILON_MM};
 use super::peck::{FREE_PECKS, MAX_PECKS};
 use crate::kernel::Kernel;
 use crate::rules::{CycleKind, TapFeed};
 use crate::statement::Statement;
+
+/// Holders that float are fed up to so much less than the pitch, as a share of it.
+const FLOATING_TAP_SHARE: f64 = 0.055;
 
 impl Kernel<'_> {
     /// G84 and G74: in, the spindle reverses, out. The feed is the lead's: no override acts.
@@ -28,6 +32,7 @@ impl Kernel<'_> {
         } else if rules.starts_spindle {
             self.turn_spindle(inward);
         }
+        self.check_pitch(at, hole);
         let peck = hole.words.q.map(|q| self.unscaled(hole.axis, q.abs()));
         let peck = peck.filter(|q| rules.pecks_by_q && *q > 0.0);
         if let Some(q) = peck {
@@ -75,8 +80,37 @@ impl Kernel<'_> {
         if let Some(rpm) = hole.words.tap_rpm.filter(|_| by_speed) {
             self.state.rpm = rpm;
         }
+        self.check_pitch(at, hole);
         self.tap_to(at, hole, hole.z, 1.0);
         self.tap_to(at, hole, hole.r, 1.0);
+    }
+
+    /// The lead of the feed against the pitch of the tap, where the machine file gives it; once for each tool.
+    fn check_pitch(&mut self, at: &dyn Statement, hole: &Hole) {
+        let number = self.state.tool;
+        let tool = self.machine.tools.get(&number);
+        let tool = tool.filter(|tool| tool.shape == Some(ToolShape::Tap));
+        let Some(pitch) = tool.and_then(|tool| tool.pitch_mm) else { return };
+        let per_turn = |feed: f64| match self.state.feed_mode {
+            FeedMode::PerTime if self.state.rpm > 0.0 => Some(feed * 60.0 / self.state.rpm),
+            FeedMode::PerRevolution => Some(feed),
+            FeedMode::PerTime | FeedMode::InverseTime => None,
+        };
+        let lead = self.lead_given(hole).or_else(|| self.state.feed.and_then(per_turn));
+        let is_off = |lead: &f64| (lead - pitch).abs() > FLOATING_TAP_SHARE * pitch;
+        let Some(lead) = lead.filter(is_off) else { return };
+        if self.state.live.is_some() || self.reported.pitch_for_tool == Some(number) {
+            return;
+        }
+        self.reported.pitch_for_tool = Some(number);
+        let [lead, pitch] = [lead, pitch].map(|mm| self.length_text(mm));
+        let message =
+            format!("F and S make a lead of {lead}, and tap {number} has a pitch of {pitch}");
+        self.report(
+            Diagnostic::new(Code::TapPitch, at.span(), message)
+                .label("the tap breaks, or the thread is torn")
+                .help("F is the pitch times S, or the pitch itself where F is per revolution"),
+        );
     }
 
     fn reverse_at(&mut self, outward: SpindleState, factor: f64) {
