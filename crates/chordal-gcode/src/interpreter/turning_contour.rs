@@ -88,8 +88,8 @@ impl Interpreter<'_> {
             return None;
         };
         let here = block.range.start;
-        // The control keeps where the roughing cycle found its contour, and G70 cuts that one (Fanuc B-64304EN,
-        // II-4.2.5): of several blocks of this number the last one above it.
+        // The control keeps where the roughing cycle found its contour, and G70 cuts that one, as the trade knows it
+        // of a Fanuc: of several blocks of this number the last one above it.
         let roughed = match finishes {
             true => self.label_above(self.program, i64::from(p), here),
             false => None,

@@ -12,7 +12,7 @@ use chordal_stock::Move;
 use super::problems::{assumed_point_angle, not_cut};
 use super::tools::{NoBody, ToolBody};
 use super::turns::{self, Turn};
-use super::visited::VisitedPlaces;
+use super::visited::{VisitedPlaces, is_upright};
 use crate::job::Job;
 use crate::report::Watch;
 
@@ -258,8 +258,9 @@ impl<'a> Gathered<'a> {
     /// work offset either is one before the first approach, or a reference return: it is taken to be above the part,
     /// unless the tool was left below the clearance plane.
     fn frame_not_known(&mut self, segment: &Segment, kind: Kind) {
+        let is_upright = is_upright(segment.curve.start(), segment.curve.end());
         let is_left_low = self.height_mm.is_some_and(|z| z < self.depth_mm);
-        if !kind.is_rapid() || segment.to_known.has(2) || is_left_low && !is_upright(segment) {
+        if !kind.is_rapid() || segment.to_known.has(2) || is_left_low && !is_upright {
             self.tell(Code::StockNotFollowed, segment, FRAME_NOT_KNOWN);
         }
     }
@@ -276,7 +277,7 @@ impl<'a> Gathered<'a> {
     /// What is known of a rapid whose start or end is not.
     fn rapid_of(&self, segment: &Segment) -> PartlyKnown {
         let [start, end] = [segment.curve.start(), segment.curve.end()];
-        let is_upright = is_upright(segment);
+        let is_upright = is_upright(start, end);
         if segment.to_known.covers(AxisMask::LINEAR) {
             // From above, where it comes down at a known place; otherwise its end alone.
             let is_down = segment.from_known.covers(AxisMask::XY) && is_upright;
@@ -401,12 +402,6 @@ impl<'a> Gathered<'a> {
         self.told.push((code, segment.tool));
         self.diagnostics.push(not_cut(code, &segment.origin, segment.tool, why));
     }
-}
-
-/// It moves along Z alone.
-fn is_upright(segment: &Segment) -> bool {
-    let [start, end] = [segment.curve.start(), segment.curve.end()];
-    (start.x, start.y) == (end.x, end.y)
 }
 
 impl Watch for Gathered<'_> {

@@ -58,7 +58,7 @@ impl VisitedPlaces {
     pub fn cut(&mut self, tool: u32, turn: usize, curve: &Curve) {
         let key = (tool, turn);
         if let Curve::Line(line) = curve {
-            if is_upright(line) {
+            if is_upright(line.start, line.end) {
                 self.keep(key, [line.start.x, line.start.y], [line.start.z, line.end.z]);
             } else {
                 if self.lines.len() == MOST_LINES {
@@ -82,7 +82,7 @@ impl VisitedPlaces {
         let key = (tool, turn);
         // Of a body that is nowhere narrower than below, all that lies higher was in the way before.
         let widens = body.widens();
-        let asked = match is_upright(line) {
+        let asked = match is_upright(line.start, line.end) {
             true => self.upright(key, widens, line),
             false => self.along(key, widens, line),
         };
@@ -209,8 +209,9 @@ fn reaches(cut: &Line, line: &Line, from: f64, widens: bool) -> Option<f64> {
     (fits(start) && fits(stop)).then_some(if is_done { 1.0 } else { stop / length })
 }
 
-fn is_upright(line: &Line) -> bool {
-    (line.start.x, line.start.y) == (line.end.x, line.end.y)
+/// A move along Z alone.
+pub(super) fn is_upright(start: Vec3, end: Vec3) -> bool {
+    (start.x, start.y) == (end.x, end.y)
 }
 
 fn cell(at: [f64; 2]) -> [i64; 2] {
@@ -238,10 +239,10 @@ mod tests {
     use super::super::tools::body_for_tests;
     use super::*;
 
-    /// Numbers from a seed.
-    struct Numbers(u64);
+    /// Places from a seed.
+    struct RandomPlaces(u64);
 
-    impl Numbers {
+    impl RandomPlaces {
         fn below(&mut self, count: u64) -> u64 {
             self.0 = self
                 .0
@@ -275,7 +276,7 @@ mod tests {
             body_for_tests(cutter(Some(1.0)), Some([40.0, 4.0, 2.0])),
         ];
         assert_eq!(bodies.each_ref().map(ToolBody::widens), [true, false]);
-        let (mut numbers, mut clear) = (Numbers(7), [0, 0]);
+        let (mut numbers, mut clear) = (RandomPlaces(7), [0, 0]);
         for round in 0..4000 {
             let body = &bodies[round % 2];
             let (mut visited, mut cuts) = (VisitedPlaces::default(), Vec::new());
@@ -292,7 +293,7 @@ mod tests {
                     continue;
                 }
                 // Straight up needs no cut.
-                let lifts = is_upright(&line) && line.end.z >= line.start.z;
+                let lifts = is_upright(line.start, line.end) && line.end.z >= line.start.z;
                 if body.widens() && lifts {
                     continue;
                 }

@@ -93,12 +93,11 @@ fn program(machine: &str, cycle: &str, tool: u32, spindle: &str, holes: &[(f64, 
         ),
     };
     let speed = if tool == 2 { 500 } else { 3000 };
+    let head = if ["linuxcnc-mill", "grblhal"].contains(&machine) { "" } else { "%\nO1\n" };
     format!(
-        "%\nO1\n{begin}{drilled}T{tool} M6\nG0 G54 X{x:.3} Y{y:.3} S{speed} {spindle}\n{}Z25.\n{cycle}\n{more}{end}M30\n%\n",
+        "{head}{begin}{drilled}T{tool} M6\nG0 G54 X{x:.3} Y{y:.3} S{speed} {spindle}\n{}Z25.\n{cycle}\n{more}{end}M30\n",
         length(tool)
     )
-    .replace("%\nO1\n", if machine.contains("cnc") || machine == "grblhal" { "" } else { "%\nO1\n" })
-    .replace("M30\n%\n", "M30\n")
 }
 
 #[test]

@@ -14,20 +14,20 @@ const G54: [f64; 3] = [-300.0, -250.0, -300.0];
 
 /// What the setup says of work offsets.
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum Given {
+enum GivenOffsets {
     Both,
     First,
     None,
 }
 
-fn setup(given: Given, g55: [f64; 3]) -> String {
+fn setup(given: GivenOffsets, g55: [f64; 3]) -> String {
     let system = |name: &str, [x, y, z]: [f64; 3]| {
         format!("[work_offsets.{name}]\nX = \"{x} mm\"\nY = \"{y} mm\"\nZ = \"{z} mm\"\n")
     };
     let systems = match given {
-        Given::Both => system("G54", G54) + &system("G55", g55),
-        Given::First => system("G54", G54),
-        Given::None => String::new(),
+        GivenOffsets::Both => system("G54", G54) + &system("G55", g55),
+        GivenOffsets::First => system("G54", G54),
+        GivenOffsets::None => String::new(),
     };
     let [[ax, ay, az], [bx, by, bz]] = PLATE;
     format!(
@@ -199,13 +199,14 @@ fn the_tip_is_where_a_model_of_the_machine_has_it() {
     let (mut touched, mut clean, mut placed) = (0, 0, 0);
     for round in 0..25 * rounds() {
         let mut random = Random::new(0xf4a3e + round);
-        let given = [Given::Both, Given::First, Given::None][(round % 3) as usize];
+        let given =
+            [GivenOffsets::Both, GivenOffsets::First, GivenOffsets::None][(round % 3) as usize];
         let near = |value: f64, random: &mut Random| value + (random.between(-20.0, 20.0)).round();
         let g55 = std::array::from_fn(|axis| near(G54[axis], &mut random));
         let model = program(&mut random, g55);
         let first = model.text.find("G1 ").expect("a cut");
         let is_second = model.text[..first].rfind("G55") > model.text[..first].rfind("G54");
-        if is_second && given != Given::Both {
+        if is_second && given != GivenOffsets::Both {
             // Where the plate is is not known: there is no run.
             continue;
         }
@@ -220,7 +221,7 @@ fn the_tip_is_where_a_model_of_the_machine_has_it() {
                 model.text
             );
         }
-        if given != Given::Both {
+        if given != GivenOffsets::Both {
             continue;
         }
         // Everything is known: a path that stays away is clean, and each place is the model's.
