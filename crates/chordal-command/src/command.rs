@@ -86,6 +86,8 @@ pub enum CommandKind {
         number: Option<u32>,
         /// What is added to Z, mm; `None` when the table has no value.
         length_mm: Option<f64>,
+        /// The offset is subtracted (G44).
+        is_subtracted: bool,
         /// What is added on every axis, the length with it, mm and rad; zero where the table has no value.
         offset: Position,
         /// The axes whose way from program to machine coordinates is known now.

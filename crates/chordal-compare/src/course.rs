@@ -1,8 +1,8 @@
 //! What a program does, in order.
 
 use chordal::control::{
-    Command, CommandKind, Coolant, EndReason, FeedMode, Origin, Overrides, PathMode, RapidPath,
-    RotarySurface, Side, SpindleState,
+    Command, CommandKind, Coolant, EndReason, FeedMode, Origin, Overrides, PathMode, Position,
+    RapidPath, RotarySurface, Side, SpindleState,
 };
 use chordal::geometry::{Curve, ParamCurve};
 use chordal::path::PathBuilder;
@@ -85,6 +85,8 @@ pub(crate) struct State {
     pub(crate) rpm: f64,
     pub(crate) coolant: Coolant,
     pub(crate) length_offset: Option<u32>,
+    /// The tool offsets in force where the program gives them itself (G43.1), mm and rad.
+    pub(crate) own_length: Option<Position>,
     pub(crate) radius_offset: Option<u32>,
     pub(crate) work_offset: u32,
     pub(crate) path_mode: PathMode,
@@ -200,6 +202,7 @@ impl Gather {
             rpm: 0.0,
             coolant: Coolant::default(),
             length_offset: None,
+            own_length: None,
             radius_offset: None,
             // Which offset holds before the program names one is the control's business: its first.
             work_offset: 1,
@@ -282,7 +285,11 @@ impl Gather {
             Kind::Compensation { side, number, .. } => {
                 self.now.radius_offset = if *side == Side::Off { None } else { *number };
             }
-            Kind::ToolLength { number, .. } => self.now.length_offset = *number,
+            Kind::ToolLength { number, offset, .. } => {
+                self.now.length_offset = *number;
+                let is_own = number.is_none() && offset.iter().any(|value| *value != 0.0);
+                self.now.own_length = is_own.then_some(*offset);
+            }
             Kind::WorkOffset { name, .. } => self.now.work_offset = name.ordinal(),
             Kind::PathMode(mode) => self.now.path_mode = *mode,
             Kind::Overrides(overrides) => self.now.overrides = *overrides,

@@ -4,10 +4,13 @@ use std::ops::Range;
 
 use imara_diff::{Algorithm, Diff, InternedInput};
 
-use chordal::control::{RotarySurface, SurfaceShape, number_text};
+use chordal::control::{Position, RotarySurface, SurfaceShape, number_text};
 
 use crate::course::{Course, Event, Moved, Speed, State, Step, Way};
 use crate::difference::{Blocks, Category, Difference, Place, Value};
+
+/// Tool lengths that differ by less are the same, mm: below the least increment of every control.
+const SAME_LENGTH_MM: f64 = 1e-5;
 
 /// Gathers differences; those of one kind that follow each other are one.
 pub(crate) struct Steps<'a> {
@@ -290,9 +293,29 @@ fn surface_value(surface: Option<RotarySurface>) -> Value {
     })
 }
 
+/// Tool offsets that programs give themselves are the same, whatever their units.
+fn is_same_length(a: Option<Position>, b: Option<Position>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => a.iter().zip(&b).all(|(a, b)| (a - b).abs() < SAME_LENGTH_MM),
+        (a, b) => a == b,
+    }
+}
+
+/// `Z 25 mm`, of the axes that have an offset.
+fn own_length_text(values: &Position) -> String {
+    let linear = values.iter().zip("XYZ".chars()).filter(|(value, _)| **value != 0.0);
+    let texts: Vec<String> =
+        linear.map(|(value, letter)| format!("{letter} {} mm", number_text(*value, 4))).collect();
+    texts.join(", ")
+}
+
 /// What differs of two states; nothing for each category that is the same.
 fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Value; 2]>); 8] {
     let number = |number: Option<u32>| number.map_or(Value::Nothing, Value::Number);
+    let length = |state: &State| match state.own_length {
+        Some(values) => Value::Text(own_length_text(&values)),
+        None => number(state.length_offset),
+    };
     let is_spindle_same = a.spindle == b.spindle && is_part(a.rpm, b.rpm, tolerance);
     let spindle = [Value::Spindle(a.spindle, a.rpm), Value::Spindle(b.spindle, b.rpm)];
     let of = |is_other: bool, values: [Value; 2]| is_other.then_some(values);
@@ -301,8 +324,8 @@ fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Valu
         (
             Category::LengthOffset,
             of(
-                a.length_offset != b.length_offset,
-                [number(a.length_offset), number(b.length_offset)],
+                a.length_offset != b.length_offset || !is_same_length(a.own_length, b.own_length),
+                [length(a), length(b)],
             ),
         ),
         (

@@ -75,6 +75,15 @@ impl Kernel<'_> {
         self.emit_tool_length();
     }
 
+    /// Ends the length in force where the control does so beside the codes of lengths.
+    pub(crate) fn end_length_if(&mut self, ends: bool) {
+        if ends && self.state.offsets.has_length() {
+            let none = LengthOffset { number: None, minus: false };
+            self.state.shift_coordinates(|offsets| offsets.set_length(none, false));
+            self.emit_tool_length();
+        }
+    }
+
     /// A turning tool without X and Z.
     fn report_no_geometry(&mut self, span: Span, number: u32) {
         self.report_unset(
@@ -106,6 +115,7 @@ impl Kernel<'_> {
         let kind = CommandKind::ToolLength {
             number: offsets.length().number,
             length_mm: offsets.length_in_force(),
+            is_subtracted: offsets.length().minus,
             offset: offsets.tool_in_force(),
             known: offsets.known(),
         };

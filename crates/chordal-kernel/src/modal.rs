@@ -89,6 +89,8 @@ pub struct Modal {
     pub work_name: String,
     /// Number of the tool length offset in force.
     pub length_offset: Option<u32>,
+    /// The tool offsets in force where the program gives them itself (G43.1), mm and rad.
+    pub own_length: Option<Position>,
     /// Number of the radius offset that compensation uses.
     pub radius_offset: Option<u32>,
     /// How corners are passed.
@@ -131,6 +133,7 @@ impl Modal {
             work,
             work_name: state.offsets.key(work),
             length_offset: state.offsets.length().number,
+            own_length: state.offsets.own_length(),
             radius_offset: state.radius_offset,
             path_mode: state.path.in_force(),
         }

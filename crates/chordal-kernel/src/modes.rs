@@ -235,6 +235,7 @@ impl Kernel<'_> {
             );
         }
         self.end_cycle_if(self.rules.cycles.cancel.by_tool_change);
+        self.end_length_if(self.rules.length.ended_by.tool_change);
         self.state.tool = number;
         if stops_spindle {
             self.state.spindle = SpindleState::Off;

@@ -9,6 +9,7 @@ use chordal_machine::{AXES, Axis, Machine, PerAxis, Tool};
 use crate::frames::{Frames, Map};
 
 /// The axis of the tool length: without it the others are taken as zero, since a mill has no more.
+const X: usize = Axis::X as usize;
 const Z: usize = Axis::Z as usize;
 
 /// The offset tables and which of them are in force.
@@ -22,6 +23,8 @@ pub struct Offsets {
     naming: WorkNaming,
     /// The linear axes that the machine does not have: nothing of them is unknown.
     absent: AxisMask,
+    /// The axes along which tools differ: Z, and X on lathes.
+    tool_axes: AxisMask,
     active: WorkName,
     /// G52, added to every system.
     shift: Position,
@@ -64,12 +67,13 @@ pub struct LengthOffset {
 pub struct Identity {
     active: WorkName,
     length: LengthOffset,
+    tool_axes: AxisMask,
 }
 
 impl Identity {
-    /// True when both stand for the same offset of an axis; the tool length is of Z alone.
+    /// True when both stand for the same offset of an axis.
     pub fn same_for(&self, other: &Identity, axis: usize) -> bool {
-        self.active == other.active && (axis != 2 || self.length == other.length)
+        self.active == other.active && (!self.tool_axes.has(axis) || self.length == other.length)
     }
 }
 
@@ -81,8 +85,13 @@ impl Offsets {
         let external = machine.work_offsets.get("EXT").map_or([None; AXES], |o| o.values);
         let mut absent = AxisMask::NONE;
         (0..3).filter(|axis| machine.axes[*axis].is_none()).for_each(|axis| absent.insert(axis));
+        let mut tool_axes = AxisMask(1 << Z);
+        if machine.turns() {
+            tool_axes.insert(X);
+        }
         let mut offsets = Offsets {
             absent,
+            tool_axes,
             systems,
             rotations: BTreeMap::new(),
             external,
@@ -134,7 +143,7 @@ impl Offsets {
 
     /// Which offsets are in force.
     pub fn identity(&self) -> Identity {
-        Identity { active: self.active, length: self.length }
+        Identity { active: self.active, length: self.length, tool_axes: self.tool_axes }
     }
 
     /// The work coordinate system in force.
@@ -145,6 +154,16 @@ impl Offsets {
     /// The tool length in force.
     pub fn length(&self) -> LengthOffset {
         self.length
+    }
+
+    /// A tool length is in force, by its number or by its values.
+    pub fn has_length(&self) -> bool {
+        self.length.number.is_some() || self.tool_values.is_some()
+    }
+
+    /// The tool offsets in force where the program gives them itself, not by a number.
+    pub fn own_length(&self) -> Option<Position> {
+        self.tool_values.filter(|_| self.length.number.is_none())
     }
 
     /// Chooses a work coordinate system.
@@ -330,7 +349,7 @@ impl Offsets {
             }
             let mut is_known = self.preset_known[axis].unwrap_or(base.is_some());
             self.total[axis] = self.work[axis] + tool[axis];
-            if axis == Z {
+            if self.tool_axes.has(axis) {
                 is_known &= length_known;
             }
             if is_known || self.absent.has(axis) {

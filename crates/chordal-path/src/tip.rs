@@ -14,6 +14,8 @@ const SAME_OFFSET_MM: f64 = 1e-5;
 pub enum TipPlace {
     /// At the programmed point; where no length is known, because the work offset was set with this tool.
     AsProgrammed,
+    /// Taken at the programmed point, as if the work offset was set with this tool, which nothing says.
+    Assumed,
     /// Away from the programmed point by this much, mm.
     Shifted(Vec3),
     /// Somewhere else, nobody knows where.
@@ -27,6 +29,8 @@ pub enum TipDoubt {
     NoLength,
     /// The length offset in force is that of another tool.
     OtherTool,
+    /// G43 after G44, or G44 after G43: the table holds lengths of one sign.
+    OtherSign,
 }
 
 /// Follows tools and offsets.
@@ -40,6 +44,9 @@ pub struct TipTracker {
     /// What the tool's offsets add, and whether all of it is in the table.
     offset: Position,
     has_values: bool,
+    is_subtracted: bool,
+    /// How the program brought its first length into force. Who writes G44 keeps lengths with the other sign.
+    subtracts: Option<bool>,
     /// Some length offset was in force before.
     has_had_length: bool,
     /// The axes whose work offset is known, where no length is in force.
@@ -67,6 +74,8 @@ impl TipTracker {
             number: None,
             offset: [0.0; AXES],
             has_values: true,
+            is_subtracted: false,
+            subtracts: None,
             has_had_length: false,
             work_known: known,
             is_in_machine: false,
@@ -99,12 +108,14 @@ impl TipTracker {
                     self.used.push(*number);
                 }
             }
-            CommandKind::ToolLength { number, length_mm, offset, known } => {
+            CommandKind::ToolLength { number, length_mm, is_subtracted, offset, known } => {
                 self.number = *number;
                 self.offset = *offset;
                 self.has_values = length_mm.is_some();
+                self.is_subtracted = *is_subtracted;
                 if number.is_some() {
                     self.has_had_length = true;
+                    self.subtracts.get_or_insert(*is_subtracted);
                 } else {
                     self.work_known = *known;
                 }
@@ -130,8 +141,12 @@ impl TipTracker {
     /// tool's own offset, it means the tip to be elsewhere.
     #[inline]
     pub fn is_doubtful(&self) -> bool {
-        matches!(self.place, TipPlace::Shifted(_) | TipPlace::Unknown(_))
-            && self.number != Some(self.tool)
+        match self.place {
+            TipPlace::AsProgrammed => false,
+            TipPlace::Assumed => true,
+            TipPlace::Shifted(_) => self.number != Some(self.tool) || self.has_other_sign(),
+            TipPlace::Unknown(_) => true,
+        }
     }
 
     /// The tool in the spindle, and the number of the length offset in force.
@@ -152,13 +167,14 @@ impl TipTracker {
         match self.number {
             None => self.without_number(own),
             Some(number) if number == self.tool => match own {
-                Some(own) if self.has_values => self.deviation(&own, self.sign(machine, number)),
+                Some(own) if self.has_values => self.deviation(&own, self.sign()),
+                _ if self.has_other_sign() => TipPlace::Unknown(TipDoubt::OtherSign),
                 _ => TipPlace::AsProgrammed,
             },
             // The number is of no other tool: the shop numbers offsets in another way, or the tool has several.
             Some(number) if !self.is_of_other_tool(machine, number) => TipPlace::AsProgrammed,
-            Some(number) => match own {
-                Some(own) if self.has_values => self.deviation(&own, self.sign(machine, number)),
+            Some(_) => match own {
+                Some(own) if self.has_values => self.deviation(&own, self.sign()),
                 _ => TipPlace::Unknown(TipDoubt::OtherTool),
             },
         }
@@ -176,12 +192,14 @@ impl TipTracker {
             Some(own) if self.deviation(&own, 1.0) == TipPlace::AsProgrammed => {
                 TipPlace::AsProgrammed
             }
-            _ if self.lengths == ToolLengths::TouchedOff => TipPlace::AsProgrammed,
+            _ if self.lengths == ToolLengths::TouchedOff && !self.has_had_length => {
+                TipPlace::AsProgrammed
+            }
             Some(_) => TipPlace::Unknown(TipDoubt::NoLength),
             None if self.used.len() > 1 || self.has_had_length => {
                 TipPlace::Unknown(TipDoubt::NoLength)
             }
-            None => TipPlace::AsProgrammed,
+            None => TipPlace::Assumed,
         }
     }
 
@@ -197,12 +215,14 @@ impl TipTracker {
         }
     }
 
-    /// -1 where the offset in force is subtracted (G44): lengths are then kept with the other sign.
-    fn sign(&self, machine: &Machine, number: u32) -> f64 {
-        let Some(table) = self.offsets_of(machine, number) else { return 1.0 };
-        let z = Axis::Z as usize;
-        let is_subtracted = table[z] != 0.0 && (self.offset[z] + table[z]).abs() < SAME_OFFSET_MM;
-        if is_subtracted { -1.0 } else { 1.0 }
+    /// -1 where the program subtracts its lengths (G44), which are then kept with the other sign.
+    fn sign(&self) -> f64 {
+        if self.subtracts == Some(true) { -1.0 } else { 1.0 }
+    }
+
+    /// The length in force is added where the program's first one was subtracted, or the other way round.
+    fn has_other_sign(&self) -> bool {
+        self.number.is_some() && self.subtracts.is_some_and(|first| first != self.is_subtracted)
     }
 
     /// The offsets of a tool as it was measured; nothing where one of them is not known.

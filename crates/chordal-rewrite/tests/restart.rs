@@ -320,3 +320,40 @@ fn the_way_in_of_a_lathe_is_looked_at_with_what_stands() {
     let done = restart(&bare, 8).expect("proved");
     assert_eq!(way_in(&bare, &done, &none).expect("no setup"), None);
 }
+
+/// What brings a length into force, and the line that does so again in the head.
+#[test]
+fn every_form_of_a_tool_length_is_said_again() {
+    let program = |machine: &str, length: &str| {
+        let begin = if machine.starts_with("fadal") {
+            "G21 G90\nE1"
+        } else {
+            "G21 G90 G17 G40 G49 G80\nG54"
+        };
+        format!(
+            "{begin}\nG10 L10 P2 R180.\nT2 M6\nG0 X10. Y20. S3000 M3\n{length}\nG1 Z-1. F300.\nX30.\nX40.\nG0 Z25.\nM2\n"
+        )
+    };
+    let cases = [
+        ("fanuc-0i", "G43 H2 Z25.", "G43 H2 Z25."),
+        ("haas-vf2", "G43 H2\nZ25.", "G43 H2 Z25."),
+        ("mitsubishi-m700", "G44 H2 Z25.", "G44 H2 Z25."),
+        ("linuxcnc-mill", "G43.1 Z25.\nZ25.", "G43.1 Z25.\n"),
+        ("linuxcnc-mill", "G43.1 X1. Z-3.5\nX10. Z25.", "G43.1 X1. Z-3.5\n"),
+        ("grblhal", "G43.1 Z25.\nZ25.", "G43.1 Z25.\n"),
+    ];
+    for (machine, length, head) in cases {
+        let mut text = program(machine, length);
+        if !["fanuc-0i", "haas-vf2", "mitsubishi-m700"].contains(&machine) {
+            text = text.replace("G10 L10 P2 R180.\n", "");
+        }
+        let line = text.lines().position(|line| line == "X40.").expect("the line") as u32 + 1;
+        let begun = begun(&text, machine, line);
+        assert!(begun.contains(head), "{machine}, {length}:\n{begun}");
+        // Without it the length is another one, which the proof sees.
+        let without = begun.replace(head, if head.ends_with('\n') { "" } else { "Z25." });
+        let job = |text: &str| job(text, machine);
+        let compared = chordal_compare::compare(&job(&text), &job(&without), &Default::default());
+        assert_ne!(compared.verdict, chordal_compare::Verdict::Same, "{machine}, {length}");
+    }
+}

@@ -321,7 +321,7 @@ impl<'a> Job<'a> {
         let rules = &self.control().parameters.rules;
         Checks::new(self.machine(), offset, known, rules.units)
             .assumed(self.has_assumed_machine())
-            .with_tool_lengths(rules.tool_lengths)
+            .with_tool_lengths(rules.length.source)
     }
 
     /// Makes the path of one run of this job from its commands.
@@ -330,7 +330,7 @@ impl<'a> Job<'a> {
         PathBuilder::new(self.machine(), frame.work, frame.known)
             .in_system(frame.name)
             .in_run_frame(self.run_frame())
-            .with_tool_lengths(self.control().parameters.rules.tool_lengths)
+            .with_tool_lengths(self.control().parameters.rules.length.source)
     }
 
     /// What lies between program and machine coordinates before the first block.

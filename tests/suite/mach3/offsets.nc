@@ -29,7 +29,7 @@ G49
 S1000 M3 F300
 G0 X0 Y0
 (The compensated path: the tool centre is 3 mm to the left.)
-G41 D1 G1 X20 Y0 (= line | ! CH531)
+G41 D1 G1 X20 Y0 (= line | ! CH531 | ! CH611 "no length offset is in force")
 X40
 G40 X60 (= line | ! CH531)
 G42 P3 X80 (= ! CH312 "with P, the size")

@@ -66,7 +66,8 @@ takes the tip below the clearance plane; the path, the stock and the pictures sh
     "the length of the tool in the spindle is not taken into account";
     r#"No length offset is in force after a change of tools, or the one in force is that of another tool, and the
 machine file does not give both lengths: nobody can say where the tip is, and nothing of the path of this tool is
-proved. Where the work offset is set anew with each tool, set `tool_lengths` to `touched-off` in `[settings]` of the
+proved. For the only tool of a program without any length it is a note: its path is taken as if Z0 was set with it.
+A second length that G44 brings into force after G43, or the other way round, has the other sign. Where the work offset is set anew with each tool, set `tool_lengths` to `touched-off` in `[settings]` of the
 machine file."#;
 
     RadiusOfOtherTool = 612, "radius-of-other-tool", Error;

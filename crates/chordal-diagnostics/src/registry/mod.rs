@@ -105,11 +105,11 @@ impl Code {
             | Code::MissingSubprogram
             | Code::UnsupportedMacro
             | Code::BudgetReached => matches!(severity, Severity::Error),
-            Code::ReadingNotKnown
-            | Code::UnknownPath
-            | Code::AssumedBranch
-            | Code::MacroAlone
-            | Code::TipNotKnown => true,
+            Code::ReadingNotKnown | Code::UnknownPath | Code::AssumedBranch | Code::MacroAlone => {
+                true
+            }
+            // A note says that the tip is taken as programmed.
+            Code::TipNotKnown => !matches!(severity, Severity::Note),
             _ => false,
         }
     }

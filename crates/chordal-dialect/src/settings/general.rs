@@ -65,6 +65,10 @@ pub(super) const LENGTHS_WITHOUT_NUMBER: &[(&str, LengthWithoutNumber)] =
 
 pub(super) const LENGTHS_IN_INCREMENT: &[(&str, bool)] = &[("added", true), ("not-added", false)];
 
+pub(super) const LENGTHS_OF_ZERO: &[(&str, bool)] = &[("none", false), ("tool", true)];
+
+pub(super) const LENGTH_ENDS: &[(&str, bool)] = &[("kept", false), ("ended", true)];
+
 pub(super) const ROTARY_IN_ARC: &[(&str, bool)] = &[("allowed", true), ("refused", false)];
 
 pub(super) const MACRO_ANGLES: &[(&str, bool)] = &[("0-to-360", true), ("180", false)];

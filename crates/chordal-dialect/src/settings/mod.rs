@@ -54,6 +54,10 @@ pub enum Field {
     ToolLengths,
     LengthWithoutNumber,
     LengthInIncrement,
+    LengthOfZero,
+    LengthAtToolChange,
+    LengthAtReferenceReturn,
+    LengthAtMachineMove,
     MostDigits,
     HelixFeed,
     Spiral,
@@ -187,6 +191,26 @@ const GENERAL: &[Setting] = &[
         "length_in_increment",
         Field::LengthInIncrement,
         "`G91 G43 Z-32. H1`: the length is `added` to the way of Z, or `not-added`",
+    ),
+    common(
+        "length_with_h0",
+        Field::LengthOfZero,
+        "`G43 H0`: `none` is in force, or the length of the `tool` in the spindle",
+    ),
+    common(
+        "length_at_tool_change",
+        Field::LengthAtToolChange,
+        "a change of tools: the length in force is `kept` or `ended`",
+    ),
+    common(
+        "length_at_reference_return",
+        Field::LengthAtReferenceReturn,
+        "G28 or G30 with Z: the length in force is `kept` or `ended`",
+    ),
+    common(
+        "length_at_machine_move",
+        Field::LengthAtMachineMove,
+        "G53 with Z: the length in force is `kept` or `ended`",
     ),
     common(
         "most_digits",
@@ -425,12 +449,22 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         }
         Field::SemicircleTolerance => p.rules.arc.semicircle_tolerance_mm = Some(length()?),
         Field::ExcessDecimals => p.excess_decimals = choose(word, EXCESS_DECIMALS)?,
-        Field::ToolLengths => p.rules.tool_lengths = choose(word, TOOL_LENGTHS)?,
+        Field::ToolLengths => p.rules.length.source = choose(word, TOOL_LENGTHS)?,
         Field::LengthWithoutNumber => {
-            p.rules.length_without_number = choose(word, LENGTHS_WITHOUT_NUMBER)?;
+            p.rules.length.without_number = choose(word, LENGTHS_WITHOUT_NUMBER)?;
         }
         Field::LengthInIncrement => {
-            p.rules.length_adds_to_increment = choose(word, LENGTHS_IN_INCREMENT)?;
+            p.rules.length.adds_to_increment = choose(word, LENGTHS_IN_INCREMENT)?;
+        }
+        Field::LengthOfZero => p.rules.length.zero_is_of_tool = choose(word, LENGTHS_OF_ZERO)?,
+        Field::LengthAtToolChange => {
+            p.rules.length.ended_by.tool_change = choose(word, LENGTH_ENDS)?;
+        }
+        Field::LengthAtReferenceReturn => {
+            p.rules.length.ended_by.reference_return = choose(word, LENGTH_ENDS)?;
+        }
+        Field::LengthAtMachineMove => {
+            p.rules.length.ended_by.machine_move = choose(word, LENGTH_ENDS)?;
         }
         Field::MostDigits => p.most_digits = count()?.min(18) as u8,
         Field::HelixFeed => {
@@ -566,11 +600,17 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
             None => "two-increments".into(),
         },
         Field::ExcessDecimals => name_of(p.excess_decimals, EXCESS_DECIMALS),
-        Field::ToolLengths => name_of(p.rules.tool_lengths, TOOL_LENGTHS),
+        Field::ToolLengths => name_of(p.rules.length.source, TOOL_LENGTHS),
         Field::LengthWithoutNumber => {
-            name_of(p.rules.length_without_number, LENGTHS_WITHOUT_NUMBER)
+            name_of(p.rules.length.without_number, LENGTHS_WITHOUT_NUMBER)
         }
-        Field::LengthInIncrement => name_of(p.rules.length_adds_to_increment, LENGTHS_IN_INCREMENT),
+        Field::LengthInIncrement => name_of(p.rules.length.adds_to_increment, LENGTHS_IN_INCREMENT),
+        Field::LengthOfZero => name_of(p.rules.length.zero_is_of_tool, LENGTHS_OF_ZERO),
+        Field::LengthAtToolChange => name_of(p.rules.length.ended_by.tool_change, LENGTH_ENDS),
+        Field::LengthAtReferenceReturn => {
+            name_of(p.rules.length.ended_by.reference_return, LENGTH_ENDS)
+        }
+        Field::LengthAtMachineMove => name_of(p.rules.length.ended_by.machine_move, LENGTH_ENDS),
         Field::MostDigits => p.most_digits.to_string(),
         Field::HelixFeed => {
             if p.rules.arc.helix_feed == FeedAlong::Path { "path" } else { "plane" }.into()

@@ -300,7 +300,11 @@ impl Interpreter<'_> {
         let number = match block.letters().has(b'H') {
             true => {
                 let largest = self.control.parameters.largest_numbers.offset;
-                self.count_up_to(block, b'H', largest)
+                let number = self.count_up_to(block, b'H', largest);
+                let is_of_tool = number == Some(0)
+                    && self.control.parameters.rules.length.zero_is_of_tool
+                    && by_code.is_some();
+                if is_of_tool { Some(self.kernel.state.tool) } else { number }
             }
             false => self.length_without_number(block, length_code),
         };
@@ -317,7 +321,7 @@ impl Interpreter<'_> {
             }
             None => {}
         }
-        let adds = self.control.parameters.rules.length_adds_to_increment;
+        let adds = self.control.parameters.rules.length.adds_to_increment;
         let is_once = codes.iter().any(|(row, _)| matches!(row.action, Action::Once(_)));
         if adds && self.kernel.state.incremental && block.letters().has(b'Z') && !is_once {
             // The way of Z begins at the coordinate before, and the length is added to its end: from Z0 of the
@@ -334,7 +338,7 @@ impl Interpreter<'_> {
         block: &Block,
         code: Option<&(&'static CodeRow, usize)>,
     ) -> Option<u32> {
-        if self.control.parameters.rules.length_without_number == LengthWithoutNumber::OfTool {
+        if self.control.parameters.rules.length.without_number == LengthWithoutNumber::OfTool {
             return Some(self.kernel.state.tool);
         }
         let in_force = self.kernel.state.offsets.length().number;

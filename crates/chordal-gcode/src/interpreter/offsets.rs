@@ -5,9 +5,11 @@ use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_dialect::table::{DataTarget, MotionModality};
 use chordal_dialect::{Action, ModeCode, MotionCode};
 use chordal_dialect::{Group, ToolWord};
+use chordal_kernel::LengthOffset;
 use chordal_kernel::Motion;
 use chordal_kernel::ToolValue;
 use chordal_kernel::rules::LeadLength;
+use chordal_machine::{Axis, PerAxis};
 use chordal_syntax::{Block, Letters, Value};
 
 use super::Interpreter;
@@ -24,6 +26,8 @@ enum ToolFrom {
     /// It gets these coordinates of the ninth work offset, which belongs to the fixture.
     Fixture,
 }
+
+const Z: usize = Axis::Z as usize;
 
 /// The last work offset of a control that chooses them by E.
 const MOST_BY_E: u32 = 48;
@@ -168,7 +172,13 @@ impl Interpreter<'_> {
         };
         let offsets = &self.kernel.state.offsets;
         let tool = offsets.tool(number);
-        let values = std::array::from_fn(|axis| tool.and_then(|tool| tool.offset_of(axis)));
+        let values: PerAxis<Option<f64>> =
+            std::array::from_fn(|axis| tool.and_then(|tool| tool.offset_of(axis)));
+        if values[Z].is_none() {
+            // The sum is as little known as what is added.
+            let length = LengthOffset { number: Some(number), minus: false };
+            return self.kernel.set_length(&self.at(block), length);
+        }
         self.kernel.set_tool_offsets(&values, true);
     }
 

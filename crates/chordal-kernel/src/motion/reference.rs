@@ -1,11 +1,13 @@
 //! Moves to machine points: reference points and machine coordinates.
 
 use chordal_command::{AxisMask, CommandKind, Move, Position};
-use chordal_machine::PerAxis;
+use chordal_machine::{Axis, PerAxis};
 
 use crate::kernel::Kernel;
 use crate::state::Motion;
 use crate::statement::Statement;
+
+const Z: usize = Axis::Z as usize;
 
 impl Kernel<'_> {
     /// Over a point to a reference point, with the axes named. Axes that it does not know go to zero.
@@ -25,9 +27,11 @@ impl Kernel<'_> {
     pub fn go_to_reference(&mut self, named: AxisMask, reference: &PerAxis<Option<f64>>) {
         let home = reference.map(|place| place.unwrap_or(0.0));
         if self.rules.frames.work_rotation && !self.state.frames.is_plain() {
-            return self.rapid_to_turned_reference(named, &home);
+            self.rapid_to_turned_reference(named, &home);
+        } else {
+            self.rapid_to_machine_point(home, named);
         }
-        self.rapid_to_machine_point(home, named);
+        self.end_length_if(named.has(Z) && self.rules.length.ended_by.reference_return);
     }
 
     /// To the coordinates that the point has in the turned system: an axis that is not named keeps
@@ -49,6 +53,7 @@ impl Kernel<'_> {
 
     /// G53: to a point of machine coordinates, by a rapid or at the feed in force.
     pub fn to_machine_point(&mut self, at: &dyn Statement, place: Position, named: AxisMask) {
+        self.end_length_if(named.has(Z) && self.rules.length.ended_by.machine_move);
         let rapid = self.state.motion == Motion::Rapid;
         if rapid || self.rules.machine_move_is_rapid {
             let motion = self.machine_move(place, named);

@@ -91,11 +91,7 @@ pub struct Rules {
     /// G43 takes a copy of the tool's offsets: what is written into the table later acts at the next G43.
     pub length_is_copied: bool,
     /// How tools of different length are made to work on the same part.
-    pub tool_lengths: ToolLengths,
-    /// Which length G43 without H brings into force.
-    pub length_without_number: LengthWithoutNumber,
-    /// In G91 a block that brings a length into force adds it to the way of its own axis word.
-    pub length_adds_to_increment: bool,
+    pub length: LengthRules,
     /// G28 without axis words sends all axes home.
     pub bare_home_moves_all: bool,
     /// A circular pocket is one circle about the present place: out along X by I, round and back, without the
@@ -168,9 +164,7 @@ impl Rules {
         work_values_add: true,
         shift_is_preset: false,
         length_is_copied: false,
-        tool_lengths: ToolLengths::Table,
-        length_without_number: LengthWithoutNumber::InForce,
-        length_adds_to_increment: false,
+        length: LengthRules::COMMON,
         bare_home_moves_all: false,
         pocket_is_one_circle: false,
         pocket_stepover_mm: f64::INFINITY,

@@ -41,6 +41,9 @@ impl Checks<'_> {
                 let why = match doubt {
                     TipDoubt::NoLength => in_force,
                     TipDoubt::OtherTool => format!("{in_force}, which is that of another tool"),
+                    TipDoubt::OtherSign => {
+                        format!("{in_force} with the other sign than lengths before (G43, G44)")
+                    }
                 };
                 let message = format!("where the tip of tool {tool} is is not known: {why}");
                 Diagnostic::new(Code::TipNotKnown, span, message)
@@ -49,6 +52,16 @@ impl Checks<'_> {
                         "bring the length of tool {tool} into force before; where the work offset is set with each \
                          tool, set `tool_lengths` to `touched-off`"
                     ))
+            }
+            TipPlace::Assumed => {
+                let message = format!(
+                    "no length offset is in force for tool {tool}, and its length is not given"
+                );
+                Diagnostic::new(Code::TipNotKnown, span, message)
+                    .severity(Severity::Note)
+                    .label("right only if Z0 was set with this tool")
+                    .help("bring its length into force before; where the work offset is set with each tool, set \
+                           `tool_lengths` to `touched-off`")
             }
             TipPlace::AsProgrammed => return,
         };

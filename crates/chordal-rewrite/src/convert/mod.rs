@@ -511,7 +511,7 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
     });
     machine.tools = old.tools.clone();
     // Who sets the work offset with each tool does so on the new machine, too.
-    if job.control().parameters.rules.tool_lengths != ToolLengths::Table {
+    if job.control().parameters.rules.length.source != ToolLengths::Table {
         machine.set("settings.tool_lengths=\"touched-off\"").ok();
     }
     goes_on_after_refusal(&mut machine);

@@ -79,6 +79,7 @@ impl Head<'_, '_> {
             lines.extend(self.work());
             lines.extend(self.spindle_line());
         }
+        lines.extend(self.own_length()?);
         lines.push(self.over()?);
         lines.push(self.down(*highest)?);
         lines.extend(said.coolant.iter().cloned());
@@ -245,6 +246,20 @@ impl Head<'_, '_> {
         }
         words.push(self.place(2, highest)?);
         Ok(words.join(self.gap()))
+    }
+
+    /// The length that the program gives itself (G43.1), in a line of its own: its axis words are the offsets.
+    fn own_length(&self) -> Result<Option<String>, Lack> {
+        let Some(values) = self.before.modal.own_length else { return Ok(None) };
+        let code = self.needed(Action::Length(LengthCode::FromAxes), "a length of its own")?;
+        let mut words = vec![code];
+        for (axis, value) in values.iter().enumerate().filter(|(_, value)| **value != 0.0) {
+            words.push(self.place(axis, *value)?);
+        }
+        if words.len() == 1 {
+            words.push(self.place(2, 0.0)?);
+        }
+        Ok(Some(words.join(self.gap())))
     }
 
     /// The code of a rapid, where each line needs its own.

@@ -331,6 +331,7 @@ fn different_modal(one: &Modal, other: &Modal, care: Care) -> Option<&'static st
         (one.selected_tool == other.selected_tool, "the tool made ready"),
         (one.work == other.work, "the work offset"),
         (!settled || one.length_offset == other.length_offset, "the length offset"),
+        (!settled || is_same_length(one, other), "the length offset"),
         (one.path_mode == other.path_mode, "the path mode"),
         (one.frames == other.frames, "a frame"),
         (same_place(&one.position, &other.position, known), "the position"),
@@ -343,4 +344,13 @@ fn different_modal(one: &Modal, other: &Modal, care: Care) -> Option<&'static st
         (!settled || one.codes == other.codes, "a modal code"),
     ];
     checks.into_iter().find(|(is_same, _)| !is_same).map(|(_, name)| name)
+}
+
+/// The tool offsets that both programs give themselves are the same.
+fn is_same_length(one: &Modal, other: &Modal) -> bool {
+    match (one.own_length, other.own_length) {
+        (Some(a), Some(b)) => same_place(&a, &b, AxisMask::ALL),
+        (None, None) => true,
+        _ => false,
+    }
 }

@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use chordal_diagnostics::Code;
 use chordal_stock::mesh::Stretches;
 use chordal_stock::{Amount, Stock};
 
@@ -10,6 +11,11 @@ use super::removed::OtherSide;
 use super::target::TargetReport;
 use crate::report::Report;
 use crate::time::ToolTime;
+
+/// The tip of every tool that comes near the part is known.
+pub(super) fn knows_tips(report: &Report) -> bool {
+    report.diagnostics.iter().all(|found| found.code != Code::TipNotKnown)
+}
 
 /// What can be said of a program on its stock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -18,7 +18,7 @@ use super::gather::{Batch, Gathered, Kind};
 use super::pass::{Run, StockOptions};
 use super::problems::{Fixture, Place, Problems};
 use super::removed::OtherSide;
-use super::report::{StockReport, StockVerdict, ToolRemoved};
+use super::report::{StockReport, StockVerdict, ToolRemoved, knows_tips};
 use super::setup::{Files, Named, SetupError, shift_between};
 use super::target::{TARGET_TOLERANCE, Target, TargetReport, look_at_target};
 use super::tools::{Piece, ToolBody, tools_of};
@@ -383,7 +383,7 @@ fn finish(
     // A spindle that was started without a speed does not turn either; the run itself knows which one does.
     let is_still = report.diagnostics.iter().any(|found| found.code == Code::SpindleStopped);
     let has_problems = problems.hits > 0 || report.counts.errors > 0 || is_still;
-    let is_proved = is_proved && report.verified();
+    let is_proved = is_proved && report.verified() && knows_tips(&report);
     report.add(problems.diagnostics);
     let Cut { checked: Checked { stock, refined, .. }, volumes, others, .. } = cut;
     let [mut removed_mm3, mut left_mm3] =

@@ -1,5 +1,6 @@
 //! Where the tip of a tool is, and what of it is proved.
 
+mod forgotten;
 mod frames;
 
 use chordal::Code;

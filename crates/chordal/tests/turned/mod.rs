@@ -19,8 +19,22 @@ fn turn_with(
     program: &str,
     files: &dyn Fn(&str) -> Result<Vec<u8>, String>,
 ) -> TurnedReport {
+    turn_with_files("fanuc-lathe", setup, program, files)
+}
+
+/// The same on another machine, without files.
+pub(crate) fn turn_on(machine: &str, setup: &str, program: &str) -> TurnedReport {
+    turn_with_files(machine, setup, program, &|name| Err(format!("no file {name}")))
+}
+
+fn turn_with_files(
+    machine: &str,
+    setup: &str,
+    program: &str,
+    files: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+) -> TurnedReport {
     let none = |name: &str| Err(format!("no file {name}"));
-    let setup = format!("machine = \"fanuc-lathe\"\n{setup}");
+    let setup = format!("machine = \"{machine}\"\n{setup}");
     let machine = Machine::from_toml("setup.toml", &setup, &none).expect("a good setup");
     let mut sources = SourceMap::new();
     sources.add(Source::new("part.nc", program.as_bytes().to_vec()));

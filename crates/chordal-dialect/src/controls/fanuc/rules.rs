@@ -17,7 +17,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         preset_clears_shift: true,
         machine_move_is_rapid: true,
         machine_move_needs_absolute: true,
-        length_adds_to_increment: true,
+        length: LengthRules { adds_to_increment: true, ..LengthRules::COMMON },
         radius_offsets: OffsetKind::Radius,
         chip_break_mm: 1.0,
         peck_clearance_mm: 1.0,

@@ -21,7 +21,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     second_spindle_p: 13,
     second_spindle_axes: b"AB",
     rules: Rules {
-        tool_lengths: ToolLengths::TouchedOff,
+        length: LengthRules { source: ToolLengths::TouchedOff, ..LengthRules::COMMON },
         starts_in: Plane::Zx,
         preset_clears_shift: true,
         starts_per_revolution: true,

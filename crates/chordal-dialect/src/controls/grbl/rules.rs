@@ -14,7 +14,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     end_optional: true,
     tool_change: ToolChanger::Sender,
     rules: Rules {
-        tool_lengths: ToolLengths::Absent,
+        length: LengthRules { source: ToolLengths::Absent, ..LengthRules::COMMON },
         units: Units::Millimetre,
         rapid: RapidPath::Straight,
         bare_home_moves_all: true,

@@ -7,11 +7,15 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     tool_change: ToolChanger::Machine,
     nesting: 10,
     rules: Rules {
-        tool_lengths: ToolLengths::TouchedOff,
+        // As it is built without a tool table.
+        length: LengthRules {
+            source: ToolLengths::Absent,
+            without_number: LengthWithoutNumber::OfTool,
+            ..LengthRules::COMMON
+        },
         cycles: CYCLES,
         chip_break_mm: 0.1,
         length_is_copied: true,
-        length_without_number: LengthWithoutNumber::OfTool,
         path: PathRules {
             junctions: Some(JunctionRules {
                 deviation_mm: 0.01,

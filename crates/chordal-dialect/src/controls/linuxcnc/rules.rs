@@ -20,7 +20,14 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     plain_block_delete: true,
     nesting: 9,
     rules: Rules {
-        tool_lengths: ToolLengths::TouchedOff,
+        // `G43 H0` is the offset of the tool in the spindle on machines whose changer puts tools back (its
+        // documentation, G43).
+        length: LengthRules {
+            source: ToolLengths::TouchedOff,
+            without_number: LengthWithoutNumber::OfTool,
+            zero_is_of_tool: true,
+            ..LengthRules::COMMON
+        },
         frames: FRAMES,
         turning: TurningRules { tips_mirrored: true, ..TurningRules::COMMON },
         rapid: RapidPath::Straight,
@@ -30,7 +37,6 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
         work_values_add: false,
         shift_is_preset: true,
         length_is_copied: true,
-        length_without_number: LengthWithoutNumber::OfTool,
         cycles: CYCLES,
         compensation: COMPENSATION,
         // Rapids are blended like cuts.

@@ -22,6 +22,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         pocket_is_one_circle: true,
         cycles: CYCLES,
         frames: FRAMES,
+        length: LengthRules { zero_is_of_tool: false, ..FAMILY.rules.length },
         ..FAMILY.rules
     },
     ..FAMILY

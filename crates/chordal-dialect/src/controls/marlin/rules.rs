@@ -26,7 +26,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         ..Build::COMMON
     },
     rules: Rules {
-        tool_lengths: ToolLengths::Absent,
+        length: LengthRules { source: ToolLengths::Absent, ..LengthRules::COMMON },
         units: Units::Millimetre,
         starts_without_motion: true,
         rapid: RapidPath::Straight,

@@ -12,7 +12,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     rules: Rules {
         frames: FRAMES,
         machine_move_is_rapid: true,
-        length_adds_to_increment: true,
+        length: LengthRules { adds_to_increment: true, ..LengthRules::COMMON },
         radius_offsets: OffsetKind::Radius,
         chip_break_mm: 1.0,
         peck_clearance_mm: 1.0,

@@ -6,7 +6,7 @@ use chordal_stock::Amount;
 use chordal_stock::turned::Region;
 
 use super::super::engagement::Material;
-use super::super::report::StockVerdict;
+use super::super::report::{StockVerdict, knows_tips};
 use super::super::run::StockRunError;
 use super::super::setup::{Files, Named, SetupError, shift_between};
 use super::super::target::TARGET_TOLERANCE;
@@ -144,7 +144,8 @@ impl Job<'_> {
         let mut too_hard = overloads(self, &mut moves, gathered.units);
         let Cutting { found, threads, target: wanted, bound, .. } = cutting;
         let has_problems = found.hits > 0 || !too_hard.is_empty() || report.counts.errors > 0;
-        let is_proved = gathered.is_whole() && found.undecided == 0 && report.verified();
+        let is_proved =
+            gathered.is_whole() && found.undecided == 0 && report.verified() && knows_tips(&report);
         let mut diagnostics = found.diagnostics;
         diagnostics.extend(gathered.diagnostics);
         diagnostics.append(&mut too_hard);
