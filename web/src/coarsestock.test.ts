@@ -77,8 +77,5 @@ test("no corner passes another one, and where there is no wall none moves", () =
     }
   }
   const flat = coarse(() => false);
-  const { place } = corner(flat, 10, 12);
-  // The middle of a column of the fine surface.
-  expect(place[0]).toBeCloseTo(9 * STEP + STEP / 2 + 0.5, 1);
-  expect(place[1]).toBeCloseTo(11 * STEP + STEP / 2 + 0.5, 1);
+  expect(flat.surface.shift!.every((share) => share === 0)).toBe(true);
 });

@@ -56,9 +56,11 @@ export class CoarseSurface {
     let column = 0;
     for (const [row, y] of up.entries()) {
       for (const [at, x] of across.entries()) {
-        const way = between(this.toWall(x, y, at, 0), this.toWall(x, y, row, 1));
+        const walls = [this.toWall(x, y, at, 0), this.toWall(x, y, row, 1)] as const;
+        const way = between(...walls);
         const share = (place: number, number: number, moved: number) => (place + 0.5 + moved) / step - (number + 0.5);
-        surface.move(column++, [share(x, at, way[0]), share(y, row, way[1])]);
+        const isAtWall = walls.some((columns) => columns !== undefined);
+        surface.move(column++, isAtWall ? [share(x, at, way[0]), share(y, row, way[1])] : [0, 0]);
       }
     }
   }

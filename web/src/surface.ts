@@ -72,18 +72,23 @@ export class Surface {
     this.outdate(x, y);
   }
 
-  /** The corner of a column is moved, by shares of a column from -1 to 1. */
+  /** The corner of a column is moved, by shares of a column from -1 to 1; with it those of the ring below it. */
   move(column: number, [dx, dy]: [number, number]): void {
-    const nx = this.stock.columns[0];
+    const [nx, ny] = this.stock.columns;
     const [x, y] = [column % nx, Math.floor(column / nx)];
-    const at = 2 * this.corner(x, y);
+    const at = this.corner(x, y);
     const shift = this.shift!;
     const moved = [Math.round(127 * dx), Math.round(127 * dy)] as const;
-    if (shift[at] === moved[0] && shift[at + 1] === moved[1]) return;
-    shift.set(moved, at);
+    if (shift[2 * at] === moved[0] && shift[2 * at + 1] === moved[1]) return;
+    shift.set(moved, 2 * at);
+    if (x === 0) shift.set(moved, 2 * (at - 1));
+    if (x === nx - 1) shift.set(moved, 2 * (at + 1));
+    if (y === 0) shift.set(moved, 2 * (at - this.width));
+    if (y === ny - 1) shift.set(moved, 2 * (at + this.width));
     this.outdate(x, y);
   }
 
+  /** What is drawn of a column has changed. */
   private outdate(x: number, y: number): void {
     // Corner x + 1 is of the tile of cell x, too.
     const [across] = this.tiles;
