@@ -112,7 +112,7 @@ impl Tile {
         for block in 0..BLOCKS * BLOCKS {
             let mut cells = Heights { outer: [bottom; CELLS], inner: [bottom; CELLS] };
             let mut middles = [bottom; CELLS];
-            for cell in 0..CELLS {
+            for (cell, middle) in middles.iter_mut().enumerate() {
                 let x = column + (block % BLOCKS * BLOCK + cell % BLOCK) as u32;
                 let y = row + (block / BLOCKS * BLOCK + cell / BLOCK) as u32;
                 // Cells beyond the box never count: they have the height of the last one, so that a block at
@@ -121,12 +121,12 @@ impl Tile {
                 let [outer, inner] = heights(low, high);
                 cells.outer[cell] = round_up(outer - top).clamp(bottom, 0.0);
                 cells.inner[cell] = (round_down(inner - top)).clamp(bottom, cells.outer[cell]);
-                middles[cell] = cells.outer[cell];
+                *middle = cells.outer[cell];
                 if options.keeps_middles() && inner < outer {
                     let [low, high] = middle_of([low, high]);
-                    let [middle, _] = heights(low, high);
-                    middles[cell] =
-                        ((middle - top) as f32).clamp(cells.inner[cell], cells.outer[cell]);
+                    let [height, _] = heights(low, high);
+                    let height = (height - top) as f32;
+                    *middle = height.clamp(cells.inner[cell], cells.outer[cell]);
                 }
             }
             if options.mode == Mode::Sampled {
@@ -338,7 +338,7 @@ impl Tile {
             let before = self.get(block);
             let mut after = before;
             let mut middles = self.middles_or_outer(block);
-            for cell in 0..CELLS {
+            for (cell, middle) in middles.iter_mut().enumerate() {
                 let x = column + (block % BLOCKS * BLOCK + cell % BLOCK) as u32;
                 let y = row + (block / BLOCKS * BLOCK + cell / BLOCK) as u32;
                 // As at the beginning, cells beyond the box have the height of the last one.
@@ -347,7 +347,7 @@ impl Tile {
                 let height = round_up(lower(corners, top + f64::from(known)) - top);
                 after.outer[cell] = height.clamp(bottom, known);
                 after.inner[cell] = before.inner[cell].min(after.outer[cell]);
-                middles[cell] = middles[cell].min(after.outer[cell]);
+                *middle = middle.min(after.outer[cell]);
             }
             if after != before {
                 if by_tag {
