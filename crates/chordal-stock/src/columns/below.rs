@@ -8,6 +8,7 @@ use chordal_geometry::{Curve, ParamCurve};
 use super::Contact;
 use super::gaps::Solid;
 use super::grid::{BLOCK, BLOCKS, CELLS, Grid};
+use super::heights::POINT;
 use super::tile::Tile;
 use crate::floor::merge;
 use crate::{Span, Sweep, Undercut};
@@ -87,8 +88,6 @@ struct Spans {
 
 /// Where the bounds of a span differ by less, mm, its ends in the middle are midway between them.
 const NEAR: f64 = 2e-3;
-/// The side of a cell that stands for its middle, mm.
-const POINT: f64 = 1e-6;
 
 impl Spans {
     /// Of a square about its middle; false where the move does not meet it.

@@ -10,6 +10,9 @@ pub type Lower<'a> = dyn Fn([[f64; 2]; 2], f64) -> f64 + 'a;
 /// anywhere on it; from below, mm.
 pub type Hollows<'a> = dyn Fn([[f64; 2]; 2]) -> [Vec<Span>; 2] + 'a;
 
+/// The middle of a cell is asked for as a cell with such a side, mm: far above rounding, far below any resolution.
+pub(crate) const POINT: f64 = 1e-6;
+
 /// The heights of a block: outer and inner, from the stock's top, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Heights {

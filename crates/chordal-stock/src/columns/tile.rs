@@ -5,7 +5,7 @@ use wide::f32x4;
 
 use super::gaps::{Column, Gaps, Solid, solid};
 use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, Grid, LANES, TILE, count};
-use super::heights::{Heights, Hollows, Lower, Range, bottom, round_down, round_up};
+use super::heights::{Heights, Hollows, Lower, POINT, Range, bottom, round_down, round_up};
 use super::volume::{Kept, Ledger, OTHERS, integral};
 use super::{Amount, Mode, Options};
 use crate::Span;
@@ -78,9 +78,6 @@ fn stride(options: &Options) -> usize {
 
 /// Groups of a block that stores the heights in the middles of its cells, after the outer and the inner ones.
 const WITH_MIDDLES: usize = 3 * GROUPS;
-
-/// The middle of a cell is asked for as a cell with such a side, mm: far above rounding, far below any resolution.
-const POINT: f64 = 1e-6;
 
 /// The corners of the cell that stands for the middle of another one.
 fn middle_of([low, high]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
