@@ -165,7 +165,7 @@ class Stock:
         )
 
     def mesh(self, tolerance: float | None = None) -> StockMesh:
-        """What is left as a closed surface: the middle between the bounds. Columns whose heights differ by no more
+        """What is left as a closed surface: what is in the middle of each column. Columns whose heights differ by no more
         than ``tolerance`` mm are one face; without it, a tenth of the resolution."""
         vertices, faces = self._stock.mesh(self._tolerance(tolerance))
         return StockMesh(np.asarray(vertices), np.asarray(faces))

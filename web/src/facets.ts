@@ -2,11 +2,13 @@
 
 import { SIDE, TILE } from "./surface";
 
-/** Corners of a tile: heights, who has cut them, and those of the target where there is one. */
+/** Corners of a tile: heights, who has cut them, those of the target where there is one. */
 export interface Corners {
   z: Float32Array;
   slot: Uint8Array;
   target?: Float32Array | undefined;
+  /** How far they are moved, where they are. */
+  shift?: Int8Array | undefined;
 }
 
 /** Which corners squares have on the four edges of a tile, after each other: least and largest Y, least and largest X. */

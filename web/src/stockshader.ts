@@ -18,6 +18,8 @@ in float slot;
 in float target;
 /** Which way the surface falls there. */
 in vec2 lean;
+/** How far the corner is moved, in columns; nothing where it is not given. */
+in vec2 shift;
 uniform vec2 columns;
 uniform vec2 size;
 uniform float pitch;
@@ -38,8 +40,8 @@ out vec2 falls;
 ${ON_RAMP}
 void main() {
   // The first and the last column reach to the edge, the ring around them is there, too.
-  float x = at.x <= 1.0 ? 0.0 : at.x >= columns.x ? size.x : (at.x - 0.5) * pitch;
-  float y = at.y <= 1.0 ? 0.0 : at.y >= columns.y ? size.y : (at.y - 0.5) * pitch;
+  float x = at.x <= 1.0 ? 0.0 : at.x >= columns.x ? size.x : (at.x - 0.5 + shift.x) * pitch;
+  float y = at.y <= 1.0 ? 0.0 : at.y >= columns.y ? size.y : (at.y - 0.5 + shift.y) * pitch;
   float h = z;
   if (x > keep.x) { x = keep.x; h = bottom; }
   if (y < keep.y) { y = keep.y; h = bottom; }

@@ -27,6 +27,8 @@ export class Surface {
   readonly z: Float32Array;
   readonly slot: Uint8Array;
   readonly target: Float32Array | undefined;
+  /** Where corners are moved: how far along X and Y, in 127ths of a column. */
+  readonly shift: Int8Array | undefined;
   readonly bottom: number;
   readonly tiles: [number, number];
   /** Tiles whose corners have changed since they were taken. */
@@ -35,12 +37,14 @@ export class Surface {
   /** What the tool has cut where it stands. */
   private under: number[] = [];
 
-  constructor(readonly stock: StockBefore) {
+  /** Its corners stay in the middles of columns unless they may be moved. */
+  constructor(readonly stock: StockBefore, isMoved = false) {
     const [nx, ny] = stock.columns;
     [this.width, this.height] = [nx + 2, ny + 2];
     this.bottom = stock.low[2] - stock.high[2];
     this.z = new Float32Array(this.width * this.height).fill(this.bottom);
     this.slot = new Uint8Array(this.z.length);
+    this.shift = isMoved ? new Int8Array(2 * this.z.length) : undefined;
     this.target = stock.target && new Float32Array(this.z.length).fill(this.bottom);
     for (let row = 0; row < ny; row++) {
       const [from, to] = [row * nx, this.corner(0, row)];
@@ -65,6 +69,27 @@ export class Surface {
     this.z[at] = z;
     this.slot[at] = slot;
     this.touch(x, y, Math.min(before, z), Math.max(before, z));
+    this.outdate(x, y);
+  }
+
+  /** The corner of a column is moved, by shares of a column from -1 to 1; with it those of the ring below it. */
+  move(column: number, [dx, dy]: [number, number]): void {
+    const [nx, ny] = this.stock.columns;
+    const [x, y] = [column % nx, Math.floor(column / nx)];
+    const at = this.corner(x, y);
+    const shift = this.shift!;
+    const moved = [Math.round(127 * dx), Math.round(127 * dy)] as const;
+    if (shift[2 * at] === moved[0] && shift[2 * at + 1] === moved[1]) return;
+    shift.set(moved, 2 * at);
+    if (x === 0) shift.set(moved, 2 * (at - 1));
+    if (x === nx - 1) shift.set(moved, 2 * (at + 1));
+    if (y === 0) shift.set(moved, 2 * (at - this.width));
+    if (y === ny - 1) shift.set(moved, 2 * (at + this.width));
+    this.outdate(x, y);
+  }
+
+  /** What is drawn of a column has changed. */
+  private outdate(x: number, y: number): void {
     // Corner x + 1 is of the tile of cell x, too.
     const [across] = this.tiles;
     const [left, right] = [Math.floor(x / TILE), Math.floor((x + 1) / TILE)];
@@ -198,7 +223,7 @@ export class Surface {
   }
 
   /** Copies the corners of a tile; beyond the ring they are repeated. Gives the lowest and the highest. */
-  copy(tile: number, { z, slot, target }: Corners): [number, number] {
+  copy(tile: number, { z, slot, target, shift }: Corners): [number, number] {
     const [x0, y0] = this.firstCorner(tile);
     let [low, high] = [Infinity, -Infinity];
     for (let y = 0, to = 0; y < SIDE; y++) {
@@ -209,6 +234,7 @@ export class Surface {
         z[to] = value;
         slot[to] = this.slot[from]!;
         if (target) target[to] = this.target![from]!;
+        if (shift) shift.set(this.shift!.subarray(2 * from, 2 * from + 2), 2 * to);
         if (value < low) low = value;
         if (value > high) high = value;
       }

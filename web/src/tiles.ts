@@ -26,7 +26,7 @@ export class Tiles {
       const [x, y] = surface.firstCorner(tile);
       const places = new Uint16Array(2 * SIDE * SIDE);
       for (let at = 0; at < SIDE * SIDE; at++) places.set([x + (at % SIDE), y + Math.floor(at / SIDE)], 2 * at);
-      const mesh = new Mesh(geometryOf(places, surface.target !== undefined), material);
+      const mesh = new Mesh(geometryOf(places, surface), material);
       mesh.frustumCulled = false;
       this.group.add(mesh);
       this.parts.push({ mesh, ends: [surface.bottom, 0], triangles: 0, edges: noEdges(), isBeside: false });
@@ -59,11 +59,12 @@ export class Tiles {
       z: attributes.z!.array as Float32Array,
       slot: attributes.slot!.array as Uint8Array,
       target: attributes.target?.array as Float32Array | undefined,
+      shift: attributes.shift?.array as Int8Array | undefined,
     };
     if (surface.stale[tile]) {
       part.ends = surface.copy(tile, corners);
       surface.falls(tile, attributes.lean!.array as Int8Array);
-      for (const attribute of [attributes.z, attributes.slot, attributes.lean, attributes.target]) if (attribute) attribute.needsUpdate = true;
+      for (const attribute of [attributes.z, attributes.slot, attributes.lean, attributes.target, attributes.shift]) if (attribute) attribute.needsUpdate = true;
     }
     surface.stale[tile] = 0;
     part.isBeside = false;
@@ -124,14 +125,15 @@ export class Tiles {
   }
 }
 
-function geometryOf(places: Uint16Array, hasTarget: boolean): BufferGeometry {
+function geometryOf(places: Uint16Array, { target, shift }: Surface): BufferGeometry {
   const count = places.length / 2;
   const geometry = new BufferGeometry();
   geometry.setAttribute("at", new BufferAttribute(places, 2));
   geometry.setAttribute("z", new BufferAttribute(new Float32Array(count), 1));
   geometry.setAttribute("slot", new BufferAttribute(new Uint8Array(count), 1));
   geometry.setAttribute("lean", new BufferAttribute(new Int8Array(2 * count), 2, true));
-  if (hasTarget) geometry.setAttribute("target", new BufferAttribute(new Float32Array(count), 1));
+  if (target) geometry.setAttribute("target", new BufferAttribute(new Float32Array(count), 1));
+  if (shift) geometry.setAttribute("shift", new BufferAttribute(new Int8Array(2 * count), 2, true));
   geometry.setIndex(new BufferAttribute(new Uint16Array(6 * TILE * TILE), 1));
   return geometry;
 }

@@ -17,6 +17,8 @@ use chordal_stock::mesh::{HeightField, LayerField, LengthUnit, Mesh, Stretches};
 
 const COLUMNS: usize = 160;
 const ROWS: usize = 120;
+/// Along X and Y, mm.
+const SIZE: [f64; 2] = [0.25 * COLUMNS as f64, 0.25 * ROWS as f64];
 /// How far columns that touch in an edge are moved apart in STL, mm: ten steps of a float of 100 mm.
 const GAP: f64 = 1e-4;
 
@@ -69,6 +71,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             cell: 0.25,
             columns: COLUMNS,
             rows: ROWS,
+            size: SIZE,
             heights: &heights,
             floor: -20.0,
         };
@@ -89,8 +92,14 @@ fn main() -> Result<(), Box<dyn Error>> {
             stretches.push(layers(cell % COLUMNS, cell / COLUMNS));
         }
         let origin = Vec3::new(-12.5, 100.0, 40.0);
-        let field =
-            LayerField { origin, cell: 0.25, columns: COLUMNS, rows: ROWS, stretches: &stretches };
+        let field = LayerField {
+            origin,
+            cell: 0.25,
+            columns: COLUMNS,
+            rows: ROWS,
+            size: SIZE,
+            stretches: &stretches,
+        };
         let steps = field.mesh(tolerance)?;
         let parted = |_: &Mesh| steps.clone().parted(GAP);
         let name = format!("layers-{tolerance}");

@@ -17,6 +17,7 @@ fn field(columns: usize, heights: &[f32]) -> HeightField<'_> {
         cell: 0.5,
         columns,
         rows,
+        size: [0.5 * columns as f64, 0.5 * rows as f64],
         heights,
         floor: -2.0,
     }
@@ -111,6 +112,27 @@ fn columns_that_touch_in_an_upright_edge_only() {
 }
 
 #[test]
+fn the_last_cells_end_with_the_body() {
+    let heights = [1.0, 1.0, 3.0, 1.0, -2.0, 3.0, 2.0, 2.0, 3.0];
+    // Narrower ones than a hundredth of a cell are that wide.
+    for (size, widest) in [([1.5, 1.2], 0.5), ([1.1, 1.49], 0.5), ([1.000_001, 1.5], 0.495)] {
+        let own = HeightField { size, ..field(3, &heights) };
+        let made = check(&own, 0.0);
+        let bounds = made.mesh.bounds();
+        let far = bounds.max - bounds.min;
+        assert!((far.x - size[0]).abs() < 1e-12 && (far.y - size[1]).abs() < 1e-12, "{far:?}");
+        let begins = -3.0 + 0.5 + widest;
+        assert!(made.mesh.vertices().iter().any(|vertex| (vertex.x - begins).abs() < 2e-6));
+    }
+    // By hand: columns of 0.5, 0.5 and 0.1 wide, rows of 0.5, 0.5 and 0.2, 2 above the bottom at -2.
+    let own = HeightField { size: [1.1, 1.2], ..field(3, &heights) };
+    let by_hand = 0.5 * (0.5 * 3.0 + 0.5 * 3.0 + 0.1 * 5.0)
+        + 0.5 * (0.5 * 3.0 + 0.1 * 5.0)
+        + 0.2 * (0.5 * 4.0 + 0.5 * 4.0 + 0.1 * 5.0);
+    assert!((own.volume() - by_hand).abs() < 1e-12, "{}", own.volume());
+}
+
+#[test]
 fn holes_and_walls() {
     let mut heights = [3.0; 35];
     heights[8] = -2.0;
@@ -143,7 +165,7 @@ fn grids_and_heights_that_are_none() {
     let good = field(2, &[0.0; 4]);
     let mesh = |field: HeightField| field.mesh(0.0).map(|_| ());
     assert!(matches!(
-        mesh(HeightField { rows: 3, ..good }),
+        mesh(HeightField { rows: 3, size: [1.0, 1.5], ..good }),
         Err(HeightFieldError::Count { found: 4, columns: 2, rows: 3 })
     ));
     for height in [f32::NAN, f32::INFINITY] {
@@ -153,6 +175,10 @@ fn grids_and_heights_that_are_none() {
     }
     for cell in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(mesh(HeightField { cell, ..good }).is_err());
+    }
+    for width in [0.0, 0.5, 1.1, f64::NAN, f64::INFINITY] {
+        assert!(mesh(HeightField { size: [width, 1.0], ..good }).is_err());
+        assert!(mesh(HeightField { size: [1.0, width], ..good }).is_err());
     }
     assert!(mesh(HeightField { floor: f32::NAN, ..good }).is_err());
     assert!(mesh(HeightField { origin: Vec3::X * f64::NAN, ..good }).is_err());
@@ -223,6 +249,7 @@ fn layered(columns: usize, cells: &[Column], tolerance: f64) -> HeightMesh {
         cell: 0.5,
         columns,
         rows: cells.len() / columns,
+        size: [0.5 * columns as f64, 0.5 * (cells.len() / columns) as f64],
         stretches: &stretches,
     };
     let made = field.mesh(tolerance).unwrap();
@@ -274,9 +301,16 @@ fn a_t_slot_is_a_few_faces_with_its_volume() {
 fn layers_of_no_grid_and_no_number_are_refused() {
     let mut stretches = Stretches::default();
     stretches.push([[0.0, f64::NAN]]);
-    let field =
-        LayerField { origin: Vec3::ZERO, cell: 1.0, columns: 1, rows: 1, stretches: &stretches };
+    let origin = Vec3::ZERO;
+    let field = LayerField {
+        origin,
+        cell: 1.0,
+        columns: 1,
+        rows: 1,
+        size: [1.0; 2],
+        stretches: &stretches,
+    };
     assert!(matches!(field.mesh(0.0), Err(HeightFieldError::Height { .. })));
-    let wrong = LayerField { rows: 2, ..field };
+    let wrong = LayerField { rows: 2, size: [1.0, 2.0], ..field };
     assert!(matches!(wrong.mesh(0.0), Err(HeightFieldError::Count { .. })));
 }

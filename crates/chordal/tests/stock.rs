@@ -454,7 +454,8 @@ fn box_with_a_slot() -> Mesh {
         (0..200).for_each(|_| stretches.push([[0.0, if is_slot { 8.0 } else { 20.0 }]]));
     }
     let origin = Vec3::new(0.0, -30.0, -20.0);
-    let field = LayerField { origin, cell: 0.5, columns: 200, rows: 120, stretches: &stretches };
+    let (size, stretches) = ([100.0, 60.0], &stretches);
+    let field = LayerField { origin, cell: 0.5, columns: 200, rows: 120, size, stretches };
     field.mesh(0.0).expect("a surface").mesh
 }
 

@@ -45,7 +45,7 @@ pub(super) struct Relief {
 }
 
 impl Relief {
-    /// Of what is left: the middle between the bounds of each column.
+    /// Of what is left: the height in the middle of each column.
     pub fn of(found: &StockReport) -> Relief {
         let grid = found.stock.grid();
         let bounds = grid.bounds();

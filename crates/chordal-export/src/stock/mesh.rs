@@ -46,7 +46,7 @@ pub enum MeshSurface {
     Smooth(f64),
 }
 
-/// The stock that is left: the middle between the two bounds of each column.
+/// The stock that is left: what is in the middle of each column.
 ///
 /// # Errors
 /// When there are too many columns for one mesh.
@@ -86,6 +86,7 @@ fn smooth(found: &StockReport, tolerance: f64) -> Result<Mesh, SmoothError> {
         cell: grid.resolution(),
         columns,
         rows,
+        size: [bounds.size().x, bounds.size().y],
         heights: &heights,
         floor: 0.0,
     };

@@ -17,7 +17,7 @@ const RAMP: [[f64; 3]; 4] =
 /// The background, where no stock is.
 const EMPTY: [u8; 3] = [255, 255, 255];
 
-/// A PNG of what is left, seen along the tool axis: each pixel is the middle between the bounds of a column.
+/// A PNG of what is left, seen along the tool axis: each pixel is the height in the middle of a column.
 ///
 /// # Errors
 /// When the picture cannot be made.

@@ -8,6 +8,7 @@ use chordal_geometry::{Curve, ParamCurve};
 use super::Contact;
 use super::gaps::Solid;
 use super::grid::{BLOCK, BLOCKS, CELLS, Grid};
+use super::heights::POINT;
 use super::tile::Tile;
 use crate::floor::merge;
 use crate::{Span, Sweep, Undercut};
@@ -70,6 +71,8 @@ pub(crate) struct OnTile<'a> {
     pub below: &'a Below,
     pub cutter: &'a Undercut,
     pub by_tag: bool,
+    /// Whether what is removed in the middles of cells is kept.
+    pub keeps_middles: bool,
     /// Bytes that the gaps of the tile may take.
     pub limit: usize,
 }
@@ -79,7 +82,12 @@ pub(crate) struct OnTile<'a> {
 struct Spans {
     surely: Vec<Span>,
     maybe: Vec<Span>,
+    /// In the middle, after [`Spans::find_middle`].
+    middle: Vec<Span>,
 }
+
+/// Where the bounds of a span differ by less, mm, its ends in the middle are midway between them.
+const NEAR: f64 = 2e-3;
 
 impl Spans {
     /// Of a square about its middle; false where the move does not meet it.
@@ -88,12 +96,28 @@ impl Spans {
         self.maybe.clear();
         sweep.cell_spans(middle, side, &mut self.surely, &mut self.maybe);
         for spans in [&mut self.surely, &mut self.maybe] {
-            merge(spans);
-            for span in spans {
-                (span.floor, span.top) = (span.floor - top, span.top - top);
-            }
+            from_top(spans, top);
         }
         !self.maybe.is_empty()
+    }
+
+    /// What is removed in the middle of a square.
+    fn find_middle(&mut self, sweep: &Sweep<'_>, middle: [f64; 2], top: f64) {
+        self.middle.clear();
+        let is_near = |(a, b): (&Span, &Span)| {
+            (a.floor - b.floor).abs() < NEAR && (a.top - b.top).abs() < NEAR
+        };
+        let mut pairs = self.surely.iter().zip(&self.maybe);
+        if self.surely.len() == self.maybe.len() && pairs.all(is_near) {
+            self.middle.extend(self.surely.iter().zip(&self.maybe).map(|(a, b)| Span {
+                floor: 0.5 * (a.floor + b.floor),
+                top: 0.5 * (a.top + b.top),
+            }));
+            return;
+        }
+        // What may be gone of a cell that small is gone.
+        sweep.cell_spans(middle, POINT, &mut Vec::new(), &mut self.middle);
+        from_top(&mut self.middle, top);
     }
 
     fn lowest(&self) -> f64 {
@@ -101,9 +125,21 @@ impl Spans {
     }
 }
 
+/// Spans that touch as one, counted from a top, mm.
+fn from_top(spans: &mut Vec<Span>, top: f64) {
+    merge(spans);
+    for span in spans {
+        (span.floor, span.top) = (span.floor - top, span.top - top);
+    }
+}
+
 impl OnTile<'_> {
     /// The cells that the move may meet, by block, each with its middle.
-    fn each(&mut self, mut found: impl FnMut(&mut Self, [usize; 2], &Spans)) -> u64 {
+    fn each(
+        &mut self,
+        finds_middles: bool,
+        mut found: impl FnMut(&mut Self, [usize; 2], &Spans),
+    ) -> u64 {
         let sweep = Sweep::of_undercut(self.cutter, &self.below.curve, GAP);
         let (cell, corner) = (self.grid.resolution(), self.grid.corner(self.number));
         let top = self.grid.bounds().max.z;
@@ -134,6 +170,9 @@ impl OnTile<'_> {
                     let middle = [corner[0] + middle[0], corner[1] + middle[1]];
                     if spans.find(&sweep, middle, cell, top) {
                         count += 1;
+                        if finds_middles {
+                            spans.find_middle(&sweep, middle, top);
+                        }
                         found(self, [block, at], &spans);
                     }
                 }
@@ -145,13 +184,13 @@ impl OnTile<'_> {
     /// Removes what the cutter sweeps. The number of cells that were looked at.
     pub fn cut(mut self) -> u64 {
         let bottom = super::heights::bottom(self.grid);
-        self.each(|on, place, spans| {
+        self.each(self.keeps_middles, |on, place, spans| {
             let heights = on.tile.heights(place);
             if spans.lowest() < f64::from(heights[0]) {
                 if on.by_tag {
                     on.tile.keep(on.below.tag, place[0], on.grid, on.number);
                 }
-                let found = [&spans.surely[..], &spans.maybe[..]];
+                let found = [&spans.surely[..], &spans.maybe[..], &spans.middle[..]];
                 on.tile.hollow(place, found, bottom, on.limit);
             }
         })
@@ -163,7 +202,7 @@ impl OnTile<'_> {
         let (top, bottom) = (bounds.max.z, -bounds.size().z);
         let (cell, corner) = (self.grid.resolution(), self.grid.corner(self.number));
         let mut deepest = Contact::NONE;
-        let count = self.each(|on, place, spans| {
+        let count = self.each(false, |on, place, spans| {
             let [outer, inner] = on.tile.heights(place);
             let column = on.tile.gaps().of(place);
             let [surely, maybe] =

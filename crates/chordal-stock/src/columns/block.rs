@@ -53,7 +53,7 @@ fn load(from: &[f32; STRIDE * STRIDE], at: usize) -> f32x4 {
 }
 
 /// Tells `put` for each group of four cells of a part, by its number in the block: the floor is surely not
-/// above `hi` and not below `lo`. `corner`: the block's, in cells of the tile. `lowest`: the least height of
+/// above `hi` and not below `lo`, and what it is in the middle of each cell. `corner`: the block's, in cells of the tile. `lowest`: the least height of
 /// the part of the cutter on the block.
 #[inline(always)]
 pub(crate) fn certified<const LEVEL: bool, S: Shape>(
@@ -62,7 +62,7 @@ pub(crate) fn certified<const LEVEL: bool, S: Shape>(
     corner: [f32; 2],
     part: &Part,
     lowest: f32,
-    mut put: impl FnMut(usize, f32x4, f32x4),
+    mut put: impl FnMut(usize, f32x4, f32x4, f32x4),
 ) {
     let (x, y) = (corner[0] + part.column as f32, corner[1] + part.row as f32);
     let mut corners = [0.0_f32; STRIDE * STRIDE];
@@ -113,7 +113,8 @@ pub(crate) fn certified<const LEVEL: bool, S: Shape>(
                 let within = course.half_diagonal;
                 lo = open.blend(course.least_within(shape, lowest, within, a, e), lo);
             }
-            put((part.row + row) * GROUPS_OF_ROW + part.column / LANES + group, hi, lo);
+            let at = (part.row + row) * GROUPS_OF_ROW + part.column / LANES + group;
+            put(at, hi, lo, middle + course.raise);
         }
     }
 }

@@ -207,7 +207,8 @@ impl Check<'_> {
         runner: &Runner<'_>,
         contacts: &mut [Vec<Vec<Contact>>],
     ) -> Result<usize, StockError> {
-        let options = Options { resolution: part.resolution, by_tag: false, ..self.options };
+        let options =
+            Options { resolution: part.resolution, middles: false, by_tag: false, ..self.options };
         let mut stock = self.begin(part.bounds, options)?;
         let mut open = Open::new();
         for (number, task) in self.tasks.iter().enumerate() {

@@ -20,15 +20,17 @@ pub(crate) struct Column {
     pub surely: Vec<Gap>,
     /// Where there may be none.
     pub maybe: Vec<Gap>,
+    /// Where there is none in the middle of the cell, where that is kept.
+    pub middle: Vec<Gap>,
 }
 
 impl Column {
     fn is_empty(&self) -> bool {
-        self.surely.is_empty() && self.maybe.is_empty()
+        self.count() == 0
     }
 
     fn count(&self) -> usize {
-        self.surely.len() + self.maybe.len()
+        self.surely.len() + self.maybe.len() + self.middle.len()
     }
 }
 
@@ -83,17 +85,17 @@ impl Gaps {
             .map(move |(at, column)| (usize::from(*at) - block * CELLS, column))
     }
 
-    /// Takes what is surely and what may be removed from a column (from the stock's top, mm), and gives its heights
-    /// after that. Where the table would be larger than `limit` bytes, sure gaps are forgotten and the inner height
+    /// Takes what is surely, what may be and what is in its middle removed from a column (from the stock's top, mm), and
+    /// gives its heights after that: outer, inner, in the middle. Where the table would be larger than `limit` bytes, sure gaps are forgotten and the inner height
     /// goes below the possible ones: the bounds are wider, and still bounds.
     pub fn add(
         &mut self,
         place: [usize; 2],
-        [surely, maybe]: [&[Span]; 2],
-        heights: [f32; 2],
+        [surely, maybe, middle]: [&[Span]; 3],
+        heights: [f32; 3],
         bottom: f32,
         limit: usize,
-    ) -> [f32; 2] {
+    ) -> [f32; 3] {
         let mut column = self.columns.remove(&key(place)).unwrap_or_default();
         self.count -= column.count();
         for span in surely {
@@ -103,6 +105,10 @@ impl Gaps {
         for span in maybe {
             insert(&mut column.maybe, [round_down(span.floor).max(bottom), round_up(span.top)]);
         }
+        for span in middle {
+            let [floor, top] = [span.floor, span.top].map(|height| height as f32);
+            insert(&mut column.middle, [floor.max(bottom), top]);
+        }
         let heights = self.put(place, column, heights);
         if self.bytes() > limit {
             return self.forget(place, heights);
@@ -111,33 +117,39 @@ impl Gaps {
     }
 
     /// The heights of a column with gaps after others were lowered; the same where it has none.
-    pub fn settle(&mut self, place: [usize; 2], heights: [f32; 2]) -> [f32; 2] {
+    pub fn settle(&mut self, place: [usize; 2], heights: [f32; 3]) -> [f32; 3] {
         let Some(column) = self.columns.remove(&key(place)) else { return heights };
         self.count -= column.count();
         self.put(place, column, heights)
     }
 
-    fn put(&mut self, place: [usize; 2], mut column: Column, [outer, inner]: [f32; 2]) -> [f32; 2] {
+    fn put(
+        &mut self,
+        place: [usize; 2],
+        mut column: Column,
+        [outer, inner, middle]: [f32; 3],
+    ) -> [f32; 3] {
         let outer = come_to_light(&mut column.surely, outer);
         // What is surely gone may be gone, too.
         let inner = come_to_light(&mut column.maybe, inner.min(outer));
+        let middle = come_to_light(&mut column.middle, middle.min(outer));
         if !column.is_empty() {
             self.count += column.count();
             self.tops.resize(BLOCKS * BLOCKS, f32::NEG_INFINITY);
-            let last = [&column.surely, &column.maybe].map(|gaps| gaps.last());
+            let last = [&column.surely, &column.maybe, &column.middle].map(|gaps| gaps.last());
             for gap in last.into_iter().flatten() {
                 self.tops[place[0]] = self.tops[place[0]].max(gap[1]);
             }
             self.columns.insert(key(place), column);
             self.blocks |= 1 << place[0];
         }
-        [outer, inner]
+        [outer, inner, middle]
     }
 
-    fn forget(&mut self, place: [usize; 2], [outer, inner]: [f32; 2]) -> [f32; 2] {
-        let Some(column) = self.columns.remove(&key(place)) else { return [outer, inner] };
+    fn forget(&mut self, place: [usize; 2], [outer, inner, middle]: [f32; 3]) -> [f32; 3] {
+        let Some(column) = self.columns.remove(&key(place)) else { return [outer, inner, middle] };
         self.count -= column.count();
-        [outer, column.maybe.first().map_or(inner, |gap| inner.min(gap[0]))]
+        [outer, column.maybe.first().map_or(inner, |gap| inner.min(gap[0])), middle]
     }
 }
 
@@ -220,15 +232,16 @@ mod tests {
     #[test]
     fn gaps_join_and_come_to_light() {
         let mut gaps = Gaps::default();
-        let both = |spans: &'static [Span]| [spans, spans];
+        let all = |spans: &'static [Span]| [spans, spans, spans];
         static LOW: [Span; 1] = [Span { floor: -12.0, top: -8.0 }];
         static NEXT: [Span; 1] = [Span { floor: -8.0, top: -7.0 }];
-        assert_eq!(gaps.add(PLACE, both(&LOW), [0.0, 0.0], -20.0, ALL), [0.0, 0.0]);
-        assert_eq!(gaps.add(PLACE, both(&NEXT), [0.0, 0.0], -20.0, ALL), [0.0, 0.0]);
+        assert_eq!(gaps.add(PLACE, all(&LOW), [0.0; 3], -20.0, ALL), [0.0; 3]);
+        assert_eq!(gaps.add(PLACE, all(&NEXT), [0.0; 3], -20.0, ALL), [0.0; 3]);
         assert_eq!(gaps.of(PLACE).unwrap().surely, [[-12.0, -7.0]]);
+        assert_eq!(gaps.of(PLACE).unwrap().middle, [[-12.0, -7.0]]);
         assert!(gaps.may_reach(PLACE[0], -7.5) && !gaps.may_reach(PLACE[0], -6.5));
         // A cut to -7.5 is into the gap.
-        assert_eq!(gaps.settle(PLACE, [-7.5, -7.5]), [-12.0, -12.0]);
+        assert_eq!(gaps.settle(PLACE, [-7.5; 3]), [-12.0; 3]);
         assert!(gaps.is_empty() && gaps.of(PLACE).is_none());
     }
 
@@ -236,7 +249,7 @@ mod tests {
     fn a_column_without_room_for_gaps_has_wider_bounds() {
         let mut gaps = Gaps::default();
         let spans = [span(-12.0, -8.0)];
-        assert_eq!(gaps.add(PLACE, [&spans, &spans], [0.0, 0.0], -20.0, 0), [0.0, -12.0]);
+        assert_eq!(gaps.add(PLACE, [&spans; 3], [0.0; 3], -20.0, 0), [0.0, -12.0, 0.0]);
         assert!(gaps.is_empty());
     }
 

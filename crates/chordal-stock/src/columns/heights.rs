@@ -10,6 +10,9 @@ pub type Lower<'a> = dyn Fn([[f64; 2]; 2], f64) -> f64 + 'a;
 /// anywhere on it; from below, mm.
 pub type Hollows<'a> = dyn Fn([[f64; 2]; 2]) -> [Vec<Span>; 2] + 'a;
 
+/// The middle of a cell is asked for as a cell with such a side, mm: far above rounding, far below any resolution.
+pub(crate) const POINT: f64 = 1e-6;
+
 /// The heights of a block: outer and inner, from the stock's top, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Heights {
@@ -17,16 +20,18 @@ pub(crate) struct Heights {
     pub inner: [f32; CELLS],
 }
 
-/// The least and the largest outer and inner height of a block, mm.
+/// The least and the largest outer and inner height of a block, and of the heights in the middles of its cells, mm:
+/// where these are not kept, the outer ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Range {
     pub outer: [f32; 2],
     pub inner: [f32; 2],
+    pub middle: [f32; 2],
 }
 
 impl Range {
-    pub fn uniform(outer: f32, inner: f32) -> Range {
-        Range { outer: [outer; 2], inner: [inner; 2] }
+    pub fn uniform(outer: f32, inner: f32, middle: f32) -> Range {
+        Range { outer: [outer; 2], inner: [inner; 2], middle: [middle; 2] }
     }
 
     /// The heights of a block that is even.
@@ -35,7 +40,7 @@ impl Range {
     }
 
     pub fn is_uniform(&self) -> bool {
-        self.outer[0] == self.outer[1] && self.inner[0] == self.inner[1]
+        [self.outer, self.inner, self.middle].iter().all(|[least, most]| least == most)
     }
 }
 

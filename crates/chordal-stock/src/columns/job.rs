@@ -54,6 +54,7 @@ impl Job<'_> {
             number: self.number,
             tile: self.tile,
             mode: self.options.mode,
+            keeps_middles: self.options.keeps_middles(),
             by_tag: self.options.by_tag,
             limit: self.options.gap_bytes(self.grid),
             place,
@@ -80,6 +81,8 @@ struct Run<'a> {
     number: usize,
     tile: &'a mut Tile,
     mode: Mode,
+    /// Whether the heights in the middles of cells are kept.
+    keeps_middles: bool,
     by_tag: bool,
     /// Bytes that the gaps of the tile may take.
     limit: usize,
@@ -167,6 +170,7 @@ impl Run<'_> {
             below,
             cutter: &plan.undercuts[below.cutter as usize],
             by_tag: self.by_tag,
+            keeps_middles: self.keeps_middles,
             limit: self.limit,
         };
         if let Action::CompareBelow(body) = step.action {
@@ -311,17 +315,24 @@ impl Run<'_> {
                 lower(data, at, floor.fast_max(bottom));
             });
             let outer = ends(data);
-            Range { outer, inner: outer }
+            Range { outer, inner: outer, middle: outer }
         } else {
-            let (outer, inner) = data.split_at_mut(GROUPS);
+            let (outer, rest) = data.split_at_mut(GROUPS);
+            let (inner, middle) = rest.split_at_mut(GROUPS);
             let only_inner = self.only_inner;
-            certified::<LEVEL, S>(course, shape, corner, part, lowest, |at, hi, lo| {
+            let keeps_middles = !only_inner && middle.len() == GROUPS;
+            certified::<LEVEL, S>(course, shape, corner, part, lowest, |at, hi, lo, own| {
                 if !only_inner {
                     lower(outer, at, hi.fast_max(bottom));
                 }
                 lower(inner, at, lo.fast_max(bottom));
+                if keeps_middles {
+                    lower(middle, at, own.fast_max(bottom));
+                }
             });
-            Range { outer: ends(outer), inner: ends(inner) }
+            let range = ends(outer);
+            let middle = if middle.is_empty() { range } else { ends(middle) };
+            Range { outer: range, inner: ends(inner), middle }
         };
         self.tile.close(block, range);
         self.tile.settle_gaps(block);
@@ -370,7 +381,9 @@ impl Run<'_> {
         };
         match self.mode {
             Mode::Certified => {
-                certified::<LEVEL, S>(course, shape, corner, part, lowest, tell);
+                certified::<LEVEL, S>(course, shape, corner, part, lowest, |at, hi, lo, _| {
+                    tell(at, hi, lo);
+                });
             }
             Mode::Sampled => {
                 sampled::<LEVEL, S>(course, shape, corner, part, |at, floor| {
@@ -391,16 +404,18 @@ impl Run<'_> {
         if !course.covers(along, across) {
             return false;
         }
+        let plain = course.plain_level();
         let [hi, lo] = match self.mode {
             Mode::Certified => course.level(),
-            Mode::Sampled => [course.plain_level(); 2],
+            Mode::Sampled => [plain; 2],
         };
         let (hi, lo) = (hi.max(self.bottom), lo.max(self.bottom));
+        let middle = if self.keeps_middles { plain.max(self.bottom) } else { hi };
         if range.outer[0] < hi || range.inner[0] < lo {
             return false;
         }
         self.found.counts.even += 1;
-        self.tile.close(block, Range::uniform(hi, lo));
+        self.tile.close(block, Range::uniform(hi, lo, middle));
         self.tile.settle_gaps(block);
         true
     }

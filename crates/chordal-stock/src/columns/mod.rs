@@ -59,6 +59,9 @@ pub struct Options {
     /// Curves are cut into straight pieces that lie within this share of the resolution. It is counted in
     /// the bounds.
     pub chord_share: f64,
+    /// Whether the height in the middle of each cell is kept besides the bounds, for surfaces and pictures
+    /// ([`Stock::middles`]): half as much memory again.
+    pub middles: bool,
     /// Whether volumes are told apart by the tags of moves: blocks are then kept as they were while the moves
     /// of one tag change them, which may take as much memory again.
     pub by_tag: bool,
@@ -73,9 +76,22 @@ impl Options {
         (rest.max(0.0) / grid.tiles() as f64) as usize
     }
 
-    /// Certified, curves within a tenth of the resolution (mm), no volumes by tag, in a budget of bytes.
+    /// Whether three heights are kept of each cell.
+    pub(crate) fn keeps_middles(&self) -> bool {
+        self.middles && self.mode == Mode::Certified
+    }
+
+    /// Certified, curves within a tenth of the resolution (mm), no heights in the middles, no volumes by tag, in a
+    /// budget of bytes.
     pub const fn new(resolution: f64, budget: u64) -> Options {
-        Options { resolution, mode: Mode::Certified, chord_share: 0.1, by_tag: false, budget }
+        Options {
+            resolution,
+            mode: Mode::Certified,
+            chord_share: 0.1,
+            middles: false,
+            by_tag: false,
+            budget,
+        }
     }
 }
 
@@ -141,7 +157,8 @@ impl Stock {
 
     /// Stock of any shape in a box, mm, by the heights of the cells: for the corners of a cell (least and
     /// largest x and y) a height above which there is none of it, and one below which all of the cell is
-    /// stock, down to the bottom of the box.
+    /// stock, down to the bottom of the box. Where middles are kept and the two differ, it is asked for a cell of a
+    /// millionth of a millimetre in the middle, too.
     ///
     /// # Errors
     /// As [`Stock::new`].
@@ -174,8 +191,7 @@ impl Stock {
             });
         }
         let grid = Grid::new(bounds, options.resolution);
-        let tiles =
-            (0..grid.tiles()).map(|number| Tile::new(&grid, options.mode, number, &heights));
+        let tiles = (0..grid.tiles()).map(|number| Tile::new(&grid, &options, number, &heights));
         let mut stock = Stock { tiles: tiles.collect(), grid, options, begun: Amount::default() };
         stock.begun = stock.left();
         Ok(stock)
@@ -367,27 +383,43 @@ impl Stock {
 
     /// The outer and inner heights of all cells, mm: row by row from the least y on, in each by x.
     pub fn height_pairs(&self) -> Vec<CellHeights> {
-        let [columns, rows] = self.grid.cells().map(|cells| cells as usize);
         let top = self.grid.bounds().max.z;
-        let mut pairs = vec![CellHeights { outer: top, inner: top }; columns * rows];
+        self.by_cell(CellHeights { outer: top, inner: top }, |tile, block| {
+            let heights = tile.get(block);
+            core::array::from_fn(|cell| CellHeights {
+                outer: top + f64::from(heights.outer[cell]),
+                inner: top + f64::from(heights.inner[cell]),
+            })
+        })
+    }
+
+    /// A value of each cell, by the blocks of tiles: row by row from the least y on, in each by x.
+    fn by_cell<T: Copy>(
+        &self,
+        begun: T,
+        of_block: impl Fn(&Tile, usize) -> [T; grid::CELLS],
+    ) -> Vec<T> {
+        let [columns, rows] = self.grid.cells().map(|cells| cells as usize);
+        let mut all = vec![begun; columns * rows];
         for (number, tile) in self.tiles.iter().enumerate() {
             let first = self.grid.first_cell(number).map(|cell| cell as usize);
             for block in 0..grid::BLOCKS * grid::BLOCKS {
-                let heights = tile.get(block);
                 let x = first[0] + block % grid::BLOCKS * grid::BLOCK;
                 let y = first[1] + block / grid::BLOCKS * grid::BLOCK;
-                for row in y..rows.min(y + grid::BLOCK) {
-                    for column in x..columns.min(x + grid::BLOCK) {
-                        let cell = (row - y) * grid::BLOCK + column - x;
-                        pairs[row * columns + column] = CellHeights {
-                            outer: top + f64::from(heights.outer[cell]),
-                            inner: top + f64::from(heights.inner[cell]),
-                        };
+                if x >= columns || y >= rows {
+                    continue;
+                }
+                let values = of_block(tile, block);
+                let width = grid::BLOCK.min(columns - x);
+                for (row, values) in values.chunks_exact(grid::BLOCK).enumerate() {
+                    if y + row < rows {
+                        let from = (y + row) * columns + x;
+                        all[from..from + width].copy_from_slice(&values[..width]);
                     }
                 }
             }
         }
-        pairs
+        all
     }
 
     /// The outer and the inner height of a cell (column, row), mm.
@@ -402,22 +434,52 @@ impl Stock {
         Some(CellHeights { outer: top + f64::from(outer), inner: top + f64::from(inner) })
     }
 
-    /// What undercuts have removed from a cell (column, row) below its heights, from below, mm: surely from all of
-    /// it, and what may be removed anywhere on it.
-    pub fn gaps_at(&self, column: u32, row: u32) -> [Vec<Span>; 2] {
+    /// The height in the middle of each cell, between its bounds, mm: row by row from the least y on, in each by x.
+    /// It is what the moves make of the column there, to rounding and to what curves are off their straight pieces:
+    /// so a wall through a cell leaves it with one of the levels on both sides. Midway between the bounds without
+    /// [`Options::middles`].
+    pub fn middles(&self) -> Vec<f64> {
+        let top = self.grid.bounds().max.z;
+        self.by_cell(0.0, |tile, block| {
+            let (heights, middles) = (tile.get(block), tile.middles(block));
+            core::array::from_fn(|cell| {
+                let [outer, inner] = [heights.outer[cell], heights.inner[cell]].map(f64::from);
+                let middle = middles.map_or(0.5 * (outer + inner), |all| f64::from(all[cell]));
+                top + middle.min(outer).max(inner)
+            })
+        })
+    }
+
+    /// What undercuts have removed in the middle of a cell (column, row) below its height there, from below, mm; nothing
+    /// without [`Options::middles`].
+    pub fn gaps_in_middle(&self, column: u32, row: u32) -> Vec<Span> {
+        let of = |column: &gaps::Column| self.spans(&column.middle);
+        self.column_at(column, row).map_or_else(Vec::new, of)
+    }
+
+    fn column_at(&self, column: u32, row: u32) -> Option<&gaps::Column> {
         let [columns, rows] = self.grid.cells();
         if column >= columns || row >= rows {
-            return [Vec::new(), Vec::new()];
+            return None;
         }
         let (tile, cell) = self.grid.tile_of(column, row);
+        self.tiles[tile].gaps().of(cell)
+    }
+
+    fn spans(&self, gaps: &[gaps::Gap]) -> Vec<Span> {
         let top = self.grid.bounds().max.z;
         let span = |gap: &gaps::Gap| {
             let [floor, top] = gap.map(|height| top + f64::from(height));
             Span { floor, top }
         };
-        let spans = |gaps: &[gaps::Gap]| gaps.iter().map(span).collect();
-        match self.tiles[tile].gaps().of(cell) {
-            Some(column) => [spans(&column.surely), spans(&column.maybe)],
+        gaps.iter().map(span).collect()
+    }
+
+    /// What undercuts have removed from a cell (column, row) below its heights, from below, mm: surely from all of
+    /// it, and what may be removed anywhere on it.
+    pub fn gaps_at(&self, column: u32, row: u32) -> [Vec<Span>; 2] {
+        match self.column_at(column, row) {
+            Some(column) => [self.spans(&column.surely), self.spans(&column.maybe)],
             None => [Vec::new(), Vec::new()],
         }
     }

@@ -5,7 +5,7 @@ use wide::f32x4;
 
 use super::gaps::{Column, Gaps, Solid, solid};
 use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, Grid, LANES, TILE, count};
-use super::heights::{Heights, Hollows, Lower, Range, bottom, round_down, round_up};
+use super::heights::{Heights, Hollows, Lower, POINT, Range, bottom, round_down, round_up};
 use super::volume::{Kept, Ledger, OTHERS, integral};
 use super::{Amount, Mode, Options};
 use crate::Span;
@@ -19,13 +19,14 @@ struct Block {
     slot: u32,
 }
 
-/// The columns of a tile. A sampled one stores one height for each cell: outer and inner are the same.
+/// The columns of a tile. A sampled one stores one height for each cell: outer and inner are the same. One with middles
+/// stores three.
 #[derive(Clone, Debug)]
 pub(crate) struct Tile {
     blocks: Box<[Block]>,
     data: Vec<f32x4>,
     free: Vec<u32>,
-    /// Groups of a block: 16 or 32.
+    /// Groups of a block: 16, 32 or 48.
     stride: usize,
     /// No outer height is above this, mm: as of the last job.
     top: f32,
@@ -35,9 +36,9 @@ pub(crate) struct Tile {
 }
 
 /// The most bytes of a tile. With volumes by tag every block may be kept as it was.
-fn most_bytes(mode: Mode, by_tag: bool) -> usize {
-    let kept = if by_tag { size_of::<Kept>() + size_of::<Heights>() } else { 0 };
-    let block = size_of::<Block>() + stride(mode) * size_of::<f32x4>() + kept;
+fn most_bytes(options: &Options) -> usize {
+    let kept = if options.by_tag { size_of::<Kept>() + size_of::<Heights>() } else { 0 };
+    let block = size_of::<Block>() + stride(options) * size_of::<f32x4>() + kept;
     BLOCKS * BLOCKS * block + size_of::<Tile>()
 }
 
@@ -46,7 +47,7 @@ pub(crate) fn bytes(bounds: Aabb, resolution: f64, options: &Options) -> f64 {
     let size = bounds.size();
     let tiles = (count(size.x, resolution) / TILE as f64).ceil()
         * (count(size.y, resolution) / TILE as f64).ceil();
-    tiles * most_bytes(options.mode, options.by_tag) as f64
+    tiles * most_bytes(options) as f64
 }
 
 /// The finest resolution at which a box fits in a budget of bytes, mm, to a part in a thousand.
@@ -67,27 +68,37 @@ pub(crate) fn finest(bounds: Aabb, options: &Options) -> f64 {
     resolution
 }
 
-fn stride(mode: Mode) -> usize {
-    match mode {
+fn stride(options: &Options) -> usize {
+    match options.mode {
+        Mode::Certified if options.middles => WITH_MIDDLES,
         Mode::Certified => 2 * GROUPS,
         Mode::Sampled => GROUPS,
     }
 }
 
+/// Groups of a block that stores the heights in the middles of its cells, after the outer and the inner ones.
+const WITH_MIDDLES: usize = 3 * GROUPS;
+
+/// The corners of the cell that stands for the middle of another one.
+fn middle_of([low, high]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    let off = |by: f64| [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]) + by);
+    [off(-0.5 * POINT), off(0.5 * POINT)]
+}
+
 impl Tile {
     pub fn new(
         grid: &Grid,
-        mode: Mode,
+        options: &Options,
         number: usize,
         heights: &impl Fn([f64; 2], [f64; 2]) -> [f64; 2],
     ) -> Tile {
         let bottom = bottom(grid);
-        let empty = Block { range: Range::uniform(bottom, bottom), slot: UNIFORM };
+        let empty = Block { range: Range::uniform(bottom, bottom, bottom), slot: UNIFORM };
         let mut tile = Tile {
             blocks: vec![empty; BLOCKS * BLOCKS].into_boxed_slice(),
             data: Vec::new(),
             free: Vec::new(),
-            stride: stride(mode),
+            stride: stride(options),
             top: 0.0,
             ledger: Ledger::default(),
             gaps: Gaps::default(),
@@ -97,7 +108,8 @@ impl Tile {
         let [columns, rows] = grid.cells();
         for block in 0..BLOCKS * BLOCKS {
             let mut cells = Heights { outer: [bottom; CELLS], inner: [bottom; CELLS] };
-            for cell in 0..CELLS {
+            let mut middles = [bottom; CELLS];
+            for (cell, middle) in middles.iter_mut().enumerate() {
                 let x = column + (block % BLOCKS * BLOCK + cell % BLOCK) as u32;
                 let y = row + (block / BLOCKS * BLOCK + cell / BLOCK) as u32;
                 // Cells beyond the box never count: they have the height of the last one, so that a block at
@@ -106,11 +118,18 @@ impl Tile {
                 let [outer, inner] = heights(low, high);
                 cells.outer[cell] = round_up(outer - top).clamp(bottom, 0.0);
                 cells.inner[cell] = (round_down(inner - top)).clamp(bottom, cells.outer[cell]);
+                *middle = cells.outer[cell];
+                if options.keeps_middles() && inner < outer {
+                    let [low, high] = middle_of([low, high]);
+                    let [height, _] = heights(low, high);
+                    let height = (height - top) as f32;
+                    *middle = height.clamp(cells.inner[cell], cells.outer[cell]);
+                }
             }
-            if mode == Mode::Sampled {
+            if options.mode == Mode::Sampled {
                 cells.inner = cells.outer;
             }
-            tile.put(block, &cells);
+            tile.put(block, &cells, &middles);
         }
         tile.settle();
         tile
@@ -140,18 +159,25 @@ impl Tile {
         }
         let at = slot as usize * self.stride;
         let data = &self.data[at..at + self.stride];
-        let part = |from: usize| {
-            let mut heights = [0.0; CELLS];
-            for (to, group) in heights.chunks_exact_mut(LANES).zip(&data[from..from + GROUPS]) {
-                to.copy_from_slice(group.as_array_ref());
-            }
-            heights
-        };
-        Heights { outer: part(0), inner: part(self.stride - GROUPS) }
+        let inner = if self.stride > GROUPS { GROUPS } else { 0 };
+        Heights { outer: cells_of(&data[..GROUPS]), inner: cells_of(&data[inner..inner + GROUPS]) }
     }
 
-    /// Where the heights of a block are stored, outer before inner, one list in a sampled tile; a uniform block
-    /// gets a place for them.
+    /// The heights in the middles of the cells of a block, where they are kept.
+    pub fn middles(&self, block: usize) -> Option<[f32; CELLS]> {
+        if self.stride != WITH_MIDDLES {
+            return None;
+        }
+        let Block { range, slot } = self.blocks[block];
+        if slot == UNIFORM {
+            return Some([range.middle[0]; CELLS]);
+        }
+        let end = (slot as usize + 1) * self.stride;
+        Some(cells_of(&self.data[end - GROUPS..end]))
+    }
+
+    /// Where the heights of a block are stored: outer, inner, those in the middles where they are kept; one list in a
+    /// sampled tile. A uniform block gets a place for them.
     pub fn open(&mut self, block: usize) -> &mut [f32x4] {
         let Block { range, slot } = self.blocks[block];
         let slot = if slot == UNIFORM {
@@ -162,7 +188,9 @@ impl Tile {
             }
             let data = &mut self.data[at..at + self.stride];
             data[..GROUPS].fill(f32x4::splat(range.outer[0]));
-            data[GROUPS..].fill(f32x4::splat(range.inner[0]));
+            let (inner, middle) = data[GROUPS..].split_at_mut(GROUPS.min(self.stride - GROUPS));
+            inner.fill(f32x4::splat(range.inner[0]));
+            middle.fill(f32x4::splat(range.middle[0]));
             self.blocks[block].slot = slot;
             slot
         } else {
@@ -182,12 +210,15 @@ impl Tile {
         }
     }
 
-    fn put(&mut self, block: usize, heights: &Heights) {
+    /// Sets the heights of a block; those in the middles count where they are kept.
+    fn put(&mut self, block: usize, heights: &Heights, middles: &[f32; CELLS]) {
         let ends = |cells: &[f32; CELLS]| {
             let least = cells.iter().copied().fold(f32::INFINITY, f32::min);
             [least, cells.iter().copied().fold(f32::NEG_INFINITY, f32::max)]
         };
-        let range = Range { outer: ends(&heights.outer), inner: ends(&heights.inner) };
+        let middles = if self.stride == WITH_MIDDLES { middles } else { &heights.outer };
+        let (outer, inner) = (ends(&heights.outer), ends(&heights.inner));
+        let range = Range { outer, inner, middle: ends(middles) };
         if !range.is_uniform() {
             let stride = self.stride;
             let data = self.open(block);
@@ -197,7 +228,12 @@ impl Tile {
                 }
             };
             groups(&heights.outer, &mut data[..GROUPS]);
-            groups(&heights.inner, &mut data[stride - GROUPS..]);
+            if stride > GROUPS {
+                groups(&heights.inner, &mut data[GROUPS..2 * GROUPS]);
+            }
+            if stride == WITH_MIDDLES {
+                groups(middles, &mut data[2 * GROUPS..]);
+            }
         }
         self.close(block, range);
     }
@@ -213,35 +249,40 @@ impl Tile {
         &self.gaps
     }
 
-    /// Takes what is surely and what may be removed from a column: see [`Gaps::add`].
-    pub fn hollow(&mut self, place: [usize; 2], spans: [&[Span]; 2], bottom: f32, limit: usize) {
+    /// Takes what is surely, what may be and what is in its middle removed from a column: see [`Gaps::add`].
+    pub fn hollow(&mut self, place: [usize; 2], spans: [&[Span]; 3], bottom: f32, limit: usize) {
         let [block, cell] = place;
-        let before = self.heights(place);
+        let (mut heights, mut middles) = (self.get(block), self.middles_or_outer(block));
+        let before = [heights.outer[cell], heights.inner[cell], middles[cell]];
         let after = self.gaps.add(place, spans, before, bottom, limit);
         if after != before {
-            let mut heights = self.get(block);
-            (heights.outer[cell], heights.inner[cell]) = (after[0], after[1]);
-            self.put(block, &heights);
+            [heights.outer[cell], heights.inner[cell], middles[cell]] = after;
+            self.put(block, &heights, &middles);
         }
+    }
+
+    fn middles_or_outer(&self, block: usize) -> [f32; CELLS] {
+        self.middles(block).unwrap_or_else(|| self.get(block).outer)
     }
 
     /// Has gaps of a block come to light, after its heights were lowered.
     #[inline]
     pub fn settle_gaps(&mut self, block: usize) {
-        if self.gaps.may_reach(block, self.blocks[block].range.inner[0]) {
+        let range = self.blocks[block].range;
+        if self.gaps.may_reach(block, range.inner[0].min(range.middle[0])) {
             self.bring_to_light(block);
         }
     }
 
     fn bring_to_light(&mut self, block: usize) {
         let cells: Vec<usize> = self.gaps.of_block(block).map(|(cell, _)| cell).collect();
-        let mut heights = self.get(block);
+        let (mut heights, mut middles) = (self.get(block), self.middles_or_outer(block));
         for cell in cells {
-            let before = [heights.outer[cell], heights.inner[cell]];
+            let before = [heights.outer[cell], heights.inner[cell], middles[cell]];
             let after = self.gaps.settle([block, cell], before);
-            (heights.outer[cell], heights.inner[cell]) = (after[0], after[1]);
+            [heights.outer[cell], heights.inner[cell], middles[cell]] = after;
         }
-        self.put(block, &heights);
+        self.put(block, &heights, &middles);
     }
 
     /// Takes what columns lack below their tops from the beginning.
@@ -263,11 +304,23 @@ impl Tile {
                     continue;
                 }
                 let down = |span: Span| Span { floor: span.floor - top, top: span.top - top };
-                let [surely, maybe] = hollows(grid.corners(x, y))
-                    .map(|spans| spans.into_iter().map(down).collect::<Vec<Span>>());
-                if !maybe.is_empty() {
-                    self.hollow([block, cell], [&surely, &maybe], bottom, limit);
+                let ask = |corners: [[f64; 2]; 2]| {
+                    hollows(corners).map(|spans| spans.into_iter().map(down).collect::<Vec<Span>>())
+                };
+                let corners = grid.corners(x, y);
+                let [surely, maybe] = ask(corners);
+                if maybe.is_empty() {
+                    continue;
                 }
+                let middle = if self.stride != WITH_MIDDLES {
+                    Vec::new()
+                } else if surely == maybe {
+                    maybe.clone()
+                } else {
+                    let [_, middle] = ask(middle_of(corners));
+                    middle
+                };
+                self.hollow([block, cell], [&surely, &maybe, &middle], bottom, limit);
             }
         }
         self.settle();
@@ -281,7 +334,8 @@ impl Tile {
         for block in 0..BLOCKS * BLOCKS {
             let before = self.get(block);
             let mut after = before;
-            for cell in 0..CELLS {
+            let mut middles = self.middles_or_outer(block);
+            for (cell, middle) in middles.iter_mut().enumerate() {
                 let x = column + (block % BLOCKS * BLOCK + cell % BLOCK) as u32;
                 let y = row + (block / BLOCKS * BLOCK + cell / BLOCK) as u32;
                 // As at the beginning, cells beyond the box have the height of the last one.
@@ -290,12 +344,13 @@ impl Tile {
                 let height = round_up(lower(corners, top + f64::from(known)) - top);
                 after.outer[cell] = height.clamp(bottom, known);
                 after.inner[cell] = before.inner[cell].min(after.outer[cell]);
+                *middle = middle.min(after.outer[cell]);
             }
             if after != before {
                 if by_tag {
                     self.keep(OTHERS, block, grid, number);
                 }
-                self.put(block, &after);
+                self.put(block, &after, &middles);
                 self.settle_gaps(block);
             }
         }
@@ -310,7 +365,7 @@ impl Tile {
             let heights = self.get(block);
             let mut outer = heights.outer.map(|height| (f64::from(height) - bottom).max(0.0));
             let mut inner = heights.inner.map(|height| (f64::from(height) - bottom).max(0.0));
-            for (cell, Column { surely, maybe }) in self.gaps.of_block(block) {
+            for (cell, Column { surely, maybe, .. }) in self.gaps.of_block(block) {
                 outer[cell] = solid(heights.outer[cell], bottom, surely);
                 inner[cell] = solid(heights.inner[cell], bottom, maybe);
             }
@@ -383,6 +438,15 @@ impl Tile {
             + self.ledger.bytes()
             + self.gaps.bytes()) as u64
     }
+}
+
+/// The heights of cells from their groups.
+fn cells_of(groups: &[f32x4]) -> [f32; CELLS] {
+    let mut heights = [0.0; CELLS];
+    for (to, group) in heights.chunks_exact_mut(LANES).zip(groups) {
+        to.copy_from_slice(group.as_array_ref());
+    }
+    heights
 }
 
 /// A column of a block with its gaps, by its outer and its inner height.

@@ -84,11 +84,11 @@ struct Corners {
 
 impl Corners {
     fn of(field: &HeightField<'_>, tolerance: f64) -> Corners {
-        let HeightField { origin, cell, columns, rows, .. } = *field;
-        let along = |from: f64, count: usize| -> Vec<f64> {
+        let HeightField { origin, cell, columns, rows, size, .. } = *field;
+        let along = |from: f64, count: usize, size: f64| -> Vec<f64> {
             let place = |at: usize| match at {
                 0 | 1 => 0.0,
-                _ if at >= count => count as f64 * cell,
+                _ if at >= count => size,
                 _ => (at as f64 - 0.5) * cell,
             };
             (0..count + 2).map(|at| from + place(at)).collect()
@@ -105,8 +105,8 @@ impl Corners {
         let side = (columns.max(rows) as u32 + 1).next_power_of_two();
         let bottom = origin.z + floor;
         Corners {
-            x: along(origin.x, columns),
-            y: along(origin.y, rows),
+            x: along(origin.x, columns, size[0]),
+            y: along(origin.y, rows, size[1]),
             z,
             bottom,
             side,
@@ -349,7 +349,8 @@ mod tests {
     fn field(heights: &[f32], columns: usize) -> HeightField<'_> {
         let rows = heights.len() / columns;
         let origin = Vec3::new(-3.0, 5.0, -30.0);
-        HeightField { origin, cell: 0.5, columns, rows, heights, floor: 0.0 }
+        let size = [columns, rows].map(|count| 0.5 * count as f64);
+        HeightField { origin, cell: 0.5, columns, rows, size, heights, floor: 0.0 }
     }
 
     /// A bowl in a block, with a hole and places that are cut through and touch.

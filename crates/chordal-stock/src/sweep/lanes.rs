@@ -71,6 +71,8 @@ pub(crate) struct Course {
     least_height: f32,
     /// From above it is this much higher, mm.
     pub gap: f32,
+    /// From the height of the part from below to the one apart from rounding, mm.
+    pub raise: f32x4,
 }
 
 /// What a course depends on besides the piece.
@@ -127,6 +129,7 @@ impl Course {
             height: lane(height),
         };
         let rows = |step: f64| core::array::from_fn(|row| lane(step * row as f64));
+        let low = height - lift - piece.off_in_run - slope * (under + round);
         let longer = [(from - under - round) as f32, (to + under + round) as f32];
         Course {
             along: [along as f32, (ux * place.cell) as f32, (uy * place.cell) as f32],
@@ -134,11 +137,7 @@ impl Course {
             slope: piece.slope as f32,
             behind: f32x4::splat(if piece.slope > 0.0 { -1.0 } else { 1.0 }),
             upper: side(high, [inner_from, inner_to], height + lift + piece.off),
-            lower: side(
-                part.reach,
-                longer,
-                height - lift - piece.off_in_run - slope * (under + round),
-            ),
+            lower: side(part.reach, longer, low),
             plain: side(part.reach, [from as f32, to as f32], height),
             grow: lane(over),
             nearer: lane(under + round),
@@ -147,6 +146,7 @@ impl Course {
             slack: (under + round) as f32,
             least_height: (height - lift - piece.off_in_run) as f32,
             gap: (2.0 * lift + piece.off) as f32,
+            raise: lane(height) - lane(low),
         }
     }
 

@@ -46,9 +46,10 @@ pub(super) struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// The options of columns.
+    /// The options of columns that are cut.
     pub fn columns(&self) -> Options {
-        Options { by_tag: true, ..Options::new(self.resolution, self.options.budget) }
+        let own = Options::new(self.resolution, self.options.budget);
+        Options { by_tag: true, middles: true, ..own }
     }
 
     pub fn finest(&self) -> f64 {

@@ -6,7 +6,7 @@ use chordal_geometry::{Aabb, Transform};
 use chordal_stock::{Span, Stock};
 
 use super::earlier::Begun;
-use super::stretches::stretches_of;
+use super::stretches::{Known, stretches_of};
 
 /// Columns along a side of a block of which one height is kept.
 const BLOCK: u32 = 16;
@@ -54,7 +54,7 @@ impl Removed {
                     gaps.insert(index, own);
                 }
                 is_cut[index] = pairs[index].inner < begun.of(low, high)[1] - SAME;
-                let left = stretches_of(stock, [column, row], 1, pairs[index].inner);
+                let left = stretches_of(stock, [column, row], Known::Surely, pairs[index].inner);
                 let [_, filled] = begun.shape.filled(corners);
                 let lowest = lowest_removed(&filled, &left);
                 if lowest.is_finite() {

@@ -1,26 +1,30 @@
-//! What is left as stretches of columns, where heights alone do not say it: gaps of undercuts, stock that is hollow
-//! from below, and cuts from other sides.
+//! What is left as a surface: the heights in the middles of columns, or stretches where heights alone do not say it: gaps
+//! of undercuts, stock that is hollow from below, and cuts from other sides.
+//!
+//! Between the bounds of a column that a wall passes lies the whole wall. Any height between them would be a ledge that no
+//! tool has made, so the column has what is there in its middle: one of the levels on both sides of the wall.
 
 use chordal_geometry::{Aabb, Vec3};
 use chordal_stock::mesh::{HeightField, HeightFieldError, HeightMesh, LayerField, Stretches};
 
 use super::removed::OtherSide;
 use super::report::StockReport;
-use super::stretches::stretches_of;
+use super::stretches::{Known, stretches_of};
 use super::turns::boxed;
 
 /// Where a column is cut from another side is found to this share of a column.
 const HALVINGS: u32 = 6;
 
 impl StockReport {
-    /// What is left as stretches of material in each column of the stock, from its bottom, mm: the middle between
-    /// the two bounds. `None` where the heights of the columns say it all.
+    /// What is left as stretches of material in each column of the stock, from its bottom, mm: what is in the middle of
+    /// the column. `None` where the heights of the columns say it all.
     pub fn stretches(&self) -> Option<&Stretches> {
         self.has_undersides().then(|| self.stretches.get_or_init(|| self.find_stretches()))
     }
 
     /// What is left as a closed surface of flat tops and undersides, which are no further from their columns than a
-    /// tolerance, mm; the middle between the two bounds.
+    /// tolerance, mm. A column has the heights that the tools and the stock have in its middle, so there is no step but
+    /// theirs, and a wall is no further than half a column's diagonal from where it is.
     ///
     /// # Errors
     /// When there are too many columns for one mesh.
@@ -28,15 +32,16 @@ impl StockReport {
         let grid = self.stock.grid();
         let [columns, rows] = grid.cells().map(|cells| cells as usize);
         let (origin, cell) = (grid.bounds().min, grid.resolution());
+        let size = [grid.bounds().size().x, grid.bounds().size().y];
         match self.stretches() {
             Some(stretches) => {
-                LayerField { origin, cell, columns, rows, stretches }.mesh(tolerance_mm)
+                LayerField { origin, cell, columns, rows, size, stretches }.mesh(tolerance_mm)
             }
             None => {
                 let heights: Vec<f32> =
                     self.tops().iter().map(|top| (top - origin.z).max(0.0) as f32).collect();
-                let field =
-                    HeightField { origin, cell, columns, rows, heights: &heights, floor: 0.0 };
+                let heights = &heights;
+                let field = HeightField { origin, cell, columns, rows, size, heights, floor: 0.0 };
                 field.mesh(tolerance_mm)
             }
         }
@@ -47,17 +52,21 @@ impl StockReport {
         let grid = self.stock.grid();
         let bounds = grid.bounds();
         let [columns, rows] = grid.cells();
-        let pairs = self.stock.height_pairs();
+        let (pairs, middles) = (self.stock.height_pairs(), self.stock.middles());
         let mut all = Stretches::default();
         for row in 0..rows {
             for column in 0..columns {
-                let pair = pairs[row as usize * columns as usize + column as usize];
-                let outer = stretches_of(&self.stock, [column, row], 0, pair.outer);
-                let inner = stretches_of(&self.stock, [column, row], 1, pair.inner.min(pair.outer));
-                let mut own = middle(&outer, &inner);
-                let [low, high] = grid.corners(column, row);
+                let (at, index) =
+                    ([column, row], row as usize * columns as usize + column as usize);
+                let pair = pairs[index];
+                let outer = stretches_of(&self.stock, at, Known::Maybe, pair.outer);
+                let inner =
+                    stretches_of(&self.stock, at, Known::Surely, pair.inner.min(pair.outer));
+                let middle = stretches_of(&self.stock, at, Known::InTheMiddle, middles[index]);
+                let mut own = between(&middle, &outer, &inner);
+                let corners = grid.corners(column, row);
                 for other in &others {
-                    own = other.cut(own, [low, high], grid.resolution());
+                    own = other.cut(own, corners, grid.resolution());
                 }
                 all.push(
                     own.into_iter().map(|[from, to]| [from - bounds.min.z, to - bounds.min.z]),
@@ -74,7 +83,7 @@ impl StockReport {
         self.stock.has_gaps() || has_others
     }
 
-    /// The middle between the two bounds of the top of each column, mm, row by row: the bottom where nothing is left.
+    /// The top of each column in its middle, mm, row by row: the bottom where nothing is left.
     pub fn tops(&self) -> Vec<f64> {
         let bottom = self.stock.grid().bounds().min.z;
         match self.stretches() {
@@ -83,56 +92,45 @@ impl StockReport {
                     |column| stretches.of(column).last().map_or(bottom, |[_, to]| bottom + to);
                 (0..stretches.len()).map(top).collect()
             }
-            None => {
-                let pairs = self.stock.height_pairs().into_iter();
-                pairs
-                    .map(|pair| (0.5 * (pair.outer + pair.inner.max(bottom))).max(bottom))
-                    .collect()
-            }
+            None => self.stock.middles().into_iter().map(|top| top.max(bottom)).collect(),
         }
     }
 }
 
-/// The middle between two bounds: its length is the mean of theirs. An end that both have is in the middle of the
-/// two. What only one of them has is half as long: a gap about its middle, a stretch from its lower end on.
-fn middle(outer: &[[f64; 2]], inner: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mean = |a: f64, b: f64| 0.5 * (a + b);
-    let mut all = Vec::new();
-    for &[from, to] in outer {
-        let within = |part: &&[f64; 2]| part[0] < to && from < part[1];
-        let parts: Vec<[f64; 2]> =
-            inner.iter().filter(within).map(|[a, b]| [a.max(from), b.min(to)]).collect();
-        let (Some(first), Some(last)) = (parts.first(), parts.last()) else {
-            all.push([from, mean(from, to)]);
-            continue;
-        };
-        let mut begin = mean(from, first[0]);
-        for pair in parts.windows(2) {
-            let [floor, top] = [pair[0][1], pair[1][0]];
-            let quarter = 0.25 * (top - floor);
-            all.push([begin, floor + quarter]);
-            begin = top - quarter;
-        }
-        all.push([begin, mean(to, last[1])]);
-    }
+/// What is in the middle of a column, within what may be left of it and with all that surely is: rounding may move an end
+/// of the middle beyond one of a bound.
+fn between(middle: &[[f64; 2]], outer: &[[f64; 2]], inner: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let within = outer.iter().flat_map(|[from, to]| {
+        middle.iter().map(move |[floor, top]| [from.max(*floor), to.min(*top)])
+    });
+    let mut all: Vec<[f64; 2]> = within.chain(inner.iter().copied()).collect();
     all.retain(|[from, to]| from < to);
-    all
+    all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut joined: Vec<[f64; 2]> = Vec::with_capacity(all.len());
+    for [from, to] in all {
+        match joined.last_mut() {
+            Some(last) if from <= last[1] => last[1] = last[1].max(to),
+            _ => joined.push([from, to]),
+        }
+    }
+    joined
 }
 
 /// Another side with the heights of its columns.
 struct Other<'a> {
     side: &'a OtherSide,
-    /// The middle of the bounds of each column that is cut; infinite where none is, mm.
+    /// The height in the middle of each column that is cut; infinite where none is, mm.
     heights: Vec<f64>,
 }
 
 impl<'a> Other<'a> {
     fn new(side: &'a OtherSide) -> Other<'a> {
-        let pairs = side.stock.height_pairs();
-        let heights = pairs.iter().enumerate().map(|(column, pair)| {
-            let middle = 0.5 * (pair.outer + pair.inner);
-            if side.removed.is_cut(column) { middle } else { f64::INFINITY }
-        });
+        let middles = side.stock.middles().into_iter().enumerate();
+        let heights = middles.map(
+            |(column, middle)| {
+                if side.removed.is_cut(column) { middle } else { f64::INFINITY }
+            },
+        );
         Other { side, heights: heights.collect() }
     }
 
@@ -225,30 +223,22 @@ mod tests {
     }
 
     #[test]
-    fn the_middle_has_the_mean_length() {
-        let outer: [&[[f64; 2]]; 5] = [
-            &[[0.0, 10.0]],
-            &[[0.0, 4.0], [6.0, 10.0]],
-            &[[0.0, 10.0]],
-            &[[0.0, 2.0], [8.0, 9.0]],
-            &[],
-        ];
-        let inner: [&[[f64; 2]]; 5] = [
-            &[[0.0, 8.0]],
-            &[[0.0, 3.0], [7.0, 10.0]],
-            &[[1.0, 4.0], [6.0, 9.0]],
-            &[[0.0, 2.0]],
-            &[],
-        ];
-        for (outer, inner) in outer.into_iter().zip(inner) {
-            let middle = middle(outer, inner);
-            let mean = 0.5 * (length(outer) + length(inner));
-            assert!((length(&middle) - mean).abs() < 1e-12, "{middle:?}");
+    fn the_middle_lies_between_the_bounds() {
+        let outer = [[0.0, 4.0], [6.0, 10.0]];
+        let inner = [[0.0, 3.0], [7.0, 9.0]];
+        for (middle, expected) in [
+            // As it is, where it is between them.
+            (&[[0.0, 3.5], [6.5, 9.5]][..], &[[0.0, 3.5], [6.5, 9.5]][..]),
+            // Rounding has moved its ends.
+            (&[[0.0, 4.1], [5.9, 10.1]], &outer),
+            (&[[0.0, 2.9], [7.1, 8.9]], &inner),
+            (&[], &inner),
+            (&[[0.0, 10.0]], &outer),
+        ] {
+            let found = between(middle, &outer, &inner);
+            assert_eq!(found, expected);
+            assert!(length(&inner) <= length(&found) && length(&found) <= length(&outer));
         }
-        assert_eq!(
-            middle(&[[0.0, 4.0], [6.0, 10.0]], &[[0.0, 3.0], [7.0, 10.0]]),
-            [[0.0, 3.5], [6.5, 10.0]]
-        );
     }
 
     #[test]

@@ -2,11 +2,33 @@
 
 use chordal_stock::{Span, Stock};
 
-/// Of a column what may be left (0), or what is surely left (1), as stretches below its height, mm.
-pub(super) fn stretches_of(stock: &Stock, at: [u32; 2], side: usize, height: f64) -> Vec<[f64; 2]> {
+/// What of a column is known.
+#[derive(Clone, Copy)]
+pub(super) enum Known {
+    /// What may be left anywhere on it.
+    Maybe,
+    /// What is left everywhere on it.
+    Surely,
+    /// What is left in its middle.
+    InTheMiddle,
+}
+
+/// What is left of a column, as stretches below its height, mm.
+pub(super) fn stretches_of(
+    stock: &Stock,
+    [column, row]: [u32; 2],
+    known: Known,
+    height: f64,
+) -> Vec<[f64; 2]> {
     let bottom = stock.grid().bounds().min.z;
     let mut left = if bottom < height { vec![[bottom, height]] } else { Vec::new() };
-    for Span { floor, top } in &stock.gaps_at(at[0], at[1])[side] {
+    let [surely, maybe] = stock.gaps_at(column, row);
+    let gaps = match known {
+        Known::Maybe => surely,
+        Known::Surely => maybe,
+        Known::InTheMiddle => stock.gaps_in_middle(column, row),
+    };
+    for Span { floor, top } in &gaps {
         left = without(&left, [*floor, *top]);
     }
     left

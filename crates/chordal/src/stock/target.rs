@@ -3,14 +3,14 @@
 use chordal_diagnostics::Code;
 use chordal_geometry::{ParamCurve, Transform, Vec3};
 use chordal_stock::shape::Shape;
-use chordal_stock::{Amount, Body, Check, Move, Stock, StockError, Task};
+use chordal_stock::{Amount, Body, Check, Move, Options, Stock, StockError, Task};
 
 use super::gather::Batch;
 use super::heights::Heights;
 use super::inside::{Inside, Sure};
 use super::pass::Run;
 use super::problems::Problems;
-use super::stretches::{stretches_of, without};
+use super::stretches::{Known, stretches_of, without};
 
 /// Contacts that are less deep are rounding, mm.
 const ROUNDING: f64 = 1e-3;
@@ -91,7 +91,7 @@ fn look_for_gouges(
     let heights = |low: [f64; 2], high: [f64; 2]| heights.of(low, high);
     let check = Check {
         bounds,
-        options: run.columns(),
+        options: Options { middles: false, ..run.columns() },
         heights: &heights,
         hollows: is_hollow.then_some(&hollows),
         tasks: &tasks,
@@ -151,12 +151,13 @@ fn left_over(heights: &Heights<'_>, stock: &Stock) -> TargetReport {
             let area = (high[0] - low[0]) * (high[1] - low[1]);
             let pair = pairs[row as usize * columns as usize + column as usize];
             let [may_be, is] = heights.filled([low, high]);
-            let over = |side: usize, height: f64, part: &[[f64; 2]]| {
-                let left = stretches_of(stock, [column, row], side, height);
+            let over = |known: Known, height: f64, part: &[[f64; 2]]| {
+                let left = stretches_of(stock, [column, row], known, height);
                 part.iter().fold(left, |left, own| without(&left, *own))
             };
             // What is surely left and in no place of the part, and what may be left and not all part.
-            let (surely, maybe) = (over(1, pair.inner, &may_be), over(0, pair.outer, &is));
+            let surely = over(Known::Surely, pair.inner, &may_be);
+            let maybe = over(Known::Maybe, pair.outer, &is);
             let [least, most] = [&surely, &maybe].map(|over| length(over));
             of_row.least += area * least;
             of_row.most += area * most;

@@ -4,7 +4,7 @@ use chordal_geometry::Vec3;
 
 use super::cover::{Cover, NONE, Rectangle};
 use super::node::{Face, Node};
-use super::{HeightField, Touching};
+use super::{HeightField, Plan, Touching};
 use crate::mesh::Mesh;
 
 /// No vertex at this corner.
@@ -51,6 +51,7 @@ struct Used {
 
 pub(super) struct Builder<'a> {
     field: &'a HeightField<'a>,
+    plan: Plan,
     tops: &'a Cover,
     bottoms: &'a Cover,
     /// The height of each cell and of a border around them: that of its rectangle, or the bottom.
@@ -77,6 +78,7 @@ impl<'a> Builder<'a> {
         let (vertices, triangles, touching) = (Vec::new(), Vec::new(), Vec::new());
         let mut builder = Builder {
             field,
+            plan: field.plan(),
             tops,
             bottoms,
             heights,
@@ -128,9 +130,8 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn point(&self, [column, row]: [usize; 2], height: f64) -> Vec3 {
-        let HeightField { origin, cell, .. } = *self.field;
-        origin + Vec3::new(column as f64 * cell, row as f64 * cell, height)
+    fn point(&self, at: [usize; 2], height: f64) -> Vec3 {
+        self.plan.point(at, height)
     }
 
     /// The four cells around a corner, counter-clockwise from the one with higher x and y; `None` outside.

@@ -29,6 +29,8 @@ pub struct HeightField<'a> {
     pub columns: usize,
     /// How many cells there are along Y.
     pub rows: usize,
+    /// How far the grid reaches along X and along Y, mm: there the last cells end, at their sides at the latest.
+    pub size: [f64; 2],
     /// The heights, mm above the origin: `columns` of the lowest row first.
     pub heights: &'a [f32],
     /// The bottom, mm above the origin. A cell that is not higher is cut through.
@@ -110,6 +112,49 @@ pub enum HeightFieldError {
     },
 }
 
+/// The cells of a field may be longer or shorter together than its size by this share for rounding.
+const ROUNDING: f64 = 1e-9;
+/// A last cell is not narrower than this share of a cell: the one before ends earlier for it. So columns that touch can
+/// be parted, and floats of 32 bits tell its corners apart.
+const NARROWEST: f64 = 0.01;
+
+/// A grid of cells in plan.
+#[derive(Clone, Copy)]
+struct Plan {
+    origin: Vec3,
+    cell: f64,
+    cells: [usize; 2],
+    size: [f64; 2],
+}
+
+impl Plan {
+    /// How far a corner is from the first one along an axis, mm.
+    fn along(&self, axis: usize, corner: usize) -> f64 {
+        if corner >= self.cells[axis] {
+            return self.size[axis];
+        }
+        let is_last = corner > 0 && corner + 1 == self.cells[axis];
+        let most = if is_last { self.size[axis] - NARROWEST * self.cell } else { self.size[axis] };
+        (corner as f64 * self.cell).min(most).max(0.0)
+    }
+
+    /// The place over a corner at a height, mm.
+    fn point(&self, [column, row]: [usize; 2], height: f64) -> Vec3 {
+        self.origin + Vec3::new(self.along(0, column), self.along(1, row), height)
+    }
+
+    /// The sum of a value of each cell, by the areas of the cells.
+    fn integral(&self, value: impl Fn(usize) -> f64) -> f64 {
+        let [columns, rows] = self.cells;
+        let width = |axis: usize, at: usize| self.along(axis, at + 1) - self.along(axis, at);
+        let of_row = |row: usize| {
+            let of_cell = |column: usize| width(0, column) * value(row * columns + column);
+            width(1, row) * (0..columns).map(of_cell).sum::<f64>()
+        };
+        (0..rows).map(of_row).sum()
+    }
+}
+
 impl HeightField<'_> {
     /// The closed surface, in which no cell is further from its height than `tolerance`, mm. With zero only
     /// cells of the same height are joined. The volume is that of the columns, to half of 2⁻¹⁶ mm over the last of
@@ -128,9 +173,13 @@ impl HeightField<'_> {
     /// The volume of the columns, mm³.
     pub fn volume(&self) -> f64 {
         let floor = f64::from(self.floor);
-        let heights: f64 =
-            self.heights.iter().map(|&height| (f64::from(height) - floor).max(0.0)).sum();
-        heights * self.cell * self.cell
+        let solid = |cell: usize| (f64::from(self.heights[cell]) - floor).max(0.0);
+        self.plan().integral(solid)
+    }
+
+    fn plan(&self) -> Plan {
+        let HeightField { origin, cell, columns, rows, size, .. } = *self;
+        Plan { origin, cell, cells: [columns, rows], size }
     }
 
     /// The height of a cell, mm above the origin; the bottom where it is cut through.
@@ -139,7 +188,7 @@ impl HeightField<'_> {
     }
 
     pub(super) fn check(&self, tolerance: f64) -> Result<(), HeightFieldError> {
-        let HeightField { columns, rows, .. } = *self;
+        let HeightField { columns, rows, size, .. } = *self;
         let found = self.heights.len();
         if columns.checked_mul(rows) != Some(found) {
             return Err(HeightFieldError::Count { found, columns, rows });
@@ -155,11 +204,18 @@ impl HeightField<'_> {
         let floor = f64::from(self.floor);
         let near = |from: f64| from.abs() + reach <= LARGEST_COORDINATE;
         let HeightField { origin: Vec3 { x, y, .. }, .. } = *self;
+        // The last cells may be narrower, and are none without a width.
+        let ends = |cells: usize, size: f64| {
+            let whole = cells as f64 * self.cell;
+            size <= whole * (1.0 + ROUNDING) && (cells == 0 || size > whole - self.cell)
+        };
         for (what, value, good) in [
             ("origin", x, near(x)),
             ("origin", y, near(y)),
             ("tolerance", tolerance, at_least_zero),
             ("cell", self.cell, within),
+            ("size", size[0], ends(columns, size[0])),
+            ("size", size[1], ends(rows, size[1])),
             ("bottom", floor, (self.origin.z + floor).abs() <= LARGEST_COORDINATE),
         ] {
             if !good {

@@ -2,10 +2,10 @@
 
 use chordal_geometry::Vec3;
 
-use super::super::Touching;
 use super::super::build::{fill, sides};
 use super::super::cover::Rectangle;
 use super::super::node::Face;
+use super::super::{Plan, Touching};
 use super::LayerField;
 use super::corner::{Cell, Corner, is_passed};
 use super::cover::Cover;
@@ -16,6 +16,7 @@ const NO_CORNER: u32 = u32::MAX;
 
 pub(super) struct Builder<'a> {
     field: &'a LayerField<'a>,
+    plan: Plan,
     cover: &'a Cover,
     /// For each corner of cells its number among those with vertices.
     numbers: Vec<u32>,
@@ -30,7 +31,9 @@ impl<'a> Builder<'a> {
         let numbers = Vec::with_capacity((field.columns + 1) * (field.rows + 1));
         let (corners, vertices) = (Vec::new(), Vec::new());
         let (triangles, touching) = (Vec::new(), Vec::new());
-        let mut builder = Builder { field, cover, numbers, corners, vertices, triangles, touching };
+        let plan = field.plan();
+        let mut builder =
+            Builder { field, plan, cover, numbers, corners, vertices, triangles, touching };
         for row in 0..=field.rows {
             for column in 0..=field.columns {
                 builder.number([column, row]);
@@ -78,9 +81,8 @@ impl<'a> Builder<'a> {
         self.corners.push(corner);
     }
 
-    fn point(&self, [column, row]: [usize; 2], height: f64) -> Vec3 {
-        let LayerField { origin, cell, .. } = *self.field;
-        origin + Vec3::new(column as f64 * cell, row as f64 * cell, height)
+    fn point(&self, at: [usize; 2], height: f64) -> Vec3 {
+        self.plan.point(at, height)
     }
 
     /// The four cells around a corner, counter-clockwise from the one with higher x and y; empty outside.

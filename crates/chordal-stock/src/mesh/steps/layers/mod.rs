@@ -11,7 +11,7 @@ mod cover;
 
 use chordal_geometry::Vec3;
 
-use super::{HeightField, HeightFieldError, HeightMesh};
+use super::{HeightField, HeightFieldError, HeightMesh, Plan};
 use crate::mesh::LARGEST_COORDINATE;
 
 /// Tops have heights in such steps, mm: files of floats of 32 bits tell half of one apart up to four metres.
@@ -73,6 +73,8 @@ pub struct LayerField<'a> {
     pub columns: usize,
     /// How many cells there are along Y.
     pub rows: usize,
+    /// How far the grid reaches along X and along Y, mm: there the last cells end, at their sides at the latest.
+    pub size: [f64; 2],
     /// The stretches above the origin: `columns` of the lowest row first.
     pub stretches: &'a Stretches,
 }
@@ -93,7 +95,13 @@ impl LayerField<'_> {
 
     /// The volume of the columns, mm³.
     pub fn volume(&self) -> f64 {
-        self.stretches.length() * self.cell * self.cell
+        let solid = |cell: usize| self.stretches.of(cell).iter().map(|[from, to]| to - from).sum();
+        self.plan().integral(solid)
+    }
+
+    fn plan(&self) -> Plan {
+        let LayerField { origin, cell, columns, rows, size, .. } = *self;
+        Plan { origin, cell, cells: [columns, rows], size }
     }
 
     fn check(&self, tolerance: f64) -> Result<(), HeightFieldError> {
@@ -104,6 +112,7 @@ impl LayerField<'_> {
             cell: self.cell,
             columns,
             rows,
+            size: self.size,
             heights: &vec![0.0; stretches.len()],
             floor: 0.0,
         };
