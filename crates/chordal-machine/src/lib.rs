@@ -35,6 +35,7 @@ mod controls;
 
 mod control;
 mod decimal;
+mod designation;
 mod error;
 mod files;
 mod machine;
@@ -55,6 +56,10 @@ mod write;
 pub use axis::{AXES, AXIS_LETTERS, AXIS_NAMES, Axis, PerAxis};
 pub use builtin::{builtin, builtin_names};
 pub use control::{ControlName, UnknownControl};
+pub use designation::{
+    DesignationError, HolderDesignation, HolderKind, InsertDesignation, ToolHand,
+    WrittenDesignation, clearance_degrees,
+};
 pub use error::{Location, MachineError};
 pub use machine::{
     AxisLimits, FeedLimits, Machine, Macros, Notices, Probe, ProbeHit, Programmed, RapidShape,

@@ -1,10 +1,18 @@
 //! What a turning tool has that a mill has not: its insert, how it is held, and the outline of its holder.
 
+use crate::designation::{HolderDesignation, InsertDesignation, WrittenDesignation};
+
 /// The shape of a turning tool. Angles are rad, lengths mm, distances along X are radii.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TurningTool {
     /// The first letter of the insert's ISO code: its corner angle.
     pub insert: Option<InsertLetter>,
+    /// The whole designation of the insert.
+    pub insert_designation: Option<WrittenDesignation<InsertDesignation>>,
+    /// That of the holder.
+    pub holder_designation: Option<WrittenDesignation<HolderDesignation>>,
+    /// The tip number is that of the holder's usual mounting: nobody gave it.
+    pub has_usual_tip: bool,
     /// The corner angle where no letter says it.
     pub insert_angle_rad: Option<f64>,
     /// Between the main cutting edge and the feed along Z.
@@ -46,10 +54,17 @@ impl TurningTool {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the letters are their names")]
 pub enum InsertLetter {
+    A,
+    B,
     C,
     D,
     E,
+    H,
     K,
+    L,
+    M,
+    O,
+    P,
     R,
     S,
     T,
@@ -59,11 +74,18 @@ pub enum InsertLetter {
 
 impl InsertLetter {
     /// Every letter.
-    pub const ALL: [InsertLetter; 9] = [
+    pub const ALL: [InsertLetter; 16] = [
+        InsertLetter::A,
+        InsertLetter::B,
         InsertLetter::C,
         InsertLetter::D,
         InsertLetter::E,
+        InsertLetter::H,
         InsertLetter::K,
+        InsertLetter::L,
+        InsertLetter::M,
+        InsertLetter::O,
+        InsertLetter::P,
         InsertLetter::R,
         InsertLetter::S,
         InsertLetter::T,
@@ -74,10 +96,17 @@ impl InsertLetter {
     /// The letter.
     pub const fn as_str(self) -> &'static str {
         match self {
+            InsertLetter::A => "A",
+            InsertLetter::B => "B",
             InsertLetter::C => "C",
             InsertLetter::D => "D",
             InsertLetter::E => "E",
+            InsertLetter::H => "H",
             InsertLetter::K => "K",
+            InsertLetter::L => "L",
+            InsertLetter::M => "M",
+            InsertLetter::O => "O",
+            InsertLetter::P => "P",
             InsertLetter::R => "R",
             InsertLetter::S => "S",
             InsertLetter::T => "T",
@@ -89,10 +118,16 @@ impl InsertLetter {
     /// The angle of the corner, degrees; `None` of a round insert.
     pub const fn corner_degrees(self) -> Option<f64> {
         Some(match self {
+            InsertLetter::A => 85.0,
+            InsertLetter::B => 82.0,
             InsertLetter::C | InsertLetter::W => 80.0,
             InsertLetter::D | InsertLetter::K => 55.0,
             InsertLetter::E => 75.0,
-            InsertLetter::S => 90.0,
+            InsertLetter::H => 120.0,
+            InsertLetter::L | InsertLetter::S => 90.0,
+            InsertLetter::M => 86.0,
+            InsertLetter::O => 135.0,
+            InsertLetter::P => 108.0,
             InsertLetter::T => 60.0,
             InsertLetter::V => 35.0,
             InsertLetter::R => return None,

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use chordal::machine::{Axis, ToolShape};
-use chordal::tool_comments::known_tools;
+use chordal::tool_comments::{StockPlace, known_tools, said_stock};
 use chordal::{Job, Machine, Source, SourceMap};
 
 /// Values agree within this, mm and degrees.
@@ -36,8 +36,10 @@ fn cases(text: &str) -> Vec<Case<'_>> {
 
 fn job(case: &Case<'_>) -> Job<'static> {
     let control = case.title.split(", ").nth(1).expect("a control");
-    let machine = Machine::from_toml("m.toml", &format!("control = '{control}'"), &|name| {
-        Err(format!("no {name}"))
+    // A lathe is one by its axes, which its built-in machine has.
+    let machine = Machine::from_builtin(control).or_else(|_| {
+        let text = format!("control = '{control}'");
+        Machine::from_toml("m.toml", &text, &|name| Err(format!("no {name}")))
     });
     let mut sources = SourceMap::new();
     sources.add(Source::new("part.nc", case.program.as_bytes().to_vec()));
@@ -81,6 +83,30 @@ fn wrong_tool(job: &Job, words: &[&str]) -> Vec<String> {
     wrong.map(|pair| format!("tool {number} {}: {tool:?}", pair.join(" "))).collect()
 }
 
+/// The sides that differ, of a box, a bar about Z or a size alone.
+fn wrong_stock(job: &Job, words: &[&str]) -> Option<String> {
+    let said = said_stock(job);
+    let number = |at: usize| words[at].parse::<f64>().expect("a number");
+    let near = |value: Option<f64>, expected: f64| {
+        value.is_some_and(|value| (value - expected).abs() < TOLERANCE)
+    };
+    let is_right = match (words[0], said.as_ref().map(|said| &said.place)) {
+        ("none", place) => place.is_none(),
+        ("size", Some(StockPlace::Size(size))) => {
+            (0..3).all(|axis| near(Some(size[axis]), number(1 + axis)))
+        }
+        ("X", Some(StockPlace::Body(body))) => (0..3).all(|axis| {
+            near(body.from[axis], number(3 * axis + 1)) && near(body.to[axis], number(3 * axis + 2))
+        }),
+        ("diameter", Some(StockPlace::Body(body))) => {
+            let length = body.to[2].zip(body.from[2]).map(|(to, from)| to - from);
+            near(body.diameter_mm, number(1)) && near(length, number(3))
+        }
+        _ => false,
+    };
+    (!is_right).then(|| format!("stock {}: {said:?}", words.join(" ")))
+}
+
 fn wrong(case: &Case<'_>) -> Vec<String> {
     let job = job(case);
     let mut wrong = Vec::new();
@@ -88,8 +114,8 @@ fn wrong(case: &Case<'_>) -> Vec<String> {
         let words: Vec<&str> = line.split(' ').collect();
         match words[0] {
             "tool" => wrong.extend(wrong_tool(&job, &words[1..])),
-            "stock" if line == &"stock none" => {}
-            _ => wrong.push((*line).to_string()),
+            "stock" => wrong.extend(wrong_stock(&job, &words[1..])),
+            key => panic!("no key {key}"),
         }
     }
     wrong

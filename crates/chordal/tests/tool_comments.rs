@@ -30,7 +30,7 @@ fn shown(said: Option<SaidTool>) -> String {
 
 fn check(inch: bool, cases: &[(&str, &str)]) {
     for (comment, expected) in cases {
-        assert_eq!(shown(read_tool_comment(comment, inch, None)), *expected, "({comment})");
+        assert_eq!(shown(read_tool_comment(comment, inch, None, false)), *expected, "({comment})");
     }
 }
 
@@ -150,7 +150,7 @@ fn what_is_no_tool_is_not_read() {
 
 #[test]
 fn a_comment_beside_the_call_needs_no_number() {
-    let called = |text| shown(read_tool_comment(text, true, Some(5)));
+    let called = |text| shown(read_tool_comment(text, true, Some(5), false));
     assert_eq!(called("#7 DRILL"), "T5 5.1054 drill");
     assert_eq!(called("1/2 4FL ENDMILL"), "T5 12.7 flat");
     assert_eq!(called("FINISH POCKET .01 STOCK"), "-");
@@ -267,12 +267,16 @@ proptest::proptest! {
             .into_iter()
             .map(|(piece, space)| format!("{}{}", PIECES[piece], if space { " " } else { "" }))
             .collect();
-        let _ = read_tool_comment(&text, inch, Some(1));
+        for turns in [false, true] {
+            let _ = read_tool_comment(&text, inch, Some(1), turns);
+        }
     }
 
     #[test]
     fn no_text_ends_the_reading(text in "\\PC*") {
-        let _ = read_tool_comment(&format!("T1 {text}"), true, None);
+        for turns in [false, true] {
+            let _ = read_tool_comment(&format!("T1 {text}"), true, None, turns);
+        }
     }
 }
 

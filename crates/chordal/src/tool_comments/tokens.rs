@@ -151,7 +151,8 @@ fn give_units(tokens: &mut Vec<Token<'_>>) {
             Kind::Word("IN") if !glued && !sized => None,
             Kind::Word("MM" | "MILLIMETER" | "MILLIMETERS") => Some(Unit::Millimetre),
             Kind::Word("IN" | "INCH" | "INCHES") => Some(Unit::Inch),
-            Kind::Sign('"' | '”' | '″') => Some(Unit::Inch),
+            // `TOOL 4 "10MM END MILL"` is in quotes.
+            Kind::Sign('"' | '”' | '″') if glued => Some(Unit::Inch),
             _ => None,
         };
         match (&mut tokens[at - 1].kind, unit) {
