@@ -7,7 +7,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeValue};
 
 use crate::check::{At, put};
-use crate::designation::contradictions;
+use crate::designated::contradictions;
 use crate::error::{MachineError, Source};
 use crate::machine::Machine;
 use crate::schema::Slot;

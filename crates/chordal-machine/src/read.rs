@@ -6,7 +6,7 @@ use toml::de::{DeTable, DeValue};
 use crate::builtin::{builtin, builtin_names};
 use crate::check::{At, INHERITS, put_table};
 use crate::control::ControlName;
-use crate::designation::contradictions;
+use crate::designated::contradictions;
 use crate::error::{MachineError, Source};
 use crate::files::{beside, is_separator};
 use crate::machine::Machine;

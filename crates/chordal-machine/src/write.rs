@@ -4,11 +4,12 @@ use std::fmt::Write;
 
 use crate::axis::{Axis, PerAxis};
 use crate::check::{key_text, string_text};
+use crate::designation::InsertLetter;
 use crate::machine::{Machine, ProbeHit, Programmed, Rotary, Turret};
 use crate::quantity::Dimension;
 use crate::setup::{Body, BodyShape, MeshUnit};
 use crate::tool::Tool;
-use crate::turning::{InsertLetter, ToolFacing, TurningTool};
+use crate::turning::{ToolFacing, TurningTool};
 use crate::value::SettingValue;
 
 impl Machine {

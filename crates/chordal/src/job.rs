@@ -16,8 +16,6 @@ use chordal_machine::{Machine, PerAxis};
 use chordal_path::{Checks, Frame, PathBuilder, RunFrame};
 use chordal_syntax::ProgramHead;
 
-use crate::tool_comments::contradicted_tools;
-
 /// Why there is no job.
 #[derive(Debug, thiserror::Error)]
 pub enum JobError {
@@ -231,13 +229,7 @@ impl<'a> Job<'a> {
     pub(crate) fn before_run(&self, library: &Library) -> impl Iterator<Item = Diagnostic> {
         let duplicates =
             library.duplicate_diagnostics().filter(|each| self.is_about(library, each));
-        self.options
-            .notes
-            .iter()
-            .cloned()
-            .chain(usual_tips(&self.machine))
-            .chain(contradicted_tools(self))
-            .chain(duplicates)
+        self.options.notes.iter().cloned().chain(usual_tips(&self.machine)).chain(duplicates)
     }
 
     /// False for problems of a program's head where only another program is run.

@@ -123,4 +123,10 @@ its nose radius is taken. Correct the one that is wrong."#;
     r#"No setup or machine file gives `[stock]`, and a comment of the program says the size of the stock and where its zero is.
 The answers about the stock hold for that stock and for no other: a comment may be older than the program. Give `[stock]`
 in a setup file to use another one."#;
+
+    StockCommentDoubted = 673, "stock-comment-doubted", Warning;
+    "no cut meets the stock of a comment";
+    r#"The stock was taken from a comment of the program, and the program removes nothing of it. Programs are edited and keep
+the head of an older one: the stock, or its zero, is probably another. Nothing is proved about it. Give `[stock]` in a
+setup file."#;
 }

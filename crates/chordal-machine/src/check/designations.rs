@@ -2,12 +2,11 @@
 
 use super::Value;
 use crate::designation::{
-    DesignationError, HolderDesignation, InsertDesignation, WrittenDesignation,
+    DesignationError, HolderDesignation, InsertDesignation, InsertLetter, WrittenDesignation,
 };
 use crate::error::MachineError;
 use crate::machine::Machine;
 use crate::schema;
-use crate::turning::InsertLetter;
 
 impl Value<'_> {
     /// A letter, or the whole designation of an insert.
@@ -18,6 +17,12 @@ impl Value<'_> {
             InsertLetter::ALL.into_iter().find(|own| own.as_str().eq_ignore_ascii_case(alone));
         let designation = match letter {
             Some(_) => None,
+            None if alone.len() == 1 => {
+                let letters = InsertLetter::ALL.map(InsertLetter::as_str);
+                let help = format!("it is one of {}", crate::suggest::or_list(&letters));
+                let message = format!("`{alone}` is not a letter of an insert");
+                return Err(self.error(message, Some(help)));
+            }
             None => {
                 let read = InsertDesignation::parse(&text);
                 let value = read.map_err(|error| self.no_designation(&text, "an insert", error))?;

@@ -1,6 +1,6 @@
 //! How long the edges of an insert are: by the circle inscribed in it, whose sizes are few.
 
-use crate::turning::InsertLetter;
+use super::letters::InsertLetter;
 
 /// The diameters of inscribed circles that inserts have, mm: multiples of 1/32 in.
 const CIRCLES_MM: [f64; 12] =

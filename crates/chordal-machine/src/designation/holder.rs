@@ -1,9 +1,9 @@
 //! Holders: `PCLNR2525M12` (ISO 5608) and boring bars: `S20R-SCLCR09` (ISO 6261).
 
 use super::edge::{circle_of_eighths, circle_of_symbol, edge_of_circle};
+use super::letters::InsertLetter;
 use super::letters::{HolderStyle, is_clamping, is_clearance, shape_of, style_of};
 use super::{DesignationError, Reader};
-use crate::turning::InsertLetter;
 
 /// Which side a holder cuts on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! Inserts: `CNMG120408` (ISO 1832) and `CNMG432` (ANSI B212.4).
 
 use super::edge::{circle_of_eighths, circle_of_symbol, edge_of_circle};
+use super::letters::InsertLetter;
 use super::letters::{is_clearance, is_fixing, is_tolerance, shape_of};
 use super::{DesignationError, Reader};
-use crate::turning::InsertLetter;
 
 /// What the designation of an insert says, lengths in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,94 @@
 //! What the letters of designations mean (ISO 1832, ISO 5608).
 
-use crate::turning::InsertLetter;
+/// The letters of inserts (ISO 1832).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "the letters are their names")]
+pub enum InsertLetter {
+    A,
+    B,
+    C,
+    D,
+    E,
+    H,
+    K,
+    L,
+    M,
+    O,
+    P,
+    R,
+    S,
+    T,
+    V,
+    W,
+}
+
+impl InsertLetter {
+    /// Every letter.
+    pub const ALL: [InsertLetter; 16] = [
+        InsertLetter::A,
+        InsertLetter::B,
+        InsertLetter::C,
+        InsertLetter::D,
+        InsertLetter::E,
+        InsertLetter::H,
+        InsertLetter::K,
+        InsertLetter::L,
+        InsertLetter::M,
+        InsertLetter::O,
+        InsertLetter::P,
+        InsertLetter::R,
+        InsertLetter::S,
+        InsertLetter::T,
+        InsertLetter::V,
+        InsertLetter::W,
+    ];
+
+    /// The letter.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            InsertLetter::A => "A",
+            InsertLetter::B => "B",
+            InsertLetter::C => "C",
+            InsertLetter::D => "D",
+            InsertLetter::E => "E",
+            InsertLetter::H => "H",
+            InsertLetter::K => "K",
+            InsertLetter::L => "L",
+            InsertLetter::M => "M",
+            InsertLetter::O => "O",
+            InsertLetter::P => "P",
+            InsertLetter::R => "R",
+            InsertLetter::S => "S",
+            InsertLetter::T => "T",
+            InsertLetter::V => "V",
+            InsertLetter::W => "W",
+        }
+    }
+
+    /// The angle of the corner, degrees; `None` of a round insert.
+    pub const fn corner_degrees(self) -> Option<f64> {
+        Some(match self {
+            InsertLetter::A => 85.0,
+            InsertLetter::B => 82.0,
+            InsertLetter::C | InsertLetter::W => 80.0,
+            InsertLetter::D | InsertLetter::K => 55.0,
+            InsertLetter::E => 75.0,
+            InsertLetter::H => 120.0,
+            InsertLetter::L | InsertLetter::S => 90.0,
+            InsertLetter::M => 86.0,
+            InsertLetter::O => 135.0,
+            InsertLetter::P => 108.0,
+            InsertLetter::T => 60.0,
+            InsertLetter::V => 35.0,
+            InsertLetter::R => return None,
+        })
+    }
+
+    /// Three edges instead of four.
+    pub const fn is_triangle(self) -> bool {
+        matches!(self, InsertLetter::T)
+    }
+}
 
 /// The letter of an insert's shape.
 pub(super) fn shape_of(letter: char) -> Option<InsertLetter> {

@@ -5,14 +5,32 @@ mod edge;
 mod holder;
 mod insert;
 mod letters;
-mod tool;
 
 use std::ops::Range;
 
+use crate::error::Location;
+
 pub use self::holder::{HolderDesignation, HolderKind, ToolHand};
 pub use self::insert::InsertDesignation;
-pub use self::letters::clearance_degrees;
-pub use self::tool::{WrittenDesignation, contradictions};
+pub use self::letters::{InsertLetter, clearance_degrees};
+
+/// A designation as written.
+#[derive(Clone, Debug)]
+pub struct WrittenDesignation<T> {
+    /// Its text.
+    pub text: String,
+    /// What it says.
+    pub value: T,
+    /// Where it was written.
+    pub location: Option<Location>,
+}
+
+impl<T: PartialEq> PartialEq for WrittenDesignation<T> {
+    /// Designations that say the same are equal, wherever they were written.
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text && self.value == other.value
+    }
+}
 
 /// Why a text is no designation.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -1,6 +1,6 @@
 use super::edge::edge_of_circle;
+use super::letters::InsertLetter;
 use super::{HolderDesignation, InsertDesignation};
-use crate::turning::InsertLetter;
 
 fn near(value: f64, expected: f64) -> bool {
     (value - expected).abs() < 0.006

@@ -89,11 +89,15 @@ impl SaidTool {
             tip_diameter_mm: self.tip_diameter_mm.or(other.tip_diameter_mm),
             pitch_mm: self.pitch_mm.or(other.pitch_mm),
             shape: self.shape.or(other.shape),
+            nose_radius_mm: self.nose_radius_mm.or(other.nose_radius_mm),
+            letter: self.letter.or(other.letter),
+            insert: self.insert.or(other.insert),
             ..*self
         };
         let differs = other.diameter_mm.is_some() && joined.diameter_mm != other.diameter_mm
             || other.corner_radius_mm.is_some()
                 && joined.corner_radius_mm != other.corner_radius_mm
+            || other.insert.is_some() && joined.insert != other.insert
             || other.shape.is_some() && joined.shape != other.shape;
         (!differs).then_some(joined)
     }

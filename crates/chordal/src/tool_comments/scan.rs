@@ -6,6 +6,7 @@ use chordal_syntax::{Block, BlockReader, Position};
 
 use super::forms::{number as plain_number, read_form};
 use super::phrases::{named_tool, read_phrase};
+use super::turning::read_insert;
 use super::{SaidTool, program_is_inch, read_tool_comment};
 use crate::Job;
 
@@ -85,8 +86,16 @@ impl Scan<'_, '_> {
             None => {
                 let called = called.filter(|_| changes);
                 let turns = self.job.turns();
-                let said = read_tool_comment(words, inch, called, turns);
-                self.said.extend(said.map(|said| (said, span)));
+                match read_tool_comment(words, inch, called, turns) {
+                    Some(said) => self.said.push((said, span)),
+                    // `(OD ROUGH RIGHT - 80 DEG. INSERT - CNMG-432)` is of the tool that is called next.
+                    None if turns => {
+                        if let Some(said) = read_insert(words) {
+                            self.keep(said, span);
+                        }
+                    }
+                    None => {}
+                }
             }
         }
     }

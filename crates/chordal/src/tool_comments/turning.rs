@@ -36,6 +36,18 @@ pub(super) fn read_turning(text: &str, tokens: &[Token<'_>], inch: bool, said: &
     }
 }
 
+/// What a comment says of an insert where it names no tool.
+pub(super) fn read_insert(text: &str) -> Option<SaidTool> {
+    let insert = insert_in(&text.to_ascii_uppercase())?;
+    Some(SaidTool {
+        insert: Some(insert),
+        letter: Some(insert.letter),
+        nose_radius_mm: Some(insert.nose_mm),
+        shape: Some(ToolShape::Insert),
+        ..SaidTool::of(0)
+    })
+}
+
 /// Pieces of the text that may be a designation: a word, or it and the next one.
 fn candidates(text: &str) -> impl Iterator<Item = String> {
     let words: Vec<&str> =

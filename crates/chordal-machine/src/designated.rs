@@ -1,10 +1,10 @@
 //! Designations in a tool: what they give, and where they say something else than its other keys.
 
-use super::{HolderDesignation, InsertDesignation};
+use crate::designation::{HolderDesignation, InsertDesignation, InsertLetter, WrittenDesignation};
 use crate::error::{Location, MachineError, Source};
 use crate::machine::Machine;
 use crate::tool::{Tool, ToolShape};
-use crate::turning::{InsertLetter, TurningTool, mirrored_tip};
+use crate::turning::{TurningTool, mirrored_tip};
 
 /// A nose radius in inches and the same in tenths of a millimetre differ by less, mm.
 const NOSE_TOLERANCE_MM: f64 = 0.02;
@@ -12,24 +12,6 @@ const NOSE_TOLERANCE_MM: f64 = 0.02;
 const ANGLE_TOLERANCE_DEG: f64 = 1.0;
 /// Edges are given without what is below a millimetre.
 const EDGE_TOLERANCE_MM: f64 = 1.0;
-
-/// A designation as written.
-#[derive(Clone, Debug)]
-pub struct WrittenDesignation<T> {
-    /// Its text.
-    pub text: String,
-    /// What it says.
-    pub value: T,
-    /// Where it was written.
-    pub location: Option<Location>,
-}
-
-impl<T: PartialEq> PartialEq for WrittenDesignation<T> {
-    /// Designations that say the same are equal, wherever they were written.
-    fn eq(&self, other: &Self) -> bool {
-        self.text == other.text && self.value == other.value
-    }
-}
 
 impl TurningTool {
     /// The shape of the insert: of its letter or its designation, else of that of the holder.
@@ -72,7 +54,7 @@ impl Machine {
 }
 
 /// Where the designations of a machine's tools say something else than its other keys, or each other.
-pub fn contradictions(machine: &Machine) -> Vec<MachineError> {
+pub(crate) fn contradictions(machine: &Machine) -> Vec<MachineError> {
     machine.tools.iter().flat_map(|(number, tool)| of_tool(*number, tool)).collect()
 }
 
