@@ -45,8 +45,7 @@ impl InsertDesignation {
         let mut reader = Reader::new(text);
         reader.skip_gaps();
         refuse_threading(&reader)?;
-        let letter = Self::letters(&mut reader)?;
-        let (shape, clearance) = letter;
+        let (shape, clearance) = Self::letters(&mut reader)?;
         reader.skip_gaps();
         let start = reader.at;
         let sizes = metric(&mut reader, shape)?.or_else(|| inch(&mut reader, shape));
@@ -91,16 +90,10 @@ impl InsertDesignation {
             reader.wrong(1, format!("`{letter}` is no shape of an insert"), help)
         })?;
         let clearance = next(reader, "clearance")?;
-        let checks: [(&str, char, fn(char) -> bool, &str); 1] = [(
-            "clearance",
-            clearance,
-            is_clearance,
-            "the clearances are N 0°, A 3°, B 5°, C 7°, P 11°, D 15°, E 20°, F 25°, G 30° and O",
-        )];
-        for (what, letter, is_good, help) in checks {
-            if !is_good(letter) {
-                return Err(reader.wrong(1, format!("`{letter}` is no {what} of an insert"), help));
-            }
+        if !is_clearance(clearance) {
+            let message = format!("`{clearance}` is no clearance of an insert");
+            let help = "the clearances are N 0°, A 3°, B 5°, C 7°, P 11°, D 15°, E 20°, F 25°, G 30° and O";
+            return Err(reader.wrong(1, message, help));
         }
         let tolerance = next(reader, "tolerance class")?;
         if !is_tolerance(tolerance) {

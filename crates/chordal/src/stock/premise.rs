@@ -46,7 +46,7 @@ impl Job<'_> {
         let said = said_stock(self).ok_or(StockRunError::NoStock)?;
         match said.place {
             StockPlace::Body(body) => {
-                Ok(StockPremise { body: Cow::Owned(body), comment: Some(said.comment) })
+                Ok(StockPremise { body: Cow::Owned(*body), comment: Some(said.comment) })
             }
             StockPlace::Size(size) => Err(StockRunError::StockNotPlaced(size)),
         }

@@ -31,7 +31,7 @@ pub struct SaidStock {
 #[derive(Clone, Debug, PartialEq)]
 pub enum StockPlace {
     /// A body in the coordinates of the program.
-    Body(Body),
+    Body(Box<Body>),
     /// Its size along X, Y and Z, mm: where its zero is, nothing says.
     Size([f64; 3]),
 }
@@ -104,7 +104,7 @@ impl Head {
         let low = sized.low.or_else(|| self.low_corner(&sized.size));
         let place = match low {
             Some(low) if sized.diameter.is_some() || !self.turns => {
-                StockPlace::Body(body(&sized, low))
+                StockPlace::Body(Box::new(body(&sized, low)))
             }
             _ => StockPlace::Size(sized.size),
         };
