@@ -204,3 +204,18 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_program_without_a_call_is_cut_with_the_tool_of_its_comment() {
+    let found = mill("", &format!("{BLOCK}{}", SLOT.replace("T1 M6\n", ""))).expect("stock");
+    assert!(found.removed_mm3.least <= 600.0 && 600.0 <= found.removed_mm3.most);
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.report.diagnostics);
+}
+
+#[test]
+fn a_tool_that_nothing_describes_doubts_no_stock() {
+    let program = format!("{BLOCK}{}", SLOT.replace("(TOOL/MILL, 6, 0, 20, 0)\n", ""));
+    let found = mill("", &program).expect("stock");
+    assert_eq!(codes(&found.report), ["CH672"]);
+    assert_eq!(found.verdict, StockVerdict::NotProved);
+}

@@ -45,6 +45,9 @@ pub struct HolderDesignation {
     pub edge_mm: Option<f64>,
 }
 
+/// Makers round entering angles: two of 62.5° are given as 63°, degrees.
+const ANGLE_TOLERANCE_DEG: f64 = 2.0;
+
 const HEAD_HELP: &str = "the letters are clamping, shape of the insert, style, clearance and hand, as in `PCLNR2525M12`";
 const BAR_HELP: &str = "a boring bar has type, diameter and length first, as in `S20R-SCLCR09`";
 const SHANK_HELP: &str = "after the letters come height, width, length and insert size: `2525M12`";
@@ -96,9 +99,16 @@ impl HolderDesignation {
         match (self.kind, self.hand) {
             (HolderKind::Bar { .. }, ToolHand::Right | ToolHand::Left) => Some(2),
             (HolderKind::Square, ToolHand::Right) => Some(3),
-            (HolderKind::Square, ToolHand::Neutral) if style.symmetrical => Some(8),
+            (HolderKind::Square, ToolHand::Neutral) if self.is_symmetrical(style) => Some(8),
             (HolderKind::Bar { .. } | HolderKind::Square, _) => None,
         }
+    }
+
+    /// Both edges of its inserts stand at one angle to the shank.
+    fn is_symmetrical(&self, style: HolderStyle) -> bool {
+        let other =
+            self.letter.corner_degrees().map(|corner| 180.0 - corner - style.entering_degrees);
+        other.is_some_and(|other| (other - style.entering_degrees).abs() < ANGLE_TOLERANCE_DEG)
     }
 
     fn style_row(&self) -> Option<HolderStyle> {

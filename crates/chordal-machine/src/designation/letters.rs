@@ -139,33 +139,29 @@ pub(super) struct HolderStyle {
     /// The main edge lies at the end of the shank: the feed is square to it for a square shank held across
     /// the spindle, that is along X.
     pub end_cutting: bool,
-    /// The same edge on both sides: it stands symmetrically where the holder has no hand.
-    pub symmetrical: bool,
 }
 
 /// The style of a letter; `None` for one that has none of its own (`X`, `Z` are the maker's).
 pub(super) fn style_of(letter: char) -> Option<HolderStyle> {
-    let side =
-        |entering_degrees| HolderStyle { entering_degrees, end_cutting: false, symmetrical: false };
+    let side = |entering_degrees| HolderStyle { entering_degrees, end_cutting: false };
     let end = |entering_degrees| HolderStyle { end_cutting: true, ..side(entering_degrees) };
-    let middle = |entering_degrees| HolderStyle { symmetrical: true, ..side(entering_degrees) };
     Some(match letter {
         'A' | 'G' => side(90.0),
         'B' | 'R' => side(75.0),
         'C' | 'F' => end(90.0),
-        'D' => middle(45.0),
-        'E' => middle(60.0),
+        'D' => side(45.0),
+        'E' => side(60.0),
         'H' | 'Q' => side(107.5),
         'J' => side(93.0),
         'K' => end(75.0),
         'L' => side(95.0),
-        'M' => middle(50.0),
-        'N' => middle(63.0),
+        'M' => side(50.0),
+        'N' => side(63.0),
         'P' => side(117.5),
         'S' => side(45.0),
         'T' => side(60.0),
         'U' => end(93.0),
-        'V' => middle(72.5),
+        'V' => side(72.5),
         'W' => end(60.0),
         'Y' => end(85.0),
         _ => return None,

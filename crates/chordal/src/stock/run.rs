@@ -108,7 +108,8 @@ impl Job<'_> {
         problems.diagnostics.extend(premise.note());
         let removed =
             cut.volumes.map_or_else(|| cut.checked.stock.removed(), |[removed, _]| removed);
-        let doubt = premise.doubt(removed.most, !gathered.order.is_empty());
+        let doubt =
+            premise.doubt(removed.most, !gathered.order.is_empty() && !gathered.misses_cuts);
         let is_proved = gathered.is_whole() && problems.undecided == 0 && doubt.is_none();
         problems.diagnostics.extend(doubt);
         let mut found = finish(report, cut, problems, is_proved, &gathered);

@@ -72,7 +72,7 @@ pub fn read_tool_comment(
     let (number, rest) = tool_number(&all, called)?;
     let (said, is_keyed) = described(&text, rest, inch, turns);
     let said = SaidTool { number, ..said };
-    let sentence = all.iter().filter_map(Token::word).any(|word| SENTENCE.contains(&word));
+    let sentence = is_sentence(&all);
     let says = said.diameter_mm.is_some()
         || said.shape.is_some()
         || said.tip.is_some()
@@ -83,8 +83,15 @@ pub fn read_tool_comment(
 /// Reads the description of a tool, which a key has announced; its number is 0.
 pub(super) fn read_description(text: &str, inch: bool) -> Option<SaidTool> {
     let text = plain(text);
-    let (said, _) = described(&text, tokens(&text), inch, false);
-    said.diameter_mm.is_some().then_some(said)
+    let all = tokens(&text);
+    let sentence = is_sentence(&all);
+    let (said, is_keyed) = described(&text, all, inch, false);
+    (said.diameter_mm.is_some() && (is_keyed || !sentence)).then_some(said)
+}
+
+/// Words of a sentence are among them.
+fn is_sentence(tokens: &[Token<'_>]) -> bool {
+    tokens.iter().filter_map(Token::word).any(|word| SENTENCE.contains(&word))
 }
 
 /// Upper case, without what stands for people or for other programs: the name of a holder, the suffixes of
@@ -256,7 +263,10 @@ impl Reader<'_> {
             }
             let behind = self.number_behind(at).filter(|behind| {
                 let number = self.tokens[*behind].number();
-                word != "R" || number.is_some_and(|number| number.point)
+                // `DIA 10.0 R 0.5`; elsewhere `R .1` may be a level.
+                let after_diameter = || (0..at).any(|at| self.word(at) == Some("DIA"));
+                let is_near = self.tokens[at + 1].glued || after_diameter();
+                word != "R" || number.is_some_and(|number| number.point) && is_near
             });
             let before = at.checked_sub(1).filter(|before| {
                 let hugs = word != "R" || self.tokens[at].glued;

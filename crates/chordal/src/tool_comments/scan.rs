@@ -14,13 +14,23 @@ use crate::Job;
 pub(super) fn scan(job: &Job) -> Vec<(SaidTool, Span)> {
     let Some(source) = job.sources().get(FileId(0)) else { return Vec::new() };
     let text = source.text();
-    let mut scan =
-        Scan { job, text, inch: None, named: None, loose: None, last: None, said: Vec::new() };
+    let writes_tools =
+        job.control().table.set_data.iter().any(|(_, target)| *target == DataTarget::ToolTable);
+    let mut scan = Scan {
+        job,
+        text,
+        inch: None,
+        named: None,
+        loose: None,
+        last: 0,
+        said: Vec::new(),
+        given: Vec::new(),
+    };
     let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
     let mut block = Block::new();
     for (offset, line) in lines(text) {
         // Reading blocks costs more than looking at bytes, and few lines hold a comment or call a tool.
-        if scan.loose.is_none() && !may_say(line) {
+        if scan.loose.is_none() && !may_say(line) && !(writes_tools && has_g10(line)) {
             continue;
         }
         reader.seek(Position { offset, line: 1 });
@@ -28,8 +38,8 @@ pub(super) fn scan(job: &Job) -> Vec<(SaidTool, Span)> {
             scan.block(&block);
         }
     }
-    scan.give_loose(scan.last);
-    scan.said
+    scan.give_loose();
+    scan.finish()
 }
 
 struct Scan<'j, 'a> {
@@ -40,21 +50,23 @@ struct Scan<'j, 'a> {
     named: Option<u32>,
     /// What was said of a tool without its number.
     loose: Option<(SaidTool, Span)>,
-    /// The tool that was called last.
-    last: Option<u32>,
+    /// The tool that was called last; 0: none yet.
+    last: u32,
     said: Vec<(SaidTool, Span)>,
+    /// What was said without a number, of the tool that it was found to be about.
+    given: Vec<(SaidTool, Span)>,
 }
 
 impl Scan<'_, '_> {
     fn block(&mut self, block: &Block) {
         let called = self.called(block);
         if let Some(number) = called {
-            self.give_loose(Some(number));
-            self.last = Some(number);
+            self.last = number;
+            self.give_loose();
             self.named = None;
         } else if b"XYZ".iter().any(|axis| block.word(*axis).is_some()) {
             // It moves before a tool is called: what was said is of the tool that is in the spindle.
-            self.give_loose(self.last);
+            self.give_loose();
         }
         let written = self.written(block);
         self.said.extend(written);
@@ -76,11 +88,13 @@ impl Scan<'_, '_> {
             self.named = Some(number);
             return;
         }
-        let loose = read_form(words, inch).or_else(|| read_phrase(words, inch, self.named));
+        // It is about the next comment and no other.
+        let named = self.named.take();
+        let loose = read_form(words, inch).or_else(|| read_phrase(words, inch, named));
         match loose {
             Some(said) if said.number > 0 => self.said.push((said, span)),
             Some(said) => match called {
-                Some(number) => self.said.push((SaidTool { number, ..said }, span)),
+                Some(number) => self.given.push((SaidTool { number, ..said }, span)),
                 None => self.keep(said, span),
             },
             None => {
@@ -106,10 +120,22 @@ impl Scan<'_, '_> {
         self.loose = Some(joined.unwrap_or((said, span)));
     }
 
-    fn give_loose(&mut self, number: Option<u32>) {
-        let (Some((said, span)), Some(number)) = (self.loose, number) else { return };
-        self.loose = None;
-        self.said.push((SaidTool { number, ..said }, span));
+    fn give_loose(&mut self) {
+        let Some((said, span)) = self.loose.take() else { return };
+        self.given.push((SaidTool { number: self.last, ..said }, span));
+    }
+
+    /// Comments that name their tool come first. Where others say two sizes of one tool, another was put into the
+    /// spindle without a call, and neither is taken.
+    fn finish(mut self) -> Vec<(SaidTool, Span)> {
+        let is_only = |(said, _): &&(SaidTool, Span)| {
+            let same = self.given.iter().filter(|(other, _)| other.number == said.number);
+            let mut sizes = same.filter_map(|(other, _)| other.diameter_mm);
+            let first = sizes.next();
+            sizes.all(|size| Some(size) == first)
+        };
+        self.said.extend(self.given.iter().filter(is_only));
+        self.said
     }
 
     /// `G10 L1 P1 R[10/2]` writes the radius of a tool into the control's table: with a quotient, as people write it.
@@ -164,8 +190,12 @@ fn lines(text: &[u8]) -> impl Iterator<Item = (u32, &[u8])> {
     })
 }
 
-/// A comment begins in the line, or it may call a tool or write one into the control's table.
+/// A comment begins in the line, or it may call a tool.
 fn may_say(line: &[u8]) -> bool {
-    let opens = |byte: &u8| matches!(byte, b'(' | b';' | b'*' | b'\'' | b't' | b'T');
-    line.iter().any(opens) || line.windows(3).any(|bytes| bytes.eq_ignore_ascii_case(b"G10"))
+    line.iter().any(|byte| matches!(byte, b'(' | b';' | b'*' | b'\'' | b't' | b'T'))
+}
+
+/// It may write a tool into the control's table.
+fn has_g10(line: &[u8]) -> bool {
+    line.windows(3).any(|three| matches!(three, [b'G' | b'g', b'1', b'0']))
 }
