@@ -21,12 +21,9 @@ pub fn failure_of(error: StockRunError, setup: Option<&Path>) -> Failure {
             .into(),
             None => Failure::wrong(setup.message, setup.help),
         },
-        StockRunError::NoStock => {
-            let where_to = match setup {
-                Some(setup) => format!("write `[stock]` in {}", setup.display()),
-                None => "name a setup file with --setup".to_string(),
-            };
-            Failure::wrong("there is no stock to cut", where_to)
+        StockRunError::NoStock => Failure::wrong("there is no stock to cut", where_to_write(setup)),
+        StockRunError::StockNotPlaced(_) => {
+            Failure::wrong(error.to_string(), where_to_write(setup))
         }
         StockRunError::Turns => Failure::wrong(
             error.to_string(),
@@ -35,5 +32,12 @@ pub fn failure_of(error: StockRunError, setup: Option<&Path>) -> Failure {
         other => {
             Failure::wrong(other.to_string(), "choose a larger --resolution, or more --memory")
         }
+    }
+}
+
+fn where_to_write(setup: Option<&Path>) -> String {
+    match setup {
+        Some(setup) => format!("write `[stock]` in {}", setup.display()),
+        None => "name a setup file with --setup".to_string(),
     }
 }

@@ -54,5 +54,5 @@ pub use settings::{
 };
 pub use spatial::SpatialRules;
 pub use surface::{SurfaceRules, SurfaceWord};
-pub use table::{CodeRow, ControlTable, Group, code_name, code_number};
+pub use table::{CodeRow, ControlTable, DataTarget, Group, code_name, code_number};
 pub use word_rules::{WordRule, WordTest};

@@ -7,6 +7,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeValue};
 
 use crate::check::{At, put};
+use crate::designated::contradictions;
 use crate::error::{MachineError, Source};
 use crate::machine::Machine;
 use crate::schema::Slot;
@@ -58,6 +59,8 @@ impl Machine {
                 Slot::Text(_)
                     | Slot::OptionalText(_)
                     | Slot::Word { .. }
+                    | Slot::Insert
+                    | Slot::HolderDesignation
                     | Slot::Quantity { .. }
                     | Slot::Within { dimension: Some(_), .. }
                     | Slot::Position(_)
@@ -70,6 +73,9 @@ impl Machine {
         let mut changed = self.clone();
         let mut errors = Vec::new();
         put(&mut changed, &at, &value, &source, &mut errors);
+        if errors.is_empty() && at.is_of_tool() {
+            errors = contradictions(&changed);
+        }
         match errors.into_iter().next() {
             Some(error) => Err(error),
             None => {

@@ -1,5 +1,6 @@
 //! Keys and values against the schema, and the good ones into the machine.
 
+mod designations;
 mod tools;
 
 use std::ops::Range;
@@ -33,6 +34,11 @@ impl At {
     /// No key was taken yet.
     pub(crate) fn is_top(&self) -> bool {
         self.path.is_empty()
+    }
+
+    /// The key is one of a tool.
+    pub(crate) fn is_of_tool(&self) -> bool {
+        self.path.starts_with("tools.")
     }
 
     /// One key further.
@@ -267,6 +273,8 @@ impl Value<'_> {
                 };
             }
             Slot::Word { what, words, set } => set(machine, keys, self.word(what, words)?),
+            Slot::Insert => self.take_insert(machine)?,
+            Slot::HolderDesignation => self.take_holder(machine)?,
             Slot::Flag(place) => match value {
                 DeValue::Boolean(flag) => *place(machine, keys) = *flag,
                 _ => return Err(self.takes("`true` or `false`", None)),

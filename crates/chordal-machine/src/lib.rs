@@ -35,6 +35,8 @@ mod controls;
 
 mod control;
 mod decimal;
+mod designated;
+mod designation;
 mod error;
 mod files;
 mod machine;
@@ -55,6 +57,10 @@ mod write;
 pub use axis::{AXES, AXIS_LETTERS, AXIS_NAMES, Axis, PerAxis};
 pub use builtin::{builtin, builtin_names};
 pub use control::{ControlName, UnknownControl};
+pub use designation::{
+    DesignationError, HolderDesignation, HolderKind, InsertDesignation, InsertLetter, ToolHand,
+    WrittenDesignation, clearance_degrees,
+};
 pub use error::{Location, MachineError};
 pub use machine::{
     AxisLimits, FeedLimits, Machine, Macros, Notices, Probe, ProbeHit, Programmed, RapidShape,
@@ -67,6 +73,6 @@ pub use schema::{SchemaKey, schema_keys, schema_reference};
 pub use setup::{Body, BodyShape, ContourPoint, CuttingForce, MeshUnit, Setup};
 pub use tool::{Cutter, Solid, Tool, ToolShape};
 pub use tool_tbl::read_tool_tbl;
-pub use turning::{InsertLetter, ToolFacing, TurningTool, mirrored_tip};
+pub use turning::{ToolFacing, TurningTool, mirrored_tip};
 pub use value::{Setting, SettingValue};
 pub use variable_dump::{BadLine, VariableDump, read_variable_dump};

@@ -6,6 +6,7 @@ use toml::de::{DeTable, DeValue};
 use crate::builtin::{builtin, builtin_names};
 use crate::check::{At, INHERITS, put_table};
 use crate::control::ControlName;
+use crate::designated::contradictions;
 use crate::error::{MachineError, Source};
 use crate::files::{beside, is_separator};
 use crate::machine::Machine;
@@ -60,6 +61,9 @@ fn read(file: &str, text: &str, loader: Loader<'_>) -> Result<Machine, Vec<Machi
         let help = format!("write `control = \"…\"` with {}", suggest::or_list(&names));
         let message = "the machine file does not name its control";
         reader.errors.push(Source::new(file, text).error(None, message, Some(help)));
+    }
+    if reader.errors.is_empty() {
+        reader.errors = contradictions(&reader.machine);
     }
     if !reader.errors.is_empty() {
         return Err(reader.errors);

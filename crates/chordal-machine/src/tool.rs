@@ -290,7 +290,8 @@ impl ToolShape {
                 "CSINK",
                 "CSK",
                 "CHAMFERMILL",
-            ]) =>
+                "VBIT",
+            ]) || pair("V", "BIT") =>
             {
                 ToolShape::Chamfer
             }

@@ -1,10 +1,18 @@
 //! What a turning tool has that a mill has not: its insert, how it is held, and the outline of its holder.
 
+use crate::designation::{HolderDesignation, InsertDesignation, InsertLetter, WrittenDesignation};
+
 /// The shape of a turning tool. Angles are rad, lengths mm, distances along X are radii.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TurningTool {
     /// The first letter of the insert's ISO code: its corner angle.
     pub insert: Option<InsertLetter>,
+    /// The whole designation of the insert.
+    pub insert_designation: Option<WrittenDesignation<InsertDesignation>>,
+    /// That of the holder.
+    pub holder_designation: Option<WrittenDesignation<HolderDesignation>>,
+    /// The tip number is that of the holder's usual mounting: nobody gave it.
+    pub has_usual_tip: bool,
     /// The corner angle where no letter says it.
     pub insert_angle_rad: Option<f64>,
     /// Between the main cutting edge and the feed along Z.
@@ -39,69 +47,6 @@ impl TurningTool {
     pub fn corner_rad(&self) -> Option<f64> {
         let of_letter = self.insert.and_then(InsertLetter::corner_degrees).map(f64::to_radians);
         self.insert_angle_rad.or(of_letter)
-    }
-}
-
-/// The letters of inserts (ISO 1832).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "the letters are their names")]
-pub enum InsertLetter {
-    C,
-    D,
-    E,
-    K,
-    R,
-    S,
-    T,
-    V,
-    W,
-}
-
-impl InsertLetter {
-    /// Every letter.
-    pub const ALL: [InsertLetter; 9] = [
-        InsertLetter::C,
-        InsertLetter::D,
-        InsertLetter::E,
-        InsertLetter::K,
-        InsertLetter::R,
-        InsertLetter::S,
-        InsertLetter::T,
-        InsertLetter::V,
-        InsertLetter::W,
-    ];
-
-    /// The letter.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            InsertLetter::C => "C",
-            InsertLetter::D => "D",
-            InsertLetter::E => "E",
-            InsertLetter::K => "K",
-            InsertLetter::R => "R",
-            InsertLetter::S => "S",
-            InsertLetter::T => "T",
-            InsertLetter::V => "V",
-            InsertLetter::W => "W",
-        }
-    }
-
-    /// The angle of the corner, degrees; `None` of a round insert.
-    pub const fn corner_degrees(self) -> Option<f64> {
-        Some(match self {
-            InsertLetter::C | InsertLetter::W => 80.0,
-            InsertLetter::D | InsertLetter::K => 55.0,
-            InsertLetter::E => 75.0,
-            InsertLetter::S => 90.0,
-            InsertLetter::T => 60.0,
-            InsertLetter::V => 35.0,
-            InsertLetter::R => return None,
-        })
-    }
-
-    /// Three edges instead of four.
-    pub const fn is_triangle(self) -> bool {
-        matches!(self, InsertLetter::T)
     }
 }
 

@@ -4,11 +4,12 @@ use std::fmt::Write;
 
 use crate::axis::{Axis, PerAxis};
 use crate::check::{key_text, string_text};
+use crate::designation::InsertLetter;
 use crate::machine::{Machine, ProbeHit, Programmed, Rotary, Turret};
 use crate::quantity::Dimension;
 use crate::setup::{Body, BodyShape, MeshUnit};
 use crate::tool::Tool;
-use crate::turning::{InsertLetter, ToolFacing, TurningTool};
+use crate::turning::{ToolFacing, TurningTool};
 use crate::value::SettingValue;
 
 impl Machine {
@@ -319,8 +320,10 @@ fn write_tool(out: &mut Out, tool: &Tool, factors: &PerAxis<f64>) {
 
 /// The keys of a turning tool.
 fn write_turning(out: &mut Out, tool: &TurningTool) {
+    let insert = tool.insert_designation.as_ref().map(|written| written.text.as_str());
     let words = [
-        ("insert", tool.insert.map(InsertLetter::as_str)),
+        ("insert", insert.or(tool.insert.map(InsertLetter::as_str))),
+        ("holder_designation", tool.holder_designation.as_ref().map(|one| one.text.as_str())),
         ("facing", tool.facing.map(ToolFacing::as_str)),
     ];
     for (key, word) in words {

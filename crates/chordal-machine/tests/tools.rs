@@ -313,3 +313,116 @@ bar_offset = "9 mm"
     let letter = wrong("machine = 'fanuc-lathe'\n[tools.1]\ninsert = 'X'\n");
     assert!(letter.contains("`X` is not a letter of an insert"), "{letter}");
 }
+
+fn turning(keys: &str) -> chordal_machine::Tool {
+    let mut tool = tool(keys);
+    tool.take_designations(false);
+    tool
+}
+
+/// What a designation gives: corner, edges, nose; angle to Z and usual tip of the holder.
+#[test]
+fn designations_give_what_they_say() {
+    let tool = turning("insert = 'CNMG120408'\nholder_designation = 'PCLNR2525M12'");
+    assert_eq!(tool.shape, Some(ToolShape::Insert));
+    assert_eq!(tool.nose_radius_mm, Some(0.8));
+    assert_eq!(tool.turning.corner_rad().map(f64::to_degrees), Some(80.0));
+    assert_eq!(tool.turning.approach_angle_rad.map(f64::to_degrees), Some(95.0));
+    assert_eq!((tool.tip, tool.turning.has_usual_tip), (Some(3), true));
+    // The edge of a rhombus about a circle of 12.7 mm.
+    let edge = 12.7 / 80.0_f64.to_radians().sin();
+    assert!((tool.flute_length_mm.expect("edges") - edge).abs() < 1e-9);
+
+    let bar = turning("insert = 'CCMT 09T304'\nholder_designation = 'S20R-SCLCR09'");
+    assert_eq!((bar.tip, bar.nose_radius_mm), (Some(2), Some(0.4)));
+    // What is given counts, and a shorter edge is no contradiction.
+    let given = turning(
+        "insert = 'CNMG120408'\nholder_designation = 'PCLNR2525M12'\ntip = 4\nflute_length = '8 mm'",
+    );
+    assert_eq!((given.tip, given.flute_length_mm), (Some(4), Some(8.0)));
+    assert!(!given.turning.has_usual_tip);
+    // Towards the chuck or away from it: a left-hand holder says neither.
+    assert_eq!(turning("holder_designation = 'PCLNL2525M12'").tip, None);
+    // X counted the other way round.
+    let mut mirrored = self::tool("holder_designation = 'PCLNR2525M12'");
+    mirrored.take_designations(true);
+    assert_eq!(mirrored.tip, Some(2));
+    // A letter alone is what it was.
+    let letter = turning("insert = 'd'\nshape = 'insert'");
+    assert_eq!(letter.turning.corner_rad().map(f64::to_degrees), Some(55.0));
+    assert_eq!((letter.nose_radius_mm, letter.flute_length_mm), (None, None));
+}
+
+#[test]
+fn a_designation_is_written_as_it_was_read() {
+    let text = "control = 'fanuc-lathe'\n[tools.1]\ninsert = 'CNMG120408'\nholder_designation = 'PCLNR2525M12'";
+    let machine = read(text);
+    assert_eq!(read(&machine.to_toml()), machine);
+}
+
+#[test]
+fn designations_that_contradict_other_keys() {
+    let wrong = |keys: &str| refused(&format!("control = 'haas'\n[tools.1]\n{keys}"));
+    for (keys, message) in [
+        (
+            "insert = 'CNMG120408'\nnose_radius = '0.4 mm'",
+            "the insert CNMG120408 has a nose radius of 0.8 mm, and `tools.1.nose_radius` says 0.4 mm",
+        ),
+        (
+            "insert = 'CNMG120408'\ninsert_angle = '55 deg'",
+            "the insert CNMG120408 has a corner of 80°, and `tools.1.insert_angle` says 55°",
+        ),
+        (
+            "insert = 'CNMG120408'\nflute_length = '16 mm'",
+            "the insert CNMG120408 has edges of 12.896 mm, and `tools.1.flute_length` says 16 mm",
+        ),
+        (
+            "insert = 'CNMG120408'\nshape = 'drill'",
+            "the insert CNMG120408 has the shape `insert`, and `tools.1.shape` says `drill`",
+        ),
+        (
+            "holder_designation = 'PCLNR2525M12'\napproach_angle = '93 deg'",
+            "holds the main edge at 95° to Z, and `tools.1.approach_angle` says 93°",
+        ),
+        (
+            "insert = 'DNMG150608'\nholder_designation = 'PCLNR2525M12'",
+            "the holder PCLNR2525M12 takes inserts with the letters CN, and the insert is DNMG150608",
+        ),
+        (
+            "insert = 'CCMT120408'\nholder_designation = 'PCLNR2525M12'",
+            "takes inserts with the letters CN, and the insert is CCMT120408",
+        ),
+        (
+            "insert = 'CNMG160608'\nholder_designation = 'PCLNR2525M12'",
+            "takes inserts with edges of 12.896 mm, and the insert is CNMG160608, whose edges are 16.12 mm",
+        ),
+        (
+            "insert = 'D'\nholder_designation = 'PCLNR2525M12'",
+            "takes inserts with the letter C, and `tools.1.insert` is `D`",
+        ),
+        (
+            "insert = 'CXMG120408'",
+            "`CXMG120408` is not the designation of an insert: `X` is no clearance of an insert",
+        ),
+        ("insert = '16ER AG60'", "this is a threading insert, whose designations are not read"),
+        (
+            "holder_designation = 'PXLNR2525M12'",
+            "`PXLNR2525M12` is not the designation of a holder: `X` is no shape of an insert",
+        ),
+    ] {
+        let found = wrong(keys);
+        assert!(found.contains(message), "{keys}:\n{found}");
+    }
+    // An inch insert has 1/32 in, which people write as 0.8 mm.
+    let good = turning("insert = 'CNMG432'\nnose_radius = '0.8 mm'");
+    assert_eq!(good.nose_radius_mm, Some(0.8));
+}
+
+#[test]
+fn an_assignment_is_held_against_designations() {
+    let mut machine = read("control = 'haas'\n[tools.1]\ninsert = 'CNMG120408'");
+    let error = machine.set("tools.1.nose_radius=0.4 mm").expect_err("a contradiction");
+    assert!(error.message.contains("0.8 mm") && error.message.contains("0.4 mm"), "{error}");
+    machine.set("tools.1.holder_designation=PCLNR 2525M12").expect("a good assignment");
+    machine.set("tools.1.insert=DNMG150604").expect_err("another insert than the holder takes");
+}

@@ -112,7 +112,9 @@ fn coarser(py: Python<'_>, message: &str) -> PyErr {
 /// Why there is no run on stock, as the exception that says the same.
 pub fn refused(py: Python<'_>, wrong: &StockRunError) -> PyErr {
     let help = match wrong {
-        StockRunError::NoStock => "give `[stock]` in the setup or machine",
+        StockRunError::NoStock | StockRunError::StockNotPlaced(_) => {
+            "give `[stock]` in the setup or machine"
+        }
         StockRunError::Setup(setup) => setup.help.as_str(),
         StockRunError::Stock(_) => "choose a larger resolution_mm, or more memory",
         StockRunError::Turns => "`chordal stock` answers for lathes",

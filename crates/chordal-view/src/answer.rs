@@ -18,6 +18,7 @@ pub fn no_stock(run: u64, failed: &StockRunError) -> Value {
     let help = match failed {
         StockRunError::Setup(setup) => Some(setup.help.clone()),
         StockRunError::NoStock
+        | StockRunError::StockNotPlaced(_)
         | StockRunError::Stock(_)
         | StockRunError::Turns
         | StockRunError::Interrupted => None,

@@ -109,7 +109,7 @@ pub(crate) struct RanElsewhere {
     pub rows: u64,
     /// How long it takes without acceleration, s, where that is a number.
     pub about_s: Option<f64>,
-    /// The machine's setup has a stock.
+    /// The machine's setup or a comment of the program has a stock.
     pub stock: bool,
 }
 
@@ -120,7 +120,7 @@ impl RanElsewhere {
             number: ran.number,
             rows: ran.rows,
             about_s: Some(ran.about_s).filter(|seconds| seconds.is_finite()),
-            stock: ran.program.machine().setup.stock.is_some(),
+            stock: ran.program.job().has_stock(),
         }
     }
 }

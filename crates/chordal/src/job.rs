@@ -86,11 +86,12 @@ impl<'a> Job<'a> {
     ///
     /// # Errors
     /// When the machine has settings that its control does not know.
-    pub fn new(sources: SourceMap<'a>, machine: Machine) -> Result<Job<'a>, JobError> {
+    pub fn new(sources: SourceMap<'a>, mut machine: Machine) -> Result<Job<'a>, JobError> {
         let (control, errors) = Control::of(&machine);
         if !errors.is_empty() {
             return Err(JobError::Settings(errors));
         }
+        machine.take_designations(control.parameters.rules.turning.tips_mirrored);
         let (options, run_frame) = (RunOptions::default(), OnceLock::new());
         Ok(Job { sources, machine, control, options, program: None, run_frame })
     }
@@ -228,7 +229,7 @@ impl<'a> Job<'a> {
     pub(crate) fn before_run(&self, library: &Library) -> impl Iterator<Item = Diagnostic> {
         let duplicates =
             library.duplicate_diagnostics().filter(|each| self.is_about(library, each));
-        self.options.notes.iter().cloned().chain(duplicates)
+        self.options.notes.iter().cloned().chain(usual_tips(&self.machine)).chain(duplicates)
     }
 
     /// False for problems of a program's head where only another program is run.
@@ -352,4 +353,19 @@ fn head_of(program: &Program) -> Span {
 /// The problem of a text without a block.
 pub(crate) fn no_block() -> Diagnostic {
     Diagnostic::new(Code::EmptyProgram, Span::default(), "there is no block to run")
+}
+
+/// Tools whose tip number nobody gave: that of the usual mounting of their holder is taken.
+fn usual_tips(machine: &Machine) -> impl Iterator<Item = Diagnostic> {
+    machine.tools.iter().filter(|(_, tool)| tool.turning.has_usual_tip).filter_map(
+        |(number, tool)| {
+            let tip = tool.tip?;
+            let holder = &tool.turning.holder_designation.as_ref()?.text;
+            let message = format!(
+                "tool {number} has no `tip`: {tip} is taken, the usual one of its holder {holder}"
+            );
+            let help = format!("give `[tools.{number}] tip` in the machine file");
+            Some(Diagnostic::new(Code::UsualTip, Span::default(), message).help(help))
+        },
+    )
 }

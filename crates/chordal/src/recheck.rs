@@ -22,6 +22,7 @@ use crate::compensated::{Compensated, MOST_WAITING};
 use crate::job::{Job, no_block};
 use crate::report::{CheckSink, KEPT_PER_CODE, Notes, Report};
 use crate::summary::Summary;
+use crate::tool_comments::contradicted_tools;
 
 /// A stretch has about so many bytes of text, or one of [`MOST_STRETCHES`] parts of it.
 const STRETCH_BYTES: usize = 16 << 10;
@@ -301,6 +302,7 @@ impl Run {
     /// What a whole run reports.
     fn report(&self, job: &Job, language: &WordAddress<'_>) -> Report {
         let mut collector = Collector::new(KEPT_PER_CODE);
+        contradicted_tools(job).into_iter().for_each(|diagnostic| collector.push(diagnostic));
         job.before_run(language.library()).for_each(|diagnostic| collector.push(diagnostic));
         let mut sink = CheckSink::new(job, ());
         let mut output = Vec::new();

@@ -8,6 +8,7 @@ use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
 use crate::compensated::Compensated;
 use crate::job::Job;
 use crate::summary::{Summary, SummaryBuilder};
+use crate::tool_comments::contradicted_tools;
 
 /// How many diagnostics of one code are kept, where nothing else is said.
 pub const KEPT_PER_CODE: usize = 200;
@@ -68,7 +69,8 @@ impl Job<'_> {
 
     /// Runs with all checks and sums up, watched.
     pub fn report_watched(&self, watch: &mut dyn Watch) -> Report {
-        let sink = ReportSink::new(self, watch);
+        let mut sink = ReportSink::new(self, watch);
+        contradicted_tools(self).into_iter().for_each(|found| sink.collector.push(found));
         let (outcomes, sink) = Compensated::judge(self, sink);
         sink.finish(outcomes)
     }
@@ -85,7 +87,9 @@ impl Job<'_> {
 
     /// The same, and keeps so many diagnostics of each code; the others are counted.
     pub fn check_keeping(&self, most_per_code: usize) -> Report {
-        let sink = CheckSink::new(self, Collector::new(most_per_code));
+        let mut notes = Collector::new(most_per_code);
+        contradicted_tools(self).into_iter().for_each(|diagnostic| notes.push(diagnostic));
+        let sink = CheckSink::new(self, notes);
         let (outcomes, sink) = Compensated::judge(self, sink);
         let CheckSink { notes, output, .. } = sink;
         Report::new(Summary::default(), notes, output, outcomes)

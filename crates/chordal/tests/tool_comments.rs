@@ -30,7 +30,7 @@ fn shown(said: Option<SaidTool>) -> String {
 
 fn check(inch: bool, cases: &[(&str, &str)]) {
     for (comment, expected) in cases {
-        assert_eq!(shown(read_tool_comment(comment, inch, None)), *expected, "({comment})");
+        assert_eq!(shown(read_tool_comment(comment, inch, None, false)), *expected, "({comment})");
     }
 }
 
@@ -150,7 +150,7 @@ fn what_is_no_tool_is_not_read() {
 
 #[test]
 fn a_comment_beside_the_call_needs_no_number() {
-    let called = |text| shown(read_tool_comment(text, true, Some(5)));
+    let called = |text| shown(read_tool_comment(text, true, Some(5), false));
     assert_eq!(called("#7 DRILL"), "T5 5.1054 drill");
     assert_eq!(called("1/2 4FL ENDMILL"), "T5 12.7 flat");
     assert_eq!(called("FINISH POCKET .01 STOCK"), "-");
@@ -211,4 +211,79 @@ fn millimetres_are_those_of_the_program() {
     let job = job(&PROGRAM.replace("G20", "G21"), "control = 'haas'");
     assert_eq!(known_tools(&job)[&1].tool.diameter_mm, Some(0.5));
     assert_eq!(known_tools(&job)[&3].tool.diameter_mm, Some(9.525));
+}
+
+/// Pieces that tool comments are made of, those at the end of a text above all.
+const PIECES: [&str; 40] = [
+    "T1",
+    "T",
+    "TOOL",
+    "1",
+    "5",
+    "1/2",
+    "1/",
+    ".5",
+    "5.",
+    "3/8-16",
+    "-",
+    "--",
+    "=",
+    ":",
+    "#",
+    "#7",
+    "DIA",
+    "D",
+    "D=",
+    "CR",
+    "R",
+    "TAP",
+    "DRILL",
+    "LETTER",
+    "M6X1",
+    "M",
+    "X",
+    "TPI",
+    "20",
+    "PITCH",
+    "MM",
+    "IN",
+    "\"",
+    "Ø",
+    "°",
+    "DEG",
+    "TAPER=",
+    "END MILL",
+    "é",
+    "999999999999",
+];
+
+proptest::proptest! {
+    #[test]
+    fn no_comment_ends_the_reading(
+        pieces in proptest::collection::vec((0..PIECES.len(), proptest::bool::ANY), 0..9),
+        inch in proptest::bool::ANY,
+    ) {
+        let text: String = pieces
+            .into_iter()
+            .map(|(piece, space)| format!("{}{}", PIECES[piece], if space { " " } else { "" }))
+            .collect();
+        for turns in [false, true] {
+            let _ = read_tool_comment(&text, inch, Some(1), turns);
+        }
+    }
+
+    #[test]
+    fn no_text_ends_the_reading(text in "\\PC*") {
+        for turns in [false, true] {
+            let _ = read_tool_comment(&format!("T1 {text}"), true, None, turns);
+        }
+    }
+}
+
+#[test]
+fn a_number_with_a_dash_at_the_end_is_read() {
+    check(
+        true,
+        &[("T1 5-", "-"), ("T1 1/2-", "-"), ("T1 3/8-16 TAP", "T1 9.525 tap pitch 1.5875")],
+    );
 }

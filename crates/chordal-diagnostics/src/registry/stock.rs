@@ -104,4 +104,29 @@ the tool."#;
     "without compensation the nose leaves material on the contour";
     r#"On a lathe: the nose does not reach the programmed contour on slopes and arcs. On a slope of angle α the radius r
 leaves r·(cos α + sin α − 1). Switch nose radius compensation on, with `nose_radius` and `tip` of the tool."#;
+
+    UsualTip = 670, "usual-tip", Note;
+    "the tip number of a tool was taken from its holder";
+    r#"The machine file gives the designation of a turning holder and no `tip`. The tip number of its usual mounting is taken:
+towards the chuck and outside for a right-hand holder, towards the chuck and in a bore for a boring bar, square to the
+spindle for a neutral holder. Give `tip` if the tool is mounted in another way. A left-hand holder is as usual in either
+direction: for it no number is taken."#;
+
+    ToolContradicted = 671, "tool-contradicted", Warning;
+    "two places say different things about a tool";
+    r#"The designation of an insert in a comment gives another nose radius than the words next to it, or a comment gives another
+nose radius than the machine file. The value of the machine file counts; where a comment contradicts itself, nothing of
+its nose radius is taken. Correct the one that is wrong."#;
+
+    StockFromComment = 672, "stock-from-comment", Note;
+    "the stock was taken from a comment of the program";
+    r#"No setup or machine file gives `[stock]`, and a comment of the program says the size of the stock and where its zero is.
+The answers about the stock hold for that stock and for no other: a comment may be older than the program. Give `[stock]`
+in a setup file to use another one."#;
+
+    StockCommentDoubted = 673, "stock-comment-doubted", Warning;
+    "no cut meets the stock of a comment";
+    r#"The stock was taken from a comment of the program, and the program removes nothing of it. Programs are edited and keep
+the head of an older one: the stock, or its zero, is probably another. Nothing is proved about it. Give `[stock]` in a
+setup file."#;
 }

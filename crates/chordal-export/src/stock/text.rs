@@ -1,6 +1,7 @@
 //! A run on stock in words.
 
 use chordal::stock::{Amount, StockReport, StockVerdict};
+use chordal::{Code, Report};
 
 use crate::numbers::duration;
 
@@ -40,8 +41,20 @@ pub fn stock_text(found: &StockReport) -> String {
     }
     text += stock_verdict_text(found.verdict);
     text.push('\n');
+    text += stock_premise_text(&found.report);
     text += &without_holder(found);
     text
+}
+
+/// What the verdict rests on, where the stock was taken from a comment.
+pub(super) fn stock_premise_text(report: &Report) -> &'static str {
+    let is_from_comment =
+        report.diagnostics.iter().any(|found| found.code == Code::StockFromComment);
+    if is_from_comment {
+        "this holds for the stock that a comment of the program describes: no setup gives one\n"
+    } else {
+        ""
+    }
 }
 
 /// The tools of which no holder is given, where it counts.

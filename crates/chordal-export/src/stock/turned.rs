@@ -11,6 +11,7 @@ use serde_json::{Map, Value, json};
 
 use super::json::problem;
 use super::mesh::MeshFormat;
+use super::text::stock_premise_text;
 use super::text::stock_volume;
 use crate::number::push_finite;
 use crate::numbers::duration;
@@ -90,6 +91,7 @@ pub fn turned_text(found: &TurnedReport) -> String {
             "not proved: no touch was found, and some moves could not be followed, see above\n"
         }
     };
+    text += stock_premise_text(&found.report);
     if !found.threads.is_empty() {
         text += "note: threads are within what is left; volumes count them as between nothing and all of it\n";
     }

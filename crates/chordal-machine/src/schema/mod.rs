@@ -76,6 +76,10 @@ pub(crate) enum Slot {
         words: &'static [&'static str],
         set: fn(&mut Machine, &Keys, &str),
     },
+    /// A letter or a designation of an insert.
+    Insert,
+    /// The designation of a holder.
+    HolderDesignation,
     Flag(Place<bool>),
     /// A number without a unit.
     Number(Place<f64>),
@@ -351,6 +355,8 @@ impl Row {
                 let words: Vec<String> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
                 crate::suggest::or_list(&words)
             }
+            Slot::Insert => "a text: `\"CNMG120408\"`, `\"C\"`".into(),
+            Slot::HolderDesignation => "a text: `\"PCLNR2525M12\"`".into(),
             Slot::Flag(_) => "`true` or `false`".into(),
             Slot::Number(_) => "a number".into(),
             Slot::Within { dimension: Some(dimension), from, to, .. } => {

@@ -3,23 +3,20 @@
 use super::rows::{quantity, tool, words};
 use super::{Row, Sign, Slot};
 use crate::quantity::Dimension;
-use crate::turning::{InsertLetter, ToolFacing};
+use crate::turning::ToolFacing;
 
-const LETTERS: &[&str] = &words!(InsertLetter);
 const FACINGS: &[&str] = &words!(ToolFacing);
 
-pub(super) static ROWS: [Row; 8] = [
+pub(super) static ROWS: [Row; 9] = [
     Row {
         path: "tools.<tool>.insert",
-        slot: Slot::Word {
-            what: "letter of an insert",
-            words: LETTERS,
-            set: |m, k, word| {
-                tool(m, k).turning.insert =
-                    InsertLetter::ALL.into_iter().find(|letter| letter.as_str() == word);
-            },
-        },
-        doc: "the first letter of the ISO code of an insert: its corner angle. C and W 80°, D and K 55°, E 75°, S 90°, T 60°, V 35°, R round. The length of its edges is `flute_length`",
+        slot: Slot::Insert,
+        doc: "the designation of an insert: `CNMG120408` (ISO 1832) or `CNMG432` (inch) gives its corner angle, the length of its edges and its nose radius; a single letter gives the corner angle alone. C and W 80°, D and K 55°, E 75°, S and L 90°, T 60°, V 35°, A 85°, B 82°, M 86°, P 108°, H 120°, O 135°, R round. The length of its edges is `flute_length`",
+    },
+    Row {
+        path: "tools.<tool>.holder_designation",
+        slot: Slot::HolderDesignation,
+        doc: "the designation of a turning holder, `PCLNR2525M12` (ISO 5608), or of a boring bar, `S20R-SCLCR09` (ISO 6261): it gives `approach_angle`, and the corner angle and the length of the edges of its inserts. `tip` is that of the usual mounting, where none is given and only one is usual: 3 of a right-hand holder, 2 of a bar, 8 of a neutral holder",
     },
     quantity(
         "tools.<tool>.insert_angle",

@@ -11,6 +11,7 @@ mod heights;
 mod inside;
 mod left;
 mod pass;
+mod premise;
 mod problems;
 mod removed;
 mod replay;

@@ -130,7 +130,7 @@ impl Job<'_> {
             return Err(StockRunError::Turns);
         }
         let setup = &self.machine().setup;
-        let body = setup.stock.as_ref().ok_or(StockRunError::NoStock)?;
+        let premise = self.stock_premise()?;
         let tools = tools_of(self);
         let mut gathered = Gathered::new(self, &tools, false);
         self.report_watched(&mut gathered);
@@ -140,7 +140,7 @@ impl Job<'_> {
             let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
             named.shape(shift, files, false)
         };
-        let shape = shape_of("stock", body)?;
+        let shape = shape_of("stock", &premise.body)?;
         let resolution = resolution_for(&shape, options.columns);
         let heights = Heights::new(&shape, resolution);
         let sampled = Options { mode: Mode::Sampled, ..Options::new(resolution, BUDGET) };

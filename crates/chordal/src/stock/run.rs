@@ -31,6 +31,12 @@ pub enum StockRunError {
     /// No stock is given.
     #[error("there is no stock: give `[stock]` in a setup or machine file")]
     NoStock,
+    /// A comment says how large the stock is, mm, and nothing says where its zero is.
+    #[error(
+        "there is no stock: a comment of the program says {} × {} × {} mm, and nothing says where its zero is",
+        .0[0], .0[1], .0[2]
+    )]
+    StockNotPlaced([f64; 3]),
     /// The setup cannot be used.
     #[error(transparent)]
     Setup(#[from] SetupError),
@@ -75,7 +81,8 @@ impl Job<'_> {
         let tools = tools_of(self);
         let mut gathered = Gathered::new(self, &tools, true);
         let report = self.report_watched(&mut gathered);
-        let bodies = Bodies::of(self, &gathered, files)?;
+        let premise = self.stock_premise()?;
+        let bodies = Bodies::of(self, &premise.body, &gathered, files)?;
         let resolution = options.resolution_mm.unwrap_or_else(|| usual_resolution(&bodies.stock));
         bodies.look_at_swings(self, &mut gathered);
         // Each way that the part lies has columns of its own.
@@ -98,7 +105,13 @@ impl Job<'_> {
             return Err(StockRunError::Interrupted);
         }
         problems.diagnostics.append(&mut gathered.diagnostics);
-        let is_proved = gathered.is_whole() && problems.undecided == 0;
+        problems.diagnostics.extend(premise.note());
+        let removed =
+            cut.volumes.map_or_else(|| cut.checked.stock.removed(), |[removed, _]| removed);
+        let doubt =
+            premise.doubt(removed.most, !gathered.order.is_empty() && !gathered.misses_cuts);
+        let is_proved = gathered.is_whole() && problems.undecided == 0 && doubt.is_none();
+        problems.diagnostics.extend(doubt);
         let mut found = finish(report, cut, problems, is_proved, &gathered);
         found.target = target;
         Ok(found)
@@ -116,6 +129,7 @@ pub(super) struct Bodies<'a> {
 impl<'a> Bodies<'a> {
     fn of(
         job: &'a Job<'_>,
+        body: &chordal_machine::Body,
         gathered: &Gathered<'_>,
         files: Files<'_>,
     ) -> Result<Bodies<'a>, StockRunError> {
@@ -125,7 +139,6 @@ impl<'a> Bodies<'a> {
             named.shape(shift, files, may_be_open)
         };
         let setup = &job.machine().setup;
-        let body = setup.stock.as_ref().ok_or(StockRunError::NoStock)?;
         let stock = shape_of("stock", body, false)?;
         let mut fixtures = Vec::new();
         for (name, body) in &setup.fixtures {

@@ -5,25 +5,32 @@
 //! control's offset tables: those hold what was measured.
 
 mod drills;
+mod forms;
+mod phrases;
 mod read;
+mod scan;
+mod stock;
 mod tokens;
+mod turning;
 
 use std::collections::BTreeMap;
 
 use chordal_command::Units;
-use chordal_diagnostics::{FileId, Span};
-use chordal_dialect::{Action, BeforeCode, code_number};
-use chordal_machine::{Tool, ToolShape};
-use chordal_syntax::{Block, BlockReader, Position};
+use chordal_diagnostics::{Code, Diagnostic, FileId, Span};
+use chordal_dialect::code_number;
+use chordal_machine::{HolderDesignation, InsertDesignation, InsertLetter, Tool, ToolShape};
+use chordal_syntax::{Block, BlockReader};
 
 pub use self::read::read_tool_comment;
+use self::scan::scan;
+pub use self::stock::{SaidStock, StockPlace, said_stock};
 use crate::Job;
 
 /// Blocks among which the units of a program stand.
 const MOST_UNIT_BLOCKS: usize = 500;
 
 /// What a comment says of a tool. Millimetres and radians.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SaidTool {
     /// Its number.
     pub number: u32,
@@ -33,10 +40,67 @@ pub struct SaidTool {
     pub corner_radius_mm: Option<f64>,
     /// The whole angle of its point.
     pub point_angle_rad: Option<f64>,
+    /// The flat at the end of a cone.
+    pub tip_diameter_mm: Option<f64>,
     /// The pitch of its thread.
     pub pitch_mm: Option<f64>,
     /// What it is.
     pub shape: Option<ToolShape>,
+    /// The nose radius of a turning tool.
+    pub nose_radius_mm: Option<f64>,
+    /// Its tip number.
+    pub tip: Option<u32>,
+    /// The letter of its insert.
+    pub letter: Option<InsertLetter>,
+    /// The designation of its insert.
+    pub insert: Option<InsertDesignation>,
+    /// That of its holder.
+    pub holder: Option<HolderDesignation>,
+    /// The nose radius of the words next to a designation that gives another one: neither is taken.
+    pub other_nose_mm: Option<f64>,
+}
+
+impl SaidTool {
+    /// Nothing but the number of a tool; 0 for one that is called later.
+    const fn of(number: u32) -> SaidTool {
+        SaidTool {
+            number,
+            diameter_mm: None,
+            corner_radius_mm: None,
+            point_angle_rad: None,
+            tip_diameter_mm: None,
+            pitch_mm: None,
+            shape: None,
+            nose_radius_mm: None,
+            tip: None,
+            letter: None,
+            insert: None,
+            holder: None,
+            other_nose_mm: None,
+        }
+    }
+
+    /// Both together; nothing where they say different things.
+    fn joined(&self, other: &SaidTool) -> Option<SaidTool> {
+        let joined = SaidTool {
+            diameter_mm: self.diameter_mm.or(other.diameter_mm),
+            corner_radius_mm: self.corner_radius_mm.or(other.corner_radius_mm),
+            point_angle_rad: self.point_angle_rad.or(other.point_angle_rad),
+            tip_diameter_mm: self.tip_diameter_mm.or(other.tip_diameter_mm),
+            pitch_mm: self.pitch_mm.or(other.pitch_mm),
+            shape: self.shape.or(other.shape),
+            nose_radius_mm: self.nose_radius_mm.or(other.nose_radius_mm),
+            letter: self.letter.or(other.letter),
+            insert: self.insert.or(other.insert),
+            ..*self
+        };
+        let differs = other.diameter_mm.is_some() && joined.diameter_mm != other.diameter_mm
+            || other.corner_radius_mm.is_some()
+                && joined.corner_radius_mm != other.corner_radius_mm
+            || other.insert.is_some() && joined.insert != other.insert
+            || other.shape.is_some() && joined.shape != other.shape;
+        (!differs).then_some(joined)
+    }
 }
 
 /// A tool as the machine file and the program's comments have it.
@@ -65,69 +129,42 @@ pub fn known_tools(job: &Job) -> BTreeMap<u32, KnownTool> {
     tools
 }
 
+/// Comments of a lathe's program that say something else of a tool than the machine file, or than themselves.
+pub(crate) fn contradicted_tools(job: &Job) -> Vec<Diagnostic> {
+    if !job.turns() {
+        return Vec::new();
+    }
+    let said = scan(job).into_iter();
+    said.filter_map(|(said, span)| {
+        let known = job.machine().tools.get(&said.number);
+        let message = turning::contradiction(&said, known)?;
+        let help = "correct the one that is wrong: the value of the machine file counts";
+        Some(Diagnostic::new(Code::ToolContradicted, span, message).help(help))
+    })
+    .collect()
+}
+
 /// True when the comment gave something.
 fn fill(tool: &mut Tool, said: &SaidTool) -> bool {
     if said.shape.is_some() && tool.shape.is_some() && said.shape != tool.shape {
         return false;
     }
     let before = tool.clone();
-    tool.diameter_mm = said.diameter_mm;
+    tool.diameter_mm = tool.diameter_mm.or(said.diameter_mm);
     tool.shape = tool.shape.or(said.shape);
     tool.corner_radius_mm = tool.corner_radius_mm.or(said.corner_radius_mm);
     tool.point_angle_rad = tool.point_angle_rad.or(said.point_angle_rad);
+    tool.tip_diameter_mm = tool.tip_diameter_mm.or(said.tip_diameter_mm);
     tool.pitch_mm = tool.pitch_mm.or(said.pitch_mm);
+    turning::fill(tool, said);
     *tool != before
 }
 
 /// What the comments of the first text say, those with a diameter first.
 fn said_tools(job: &Job) -> Vec<(SaidTool, Span)> {
-    let Some(source) = job.sources().get(FileId(0)) else { return Vec::new() };
-    let text = source.text();
-    let mut inch = None;
-    let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
-    let mut block = Block::new();
-    let mut said = Vec::new();
-    for (offset, line) in lines(text) {
-        // Reading blocks costs more than looking at bytes, and few lines hold a comment on a tool.
-        if !may_say(line) {
-            continue;
-        }
-        reader.seek(Position { offset, line: 1 });
-        if !reader.read(&mut block) {
-            continue;
-        }
-        let changes = block.words.iter().any(|word| {
-            let row = job.control().row_of(word);
-            row.is_some_and(|row| row.action == Action::Before(BeforeCode::ToolChange))
-        });
-        let called = block.word(b'T').filter(|_| changes);
-        let called = called.and_then(|word| u32::try_from(word.number()?.to_integer()?).ok());
-        for range in &block.comments {
-            let inch = *inch.get_or_insert_with(|| program_is_inch(job, text));
-            let words = String::from_utf8_lossy(range.slice(text));
-            let words = words.trim_matches(['(', ')', ';', '*', '\'', ' ', '\t']);
-            let tool = read_tool_comment(words, inch, called.filter(|number| *number > 0));
-            said.extend(tool.map(|tool| (tool, range.in_file(FileId(0)))));
-        }
-    }
+    let mut said = scan(job);
     said.sort_by_key(|(said, _)| said.diameter_mm.is_none());
     said
-}
-
-fn lines(text: &[u8]) -> impl Iterator<Item = (u32, &[u8])> {
-    let mut offset = 0;
-    text.split_inclusive(|byte| matches!(byte, b'\n' | b'\r')).map(move |line| {
-        let at = offset;
-        // A text of 4 GB is refused long before.
-        offset += line.len() as u32;
-        (at, line)
-    })
-}
-
-/// A comment begins in the line, and there is a T in it.
-fn may_say(line: &[u8]) -> bool {
-    let opens = |byte: &u8| matches!(byte, b'(' | b';' | b'*' | b'\'');
-    line.iter().any(opens) && line.iter().any(|byte| matches!(byte, b't' | b'T'))
 }
 
 /// The units that the program begins in: its first G20 or G21, else the control's.

@@ -5,6 +5,7 @@ use chordal_machine::ToolShape;
 use super::SaidTool;
 use super::drills::{letter_drill, number_drill, number_screw};
 use super::tokens::{Kind, Token, join_mixed, tokens};
+use super::turning::read_turning;
 
 /// Words that name a tool, or a piece of its name.
 const TOOL_WORDS: &[&str] = &[
@@ -36,6 +37,10 @@ const TOOL_WORDS: &[&str] = &[
     "SLOTMILL",
     "LOLLIPOP",
     "DOVETAIL",
+    "COMPRESSION",
+    "ROUGHER",
+    "BIT",
+    "VBIT",
 ];
 
 /// Words that stand within the name of a tool.
@@ -55,22 +60,68 @@ const LARGEST_MM: f64 = 500.0;
 
 /// Reads a comment, without its marks. `inch`: what numbers without a unit are counted in. `called`: the
 /// tool that the block of the comment calls, where the comment names none. `None`: it says nothing of
-/// a tool.
-pub fn read_tool_comment(text: &str, inch: bool, called: Option<u32>) -> Option<SaidTool> {
-    let text = text.to_ascii_uppercase();
+/// a tool. `turns`: it is of a lathe, where it may name inserts and holders.
+pub fn read_tool_comment(
+    text: &str,
+    inch: bool,
+    called: Option<u32>,
+    turns: bool,
+) -> Option<SaidTool> {
+    let text = plain(text);
     let all = tokens(&text);
-    let (number, mut rest) = tool_number(&all, called)?;
+    let (number, rest) = tool_number(&all, called)?;
+    let (said, is_keyed) = described(&text, rest, inch, turns);
+    let said = SaidTool { number, ..said };
+    let sentence = is_sentence(&all);
+    let says = said.diameter_mm.is_some()
+        || said.shape.is_some()
+        || said.tip.is_some()
+        || said.nose_radius_mm.is_some();
+    (says && (is_keyed || !sentence)).then_some(said)
+}
+
+/// Reads the description of a tool, which a key has announced; its number is 0.
+pub(super) fn read_description(text: &str, inch: bool) -> Option<SaidTool> {
+    let text = plain(text);
+    let all = tokens(&text);
+    let sentence = is_sentence(&all);
+    let (said, is_keyed) = described(&text, all, inch, false);
+    (said.diameter_mm.is_some() && (is_keyed || !sentence)).then_some(said)
+}
+
+/// Words of a sentence are among them.
+fn is_sentence(tokens: &[Token<'_>]) -> bool {
+    tokens.iter().filter_map(Token::word).any(|word| SENTENCE.contains(&word))
+}
+
+/// Upper case, without what stands for people or for other programs: the name of a holder, the suffixes of
+/// FeatureCAM.
+fn plain(text: &str) -> String {
+    let mut text = text.to_ascii_uppercase();
+    if let Some(holder) = text.find("HOLDER=") {
+        text.truncate(holder);
+    }
+    if let Some(at) = text.find("ENDMILLM").filter(|_| text.ends_with(":REG")) {
+        text.truncate(at + "ENDMILL".len());
+    }
+    // BlenderCAM calls a flat end mill so.
+    text.replace("TYPE END ", "TYPE ENDMILL ")
+}
+
+/// What a description says, and whether a key announces its diameter.
+fn described(text: &str, mut rest: Vec<Token<'_>>, inch: bool, turns: bool) -> (SaidTool, bool) {
     // `TOOL 1 = 12MM ENDMILL`: the sign belongs to the number of the tool.
     let is_list_sign = |token: &Token<'_>| matches!(token.kind, Kind::Sign('=' | '-' | ':' | ','));
     let signs = rest.iter().take_while(|token| is_list_sign(token)).count();
     rest.drain(..signs);
     join_mixed(&mut rest);
-    let reader = Reader { tokens: rest, inch, shape: shape_of(&text) };
-    let said = reader.read(number);
-    let keyed = reader.keyed_diameter().is_some();
-    let sentence = all.iter().filter_map(Token::word).any(|word| SENTENCE.contains(&word));
-    let says = said.diameter_mm.is_some() || said.shape.is_some();
-    (says && (keyed || !sentence)).then_some(said)
+    let reader = Reader { tokens: rest, inch, shape: shape_of(text) };
+    let mut said = reader.read();
+    if turns {
+        read_turning(text, &reader.tokens, inch, &mut said);
+    }
+    let is_keyed = reader.keyed_diameter().is_some();
+    (said, is_keyed)
 }
 
 /// The shape that the text names, at best before a colon: behind it stands what the tool is for.
@@ -89,6 +140,13 @@ fn tool_number<'t>(all: &[Token<'t>], called: Option<u32>) -> Option<(u32, Vec<T
         (!hugged).then_some(whole)
     };
     if all[start].word() == Some("T") && all.get(start + 1).is_some_and(|next| next.glued) {
+        return number_at(start + 1).map(|number| (number, all[start + 2..].to_vec()));
+    }
+    // `TO2 = …` has the letter O for a zero.
+    let with_letter = all[start].word() == Some("TO")
+        && all.get(start + 1).is_some_and(|next| next.glued)
+        && all.get(start + 2).is_some_and(|next| next.is_sign('='));
+    if with_letter {
         return number_at(start + 1).map(|number| (number, all[start + 2..].to_vec()));
     }
     // `TOOL 3`, `TOOL #3`, `TOOL NO. 3`; within the text only as `TOOL - 3`.
@@ -118,7 +176,7 @@ struct Reader<'t> {
 }
 
 impl Reader<'_> {
-    fn read(&self, number: u32) -> SaidTool {
+    fn read(&self) -> SaidTool {
         let (thread_mm, pitch_mm) = self.thread();
         // The thread that a mill cuts is not the diameter of the mill.
         let thread_mm = thread_mm.filter(|_| self.shape != Some(ToolShape::ThreadMill));
@@ -128,13 +186,20 @@ impl Reader<'_> {
             .or_else(|| self.named_size())
             .or_else(|| self.size());
         SaidTool {
-            number,
             diameter_mm: diameter_mm.filter(|mm| (0.0..=LARGEST_MM).contains(mm) && *mm > 0.0),
             corner_radius_mm: self.corner_radius(),
             point_angle_rad: self.point_angle(),
             pitch_mm: pitch_mm.or_else(|| self.keyed_pitch()),
-            shape: self.shape,
+            shape: self.shape.or_else(|| self.mill_with_corners()),
+            ..SaidTool::of(0)
         }
+    }
+
+    /// `MILL DIA 10.0 R 0.5`: a mill with rounded corners.
+    fn mill_with_corners(&self) -> Option<ToolShape> {
+        let is_mill = (0..self.tokens.len()).any(|at| self.word(at) == Some("MILL"));
+        let is_round = self.corner_radius().is_some_and(|corner| corner > 0.0);
+        (is_mill && is_round).then_some(ToolShape::Bull)
     }
 
     fn word(&self, at: usize) -> Option<&str> {
@@ -175,6 +240,13 @@ impl Reader<'_> {
                 let point = self.tokens[value].number()?.point && self.tokens[at + 1].glued;
                 (keyed || point).then(|| self.mm(value)).flatten()
             }
+            // `End Mill {6 mm}`.
+            Kind::Sign('{') => {
+                let size = (at + 1..self.tokens.len())
+                    .take_while(|at| !self.tokens[*at].is_sign('}'))
+                    .find(|at| self.is_size(*at, false))?;
+                self.mm(size)
+            }
             _ => None,
         })
     }
@@ -184,16 +256,21 @@ impl Reader<'_> {
         (0..self.tokens.len()).find_map(|at| {
             let word = self.word(at)?;
             let rad = matches!(word, "CR" | "RAD" | "RADIUS" | "R" | "CRAD");
-            if !rad {
+            // The nose is that of an insert.
+            let of_nose = at.checked_sub(1).is_some_and(|at| self.word(at) == Some("NOSE"));
+            if !rad || of_nose {
                 return None;
             }
             let behind = self.number_behind(at).filter(|behind| {
                 let number = self.tokens[*behind].number();
-                word != "R"
-                    || number.is_some_and(|number| number.point && self.tokens[at + 1].glued)
+                // `DIA 10.0 R 0.5`; elsewhere `R .1` may be a level.
+                let after_diameter = || (0..at).any(|at| self.word(at) == Some("DIA"));
+                let is_near = self.tokens[at + 1].glued || after_diameter();
+                word != "R" || number.is_some_and(|number| number.point) && is_near
             });
             let before = at.checked_sub(1).filter(|before| {
-                self.tokens[*before].number().is_some_and(|number| number.is_size())
+                let hugs = word != "R" || self.tokens[at].glued;
+                hugs && self.tokens[*before].number().is_some_and(|number| number.is_size())
             });
             self.mm(behind.or(before)?)
         })
@@ -283,7 +360,10 @@ impl Reader<'_> {
     /// A number that stands before the name of the tool, or else behind it.
     fn size(&self) -> Option<f64> {
         let is = |list: &[&str], at: usize| self.word(at).is_some_and(|word| list.contains(&word));
-        let named = (0..self.tokens.len()).find(|at| is(TOOL_WORDS, *at))?;
+        let named = (0..self.tokens.len()).find(|at| is(TOOL_WORDS, *at));
+        // `3/8 BALL`.
+        let round = || (0..self.tokens.len()).find(|at| is(&["BALL", "BULL"], *at));
+        let named = named.or_else(round)?;
         let in_name = |at: &usize| is(TOOL_WORDS, *at) || is(WITHIN, *at);
         let first = (0..named).rev().take_while(in_name).last().unwrap_or(named);
         let last = (named..self.tokens.len()).take_while(in_name).last().unwrap_or(named);

@@ -151,7 +151,8 @@ fn give_units(tokens: &mut Vec<Token<'_>>) {
             Kind::Word("IN") if !glued && !sized => None,
             Kind::Word("MM" | "MILLIMETER" | "MILLIMETERS") => Some(Unit::Millimetre),
             Kind::Word("IN" | "INCH" | "INCHES") => Some(Unit::Inch),
-            Kind::Sign('"' | '”' | '″') => Some(Unit::Inch),
+            // `TOOL 4 "10MM END MILL"` is in quotes.
+            Kind::Sign('"' | '”' | '″') if glued => Some(Unit::Inch),
             _ => None,
         };
         match (&mut tokens[at - 1].kind, unit) {
@@ -171,7 +172,8 @@ pub(super) fn join_mixed(tokens: &mut Vec<Token<'_>>) {
         let fraction_at = if tokens[at + 1].is_sign('-') { at + 2 } else { at + 1 };
         let whole = tokens[at].number().and_then(|number| number.whole());
         let fraction = tokens.get(fraction_at).and_then(Token::number);
-        let hugs = fraction_at == at + 1 || tokens[at + 1].glued && tokens[fraction_at].glued;
+        let is_glued = |at: usize| tokens.get(at).is_some_and(|token| token.glued);
+        let hugs = fraction_at == at + 1 || is_glued(at + 1) && is_glued(fraction_at);
         if let (Some(whole @ 1..=9), Some(fraction), true) = (whole, fraction, hugs)
             && fraction.is_fraction()
         {

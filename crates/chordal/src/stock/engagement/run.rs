@@ -57,8 +57,9 @@ impl Job<'_> {
         let bodies = tools_of(self);
         let mut gathered = Gathered::new(self, &bodies, false);
         let mut report = self.report_watched(&mut gathered);
-        let body = self.machine().setup.stock.as_ref().ok_or(StockRunError::NoStock)?;
-        let named = Named { name: "stock", body };
+        let premise = self.stock_premise()?;
+        report.add(premise.note());
+        let named = Named { name: "stock", body: &premise.body };
         let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
         let shape = named.shape(shift, files, false)?;
         let resolution = options.stock.resolution_mm.unwrap_or_else(|| usual_resolution(&shape));
@@ -75,7 +76,7 @@ impl Job<'_> {
             known_tools(self).into_iter().map(|(number, known)| (number, known.tool)).collect();
         let teeth: BTreeMap<u32, u32> =
             tools.iter().filter_map(|(number, tool)| Some((*number, teeth_of(tool)?))).collect();
-        let material_word = body.material.clone();
+        let material_word = premise.body.material.clone();
         let own = &self.machine().setup.materials;
         let (material, no_material) =
             match material_word.as_deref().map(|word| Material::of(word, own)) {

@@ -68,7 +68,8 @@ impl Job<'_> {
             named.section(shift, files)
         };
         let setup = &self.machine().setup;
-        let stock = section_of("stock", setup.stock.as_ref().ok_or(StockRunError::NoStock)?)?;
+        let premise = self.stock_premise()?;
+        let stock = section_of("stock", &premise.body)?;
         let found = Found::new(gathered.units, self.sources());
         let mut cutting = Cutting::new(&tools, options.tolerance_mm, &stock, found);
         if options.replay {
@@ -93,7 +94,13 @@ impl Job<'_> {
             }
             cutting.step(number, &gathered.moves);
         }
-        Ok(self.finish(report, &stock, cutting, gathered, options))
+        let mut found = self.finish(report, &stock, cutting, gathered, options);
+        let doubt = premise.doubt(found.removed_mm3.most, !found.tools.is_empty());
+        if doubt.is_some() && found.verdict == StockVerdict::Clean {
+            found.verdict = StockVerdict::NotProved;
+        }
+        found.report.add(premise.note().into_iter().chain(doubt));
+        Ok(found)
     }
 
     fn finish(

@@ -79,7 +79,8 @@ impl Job<'_> {
                 let shift = shift_between(self.machine(), &named, old.work.as_deref())?;
                 Ok(named.section(shift, files)?)
             };
-        let stock = section_of("stock", setup.stock.as_ref().ok_or(StockRunError::NoStock)?)?;
+        let premise = self.stock_premise()?;
+        let stock = section_of("stock", &premise.body)?;
         let mut cutting = Cutting::new(
             &tools,
             options.tolerance_mm,

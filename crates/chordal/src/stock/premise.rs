@@ -1,0 +1,69 @@
+//! The stock of a run: that of the setup, else the one that a comment of the program describes.
+
+use std::borrow::Cow;
+
+use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_machine::{Body, BodyShape};
+
+use super::run::StockRunError;
+use crate::job::Job;
+use crate::tool_comments::{StockPlace, said_stock};
+
+/// The stock of a run, and where it was taken from.
+pub(super) struct StockPremise<'a> {
+    pub body: Cow<'a, Body>,
+    /// The comment that says it; `None`: a setup or machine file.
+    pub comment: Option<Span>,
+}
+
+impl StockPremise<'_> {
+    /// What says that the stock is that of a comment.
+    pub fn note(&self) -> Option<Diagnostic> {
+        let message = format!("the stock is taken from this comment: {}", sides(&self.body));
+        let help = "give `[stock]` in a setup file, named with --setup, to use another one";
+        Some(Diagnostic::new(Code::StockFromComment, self.comment?, message).help(help))
+    }
+
+    /// What says that the comment's stock is not the one that the program cuts: nothing of it is removed.
+    pub fn doubt(&self, removed_mm3: f64, cuts: bool) -> Option<Diagnostic> {
+        let comment = self.comment.filter(|_| cuts && removed_mm3 <= 0.0)?;
+        let message = "no cut meets the stock of this comment".to_string();
+        let help = "the comment may be of another program: give `[stock]` in a setup file";
+        Some(Diagnostic::new(Code::StockCommentDoubted, comment, message).help(help))
+    }
+}
+
+impl Job<'_> {
+    /// Whether a run on stock has one: of the setup, or of a comment.
+    pub fn has_stock(&self) -> bool {
+        self.stock_premise().is_ok()
+    }
+
+    pub(super) fn stock_premise(&self) -> Result<StockPremise<'_>, StockRunError> {
+        if let Some(body) = &self.machine().setup.stock {
+            return Ok(StockPremise { body: Cow::Borrowed(body), comment: None });
+        }
+        let said = said_stock(self).ok_or(StockRunError::NoStock)?;
+        match said.place {
+            StockPlace::Body(body) => {
+                Ok(StockPremise { body: Cow::Owned(*body), comment: Some(said.comment) })
+            }
+            StockPlace::Size(size) => Err(StockRunError::StockNotPlaced(size)),
+        }
+    }
+}
+
+/// The sides of a body of a comment: `X 0 to 100, Y 0 to 60, Z -20 to 0 mm`.
+fn sides(body: &Body) -> String {
+    let rounded = |value: f64| (value * 1000.0).round() / 1000.0 + 0.0;
+    let along = |axis: usize| {
+        let (from, to) = (body.from[axis].unwrap_or(0.0), body.to[axis].unwrap_or(0.0));
+        format!("{} {} to {}", ["X", "Y", "Z"][axis], rounded(from), rounded(to))
+    };
+    match (body.shape, body.diameter_mm) {
+        (Some(BodyShape::Cylinder), Some(diameter)) => {
+            format!("diameter {}, {} mm", rounded(diameter), along(2))
+        }
+        _ => format!("{}, {}, {} mm", along(0), along(1), along(2)),
+    }
+}

@@ -1,0 +1,206 @@
+//! Forms of CAM systems whose comments are no sentences: records, lists of numbers, lines with keys.
+
+use std::ops::RangeInclusive;
+
+use chordal_machine::ToolShape;
+
+use super::SaidTool;
+
+/// The diameter of a ball is twice its corner radius within this share: posts write two decimals.
+const BALL_SHARE: f64 = 0.01;
+
+/// A tool of which a comment says the number, or which it leaves to the next call.
+pub(super) fn read_form(text: &str, inch: bool) -> Option<SaidTool> {
+    let upper = text.to_ascii_uppercase();
+    let upper = upper.trim();
+    record(upper, inch)
+        .or_else(|| cut_viewer(upper, inch))
+        .or_else(|| kiri(upper, inch))
+        .or_else(|| predator(upper, inch))
+        .or_else(|| pycam(upper, inch))
+        .or_else(|| cam_bam(upper, inch))
+}
+
+/// The fields of `@FC|TOOL|number=1|…`; `None` for another text.
+pub(super) fn fields<'t>(text: &'t str, kind: &str) -> Option<Vec<(&'t str, &'t str)>> {
+    let rest = text.trim_start_matches([';', ' ']).strip_prefix('@')?;
+    let mut parts = rest.split('|');
+    if !matches!(parts.next()?, "F360" | "FC" | "MKR") || parts.next()?.trim() != kind {
+        return None;
+    }
+    Some(parts.filter_map(|part| part.split_once('=')).collect())
+}
+
+/// The value of a field.
+pub(super) fn field<'t>(fields: &[(&'t str, &'t str)], key: &str) -> Option<&'t str> {
+    fields.iter().find(|(own, _)| own.trim() == key).map(|(_, value)| value.trim())
+}
+
+/// A number as a program writes it, and nothing else.
+pub(super) fn number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let plain = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+');
+    // No size has more digits; `inf`, `nan` and powers of ten are none.
+    if text.is_empty() || text.len() > 16 || !text.chars().all(plain) {
+        return None;
+    }
+    text.parse().ok()
+}
+
+fn scale(inch: bool) -> f64 {
+    if inch { 25.4 } else { 1.0 }
+}
+
+fn tool_number(text: &str) -> Option<u32> {
+    const NUMBERS: RangeInclusive<u32> = 1..=999;
+    text.trim().parse().ok().filter(|number| NUMBERS.contains(number))
+}
+
+/// Of Fusion, FreeCAD and Makera Studio for machines of Makera.
+fn record(text: &str, inch: bool) -> Option<SaidTool> {
+    let fields = fields(text, "TOOL")?;
+    let length = |key: &str| Some(number(field(&fields, key)?)? * scale(inch));
+    let degrees = |key: &str| number(field(&fields, key)?).filter(|degrees| *degrees > 0.0);
+    let kind = field(&fields, "TYPE").unwrap_or_default();
+    let shape = record_shape(kind);
+    let angle = match shape {
+        Some(ToolShape::Drill) => degrees("TIPANGLE"),
+        Some(ToolShape::Chamfer) => degrees("CUTTINGEDGEANGLE"),
+        _ => None,
+    };
+    // Makera Studio writes half of it.
+    let half = || degrees("HALFANGLE").map(|half| 2.0 * half);
+    let pointed = matches!(shape, Some(ToolShape::Drill | ToolShape::Chamfer));
+    Some(SaidTool {
+        diameter_mm: length("DIAMETER").filter(|mm| *mm > 0.0),
+        corner_radius_mm: length("CORNERRADIUS"),
+        point_angle_rad: angle.or_else(half).filter(|_| pointed).map(f64::to_radians),
+        tip_diameter_mm: length("TIPDIAMETER").filter(|_| shape == Some(ToolShape::Chamfer)),
+        pitch_mm: length("PITCH").filter(|mm| *mm > 0.0),
+        shape,
+        ..SaidTool::of(tool_number(field(&fields, "NUMBER")?)?)
+    })
+}
+
+fn record_shape(kind: &str) -> Option<ToolShape> {
+    let kind: String = kind.chars().filter(char::is_ascii_alphabetic).collect();
+    Some(match kind.as_str() {
+        "ENDMILL" | "FLATEND" | "FLATENDMILL" => ToolShape::Flat,
+        "BALLEND" | "BALLENDMILL" | "BALLNOSE" => ToolShape::Ball,
+        "BULLNOSE" | "BULLNOSEENDMILL" => ToolShape::Bull,
+        "DRILL" | "SPOTDRILL" => ToolShape::Drill,
+        "VBIT" | "CHAMFER" | "CHAMFERMILL" => ToolShape::Chamfer,
+        "TAP" => ToolShape::Tap,
+        _ => return None,
+    })
+}
+
+/// The numbers after a key, with commas between them.
+pub(super) fn numbers(text: &str) -> Option<Vec<f64>> {
+    text.split(',').map(number).collect()
+}
+
+/// `TOOL/MILL,d,corner,height,taper`, `TOOL/DRILL,d,angle,h`: CutViewer, which CamBam, MeshCAM and others write.
+fn cut_viewer(text: &str, inch: bool) -> Option<SaidTool> {
+    let (kind, rest) = text.strip_prefix("TOOL/")?.split_once(',')?;
+    let values = numbers(rest)?;
+    let mm = |at: usize| values.get(at).map(|value| value * scale(inch));
+    let angle = |at: usize| {
+        let degrees = values.get(at).filter(|degrees| (10.0..=180.0).contains(*degrees));
+        degrees.copied().map(f64::to_radians)
+    };
+    let loose = SaidTool::of(0);
+    let diameter_mm = mm(0).filter(|mm| *mm > 0.0)?;
+    Some(match kind.trim() {
+        // Of a tapered mill the diameter is that of the end, and the shape has no name.
+        "MILL" if values.get(3).is_some_and(|taper| *taper != 0.0) => return None,
+        "MILL" => {
+            let corner = mm(1)?;
+            let shape = match corner {
+                corner if corner <= 0.0 => ToolShape::Flat,
+                corner if (2.0 * corner / diameter_mm - 1.0).abs() < BALL_SHARE => ToolShape::Ball,
+                corner if 2.0 * corner < diameter_mm => ToolShape::Bull,
+                _ => return None,
+            };
+            SaidTool {
+                diameter_mm: Some(diameter_mm),
+                corner_radius_mm: Some(corner),
+                shape: Some(shape),
+                ..loose
+            }
+        }
+        "DRILL" | "CHAMFER" => SaidTool {
+            diameter_mm: Some(diameter_mm),
+            point_angle_rad: angle(1),
+            shape: Some(if kind.trim() == "DRILL" { ToolShape::Drill } else { ToolShape::Chamfer }),
+            ..loose
+        },
+        // Pilot, its angle and length, then the body.
+        "CDRILL" => SaidTool {
+            diameter_mm: Some(mm(3).filter(|mm| *mm > 0.0)?),
+            shape: Some(ToolShape::Drill),
+            ..loose
+        },
+        _ => return None,
+    })
+}
+
+/// `tool#=3 flute=3.175 len=12.7 unit=metric`: Kiri:Moto.
+fn kiri(text: &str, inch: bool) -> Option<SaidTool> {
+    let rest = text.strip_prefix("TOOL#=")?;
+    let mut words = rest.split_ascii_whitespace();
+    let tool = tool_number(words.next()?)?;
+    let fields: Vec<(&str, &str)> = words.filter_map(|word| word.split_once('=')).collect();
+    let inch = match field(&fields, "UNIT") {
+        Some("METRIC") => false,
+        Some("IMPERIAL") => true,
+        _ => inch,
+    };
+    let diameter = number(field(&fields, "FLUTE")?)?;
+    Some(SaidTool {
+        diameter_mm: Some(diameter * scale(inch)).filter(|mm| *mm > 0.0),
+        ..SaidTool::of(tool)
+    })
+}
+
+/// `MTOOL T2 D12 H80`: Predator, BobCAD.
+fn predator(text: &str, inch: bool) -> Option<SaidTool> {
+    let words: Vec<&str> = text.strip_prefix("MTOOL ")?.split_ascii_whitespace().collect();
+    let of = |letter: char| words.iter().find_map(|word| word.strip_prefix(letter));
+    let diameter = number(of('D')?)? * scale(inch);
+    Some(SaidTool {
+        diameter_mm: Some(diameter).filter(|mm| *mm > 0.0),
+        ..SaidTool::of(tool_number(of('T')?)?)
+    })
+}
+
+/// `tool_radius = 1.5`, a line each: PyCAM.
+fn pycam(text: &str, inch: bool) -> Option<SaidTool> {
+    let (key, value) = text.split_once('=')?;
+    let loose = SaidTool::of(0);
+    let mm = || number(value).map(|value| value * scale(inch)).filter(|mm| *mm > 0.0);
+    Some(match key.trim() {
+        "TOOL_RADIUS" => SaidTool { diameter_mm: Some(2.0 * mm()?), ..loose },
+        "TORUS_RADIUS" => SaidTool { corner_radius_mm: Some(mm()?), ..loose },
+        "SHAPE" => {
+            let shape = match value.trim() {
+                "CYLINDRICALCUTTER" => ToolShape::Flat,
+                "SPHERICALCUTTER" => ToolShape::Ball,
+                "TOROIDALCUTTER" => ToolShape::Bull,
+                _ => return None,
+            };
+            SaidTool { shape: Some(shape), ..loose }
+        }
+        _ => return None,
+    })
+}
+
+/// `T2 : 6.35`: CamBam.
+fn cam_bam(text: &str, inch: bool) -> Option<SaidTool> {
+    let (tool, value) = text.strip_prefix('T')?.split_once(':')?;
+    let diameter = number(value).filter(|_| value.contains('.'))? * scale(inch);
+    Some(SaidTool {
+        diameter_mm: Some(diameter).filter(|mm| *mm > 0.0),
+        ..SaidTool::of(tool_number(tool)?)
+    })
+}

@@ -1,0 +1,52 @@
+//! Comments that describe a tool after a key and leave its number to the call: `TC: 5mm Endmill`.
+
+use super::SaidTool;
+use super::forms::number;
+use super::read::read_description;
+
+/// Keys after which a tool is described.
+const KEYS: [&str; 6] = ["TC:", "TOOL NAME:", "TOOL NAME :", "CHANGE TOOL:", "TOOL=", "TOOL:"];
+
+/// Keys of a diameter and nothing else.
+const DIAMETER_KEYS: [&str; 3] =
+    ["COMPENSATED TOOL PATH. DIAMETER:", "TOOL DIA.", "TOOL DIAMETER:"];
+
+/// `TOOL NUMBER:5`: the comment after it describes this tool.
+pub(super) fn named_tool(text: &str) -> Option<u32> {
+    let upper = text.to_ascii_uppercase();
+    let rest = upper.trim().strip_prefix("TOOL NUMBER")?;
+    let digits = rest.trim_start_matches([' ', ':', '=', '#']);
+    if digits.len() == rest.len() {
+        return None;
+    }
+    digits.trim().parse().ok().filter(|number| (1..=999).contains(number))
+}
+
+/// A tool that the text describes; its number is 0 where nothing says it. `named`: the number that the comment
+/// before it has said.
+pub(super) fn read_phrase(text: &str, inch: bool, named: Option<u32>) -> Option<SaidTool> {
+    let upper = text.to_ascii_uppercase();
+    let upper = upper.trim();
+    if let Some(number) = named {
+        let described = upper.strip_prefix("DESCRIPTION:").or(Some(upper));
+        let said = described.and_then(|text| read_description(text, inch));
+        return said.map(|said| SaidTool { number, ..said });
+    }
+    if let Some(rest) = DIAMETER_KEYS.iter().find_map(|key| upper.strip_prefix(key)) {
+        let diameter = number(rest.trim_start_matches([' ', ':', '-', '=']))?;
+        let diameter_mm = if inch { 25.4 * diameter } else { diameter };
+        return (diameter_mm > 0.0)
+            .then(|| SaidTool { diameter_mm: Some(diameter_mm), ..SaidTool::of(0) });
+    }
+    let rest = KEYS.iter().find_map(|key| upper.strip_prefix(key))?.trim();
+    let own_number =
+        rest.strip_prefix('T').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+    if own_number {
+        return super::read_tool_comment(rest, inch, None, false);
+    }
+    // `TOOL: 5`: a number, and no description.
+    if rest.starts_with(|c: char| c.is_ascii_digit()) && number(rest).is_some() {
+        return None;
+    }
+    read_description(rest, inch)
+}

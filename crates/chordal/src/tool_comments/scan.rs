@@ -1,0 +1,201 @@
+//! Which comments of a program speak of which tool.
+
+use chordal_diagnostics::{FileId, Span};
+use chordal_dialect::{Action, BeforeCode, DataTarget};
+use chordal_syntax::{Block, BlockReader, Position};
+
+use super::forms::{number as plain_number, read_form};
+use super::phrases::{named_tool, read_phrase};
+use super::turning::read_insert;
+use super::{SaidTool, program_is_inch, read_tool_comment};
+use crate::Job;
+
+/// What the comments of the first text say of tools, in their order.
+pub(super) fn scan(job: &Job) -> Vec<(SaidTool, Span)> {
+    let Some(source) = job.sources().get(FileId(0)) else { return Vec::new() };
+    let text = source.text();
+    let writes_tools =
+        job.control().table.set_data.iter().any(|(_, target)| *target == DataTarget::ToolTable);
+    let mut scan = Scan {
+        job,
+        text,
+        inch: None,
+        named: None,
+        loose: None,
+        last: 0,
+        said: Vec::new(),
+        given: Vec::new(),
+    };
+    let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
+    let mut block = Block::new();
+    for (offset, line) in lines(text) {
+        // Reading blocks costs more than looking at bytes, and few lines hold a comment or call a tool.
+        if scan.loose.is_none() && !may_say(line) && !(writes_tools && has_g10(line)) {
+            continue;
+        }
+        reader.seek(Position { offset, line: 1 });
+        if reader.read(&mut block) {
+            scan.block(&block);
+        }
+    }
+    scan.give_loose();
+    scan.finish()
+}
+
+struct Scan<'j, 'a> {
+    job: &'j Job<'a>,
+    text: &'j [u8],
+    inch: Option<bool>,
+    /// The tool whose number a comment of its own has said, for the comment after it.
+    named: Option<u32>,
+    /// What was said of a tool without its number.
+    loose: Option<(SaidTool, Span)>,
+    /// The tool that was called last; 0: none yet.
+    last: u32,
+    said: Vec<(SaidTool, Span)>,
+    /// What was said without a number, of the tool that it was found to be about.
+    given: Vec<(SaidTool, Span)>,
+}
+
+impl Scan<'_, '_> {
+    fn block(&mut self, block: &Block) {
+        let called = self.called(block);
+        if let Some(number) = called {
+            self.last = number;
+            self.give_loose();
+            self.named = None;
+        } else if b"XYZ".iter().any(|axis| block.word(*axis).is_some()) {
+            // It moves before a tool is called: what was said is of the tool that is in the spindle.
+            self.give_loose();
+        }
+        let written = self.written(block);
+        self.said.extend(written);
+        let changes = block.words.iter().any(|word| {
+            let row = self.job.control().row_of(word);
+            row.is_some_and(|row| row.action == Action::Before(BeforeCode::ToolChange))
+        });
+        for range in &block.comments {
+            let inch = *self.inch.get_or_insert_with(|| program_is_inch(self.job, self.text));
+            let words = String::from_utf8_lossy(range.slice(self.text));
+            let words = words.trim_matches(['(', ')', ';', '*', '\'', ' ', '\t']);
+            let span = range.in_file(FileId(0));
+            self.comment(words, inch, called, changes, span);
+        }
+    }
+
+    fn comment(&mut self, words: &str, inch: bool, called: Option<u32>, changes: bool, span: Span) {
+        if let Some(number) = named_tool(words) {
+            self.named = Some(number);
+            return;
+        }
+        // It is about the next comment and no other.
+        let named = self.named.take();
+        let loose = read_form(words, inch).or_else(|| read_phrase(words, inch, named));
+        match loose {
+            Some(said) if said.number > 0 => self.said.push((said, span)),
+            Some(said) => match called {
+                Some(number) => self.given.push((SaidTool { number, ..said }, span)),
+                None => self.keep(said, span),
+            },
+            None => {
+                let called = called.filter(|_| changes);
+                let turns = self.job.turns();
+                match read_tool_comment(words, inch, called, turns) {
+                    Some(said) => self.said.push((said, span)),
+                    // `(OD ROUGH RIGHT - 80 DEG. INSERT - CNMG-432)` is of the tool that is called next.
+                    None if turns => {
+                        if let Some(said) = read_insert(words) {
+                            self.keep(said, span);
+                        }
+                    }
+                    None => {}
+                }
+            }
+        }
+    }
+
+    /// Adds what was said to what is known of the tool that is called next; what contradicts it takes its place.
+    fn keep(&mut self, said: SaidTool, span: Span) {
+        let joined = self.loose.and_then(|(before, at)| Some((before.joined(&said)?, at)));
+        self.loose = Some(joined.unwrap_or((said, span)));
+    }
+
+    fn give_loose(&mut self) {
+        let Some((said, span)) = self.loose.take() else { return };
+        self.given.push((SaidTool { number: self.last, ..said }, span));
+    }
+
+    /// Comments that name their tool come first. Where others say two sizes of one tool, another was put into the
+    /// spindle without a call, and neither is taken.
+    fn finish(mut self) -> Vec<(SaidTool, Span)> {
+        let is_only = |(said, _): &&(SaidTool, Span)| {
+            let same = self.given.iter().filter(|(other, _)| other.number == said.number);
+            let mut sizes = same.filter_map(|(other, _)| other.diameter_mm);
+            let first = sizes.next();
+            sizes.all(|size| Some(size) == first)
+        };
+        self.said.extend(self.given.iter().filter(is_only));
+        self.said
+    }
+
+    /// `G10 L1 P1 R[10/2]` writes the radius of a tool into the control's table: with a quotient, as people write it.
+    fn written(&mut self, block: &Block) -> Option<(SaidTool, Span)> {
+        let l = block.word(b'L')?.number()?.to_integer()?;
+        let is_tool = |(number, target): &(u16, DataTarget)| {
+            i64::from(*number) == l && *target == DataTarget::ToolTable
+        };
+        if !self.job.control().table.set_data.iter().any(is_tool) {
+            return None;
+        }
+        let is_g10 =
+            block.all(b'G').any(|word| word.number().and_then(|n| n.to_integer()) == Some(10));
+        let number = block.word(b'P')?.number()?.to_integer()?;
+        let number = u32::try_from(number).ok().filter(|number| is_g10 && *number > 0)?;
+        let radius = block.word(b'R')?.range;
+        let text = String::from_utf8_lossy(radius.slice(self.text)).into_owned();
+        let value = text.trim_start_matches(['R', 'r', ' ']).trim_matches(['[', ']', ' ']);
+        let radius = match value.split_once('/') {
+            Some((above, below)) => {
+                plain_number(above)? / plain_number(below).filter(|n| *n > 0.0)?
+            }
+            None => plain_number(value)?,
+        };
+        let inch = *self.inch.get_or_insert_with(|| program_is_inch(self.job, self.text));
+        let diameter = 2.0 * radius * if inch { 25.4 } else { 1.0 };
+        (diameter > 0.0).then(|| {
+            let said = SaidTool { diameter_mm: Some(diameter), ..SaidTool::of(number) };
+            (said, block.range.in_file(FileId(0)))
+        })
+    }
+
+    /// The number of the tool that a block calls; of a lathe that of its station.
+    fn called(&self, block: &Block) -> Option<u32> {
+        let number = block.word(b'T')?.number()?.to_integer()?;
+        let number = u32::try_from(number).ok()?;
+        let station = match (self.job.turns(), number) {
+            (true, 100..) => number / 100,
+            _ => number,
+        };
+        Some(station).filter(|number| *number > 0)
+    }
+}
+
+fn lines(text: &[u8]) -> impl Iterator<Item = (u32, &[u8])> {
+    let mut offset = 0;
+    text.split_inclusive(|byte| matches!(byte, b'\n' | b'\r')).map(move |line| {
+        let at = offset;
+        // A text of 4 GB is refused long before.
+        offset += line.len() as u32;
+        (at, line)
+    })
+}
+
+/// A comment begins in the line, or it may call a tool.
+fn may_say(line: &[u8]) -> bool {
+    line.iter().any(|byte| matches!(byte, b'(' | b';' | b'*' | b'\'' | b't' | b'T'))
+}
+
+/// It may write a tool into the control's table.
+fn has_g10(line: &[u8]) -> bool {
+    line.windows(3).any(|three| matches!(three, [b'G' | b'g', b'1', b'0']))
+}

@@ -1,0 +1,425 @@
+//! The stock that comments at the head of a program describe, and where its zero is.
+//!
+//! Sizes alone are no stock: nobody knows where the part lies. Where two comments say different things, or a
+//! comment contradicts itself, nothing is taken.
+
+use chordal_diagnostics::{FileId, Span};
+use chordal_machine::{Axis, Body, BodyShape};
+use chordal_syntax::{Block, BlockReader};
+
+use super::forms::{field, fields, number, numbers};
+use super::program_is_inch;
+use crate::Job;
+
+/// Blocks among which comments on the stock stand.
+const MOST_HEAD_BLOCKS: usize = 500;
+/// Stock that is larger is none, mm.
+const LARGEST_MM: f64 = 20_000.0;
+/// Places that are nearer to each other are the same, mm: posts write two decimals.
+const TOLERANCE_MM: f64 = 0.02;
+
+/// What a comment says of the stock.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SaidStock {
+    /// Its size, and where it is.
+    pub place: StockPlace,
+    /// The comment that says its size.
+    pub comment: Span,
+}
+
+/// How much is known of a stock.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StockPlace {
+    /// A body in the coordinates of the program.
+    Body(Box<Body>),
+    /// Its size along X, Y and Z, mm: where its zero is, nothing says.
+    Size([f64; 3]),
+}
+
+/// The stock that the comments before the first move describe.
+pub fn said_stock(job: &Job) -> Option<SaidStock> {
+    let source = job.sources().get(FileId(0))?;
+    let text = source.text();
+    let comments = head_comments(job, text);
+    if comments.is_empty() {
+        return None;
+    }
+    let head = Head { comments, inch: program_is_inch(job, text), turns: job.turns() };
+    head.stock()
+}
+
+/// The comments before the first block that moves, upper case, without their marks.
+fn head_comments(job: &Job, text: &[u8]) -> Vec<(String, Span)> {
+    let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
+    let mut block = Block::new();
+    let mut comments = Vec::new();
+    for _ in 0..MOST_HEAD_BLOCKS {
+        if !reader.read(&mut block) {
+            break;
+        }
+        for range in &block.comments {
+            let words = String::from_utf8_lossy(range.slice(text)).to_ascii_uppercase();
+            let words = words.trim_matches(['(', ')', ';', '*', '\'', ' ', '\t']);
+            comments.push((words.to_string(), range.in_file(FileId(0))));
+        }
+        if b"XYZ".iter().any(|axis| block.word(*axis).is_some()) {
+            break;
+        }
+    }
+    comments
+}
+
+/// A stock with a size; its zero may be said in another comment.
+struct Sized {
+    size: [f64; 3],
+    /// The low corner, where the comment itself says it.
+    low: Option<[f64; 3]>,
+    /// Of a bar, its diameter.
+    diameter: Option<f64>,
+}
+
+struct Head {
+    comments: Vec<(String, Span)>,
+    inch: bool,
+    turns: bool,
+}
+
+impl Head {
+    fn stock(&self) -> Option<SaidStock> {
+        let mut found: Option<(Sized, Span)> = None;
+        for (at, (text, span)) in self.comments.iter().enumerate() {
+            let Some(sized) = self.sized(at, text) else { continue };
+            let sound = sized.size.iter().all(|side| *side > 0.0 && *side <= LARGEST_MM);
+            if !sound {
+                return None;
+            }
+            match &found {
+                // The same again says nothing new; another one, that one of the two is old.
+                Some((known, _)) if !same(&known.size, &sized.size) => return None,
+                Some((known, _)) if known.low.is_some() => {}
+                _ => found = Some((sized, *span)),
+            }
+        }
+        let (sized, comment) = found?;
+        let low = sized.low.or_else(|| self.low_corner(&sized.size));
+        let place = match low {
+            Some(low) if sized.diameter.is_some() || !self.turns => {
+                StockPlace::Body(Box::new(body(&sized, low)))
+            }
+            _ => StockPlace::Size(sized.size),
+        };
+        Some(SaidStock { place, comment })
+    }
+
+    fn mm(&self) -> f64 {
+        if self.inch { 25.4 } else { 1.0 }
+    }
+
+    fn sized(&self, at: usize, text: &str) -> Option<Sized> {
+        self.record(text)
+            .or_else(|| self.work_piece(text))
+            .or_else(|| self.cut_viewer(text))
+            .or_else(|| self.predator(text))
+            .or_else(|| self.bar(text))
+            .or_else(|| {
+                self.size_only(at, text).map(|size| Sized { size, low: None, diameter: None })
+            })
+    }
+
+    /// `@F360|STOCK|id=box|…` and `@F360|ORIGIN|…`: of Fusion, FreeCAD and Makera Studio for machines of Makera.
+    fn record(&self, text: &str) -> Option<Sized> {
+        let own = fields(text, "STOCK")?;
+        let unit = self.comments.iter().find_map(|(text, _)| {
+            let unit = fields(text, "UNIT")?;
+            match field(&unit, "VALUE")? {
+                "MM" => Some(1.0),
+                "IN" | "INCH" => Some(25.4),
+                _ => None,
+            }
+        });
+        let mm = unit.unwrap_or_else(|| self.mm());
+        let length = |key: &str| Some(number(field(&own, key)?)? * mm);
+        let makera = text.trim_start_matches([';', ' ']).starts_with("@MKR");
+        let (id, x, y) = (field(&own, "ID")?, length("WIDTH"), length("DEPTH"));
+        let (x, y) = if makera { (length("LENGTH"), length("WIDTH")) } else { (x, y) };
+        let z = length("HEIGHT")?;
+        let (size, diameter) = match id {
+            "BOX" | "CUBOID" => ([x?, y?, z], None),
+            "CYLINDER" => {
+                let diameter = length("DIAMETER")?;
+                ([diameter, diameter, z], Some(diameter))
+            }
+            // Of a tube the bore is not said.
+            _ => return None,
+        };
+        Some(Sized { size, low: self.record_low(size, mm), diameter })
+    }
+
+    /// The low corner by the origin, which is said from the centre of the stock.
+    fn record_low(&self, size: [f64; 3], mm: f64) -> Option<[f64; 3]> {
+        let origin = self.comments.iter().find_map(|(text, _)| fields(text, "ORIGIN"))?;
+        let mut low = [0.0; 3];
+        let sides = named_point(field(&origin, "TYPE_NAME").unwrap_or_default());
+        for (axis, key) in ["X", "Y", "Z"].into_iter().enumerate() {
+            let from_centre = number(field(&origin, key)?)? * mm;
+            low[axis] = -0.5 * size[axis] - from_centre;
+            // The name of the point says the same again, if it names one.
+            if let Some(sides) = sides
+                && (from_centre - 0.5 * sides[axis] * size[axis]).abs() > TOLERANCE_MM
+            {
+                return None;
+            }
+        }
+        Some(low)
+    }
+
+    /// `WORKPIECE,BOX,XMIN=0,…`: LinuxCNC.
+    fn work_piece(&self, text: &str) -> Option<Sized> {
+        let rest = text.strip_prefix("WORKPIECE,")?;
+        let several =
+            self.comments.iter().filter(|(text, _)| text.starts_with("WORKPIECE,")).count() > 1;
+        let (kind, rest) = rest.split_once(',')?;
+        let fields: Vec<(&str, &str)> =
+            rest.split(',').filter_map(|part| part.split_once('=')).collect();
+        let of = |key: &str| Some(number(field(&fields, key)?)? * self.mm());
+        if several {
+            return None;
+        }
+        match kind.trim() {
+            "BOX" => {
+                let low = [of("XMIN")?, of("YMIN")?, of("ZMIN")?];
+                let high = [of("XMAX")?, of("YMAX")?, of("ZMAX")?];
+                let size = [0, 1, 2].map(|axis| high[axis] - low[axis]);
+                Some(Sized { size, low: Some(low), diameter: None })
+            }
+            "CYLINDER" if field(&fields, "AXIS").is_none_or(|axis| axis == "Z") => {
+                let (low, high, diameter) = (of("ZMIN")?, of("ZMAX")?, of("DIAMETER")?);
+                let centre = [of("X").unwrap_or(0.0), of("Y").unwrap_or(0.0)];
+                let corner = centre.map(|at| at - 0.5 * diameter);
+                Some(Sized {
+                    size: [diameter, diameter, high - low],
+                    low: Some([corner[0], corner[1], low]),
+                    diameter: Some(diameter),
+                })
+            }
+            _ => None,
+        }
+    }
+
+    /// `STOCK/BLOCK,l,w,h,ox,oy,oz`: CutViewer; the last three are the zero as seen from the low corner.
+    fn cut_viewer(&self, text: &str) -> Option<Sized> {
+        let values = numbers(text.strip_prefix("STOCK/BLOCK")?.trim_start().strip_prefix(',')?)?;
+        let mm = |at: usize| values.get(at).map(|value| value * self.mm());
+        let size = [mm(0)?, mm(1)?, mm(2)?];
+        // A zero far from the stock is one that its post has counted the other way round.
+        let zero = |axis: usize| {
+            let at = mm(3 + axis)?;
+            (at >= -TOLERANCE_MM && at <= size[axis] + TOLERANCE_MM).then_some(-at)
+        };
+        let low = zero(0).zip(zero(1)).zip(zero(2)).map(|((x, y), z)| [x, y, z]);
+        Some(Sized { size, low, diameter: None })
+    }
+
+    /// `SBOX X0 Y0 Z-20 L100 W50 H20`: Predator, BobCAD.
+    fn predator(&self, text: &str) -> Option<Sized> {
+        let words: Vec<&str> = text.strip_prefix("SBOX ")?.split_ascii_whitespace().collect();
+        let of = |letter: char| {
+            let word = words.iter().find_map(|word| word.strip_prefix(letter));
+            Some(number(word?)? * self.mm())
+        };
+        let low = Some([of('X')?, of('Y')?, of('Z')?]);
+        Some(Sized { size: [of('L')?, of('W')?, of('H')?], low, diameter: None })
+    }
+
+    /// `Zmin:-60 Zmax:0 Diametro:40`, of a lathe.
+    fn bar(&self, text: &str) -> Option<Sized> {
+        if !self.turns {
+            return None;
+        }
+        let fields: Vec<(&str, &str)> =
+            text.split_ascii_whitespace().filter_map(|word| word.split_once(':')).collect();
+        let of = |key: &str| Some(number(field(&fields, key)?)? * self.mm());
+        let (low, high) = (of("ZMIN")?, of("ZMAX")?);
+        let diameter = of("DIAMETRO").or_else(|| of("DIAMETER"))?;
+        let low = [-0.5 * diameter, -0.5 * diameter, low];
+        let size = [diameter, diameter, high - low[2]];
+        Some(Sized { size, low: Some(low), diameter: Some(diameter) })
+    }
+
+    /// Forms that say a size along each axis and leave the zero to others.
+    fn size_only(&self, at: usize, text: &str) -> Option<[f64; 3]> {
+        let scale = self.mm();
+        let in_mm = |size: [f64; 3], mm: f64| size.map(|side| side * mm);
+        if let Some(rest) = text.strip_prefix("MATERIAL SIZE") {
+            // Vectric writes the lengths into the next comment or after a colon, proLIGHT after a colon.
+            let rest = match rest.trim_start_matches([' ', ':']) {
+                "" => self.comments.get(at + 1)?.0.as_str(),
+                rest => rest,
+            };
+            let said_unit = self.comments.iter().find_map(|(text, _)| {
+                match text.strip_prefix("UNITS:")?.trim() {
+                    "INCH" | "INCHES" => Some(25.4),
+                    "METRIC" | "MM" | "MILLIMETERS" => Some(1.0),
+                    _ => None,
+                }
+            });
+            return Some(in_mm(by_letters(rest)?, said_unit.unwrap_or(scale)));
+        }
+        if let Some(rest) = text.strip_prefix("BLANK SIZE:") {
+            return Some(in_mm(by_letters(rest)?, scale));
+        }
+        if let Some(rest) = text.strip_prefix("$SETPARTSIZE(") {
+            let values = numbers(rest.trim_end_matches(')'))?;
+            let &[x, y, z, ..] = values.as_slice() else { return None };
+            return Some(in_mm([x, y, z], scale));
+        }
+        if text.starts_with("STOCK ") {
+            return by_hand(text, scale);
+        }
+        self.router(text).map(|size| in_mm(size, scale))
+    }
+
+    /// `X SIZE:600`, a comment each; the thickness is that of the material.
+    fn router(&self, text: &str) -> Option<[f64; 3]> {
+        text.strip_prefix("X SIZE:")?;
+        let of = |keys: &[&str]| {
+            self.comments
+                .iter()
+                .find_map(|(text, _)| keys.iter().find_map(|key| number(text.strip_prefix(key)?)))
+        };
+        let x = of(&["X SIZE:"])?;
+        Some([x, of(&["Y SIZE:"])?, of(&["Z SIZE:", "THICKNESS:"])?])
+    }
+
+    /// The low corner where a comment of its own says the zero.
+    fn low_corner(&self, size: &[f64; 3]) -> Option<[f64; 3]> {
+        self.vectric_corner(size).or_else(|| self.corner_by_hand(size))
+    }
+
+    /// `Z Origin for Material = …`, `XY Origin for Material = …`: Vectric.
+    fn vectric_corner(&self, size: &[f64; 3]) -> Option<[f64; 3]> {
+        let said = |key: &str| {
+            self.comments.iter().find_map(|(text, _)| {
+                Some(text.strip_prefix(key)?.trim_start_matches([' ', '=']).trim())
+            })
+        };
+        // What a position of the origin that is not zero moves is not known.
+        if let Some(position) = said("XY ORIGIN POSITION") {
+            let values: Option<Vec<f64>> = position
+                .split(',')
+                .map(|part| number(part.trim().trim_start_matches(['X', 'Y', ':'])))
+                .collect();
+            if values?.iter().any(|value| *value != 0.0) {
+                return None;
+            }
+        }
+        let z = match said("Z ORIGIN FOR MATERIAL")? {
+            "MATERIAL SURFACE" => -size[2],
+            "TABLE SURFACE" => 0.0,
+            "CENTER" | "CENTER OF MATERIAL" => -0.5 * size[2],
+            _ => return None,
+        };
+        let [x, y] = match said("XY ORIGIN FOR MATERIAL")?.trim_end_matches("CORNER").trim() {
+            "BOTTOM LEFT" => [0.0, 0.0],
+            "BOTTOM RIGHT" => [-size[0], 0.0],
+            "TOP LEFT" => [0.0, -size[1]],
+            "TOP RIGHT" => [-size[0], -size[1]],
+            "CENTER" => [-0.5 * size[0], -0.5 * size[1]],
+            _ => return None,
+        };
+        Some([x, y, z])
+    }
+
+    /// `G54 = BACK-LEFT-TOP`.
+    fn corner_by_hand(&self, size: &[f64; 3]) -> Option<[f64; 3]> {
+        let sides = self.comments.iter().find_map(|(text, _)| {
+            let rest = text.strip_prefix("WCS").unwrap_or(text).trim_start();
+            let rest = rest.strip_prefix("G54")?.trim_start_matches([' ', '=', ':']);
+            let words: Vec<&str> = rest.split(['-', ' ']).filter(|word| !word.is_empty()).collect();
+            if words.len() != 3 {
+                return None;
+            }
+            let side = |low: &str, high: &str| match (words.contains(&low), words.contains(&high)) {
+                (true, false) => Some(0.0),
+                (false, true) => Some(1.0),
+                _ => None,
+            };
+            Some([side("LEFT", "RIGHT")?, side("FRONT", "BACK")?, side("BOTTOM", "TOP")?])
+        })?;
+        Some([0, 1, 2].map(|axis| -sides[axis] * size[axis]))
+    }
+}
+
+/// Which side of the stock a named point is on, by axis: −1, 0 or 1; `None` for one that is on none.
+fn named_point(name: &str) -> Option<[f64; 3]> {
+    if name.is_empty() || name == "CUSTOM" {
+        return None;
+    }
+    let side = |low: &str, high: &str| match (name.contains(low), name.contains(high)) {
+        (true, _) => -1.0,
+        (_, true) => 1.0,
+        _ => 0.0,
+    };
+    Some([side("LEFT", "RIGHT"), side("FRONT", "BACK"), side("BOTTOM", "TOP")])
+}
+
+/// `X= 300, Y= 200, Z= 12`, `X3 Y2 Z.5`: nothing where one is missing.
+fn by_letters(text: &str) -> Option<[f64; 3]> {
+    let mut size = [None; 3];
+    let mut rest = text.trim();
+    while !rest.is_empty() {
+        let axis = b"XYZ".iter().position(|letter| rest.as_bytes()[0] == *letter)?;
+        let after = rest[1..].trim_start_matches([' ', '=', ':']);
+        let end = after.find([' ', ',']).unwrap_or(after.len());
+        size[axis] = Some(number(&after[..end])?);
+        rest = after[end..].trim_start_matches([' ', ',']);
+    }
+    let [Some(x), Some(y), Some(z)] = size else { return None };
+    Some([x, y, z])
+}
+
+/// `STOCK 6061 DX 6.0IN DY 4.0IN DZ 1.5IN`, mm: nothing where a length is not what it may be.
+fn by_hand(text: &str, scale: f64) -> Option<[f64; 3]> {
+    let words: Vec<&str> = text.split_ascii_whitespace().collect();
+    let mut size = [0.0; 3];
+    for (side, key) in size.iter_mut().zip(["DX", "DY", "DZ"]) {
+        let at = words.iter().position(|word| *word == key)?;
+        let word = words.get(at + 1)?;
+        let digits = word.trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.');
+        let mm = match &word[digits.len()..] {
+            "" => scale,
+            "IN" | "\"" => 25.4,
+            "MM" => 1.0,
+            _ => return None,
+        };
+        *side = number(digits)? * mm;
+    }
+    Some(size)
+}
+
+fn same(one: &[f64; 3], other: &[f64; 3]) -> bool {
+    one.iter().zip(other).all(|(one, other)| (one - other).abs() < TOLERANCE_MM)
+}
+
+fn body(sized: &Sized, low: [f64; 3]) -> Body {
+    let high = [0, 1, 2].map(|axis| low[axis] + sized.size[axis]);
+    match sized.diameter {
+        Some(diameter) => {
+            let centre = |axis: usize| Some(low[axis] + 0.5 * diameter);
+            Body {
+                shape: Some(BodyShape::Cylinder),
+                axis: Some(Axis::Z),
+                diameter_mm: Some(diameter),
+                from: [centre(0), centre(1), Some(low[2])],
+                to: [None, None, Some(high[2])],
+                ..Body::default()
+            }
+        }
+        None => Body {
+            shape: Some(BodyShape::Box),
+            from: low.map(Some),
+            to: high.map(Some),
+            ..Body::default()
+        },
+    }
+}

@@ -1,0 +1,158 @@
+//! What comments of lathe programs say of inserts and holders.
+
+use chordal_machine::{
+    HolderDesignation, InsertDesignation, InsertLetter, Tool, ToolShape, WrittenDesignation,
+};
+
+use super::SaidTool;
+use super::tokens::{Kind, Token};
+
+/// Nose radii that are nearer to each other are the same, mm: 1/32 in is 0.8 mm in a catalogue.
+const NOSE_TOLERANCE_MM: f64 = 0.02;
+/// A nose is not larger, mm.
+const LARGEST_NOSE_MM: f64 = 20.0;
+
+/// Adds what a comment of a lathe says of the insert and its holder.
+pub(super) fn read_turning(text: &str, tokens: &[Token<'_>], inch: bool, said: &mut SaidTool) {
+    said.insert = insert_in(text);
+    said.holder = holder_in(text);
+    said.letter = said.insert.map(|insert| insert.letter).or_else(|| letter_after_key(text));
+    said.tip = tip(tokens);
+    let nose = nose(tokens, inch);
+    let of_insert = said.insert.map(|insert| insert.nose_mm);
+    match (nose, of_insert) {
+        (Some(nose), Some(own)) if (nose - own).abs() > NOSE_TOLERANCE_MM => {
+            said.other_nose_mm = Some(nose);
+        }
+        (nose, own) => said.nose_radius_mm = nose.or(own),
+    }
+    if said.nose_radius_mm.is_some() || said.insert.is_some() || said.tip.is_some() {
+        said.shape = said.shape.or(Some(ToolShape::Insert));
+    }
+    if said.shape == Some(ToolShape::Insert) {
+        // What the words call a radius is that of the nose.
+        said.corner_radius_mm = None;
+        said.diameter_mm = None;
+    }
+}
+
+/// What a comment says of an insert where it names no tool.
+pub(super) fn read_insert(text: &str) -> Option<SaidTool> {
+    let insert = insert_in(&text.to_ascii_uppercase())?;
+    Some(SaidTool {
+        insert: Some(insert),
+        letter: Some(insert.letter),
+        nose_radius_mm: Some(insert.nose_mm),
+        shape: Some(ToolShape::Insert),
+        ..SaidTool::of(0)
+    })
+}
+
+/// Pieces of the text that may be a designation: a word, or it and the next one.
+fn candidates(text: &str) -> impl Iterator<Item = String> {
+    let words: Vec<&str> =
+        text.split([' ', ',', ';', ':', '=', '(', ')']).filter(|w| !w.is_empty()).collect();
+    let pairs: Vec<String> = words.windows(2).map(|pair| pair.join(" ")).collect();
+    let single: Vec<String> = words.into_iter().map(str::to_string).collect();
+    single.into_iter().chain(pairs)
+}
+
+fn insert_in(text: &str) -> Option<InsertDesignation> {
+    candidates(text)
+        .filter(|word| word.bytes().take(4).all(|byte| byte.is_ascii_alphabetic()))
+        .find_map(|word| InsertDesignation::parse(&word).ok())
+}
+
+fn holder_in(text: &str) -> Option<HolderDesignation> {
+    // Five letters alone may be any word.
+    candidates(text)
+        .filter(|word| word.bytes().filter(u8::is_ascii_digit).count() >= 4)
+        .find_map(|word| HolderDesignation::parse(&word).ok())
+}
+
+/// `INSERT: DNMG`: the shape without a size.
+fn letter_after_key(text: &str) -> Option<InsertLetter> {
+    let after = text.split_once("INSERT")?.1.trim_start_matches([' ', ':', '=', '-']);
+    let word = after.split([' ', ',']).next()?;
+    // With a size it is read as a whole; the size stands in for a missing one here.
+    let is_letters = word.len() == 4 && word.bytes().all(|byte| byte.is_ascii_uppercase());
+    let whole = || InsertDesignation::parse(&format!("{word}120404")).ok();
+    is_letters.then(whole).flatten().map(|read| read.letter)
+}
+
+/// The number after the words that fit, over signs.
+fn value_after(tokens: &[Token<'_>], keys: &[&[&str]]) -> Option<usize> {
+    (0..tokens.len()).find_map(|at| {
+        let fits = |key: &&&[&str]| {
+            key.iter()
+                .enumerate()
+                .all(|(step, word)| tokens.get(at + step).and_then(Token::word) == Some(*word))
+        };
+        let key = keys.iter().find(fits)?;
+        let is_sign =
+            |token: &&Token<'_>| matches!(token.kind, Kind::Sign(':' | '=' | '-' | '.' | '#'));
+        let after = at + key.len();
+        let value = after + tokens.get(after..)?.iter().take_while(is_sign).count();
+        tokens.get(value)?.number().map(|_| value)
+    })
+}
+
+/// `NOSE RADIUS: 0.8`, `TNR .031`.
+fn nose(tokens: &[Token<'_>], inch: bool) -> Option<f64> {
+    let keys: [&[&str]; 5] =
+        [&["NOSE", "RADIUS"], &["NOSE", "RAD"], &["NOSE", "R"], &["TNR"], &["NR"]];
+    let at = value_after(tokens, &keys)?;
+    let number = tokens[at].number()?;
+    let nose = number.mm(inch);
+    (number.is_size() && nose <= LARGEST_NOSE_MM).then_some(nose)
+}
+
+/// `TOOL TIP: 3`, `TIP 3`, `ORIENTATION 3`.
+fn tip(tokens: &[Token<'_>]) -> Option<u32> {
+    let keys: [&[&str]; 4] =
+        [&["TIP"], &["ORIENTATION"], &["TIP", "NUMBER"], &["TIP", "DIRECTION"]];
+    let at = value_after(tokens, &keys)?;
+    tokens[at].number()?.whole().filter(|tip| *tip <= 9)
+}
+
+/// Gives a tool what a comment says of its insert and its holder.
+pub(super) fn fill(tool: &mut Tool, said: &SaidTool) {
+    let is_turning = said.shape == Some(ToolShape::Insert) && tool.shape == said.shape;
+    if !is_turning {
+        return;
+    }
+    tool.nose_radius_mm = tool.nose_radius_mm.or(said.nose_radius_mm);
+    tool.tip = tool.tip.or(said.tip);
+    tool.turning.insert = tool.turning.insert.or(said.letter);
+    let edge = said.insert.and_then(|insert| insert.edge_mm);
+    tool.flute_length_mm = tool.flute_length_mm.or(edge);
+    let approach = said.holder.and_then(|holder| holder.approach_degrees());
+    let fits = said.holder.is_some_and(|holder| tool.turning.insert == Some(holder.letter));
+    let approach = approach.filter(|_| fits).map(f64::to_radians);
+    tool.turning.approach_angle_rad = tool.turning.approach_angle_rad.or(approach);
+}
+
+/// What a comment contradicts: the designation in it, or the machine file.
+pub(super) fn contradiction(said: &SaidTool, known: Option<&Tool>) -> Option<String> {
+    let number = said.number;
+    let differs = |one: f64, other: f64| (one - other).abs() > NOSE_TOLERANCE_MM;
+    if let (Some(words), Some(insert)) = (said.other_nose_mm, said.insert) {
+        return Some(format!(
+            "tool {number}: the comment says a nose radius of {words} mm, and its insert has {} mm",
+            insert.nose_mm
+        ));
+    }
+    let known = known?;
+    let (said_nose, own) = (said.nose_radius_mm?, known.nose_radius_mm?);
+    let from = known
+        .turning
+        .insert_designation
+        .as_ref()
+        .map(|written: &WrittenDesignation<_>| format!(" (its insert is {})", written.text));
+    differs(said_nose, own).then(|| {
+        format!(
+            "tool {number}: the comment says a nose radius of {said_nose} mm, and the machine file {own} mm{}",
+            from.unwrap_or_default()
+        )
+    })
+}
