@@ -1,7 +1,9 @@
 //! Checks that need the path: travel, rapids into the part, nearly tangent joints.
 
+mod cutting_speed;
 mod surface;
 mod tip;
+mod turret;
 
 use chordal_command::{
     AxisMask, Command, CommandKind, Feed, FeedMode, Move, Origin, Position, Side, Units,
@@ -20,6 +22,9 @@ use crate::frame::Frame;
 use crate::rapid_check::{LowRapid, RapidLog, Way};
 use crate::segment::{curve_of, is_known, point};
 use crate::tip::TipTracker;
+use crate::turret_log::TurretLog;
+use cutting_speed::CuttingSpeedMemory;
+use turret::TurretMemory;
 
 /// Joints that turn by less are tangent within rounding of coordinates, rad (0.1°).
 const TANGENT_RAD: f64 = 0.001_745;
@@ -45,6 +50,10 @@ pub struct Checks<'a> {
     machine: &'a Machine,
     /// Nothing of the part is above this, mm.
     clearance_mm: f64,
+    /// The machine is a lathe.
+    turns: bool,
+    /// How programs limit the spindle where they keep a cutting speed.
+    speed_limit_example: &'static str,
     /// Nobody named the machine: what exceeds its limits is one note at the end.
     assumed: bool,
     /// What is remembered where a program begins.
@@ -70,6 +79,8 @@ pub struct ChecksMemory {
     tip: TipTracker,
     /// The tools and length offsets whose tip was reported.
     reported_tips: Vec<(u32, Option<u32>)>,
+    cutting_speed: CuttingSpeedMemory,
+    turret: TurretMemory,
     told_axes: AxisMask,
     /// A rotary axis that cannot keep up was reported.
     told_speed: bool,
@@ -80,6 +91,8 @@ pub struct ChecksMemory {
 pub struct Seen {
     /// What is cut, in program coordinates, and the rapids below the clearance plane.
     rapids: RapidLog,
+    /// On a lathe: what is cut, and where the turret turns.
+    turret: TurretLog,
     /// Extent of each axis over known places, for machines whose offsets are not known.
     extent: PerAxis<(f64, f64)>,
     /// By how much the limits of an assumed machine were exceeded.
@@ -89,7 +102,12 @@ pub struct Seen {
 impl Default for Seen {
     fn default() -> Seen {
         let extent = [(f64::INFINITY, f64::NEG_INFINITY); AXES];
-        Seen { rapids: RapidLog::default(), extent, excess: Excess::default() }
+        Seen {
+            rapids: RapidLog::default(),
+            turret: TurretLog::default(),
+            extent,
+            excess: Excess::default(),
+        }
     }
 }
 
@@ -97,6 +115,7 @@ impl Seen {
     /// With what the stretch after has touched.
     pub fn and(&mut self, next: &Seen) {
         self.rapids.and(&next.rapids);
+        self.turret.and(&next.turret);
         for (extent, other) in self.extent.iter_mut().zip(next.extent) {
             *extent = (extent.0.min(other.0), extent.1.max(other.1));
         }
@@ -105,6 +124,7 @@ impl Seen {
 
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
     pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+        self.turret.shift(shift)?;
         self.rapids.shift(shift)
     }
 }
@@ -115,6 +135,8 @@ impl ChecksMemory {
         for leg in &mut self.legs {
             leg.origin = leg.origin.shifted(shift)?;
         }
+        self.cutting_speed.shift(shift)?;
+        self.turret.shift(shift)?;
         self.contour.shift(shift)
     }
 }
@@ -137,12 +159,16 @@ impl<'a> Checks<'a> {
             contour: ContourRapid::default(),
             tip: TipTracker::new(machine, ToolLengths::Absent, known),
             reported_tips: Vec::new(),
+            cutting_speed: CuttingSpeedMemory::default(),
+            turret: TurretMemory::default(),
             told_axes: AxisMask::NONE,
             told_speed: false,
         };
         Checks {
             machine,
             clearance_mm: clearance_mm(machine),
+            turns: machine.turns(),
+            speed_limit_example: "",
             assumed: false,
             start: now.clone(),
             now,
@@ -155,6 +181,11 @@ impl<'a> Checks<'a> {
         self.now.tip = TipTracker::new(self.machine, lengths, self.now.frame.known);
         self.start = self.now.clone();
         self
+    }
+
+    /// How programs limit the spindle where they keep a cutting speed, for people.
+    pub fn with_speed_limit_example(self, example: &'static str) -> Checks<'a> {
+        Checks { speed_limit_example: example, ..self }
     }
 
     /// Nobody named the machine: its limits are a guess.
@@ -230,6 +261,10 @@ impl<'a> Checks<'a> {
     pub fn command(&mut self, path: PathCommand<'_>, mut report: impl FnMut(Diagnostic)) {
         let command = path.command;
         let as_programmed = path.side == Side::Off;
+        if self.turns {
+            self.turret(command);
+            self.cutting_speed(command, &mut report);
+        }
         if self.now.frame.surface.is_some() {
             return self.on_surface(path, &mut report);
         }
@@ -569,6 +604,7 @@ impl<'a> Checks<'a> {
     /// What can be judged only at the end of a program; the next one begins anew. `head` is where its number
     /// stands, if others are run with it.
     pub fn finish(&mut self, head: Span, mut report: impl FnMut(Diagnostic)) {
+        self.judge_turret(&mut report);
         let rapids = std::mem::take(&mut self.seen.rapids);
         rapids.judge(|rapid| report(self.rapid_into_part(&rapid)));
         for axis in AxisMask::ALL.without(self.now.told_axes).without(self.now.frame.known).iter() {

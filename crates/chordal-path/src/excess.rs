@@ -1,7 +1,7 @@
 //! By how much a program exceeds the limits of a machine that nobody named. They are a guess, so that they are one
 //! note of a program and not an error of each move.
 
-use chordal_command::{AxisMask, CommandKind, FeedMode, Units, number_text};
+use chordal_command::{AxisMask, CommandKind, Units, number_text};
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_machine::{AXES, Machine, PerAxis};
 
@@ -41,13 +41,14 @@ impl Excess {
             if machine.spindle_max_rpm.is_some_and(|most| *rpm > most) {
                 self.speed = self.speed.max(*rpm);
             }
-        } else if let Some(feed) = kind.feed()
-            && feed.mode == FeedMode::PerTime
-            && feed.value > self.feed
-            && machine.feed.max_mm_per_s.is_some_and(|most| feed.value > most * (1.0 + ROUNDING))
+        } else if let (Some(feed), Some(motion)) = (kind.feed(), kind.motion())
+            && let Some(value) = feed.mm_per_s_at(motion.least_radius())
+            && value > self.feed
+            && value.is_finite()
+            && machine.feed.max_mm_per_s.is_some_and(|most| value > most * (1.0 + ROUNDING))
             && !kind.only_turns()
         {
-            self.feed = feed.value;
+            self.feed = value;
         }
     }
 

@@ -20,9 +20,14 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     plain_block_delete: true,
     nesting: 9,
     rules: Rules {
+        spindle_stops_at_tool_change: true,
         tool_lengths: ToolLengths::TouchedOff,
         frames: FRAMES,
-        turning: TurningRules { tips_mirrored: true, ..TurningRules::COMMON },
+        turning: TurningRules {
+            tips_mirrored: true,
+            speed_limit_example: "G96 D2500 S…",
+            ..TurningRules::COMMON
+        },
         rapid: RapidPath::Straight,
         radius_offsets: OffsetKind::Diameter,
         starts_without_motion: true,
