@@ -16,6 +16,7 @@ use crate::statement::Statement;
 const CENTER_MM: f64 = 1e-6;
 
 /// The feed of an axis, or along the path, that a cut may not exceed.
+#[derive(Clone)]
 struct FeedBound {
     /// Along the path, mm/s.
     along_path: f64,
@@ -31,41 +32,54 @@ impl Kernel<'_> {
         Some(FeedBound { along_path: limit, name: self.machine.name.clone(), limit })
     }
 
-    /// The lowest limit of the feed of a straight cut: that of the machine, and of each axis its share of the path.
+    /// The limit of an axis.
+    fn feed_bound_of_axis(&self, axis: usize) -> Option<FeedBound> {
+        let limit = self.machine.axes[axis].as_ref()?.max_velocity?;
+        let name = format!("the {} axis of {}", Axis::ALL[axis].letter(), self.machine.name);
+        Some(FeedBound { along_path: limit, name, limit })
+    }
+
+    /// The lowest limit of the feed of a straight cut: that of the machine, and of each axis by its share of the path.
     fn feed_bound(&self, motion: &Move) -> Option<FeedBound> {
-        let way: [f64; 3] = std::array::from_fn(|axis| motion.to[axis] - motion.from[axis]);
-        let length = libm::sqrt(way.iter().map(|part| part * part).sum());
-        if length <= 0.0 {
-            return None;
-        }
-        let of_axis = |axis: usize| {
-            let limit = self.machine.axes[axis].as_ref()?.max_velocity?;
-            let share = way[axis].abs() / length;
-            let name = format!("the {} axis of {}", Axis::ALL[axis].letter(), self.machine.name);
-            (share > 0.0).then(|| FeedBound { along_path: limit / share, name, limit })
-        };
-        let bounds = self.feed_bound_of_machine().into_iter().chain((0..3).filter_map(of_axis));
+        let shares = shares_of_axes(motion);
+        let of_axes = (0..3).filter(|axis| shares[*axis] > 0.0).filter_map(|axis| {
+            let bound = self.feed_bound_of_axis(axis)?;
+            Some(FeedBound { along_path: bound.limit / shares[axis], ..bound })
+        });
+        let bounds = self.feed_bound_of_machine().into_iter().chain(of_axes);
         bounds.min_by(|a, b| a.along_path.total_cmp(&b.along_path))
     }
 
-    /// A cut in step with the spindle whose lead and speed are more than an axis can follow.
+    /// A cut in step with the spindle whose lead and speed are more than an axis can follow. A lead is that of an axis:
+    /// each axis is looked at by itself.
     pub(crate) fn check_feed_in_step(&mut self, motion: &Move, feed: &Feed) {
         let Some(rev_per_s) = Some(feed.spindle_rev_per_s).filter(|rev| *rev > 0.0) else { return };
-        let lead = match feed.mode {
+        let along_path = match feed.mode {
             FeedMode::PerRevolution => largest_lead(motion, feed),
             FeedMode::PerTime => feed.value / rev_per_s,
             FeedMode::InverseTime => return,
         };
-        let value = lead * rev_per_s;
-        let Some(bound) = self.feed_bound(motion) else { return };
+        let shares = shares_of_axes(motion);
+        let of_machine = self.feed_bound_of_machine();
+        let over = (0..3).find_map(|axis| {
+            let lead = along_path * shares[axis];
+            let slowest = |a: FeedBound, b: FeedBound| if b.limit < a.limit { b } else { a };
+            let bound = match (of_machine.clone(), self.feed_bound_of_axis(axis)) {
+                (Some(a), Some(b)) => Some(slowest(a, b)),
+                (a, b) => a.or(b),
+            };
+            let bound = bound.filter(|bound| is_over(lead * rev_per_s, Some(bound.limit)));
+            bound.map(|bound| (lead, bound))
+        });
+        let Some((lead, bound)) = over else { return };
         let here = (self.state.tool, lead);
-        if !is_over(value, Some(bound.along_path)) || self.reported.feed_in_step == Some(here) {
+        if self.reported.feed_in_step == Some(here) {
             return;
         }
         self.reported.feed_in_step = Some(here);
         let speed = telling_number(rev_per_s * 60.0, 0);
-        let most = telling_number(libm::floor(60.0 * bound.along_path / lead), 0);
-        let needed = self.feed_text(value * bound.limit / bound.along_path);
+        let most = telling_number(libm::floor(60.0 * bound.limit / lead), 0);
+        let needed = self.feed_text(lead * rev_per_s);
         let (lead, limit) = (self.length_text(lead), self.feed_text(bound.limit));
         let message = format!(
             "a lead of {lead} at {speed} rpm is a feed of {needed}, above the {limit} that {} allows",
@@ -239,6 +253,13 @@ impl Kernel<'_> {
             self.check_center_speed(at, place[Axis::X as usize], is_tap);
         }
     }
+}
+
+/// How much of a straight path goes along each axis.
+fn shares_of_axes(motion: &Move) -> [f64; 3] {
+    let way: [f64; 3] = std::array::from_fn(|axis| (motion.to[axis] - motion.from[axis]).abs());
+    let length = libm::sqrt(way.iter().map(|part| part * part).sum());
+    way.map(|part| if length > 0.0 { part / length } else { 0.0 })
 }
 
 /// The lead of a cut in step with the spindle where it is largest, mm: at one of its ends, where it changes.

@@ -27,12 +27,12 @@ impl Kernel<'_> {
         if let Some(rpm) = hole.words.tap_rpm.filter(|_| rules.feed == TapFeed::SpeedWithLeadQ) {
             self.state.rpm = rpm;
         }
+        self.check_tap_speed(at);
         if rules.spindle_must_turn && before != inward {
             self.report_wrong_spindle(at, inward);
         } else if rules.starts_spindle {
             self.turn_spindle(inward);
         }
-        self.check_tap_speed(at);
         self.check_pitch(at, hole);
         let peck = hole.words.q.map(|q| self.unscaled(hole.axis, q.abs()));
         let peck = peck.filter(|q| rules.pecks_by_q && *q > 0.0);

@@ -18,6 +18,8 @@ pub(super) struct TurretMemory {
     tip: Option<[f64; 2]>,
     /// What the offset in force adds to X and Z, where its values are known.
     offset: Option<[f64; 2]>,
+    /// That of the tool before.
+    offset_before: Option<[f64; 2]>,
     /// Offsets of tools are in force, and were before: without one, coordinates are not those of the tip.
     has_offsets: bool,
     is_without_offset: bool,
@@ -54,6 +56,7 @@ impl Checks<'_> {
                 let system = self.turret_system();
                 let memory = &mut self.now.turret;
                 let from = std::mem::replace(&mut memory.tool, *number);
+                memory.offset_before = memory.offset.take();
                 if let Some(tip) = memory.tip.take().filter(|_| from != 0) {
                     memory.waiting = Some(TurretTurn {
                         system,
@@ -70,7 +73,7 @@ impl Checks<'_> {
                 let has_values = number.is_some() && length_mm.is_some();
                 let next = has_values.then(|| place_of(offset));
                 if let (Some(turn), Some(before), Some(next)) =
-                    (&mut memory.waiting, memory.offset, next)
+                    (&mut memory.waiting, memory.offset_before, next)
                 {
                     // The slide stands: what the offsets differ by is how the tips differ.
                     let old = turn.from.1;
