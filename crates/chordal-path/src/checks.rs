@@ -1,6 +1,7 @@
 //! Checks that need the path: travel, rapids into the part, nearly tangent joints.
 
 mod cutting_speed;
+mod joint;
 mod surface;
 mod tip;
 mod turret;
@@ -25,12 +26,6 @@ use crate::tip::TipTracker;
 use crate::turret_log::TurretLog;
 use cutting_speed::CuttingSpeedMemory;
 use turret::TurretMemory;
-
-/// Joints that turn by less are tangent within rounding of coordinates, rad (0.1°).
-const TANGENT_RAD: f64 = 0.001_745;
-
-/// Joints that turn by more are corners on purpose, rad (2°).
-const CORNER_RAD: f64 = 0.034_9;
 
 /// Rapids one after the other at depth that are remembered until a cut follows.
 const LEGS_KEPT: usize = 16;
@@ -525,82 +520,6 @@ impl<'a> Checks<'a> {
         .help("write G1 in this block")
     }
 
-    fn joint_of_line(
-        &mut self,
-        motion: &Move,
-        origin: Origin,
-        report: &mut impl FnMut(Diagnostic),
-    ) {
-        let (from, to) = (point(&motion.from), point(&motion.to));
-        let way = to - from;
-        if let Some((before, place, Some(plane))) = self.now.last
-            && place == from
-        {
-            self.joint(plane, before, way, origin, report);
-        }
-        // The direction is needed only when an arc follows; it is cheaper kept as it is.
-        if way != Vec3::ZERO {
-            self.now.last = Some((way, to, None));
-        }
-    }
-
-    fn joint_of_arc(
-        &mut self,
-        curve: &Curve,
-        plane: Plane,
-        origin: Origin,
-        report: &mut impl FnMut(Diagnostic),
-    ) {
-        if let Some((before, place, _)) = self.now.last
-            && place == curve.start()
-        {
-            self.joint(plane, before, curve.tangent_at(0.0), origin, report);
-        }
-        self.now.last = Some((curve.tangent_at(curve.length()), curve.end(), Some(plane)));
-    }
-
-    /// The turn is judged in the plane of the arc: the slope of a helix is meant.
-    fn joint(
-        &self,
-        plane: Plane,
-        before: Vec3,
-        after: Vec3,
-        origin: Origin,
-        report: &mut impl FnMut(Diagnostic),
-    ) {
-        // The joints within a cycle are the control's, not the programmer's.
-        if origin.cycle {
-            return;
-        }
-        let flat = |direction: Vec3| {
-            let normal = plane.normal();
-            direction - normal * direction.dot(normal)
-        };
-        let (before, after) = (flat(before), flat(after));
-        // Squares of the sine and of what it is a share of: most joints need no root.
-        let across = before.cross(after).length_squared();
-        let whole = before.length_squared() * after.length_squared();
-        let turns =
-            (TANGENT_RAD * TANGENT_RAD * whole..CORNER_RAD * CORNER_RAD * whole).contains(&across);
-        if !turns || before.dot(after) <= 0.0 {
-            return;
-        }
-        let sine = (across / whole).sqrt();
-        let degrees = sine.asin_degrees();
-        report(
-            Diagnostic::new(
-                Code::NearlyTangent,
-                origin.span,
-                format!(
-                    "the path turns by {} degrees where this block begins",
-                    number_text(degrees, 2)
-                ),
-            )
-            .label("almost tangent to the block before")
-            .help("if the joint is meant to be smooth, compute the coordinates with more decimals"),
-        );
-    }
-
     /// What can be judged only at the end of a program; the next one begins anew. `head` is where its number
     /// stands, if others are run with it.
     pub fn finish(&mut self, head: Span, mut report: impl FnMut(Diagnostic)) {
@@ -664,16 +583,4 @@ pub fn depth_mm(machine: &Machine) -> f64 {
 fn has_known_length(motion: &Move) -> bool {
     let known = motion.from_known.and(motion.to_known);
     (0..3).all(|axis| known.has(axis) || motion.from[axis] == motion.to[axis])
-}
-
-trait Degrees {
-    fn asin_degrees(self) -> f64;
-}
-
-impl Degrees for f64 {
-    /// Of a small sine; the series is exact to 1e-9 at two degrees, and the same everywhere.
-    fn asin_degrees(self) -> f64 {
-        let s = self;
-        (s + s * s * s / 6.0 + 3.0 * s.powi(5) / 40.0).to_degrees()
-    }
 }

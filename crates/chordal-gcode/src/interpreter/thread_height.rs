@@ -43,7 +43,7 @@ impl Interpreter<'_> {
         let usual = length(USUAL_SHARE * sizes.lead);
         let of_lead =
             format!("{} of this thread is {height}, {number} times its lead of {lead}", names[0]);
-        let message = if share > LARGEST_SHARE || share < LEAST_SHARE {
+        let message = if !(LEAST_SHARE..=LARGEST_SHARE).contains(&share) {
             of_lead
         } else if let Some(radius) = sizes.root_radius.filter(|radius| sizes.height > *radius) {
             let radius = length(radius);

@@ -112,6 +112,12 @@ fn speeds_of_every_form_are_held_against_the_spindle() {
         expect(&[machine], &most, &mill("S9000 M3"), &["CH606 3"]);
         expect(&[machine], &most, &mill("M3 S9000"), &["CH606 3"]);
     }
+    // Of routers the built-in machines give no speed of the spindle.
+    let router = "G21 G90 G94\nS9000 M3\nG0 X0 Y0\nG1 X10 F100\nM30\n";
+    for machine in ["grbl", "grblhal", "fluidnc", "mach3-mill"] {
+        expect(&[machine], &[], router, &[]);
+        expect(&[machine], &["spindle.max='8000 rpm'"], router, &["CH606 2"]);
+    }
     // The way out of a tap with J, the speed after the hole with E, a tap whose F is its speed.
     let most = &["spindle.max='3000 rpm'", "feed.max='20 m/min'"];
     let haas =
