@@ -107,18 +107,25 @@ and a tap breaks. Write G97 with the spindle speed before the hole:
 
     TurretNearPart = 616, "turret-near-part", Warning;
     "the turret turns inside of what the program cuts";
-    r#"The tool in work, or the tool that comes, has its tip inside the box of all cuts of the program in X and Z while T turns the
-turret: it is in the part or right in front of it. Often the move to the place of the tool change is missing. Nothing is said where
-the position is not known, as after G28 without an offset of the machine file, nor of cuts in another work offset. How near to the box
-is too near is `turret_clearance` of the machine file; otherwise only what is inside is reported."#;
+    r#"T turns the turret while the tip of the tool in work, or of the tool that comes, is nearer to the axis than a cut of the program
+at the same Z: it is in the part or in the chips of it. Often the move to the place of the tool change is missing:
+
+    G1 X40. Z-30. F.2
+    G0 X200. Z100.     missing
+    T0202
+
+The tool that comes is looked at where the machine file gives the offsets of both. Nothing is said where the position is not known,
+as after G28 without an offset of the machine file, nor of cuts in another work offset. With `turret_clearance` in the machine
+file it is also reported where a tip is nearer than that to what is cut."#;
 
     ThreadHeight = 617, "thread-height", Warning;
     "the height of a thread does not fit its lead";
-    r#"A thread is about 0.54 to 0.65 times its lead high; the message says how much it is here. On a Fanuc, P and Q of the second
-block of G76 count thousandths of a millimetre, or ten thousandths of an inch, and have no decimal point: the height of M24 x 3 is
-`P1840`. `P184` or `P18400` is a thread that is cut in air, or one that goes through the wall. It is reported where the height is over
-1.5 times the lead or under 0.13 times (a thread with four starts is 0.15 times its lead high), where the first pass is
-deeper than the thread, and where the height is more than the radius on which it is cut."#;
+    r#"A thread of 60° is about 0.54 (in a bore) to 0.65 times its lead high; the message says how much it is here. On a Fanuc, P and Q
+of the second block of G76 count thousandths of a millimetre, or ten thousandths of an inch, and have no decimal point: the height
+of M24 x 3 is `P1840`. `P184` is a thread that is not deep enough, and `P18400` one that goes through the wall. It is reported where
+the height is over 1.5 times the lead or under 0.13 times (a thread with four starts is 0.135 to 0.153 times its lead high), where it
+is more than the radius of the root, where the first pass is deeper than the thread, and where P or Q has a point on a control
+that counts increments (setting `point in G76`)."#;
 
     InternalError = 901, "internal-error", Error;
     "Chordal has a defect";

@@ -101,7 +101,7 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Length,
         Sign::Positive,
         |m, _| &mut m.turret_clearance_mm,
-        "how near the tip of a tool may be to what the program cuts while the turret of a lathe turns; otherwise only a turn inside of the box of all cuts is reported",
+        "how near the tip of a tool may be to what the program cuts while the turret of a lathe turns; otherwise only a turn inside of what is cut is reported",
     ),
     Row {
         path: "axes.<axis>",
