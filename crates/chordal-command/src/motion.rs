@@ -19,6 +19,15 @@ pub struct Move {
 }
 
 impl Move {
+    /// The smallest distance of X from zero, where the move is straight, mm.
+    #[inline]
+    pub fn least_radius(&self) -> f64 {
+        match self.from[0] * self.to[0] <= 0.0 {
+            true => 0.0,
+            false => self.from[0].abs().min(self.to[0].abs()),
+        }
+    }
+
     /// Rotary axes turn and the tool tip stays where it is, so that F per time is an angle per time.
     /// An arc moves the tip even where it ends at its start.
     #[inline]
@@ -64,6 +73,20 @@ pub struct Feed {
     pub lead_change: f64,
 }
 
+impl Feed {
+    /// The largest feed of a move with the spindle at this radius (of either sign, mm), mm/s; in inverse time there is none.
+    pub fn mm_per_s_at(&self, radius_mm: f64) -> Option<f64> {
+        match (self.mode, self.surface) {
+            (FeedMode::PerTime, _) => Some(self.value),
+            (FeedMode::PerRevolution, Some(surface)) => {
+                Some(self.value * surface.rev_per_s(radius_mm))
+            }
+            (FeedMode::PerRevolution, None) => Some(self.value * self.spindle_rev_per_s),
+            (FeedMode::InverseTime, _) => None,
+        }
+    }
+}
+
 /// A cutting speed that the spindle keeps: it turns the faster, the nearer the tool is to the axis.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SurfaceSpeed {
@@ -71,6 +94,8 @@ pub struct SurfaceSpeed {
     pub mm_per_s: f64,
     /// The spindle turns no faster than this, rev/s; infinite where nothing limits it.
     pub most_rev_per_s: f64,
+    /// The program limits the speed; otherwise only the machine does.
+    pub is_limited: bool,
 }
 
 impl SurfaceSpeed {

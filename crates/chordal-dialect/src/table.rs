@@ -307,8 +307,6 @@ pub struct ControlTable {
     pub face: Option<&'static SurfaceRules>,
     /// Cylindrical interpolation; nothing where it has none.
     pub cylinder: Option<&'static SurfaceRules>,
-    /// M6 stops the spindle by itself.
-    pub spindle_stops_at_tool_change: bool,
     /// How its work offsets are named; with `by_e` a word E chooses one.
     pub work_names: WorkNaming,
     /// How its programs are numbered.

@@ -36,6 +36,16 @@ pub struct Reported {
     pub spindle_for_tool: Option<u32>,
     /// The tap whose pitch the feed does not fit.
     pub pitch_for_tool: Option<u32>,
+    /// The tool that tapped without a speed.
+    pub tap_speed_for_tool: Option<u32>,
+    /// The tool that cut in step with the spindle at too large a feed, and the lead, mm.
+    pub feed_in_step: Option<(u32, f64)>,
+    /// The tool that cut a thread at a cutting speed.
+    pub thread_at_surface_speed: Option<u32>,
+    /// The tool that made a hole in the centre at a cutting speed.
+    pub hole_at_surface_speed: Option<u32>,
+    /// The tool that a cycle turned too fast.
+    pub cycle_speed_for_tool: Option<u32>,
     /// An arc in inverse time whose F counts otherwise.
     pub inverse_time_arc: bool,
     /// Offsets that the machine file does not give.

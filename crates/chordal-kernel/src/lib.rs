@@ -35,6 +35,7 @@ mod path_mode;
 mod pockets;
 pub mod rules;
 mod sink;
+mod spindle_checks;
 pub mod state;
 mod statement;
 mod surface;

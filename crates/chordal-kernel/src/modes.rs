@@ -157,7 +157,7 @@ impl Kernel<'_> {
         let mm_per_s = self.state.surface_speed?;
         let limit = self.state.speed_limit.unwrap_or(f64::INFINITY);
         let most = limit.min(self.machine.spindle_max_rpm.unwrap_or(f64::INFINITY));
-        Some(SurfaceSpeed { mm_per_s, most_rev_per_s: most / 60.0 })
+        Some(SurfaceSpeed { mm_per_s, most_rev_per_s: most / 60.0, is_limited: limit.is_finite() })
     }
 
     /// The speed of what turns with the tool at a place of X, rev/s.
@@ -217,7 +217,7 @@ impl Kernel<'_> {
     }
 
     /// The tool made ready goes into the spindle; `word` changes it.
-    pub fn tool_change(&mut self, word: Span, stops_spindle: bool) {
+    pub fn tool_change(&mut self, word: Span) {
         self.state.arc_over_rapid = false;
         // A tool of an unknown number is as no tool that the machine file knows.
         let unknown = self.state.unknown.tool.then_some(0);
@@ -237,7 +237,7 @@ impl Kernel<'_> {
         self.end_cycle_if(self.rules.cycles.cancel.by_tool_change);
         self.end_length_if(self.rules.length.ended_by.tool_change);
         self.state.tool = number;
-        if stops_spindle {
+        if self.rules.spindle_stops_at_tool_change {
             self.state.spindle = SpindleState::Off;
         }
         self.emit(CommandKind::Tool { number });

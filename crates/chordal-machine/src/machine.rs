@@ -23,6 +23,8 @@ pub struct Machine {
     pub control: ControlName,
     /// On which side of the axis the turret of a lathe stands.
     pub turret: Turret,
+    /// How near to what is cut the turret of a lathe may turn, mm; `None`: anywhere outside.
+    pub turret_clearance_mm: Option<f64>,
     /// The axes by `axis as usize`; `None`: the machine has no such axis.
     pub axes: PerAxis<Option<AxisLimits>>,
     /// What A, B and C turn, in this order.
@@ -322,6 +324,7 @@ impl Machine {
             rotary: [Rotary::default(); 3],
             feed: FeedLimits::default(),
             turret: Turret::Rear,
+            turret_clearance_mm: None,
             rapid: None,
             spindle_max_rpm: None,
             live_tool_max_rpm: None,

@@ -28,6 +28,7 @@ impl Machine {
         if self.turret != Turret::default() {
             out.line("turret", &string_text(self.turret.as_str()));
         }
+        out.quantity("turret_clearance", self.turret_clearance_mm, Dimension::Length);
         self.write_axes(&mut out);
         if self.feed != Default::default() {
             out.table("feed");

@@ -1,7 +1,10 @@
 //! Checks that need the path: travel, rapids into the part, nearly tangent joints.
 
+mod cutting_speed;
+mod joint;
 mod surface;
 mod tip;
+mod turret;
 
 use chordal_command::{
     AxisMask, Command, CommandKind, Feed, FeedMode, Move, Origin, Position, Side, Units,
@@ -20,12 +23,9 @@ use crate::frame::Frame;
 use crate::rapid_check::{LowRapid, RapidLog, Way};
 use crate::segment::{curve_of, is_known, point};
 use crate::tip::TipTracker;
-
-/// Joints that turn by less are tangent within rounding of coordinates, rad (0.1°).
-const TANGENT_RAD: f64 = 0.001_745;
-
-/// Joints that turn by more are corners on purpose, rad (2°).
-const CORNER_RAD: f64 = 0.034_9;
+use crate::turret_log::TurretLog;
+use cutting_speed::CuttingSpeedMemory;
+use turret::TurretMemory;
 
 /// Rapids one after the other at depth that are remembered until a cut follows.
 const LEGS_KEPT: usize = 16;
@@ -45,6 +45,10 @@ pub struct Checks<'a> {
     machine: &'a Machine,
     /// Nothing of the part is above this, mm.
     clearance_mm: f64,
+    /// The machine is a lathe.
+    turns: bool,
+    /// How programs limit the spindle where they keep a cutting speed.
+    speed_limit_example: &'static str,
     /// Nobody named the machine: what exceeds its limits is one note at the end.
     assumed: bool,
     /// What is remembered where a program begins.
@@ -70,6 +74,8 @@ pub struct ChecksMemory {
     tip: TipTracker,
     /// The tools and length offsets whose tip was reported.
     reported_tips: Vec<(u32, Option<u32>)>,
+    cutting_speed: CuttingSpeedMemory,
+    turret: TurretMemory,
     told_axes: AxisMask,
     /// A rotary axis that cannot keep up was reported.
     told_speed: bool,
@@ -80,6 +86,8 @@ pub struct ChecksMemory {
 pub struct Seen {
     /// What is cut, in program coordinates, and the rapids below the clearance plane.
     rapids: RapidLog,
+    /// On a lathe: what is cut, and where the turret turns.
+    turret: TurretLog,
     /// Extent of each axis over known places, for machines whose offsets are not known.
     extent: PerAxis<(f64, f64)>,
     /// By how much the limits of an assumed machine were exceeded.
@@ -89,7 +97,12 @@ pub struct Seen {
 impl Default for Seen {
     fn default() -> Seen {
         let extent = [(f64::INFINITY, f64::NEG_INFINITY); AXES];
-        Seen { rapids: RapidLog::default(), extent, excess: Excess::default() }
+        Seen {
+            rapids: RapidLog::default(),
+            turret: TurretLog::default(),
+            extent,
+            excess: Excess::default(),
+        }
     }
 }
 
@@ -97,6 +110,7 @@ impl Seen {
     /// With what the stretch after has touched.
     pub fn and(&mut self, next: &Seen) {
         self.rapids.and(&next.rapids);
+        self.turret.and(&next.turret);
         for (extent, other) in self.extent.iter_mut().zip(next.extent) {
             *extent = (extent.0.min(other.0), extent.1.max(other.1));
         }
@@ -105,6 +119,7 @@ impl Seen {
 
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
     pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+        self.turret.shift(shift)?;
         self.rapids.shift(shift)
     }
 }
@@ -115,6 +130,8 @@ impl ChecksMemory {
         for leg in &mut self.legs {
             leg.origin = leg.origin.shifted(shift)?;
         }
+        self.cutting_speed.shift(shift)?;
+        self.turret.shift(shift)?;
         self.contour.shift(shift)
     }
 }
@@ -137,12 +154,16 @@ impl<'a> Checks<'a> {
             contour: ContourRapid::default(),
             tip: TipTracker::new(machine, ToolLengths::Absent, known),
             reported_tips: Vec::new(),
+            cutting_speed: CuttingSpeedMemory::default(),
+            turret: TurretMemory::default(),
             told_axes: AxisMask::NONE,
             told_speed: false,
         };
         Checks {
             machine,
             clearance_mm: clearance_mm(machine),
+            turns: machine.turns(),
+            speed_limit_example: "",
             assumed: false,
             start: now.clone(),
             now,
@@ -155,6 +176,11 @@ impl<'a> Checks<'a> {
         self.now.tip = TipTracker::new(self.machine, lengths, self.now.frame.known);
         self.start = self.now.clone();
         self
+    }
+
+    /// How programs limit the spindle where they keep a cutting speed, for people.
+    pub fn with_speed_limit_example(self, example: &'static str) -> Checks<'a> {
+        Checks { speed_limit_example: example, ..self }
     }
 
     /// Nobody named the machine: its limits are a guess.
@@ -230,6 +256,10 @@ impl<'a> Checks<'a> {
     pub fn command(&mut self, path: PathCommand<'_>, mut report: impl FnMut(Diagnostic)) {
         let command = path.command;
         let as_programmed = path.side == Side::Off;
+        if self.turns {
+            self.turret(command);
+            self.cutting_speed(command, &mut report);
+        }
         if self.now.frame.surface.is_some() {
             return self.on_surface(path, &mut report);
         }
@@ -490,85 +520,10 @@ impl<'a> Checks<'a> {
         .help("write G1 in this block")
     }
 
-    fn joint_of_line(
-        &mut self,
-        motion: &Move,
-        origin: Origin,
-        report: &mut impl FnMut(Diagnostic),
-    ) {
-        let (from, to) = (point(&motion.from), point(&motion.to));
-        let way = to - from;
-        if let Some((before, place, Some(plane))) = self.now.last
-            && place == from
-        {
-            self.joint(plane, before, way, origin, report);
-        }
-        // The direction is needed only when an arc follows; it is cheaper kept as it is.
-        if way != Vec3::ZERO {
-            self.now.last = Some((way, to, None));
-        }
-    }
-
-    fn joint_of_arc(
-        &mut self,
-        curve: &Curve,
-        plane: Plane,
-        origin: Origin,
-        report: &mut impl FnMut(Diagnostic),
-    ) {
-        if let Some((before, place, _)) = self.now.last
-            && place == curve.start()
-        {
-            self.joint(plane, before, curve.tangent_at(0.0), origin, report);
-        }
-        self.now.last = Some((curve.tangent_at(curve.length()), curve.end(), Some(plane)));
-    }
-
-    /// The turn is judged in the plane of the arc: the slope of a helix is meant.
-    fn joint(
-        &self,
-        plane: Plane,
-        before: Vec3,
-        after: Vec3,
-        origin: Origin,
-        report: &mut impl FnMut(Diagnostic),
-    ) {
-        // The joints within a cycle are the control's, not the programmer's.
-        if origin.cycle {
-            return;
-        }
-        let flat = |direction: Vec3| {
-            let normal = plane.normal();
-            direction - normal * direction.dot(normal)
-        };
-        let (before, after) = (flat(before), flat(after));
-        // Squares of the sine and of what it is a share of: most joints need no root.
-        let across = before.cross(after).length_squared();
-        let whole = before.length_squared() * after.length_squared();
-        let turns =
-            (TANGENT_RAD * TANGENT_RAD * whole..CORNER_RAD * CORNER_RAD * whole).contains(&across);
-        if !turns || before.dot(after) <= 0.0 {
-            return;
-        }
-        let sine = (across / whole).sqrt();
-        let degrees = sine.asin_degrees();
-        report(
-            Diagnostic::new(
-                Code::NearlyTangent,
-                origin.span,
-                format!(
-                    "the path turns by {} degrees where this block begins",
-                    number_text(degrees, 2)
-                ),
-            )
-            .label("almost tangent to the block before")
-            .help("if the joint is meant to be smooth, compute the coordinates with more decimals"),
-        );
-    }
-
     /// What can be judged only at the end of a program; the next one begins anew. `head` is where its number
     /// stands, if others are run with it.
     pub fn finish(&mut self, head: Span, mut report: impl FnMut(Diagnostic)) {
+        self.judge_turret(&mut report);
         let rapids = std::mem::take(&mut self.seen.rapids);
         rapids.judge(|rapid| report(self.rapid_into_part(&rapid)));
         for axis in AxisMask::ALL.without(self.now.told_axes).without(self.now.frame.known).iter() {
@@ -628,16 +583,4 @@ pub fn depth_mm(machine: &Machine) -> f64 {
 fn has_known_length(motion: &Move) -> bool {
     let known = motion.from_known.and(motion.to_known);
     (0..3).all(|axis| known.has(axis) || motion.from[axis] == motion.to[axis])
-}
-
-trait Degrees {
-    fn asin_degrees(self) -> f64;
-}
-
-impl Degrees for f64 {
-    /// Of a small sine; the series is exact to 1e-9 at two degrees, and the same everywhere.
-    fn asin_degrees(self) -> f64 {
-        let s = self;
-        (s + s * s * s / 6.0 + 3.0 * s.powi(5) / 40.0).to_degrees()
-    }
 }

@@ -1,7 +1,7 @@
 //! By how much a program exceeds the limits of a machine that nobody named. They are a guess, so that they are one
 //! note of a program and not an error of each move.
 
-use chordal_command::{AxisMask, CommandKind, FeedMode, Units, number_text};
+use chordal_command::{AxisMask, CommandKind, Feed, FeedMode, Move, Units, number_text};
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_machine::{AXES, Machine, PerAxis};
 
@@ -17,6 +17,17 @@ pub struct Excess {
     feed: f64,
     /// The largest spindle speed above the limit, rpm.
     speed: f64,
+}
+
+/// The largest share that an axis has of a straight cut whose feed follows the spindle: a lead is that of an axis.
+fn share_in_step(feed: &Feed, motion: &Move) -> f64 {
+    if feed.mode != FeedMode::PerRevolution {
+        return 1.0;
+    }
+    let way: [f64; 3] = std::array::from_fn(|axis| (motion.to[axis] - motion.from[axis]).abs());
+    let length = libm::sqrt(way.iter().map(|part| part * part).sum());
+    let longest = way.into_iter().fold(0.0, f64::max);
+    if length > 0.0 { longest / length } else { 1.0 }
 }
 
 impl Excess {
@@ -41,13 +52,15 @@ impl Excess {
             if machine.spindle_max_rpm.is_some_and(|most| *rpm > most) {
                 self.speed = self.speed.max(*rpm);
             }
-        } else if let Some(feed) = kind.feed()
-            && feed.mode == FeedMode::PerTime
-            && feed.value > self.feed
-            && machine.feed.max_mm_per_s.is_some_and(|most| feed.value > most * (1.0 + ROUNDING))
+        } else if let (Some(feed), Some(motion)) = (kind.feed(), kind.motion())
+            && let Some(value) = feed.mm_per_s_at(motion.least_radius())
+            && let value = value * share_in_step(feed, motion)
+            && value > self.feed
+            && value.is_finite()
+            && machine.feed.max_mm_per_s.is_some_and(|most| value > most * (1.0 + ROUNDING))
             && !kind.only_turns()
         {
-            self.feed = feed.value;
+            self.feed = value;
         }
     }
 

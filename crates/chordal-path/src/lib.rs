@@ -49,6 +49,7 @@ mod segment;
 mod side_check;
 mod surface;
 mod tip;
+mod turret_log;
 
 pub use builder::{PathBuilder, RunFrame, duration_s};
 pub use checks::{Checks, ChecksMemory, Seen, depth_mm};

@@ -92,7 +92,11 @@ mod tests {
             along: FeedAlong::Path,
             spindle_rev_per_s: 0.0,
             lead_change: 0.0,
-            surface: Some(SurfaceSpeed { mm_per_s: 200_000.0 / 60.0, most_rev_per_s }),
+            surface: Some(SurfaceSpeed {
+                mm_per_s: 200_000.0 / 60.0,
+                most_rev_per_s,
+                is_limited: true,
+            }),
         };
         let point = |[x, z]: [f64; 2]| Vec3::new(x, 0.0, z);
         let line = Curve::Line(Line { start: point(from), end: point(to) });

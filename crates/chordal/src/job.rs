@@ -323,6 +323,7 @@ impl<'a> Job<'a> {
         Checks::new(self.machine(), offset, known, rules.units)
             .assumed(self.has_assumed_machine())
             .with_tool_lengths(rules.length.source)
+            .with_speed_limit_example(rules.turning.speed_limit_example)
     }
 
     /// Makes the path of one run of this job from its commands.

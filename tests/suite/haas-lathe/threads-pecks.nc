@@ -8,7 +8,7 @@ T101
 G97 S800 M03
 G0 X28. Z4.
 (K is the height and D the first pass: with D a half of K there are 4 passes of the same area. Without A the infeed is straight.)
-G76 X21. Z-20. K2. D1. F1. (= rapid to X23 Z4 | line to X23 Z-19 | line to X25 Z-20 | rapid to X28 Z-20 | rapid to X28 Z4 | rapid to X22.171573 Z4 | line to X22.171573 Z-19 | line to X24.171573 Z-20 | rapid to X28 Z-20 | rapid to X28 Z4 | rapid to X21.535898 Z4 | line to X21.535898 Z-19 | line to X23.535898 Z-20 | rapid to X28 Z-20 | rapid to X28 Z4 | rapid to X21 Z4 | line to X21 Z-19 | line to X23 Z-20 | rapid to X28 Z-20 | rapid to X28 Z4)
+G76 X21. Z-20. K2. D1. F1. (= rapid to X23 Z4 | line to X23 Z-19 | line to X25 Z-20 | rapid to X28 Z-20 | rapid to X28 Z4 | rapid to X22.171573 Z4 | line to X22.171573 Z-19 | line to X24.171573 Z-20 | rapid to X28 Z-20 | rapid to X28 Z4 | rapid to X21.535898 Z4 | line to X21.535898 Z-19 | line to X23.535898 Z-20 | rapid to X28 Z-20 | rapid to X28 Z4 | rapid to X21 Z4 | line to X21 Z-19 | line to X23 Z-20 | rapid to X28 Z-20 | rapid to X28 Z4 | ! CH617 "K of this thread is 2 mm, 2 times its lead of 1 mm")
 (M24: no exit at 45 degrees.)
 M24
 G76 X24. Z-20. K1. D1. F1. (= rapid to X24 Z4 | line to X24 Z-20 | rapid to X28 Z-20 | rapid to X28 Z4)

@@ -110,6 +110,13 @@ the centre, or at the first hole of a line."#;
 `pitch` of the tool in the machine file by more than a floating holder takes up (5.5 %): the tap breaks, or the thread is
 torn. Often S was changed and F was not, or G94 and G95 are exchanged."#;
 
+    TapWithoutSpeed = 819, "tap-without-speed", Error;
+    "a tapping cycle without a spindle speed";
+    r#"Nothing has given the spindle a speed before the tap: no S was written, or S0. The feed of a tap is its pitch times the
+speed, so it fits no spindle that turns at another speed or not at all: the tap breaks. A control that taps in step with the
+spindle alarms. Write S before the cycle. Where the program has neither started the spindle nor changed a tool before, it
+may be a part of another program, and this is a warning."#;
+
     TapExchanged = 840, "tap-exchanged", Warning;
     "a tap whose axes the control exchanges";
     r#"LinuxCNC 2.9 exchanges the coordinates of G84 and G74 twice in G18 and G19. The tool goes to the hole as

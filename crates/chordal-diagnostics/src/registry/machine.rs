@@ -76,6 +76,58 @@ machine file."#;
 the contour is cut too large or too small by the difference. Where the machine file does not give both radii, this is a
 warning. Other numbers are the shop's own: `D21` for a second offset of tool 1."#;
 
+    SpeedWithoutLimit = 613, "speed-without-limit", Warning;
+    "a cutting speed turns the spindle up to the machine's maximum";
+    r#"G96 keeps the cutting speed: the smaller the diameter, the faster the spindle. Towards the centre nothing but the
+machine's own maximum stops it, and a chuck with long jaws or a large part may not be made for that. The message says the
+diameter from which on the spindle turns at its maximum. Limit it before, with the largest speed that chuck and part allow:
+
+    G50 S2500          Fanuc in G code system A, Haas, Mitsubishi; in systems B and C it is G92 S2500
+    G96 S180 M3
+
+On LinuxCNC the limit is D of the block with G96. With a limit that is given nothing is said. Where nobody named the machine, only
+cuts up to the centre are reported, because there every machine is at its maximum."#;
+
+    ThreadAtSurfaceSpeed = 614, "thread-at-surface-speed", Warning;
+    "a thread is cut while a cutting speed is kept";
+    r#"In G96 each pass of a thread has another diameter and so another speed of the spindle. The axis lags behind the spindle by
+an amount that depends on the speed, so passes do not meet in one groove, and a taper or a scroll has no even lead. Write G97
+with the spindle speed before the thread:
+
+    G97 S800 M3
+    G76 P021060 Q100 R100"#;
+
+    DrillingAtSurfaceSpeed = 615, "drilling-at-surface-speed", Warning;
+    "a hole in the centre is drilled or tapped while a cutting speed is kept";
+    r#"At X0 the cutting speed of G96 asks for a spindle of any speed: it turns at its limit, whatever S says. The drill burns,
+and a tap breaks. Write G97 with the spindle speed before the hole:
+
+    G97 S1200 M3
+    G0 X0 Z5.
+    G74 Z-40. Q12000 F.15"#;
+
+    TurretNearPart = 616, "turret-near-part", Warning;
+    "the turret turns inside of what the program cuts";
+    r#"T turns the turret while the tip of the tool in work, or of the tool that comes, is nearer to the axis than a cut of the program
+at the same Z: it is in the part or in the chips of it. Often the move to the place of the tool change is missing:
+
+    G1 X40. Z-30. F.2
+    G0 X200. Z100.     missing
+    T0202
+
+The tool that comes is looked at where the machine file gives the offsets of both. Nothing is said where the position is not known,
+as after G28 without an offset of the machine file, nor of cuts in another work offset. With `turret_clearance` in the machine
+file it is also reported where a tip is nearer than that to what is cut."#;
+
+    ThreadHeight = 617, "thread-height", Warning;
+    "the height of a thread does not fit its lead";
+    r#"A thread of 60° is about 0.54 (in a bore) to 0.65 times its lead high; the message says how much it is here. On a Fanuc, P and Q
+of the second block of G76 count thousandths of a millimetre, or ten thousandths of an inch, and have no decimal point: the height
+of M24 x 3 is `P1840`. `P184` is a thread that is not deep enough, and `P18400` one that goes through the wall. It is reported where
+the height is over 1.5 times the lead or under 0.13 times (a thread with four starts is 0.135 to 0.153 times its lead high), where it
+is more than the radius of the root, where the first pass is deeper than the thread, and where P or Q has a point on a control
+that counts increments (setting `point in G76`)."#;
+
     InternalError = 901, "internal-error", Error;
     "Chordal has a defect";
     r#"This is a defect of Chordal, not of the program. Please report it with the program."#;

@@ -60,6 +60,8 @@ pub(super) const TOOL_LENGTHS: &[(&str, ToolLengths)] = &[
     ("absent", ToolLengths::Absent),
 ];
 
+pub(super) const SPINDLE_AT_TOOL_CHANGE: &[(&str, bool)] = &[("stops", true), ("turns", false)];
+
 pub(super) const LENGTHS_WITHOUT_NUMBER: &[(&str, LengthWithoutNumber)] =
     &[("in-force", LengthWithoutNumber::InForce), ("tool", LengthWithoutNumber::OfTool)];
 

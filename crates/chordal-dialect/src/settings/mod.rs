@@ -52,6 +52,8 @@ pub enum Field {
     SemicircleTolerance,
     ExcessDecimals,
     ToolLengths,
+    /// Whether a tool change stops the spindle.
+    SpindleAtToolChange,
     LengthWithoutNumber,
     LengthInIncrement,
     LengthOfZero,
@@ -181,6 +183,11 @@ const GENERAL: &[Setting] = &[
         "tool_lengths",
         Field::ToolLengths,
         "where the length of a tool comes from: `table` (a code of the program), `touched-off` (the work offset is set with each tool) or `absent`",
+    ),
+    common(
+        "spindle_at_tool_change",
+        Field::SpindleAtToolChange,
+        "a tool change (M6, or T of a turret) stops the spindle (`stops`), or it turns on (`turns`)",
     ),
     common(
         "length_without_h",
@@ -450,6 +457,9 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::SemicircleTolerance => p.rules.arc.semicircle_tolerance_mm = Some(length()?),
         Field::ExcessDecimals => p.excess_decimals = choose(word, EXCESS_DECIMALS)?,
         Field::ToolLengths => p.rules.length.source = choose(word, TOOL_LENGTHS)?,
+        Field::SpindleAtToolChange => {
+            p.rules.spindle_stops_at_tool_change = choose(word, SPINDLE_AT_TOOL_CHANGE)?;
+        }
         Field::LengthWithoutNumber => {
             p.rules.length.without_number = choose(word, LENGTHS_WITHOUT_NUMBER)?;
         }
@@ -556,6 +566,8 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
             p.code_system = choose(word, CODE_SYSTEMS)?;
             // Inch and millimetres are G70 and G71 in C.
             p.unit_codes = if p.code_system == 2 { UnitCodes::G70 } else { UnitCodes::G20 };
+            let example = if p.code_system == 0 { "G50 S2500" } else { "G92 S2500" };
+            p.rules.turning.speed_limit_example = example;
         }
         Field::DwellUnit => p.dwell_factor = choose(word, DWELL_UNITS)?,
         Field::MacroAngles => {
@@ -601,6 +613,9 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         },
         Field::ExcessDecimals => name_of(p.excess_decimals, EXCESS_DECIMALS),
         Field::ToolLengths => name_of(p.rules.length.source, TOOL_LENGTHS),
+        Field::SpindleAtToolChange => {
+            name_of(p.rules.spindle_stops_at_tool_change, SPINDLE_AT_TOOL_CHANGE)
+        }
         Field::LengthWithoutNumber => {
             name_of(p.rules.length.without_number, LENGTHS_WITHOUT_NUMBER)
         }

@@ -21,12 +21,15 @@ pub enum TurningField {
     ThreadAngle,
     PocketsByR,
     ReturnOfContour,
+    ThreadPoint,
 }
 
 const FIRST_LEVELS: &[(&str, FirstLevel)] =
     &[("allowance", FirstLevel::Allowance), ("start", FirstLevel::Start)];
 
 const RETURNS: &[(&str, bool)] = &[("left out", true), ("refused", false)];
+
+const POINTS: &[(&str, bool)] = &[("allowed", true), ("reported", false)];
 
 const STYLES: &[(&str, Option<u8>)] = &[("fanuc", None), ("yasnac", Some(b'R'))];
 
@@ -57,6 +60,7 @@ pub(super) fn set(
         TurningField::ThreadAngle => rules.thread_angle_deg = f64::from(whole(120)?),
         TurningField::PocketsByR => rules.pockets_by = choose(word, STYLES)?,
         TurningField::ReturnOfContour => rules.return_left_out = choose(word, RETURNS)?,
+        TurningField::ThreadPoint => rules.thread_words_take_point = choose(word, POINTS)?,
     }
     Ok(())
 }
@@ -76,5 +80,6 @@ pub(super) fn value_text(p: &Parameters, field: TurningField) -> String {
         TurningField::ThreadAngle => rules.thread_angle_deg.to_string(),
         TurningField::PocketsByR => name_of(rules.pockets_by, STYLES),
         TurningField::ReturnOfContour => name_of(rules.return_left_out, RETURNS),
+        TurningField::ThreadPoint => name_of(rules.thread_words_take_point, POINTS),
     }
 }

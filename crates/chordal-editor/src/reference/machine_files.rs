@@ -139,7 +139,8 @@ name = \"line-3\"
 title = \"Line 3, machining centre\"
 notes = [\"acceleration measured in March\"]
 control = \"fanuc\"
-turret = \"front\"   # of a lathe",
+turret = \"front\"   # of a lathe
+turret_clearance = \"50 mm\"",
     },
     Section {
         table: "axes",

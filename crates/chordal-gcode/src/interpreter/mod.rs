@@ -39,6 +39,7 @@ mod spline;
 mod statement;
 mod surface;
 mod thread;
+mod thread_height;
 mod turning;
 mod turning_contour;
 mod turning_subroutine;

@@ -631,7 +631,6 @@ impl Interpreter<'_> {
 
     /// M6.
     pub(super) fn tool_change(&mut self, block: &Block, at: usize) {
-        let stops = self.control.table.spindle_stops_at_tool_change;
-        self.kernel.tool_change(self.span(block.words[at].range), stops);
+        self.kernel.tool_change(self.span(block.words[at].range));
     }
 }

@@ -73,6 +73,11 @@ impl Interpreter<'_> {
         if back {
             let factor = block.last(b'I').and_then(|word| self.literal(word));
             let factor = factor.map_or(1.0, |number| number.to_f64());
+            self.kernel.check_lead(&self.at(block), lead.abs(), "K makes");
+            if factor > 1.0 {
+                let rpm = self.kernel.state.rpm * factor;
+                self.kernel.check_cycle_speed(&self.at(block), rpm, "the way out of G33.1");
+            }
             self.kernel.rigid_tap(target, named, lead.abs(), factor);
         } else {
             self.kernel.thread(target, named, lead.abs());

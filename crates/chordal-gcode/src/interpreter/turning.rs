@@ -8,6 +8,7 @@ use chordal_kernel::{PeckWords, RoughWords, ThreadWords, TurnPass};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
+use super::thread_height::ThreadSizes;
 use super::turning_contour::Contour;
 
 const X: usize = 0;
@@ -316,6 +317,17 @@ impl Interpreter<'_> {
             return self.refuse_cycle(span, message, "give both", TurnFault::ThreadDepth);
         }
         let Some(lead) = self.lead_by_feed(block) else { return };
+        if !one_line {
+            if self.is_least_above_height(span, height) {
+                return;
+            }
+            self.check_thread_point(block, b"PQ");
+        }
+        let letters = if one_line { *b"KD" } else { *b"PQ" };
+        let root = end[0].abs();
+        let root_radius = Some(root).filter(|root| *root > 0.0);
+        let sizes = ThreadSizes { height, first, lead, root_radius };
+        self.check_thread_height(block, letters, &sizes);
         let words = ThreadWords { end, taper, height, first, lead };
         self.kernel.thread_passes(&self.at(block), &words);
         self.kernel.state.turning.thread = packed;
@@ -329,6 +341,7 @@ impl Interpreter<'_> {
             thread.exit_leads = f64::from(packed / 100 % 100) / 10.0;
             thread.angle_deg = f64::from(packed % 100);
         }
+        self.check_thread_point(block, b"Q");
         if let Some(least) = self.quiet_length(block, b'Q') {
             self.kernel.state.turning.thread.least = least.abs();
         }

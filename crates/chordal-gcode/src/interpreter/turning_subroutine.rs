@@ -8,6 +8,7 @@ use chordal_kernel::{DescentFault, DescentWords, Edge, LineThreadWords};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
+use super::thread_height::ThreadSizes;
 use super::turning_contour::Contour;
 
 const X: usize = 0;
@@ -227,6 +228,8 @@ impl Interpreter<'_> {
         let spring = self.count_of(block, b'H').unwrap_or(0);
         let ends = self.count_of(block, b'L').unwrap_or(0);
         let taper = self.length_of(block, b'E').unwrap_or(0.0).max(0.0);
+        let sizes = ThreadSizes { height, first, lead, root_radius: None };
+        self.check_thread_height(block, *b"KJ", &sizes);
         let (target, _) = self.target(block);
         let words = LineThreadWords {
             end_z: target[Z],

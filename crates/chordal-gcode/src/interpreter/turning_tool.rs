@@ -25,8 +25,7 @@ impl Interpreter<'_> {
         let tool = if station > 0 { station } else { offset };
         if tool > 0 && tool != self.kernel.state.tool {
             self.kernel.state.selected_tool = Some(tool);
-            let stops = self.control.table.spindle_stops_at_tool_change;
-            self.kernel.tool_change(self.span(word.range), stops);
+            self.kernel.tool_change(self.span(word.range));
         }
         let before = self.kernel.state.radius_offset;
         self.kernel.state.radius_offset = (offset > 0).then_some(offset);

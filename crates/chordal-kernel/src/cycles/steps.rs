@@ -19,6 +19,7 @@ impl Kernel<'_> {
     /// One hole: there, down, and out again.
     pub fn drill(&mut self, at: &dyn Statement, hole: &Hole, place: Position, named: AxisMask) {
         self.origin.cycle = true;
+        self.check_hole_speeds(at, hole, &place);
         let main = self.live_tool_as_spindle();
         self.approach(hole, place, named);
         match hole.words.kind {

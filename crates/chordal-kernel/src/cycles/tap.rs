@@ -27,6 +27,7 @@ impl Kernel<'_> {
         if let Some(rpm) = hole.words.tap_rpm.filter(|_| rules.feed == TapFeed::SpeedWithLeadQ) {
             self.state.rpm = rpm;
         }
+        self.check_tap_speed(at);
         if rules.spindle_must_turn && before != inward {
             self.report_wrong_spindle(at, inward);
         } else if rules.starts_spindle {
@@ -48,8 +49,7 @@ impl Kernel<'_> {
         if !rules.dwell_after_reverse {
             self.wait(hole.words.dwell_s);
         }
-        let factor = hole.words.out_factor.filter(|_| rules.out_factor_by_j);
-        let factor = factor.filter(|factor| *factor > 0.0).unwrap_or(rules.out_factor);
+        let factor = self.out_factor(hole);
         self.reverse_at(outward, factor);
         if rules.dwell_after_reverse {
             self.wait(hole.words.dwell_s);
@@ -74,38 +74,54 @@ impl Kernel<'_> {
         self.set_in_tap(false);
     }
 
+    /// How much faster than in it goes out.
+    pub(crate) fn out_factor(&self, hole: &Hole) -> f64 {
+        let rules = self.rules.cycles.tap;
+        let factor = hole.words.out_factor.filter(|_| rules.out_factor_by_j);
+        factor.filter(|factor| *factor > 0.0).unwrap_or(rules.out_factor)
+    }
+
     /// Fadal G75: the head reverses by itself when the quill is drawn out.
     pub fn tap_with_head(&mut self, at: &dyn Statement, hole: &Hole) {
         let by_speed = self.rules.cycles.tap.feed == TapFeed::SpeedWithLeadQ;
         if let Some(rpm) = hole.words.tap_rpm.filter(|_| by_speed) {
             self.state.rpm = rpm;
         }
+        self.check_tap_speed(at);
         self.check_pitch(at, hole);
         self.tap_to(at, hole, hole.z, 1.0);
         self.tap_to(at, hole, hole.r, 1.0);
     }
 
-    /// The lead of the feed against the pitch of the tap, where the machine file gives it; once for each tool.
+    /// The lead of a cycle against the pitch of its tap.
     fn check_pitch(&mut self, at: &dyn Statement, hole: &Hole) {
-        let number = self.state.tool;
-        let tool = self.machine.tools.get(&number);
-        let tool = tool.filter(|tool| tool.shape == Some(ToolShape::Tap));
-        let Some(pitch) = tool.and_then(|tool| tool.pitch_mm) else { return };
         let per_turn = |feed: f64| match self.state.feed_mode {
             FeedMode::PerTime if self.state.rpm > 0.0 => Some(feed * 60.0 / self.state.rpm),
             FeedMode::PerRevolution => Some(feed),
             FeedMode::PerTime | FeedMode::InverseTime => None,
         };
-        let lead = self.lead_given(hole).or_else(|| self.state.feed.and_then(per_turn));
-        let is_off = |lead: &f64| (lead - pitch).abs() > FLOATING_TAP_SHARE * pitch;
-        let Some(lead) = lead.filter(is_off) else { return };
-        if self.state.live.is_some() || self.reported.pitch_for_tool == Some(number) {
+        let (lead, source) = match self.lead_given(hole) {
+            Some(lead) => (Some(lead), "the words of the cycle make"),
+            None => (self.state.feed.and_then(per_turn), "F and S make"),
+        };
+        if let Some(lead) = lead {
+            self.check_lead(at, lead, source);
+        }
+    }
+
+    /// A lead against the pitch of the tap, where the machine file gives it; once for each tool.
+    pub fn check_lead(&mut self, at: &dyn Statement, lead: f64, source: &str) {
+        let number = self.state.tool;
+        let tool = self.machine.tools.get(&number);
+        let tool = tool.filter(|tool| tool.shape == Some(ToolShape::Tap));
+        let Some(pitch) = tool.and_then(|tool| tool.pitch_mm) else { return };
+        let is_off = (lead - pitch).abs() > FLOATING_TAP_SHARE * pitch;
+        if !is_off || self.reported.pitch_for_tool == Some(number) {
             return;
         }
         self.reported.pitch_for_tool = Some(number);
         let [lead, pitch] = [lead, pitch].map(|mm| self.length_text(mm));
-        let message =
-            format!("F and S make a lead of {lead}, and tap {number} has a pitch of {pitch}");
+        let message = format!("{source} a lead of {lead}, and tap {number} has a pitch of {pitch}");
         self.report(
             Diagnostic::new(Code::TapPitch, at.span(), message)
                 .label("the tap breaks, or the thread is torn")
@@ -158,6 +174,9 @@ impl Kernel<'_> {
         let motion = self.moved_to(target, axes);
         let rev_per_s = self.state.rpm / 60.0 * factor;
         let lead = self.lead_given(hole);
+        let per_turn = self.state.feed_mode == FeedMode::PerRevolution;
+        // At the speed of the way in F has been checked.
+        let in_step = lead.is_some() || per_turn && factor > 1.0;
         let feed = match lead {
             Some(lead) => Feed {
                 value: lead * rev_per_s,
@@ -176,6 +195,9 @@ impl Kernel<'_> {
                 feed
             }
         };
+        if in_step {
+            self.check_feed_in_step(&motion, &feed);
+        }
         self.emit(CommandKind::Line { motion, feed });
     }
 

@@ -137,14 +137,14 @@ impl Kernel<'_> {
             self.report_spindle_stopped(at);
         }
         if let Some(word) = self.state.feed_over {
-            self.check_feed_limit(word, &feed, angular);
+            self.check_feed_limit(word, (motion, shape), &feed, angular);
         }
         feed
     }
 
     /// The spindle was started, and no S has said how fast.
     #[cold]
-    fn turns_without_speed(&self) -> bool {
+    pub(crate) fn turns_without_speed(&self) -> bool {
         let state = &self.state;
         let known = state.live.is_none() && state.surface_speed.is_none() && !state.unknown.speed;
         known && !self.rules.speed_by_hand
@@ -223,22 +223,22 @@ impl Kernel<'_> {
 
     /// Holds a feed that is too large for lengths or for angles against the move that is made with it.
     #[cold]
-    fn check_feed_limit(&mut self, word: Span, feed: &Feed, angular: bool) {
+    fn check_feed_limit(
+        &mut self,
+        word: Span,
+        (motion, shape): (&Move, Option<&ArcShape>),
+        feed: &Feed,
+        angular: bool,
+    ) {
         let limits = self.machine.feed;
         let max = if angular { limits.max_rad_per_s } else { limits.max_mm_per_s };
-        let value = match feed.mode {
-            FeedMode::PerTime => feed.value,
-            // At a cutting speed the revolutions follow the diameter.
-            FeedMode::PerRevolution if feed.surface.is_none() => {
-                feed.value * feed.spindle_rev_per_s
+        match (feed.mode, max) {
+            (FeedMode::PerTime, Some(max)) if is_over(feed.value, Some(max)) => {
+                self.state.feed_over = None;
+                self.report_feed_over(word, feed.value, max, angular);
             }
-            FeedMode::PerRevolution | FeedMode::InverseTime => return,
-        };
-        if let Some(max) = max
-            && is_over(value, Some(max))
-        {
-            self.state.feed_over = None;
-            self.report_feed_over(word, value, max, angular);
+            (FeedMode::PerRevolution, _) => self.check_feed_per_turn(word, motion, shape, feed),
+            (FeedMode::PerTime | FeedMode::InverseTime, _) => {}
         }
     }
 
@@ -321,7 +321,7 @@ impl Kernel<'_> {
                 is_over(feed, limits.max_mm_per_s) || is_over(angular, limits.max_rad_per_s)
             }
             // Whether it is depends on the spindle at the next cut.
-            FeedMode::PerRevolution => limits.max_mm_per_s.is_some(),
+            FeedMode::PerRevolution => true,
             FeedMode::InverseTime => false,
         };
         self.state.feed_over = over.then_some(word);

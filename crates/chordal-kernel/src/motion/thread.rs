@@ -18,6 +18,7 @@ impl Kernel<'_> {
         named: AxisMask,
         [lead_mm, change_mm]: [f64; 2],
     ) {
+        self.check_thread_speed();
         self.set_in_tap(true);
         self.in_step(target, named, [lead_mm, change_mm], 1.0);
         self.set_in_tap(false);
@@ -61,6 +62,7 @@ impl Kernel<'_> {
             lead_change: change_mm,
             surface: None,
         };
+        self.check_feed_in_step(&motion, &feed);
         self.emit(CommandKind::Line { motion, feed });
     }
 }

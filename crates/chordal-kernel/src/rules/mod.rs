@@ -70,6 +70,8 @@ pub struct Rules {
     pub radius_offsets: OffsetKind,
     /// Many of its machines have a spindle that is switched by hand, or none: a pen, a knife (GRBL).
     pub spindle_by_hand: bool,
+    /// A tool change stops the spindle by itself.
+    pub spindle_stops_at_tool_change: bool,
     /// M3 without an S turns the spindle at the speed that was set by hand.
     pub speed_by_hand: bool,
     /// Outside corners with compensation.
@@ -153,6 +155,7 @@ impl Rules {
         starting_feed_mm_s: None,
         max_rotary_per_block_rad: f64::INFINITY,
         spindle_by_hand: false,
+        spindle_stops_at_tool_change: false,
         speed_by_hand: false,
         radius_offsets: OffsetKind::Radius,
         outside_corner: OutsideCorner::Linear,

@@ -78,6 +78,10 @@ pub struct TurningRules {
     pub return_left_out: bool,
     /// A first block without P and Q gives depth and retract; else all is in one block (Haas).
     pub two_blocks: bool,
+    /// P and Q of a thread in many passes may have a decimal point; otherwise they count least increments (Fanuc).
+    pub thread_words_take_point: bool,
+    /// How its programs limit the spindle where they keep a cutting speed.
+    pub speed_limit_example: &'static str,
     /// Tip numbers count with X turned round: 2 is the tool for turning outside, not 3 (LinuxCNC).
     pub tips_mirrored: bool,
 }
@@ -98,6 +102,8 @@ impl TurningRules {
         contour_program: false,
         return_left_out: false,
         two_blocks: true,
+        thread_words_take_point: true,
+        speed_limit_example: "G50 S2500",
         tips_mirrored: false,
     };
 }

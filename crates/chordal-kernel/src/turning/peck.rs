@@ -44,6 +44,9 @@ impl Kernel<'_> {
             return;
         }
         self.origin.cycle = true;
+        if !words.along_x && words.step.is_none() && self.state.known.has(0) {
+            self.check_center_speed(at, start[0], false);
+        }
         let mut aside = 0.0;
         let mut plunge = 0.0;
         loop {

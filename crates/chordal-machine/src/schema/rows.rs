@@ -96,6 +96,13 @@ pub(crate) const ROWS: &[Row] = &[
         },
         doc: "the side of the axis on which the turret of a lathe stands. The page of `chordal view` draws X up for `rear` and down for `front`, programs mean the same; otherwise `rear`",
     },
+    quantity(
+        "turret_clearance",
+        Dimension::Length,
+        Sign::Positive,
+        |m, _| &mut m.turret_clearance_mm,
+        "how near the tip of a tool may be to what the program cuts while the turret of a lathe turns; otherwise only a turn inside of what is cut is reported",
+    ),
     Row {
         path: "axes.<axis>",
         slot: Slot::Axis,

@@ -354,6 +354,7 @@ const LIMITS: &[Code] = &[
     Code::TravelExceeded,
     Code::FeedOverLimit,
     Code::SpindleOverLimit,
+    Code::SpeedWithoutLimit,
     Code::LengthOffsetOfOtherTool,
     Code::OffsetNotSet,
     Code::DiameterNotSet,

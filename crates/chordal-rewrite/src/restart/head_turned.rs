@@ -24,7 +24,9 @@ impl Head<'_, '_> {
     pub(super) fn before_station(&self) -> Result<Vec<String>, Lack> {
         let mut lines = self.turned_modes();
         // A turret turns while the spindle does.
-        lines.extend(self.turned_speed(!self.control.table.spindle_stops_at_tool_change)?);
+        lines.extend(
+            self.turned_speed(!self.control.parameters.rules.spindle_stops_at_tool_change)?,
+        );
         self.finish(&mut lines)?;
         Ok(lines)
     }

@@ -43,7 +43,6 @@ pub static TABLE: ControlTable = ControlTable {
     spatial: None,
     face: None,
     cylinder: None,
-    spindle_stops_at_tool_change: true,
     work_names: WorkNaming { extended: "E", first: 1, by_e: true },
     program_numbers: ProgramNumbers { largest: 9999, digits: 1, required: false },
     call_start_label: None,

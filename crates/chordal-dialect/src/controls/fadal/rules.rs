@@ -11,6 +11,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     // User Manual 2003: N to 99999, O to 9999, a table of 99 offsets.
     largest_numbers: LargestNumbers { block: 99_999, program: 9999, offset: 99, tool: 0 },
     rules: Rules {
+        spindle_stops_at_tool_change: true,
         rapid: RapidPath::DogLeg,
         // Section 10: a rotary axis turns at most 1080 degrees in a block.
         max_rotary_per_block_rad: 6.0 * std::f64::consts::PI,

@@ -13,6 +13,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     // With every option, as the trade knows it; no manual was found: eight digits of N and O, 2000 offsets.
     largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999_999, offset: 2000, tool: 0 },
     rules: Rules {
+        spindle_stops_at_tool_change: true,
         frames: FRAMES,
         preset_clears_shift: true,
         machine_move_is_rapid: true,

@@ -48,7 +48,6 @@ pub(in crate::controls) const FANUC: ControlTable = ControlTable {
     spatial: None,
     face: Some(&super::fanuc::surface::FACE),
     cylinder: Some(&super::fanuc::surface::CYLINDER),
-    spindle_stops_at_tool_change: false,
     work_names: WorkNaming { extended: "G54.1", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 9999, digits: 4, required: true },
     call_start_label: Some(b'Q'),

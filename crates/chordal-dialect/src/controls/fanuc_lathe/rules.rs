@@ -33,6 +33,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
         cycles: CYCLES,
         compensation: COMPENSATION,
         corner: CORNER,
+        turning: TurningRules { thread_words_take_point: false, ..TurningRules::COMMON },
         arc: ArcRules {
             full_circle_by_radius: FullCircleByRadius::NoMotion,
             rotary_in_arc: false,

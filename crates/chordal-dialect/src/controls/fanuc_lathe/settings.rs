@@ -159,4 +159,12 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Trade,
         "18i-T",
     ),
+    setting(
+        "point in G76",
+        Field::Turning(TurningField::ThreadPoint),
+        &[],
+        "a decimal point in P and Q of G76 is `reported`, or `allowed`: they count least increments",
+        Certainty::Trade,
+        "G76",
+    ),
 ];

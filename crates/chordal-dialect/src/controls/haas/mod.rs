@@ -46,7 +46,6 @@ pub static TABLE: ControlTable = ControlTable {
     spatial: None,
     face: None,
     cylinder: Some(&surface::CYLINDER),
-    spindle_stops_at_tool_change: true,
     work_names: WorkNaming { extended: "G154", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 99999, digits: 5, required: true },
     call_start_label: None,

@@ -13,6 +13,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999, offset: 200, tool: 200 },
     return_label_in_callee: true,
     rules: Rules {
+        spindle_stops_at_tool_change: true,
         frames: FRAMES,
         rapid: RapidPath::DogLeg,
         radius_offsets: OffsetKind::Diameter,

@@ -50,7 +50,6 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
     spatial: None,
     face: None,
     cylinder: None,
-    spindle_stops_at_tool_change: true,
     work_names: WorkNaming { extended: "G59", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 99999, digits: 1, required: false },
     call_start_label: None,

@@ -28,8 +28,13 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
             zero_is_of_tool: true,
             ..LengthRules::COMMON
         },
+        spindle_stops_at_tool_change: true,
         frames: FRAMES,
-        turning: TurningRules { tips_mirrored: true, ..TurningRules::COMMON },
+        turning: TurningRules {
+            tips_mirrored: true,
+            speed_limit_example: "G96 D2500 S…",
+            ..TurningRules::COMMON
+        },
         rapid: RapidPath::Straight,
         radius_offsets: OffsetKind::Diameter,
         starts_without_motion: true,

@@ -28,7 +28,6 @@ pub static TABLE: ControlTable = ControlTable {
     // What the reference does not list is looked for as a macro of the machine: `M100.m1s`.
     open_m_codes: true,
     word_rules: words::WORD_RULES,
-    spindle_stops_at_tool_change: false,
     work_names: WorkNaming { extended: "G59", first: 7, by_e: false },
     macros: &macros::MACROS,
     evidence: recognition::EVIDENCE,

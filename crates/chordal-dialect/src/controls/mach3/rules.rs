@@ -18,6 +18,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     rules: Rules {
         // Its screen has a field for S, and many routers a drive with a knob; LazyCam writes M3 alone.
         speed_by_hand: true,
+        // By default M6 runs nothing but the macros of the shop.
+        spindle_stops_at_tool_change: false,
         starts_without_motion: false,
         pocket_is_one_circle: true,
         cycles: CYCLES,

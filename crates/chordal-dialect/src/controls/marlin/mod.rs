@@ -42,7 +42,6 @@ pub static TABLE: ControlTable = ControlTable {
     spatial: None,
     face: None,
     cylinder: None,
-    spindle_stops_at_tool_change: false,
     work_names: WorkNaming { extended: "G59", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 0, digits: 1, required: false },
     call_start_label: None,

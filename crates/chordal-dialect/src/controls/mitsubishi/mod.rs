@@ -46,7 +46,6 @@ pub static TABLE: ControlTable = ControlTable {
     spatial: Some(&rules::SPATIAL),
     face: Some(&surface::FACE),
     cylinder: Some(&surface::CYLINDER),
-    spindle_stops_at_tool_change: true,
     work_names: WorkNaming { extended: "G54.1", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 99999999, digits: 4, required: true },
     call_start_label: Some(b'H'),

@@ -37,6 +37,7 @@ const PARAMETERS: Parameters = Parameters {
         turning: TurningRules {
             pockets_by: Some(b'H'),
             contour_program: true,
+            thread_words_take_point: true,
             ..super::fanuc_lathe::PARAMETERS.rules.turning
         },
         ..super::fanuc_lathe::PARAMETERS.rules

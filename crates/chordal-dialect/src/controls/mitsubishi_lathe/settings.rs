@@ -63,4 +63,12 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Trade,
         "M700, #8057",
     ),
+    setting(
+        "point in G76",
+        Field::Turning(TurningField::ThreadPoint),
+        &[],
+        "a decimal point in P and Q of G76 is `allowed`, or `reported`: they count least increments",
+        Certainty::Unknown,
+        "G76",
+    ),
 ];

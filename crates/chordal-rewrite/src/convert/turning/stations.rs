@@ -90,7 +90,8 @@ fn station_as_tool(context: &Context, draft: &mut Draft, at: usize, run: &Exec) 
     let new = words.join(if style.spaced { " " } else { "" });
     let title = context.to.table.title;
     draft.replace(word, new, format!("tool and offset have words of their own on {title}"));
-    let stops = [context.from, context.to].map(|one| one.table.spindle_stops_at_tool_change);
+    let stops =
+        [context.from, context.to].map(|one| one.parameters.rules.spindle_stops_at_tool_change);
     let turned = match run.before.spindle {
         SpindleState::Cw => BeforeCode::SpindleCw,
         SpindleState::Ccw => BeforeCode::SpindleCcw,
@@ -147,7 +148,8 @@ fn tool_as_station(context: &Context, draft: &mut Draft, at: usize, run: &Exec) 
         }
         _ => draft.remove(place, "no tool is in the spindle"),
     }
-    let stops = [context.from, context.to].map(|one| one.table.spindle_stops_at_tool_change);
+    let stops =
+        [context.from, context.to].map(|one| one.parameters.rules.spindle_stops_at_tool_change);
     let turned = matches!(run.before.spindle, SpindleState::Cw | SpindleState::Ccw);
     if change.is_some()
         && stops == [true, false]

@@ -1,0 +1,104 @@
+//! Joints that are nearly tangent.
+
+use chordal_command::{Move, Origin, number_text};
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_geometry::{Curve, ParamCurve, Plane, Vec3};
+
+use super::Checks;
+use crate::segment::point;
+
+/// Joints that turn by less are tangent within rounding of coordinates, rad (0.1°).
+const TANGENT_RAD: f64 = 0.001_745;
+
+/// Joints that turn by more are corners on purpose, rad (2°).
+const CORNER_RAD: f64 = 0.034_9;
+
+impl Checks<'_> {
+    pub(super) fn joint_of_line(
+        &mut self,
+        motion: &Move,
+        origin: Origin,
+        report: &mut impl FnMut(Diagnostic),
+    ) {
+        let (from, to) = (point(&motion.from), point(&motion.to));
+        let way = to - from;
+        if let Some((before, place, Some(plane))) = self.now.last
+            && place == from
+        {
+            self.joint(plane, before, way, origin, report);
+        }
+        // The direction is needed only when an arc follows; it is cheaper kept as it is.
+        if way != Vec3::ZERO {
+            self.now.last = Some((way, to, None));
+        }
+    }
+
+    pub(super) fn joint_of_arc(
+        &mut self,
+        curve: &Curve,
+        plane: Plane,
+        origin: Origin,
+        report: &mut impl FnMut(Diagnostic),
+    ) {
+        if let Some((before, place, _)) = self.now.last
+            && place == curve.start()
+        {
+            self.joint(plane, before, curve.tangent_at(0.0), origin, report);
+        }
+        self.now.last = Some((curve.tangent_at(curve.length()), curve.end(), Some(plane)));
+    }
+
+    /// The turn is judged in the plane of the arc: the slope of a helix is meant.
+    fn joint(
+        &self,
+        plane: Plane,
+        before: Vec3,
+        after: Vec3,
+        origin: Origin,
+        report: &mut impl FnMut(Diagnostic),
+    ) {
+        // The joints within a cycle are the control's, not the programmer's.
+        if origin.cycle {
+            return;
+        }
+        let flat = |direction: Vec3| {
+            let normal = plane.normal();
+            direction - normal * direction.dot(normal)
+        };
+        let (before, after) = (flat(before), flat(after));
+        // Squares of the sine and of what it is a share of: most joints need no root.
+        let across = before.cross(after).length_squared();
+        let whole = before.length_squared() * after.length_squared();
+        let turns =
+            (TANGENT_RAD * TANGENT_RAD * whole..CORNER_RAD * CORNER_RAD * whole).contains(&across);
+        if !turns || before.dot(after) <= 0.0 {
+            return;
+        }
+        let sine = (across / whole).sqrt();
+        let degrees = sine.asin_degrees();
+        report(
+            Diagnostic::new(
+                Code::NearlyTangent,
+                origin.span,
+                format!(
+                    "the path turns by {} degrees where this block begins",
+                    number_text(degrees, 2)
+                ),
+            )
+            .label("almost tangent to the block before")
+            .help("if the joint is meant to be smooth, compute the coordinates with more decimals"),
+        );
+    }
+}
+
+trait Degrees {
+    fn asin_degrees(self) -> f64;
+}
+
+impl Degrees for f64 {
+    /// Of a small sine; the series is exact to 1e-9 at two degrees, and the same everywhere.
+    fn asin_degrees(self) -> f64 {
+        let s = self;
+        (s + s * s * s / 6.0 + 3.0 * s.powi(5) / 40.0).to_degrees()
+    }
+}

@@ -1,0 +1,177 @@
+//! Where the turret of a lathe turns, held against all that the program cuts.
+//!
+//! What lies between a cut and the axis is the part, or was. The part turns about Z, so that of X the distance from the
+//! axis counts. It is judged at the end of the run, when all cuts are known, and only in one work coordinate system.
+
+use chordal_command::{Origin, Position, Units, WorkName};
+use chordal_diagnostics::Shift;
+
+/// Cuts that are remembered of a run; what comes after says nothing.
+const MOST_CUTS: usize = 20_000;
+
+/// Turns of the turret that are remembered of a run.
+const MOST_TURNS: usize = 1000;
+
+/// Inside by less is on the side, mm.
+const ON_SIDE_MM: f64 = 1e-6;
+
+/// A work coordinate system, with where X and Z of its zero are.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct TurretSystem {
+    name: WorkName,
+    zero: [f64; 2],
+}
+
+impl TurretSystem {
+    pub fn new(name: WorkName, work: &Position) -> TurretSystem {
+        TurretSystem { name, zero: [work[0], work[2]] }
+    }
+}
+
+/// A cut seen from the axis: from (z, radius) to (z, radius), mm. What lies between it and the axis is the part, or is gone.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct TurnedCut {
+    from: [f64; 2],
+    to: [f64; 2],
+}
+
+impl TurnedCut {
+    /// A straight cut between two places (X as a radius, Z).
+    pub fn new(from: [f64; 2], to: [f64; 2]) -> TurnedCut {
+        let seen = |[x, z]: [f64; 2]| [z, x.abs()];
+        let (from, to) = (seen(from), seen(to));
+        match from[0] <= to[0] {
+            true => TurnedCut { from, to },
+            false => TurnedCut { from: to, to: from },
+        }
+    }
+
+    /// How far a place (X, Z) is from what lies between the cut and the axis, mm; below zero inside, along X.
+    fn distance(&self, [x, z]: [f64; 2]) -> f64 {
+        let place = [z, x.abs()];
+        let [low, high] = [self.from, self.to];
+        if low[0] < z && z < high[0] {
+            let share = (z - low[0]) / (high[0] - low[0]);
+            let depth = place[1] - (low[1] + (high[1] - low[1]) * share);
+            if depth <= 0.0 {
+                return depth;
+            }
+        }
+        let side = |end: [f64; 2]| distance_to_segment(place, end, [end[0], 0.0]);
+        distance_to_segment(place, low, high).min(side(low)).min(side(high))
+    }
+}
+
+fn distance_to_segment(place: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+    let way = [to[0] - from[0], to[1] - from[1]];
+    let off = [place[0] - from[0], place[1] - from[1]];
+    let square = way[0] * way[0] + way[1] * way[1];
+    let share = if square > 0.0 { (off[0] * way[0] + off[1] * way[1]) / square } else { 0.0 };
+    let share = share.clamp(0.0, 1.0);
+    libm::hypot(off[0] - way[0] * share, off[1] - way[1] * share)
+}
+
+/// The turret turns.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TurretTurn {
+    pub system: TurretSystem,
+    /// The tool that goes and where its tip is (X as a radius, Z).
+    pub from: (u32, [f64; 2]),
+    /// The tool that comes, and where its tip comes to, where the offsets of both tools are known.
+    pub to: (u32, Option<[f64; 2]>),
+    pub units: Units,
+    pub origin: Origin,
+}
+
+/// A turn near the part.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NearTurn {
+    pub turn: TurretTurn,
+    /// The tool that is near, and where its tip is.
+    pub tool: u32,
+    pub place: [f64; 2],
+    /// From what is cut, mm; below zero inside.
+    pub distance: f64,
+}
+
+/// What a run, or a stretch of it, has cut, and where the turret turned.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct TurretLog {
+    cuts: Vec<(TurretSystem, TurnedCut)>,
+    turns: Vec<TurretTurn>,
+}
+
+impl TurretLog {
+    /// A cut.
+    pub fn cut(&mut self, system: TurretSystem, cut: TurnedCut) {
+        if self.cuts.len() < MOST_CUTS && self.cuts.last() != Some(&(system, cut)) {
+            self.cuts.push((system, cut));
+        }
+    }
+
+    /// The turret turns.
+    pub fn turn(&mut self, turn: TurretTurn) {
+        if self.turns.len() < MOST_TURNS {
+            self.turns.push(turn);
+        }
+    }
+
+    /// With the stretch after.
+    pub fn and(&mut self, next: &TurretLog) {
+        next.cuts.iter().for_each(|(system, cut)| self.cut(*system, *cut));
+        next.turns.iter().for_each(|turn| self.turn(*turn));
+    }
+
+    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+        for turn in &mut self.turns {
+            turn.origin = turn.origin.shifted(shift)?;
+        }
+        Some(())
+    }
+
+    /// The turns inside of what is cut, or nearer to it than the clearance.
+    pub fn judge(&self, clearance_mm: f64, mut report: impl FnMut(&NearTurn)) {
+        for turn in &self.turns {
+            let places = [(turn.from.0, Some(turn.from.1)), turn.to];
+            let near = places.into_iter().find_map(|(tool, place)| {
+                let place = place?;
+                let distance = self.distance(turn.system, place);
+                let is_near = distance < clearance_mm - ON_SIDE_MM || distance < -ON_SIDE_MM;
+                is_near.then_some((tool, place, distance))
+            });
+            if let Some((tool, place, distance)) = near {
+                report(&NearTurn { turn: *turn, tool, place, distance });
+            }
+        }
+    }
+
+    fn distance(&self, system: TurretSystem, place: [f64; 2]) -> f64 {
+        let cuts = self.cuts.iter().filter(|(of, _)| *of == system);
+        cuts.map(|(_, cut)| cut.distance(place)).fold(f64::INFINITY, f64::min)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_are_along_x_inside_and_the_shortest_outside() {
+        // A cone from 20 mm at Z0 to 30 mm at Z-50.
+        let cut = TurnedCut::new([20.0, 0.0], [-30.0, -50.0]);
+        let slope = libm::hypot(50.0, 10.0);
+        let cases = [
+            ([25.0, -25.0], 0.0),
+            ([10.0, -25.0], -15.0),
+            ([-10.0, -25.0], -15.0),
+            ([25.0 + slope / 50.0, -25.0], 1.0),
+            ([10.0, 3.0], 3.0),
+            ([24.0, 3.0], 5.0),
+            ([30.0, -54.0], 4.0),
+        ];
+        for (place, expected) in cases {
+            assert!((cut.distance(place) - expected).abs() < 1e-12, "{place:?}");
+        }
+    }
+}
