@@ -4,12 +4,13 @@ import { type ColorBy, type Palette, toolColor } from "./colors";
 import { icon } from "./icons";
 import type { MachineChoice, MachineInfo, Report, Tool } from "./link";
 import { element } from "./panels";
-import type { Path, Vec3 } from "./path";
+import type { Path } from "./path";
 import { setRich } from "./rich";
 import type { Section } from "./scene";
 import type { ViewName } from "./eye";
 import { sectionControls } from "./section";
-import { type Units, angles, coordinate, count, counted, length, programmed, speed } from "./units";
+import type { Stand } from "./stand";
+import { type Units, angles, count, counted, length, position, speed } from "./units";
 
 export type PanelName = "problems" | "outline" | "state" | "times" | "compare";
 
@@ -406,10 +407,9 @@ export function layout(root: HTMLElement) {
       const text = texts[by];
       legend.append(text(low), ramp, text(high));
     },
-    readout(at: Vec3, turn: Vec3, mmPerMin: number, units: Units): void {
-      const [x, y, z] = programmed(units, at).map((value) => coordinate(units, value));
-      const unit = units.inch ? "in" : "mm";
-      readout.textContent = `X ${x}  Y ${y}  Z ${z} ${unit}${angles(turn)}   ${speed(units, mmPerMin)}`;
+    readout({ coordinates, turn, speed: mmPerMin }: Stand, units: Units): void {
+      const along = mmPerMin === undefined ? "" : `   ${speed(units, mmPerMin)}`;
+      readout.textContent = `${position(units, coordinates)}${angles(turn)}${along}`;
     },
     tell(kind: "note" | "warning" | "error", text: string): void {
       toast.className = `toast ${kind}`;

@@ -75,6 +75,10 @@ export interface Report {
   notes: number;
   /** Where the path is not known from; none where the whole run was followed. */
   not_verified_from: { file: string; line: number; own: boolean } | null;
+  /** Axes that the program never names, and that are drawn at zero. */
+  never_named: string[];
+  /** The same of axes that are not known in any cut. */
+  named_in_no_cut: string[];
   inch: boolean;
   /** How far the segments may be from arcs that the control itself cuts them into; null where it does not. */
   own_chords_mm: number | null;

@@ -13,16 +13,17 @@ import { layout } from "./layout";
 import { measuring } from "./measuring";
 import { drawAxes } from "./axes";
 import { Link, type MachineInfo, type Report, type Times, type Told } from "./link";
-import { notVerified, showOutline, showState, showTimes } from "./panels";
-import { Path, type Vec3, batchOf, kindOf } from "./path";
+import { notNamedText, notVerified, showOutline, showState, showTimes } from "./panels";
+import { Path, type Vec3, axisBits, batchOf, kindOf } from "./path";
 import { Problems } from "./problems";
 import { readingsPanel } from "./readings";
 import { Kinematics, unknownTurns } from "./turn";
-import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
+import { type Setpoints, stepRow } from "./playback";
 import type { ViewName } from "./eye";
 import { PathView } from "./scene";
 import { shell } from "./shell";
 import { engagedOf } from "./engaged";
+import { type Asked, type Stand, doneOf, standOf } from "./stand";
 import { stockOfProgram } from "./stock";
 import { Timeline } from "./timeline";
 import { travelBox, whyNoTravel } from "./travel";
@@ -42,8 +43,9 @@ let times: Times | undefined;
 let timesMessage: string | undefined;
 let setpoints: Setpoints | undefined;
 let programName = "";
-/** Where the tool stands: at a share of a row, or at a place on it. */
-let standing: [row: number, share: number, place?: Vec3, turn?: Vec3] = [0, 1];
+/** Where the program is, as it was asked for and as it is shown. */
+let asked: Asked = { to: "start" };
+let stand: Stand = standOf(asked, path, undefined);
 
 const isDark = () =>
   document.documentElement.dataset.theme
@@ -78,7 +80,7 @@ const link = new Link(shell().dial, take, takeFrame, () => ui.tell("error", shel
 const problems = new Problems(ui.panels.problems, ({ place }) => {
   if (!place?.own) return;
   editor.goTo(place.line, place.column, true);
-  cursorAt(place.line, true);
+  putCursor(place.line);
 });
 
 const readings = readingsPanel(ui.readings, {
@@ -104,7 +106,7 @@ const against = againstProgram({
   name: () => programName,
   goTo: (line) => {
     editor.goTo(line);
-    cursorAt(line, true);
+    putCursor(line);
   },
   another: shell().another,
   tell: ui.comparison,
@@ -147,6 +149,7 @@ function take(told: Told): void {
       programName = told.name;
       // Runs of another program are counted anew.
       run = 0;
+      asked = { to: "start" };
       stateAsked = false;
       against.offer(told);
       readings.opened();
@@ -196,7 +199,7 @@ function take(told: Told): void {
 
 function goTo(line: number): void {
   editor.goTo(line, 0, true);
-  cursorAt(line, true);
+  putCursor(line);
 }
 
 async function goToDefinition(line: number, column: number): Promise<void> {
@@ -205,7 +208,7 @@ async function goToDefinition(line: number, column: number): Promise<void> {
   if (!told.place) return ui.tell("note", "This word has no definition in this file or its folder.");
   if (told.place.file !== undefined) return elsewhere.show(told.place);
   editor.goTo(told.place.line, told.place.column, true);
-  cursorAt(told.place.line, true);
+  putCursor(told.place.line);
 }
 
 function begin(told: Extract<Told, { type: "run" }>): void {
@@ -222,6 +225,8 @@ function begin(told: Extract<Told, { type: "run" }>): void {
   times = undefined;
   timesMessage = undefined;
   setpoints = undefined;
+  // Rows and times are of the run before; the line stays.
+  if (asked.to !== "start") asked = { to: "line", line: editor.line };
   ui.progress(0);
   timeline.setMessage("running…");
   against.began();
@@ -245,7 +250,7 @@ function takeFrame(frame: Frame): void {
   const { header } = frame;
   if (stock.takeFrame(frame)) return;
   // A tool that stands already is drawn among the sections from now on.
-  if (turned.takeFrame(frame)) return showTool(...standing);
+  if (turned.takeFrame(frame)) return showTool();
   if (header.type === "engagement") {
     if (header.run === run) timeline.setEngaged(engagedOf(frame));
     return;
@@ -299,7 +304,7 @@ function takeFrame(frame: Frame): void {
         totalS: Number(header.total_s),
       };
       timeline.set(setpoints, { inch: report?.inch ?? false });
-      tellReadout(0);
+      go(asked);
       break;
     }
     default:
@@ -320,6 +325,8 @@ function refuse(told: { run: number; message: string; help?: string | null }): v
 function finish(told: Report): void {
   startPath();
   report = told;
+  const notNamed = [...told.never_named, ...told.named_in_no_cut];
+  path.notNamed = axisBits.reduce((bits, bit, axis) => bits | (notNamed.includes("XYZ"[axis]!) ? bit : 0), 0);
   ui.progress(1);
   void view.finish();
   const { zeros, machine: at } = told.places;
@@ -330,17 +337,14 @@ function finish(told: Report): void {
   const depths = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
   ui.section.offer(path.tools, depths.map((z) => z! + path.origin[2]) as [number, number], { inch: told.inch });
   ui.empty(path.bounds ? "" : emptyText(told));
-  ui.turns(unknownTurns(told.axes, machine?.rotary ?? []));
+  ui.turns([notNamedText(told), unknownTurns(told.axes, machine?.rotary ?? [])].filter(Boolean).join(" "));
   ui.unverified(notVerified(told));
   editor.setProblems(told.diagnostics);
   tellProblems();
   tellTimes();
   void tellOutline();
-  if (setpoints) {
-    timeline.set(setpoints, { inch: told.inch });
-    tellReadout(timeline.time);
-  }
-  cursorAt(editor.line);
+  if (setpoints) timeline.set(setpoints, { inch: told.inch });
+  go(asked);
   ui.offerOwnChords(told.own_chords_mm !== null);
   if (ui.chordsOn.checked) askChords();
 }
@@ -380,30 +384,19 @@ function tellTimes(): void {
   showTimes(ui.panels.times, times, timesMessage, report, machine, (tool) => toolColor(palette(), path.cutterIndex(tool)), goTo);
 }
 
-/** The cursor is on a line: its path is marked, and what is active after it is shown; where it was put there, the stock as it is then. */
-function cursorAt(line: number, wasPut = false): void {
-  textLater.cancel();
-  const rows = path.rowsOfLine(line);
-  view.markRows(rows);
-  const done = rows ? rows[1] + 1 : path.doneAfterLine(line);
-  if (!timeline.isPlaying) {
-    // Before the first move between known places the tool is where that begins.
-    if (path.isKnown(done - 1)) showTool(done - 1, 1);
-    else showTool(path.firstKnown ?? 0, 0);
-    if (wasPut) goToMoment(done, undefined);
-  }
-  void tellState(done, line);
-}
-
+/** Somebody has put the cursor on a line: the program stands where that line is done. */
 function putCursor(line: number): void {
-  if (!timeline.isPlaying) view.showDone(Infinity);
-  cursorAt(line, true);
+  timeline.pause();
+  go({ to: "line", line });
 }
 
 /** One question at a time: of those that come meanwhile only the last is asked. */
 let stateAsked = false;
 let stateNext: [number, number, number?] | undefined;
+/** What it is about, whether the panel is looked at or not. */
+let stateOf: [number, number, number?] = [0, 1];
 async function tellState(done: number, line: number, inSubprogram?: number): Promise<void> {
+  stateOf = [done, line, inSubprogram];
   if (!report || ui.shown() !== "state") return;
   if (stateAsked) {
     stateNext = [done, line, inSubprogram];
@@ -419,23 +412,21 @@ async function tellState(done: number, line: number, inSubprogram?: number): Pro
   }
   if (told.type !== "state") return;
   const found = done > 0 ? path.find(done - 1) : undefined;
-  const end = done > 0 ? path.programmedEnd(done - 1) : undefined;
-  const place = end && (end.map((value, axis) => value + path.origin[axis]!) as Vec3);
-  const at = place && { place, turn: path.turnOn(done - 1, 1) };
+  const end = found && standOf({ to: "row", row: done - 1, share: 1 }, path, undefined);
+  const at = end && { place: end.coordinates, turn: end.turn };
   const moves = inSubprogram !== undefined || path.rowsOfLine(line) !== undefined;
   const kind = found && moves ? kindOf(found[0].kind[found[1]]!) : undefined;
   showState(ui.panels.state, told.state ?? undefined, at, { line, kind, inSubprogram }, machine?.factors);
 }
 
-/** Draws the tool where it stands. */
-function showTool(...where: typeof standing): void {
-  standing = where;
-  const [at, share, place, turn] = where;
-  const found = path.find(at);
+/** Draws the tool where the program is; not where that is not known. */
+function showTool(): void {
+  const { row, at, turn } = stand;
+  const found = path.find(row);
   const number = found ? found[0].tool[found[1]]! : 0;
   shapeTool(number);
-  const up = kinematics.direction(standsAcross(number) ? [1, 0, 0] : [0, 0, 1], turn ?? path.turnOn(at, share));
-  const own = ui.toolOn.checked && path.bounds ? (place ?? path.pointOn(at, share)) : undefined;
+  const up = kinematics.direction(standsAcross(number) ? [1, 0, 0] : [0, 0, 1], turn);
+  const own = ui.toolOn.checked && path.bounds ? at : undefined;
   view.placeTool(turned.place(number, own) ? undefined : own, up);
 }
 
@@ -459,32 +450,55 @@ function goToMoment(done: number, at: Vec3 | undefined): void {
   turned.goTo(done, at);
 }
 
-/** Position and speed at a time, from the start on: the line must not come when the motion begins. */
-function tellReadout(seconds: number): void {
-  const moment = setpoints && momentAt(setpoints, seconds);
-  if (moment) ui.readout(moment.programmed, moment.turn, moment.speed, units());
+/** Goes to where the program is when something is done: line, clock, readout, tool and stock show the same. */
+function go(next: Asked, isTextLate = false): void {
+  asked = next;
+  stand = standOf(next, path, setpoints);
+  if (stand.seconds !== undefined) timeline.put(stand.seconds);
+  // Before the first move is planned there is nothing to say.
+  if (setpoints || path.rows > 0) ui.readout(stand, units());
+  showTool();
+  showDone(next);
+  showWhere(next, isTextLate);
+}
+
+/** What of the path and of the stock is done. */
+function showDone(next: Asked): void {
+  const done = doneOf(stand);
+  const { seconds, at } = stand;
+  const total = setpoints?.totalS ?? 0;
+  switch (next.to) {
+    // At first the stock is shown as it is at the end.
+    case "start":
+      return view.showDone(Infinity);
+    case "line":
+      view.showDone(Infinity);
+      return goToMoment(done, undefined);
+    default: {
+      // At both ends there is nothing to tell apart.
+      const isWithin = seconds !== undefined && seconds > 0 && seconds < total && !(next.to === "row" && next.looks);
+      view.showDone(isWithin ? done : Infinity);
+      if (seconds === undefined || seconds < total) goToMoment(seconds === 0 ? 0 : done, at);
+      else goToMoment(Infinity, undefined);
+    }
+  }
+}
+
+/** Marks the path and the line where the program is, and shows what is active there. */
+function showWhere(next: Asked, isTextLate: boolean): void {
+  if (next.to === "row" || next.to === "time") return showRow(stand.row, isTextLate);
+  textLater.cancel();
+  shown = shownLine = "";
+  const line = next.to === "line" ? next.line : editor.line;
+  view.markRows(path.rowsOfLine(line));
+  editor.markLines("now", next.to === "line" ? [line] : []);
+  void tellState(next.to === "line" ? doneOf(stand) : 0, line);
 }
 
 let shown = "";
 let shownLine = "";
-/** A place is looked at, nothing is played: all of the path is shown as it is. */
-let isLooking = false;
-/** The row that was asked for, where a setpoint of it may be none. */
-let askedRow: number | undefined;
 timeline.onTime = (seconds) => {
-  const moment = setpoints && momentAt(setpoints, seconds);
-  if (!moment) return;
-  const at = moment.at.map((value, axis) => value - path.origin[axis]!) as Vec3;
-  const shownRow = askedRow ?? moment.row;
-  showTool(shownRow, 0, at, moment.turn);
-  // At both ends there is nothing to tell apart.
-  const isWithin = seconds > 0 && seconds < (setpoints?.totalS ?? 0) && !isLooking;
-  const done = shownRow + path.shareOf(shownRow, at);
-  view.showDone(isWithin ? done : Infinity);
-  if (seconds < (setpoints?.totalS ?? 0)) goToMoment(seconds > 0 ? done : 0, at);
-  else goToMoment(Infinity, undefined);
-  tellReadout(seconds);
-  showRow(shownRow, askedRow === undefined);
+  if (setpoints) go({ to: "time", seconds }, true);
 };
 
 /** To scroll the text takes as long as to draw the stock: so often while it plays, and while time is dragged once it rests so long. */
@@ -516,22 +530,14 @@ function showLine(at: number, line: { line: number; own: boolean }): void {
 timeline.onStep = (direction) => {
   if (!setpoints) return;
   timeline.pause();
-  seekRow(stepRow(path, standing[0], direction));
+  go({ to: "row", row: stepRow(path, stand.row, direction), share: 0 });
 };
 timeline.onToCursor = () => {
   const rows = path.rowsOfLine(editor.line);
   if (!setpoints || !rows) return;
   timeline.pause();
-  seekRow(rows[0]);
+  go({ to: "row", row: rows[0], share: 0 });
 };
-
-/** To when a row begins. */
-function seekRow(to: number): void {
-  if (!setpoints) return;
-  askedRow = to;
-  timeline.seek(timeOfRow(setpoints, to));
-  askedRow = undefined;
-}
 
 async function save(force: boolean): Promise<void> {
   editor.flush();
@@ -582,13 +588,13 @@ ui.onTheme = () => {
   tellTimes();
 };
 ui.onPanel = () => {
-  cursorAt(editor.line);
+  void tellState(...stateOf);
   void tellOutline();
 };
 ui.onChords = askChords;
 ui.rapids.addEventListener("change", () => view.showRapids(ui.rapids.checked));
 ui.travel.addEventListener("change", tellTravel);
-ui.toolOn.addEventListener("change", () => showTool(...standing));
+ui.toolOn.addEventListener("change", showTool);
 
 const measure = measuring({
   view,
@@ -614,12 +620,8 @@ ui.canvas.addEventListener("pointerup", (event) => {
   if (measure.isOn) return measure.click(picked);
   if (!line.own) ui.tell("note", `This is line ${line.line} of a subprogram in another file.`);
   timeline.pause();
-  isLooking = true;
-  if (setpoints) timeline.seek(timeOfRow(setpoints, picked.row + picked.share));
-  isLooking = false;
-  showTool(picked.row, picked.share);
   shown = shownLine = "";
-  showRow(picked.row);
+  go({ to: "row", row: picked.row, share: picked.share, looks: true });
 });
 
 view.onDrawn = () => drawAxes(ui.axes, view.axes());
@@ -629,7 +631,11 @@ window.addEventListener("beforeunload", (event) => {
   if (editor.dirty) event.preventDefault();
 });
 
-shell().furnish?.({ ui, editor, link, cursorAt: putCursor });
+/** What an editor around the page says of its cursor may follow from what is played. */
+const cursorAt = (line: number) => {
+  if (!timeline.isPlaying) putCursor(line);
+};
+shell().furnish?.({ ui, editor, link, cursorAt });
 
 // For the browser's tests and for measurements.
-Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, stock, turned, path: () => path, report: () => report, setpoints: () => setpoints } });
+Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, stock, turned, path: () => path, report: () => report, setpoints: () => setpoints, stand: () => stand } });

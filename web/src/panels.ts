@@ -3,7 +3,8 @@
 import type { Entry, MachineInfo, Modal, Report, Times } from "./link";
 import type { Vec3 } from "./path";
 import { rich } from "./rich";
-import { type Units, angles, coordinate, count, counted, duration, length, programmed, speed } from "./units";
+import type { Coordinates } from "./stand";
+import { type Units, angles, count, counted, duration, length, position, speed } from "./units";
 
 export function element<K extends keyof HTMLElementTagNameMap>(
   name: K,
@@ -31,6 +32,15 @@ export function notVerified(report: Pick<Report, "not_verified_from">): string {
   if (!from) return "";
   const line = from.own ? `line ${from.line}` : `line ${from.line} of ${from.file}`;
   return `Not verified from ${line} on: the path after it is not known.`;
+}
+
+/** Of axes that the program does not name, and that are drawn at zero; empty where it names all. */
+export function notNamedText(told: Pick<Report, "never_named" | "named_in_no_cut">): string {
+  const said = (axes: string[], why: string) => {
+    const zeros = axes.map((axis) => `${axis}0`).join(" ");
+    return axes.length === 0 ? "" : `${axes.join(" and ")} ${axes.length === 1 ? "is" : "are"} ${why}; drawn at ${zeros}.`;
+  };
+  return [said(told.never_named, "never named"), said(told.named_in_no_cut, "not known in any cut")].filter(Boolean).join(" ");
 }
 
 /** Entries that are shown; a text with more is one of numbers. */
@@ -77,7 +87,7 @@ const MOTIONS = ["rapid", "straight", "arc", "spiral", "spline"];
 export function showState(
   root: HTMLElement,
   modal: Modal | undefined,
-  at: { place: Vec3; turn: Vec3 } | undefined,
+  at: { place: Coordinates; turn: Vec3 } | undefined,
   now: { line: number; kind: number | undefined; inSubprogram?: number | undefined } | undefined,
   factors?: readonly number[],
 ): void {
@@ -91,8 +101,8 @@ export function showState(
   if (now) row(table, "After line", now.inSubprogram === undefined ? count(now.line) : `${count(now.inSubprogram)} of a subprogram in another file`);
   if (modal.codes) row(table, "Codes", modal.codes.join(" "));
   if (at) {
-    const [x, y, z] = programmed(units, at.place.map((value, axis) => value - modal.shift[axis]!) as Vec3).map((value) => coordinate(units, value));
-    row(table, "Position", `X ${x}  Y ${y}  Z ${z} ${modal.inch ? "in" : "mm"}${angles(at.turn)}`);
+    const place = at.place.map((value, axis) => (value === undefined ? undefined : value - modal.shift[axis]!));
+    row(table, "Position", `${position(units, place)}${angles(at.turn)}`);
   }
   if (now?.kind !== undefined) row(table, "Motion", MOTIONS[now.kind] ?? "");
   row(table, "Units, plane", `${modal.inch ? "inch" : "millimetre"}, ${modal.plane}`);

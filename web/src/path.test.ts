@@ -37,14 +37,19 @@ describe("the scale of depths", () => {
   });
 });
 
-it("the first known row is the first whose ends are known", () => {
+it("the axes that are known are those of the end where the tool is", () => {
   const path = new Path();
-  expect(path.firstKnown).toBeUndefined();
-  const kind = Uint8Array.of(1, 1 | KNOWN, 1 | KNOWN);
-  path.add(batch(0, [1], [0, 0, 0, 0, 0, 0], { kind: Uint8Array.of(1) }), [0, 0, 0]);
-  path.add(batch(1, [2, 3, 4], new Array(18).fill(0), { kind }), [0, 0, 0]);
-  expect(path.firstKnown).toBe(2);
-  expect([0, 1, 2, 3, 4].map((row) => path.isKnown(row))).toEqual([false, false, true, true, false]);
+  // From nowhere to X and Z, then along X.
+  const known = Uint8Array.of(0b101_000, 0b101_101);
+  path.add(batch(0, [1, 2], new Array(12).fill(0), { known, kind: Uint8Array.of(1, 1 | KNOWN) }), [0, 0, 0]);
+  expect([0, 0.5, 1].map((share) => path.knownOn(0, share))).toEqual([0, 0, 0b101]);
+  expect([0, 0.5, 1].map((share) => path.knownOn(1, share))).toEqual([0b101, 0b101, 0b101]);
+  expect(path.knownOn(2, 0)).toBe(0);
+  expect([0, 1].map((share) => path.isPlace(1, share))).toEqual([false, false]);
+  // Y is never named.
+  path.notNamed = 0b010;
+  expect([0, 0.5, 1].map((share) => path.isPlace(1, share))).toEqual([true, true, true]);
+  expect([0, 0.5, 1].map((share) => path.isPlace(0, share))).toEqual([false, false, true]);
 });
 
 describe("arcs", () => {

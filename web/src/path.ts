@@ -12,6 +12,12 @@ const KIND = 0x0f;
 export const KNOWN = 0x10;
 export const INSERTED = 0x20;
 
+/** The bits of X, Y and Z. */
+export const axisBits = [1, 2, 4] as const;
+const ALL_AXES = 7;
+/** The bits of the axes that are known at the end of a row are above those at its start. */
+const END_AXES = 3;
+
 export type Vec3 = [number, number, number];
 
 /** One batch: rows that follow on each other. */
@@ -21,6 +27,8 @@ export interface Batch {
   /** Both ends of each row, relative to the origin, mm: six numbers a row. */
   points: Float32Array;
   kind: Uint8Array;
+  /** Which of X, Y and Z are known at both ends of each row; without it those of rows that are drawn. */
+  known?: Uint8Array;
   tool: Uint32Array;
   line: Uint32Array;
   file: Uint8Array;
@@ -50,6 +58,7 @@ export function batchOf(frame: Frame): Batch {
     rows: Number(frame.header.rows),
     points: f32(frame, "points"),
     kind: u8(frame, "kind"),
+    ...("known" in frame.columns ? { known: u8(frame, "known") } : {}),
     tool: u32(frame, "tool"),
     line: u32(frame, "line"),
     file: u8(frame, "file"),
@@ -94,8 +103,8 @@ export class Path {
   /** Lowest and highest place of all cuts, and the highest of those that move across, relative to the origin, mm. */
   private heights: [number, number] = [Infinity, -Infinity];
   private highestAcross = -Infinity;
-  /** The first row whose ends are known. */
-  firstKnown: number | undefined;
+  /** The bits of axes that the program does not name: they are drawn at zero. */
+  notNamed = 0;
   maxFeed = 0;
   minFeed = Infinity;
   /** Least and most S of cuts, where it may be the power of a laser. */
@@ -121,7 +130,6 @@ export class Path {
     let lastTool = -1;
     let lastCutter = -1;
     for (let row = 0; row < batch.rows; row++) {
-      if (kind[row]! & KNOWN) this.firstKnown ??= batch.first + row;
       if (file[row] === 0) this.noteLine(line[row]!, batch.first + row);
       if (tool[row] !== lastTool) {
         lastTool = tool[row]!;
@@ -227,8 +235,23 @@ export class Path {
     return 0;
   }
 
-  /** Whether both ends of a row are known places. */
-  isKnown(row: number): boolean {
+  /** The bits of the axes that are known where so much of a row is done. */
+  knownOn(row: number, share: number): number {
+    const found = this.find(row);
+    if (!found) return 0;
+    const [batch, at] = found;
+    if (!batch.known) return batch.kind[at]! & KNOWN ? ALL_AXES : 0;
+    const [from, to] = [batch.known[at]! & ALL_AXES, (batch.known[at]! >> END_AXES) & ALL_AXES];
+    return share <= 0 ? from : share >= 1 ? to : from & to;
+  }
+
+  /** Whether the place where so much of a row is done can be drawn; within a row only where that is drawn. */
+  isPlace(row: number, share: number): boolean {
+    const isEnd = share <= 0 || share >= 1;
+    return isEnd ? (this.knownOn(row, share) | this.notNamed) === ALL_AXES : this.isDrawn(row);
+  }
+
+  private isDrawn(row: number): boolean {
     const found = this.find(row);
     return found !== undefined && (found[0].kind[found[1]]! & KNOWN) !== 0;
   }
@@ -254,13 +277,15 @@ export class Path {
     return { line: batch.line[at]!, own: batch.file[at] === 0 };
   }
 
-  /** Where a row ends as the program says it, relative to the origin, mm. */
-  programmedEnd(row: number): Vec3 | undefined {
+  /** A place on a row as the program says it, relative to the origin, mm; within a row that turns the part, about. */
+  programmedOn(row: number, share: number): Vec3 | undefined {
     const found = this.find(row);
     if (!found) return undefined;
     const [batch, at] = found;
-    const points = batch.programmed ?? batch.points;
-    return [points[6 * at + 3]!, points[6 * at + 4]!, points[6 * at + 5]!];
+    if (!batch.programmed) return this.pointOn(row, share);
+    const points = batch.programmed;
+    const mix = (axis: number) => points[6 * at + axis]! * (1 - share) + points[6 * at + 3 + axis]! * share;
+    return [mix(0), mix(1), mix(2)];
   }
 
   /** A, B and C on a row, rad. */

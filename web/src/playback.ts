@@ -66,6 +66,51 @@ export function timeOfRow(points: Setpoints, row: number): number {
   return Math.min(totalS, (low - 1 + share) * periodS);
 }
 
+/** When a row is done: the waits after it are not part of it. */
+export function timeAfterRow(points: Setpoints, row: number): number {
+  const { row: rows, periodS, totalS } = points;
+  // The last setpoint on the row or before it.
+  let [low, high] = [0, rows.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (rows[middle]! <= row) low = middle + 1;
+    else high = middle;
+  }
+  let last = low - 1;
+  if (last < 0 || rows[last] !== row) return timeOfRow(points, row + 1);
+  const end = last;
+  while (last > 0 && rows[last - 1] === row && isSamePlace(points, last - 1, end)) last--;
+  return last < end || end === rows.length - 1 ? Math.min(totalS, last * periodS) : timeOfRow(points, row + 1);
+}
+
+function isSamePlace({ places, turns }: Setpoints, one: number, other: number): boolean {
+  const isSame = (values: Float32Array) => [0, 1, 2].every((axis) => values[3 * one + axis] === values[3 * other + axis]);
+  return isSame(places) && (!turns || isSame(turns));
+}
+
+/** When a share of a row is done: of its length, or of its time where it has none. */
+export function timeOnRow(points: Setpoints, row: number, share: number): number {
+  const from = timeOfRow(points, row);
+  if (share <= 0) return from;
+  const to = timeAfterRow(points, row);
+  if (share >= 1 || to <= from) return to;
+  const { periodS } = points;
+  const times = [from];
+  for (let index = Math.floor(from / periodS) + 1; index * periodS < to; index++) times.push(index * periodS);
+  times.push(to);
+  const places = times.map((seconds) => momentAt(points, seconds)!.programmed);
+  const lengths = places.slice(1).map((place, at) =>
+    Math.hypot(...place.map((value, axis) => value - places[at]![axis]!)));
+  const whole = lengths.reduce((sum, length) => sum + length, 0);
+  if (whole === 0) return from + (to - from) * share;
+  let left = whole * share;
+  for (const [at, length] of lengths.entries()) {
+    if (left <= length) return times[at]! + (length > 0 ? left / length : 0) * (times[at + 1]! - times[at]!);
+    left -= length;
+  }
+  return to;
+}
+
 /** The rows of the block before or after a row's own: where its line changes. */
 export function stepRow(path: Path, row: number, direction: 1 | -1): number {
   const own = path.lineOf(row);

@@ -407,10 +407,10 @@ export class PathView {
   }
 
   /** Where the tool is, in the frame of the run, and along what it stands: for tests. */
-  toolStands(): { at: Vec3; up: Vec3; width: number } {
+  toolStands(): { at: Vec3; up: Vec3; width: number; isShown: boolean } {
     const { position, quaternion } = this.tool.object;
     const at = position.toArray().map((value, axis) => value + this.path.origin[axis]!) as Vec3;
-    return { at, up: new Vector3(0, 0, 1).applyQuaternion(quaternion).toArray(), width: this.tool.width };
+    return { at, up: new Vector3(0, 0, 1).applyQuaternion(quaternion).toArray(), width: this.tool.width, isShown: this.tool.object.visible };
   }
 
   shapeTool(tool: Drawn | undefined): void {

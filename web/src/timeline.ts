@@ -157,6 +157,12 @@ export class Timeline {
     this.onTime(this.now, this.playing);
   }
 
+  /** Shows a time that was found elsewhere; nobody is told of it. */
+  put(seconds: number): void {
+    this.now = Math.min(this.points?.totalS ?? 0, Math.max(0, seconds));
+    this.show();
+  }
+
   private show(): void {
     const total = this.points?.totalS ?? 0;
     this.showSign();

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { coordinate, counted, duration, length, programmed, speed } from "./units";
+import { coordinate, counted, duration, length, position, programmed, speed } from "./units";
 
 const inch = { inch: true };
 const metric = { inch: false };
@@ -31,4 +31,9 @@ it("tells times as a clock does", () => {
 it("counts", () => {
   expect(counted(1, "error")).toBe("1 error");
   expect(counted(1200, "error")).toBe("1,200 errors");
+});
+
+it("says a dash for a coordinate that is not known", () => {
+  expect(position(metric, [10, undefined, -5])).toBe("X 10.000  Y –  Z -5.000 mm");
+  expect(position({ inch: true, factors: [2, 1, 1] }, [25.4, 0, undefined])).toBe("X 2.0000  Y 0.0000  Z – in");
 });

@@ -11,6 +11,13 @@ export function programmed({ factors }: Units, at: readonly [number, number, num
   return at.map((value, axis) => value * (factors?.[axis] ?? 1)) as [number, number, number];
 }
 
+/** `X 10.000  Y –  Z -5.000 mm`: a place as it is programmed; a dash for a coordinate that is not known. */
+export function position(units: Units, at: readonly (number | undefined)[]): string {
+  const texts = at.map((value, axis) =>
+    value === undefined ? "–" : coordinate(units, value * (units.factors?.[axis] ?? 1)));
+  return `X ${texts[0]}  Y ${texts[1]}  Z ${texts[2]} ${units.inch ? "in" : "mm"}`;
+}
+
 const MM_PER_INCH = 25.4;
 const KW_PER_HP = 0.745699871582270;
 

@@ -172,3 +172,20 @@ test("what is touched is a problem of its line and has a mark, and what is shown
   await page.close();
   rmSync(folder, { recursive: true, force: true });
 });
+
+test("another machine keeps the tools and the stock, and is compared with the one before", async () => {
+  const { page } = await show(PROGRAM, SETUP);
+  const held = () => page.evaluate(() => {
+    const sections = window.chordal.turned.sections();
+    return { tools: sections && [...sections.tools.keys()].sort((a, b) => a - b), before: sections?.before };
+  });
+  const before = await held();
+  assert.deepEqual(before.tools, [1, 3, 5]);
+  await page.locator("#machine").selectOption("haas-lathe");
+  await page.waitForFunction(() => document.querySelector(".comparison").innerText !== "");
+  await page.waitForFunction(() => window.chordal.report() && window.chordal.turned.sections());
+  assert.deepEqual(await held(), before);
+  await complete(page);
+  await picture(page, "turned-other-machine");
+  await page.close();
+});

@@ -239,7 +239,9 @@ impl Programs for Shown {
             None => Ok(self.loader.again()),
         };
         let loader = loader.map_err(|error| refusal(&error))?;
-        chordal_view::open(loader, &self.input, &self.name(), text, |file| self.named_in(file))
+        let set_up = machine.is_some().then(|| self.loader.again());
+        let named_in = |file: &Path| self.named_in(file);
+        chordal_view::open(loader, set_up, &self.input, &self.name(), text, named_in)
     }
 
     fn write(&self, bytes: &[u8]) -> Result<(), Refusal> {

@@ -331,3 +331,50 @@ fn a_full_disk_leaves_what_was_there() {
     assert_eq!(folder.names(), ["part.nc", "setup.html"]);
     assert_eq!(folder.read("setup.html"), "of yesterday");
 }
+
+#[test]
+fn a_lathe_has_its_own_offsets_and_no_y() {
+    let folder = Folder::new();
+    folder.write(
+        "lathe.nc",
+        "G21 G40 G97 G99\nT0101\nS800 M3\nG0 X62. Z2.\nG1 G42 X40. F.3\nZ-20. F.15\nG0 G40 X70.\nT0303\nG0 X62. Z5.\n\
+         G1 Z-10. F.1\nG0 X100. Z100.\nM30\n",
+    );
+    let set = [
+        "--machine",
+        "fanuc-lathe",
+        "--set",
+        "tools.1.offset.X=-120 mm",
+        "--set",
+        "tools.1.offset.Z=-60 mm",
+        "--set",
+        "tools.1.nose_radius=0.8 mm",
+        "--set",
+        "tools.1.tip=3",
+    ];
+    let run = |more: &[&str]| {
+        let done = folder.run(&[&["report", "lathe.nc"], &set[..], more].concat());
+        assert!(done.code <= 1, "{}", done.err);
+        done.out
+    };
+    let told: Value = serde_json::from_str(&run(&["--format", "json"])).unwrap();
+    assert_eq!(told["head"]["is_lathe"], true);
+    let register = &told["registers"]["rows"][0];
+    near(&register["x_mm"], -120.0);
+    near(&register["length_mm"], -60.0);
+    near(&register["nose_radius_mm"], 0.8);
+    assert_eq!((&register["tip"], &register["diameter_mm"]), (&json!(3), &Value::Null));
+    // Nothing is set for the other one.
+    let other = &told["registers"]["rows"][1];
+    assert_eq!((&other["x_mm"], &other["nose_radius_mm"]), (&Value::Null, &Value::Null));
+    assert_eq!(told["tools"]["rows"][0]["feeds"]["mm_per_rev"], json!([0.15, 0.3]));
+    let axes = told["travel"]["rows"][0]["axes"].as_array().unwrap();
+    let letters: Vec<&str> = axes.iter().map(|axis| axis["axis"].as_str().unwrap()).collect();
+    assert_eq!(letters, ["X", "Z"]);
+    let page = run(&[]);
+    for head in ["X mm", "Z mm", "Nose radius mm", "Tip", "Feed mm per rev"] {
+        assert!(page.contains(&format!(">{head}</th>")), "{head}");
+    }
+    assert!(!page.contains(">H length") && !page.contains(">D diameter"));
+    assert!(page.contains("0.15–0.3"));
+}

@@ -61,7 +61,8 @@ const RPM: usize = 26;
 const COMPENSATION: usize = 27;
 
 /// Writes moves, dwells, tools and the spindle as CSV: one row each, fixed columns, blank
-/// where a column does not apply. Rotary axes that the machine does not have stay blank; the
+/// where a column does not apply. A coordinate that is not known stays blank, and rotary axes that the machine does
+/// not have; the
 /// feed of moves of rotary axes alone too, because it is no length.
 #[derive(Debug)]
 pub struct CommandCsv<W: Write> {
@@ -190,13 +191,13 @@ impl<W: Write> CommandCsv<W> {
     }
 
     fn ends(&mut self, motion: &Move) {
-        self.position(FROM, &motion.from);
-        self.position(TO, &motion.to);
+        self.position(FROM, &motion.from, motion.from_known);
+        self.position(TO, &motion.to, motion.to_known);
     }
 
-    fn position(&mut self, column: usize, position: &Position) {
+    fn position(&mut self, column: usize, position: &Position, known: AxisMask) {
         for (axis, value) in position.iter().enumerate() {
-            if self.axes.has(axis) {
+            if self.axes.and(known).has(axis) {
                 self.row[column + axis] = number(self.written.place(axis, *value));
             }
         }

@@ -3,9 +3,11 @@
 use std::io::{self, Write};
 
 use chordal::geometry::{Arc, Curve, Line, ParamCurve, Placement, Vec3};
+use chordal::path::NotNamed;
 use chordal::{Segment, SegmentKind};
 
 use crate::number::push_finite;
+use crate::plot::not_named_texts;
 
 /// How far the polylines of helices, spirals and splines leave the curve, mm.
 const TOLERANCE_MM: f64 = 0.001;
@@ -34,11 +36,13 @@ const FOOT: &str = "0\nENDSEC\n0\nEOF\n";
 ///
 /// Rapids are on the layer `RAPID`, cuts on `TOOL_1` and so on. Layers of tools are not
 /// declared ahead, because the file is written while the program runs; each entity carries
-/// its colour. What is not known relative to the part is left out.
+/// its colour. What is not known relative to the part is left out; an axis that the program never
+/// names is at zero, and a comment says so.
 #[derive(Debug)]
 pub struct Dxf<W> {
     out: W,
     text: Vec<u8>,
+    not_named: NotNamed,
 }
 
 impl<W: Write> Dxf<W> {
@@ -48,7 +52,7 @@ impl<W: Write> Dxf<W> {
     /// Those of the output.
     pub fn new(mut out: W) -> io::Result<Self> {
         out.write_all(HEAD.as_bytes())?;
-        Ok(Self { out, text: Vec::with_capacity(1024) })
+        Ok(Self { out, text: Vec::with_capacity(1024), not_named: NotNamed::NONE })
     }
 
     /// Writes a segment.
@@ -61,6 +65,7 @@ impl<W: Write> Dxf<W> {
         if !segment.is_drawn() || !bounds.min.is_finite() || !bounds.max.is_finite() {
             return Ok(());
         }
+        self.not_named = self.not_named.or(segment.not_named);
         match &segment.curve {
             Curve::Line(line) => self.line(segment, line),
             Curve::Arc(arc) if arc.rise.abs() < NOTHING => self.arc(segment, arc),
@@ -74,6 +79,11 @@ impl<W: Write> Dxf<W> {
     /// # Errors
     /// Those of the output.
     pub fn finish(mut self) -> io::Result<W> {
+        for said in not_named_texts(self.not_named) {
+            // A comment.
+            self.group(999, &said);
+        }
+        self.flush_text()?;
         self.out.write_all(FOOT.as_bytes())?;
         self.out.flush()?;
         Ok(self.out)

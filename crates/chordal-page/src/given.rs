@@ -101,23 +101,29 @@ impl Beside {
     }
 }
 
-/// A text with what lies next to it.
+/// A text with what lies next to it, on the machine that was chosen, or on its own.
 fn opened(
     files: Files,
-    machine: Option<String>,
+    chosen: Option<&str>,
+    own: Option<&str>,
     name: &str,
     text: Vec<u8>,
 ) -> Result<Program, Refusal> {
-    let chosen = machine.as_deref().map(ChosenMachine::of);
-    let set = chosen.map_or_else(Vec::new, |chosen| chosen.assignments());
-    let machine = chosen.map(|chosen| GivenMachine::Name(chosen.name.to_string()));
-    let loader = Loader::new(Request { machine, set, files, ..Request::default() });
+    let loader_on = |machine: Option<&str>| {
+        let chosen = machine.map(ChosenMachine::of);
+        let set = chosen.map_or_else(Vec::new, |chosen| chosen.assignments());
+        let machine = chosen.map(|chosen| GivenMachine::Name(chosen.name.to_string()));
+        Loader::new(Request { machine, set, files: files.clone(), ..Request::default() })
+    };
+    let loader = loader_on(chosen.or(own));
+    let set_up = chosen.and_then(|_| loader_on(own).ok());
     let input = Input { path: Some(PathBuf::from(name)), root: None };
     let named_in = |file: &Path| {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         format!("named in {name} next to it")
     };
-    chordal_view::open(loader.map_err(|error| refusal(&error))?, &input, name, text, named_in)
+    let loader = loader.map_err(|error| refusal(&error))?;
+    chordal_view::open(loader, set_up, &input, name, text, named_in)
 }
 
 /// A file that a machine or a setup may be in. That of a folder counts without being chosen.
@@ -158,10 +164,9 @@ impl Programs for Given {
                 help: Some("choose one from the list, or open its machine file".into()),
             });
         }
-        let machine = machine.map(str::to_string).or_else(|| self.machine.clone());
         let files = beside.files.clone();
         drop(beside);
-        opened(files, machine, &self.name, text)
+        opened(files, machine, self.machine.as_deref(), &self.name, text)
     }
 
     fn machines(&self) -> Vec<MachineChoice> {
@@ -189,8 +194,7 @@ impl Programs for Second {
     }
 
     fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
-        let machine = machine.map(str::to_string).or_else(|| self.machine.clone());
-        opened(self.files.clone(), machine, &self.name, text)
+        opened(self.files.clone(), machine, self.machine.as_deref(), &self.name, text)
     }
 
     fn machines(&self) -> Vec<MachineChoice> {

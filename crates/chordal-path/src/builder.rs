@@ -10,7 +10,7 @@ use chordal_machine::{AXES, Machine, PerAxis};
 
 use crate::frame::Frame;
 use crate::rapid;
-use crate::segment::{Segment, SegmentKind, curve_of, curves_of, is_known, point};
+use crate::segment::{NotNamed, Segment, SegmentKind, curve_of, curves_of, is_known, point};
 use crate::tip::{TipPlace, TipTracker};
 
 /// The frame of a run: the work coordinate system of its first cut.
@@ -65,8 +65,37 @@ pub struct PathBuilder<'a> {
     tip: TipTracker,
     /// The speed of the spindle, 1/min; 0 while it stands.
     rpm: f64,
-    /// No move has named Z yet, and with it a cut was made: a laser, a plotter.
-    flat: Flat,
+    unsaid: Unsaid,
+}
+
+/// The axes that the program does not name.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Unsaid {
+    /// Found before the run.
+    Found(NotNamed),
+    /// The run could not be looked at before: Z, as long as no move has named it and with it a cut was made.
+    SoFar(Flat),
+}
+
+impl Unsaid {
+    /// Follows a move; the axes of it that are drawn at zero.
+    fn follow(&mut self, motion: &Move, cuts: bool) -> NotNamed {
+        match self {
+            Unsaid::Found(NotNamed { never, in_no_cut }) => {
+                let mut stands = in_no_cut.without(motion.from_known.or(motion.to_known));
+                (0..3).filter(|axis| motion.from[*axis] != motion.to[*axis]).for_each(|axis| {
+                    stands.remove(axis);
+                });
+                NotNamed { never: *never, in_no_cut: stands }
+            }
+            Unsaid::SoFar(flat) => match flat.follow(motion, cuts) {
+                true => {
+                    NotNamed { never: AxisMask::LINEAR.without(AxisMask::XY), ..NotNamed::NONE }
+                }
+                false => NotNamed::NONE,
+            },
+        }
+    }
 }
 
 /// Whether a program has only X and Y so far.
@@ -108,7 +137,7 @@ impl<'a> PathBuilder<'a> {
             shift: (Vec3::ZERO, true),
             tool: 0,
             rpm: 0.0,
-            flat: Flat::Open,
+            unsaid: Unsaid::SoFar(Flat::Open),
         }
     }
 
@@ -130,6 +159,14 @@ impl<'a> PathBuilder<'a> {
         self
     }
 
+    /// The axes that the program does not name are known before the run.
+    pub fn without_names(mut self, axes: Option<NotNamed>) -> PathBuilder<'a> {
+        if let Some(axes) = axes {
+            self.unsaid = Unsaid::Found(axes);
+        }
+        self
+    }
+
     /// Follows a command and hands its segments on.
     pub fn command(&mut self, command: &Command, mut push: impl FnMut(&Segment)) {
         if let CommandKind::Tool { number } | CommandKind::ToolNumber { number } = command.kind {
@@ -144,12 +181,13 @@ impl<'a> PathBuilder<'a> {
             return self.place();
         }
         let Some(motion) = command.kind.motion() else { return };
-        let is_flat = self.flat.follow(motion, command.kind.feed().is_some());
-        let mut push = |segment: &Segment| match is_flat {
-            true => push(&Segment { flat: true, ..*segment }),
-            false => push(segment),
+        let cuts = command.kind.feed().is_some();
+        let not_named = self.unsaid.follow(motion, cuts);
+        let mut push = |segment: &Segment| match not_named {
+            NotNamed::NONE => push(segment),
+            not_named => push(&Segment { not_named, ..*segment }),
         };
-        let shift = self.shift(command.kind.feed().is_some());
+        let shift = to_zero(self.shift(cuts), motion, not_named.all());
         match &command.kind {
             CommandKind::Rapid { motion, path } => {
                 let mut at = motion.from;
@@ -242,10 +280,20 @@ impl<'a> PathBuilder<'a> {
             to_known: motion.to_known,
             tip_known: !matches!(self.tip.place(), TipPlace::Unknown(_)),
             frame_known: self.shift.1,
-            flat: false,
+            not_named: NotNamed::NONE,
             origin: command.origin,
         }
     }
+}
+
+/// A shift that takes axes which a move does not name to their zero.
+fn to_zero(shift: Vec3, motion: &Move, axes: AxisMask) -> Vec3 {
+    if axes == AxisMask::NONE {
+        return shift;
+    }
+    let by = shift.to_array();
+    let along = |axis: usize| if axes.has(axis) { -motion.from[axis] } else { by[axis] };
+    Vec3::new(along(0), along(1), along(2))
 }
 
 /// How long a cutting move takes at its feed, without acceleration, s. 0 without a feed.

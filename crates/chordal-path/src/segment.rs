@@ -18,6 +18,33 @@ pub enum SegmentKind {
     Spline,
 }
 
+/// Axes of X, Y and Z that a program does not name where it cuts: it is drawn at their zero, and that is said.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct NotNamed {
+    /// Those that it never names, as a laser does not name Z.
+    pub never: AxisMask,
+    /// Those that it names, and that are not known in any cut and move in none.
+    pub in_no_cut: AxisMask,
+}
+
+impl NotNamed {
+    /// None.
+    pub const NONE: NotNamed = NotNamed { never: AxisMask::NONE, in_no_cut: AxisMask::NONE };
+
+    /// All of them.
+    pub const fn all(self) -> AxisMask {
+        self.never.or(self.in_no_cut)
+    }
+
+    /// Those of either.
+    pub const fn or(self, other: NotNamed) -> NotNamed {
+        NotNamed {
+            never: self.never.or(other.never),
+            in_no_cut: self.in_no_cut.or(other.in_no_cut),
+        }
+    }
+}
+
 /// A piece of path: an exact curve of the tool tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
@@ -47,16 +74,17 @@ pub struct Segment {
     pub tip_known: bool,
     /// Where its program coordinates lie in the frame of the run is known.
     pub frame_known: bool,
-    /// Only X and Y are, and no move has named Z yet: it lies flat, as the cuts of a laser do, and can be drawn so.
-    pub flat: bool,
+    /// Those of X, Y and Z that are taken as zero, because the program does not say them.
+    pub not_named: NotNamed,
     /// The block that says so.
     pub origin: Origin,
 }
 
 impl Segment {
-    /// It can be drawn where it lies.
-    pub const fn is_drawn(&self) -> bool {
-        self.known || self.flat
+    /// It can be drawn: both ends are known along every axis that the program names.
+    pub fn is_drawn(&self) -> bool {
+        self.known
+            || self.from_known.and(self.to_known).or(self.not_named.all()).covers(AxisMask::LINEAR)
     }
 }
 

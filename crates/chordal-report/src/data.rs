@@ -74,6 +74,8 @@ pub struct Head {
     pub control: &'static str,
     /// The machine.
     pub machine: String,
+    /// It is a lathe: its tool offsets are of X and Z, with a nose radius and a tip.
+    pub is_lathe: bool,
     /// Why this machine, where nobody said it.
     pub recognized: Option<String>,
     /// `inch` or `mm`: the units of the program's last block.
@@ -215,6 +217,10 @@ pub struct Tool {
     pub radius_offsets: Vec<u32>,
     /// Diameter by the tool table, or where that gives none by a comment of the program, mm.
     pub diameter_mm: Option<f64>,
+    /// The nose radius of an insert by the tool table, mm.
+    pub nose_radius_mm: Option<f64>,
+    /// The number of the direction of its tip.
+    pub tip: Option<u32>,
     /// What it is: a word of the machine file's `shape`.
     pub shape: Option<&'static str>,
     /// The diameter or the shape is a comment's.
@@ -266,12 +272,18 @@ pub struct Register {
     pub tools: Vec<u32>,
     /// Its length is used.
     pub uses_length: bool,
-    /// The length with its wear, mm; `None`: not set.
+    /// The length with its wear, mm; on a lathe the offset of Z. `None`: not set.
     pub length_mm: Option<f64>,
+    /// On a lathe the offset of X with its wear, mm, a diameter where X is programmed so; `None`: not set.
+    pub x_mm: Option<f64>,
     /// Its radius is used.
     pub uses_radius: bool,
-    /// The diameter with its wear, mm; `None`: not set.
+    /// The diameter with its wear, mm; `None`: not set, or a tool with a nose radius.
     pub diameter_mm: Option<f64>,
+    /// The nose radius with its wear, mm; `None`: not set, or a tool with a diameter.
+    pub nose_radius_mm: Option<f64>,
+    /// The number of the tip's direction.
+    pub tip: Option<u32>,
     /// The program itself writes it (G10).
     pub by_program: bool,
 }
@@ -471,4 +483,6 @@ pub struct Pictures {
     pub tools: Vec<ToolSign>,
     /// Cuts whose place nobody knows are not drawn.
     pub cuts_left_out: bool,
+    /// What is said of axes that the program does not name, and that are drawn at zero.
+    pub not_named: Vec<String>,
 }

@@ -1,5 +1,6 @@
 //! The data for the page, as JSON.
 
+use chordal::control::AxisMask;
 use chordal::diagnostics::{Applicability, FileId, Fix, Span};
 use chordal::geometry::Vec3;
 use chordal::machine::{Axis, Solid, ToolShape, Turns};
@@ -45,6 +46,8 @@ pub fn report(report: &Report, job: &Job) -> Value {
             "line": line,
             "own": report.not_verified_from.is_some_and(|span| span.file == FileId(0)),
         })),
+        "never_named": letters(job.not_named_axes().never),
+        "named_in_no_cut": letters(job.not_named_axes().in_no_cut),
         "inch": report.summary.inch,
         "own_chords_mm": job.own_chords().map(|(tolerance_mm, _)| tolerance_mm),
         "output": report.output.iter().take(MOST).collect::<Vec<_>>(),
@@ -62,6 +65,10 @@ pub fn report(report: &Report, job: &Job) -> Value {
             "cut_range": axis.cut_range,
         })).collect::<Vec<_>>(),
     })
+}
+
+fn letters(axes: AxisMask) -> Vec<String> {
+    axes.iter().map(|axis| axis.letter().to_string()).collect()
 }
 
 fn diagnostic(diagnostic: &Diagnostic, spots: &mut Spots<'_, '_>) -> Value {

@@ -6,6 +6,7 @@
 //! asking again; it needs no rule of any control for that. Spans of splines have points along them,
 //! at even distances.
 
+use chordal::control::AxisMask;
 use chordal::geometry::{Curve, ParamCurve, SplinePiece, Vec3};
 use chordal::{Segment, SegmentKind};
 use serde_json::{Value, json};
@@ -14,12 +15,15 @@ use crate::frame::Frame;
 
 /// The tool moves at rapid speed.
 const RAPID: u8 = 0;
-/// Both ends are known relative to the part; others cannot be drawn.
+/// Both ends are known relative to the part, along every axis that the program names; others cannot be drawn.
 const KNOWN: u8 = 0x10;
 /// Compensation made it.
 const INSERTED: u8 = 0x20;
 /// A canned cycle made it.
 const CYCLE: u8 = 0x40;
+
+/// The bits of X, Y and Z that are known at the end, above those that are at the start.
+const END_AXES: u8 = 3;
 
 /// Numbers of an arc's record: centre, towards the start, axis, both radii, sweep (rad), rise (mm).
 const ARC: usize = 13;
@@ -37,6 +41,8 @@ pub struct Columns {
     origin: Option<Vec3>,
     points: Vec<f32>,
     kind: Vec<u8>,
+    /// Which of X, Y and Z are known at both ends of each row.
+    known: Vec<u8>,
     tool: Vec<u32>,
     file: Vec<u8>,
     line: Vec<u32>,
@@ -80,6 +86,9 @@ impl Columns {
         self.points.extend(near(start));
         self.points.extend(near(end));
         self.kind.push(kind_of(segment, inserted));
+        let [from, to] =
+            [segment.from_known, segment.to_known].map(|axes| axes.and(AxisMask::LINEAR));
+        self.known.push(from.0 | to.0 << END_AXES);
         self.tool.push(segment.tool);
         self.file.push(u8::try_from(segment.origin.span.file.0).unwrap_or(u8::MAX));
         self.line.push(segment.origin.line);
@@ -124,6 +133,7 @@ impl Columns {
             frame.column("turns", &rows.turns);
         }
         frame.column("kind", &rows.kind);
+        frame.column("known", &rows.known);
         frame.column("file", &rows.file);
         let mut header = header.clone();
         let origin = rows.origin.unwrap_or(Vec3::ZERO);

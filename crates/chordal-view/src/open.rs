@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use chordal::Machine;
 use chordal::control::table;
 use chordal_editor::{Program, Setup};
 use chordal_load::{Chosen, Input, LoadError, Loader, Text};
@@ -9,16 +10,24 @@ use chordal_load::{Chosen, Input, LoadError, Loader, Text};
 use crate::program::Refusal;
 
 /// Opens a text as the program of an input. `named_in` says in words where a machine file is that its folder names.
+/// Where another machine was chosen on the page, `set_up` loads the one that the program has without that: its tools,
+/// its stock and what else its setup says count on the other one, too.
 ///
 /// # Errors
 /// A machine that cannot be used, a program that is not there.
 pub fn open(
     mut loader: Loader,
+    set_up: Option<Loader>,
     input: &Input,
     name: &str,
     text: Vec<u8>,
     named_in: impl Fn(&Path) -> String,
 ) -> Result<Program, Refusal> {
+    let own = set_up.and_then(|mut loader| {
+        let text = Text::of(name, text.clone()).ok()?;
+        // What is wrong with its machine is said where that is used.
+        loader.load_text(text, input).ok().map(|loaded| loaded.into_parts().1)
+    });
     let text = Text::of(name, text).map_err(|error| refusal(&error))?;
     let loaded = loader.load_text(text, input).map_err(|error| refusal(&error))?;
     // Of a machine that nobody named only the control is known: its axes and its maker are those of the
@@ -42,6 +51,9 @@ pub fn open(
     if is_guess {
         machine.title = title;
     }
+    if let Some(own) = own {
+        keep_setup(&mut machine, own);
+    }
     // The first is the text itself.
     let beside = texts.split_off(1);
     let (name, text) = texts.pop().unwrap_or_default();
@@ -50,6 +62,20 @@ pub fn open(
         message: "the control does not know settings of the machine".into(),
         help: Some(format!("{errors:?}")),
     })
+}
+
+/// Gives a machine the tools and the setup of another one, as far as it has none of its own. A lathe has those of
+/// lathes.
+fn keep_setup(machine: &mut Machine, own: Machine) {
+    if machine.turns() != own.turns() {
+        return;
+    }
+    for (number, tool) in own.tools {
+        machine.tools.entry(number).or_insert(tool);
+    }
+    if machine.setup.is_empty() {
+        machine.setup = own.setup;
+    }
 }
 
 /// Why nothing was loaded, as a page shows it.

@@ -2,13 +2,11 @@
 
 use std::collections::VecDeque;
 
-use chordal::control::Command;
+use chordal::Job;
 use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
-    LimitError, MotionOptions, PlanSink, Sample, Sampler, Sources, Step, StepKind, StepSource,
+    LimitError, MotionOptions, PlanSink, Sample, Sampler, Sources, Step, StepSource,
 };
-use chordal::path::PathBuilder;
-use chordal::{Job, Segment, SegmentKind, Span};
 use chordal_export::short_blocks_text;
 use serde_json::{Value, json};
 
@@ -39,9 +37,6 @@ pub fn times(
     let period_s = (about_s / (MOST as f64 / 2.0)).max(SHORTEST_S);
     let period_s = if period_s.is_finite() { period_s } else { 1.0 };
     let mut sink = Setpoints {
-        builder: job.path_builder(),
-        expected: VecDeque::new(),
-        rows: 0,
         steps: VecDeque::new(),
         sampler: Sampler::new(period_s).at_most(MOST_LOOKED_AT),
         kept: Kept::default(),
@@ -52,7 +47,7 @@ pub fn times(
     if !wanted.is_wanted() {
         return Ok(None);
     }
-    let Setpoints { sampler, mut kept, steps, .. } = sink;
+    let Setpoints { sampler, mut kept, steps } = sink;
     let (total_s, cut_short) = (sampler.time_s(), sampler.is_exhausted());
     sampler.finish(|sample| kept.take(sample, &steps));
     let mut told = answer::times(&timed.time);
@@ -77,13 +72,6 @@ pub fn times(
         "cut_short": cut_short,
     });
     Ok(Some((frame.finish(header), told)))
-}
-
-/// A piece of path that a step of the planner may come from.
-struct Expected {
-    row: u32,
-    span: Span,
-    kind: SegmentKind,
 }
 
 /// A step that the planner holds.
@@ -145,46 +133,16 @@ impl Kept {
     }
 }
 
-struct Setpoints<'m> {
-    /// Makes the same pieces as the path that was sent, to number them alike.
-    builder: PathBuilder<'m>,
-    expected: VecDeque<Expected>,
-    rows: u32,
+struct Setpoints {
     steps: VecDeque<Held>,
     sampler: Sampler,
     kept: Kept,
 }
 
-impl Setpoints<'_> {
-    /// The piece of path of a move: the next of its block and kind. Pieces that are no move, since
-    /// they have no length or no feed, are skipped.
-    fn row_of(&mut self, source: &StepSource) -> u32 {
-        let StepKind::Move(kind) = source.kind else {
-            return self.steps.back().map_or(0, |held| held.row);
-        };
-        while let Some(piece) = self.expected.pop_front() {
-            if piece.span == source.origin.span && piece.kind == kind {
-                return piece.row;
-            }
-        }
-        self.rows.saturating_sub(1)
-    }
-}
-
-impl PlanSink for Setpoints<'_> {
-    fn command(&mut self, command: &Command) {
-        let Setpoints { builder, expected, rows, .. } = self;
-        builder.command(command, |segment: &Segment| {
-            let (span, kind) = (segment.origin.span, segment.kind);
-            if moves(segment) {
-                expected.push_back(Expected { row: *rows, span, kind });
-            }
-            *rows = rows.saturating_add(1);
-        });
-    }
-
+impl PlanSink for Setpoints {
     fn source(&mut self, source: &StepSource) {
-        let row = self.row_of(source);
+        // A piece of path is a row of what was sent.
+        let row = u32::try_from(source.piece).unwrap_or(u32::MAX);
         let number = StepSource::number_of(source.tag);
         self.steps.push_back(Held { number, row, shift: source.shift });
     }
@@ -193,15 +151,11 @@ impl PlanSink for Setpoints<'_> {
         if self.sampler.is_exhausted() {
             return;
         }
-        let Setpoints { sampler, kept, steps, .. } = self;
+        let Setpoints { sampler, kept, steps } = self;
         sampler.push(step, |sample| kept.take(sample, steps));
         // The sampler holds the last stretch, whose steps the planner has forgotten.
         let most = 2 * sources.len() + 100_000;
         let passed = steps.len().saturating_sub(most);
         steps.drain(..passed);
     }
-}
-
-fn moves(segment: &Segment) -> bool {
-    segment.length_mm > 0.0 || segment.rotary_from != segment.rotary_to
 }

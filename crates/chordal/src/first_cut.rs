@@ -1,70 +1,126 @@
-//! The frame of a run: the work coordinate system of its first cut, which is found before the run.
+//! What is found before the run: its frame, which is the work coordinate system of its first cut, and the axes that
+//! it never names.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use chordal_command::{Command, Sink};
+use chordal_command::{AxisMask, Command, Move, Sink};
 use chordal_diagnostics::Diagnostic;
 use chordal_gcode::{RunOptions, WordAddress};
 use chordal_kernel::{Language, RunSink};
 use chordal_machine::AXES;
-use chordal_path::{Frame, RunFrame};
+use chordal_path::{Frame, NotNamed, RunFrame};
 
+use crate::ahead::Ahead;
 use crate::job::Job;
 
-/// Waits for the first cut.
-struct FirstCutSink {
+/// Waits for the first cut, and until X, Y and Z are all named, in a cut, too.
+struct AheadSink {
     frame: Frame,
-    found: Option<Frame>,
-    is_found: Arc<AtomicBool>,
+    first_cut: Option<Frame>,
+    never: AxisMask,
+    in_no_cut: AxisMask,
+    has_all: Arc<AtomicBool>,
 }
 
-impl Sink for FirstCutSink {
+impl AheadSink {
+    /// Of a program that names nothing there is nothing to draw.
+    fn not_named(&self) -> NotNamed {
+        let in_no_cut = match self.first_cut {
+            Some(_) => self.in_no_cut.without(self.never),
+            None => AxisMask::NONE,
+        };
+        let found = NotNamed { never: self.never, in_no_cut };
+        if found.all() == AxisMask::LINEAR { NotNamed::NONE } else { found }
+    }
+
+    fn has_all(&self) -> bool {
+        self.first_cut.is_some() && self.never.or(self.in_no_cut) == AxisMask::NONE
+    }
+}
+
+impl Sink for AheadSink {
     fn command(&mut self, command: &Command) {
-        if self.found.is_none() && !self.frame.follow(command) && command.kind.feed().is_some() {
-            self.found = Some(self.frame);
-            self.is_found.store(true, Ordering::Relaxed);
+        if self.first_cut.is_none() && !self.frame.follow(command) && command.kind.feed().is_some()
+        {
+            self.first_cut = Some(self.frame);
+        }
+        if let Some(motion) = command.kind.motion() {
+            let named = named_by(motion);
+            self.never = self.never.without(named);
+            if command.kind.feed().is_some() {
+                self.in_no_cut = self.in_no_cut.without(named);
+            }
+        }
+        if self.has_all() {
+            self.has_all.store(true, Ordering::Relaxed);
         }
     }
 
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for FirstCutSink {}
+impl RunSink for AheadSink {}
+
+/// The axes of X, Y and Z that a move shows to be named: they are known, or move all the same, as to a reference point.
+fn named_by(motion: &Move) -> AxisMask {
+    let mut axes = motion.from_known.or(motion.to_known);
+    (0..3).filter(|axis| motion.from[*axis] != motion.to[*axis]).for_each(|axis| axes.insert(axis));
+    axes
+}
 
 impl Job<'_> {
     /// The frame of the run; `None` where nothing is cut, or somebody is asked on the way.
     pub(crate) fn run_frame(&self) -> Option<RunFrame> {
-        *self.run_frame.get_or_init(|| self.find_run_frame())
+        self.ahead().run_frame
     }
 
-    fn find_run_frame(&self) -> Option<RunFrame> {
+    /// Those of X, Y and Z that the program does not name, which are drawn at zero. None where it asks somebody on the
+    /// way.
+    pub fn not_named_axes(&self) -> NotNamed {
+        self.ahead().not_named.unwrap_or_default()
+    }
+
+    pub(crate) fn ahead(&self) -> Ahead {
+        *self.ahead.get_or_init(|| self.look_ahead())
+    }
+
+    fn look_ahead(&self) -> Ahead {
         let options = self.run_options();
         if options.not_read.is_some()
             || options.shop_codes.is_some()
             || self.machine().answers_with_blocks()
         {
-            return None;
+            return Ahead::default();
         }
-        let is_found = Arc::new(AtomicBool::new(false));
-        let mut sink =
-            FirstCutSink { frame: self.initial_frame(), found: None, is_found: is_found.clone() };
+        let has_all = Arc::new(AtomicBool::new(false));
+        let mut sink = AheadSink {
+            frame: self.initial_frame(),
+            first_cut: None,
+            never: AxisMask::LINEAR,
+            in_no_cut: AxisMask::LINEAR,
+            has_all: has_all.clone(),
+        };
         let wanted = options.interrupt.clone();
         let ends = move || {
-            is_found.load(Ordering::Relaxed) || wanted.as_ref().is_some_and(|interrupt| interrupt())
+            has_all.load(Ordering::Relaxed) || wanted.as_ref().is_some_and(|interrupt| interrupt())
         };
         let options = RunOptions { interrupt: Some(Arc::new(ends)), ..options.clone() };
         let language = WordAddress::new(self.sources(), self.machine(), self.control(), &options);
         for program in self.mains(&language) {
             language.run(program, None, &mut sink);
-            if sink.found.is_some() {
+            if sink.has_all() {
                 break;
             }
         }
-        let frame = sink.found?;
+        let run_frame = sink.first_cut.map(|frame| self.run_frame_of(&frame));
+        Ahead { run_frame, not_named: Some(sink.not_named()) }
+    }
+
+    fn run_frame_of(&self, frame: &Frame) -> RunFrame {
         let key = frame.name.table_key(self.control().table.work_names);
         let table = |key: &str, axis: usize| self.machine().work_offsets.get(key)?.values[axis];
         let set_up = |axis| Some(table(&key, axis)? + table("EXT", axis).unwrap_or(0.0));
-        Some(RunFrame::of_cut(&frame, std::array::from_fn::<_, AXES, _>(set_up)))
+        RunFrame::of_cut(frame, std::array::from_fn::<_, AXES, _>(set_up))
     }
 }

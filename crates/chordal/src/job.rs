@@ -13,8 +13,10 @@ use chordal_geometry::Placement;
 use chordal_kernel::Outcome;
 use chordal_kernel::{Checkpoint, Language, Ran, RunSink};
 use chordal_machine::{Machine, PerAxis};
-use chordal_path::{Checks, Frame, PathBuilder, RunFrame};
+use chordal_path::{Checks, Frame, PathBuilder};
 use chordal_syntax::ProgramHead;
+
+use crate::ahead::Ahead;
 
 /// Why there is no job.
 #[derive(Debug, thiserror::Error)]
@@ -58,8 +60,8 @@ pub struct Job<'a> {
     control: Control,
     options: RunOptions,
     program: Option<Chosen>,
-    /// The frame of the run, where it was asked for.
-    pub(crate) run_frame: OnceLock<Option<RunFrame>>,
+    /// What is known before the run, where it was asked for.
+    pub(crate) ahead: OnceLock<Ahead>,
 }
 
 /// Which program of the first text is run.
@@ -92,8 +94,8 @@ impl<'a> Job<'a> {
             return Err(JobError::Settings(errors));
         }
         machine.take_designations(control.parameters.rules.turning.tips_mirrored);
-        let (options, run_frame) = (RunOptions::default(), OnceLock::new());
-        Ok(Job { sources, machine, control, options, program: None, run_frame })
+        let (options, ahead) = (RunOptions::default(), OnceLock::new());
+        Ok(Job { sources, machine, control, options, program: None, ahead })
     }
 
     /// The same job with another first text.
@@ -110,14 +112,14 @@ impl<'a> Job<'a> {
             control: self.control.clone(),
             options: self.options.clone(),
             program: self.program,
-            run_frame: OnceLock::new(),
+            ahead: OnceLock::new(),
         }
     }
 
     /// Runs only the program of this number.
     pub fn program(mut self, number: Option<u32>) -> Job<'a> {
         self.program = number.map(Chosen::Number);
-        self.run_frame = OnceLock::new();
+        self.ahead = OnceLock::new();
         self
     }
 
@@ -125,7 +127,7 @@ impl<'a> Job<'a> {
     /// none, nothing is run.
     pub fn program_at(mut self, place: usize) -> Job<'a> {
         self.program = Some(Chosen::Place(place));
-        self.run_frame = OnceLock::new();
+        self.ahead = OnceLock::new();
         self
     }
 
@@ -148,7 +150,7 @@ impl<'a> Job<'a> {
     /// Other budgets than the usual ones.
     pub fn options(mut self, options: RunOptions) -> Job<'a> {
         self.options = options;
-        self.run_frame = OnceLock::new();
+        self.ahead = OnceLock::new();
         self
     }
 
@@ -332,6 +334,7 @@ impl<'a> Job<'a> {
         PathBuilder::new(self.machine(), frame.work, frame.known)
             .in_system(frame.name)
             .in_run_frame(self.run_frame())
+            .without_names(self.ahead().not_named)
             .with_tool_lengths(self.control().parameters.rules.length.source)
     }
 

@@ -31,6 +31,7 @@ pub mod control {
     };
 }
 
+mod ahead;
 mod comp_range;
 mod compensated;
 mod first_cut;

@@ -103,8 +103,18 @@ pub(super) fn columns(axes: AxisMask, of_path: bool) -> Vec<Column> {
         column("file", File, "", "the text that the block is in"),
         column("kind", Word, "", "what the command does"),
     ];
-    columns.extend(places(axes, "from", NumberOrGap, "start of a move, program coordinates"));
-    columns.extend(places(axes, "to", NumberOrGap, "end of a move, program coordinates"));
+    columns.extend(places(
+        axes,
+        "from",
+        NumberOrGap,
+        "start of a move, program coordinates, where known",
+    ));
+    columns.extend(places(
+        axes,
+        "to",
+        NumberOrGap,
+        "end of a move, program coordinates, where known",
+    ));
     columns.extend([
         column("plane", WordOrGap, "", "plane of an arc, or the new plane"),
         column("center_a_mm", NumberOrGap, "mm", "centre of an arc, first axis of its plane"),
@@ -258,13 +268,15 @@ impl<'a> CommandColumns<'a> {
     #[inline]
     fn ends(&mut self, motion: &Move) {
         let (row, written) = (self.rows, self.written);
-        let put = |columns: &mut [Numbers], position: &Position| {
+        let put = |columns: &mut [Numbers], position: &Position, known: AxisMask| {
             for (column, axis) in columns.iter_mut().zip(&self.axes) {
-                column.put(row, written.place(*axis, position[*axis]));
+                if known.has(*axis) {
+                    column.put(row, written.place(*axis, position[*axis]));
+                }
             }
         };
-        put(&mut self.from, &motion.from);
-        put(&mut self.to, &motion.to);
+        put(&mut self.from, &motion.from, motion.from_known);
+        put(&mut self.to, &motion.to, motion.to_known);
     }
 
     /// Commands that move nothing.

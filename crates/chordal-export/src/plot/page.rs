@@ -153,6 +153,11 @@ impl Plot {
         self.store.has_unknown()
     }
 
+    /// What is said of axes that the program does not name, and that are drawn at zero; nothing where it names all.
+    pub fn not_named(&self) -> Vec<String> {
+        self.store.not_named()
+    }
+
     /// The colours of [`Plot::page_view`] on a light or a dark page, as CSS declarations.
     pub fn page_colors(dark: bool) -> String {
         Palette::declarations(dark)

@@ -1,6 +1,8 @@
 //! What is kept of a path until its extent, and so the scale, is known.
 
+use chordal::control::AxisMask;
 use chordal::geometry::{Aabb, Curve, ParamCurve, Vec3};
+use chordal::path::NotNamed;
 use chordal::{Segment, SegmentKind};
 
 use super::relief::Relief;
@@ -85,6 +87,8 @@ pub(super) struct Store {
     end: Vec3,
     limit: usize,
     unknown: bool,
+    /// The axes that the program does not name, of what is drawn.
+    not_named: NotNamed,
     /// Two programs in one picture, by these names, not tools.
     pub overlay: Option<[String; 2]>,
     /// The stock that is left.
@@ -107,6 +111,7 @@ impl Default for Store {
             end: Vec3::ZERO,
             limit: MANY,
             unknown: false,
+            not_named: NotNamed::NONE,
             overlay: None,
             stock: None,
             by_power: false,
@@ -125,6 +130,7 @@ impl Store {
             self.unknown |= !rapid;
             return;
         }
+        self.not_named = self.not_named.or(segment.not_named);
         let tool = (!rapid).then(|| self.tool(segment.tool, segment.rpm));
         let length = if segment.length_mm.is_finite() { segment.length_mm } else { 0.0 };
         match tool {
@@ -280,6 +286,7 @@ impl Store {
         self.rapid_mm = old.rapid_mm;
         (self.cuts, self.rapids) = (old.cuts, old.rapids);
         (self.start, self.end, self.unknown) = (old.start, old.end, old.unknown);
+        self.not_named = old.not_named;
         (self.overlay, self.stock, self.by_power) = (old.overlay, old.stock, old.by_power);
         self.limit = MANY.max(2 * self.pieces.len());
     }
@@ -322,6 +329,11 @@ impl Store {
         self.unknown
     }
 
+    /// What is said of axes that the program does not name; nothing where it names all.
+    pub fn not_named(&self) -> Vec<String> {
+        not_named_texts(self.not_named)
+    }
+
     /// The box of the cuts.
     pub fn cut_extent(&self) -> Option<Aabb> {
         (!self.cuts.is_empty()).then_some(self.cuts)
@@ -353,6 +365,20 @@ impl Store {
         let near_rapids = Aabb { min: corner(self.rapids.min), max: corner(self.rapids.max) };
         Some(cuts.union(near_rapids))
     }
+}
+
+/// `Y is never named; drawn at Y0`, `Z is not known in any cut; drawn at Z0`.
+pub(crate) fn not_named_texts(axes: NotNamed) -> Vec<String> {
+    let said = |axes: AxisMask, why: &str| {
+        let letters: Vec<String> = axes.iter().map(|axis| axis.letter().to_string()).collect();
+        let zeros: Vec<String> = letters.iter().map(|letter| format!("{letter}0")).collect();
+        let verb = if letters.len() == 1 { "is" } else { "are" };
+        let text =
+            || format!("{} {verb} {why}; drawn at {}", letters.join(" and "), zeros.join(" "));
+        (!letters.is_empty()).then(text)
+    };
+    let both = [said(axes.never, "never named"), said(axes.in_no_cut, "not known in any cut")];
+    both.into_iter().flatten().collect()
 }
 
 /// The powers of a step: the one, or from the least to the most.

@@ -93,7 +93,7 @@ pub fn turned_text(found: &TurnedReport) -> String {
     };
     text += stock_premise_text(&found.report);
     if !found.threads.is_empty() {
-        text += "note: threads are within what is left; volumes count them as between nothing and all of it\n";
+        text += "note: threads are within what is left; volumes count each as between nothing and its whole groove\n";
     }
     text
 }

@@ -144,3 +144,30 @@ fn a_large_path_makes_a_small_drawing() {
     check(&svg);
     assert!(svg.len() < 14 << 20, "{} bytes", svg.len());
 }
+
+/// X and Z of a profile, as manuals print it: Y is never named.
+const PROFILE: &[u8] =
+    b"G21 G18 G90\nS900 M3\nG1 X10. Z-5. F100.\nX20. Z-10.\nG2 X30. Z-10. R5.\nM30\n";
+
+#[test]
+fn a_fragment_that_never_names_an_axis_has_a_picture_that_says_so() {
+    let job = job("haas-vf2", "profile.nc", PROFILE);
+    let mut plot = Plot::new(&job);
+    job.path(|segment| plot.segment(segment));
+    let svg = plot.svg(&options());
+    check(&svg);
+    assert!(svg.contains("Y is never named; drawn at Y0"), "it is said");
+    assert_eq!(svg.matches("never named").count(), 1);
+    let document = Document::parse(&svg).unwrap();
+    let front =
+        document.descendants().find(|node| node.attribute("id") == Some("view-front-tool-0"));
+    assert!(
+        front.and_then(|node| node.attribute("d")).unwrap_or("").contains('A'),
+        "the arc is drawn"
+    );
+    assert!(!plot_of_all_axes().contains("never named"));
+}
+
+fn plot_of_all_axes() -> String {
+    plot(&small()).svg(&options())
+}

@@ -188,6 +188,7 @@ fn head(
         comments: comments.head(),
         control: job.control().table.title,
         machine: clean(&machine.title, 120),
+        is_lathe: machine.turns(),
         recognized: about.recognized.map(|why| clean(why, 300)),
         units: if report.summary.inch { "inch" } else { "mm" },
         bytes: text.len() as u64,
@@ -288,5 +289,6 @@ fn pictures(plot: &Plot, plane_mm: &[f64; 3], stock: Option<&StockLeft>) -> Pict
         },
         tools: plot.page_tools().into_iter().map(sign).collect(),
         cuts_left_out: plot.leaves_out_cuts(),
+        not_named: plot.not_named(),
     }
 }

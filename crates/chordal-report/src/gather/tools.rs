@@ -227,6 +227,8 @@ impl Tools {
                 length_offsets: seen.lengths.clone(),
                 radius_offsets: seen.radii.clone(),
                 diameter_mm: known.and_then(|known| known.tool.diameter_mm),
+                nose_radius_mm: known.and_then(|known| known.tool.nose_radius_mm),
+                tip: known.and_then(|known| known.tool.tip),
                 shape: known.and_then(|known| known.tool.shape).map(ToolShape::as_str),
                 by_comment: known.is_some_and(|known| known.comment.is_some()),
                 rpm: seen.rpm,
@@ -248,10 +250,14 @@ impl Tools {
     /// The tool offsets that the program uses, with the machine's values.
     pub fn registers(&self, job: &Job) -> Rows<Register> {
         let of_register = |(number, uses): (&u32, &Use)| {
-            let table = job.machine().tools.get(number);
-            let length_mm = table.and_then(|tool| tool.offset_of(Axis::Z as usize));
+            let machine = job.machine();
+            let table = machine.tools.get(number);
+            let of_axis = |axis: Axis| table.and_then(|tool| tool.offset_of(axis as usize));
+            let length_mm = of_axis(Axis::Z);
+            let x_mm = of_axis(Axis::X).map(|mm| mm * machine.written_factor(Axis::X as usize));
             let radius_mm = table.and_then(chordal::machine::Tool::radius_mm);
-            let diameter_mm = radius_mm.map(|radius| 2.0 * radius);
+            // Of an insert it is the nose.
+            let has_nose = table.is_some_and(|tool| tool.diameter_mm.is_none());
             let other = |used: Option<f64>, own: Option<f64>| match (used, own) {
                 (Some(used), Some(own)) => (used.abs() - own.abs()).abs() > SAME_MM,
                 (used, _) => used.is_some(),
@@ -261,8 +267,11 @@ impl Tools {
                 tools: uses.tools.iter().copied().filter(|tool| *tool > 0).collect(),
                 uses_length: uses.length,
                 length_mm,
+                x_mm: x_mm.filter(|_| machine.turns()),
                 uses_radius: uses.radius,
-                diameter_mm,
+                diameter_mm: radius_mm.filter(|_| !has_nose).map(|radius| 2.0 * radius),
+                nose_radius_mm: radius_mm.filter(|_| has_nose),
+                tip: table.and_then(|tool| tool.tip),
                 by_program: uses.length && other(uses.length_mm, length_mm)
                     || uses.radius && other(uses.radius_mm, radius_mm),
             }

@@ -183,6 +183,10 @@ impl Travels {
             let axes = Axis::ALL.into_iter().filter_map(|axis| {
                 let index = axis as usize;
                 let all = system.all[index].get()?;
+                // One that the machine does not have stands at zero: Y of a lathe.
+                if job.machine().axis(axis).is_none() && all.0 == all.1 {
+                    return None;
+                }
                 let unset = !moved && !system.known.has(index) && !axis.is_rotary();
                 let limits = job.machine().axis(axis).and_then(|limits| limits.travel);
                 // The place of Z hangs on the tool's length, too.

@@ -28,13 +28,13 @@ pub fn offsets(document: &Document, show: &Show) -> Markup {
                 @if !work.is_empty() { (work_offsets(work, show)) }
                 @if !registers.rows.is_empty() {
                     div {
-                        (tool_offsets(&registers.rows[..registers.rows.len().min(MOST)], show))
+                        (tool_offsets(&registers.rows[..registers.rows.len().min(MOST)], document.head.is_lathe, show))
                         (left_out(registers, MOST, "tool offsets"))
                     }
                 }
             }
             @if work.iter().any(|offset| offset.values.iter().any(|value| value.value.is_none()))
-                || registers.rows.iter().any(is_unset)
+                || registers.rows.iter().any(|register| is_unset(register, document.head.is_lathe))
             {
                 p.faint {
                     "An empty line: the machine file has no value. Set it at the control and write it here."
@@ -44,9 +44,11 @@ pub fn offsets(document: &Document, show: &Show) -> Markup {
     }
 }
 
-fn is_unset(register: &Register) -> bool {
+fn is_unset(register: &Register, is_lathe: bool) -> bool {
     register.uses_length && register.length_mm.is_none()
-        || register.uses_radius && register.diameter_mm.is_none()
+        || register.uses_length && is_lathe && register.x_mm.is_none()
+        || register.uses_radius && is_lathe && register.tip.is_none()
+        || register.uses_radius && register.diameter_mm.or(register.nose_radius_mm).is_none()
 }
 
 fn work_offsets(offsets: &[WorkOffset], show: &Show) -> Markup {
@@ -93,17 +95,19 @@ fn work_offsets(offsets: &[WorkOffset], show: &Show) -> Markup {
     }
 }
 
-fn tool_offsets(registers: &[Register], show: &Show) -> Markup {
-    let unit = show.units.length_unit();
-    let value = |used: bool, value: Option<f64>| {
-        html! {
-            @match (used, value) {
-                (false, _) => "–",
-                (true, Some(mm)) => (show.units.coordinate(mm)),
-                (true, None) => (blank()),
-            }
+/// A value of a tool offset; a blank where it is used and not set.
+fn offset_value(used: bool, value: Option<f64>, show: &Show) -> Markup {
+    html! {
+        @match (used, value) {
+            (_, Some(mm)) => (show.units.coordinate(mm)),
+            (true, None) => (blank()),
+            (false, None) => "–",
         }
-    };
+    }
+}
+
+fn tool_offsets(registers: &[Register], is_lathe: bool, show: &Show) -> Markup {
+    let unit = show.units.length_unit();
     html! {
         (scrolling("Tool offsets", registers.len(), html! { table {
             caption { "Tool offsets" }
@@ -111,8 +115,15 @@ fn tool_offsets(registers: &[Register], show: &Show) -> Markup {
                 tr {
                     th scope="col" { "No." }
                     th scope="col" { "Tool" }
-                    th.n scope="col" { "H length " (unit) }
-                    th.n scope="col" { "D diameter " (unit) }
+                    @if is_lathe {
+                        th.n scope="col" { "X " (unit) }
+                        th.n scope="col" { "Z " (unit) }
+                        th.n scope="col" { "Nose radius " (unit) }
+                        th.n scope="col" { "Tip" }
+                    } @else {
+                        th.n scope="col" { "H length " (unit) }
+                        th.n scope="col" { "D diameter " (unit) }
+                    }
                 }
             }
             tbody {
@@ -120,14 +131,38 @@ fn tool_offsets(registers: &[Register], show: &Show) -> Markup {
                     tr {
                         th scope="row" { (register.number) }
                         td { (tools_of(&register.tools)) }
-                        td.n { (value(register.uses_length, register.length_mm)) }
-                        td.n { (value(register.uses_radius, register.diameter_mm)) }
+                        @if is_lathe { (of_lathe(register, show)) } @else { (of_mill(register, show)) }
                     }
                 }
             }
         } }))
         @for register in registers.iter().filter(|register| register.by_program) {
             p.faint { "Offset " (register.number) " is written by the program itself." }
+        }
+    }
+}
+
+fn of_mill(register: &Register, show: &Show) -> Markup {
+    let Register { uses_length, uses_radius, .. } = *register;
+    html! {
+        td.n { (offset_value(uses_length, register.length_mm.filter(|_| uses_length), show)) }
+        td.n { (offset_value(uses_radius, register.diameter_mm.filter(|_| uses_radius), show)) }
+    }
+}
+
+/// The nose and the tip are of the offset table whether compensation is used or not; a blank only where it is.
+fn of_lathe(register: &Register, show: &Show) -> Markup {
+    let Register { uses_length, uses_radius, .. } = *register;
+    html! {
+        td.n { (offset_value(uses_length, register.x_mm, show)) }
+        td.n { (offset_value(uses_length, register.length_mm, show)) }
+        td.n { (offset_value(uses_radius, register.nose_radius_mm, show)) }
+        td.n {
+            @match register.tip {
+                Some(tip) => (tip),
+                None if uses_radius => (blank()),
+                None => "–",
+            }
         }
     }
 }
@@ -144,6 +179,7 @@ fn numbers(numbers: &[u32]) -> String {
 /// The tools in the order of their first use.
 pub fn tools(document: &Document, show: &Show) -> Markup {
     let unit = show.units.length_unit();
+    let is_lathe = document.head.is_lathe;
     let sign = |number: u32| document.pictures.tools.iter().find(|tool| tool.number == number);
     html! {
         section aria-labelledby="tools" {
@@ -156,11 +192,19 @@ pub fn tools(document: &Document, show: &Show) -> Markup {
                             tr {
                                 th scope="col" { "Tool" }
                                 th scope="col" { "What it is" }
-                                th scope="col" { "H" }
-                                th scope="col" { "D" }
-                                th.n scope="col" { "Ø " (unit) }
-                                th.n scope="col" { "rpm" }
-                                th.n scope="col" { "Feed " (show.units.feed_unit()) }
+                                @if is_lathe {
+                                    th scope="col" { "Offset" }
+                                    th.n scope="col" { "Nose radius " (unit) }
+                                    th.n scope="col" { "Tip" }
+                                    th.n scope="col" { "rpm" }
+                                    th.n scope="col" { "Feed " (unit) " per rev" }
+                                } @else {
+                                    th scope="col" { "H" }
+                                    th scope="col" { "D" }
+                                    th.n scope="col" { "Ø " (unit) }
+                                    th.n scope="col" { "rpm" }
+                                    th.n scope="col" { "Feed " (show.units.feed_unit()) }
+                                }
                                 th.n scope="col" { "Lowest Z" }
                                 th.n scope="col" { "Cuts " (unit) }
                                 th scope="col" { "Coolant" }
@@ -178,10 +222,15 @@ pub fn tools(document: &Document, show: &Show) -> Markup {
                                     }
                                     td.words { (what(tool)) }
                                     td { (dash(&numbers(&tool.length_offsets))) }
-                                    td { (dash(&numbers(&tool.radius_offsets))) }
-                                    td.n { (dash(&diameter(tool, show))) }
+                                    @if is_lathe {
+                                        td.n { (dash(&nose(tool, show))) }
+                                        td.n { (dash(&tool.tip.map(|tip| tip.to_string()).unwrap_or_default())) }
+                                    } @else {
+                                        td { (dash(&numbers(&tool.radius_offsets))) }
+                                        td.n { (dash(&diameter(tool, show))) }
+                                    }
                                     td.n { (spindle(tool)) }
-                                    td.n { (feeds(&tool.feeds, show)) }
+                                    td.n { (feeds(&tool.feeds, is_lathe, show)) }
                                     td.n { (dash(&tool.lowest_z_mm.map(|z| show.units.coordinate(z)).unwrap_or_default())) }
                                     td.n { (show.units.length(tool.cut_mm)) }
                                     td { (dash(&tool.coolant.join(", "))) }
@@ -203,6 +252,16 @@ pub fn tools(document: &Document, show: &Show) -> Markup {
 fn diameter(tool: &Tool, show: &Show) -> String {
     let star = if tool.by_comment { "*" } else { "" };
     tool.diameter_mm.map_or_else(String::new, |mm| format!("{}{star}", show.units.coordinate(mm)))
+}
+
+/// The nose radius of an insert, the diameter of a drill.
+fn nose(tool: &Tool, show: &Show) -> String {
+    match tool.nose_radius_mm {
+        Some(mm) => show.units.coordinate(mm),
+        None => {
+            tool.diameter_mm.map_or_else(String::new, |_| format!("Ø {}", diameter(tool, show)))
+        }
+    }
 }
 
 fn dash(text: &str) -> &str {
@@ -237,17 +296,24 @@ fn spindle(tool: &Tool) -> Markup {
     }
 }
 
-fn feeds(feeds: &Feeds, show: &Show) -> Markup {
+/// What is not in the unit of the column has its own: feed per revolution on a lathe, per minute on a mill.
+fn feeds(feeds: &Feeds, is_lathe: bool, show: &Show) -> Markup {
     let decimals = match show.units {
         Units::Inch => 5,
         Units::Millimetre => 4,
     };
     let per_rev = |mm: f64| short(mm / show.units.length_mm(), decimals);
+    let per_minute_unit =
+        if is_lathe { format!(" {}", show.units.feed_unit()) } else { String::new() };
     let mut parts = Vec::new();
-    if let Some(range) = feeds.mm_per_min {
-        parts.push(span_of(range, |mm_per_min| show.units.feed(mm_per_min / 60.0)));
+    if let Some(range) = feeds.mm_per_rev.filter(|_| is_lathe) {
+        parts.push(span_of(range, per_rev));
     }
-    if let Some(range) = feeds.mm_per_rev {
+    if let Some(range) = feeds.mm_per_min {
+        let text = span_of(range, |mm_per_min| show.units.feed(mm_per_min / 60.0));
+        parts.push(format!("{text}{per_minute_unit}"));
+    }
+    if let Some(range) = feeds.mm_per_rev.filter(|_| !is_lathe) {
         parts.push(format!("{} per rev", span_of(range, per_rev)));
     }
     if feeds.inverse_time {

@@ -76,7 +76,7 @@ fn volumes(stock: &Stock, show: &Show) -> Markup {
                     "Volumes are between these bounds, with columns of "
                     (show.units.coordinate(side)) " " (show.units.length_unit()) "."
                 }
-                None => "The half section is exact; threads count as between nothing and all of them.",
+                None => "The half section is exact; a thread counts as between nothing and its whole groove.",
             }
         }
     }

@@ -46,6 +46,32 @@ fn the_path_is_columns_and_arcs_have_their_exact_record() {
 }
 
 #[test]
+fn the_axes_that_are_known_come_with_each_end() {
+    let text = "G21 G90 G18\nS1000 M3\nG0 X10.\nZ5.\nG1 X20. F100.\nG91 G28 Z0\nG90 X30.\nM30\n";
+    let mut live = serve(Shown::text(text)).live();
+    let path = live.columns("path");
+    let ends = path.u8("known").into_iter().map(|known| (known & 7, known >> 3));
+    let known: Vec<(u32, (u8, u8))> = path.u32("line").into_iter().zip(ends).collect();
+    // X alone, X and Z, and X alone again after the reference point; Y never is.
+    let of =
+        |line: u32| known.iter().filter(|(own, _)| *own == line).map(|(_, ends)| *ends).next_back();
+    assert_eq!(
+        [3, 4, 5, 6, 7].map(of),
+        [Some((0, 1)), Some((1, 5)), Some((5, 5)), Some((5, 1)), Some((1, 1))]
+    );
+    let drawn = path.u8("kind").into_iter().map(|kind| kind & 0x10 != 0);
+    let drawn: Vec<u32> = path
+        .u32("line")
+        .into_iter()
+        .zip(drawn)
+        .filter(|(_, drawn)| *drawn)
+        .map(|(line, _)| line)
+        .collect();
+    assert_eq!(drawn, [5]);
+    assert_eq!(live.json("report")["never_named"], serde_json::json!(["Y"]));
+}
+
+#[test]
 fn a_long_text_comes_in_pieces_that_cut_no_character() {
     let line = "G1 X1.5 (ß→)\n";
     let long = line.repeat(200_000);

@@ -238,6 +238,12 @@ impl Region {
             .collect()
     }
 
+    /// The same at another place.
+    #[must_use]
+    pub fn moved(&self, by: Vec2) -> Region {
+        Region { edges: self.edges.iter().map(|edge| edge.moved(by)).collect() }
+    }
+
     /// What is in this region and not in the other one.
     pub fn difference(&self, other: &Region) -> Result<Combined, Unresolved> {
         self.combined(other, Rule::Difference)

@@ -63,6 +63,10 @@ pub(crate) struct MotionBuilder<'a, S> {
     at: Option<Axes>,
     shift: Axes,
     number: u32,
+    /// Pieces of path before those of the present command.
+    pieces: u64,
+    /// The piece of path of the last step.
+    piece: u64,
     held: Option<Held>,
     report: MotionReport,
     operations: Operations,
@@ -105,6 +109,8 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             at: None,
             shift: [0.0; AXES],
             number: 0,
+            pieces: 0,
+            piece: 0,
             held: None,
             report,
             operations: Operations::new(job, options.operations),
@@ -186,6 +192,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             origin,
             tool: self.tool,
             kind: StepKind::Wait(kind),
+            piece: self.piece,
             known: true,
             length: 0.0,
             nominal_s: seconds,
@@ -206,16 +213,12 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     /// The spans of a spline, each in its even parts.
     fn spline(&mut self, spans: &[Segment], cycle: bool) {
         let mut parts = Vec::new();
-        for span in spans {
+        for (piece, span) in (self.pieces..).zip(spans) {
             let mut push = |curve: Curve| {
                 let length_mm = curve.length();
                 let share = length_mm / span.length_mm;
-                parts.push(Segment {
-                    curve,
-                    length_mm,
-                    duration_s: span.duration_s * share,
-                    ..*span
-                });
+                let duration_s = span.duration_s * share;
+                parts.push((piece, Segment { curve, length_mm, duration_s, ..*span }));
             };
             match &span.curve {
                 Curve::Spline(piece) => {
@@ -227,8 +230,9 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
                 curve => push(*curve),
             }
         }
-        parts.retain(|part| part.length_mm > 0.0);
-        for (index, part) in parts.iter().enumerate() {
+        parts.retain(|(_, part)| part.length_mm > 0.0);
+        for (index, (piece, part)) in parts.iter().enumerate() {
+            self.piece = *piece;
             self.segment(part, cycle, index + 1 < parts.len());
         }
     }
@@ -276,6 +280,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             origin: segment.origin,
             tool: segment.tool,
             kind: StepKind::Move(segment.kind),
+            piece: self.piece,
             known: segment.known,
             length,
             nominal_s,
@@ -415,26 +420,38 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     /// Takes a command and its pieces of path.
     pub fn follow(&mut self, command: &Command, segments: &[Segment]) {
         self.sink.command(command);
-        let Some((last, bends)) = segments.split_last() else {
+        if segments.is_empty() {
             return self.other_command(command);
-        };
+        }
+        self.moves(command, segments);
+        self.pieces += segments.len() as u64;
+    }
+
+    /// The steps of a command that moves, with its pieces of path.
+    fn moves(&mut self, command: &Command, segments: &[Segment]) {
+        let Some((last, bends)) = segments.split_last() else { return };
+        let last_piece = self.pieces + bends.len() as u64;
         let is_one = bends.is_empty() && last.kind != SegmentKind::Spline;
-        if is_one
-            && (self.keeps_surface_speed(command, last) || self.waits_for_rotary(command, last))
-        {
-            return;
+        if is_one {
+            self.piece = last_piece;
+            if self.keeps_surface_speed(command, last) || self.waits_for_rotary(command, last) {
+                return;
+            }
         }
         let cycle = command.origin.cycle;
         match bends.first() {
             _ if last.kind == SegmentKind::Spline => self.spline(segments, cycle),
             Some(first) if !self.dog_leg_shape => {
+                self.piece = last_piece;
                 self.segment(&chord(first, bends, last), cycle, false);
             }
             _ => {
                 self.report.bent_rapids += u64::from(!bends.is_empty());
-                for segment in bends {
+                for (piece, segment) in (self.pieces..).zip(bends) {
+                    self.piece = piece;
                     self.segment(segment, cycle, true);
                 }
+                self.piece = last_piece;
                 self.segment(last, cycle, false);
             }
         }

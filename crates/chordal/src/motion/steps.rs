@@ -90,6 +90,9 @@ pub struct StepSource {
     pub tool: u32,
     /// What it is.
     pub kind: StepKind,
+    /// Which piece of [`Job::path`](crate::Job::path) it is on, from 0; of a wait the one before it. A piece may
+    /// have several steps.
+    pub piece: u64,
     /// Both ends are known relative to the part.
     pub known: bool,
     /// Length: mm along X, Y and Z, or rad where rotary axes alone move; 0 for a wait.

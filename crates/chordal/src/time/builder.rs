@@ -333,6 +333,7 @@ mod tests {
                     origin: origin(line),
                     tool: self.tool,
                     kind,
+                    piece: 0,
                     known: true,
                     length: 0.0,
                     nominal_s,

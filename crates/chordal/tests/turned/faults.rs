@@ -272,6 +272,53 @@ fn threads_are_between_nothing_and_all() {
     assert_eq!(found.section.volume(), found.before_mm3);
 }
 
+/// The volume of a ring whose section is a triangle from the surface of radius 30 down, with an angle of 60 degrees.
+fn ring(depth: f64) -> f64 {
+    let area = depth.powi(2) * 30.0_f64.to_radians().tan();
+    // By Pappus: the middle of a triangle is a third below its base.
+    2.0 * std::f64::consts::PI * (30.0 - depth / 3.0) * area
+}
+
+#[test]
+fn a_thread_removes_its_groove_at_most() {
+    // From Z0 to Z-30 with lead 3 the groove goes round ten times; where it runs in, as much is missing before the face
+    // as there is after it.
+    let found = run(SHARP, "T0707\nG0 X57. Z3.\nG32 Z-30. F3.\nG0 X80.\n");
+    let by_hand = 10.0 * ring(1.5);
+    let most = found.removed_mm3.most;
+    assert!(most > by_hand && most < 1.04 * by_hand, "{most} and {by_hand} mm3");
+    assert_eq!(found.removed_mm3.least, 0.0);
+    let tool = found.tools.first().expect("a tool");
+    assert!((tool.removed_mm3.most - most).abs() < 1e-6, "{tool:?}");
+    // Further passes in the same groove add nothing but their own depth.
+    let passes = "T0707\nG0 X59. Z3.\nG32 Z-30. F3.\nG0 X80.\nZ6.\nX58.\nG32 Z-30. F3.\nG0 X80.\nZ9.\nX57.\nG32 Z-30. F3.\nG0 X80.\n";
+    let deeper = run(SHARP, passes);
+    assert!((deeper.removed_mm3.most - most).abs() < 0.01 * most, "{}", deeper.removed_mm3.most);
+    // Two starts are two grooves, which do not meet with a lead of 6.
+    let starts = "T0707\nG0 X57. Z6.\nG32 Z-30. F6.\nG0 X80.\nZ9.\nX57.\nG32 Z-30. F6.\nG0 X80.\n";
+    let double = run(SHARP, starts).removed_mm3.most;
+    assert!(double > by_hand && double < 1.08 * by_hand, "{double} and {by_hand} mm3");
+}
+
+#[test]
+fn a_thread_on_a_taper_removes_its_groove_at_most() {
+    // 1 : 16 on the diameter along a bar of radius 30: the depth grows from 0.6 to 1.5 where it is cut, from Z0 to Z-30.
+    let found = run(SHARP, "T0707\nG0 X58.98 Z3.\nG32 X57. Z-30. F3.\nG0 X80.\n");
+    let depth = |z: f64| 0.51 + 0.99 * (3.0 - z) / 33.0;
+    // Simpson's rule over the ten revolutions; the middle of the V is where the tool is.
+    let steps = 1000;
+    let by_hand: f64 = (0..=steps)
+        .map(|at| {
+            let weight = if at == 0 || at == steps { 1.0 } else { 2.0 + 2.0 * f64::from(at % 2) };
+            weight * ring(depth(-30.0 * f64::from(at) / f64::from(steps)))
+        })
+        .sum::<f64>()
+        * 10.0
+        / (3.0 * f64::from(steps));
+    let most = found.removed_mm3.most;
+    assert!(most > 0.99 * by_hand && most < 1.08 * by_hand, "{most} and {by_hand} mm3");
+}
+
 /// A threading tool with an ideal point.
 const SHARP: &str = "[tools.7]\nshape = 'insert'\ninsert_angle = '60 deg'\nflute_length = '14 mm'\nnose_radius = '0 mm'\npitch = '3 mm'\ntip = 8\n";
 

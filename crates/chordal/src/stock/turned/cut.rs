@@ -9,6 +9,7 @@ use chordal_stock::turned::{Pass, PassError, Region, Tool as Outline, Turned};
 use super::contour::Chain;
 use super::gather::{MoveKind, TurnMove};
 use super::grooves::Grooves;
+use super::helix::Helix;
 use super::recorder::Recorder;
 use super::report::{Loose, Thread, TurnedMove, TurnedToolRemoved};
 use super::said::{At, Found, More};
@@ -34,6 +35,10 @@ pub(super) struct Cutting<'a> {
     pub grooves: Grooves,
     pub loose: Vec<Loose>,
     pub threads: Vec<Thread>,
+    /// The grooves of each of them, for what it removes at most, and the tool that began it.
+    pub helices: Vec<(Helix, u32)>,
+    /// The box around the stock before the first cut.
+    extent: (Vec2, Vec2),
     pub moves: Vec<TurnedMove>,
     pub bound: f64,
     /// Keeps what is left after every pass, where it is wanted.
@@ -63,6 +68,8 @@ impl<'a> Cutting<'a> {
             grooves: Grooves::new(stock),
             loose: Vec::new(),
             threads: Vec::new(),
+            helices: Vec::new(),
+            extent: stock.bounds().unwrap_or((Vec2::ZERO, Vec2::ZERO)),
             moves: Vec::new(),
             bound: 0.0,
             recorder: None,
@@ -76,6 +83,11 @@ impl<'a> Cutting<'a> {
 
     /// The tools in the order of their first cut.
     pub fn tools_in_order(&mut self) -> Vec<TurnedToolRemoved> {
+        for (thread, (helix, tool)) in self.threads.iter().zip(&self.helices) {
+            if let Some(sum) = self.sums.get_mut(tool) {
+                sum.removed_mm3.most += helix.volume(&thread.section);
+            }
+        }
         self.order.iter().filter_map(|number| self.sums.remove(number)).collect()
     }
 
@@ -173,26 +185,46 @@ impl<'a> Cutting<'a> {
             Ok(found) => found,
             Err(error) => return self.not_cut(move_, &error),
         };
-        self.count(move_, tool, &pass);
         if !self.in_thread {
             self.revolutions.begin();
         }
+        let mut helix = Helix::default();
+        if !taken.is_empty() {
+            helix.add(&self.revolutions, self.extent, &tool.edges, move_);
+        }
+        self.count(move_, tool, &Pass { volume: helix.volume(&taken), ..pass });
         let grooves = self.revolutions.grooves(&self.stock, &tool.edges, move_);
         if !taken.is_empty() {
             let line = move_.origin.line;
-            match self.threads.last_mut() {
-                Some(thread) if thread.line == line || meets(&thread.section, &taken) => {
+            match (self.threads.last_mut(), self.helices.last_mut()) {
+                (Some(thread), Some((known, by)))
+                    if *by == move_.tool
+                        && (thread.line == line || meets(&thread.section, &taken)) =>
+                {
                     thread.add(&taken, grooves, line);
+                    known.join(helix);
                 }
                 _ => {
                     let (grooves, lead_mm) = grooves.unzip();
                     let lead_mm = lead_mm.flatten();
                     let row = move_.row;
                     self.threads.push(Thread { section: taken, grooves, lead_mm, line, row });
+                    self.helices.push((helix, move_.tool));
                 }
             }
         }
         self.bodies(move_, tool);
+    }
+
+    /// What the threads remove at most of sections that are left, mm³.
+    pub fn most_of_threads(&self, sections: &[&Region]) -> f64 {
+        let threads = self.threads.iter().zip(&self.helices);
+        threads
+            .map(|(thread, (helix, _))| {
+                let left = sections.iter().filter_map(|one| thread.section.intersection(one).ok());
+                left.map(|left| helix.volume(&left.region)).sum::<f64>()
+            })
+            .sum()
     }
 
     fn not_cut(&mut self, move_: &TurnMove, error: &PassError) {
@@ -317,8 +349,9 @@ impl<'a> Cutting<'a> {
             time_s: None,
         });
         sum.moves += 1;
-        sum.removed_mm3.most += pass.volume;
+        // Passes of a thread take the same groove deeper: it counts once, at the end.
         if !is_thread {
+            sum.removed_mm3.most += pass.volume;
             sum.removed_mm3.least += pass.volume;
             if pass.touched && pass.across > sum.deepest.0 {
                 sum.deepest = (pass.across, move_.origin.line);

@@ -8,6 +8,7 @@ mod contour;
 mod cut;
 mod gather;
 mod grooves;
+mod helix;
 mod load;
 mod nose;
 mod recorder;

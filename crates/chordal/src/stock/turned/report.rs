@@ -81,7 +81,7 @@ pub struct Loose {
     pub tool: u32,
 }
 
-/// A thread: it lies within the stock that is left, and takes at most this.
+/// A thread: it lies within the stock that is left, and takes at most what its grooves are all along.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Thread {
     /// Where its grooves are, all round.

@@ -135,8 +135,7 @@ impl Job<'_> {
             cutting.found.push(Code::MaterialLeft, found.highest_mm, &at, More::Nothing);
         }
         // What a thread takes lies within what is left.
-        let of_threads: f64 =
-            cutting.threads.iter().map(|thread| inside(&thread.section, &sections)).sum();
+        let of_threads = cutting.most_of_threads(&sections);
         let left: f64 = sections.iter().map(|section| section.volume()).sum();
         let before_mm3 = before.volume();
         // Nobody knows what cuts remove that are not followed.
@@ -182,10 +181,4 @@ impl Job<'_> {
             report,
         }
     }
-}
-
-/// The volume of a region that lies within sections, mm³.
-fn inside(region: &Region, sections: &[&Region]) -> f64 {
-    let common = sections.iter().filter_map(|section| region.intersection(section).ok());
-    common.map(|common| common.region.volume()).sum()
 }

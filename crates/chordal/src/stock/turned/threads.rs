@@ -9,6 +9,17 @@ use super::report::Thread;
 /// Grooves of one move that are drawn; a finer thread is shown by where it lies.
 const MOST_TURNS: f64 = 5000.0;
 
+/// How a move of a thread goes round.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turning {
+    /// In one revolution: along z and r, mm.
+    pub advance: Vec2,
+    /// Where the tool is, or would be, when the spindle's index comes by first.
+    pub start: Vec2,
+    /// Whole revolutions from there on until the move has ended.
+    pub turns: i64,
+}
+
 /// What the spindle has turned since its index, over the moves of one pass.
 #[derive(Debug, Default)]
 pub(super) struct Revolutions {
@@ -48,6 +59,25 @@ impl Revolutions {
         }
         self.since = last - last.floor();
         Some((places, (move_.lead_change == 0.0).then_some(advance)))
+    }
+
+    /// How a move goes round: nothing where its advance is not known or changes.
+    pub fn turn_of(&self, move_: &TurnMove) -> Option<Turning> {
+        let path = &move_.path;
+        let length = path.start.distance(path.end);
+        let advance = move_.feed / move_.rev_per_s;
+        let turns = length / advance;
+        let is_even = path.bend.is_none() && move_.lead_change == 0.0 && advance > 0.0;
+        if !is_even || !turns.is_finite() || turns <= 0.0 || turns > MOST_TURNS {
+            return None;
+        }
+        let along = (path.end - path.start) * (advance / length);
+        let first = self.since.floor();
+        Some(Turning {
+            advance: along,
+            start: path.start + along * (first - self.since),
+            turns: (self.since + turns - first).ceil() as i64,
+        })
     }
 
     /// What a move takes from the section; the stock stays as it is.
