@@ -2,7 +2,6 @@
 
 use std::io::{self, Write};
 
-use chordal::control::AxisMask;
 use chordal::geometry::{Chords, ParamCurve, Placement, Vec3};
 use chordal::{Segment, SegmentKind};
 
@@ -10,8 +9,7 @@ use crate::json::Object;
 use crate::number::{push_finite, push_integer};
 
 /// Writes the path as chords, one row each, as CSV or as JSON lines (schema
-/// `chordal.chords/1`). Lines and rapids are one chord without error. A coordinate that is not known
-/// is left out.
+/// `chordal.chords/1`). Lines and rapids are one chord without error.
 #[derive(Debug)]
 pub struct ChordWriter<W> {
     out: W,
@@ -64,15 +62,10 @@ impl<W: Write> ChordWriter<W> {
         let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
         let error_mm =
             if straight { 0.0 } else { error_mm(&chords, self.placement, self.tolerance_mm) };
-        let [start_known, end_known] =
-            [segment.from_known, segment.to_known].map(|axes| axes.or(segment.not_named.all()));
-        let within = start_known.and(end_known);
-        let mut from = (curve.start(), start_known);
-        let mut corners = chords.skip(1).peekable();
-        while let Some(to) = corners.next() {
-            let known = if corners.peek().is_none() { end_known } else { within };
-            self.chord(segment, from, (to, known), error_mm)?;
-            from = (to, known);
+        let mut from = curve.start();
+        for to in chords.skip(1) {
+            self.chord(segment, from, to, error_mm)?;
+            from = to;
         }
         Ok(())
     }
@@ -94,43 +87,26 @@ impl<W: Write> ChordWriter<W> {
         Ok(Self { out, row: Vec::with_capacity(256), json, tolerance_mm, placement })
     }
 
-    /// Writes a chord between two corners, each with the axes that are known there.
-    fn chord(
-        &mut self,
-        segment: &Segment,
-        (from, from_known): (Vec3, AxisMask),
-        (to, to_known): (Vec3, AxisMask),
-        error_mm: f64,
-    ) -> io::Result<()> {
+    fn chord(&mut self, segment: &Segment, from: Vec3, to: Vec3, error_mm: f64) -> io::Result<()> {
         let line = segment.origin.line;
         let kind = kind_word(segment.kind);
-        let is_known = from_known.and(to_known).covers(AxisMask::LINEAR);
-        let length = is_known.then(|| (to - from).length());
+        let length = (to - from).length();
         if self.json {
             let mut object = Object::open(&mut self.row);
             object.integer("line", line.into());
             object.word("kind", kind);
-            object.object("from", |inner| write_point(inner, from, from_known));
-            object.object("to", |inner| write_point(inner, to, to_known));
-            if let Some(length) = length {
-                object.number("length_mm", length);
-            }
+            object.object("from", |inner| write_point(inner, from));
+            object.object("to", |inner| write_point(inner, to));
+            object.number("length_mm", length);
             object.number("error_mm", error_mm);
             object.close();
         } else {
             push_integer(&mut self.row, line.into());
             self.row.push(b',');
             self.row.extend_from_slice(kind.as_bytes());
-            let places =
-                [(from, from_known), (to, to_known)].into_iter().flat_map(|(point, known)| {
-                    let place = point.to_array();
-                    (0..3).map(move |axis| known.has(axis).then_some(place[axis]))
-                });
-            for value in places.chain([length, Some(error_mm)]) {
+            for value in [from.x, from.y, from.z, to.x, to.y, to.z, length, error_mm] {
                 self.row.push(b',');
-                if let Some(value) = value {
-                    push_finite(&mut self.row, value);
-                }
+                push_finite(&mut self.row, value);
             }
         }
         self.end_row()
@@ -152,12 +128,10 @@ pub(crate) fn error_mm(chords: &Chords, placement: Placement, tolerance_mm: f64)
     }
 }
 
-fn write_point(object: &mut Object, point: Vec3, known: AxisMask) {
-    for (axis, (name, value)) in ["X", "Y", "Z"].into_iter().zip(point.to_array()).enumerate() {
-        if known.has(axis) {
-            object.number(name, value);
-        }
-    }
+fn write_point(object: &mut Object, point: Vec3) {
+    object.number("X", point.x);
+    object.number("Y", point.y);
+    object.number("Z", point.z);
 }
 
 /// The word of a piece of path.
