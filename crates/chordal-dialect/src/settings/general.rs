@@ -54,22 +54,7 @@ pub(super) const EXCESS_DECIMALS: &[(&str, ExcessDecimals)] = &[
     ("unknown", ExcessDecimals::Unknown),
 ];
 
-pub(super) const TOOL_LENGTHS: &[(&str, ToolLengths)] = &[
-    ("table", ToolLengths::Table),
-    ("touched-off", ToolLengths::TouchedOff),
-    ("absent", ToolLengths::Absent),
-];
-
 pub(super) const SPINDLE_AT_TOOL_CHANGE: &[(&str, bool)] = &[("stops", true), ("turns", false)];
-
-pub(super) const LENGTHS_WITHOUT_NUMBER: &[(&str, LengthWithoutNumber)] =
-    &[("in-force", LengthWithoutNumber::InForce), ("tool", LengthWithoutNumber::OfTool)];
-
-pub(super) const LENGTHS_IN_INCREMENT: &[(&str, bool)] = &[("added", true), ("not-added", false)];
-
-pub(super) const LENGTHS_OF_ZERO: &[(&str, bool)] = &[("none", false), ("tool", true)];
-
-pub(super) const LENGTH_ENDS: &[(&str, bool)] = &[("kept", false), ("ended", true)];
 
 pub(super) const ROTARY_IN_ARC: &[(&str, bool)] = &[("allowed", true), ("refused", false)];
 

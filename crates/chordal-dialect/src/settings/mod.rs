@@ -5,6 +5,7 @@ mod compensation;
 mod cycle;
 mod frame;
 mod general;
+mod length;
 mod path_mode;
 mod turning;
 
@@ -17,6 +18,7 @@ pub use self::compensation::CompensationField;
 pub use self::cycle::CycleField;
 pub use self::frame::FrameField;
 use self::general::*;
+pub use self::length::LengthField;
 pub use self::path_mode::PathField;
 pub(crate) use self::path_mode::{CORNER_ROUNDING, short_blocks};
 pub use self::turning::TurningField;
@@ -51,15 +53,8 @@ pub enum Field {
     ArcMismatch,
     SemicircleTolerance,
     ExcessDecimals,
-    ToolLengths,
     /// Whether a tool change stops the spindle.
     SpindleAtToolChange,
-    LengthWithoutNumber,
-    LengthInIncrement,
-    LengthOfZero,
-    LengthAtToolChange,
-    LengthAtReferenceReturn,
-    LengthAtMachineMove,
     MostDigits,
     HelixFeed,
     Spiral,
@@ -97,6 +92,8 @@ pub enum Field {
     Path(PathField),
     Frame(FrameField),
     Turning(TurningField),
+    /// Tool lengths.
+    Length(LengthField),
     /// What words of X are at power-on (LinuxCNC G7, G8).
     StartRadii,
     /// What words of X are in polar interpolation.
@@ -150,15 +147,18 @@ pub struct Setting {
 pub const COMMON: &[Setting] = &{
     const COMPENSATION: usize = GENERAL.len();
     const PATH: usize = COMPENSATION + compensation::COMMON.len();
-    let mut all = [GENERAL[0]; PATH + path_mode::COMMON.len()];
+    const LENGTH: usize = PATH + path_mode::COMMON.len();
+    let mut all = [GENERAL[0]; LENGTH + length::COMMON.len()];
     let mut at = 0;
     while at < all.len() {
         all[at] = if at < COMPENSATION {
             GENERAL[at]
         } else if at < PATH {
             compensation::COMMON[at - COMPENSATION]
-        } else {
+        } else if at < LENGTH {
             path_mode::COMMON[at - PATH]
+        } else {
+            length::COMMON[at - LENGTH]
         };
         at += 1;
     }
@@ -180,44 +180,9 @@ const GENERAL: &[Setting] = &[
         "decimals beyond the least increment (X1.23456 in inch): `cut`, `rounded`, `exact`, or `unknown` (exact, with a note)",
     ),
     common(
-        "tool_lengths",
-        Field::ToolLengths,
-        "where the length of a tool comes from: `table` (a code of the program), `touched-off` (the work offset is set with each tool) or `absent`",
-    ),
-    common(
         "spindle_at_tool_change",
         Field::SpindleAtToolChange,
         "a tool change (M6, or T of a turret) stops the spindle (`stops`), or it turns on (`turns`)",
-    ),
-    common(
-        "length_without_h",
-        Field::LengthWithoutNumber,
-        "G43 without H: the length that is `in-force` (none at power-on), or that of the `tool` in the spindle",
-    ),
-    common(
-        "length_in_increment",
-        Field::LengthInIncrement,
-        "`G91 G43 Z-32. H1`: the length is `added` to the way of Z, or `not-added`",
-    ),
-    common(
-        "length_with_h0",
-        Field::LengthOfZero,
-        "`G43 H0`: `none` is in force, or the length of the `tool` in the spindle",
-    ),
-    common(
-        "length_at_tool_change",
-        Field::LengthAtToolChange,
-        "a change of tools: the length in force is `kept` or `ended`",
-    ),
-    common(
-        "length_at_reference_return",
-        Field::LengthAtReferenceReturn,
-        "G28 or G30 with Z: the length in force is `kept` or `ended`",
-    ),
-    common(
-        "length_at_machine_move",
-        Field::LengthAtMachineMove,
-        "G53 with Z: the length in force is `kept` or `ended`",
     ),
     common(
         "most_digits",
@@ -456,25 +421,8 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         }
         Field::SemicircleTolerance => p.rules.arc.semicircle_tolerance_mm = Some(length()?),
         Field::ExcessDecimals => p.excess_decimals = choose(word, EXCESS_DECIMALS)?,
-        Field::ToolLengths => p.rules.length.source = choose(word, TOOL_LENGTHS)?,
         Field::SpindleAtToolChange => {
             p.rules.spindle_stops_at_tool_change = choose(word, SPINDLE_AT_TOOL_CHANGE)?;
-        }
-        Field::LengthWithoutNumber => {
-            p.rules.length.without_number = choose(word, LENGTHS_WITHOUT_NUMBER)?;
-        }
-        Field::LengthInIncrement => {
-            p.rules.length.adds_to_increment = choose(word, LENGTHS_IN_INCREMENT)?;
-        }
-        Field::LengthOfZero => p.rules.length.zero_is_of_tool = choose(word, LENGTHS_OF_ZERO)?,
-        Field::LengthAtToolChange => {
-            p.rules.length.ended_by.tool_change = choose(word, LENGTH_ENDS)?;
-        }
-        Field::LengthAtReferenceReturn => {
-            p.rules.length.ended_by.reference_return = choose(word, LENGTH_ENDS)?;
-        }
-        Field::LengthAtMachineMove => {
-            p.rules.length.ended_by.machine_move = choose(word, LENGTH_ENDS)?;
         }
         Field::MostDigits => p.most_digits = count()?.min(18) as u8,
         Field::HelixFeed => {
@@ -554,6 +502,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::Path(rule) => path_mode::set(p, rule, word, value)?,
         Field::Frame(rule) => frame::set(p, rule, word, value)?,
         Field::Turning(rule) => turning::set(p, rule, word, value)?,
+        Field::Length(rule) => length::set(p, rule, word)?,
         Field::StartRadii => p.starts_with_radii = choose(word, X_WORDS)?,
         Field::FaceX => p.face_x_radius = choose(word, X_WORDS)?,
         Field::LiveToolP => p.live_tool_p = count()?,
@@ -612,20 +561,9 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
             None => "two-increments".into(),
         },
         Field::ExcessDecimals => name_of(p.excess_decimals, EXCESS_DECIMALS),
-        Field::ToolLengths => name_of(p.rules.length.source, TOOL_LENGTHS),
         Field::SpindleAtToolChange => {
             name_of(p.rules.spindle_stops_at_tool_change, SPINDLE_AT_TOOL_CHANGE)
         }
-        Field::LengthWithoutNumber => {
-            name_of(p.rules.length.without_number, LENGTHS_WITHOUT_NUMBER)
-        }
-        Field::LengthInIncrement => name_of(p.rules.length.adds_to_increment, LENGTHS_IN_INCREMENT),
-        Field::LengthOfZero => name_of(p.rules.length.zero_is_of_tool, LENGTHS_OF_ZERO),
-        Field::LengthAtToolChange => name_of(p.rules.length.ended_by.tool_change, LENGTH_ENDS),
-        Field::LengthAtReferenceReturn => {
-            name_of(p.rules.length.ended_by.reference_return, LENGTH_ENDS)
-        }
-        Field::LengthAtMachineMove => name_of(p.rules.length.ended_by.machine_move, LENGTH_ENDS),
         Field::MostDigits => p.most_digits.to_string(),
         Field::HelixFeed => {
             if p.rules.arc.helix_feed == FeedAlong::Path { "path" } else { "plane" }.into()
@@ -678,6 +616,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::Path(rule) => path_mode::value_text(p, rule),
         Field::Frame(rule) => frame::value_text(p, rule),
         Field::Turning(rule) => turning::value_text(p, rule),
+        Field::Length(rule) => length::value_text(p, rule),
         Field::StartRadii => name_of(p.starts_with_radii, X_WORDS),
         Field::FaceX => name_of(p.face_x_radius, X_WORDS),
         Field::LiveToolP => p.live_tool_p.to_string(),
