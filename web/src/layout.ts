@@ -9,7 +9,7 @@ import { setRich } from "./rich";
 import type { Section } from "./scene";
 import type { ViewName } from "./eye";
 import { sectionControls } from "./section";
-import type { Stand } from "./stand";
+import type { PlaybackState } from "./playbackstate";
 import { type Units, angles, count, counted, length, position, speed } from "./units";
 
 export type PanelName = "problems" | "outline" | "state" | "times" | "compare";
@@ -407,7 +407,7 @@ export function layout(root: HTMLElement) {
       const text = texts[by];
       legend.append(text(low), ramp, text(high));
     },
-    readout({ coordinates, turn, speed: mmPerMin }: Stand, units: Units): void {
+    readout({ coordinates, turn, speed: mmPerMin }: PlaybackState, units: Units): void {
       const along = mmPerMin === undefined ? "" : `   ${speed(units, mmPerMin)}`;
       readout.textContent = `${position(units, coordinates)}${angles(turn)}${along}`;
     },

@@ -23,7 +23,7 @@ import type { ViewName } from "./eye";
 import { PathView } from "./scene";
 import { shell } from "./shell";
 import { engagedOf } from "./engaged";
-import { type Asked, type Stand, doneOf, standOf } from "./stand";
+import { type Asked, type PlaybackState, doneOf, playbackStateOf } from "./playbackstate";
 import { stockOfProgram } from "./stock";
 import { Timeline } from "./timeline";
 import { travelBox, whyNoTravel } from "./travel";
@@ -45,7 +45,7 @@ let setpoints: Setpoints | undefined;
 let programName = "";
 /** Where the program is, as it was asked for and as it is shown. */
 let asked: Asked = { to: "start" };
-let stand: Stand = standOf(asked, path, undefined);
+let playback: PlaybackState = playbackStateOf(asked, path, undefined);
 
 const isDark = () =>
   document.documentElement.dataset.theme
@@ -412,7 +412,7 @@ async function tellState(done: number, line: number, inSubprogram?: number): Pro
   }
   if (told.type !== "state") return;
   const found = done > 0 ? path.find(done - 1) : undefined;
-  const end = found && standOf({ to: "row", row: done - 1, share: 1 }, path, undefined);
+  const end = found && playbackStateOf({ to: "row", row: done - 1, share: 1 }, path, undefined);
   const at = end && { place: end.coordinates, turn: end.turn };
   const moves = inSubprogram !== undefined || path.rowsOfLine(line) !== undefined;
   const kind = found && moves ? kindOf(found[0].kind[found[1]]!) : undefined;
@@ -421,7 +421,7 @@ async function tellState(done: number, line: number, inSubprogram?: number): Pro
 
 /** Draws the tool where the program is; not where that is not known. */
 function showTool(): void {
-  const { row, at, turn } = stand;
+  const { row, at, turn } = playback;
   const found = path.find(row);
   const number = found ? found[0].tool[found[1]]! : 0;
   shapeTool(number);
@@ -453,10 +453,10 @@ function goToMoment(done: number, at: Vec3 | undefined): void {
 /** Goes to where the program is when something is done: line, clock, readout, tool and stock show the same. */
 function go(next: Asked, isTextLate = false): void {
   asked = next;
-  stand = standOf(next, path, setpoints);
-  if (stand.seconds !== undefined) timeline.put(stand.seconds);
+  playback = playbackStateOf(next, path, setpoints);
+  if (playback.seconds !== undefined) timeline.put(playback.seconds);
   // Before the first move is planned there is nothing to say.
-  if (setpoints || path.rows > 0) ui.readout(stand, units());
+  if (setpoints || path.rows > 0) ui.readout(playback, units());
   showTool();
   showDone(next);
   showWhere(next, isTextLate);
@@ -464,8 +464,8 @@ function go(next: Asked, isTextLate = false): void {
 
 /** What of the path and of the stock is done. */
 function showDone(next: Asked): void {
-  const done = doneOf(stand);
-  const { seconds, at } = stand;
+  const done = doneOf(playback);
+  const { seconds, at } = playback;
   const total = setpoints?.totalS ?? 0;
   switch (next.to) {
     // At first the stock is shown as it is at the end.
@@ -486,13 +486,13 @@ function showDone(next: Asked): void {
 
 /** Marks the path and the line where the program is, and shows what is active there. */
 function showWhere(next: Asked, isTextLate: boolean): void {
-  if (next.to === "row" || next.to === "time") return showRow(stand.row, isTextLate);
+  if (next.to === "row" || next.to === "time") return showRow(playback.row, isTextLate);
   textLater.cancel();
   shown = shownLine = "";
   const line = next.to === "line" ? next.line : editor.line;
   view.markRows(path.rowsOfLine(line));
   editor.markLines("now", next.to === "line" ? [line] : []);
-  void tellState(next.to === "line" ? doneOf(stand) : 0, line);
+  void tellState(next.to === "line" ? doneOf(playback) : 0, line);
 }
 
 let shown = "";
@@ -530,7 +530,7 @@ function showLine(at: number, line: { line: number; own: boolean }): void {
 timeline.onStep = (direction) => {
   if (!setpoints) return;
   timeline.pause();
-  go({ to: "row", row: stepRow(path, stand.row, direction), share: 0 });
+  go({ to: "row", row: stepRow(path, playback.row, direction), share: 0 });
 };
 timeline.onToCursor = () => {
   const rows = path.rowsOfLine(editor.line);
@@ -638,4 +638,4 @@ const cursorAt = (line: number) => {
 shell().furnish?.({ ui, editor, link, cursorAt });
 
 // For the browser's tests and for measurements.
-Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, stock, turned, path: () => path, report: () => report, setpoints: () => setpoints, stand: () => stand } });
+Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, stock, turned, path: () => path, report: () => report, setpoints: () => setpoints, playback: () => playback } });

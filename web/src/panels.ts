@@ -3,7 +3,7 @@
 import type { Entry, MachineInfo, Modal, Report, Times } from "./link";
 import type { Vec3 } from "./path";
 import { rich } from "./rich";
-import type { Coordinates } from "./stand";
+import type { Coordinates } from "./playbackstate";
 import { type Units, angles, count, counted, duration, length, position, speed } from "./units";
 
 export function element<K extends keyof HTMLElementTagNameMap>(

@@ -105,7 +105,7 @@ const motionOf = (moving, line) => moving.findLast((own) => own <= line) ?? movi
 
 /** What the page shows. */
 const shown = (page) => page.evaluate(() => {
-  const { view, editor, path, stand } = window.chordal;
+  const { view, editor, path, playback } = window.chordal;
   const doc = editor.view.state.doc;
   const now = document.querySelector(".line-now");
   return {
@@ -115,15 +115,15 @@ const shown = (page) => page.evaluate(() => {
     tool: view.toolStands(),
     cursor: editor.line,
     marked: now ? doc.lineAt(editor.view.posAtDOM(now)).number : undefined,
-    row: path().lineOf(stand().row).line,
+    row: path().lineOf(playback().row).line,
   };
 });
 
 /** Until the line is marked: the one that was clicked, else that of the path where the tool is; it follows the picture. */
 const settled = (page, clicked) => page.waitForFunction((clicked) => {
-  const { editor, path, stand } = window.chordal;
+  const { editor, path, playback } = window.chordal;
   const now = document.querySelector(".line-now");
-  const line = clicked ?? path().lineOf(stand().row).line;
+  const line = clicked ?? path().lineOf(playback().row).line;
   return now && editor.view.state.doc.lineAt(editor.view.posAtDOM(now)).number === line;
 }, clicked);
 

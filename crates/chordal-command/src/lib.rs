@@ -40,4 +40,4 @@ pub use sink::Sink;
 pub use surface::{RotarySurface, SurfaceRun, SurfaceShape};
 pub use units::{Units, number_text, telling_number};
 pub use work_name::{WorkName, WorkNaming};
-pub use work_zero::WorkZero;
+pub use work_zero::{UnknownPresets, WorkZero};

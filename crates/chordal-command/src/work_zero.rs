@@ -10,25 +10,36 @@ pub struct WorkZero {
     pub system: Position,
     /// The axes for which that is known.
     pub system_known: AxisMask,
-    /// The axes that were preset at a place that nobody knows in the work coordinate system.
-    pub preset_unknown: AxisMask,
-    /// The number of the last such preset: after the same one two zeros lie to each other as their offsets say.
-    pub preset: u32,
+    /// After the same ones two zeros lie to each other as their offsets say.
+    pub unknown_presets: UnknownPresets,
+}
+
+/// Presets (G92) at a place that nobody knows in the work coordinate system.
+#[derive(Clone, Copy, Default, PartialEq, Debug)]
+pub struct UnknownPresets {
+    /// The axes on which one acts.
+    pub axes: AxisMask,
+    /// How many there have been, the last one included.
+    pub count: u32,
 }
 
 impl WorkZero {
     /// The zero of a system without shifts and presets.
     pub const fn of_system(system: Position, system_known: AxisMask) -> WorkZero {
-        WorkZero { system, system_known, preset_unknown: AxisMask::NONE, preset: 0 }
+        WorkZero {
+            system,
+            system_known,
+            unknown_presets: UnknownPresets { axes: AxisMask::NONE, count: 0 },
+        }
     }
 
     /// Along this axis the way from another zero to this one is the difference of the offsets; `same_system`: both
     /// are zeros of the same work coordinate system.
     pub fn relation_is_known(&self, other: &WorkZero, same_system: bool, axis: usize) -> bool {
-        let presets = (self.preset_unknown.has(axis), other.preset_unknown.has(axis));
+        let presets = (self.unknown_presets.axes.has(axis), other.unknown_presets.axes.has(axis));
         let presets_match = match presets {
             (false, false) => true,
-            (true, true) => self.preset == other.preset,
+            (true, true) => self.unknown_presets.count == other.unknown_presets.count,
             _ => false,
         };
         let known = (self.system_known.has(axis), other.system_known.has(axis));

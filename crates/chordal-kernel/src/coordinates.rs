@@ -6,7 +6,7 @@ use chordal_geometry::Plane;
 use chordal_machine::{AXES, PerAxis};
 
 use crate::kernel::Kernel;
-use crate::offsets::{LengthOffset, UnknownPresets};
+use crate::offsets::LengthOffset;
 use crate::rules::OffsetKind;
 use crate::statement::{Statement, What};
 
@@ -294,20 +294,18 @@ impl Kernel<'_> {
 
     /// G52 where it writes the values of G92.
     fn shift_by_preset(&mut self, values: &PerAxis<Option<f64>>) {
-        let mut preset = self.state.offsets.preset();
-        for (preset, value) in preset.iter_mut().zip(values) {
+        let mut presets = self.state.offsets.presets();
+        for (preset, value) in presets.values.iter_mut().zip(values) {
             *preset = value.unwrap_or(*preset);
         }
-        let unknown = self.state.offsets.unknown_presets();
-        self.state.shift_coordinates(|offsets| offsets.set_preset(preset, unknown));
+        self.state.shift_coordinates(|offsets| offsets.set_presets(presets));
         self.note_preset();
         self.emit_work_offset();
     }
 
     /// G92 or G52 acts from here on.
     fn note_preset(&mut self) {
-        self.preset_kept = self.state.offsets.preset();
-        self.unknown_presets_kept = self.state.offsets.unknown_presets();
+        self.kept_presets = self.state.offsets.presets();
         self.preset_acts = true;
     }
 
@@ -358,22 +356,19 @@ impl Kernel<'_> {
     /// G92.1 and G92.2.
     pub fn clear_preset(&mut self, keep: bool) {
         if !keep {
-            self.preset_kept = [0.0; AXES];
-            self.unknown_presets_kept.axes = AxisMask::NONE;
+            self.kept_presets = self.kept_presets.ended();
         }
         self.preset_acts = false;
-        let count = self.state.offsets.unknown_presets().count;
-        let none = UnknownPresets { axes: AxisMask::NONE, count };
-        self.state.shift_coordinates(|offsets| offsets.set_preset([0.0; AXES], none));
+        let none = self.state.offsets.presets().ended();
+        self.state.shift_coordinates(|offsets| offsets.set_presets(none));
         self.emit_work_offset();
     }
 
     /// G92.3: the presets that G92.2 has kept.
     pub fn restore_preset(&mut self) {
-        let preset = self.preset_kept;
+        let kept = self.kept_presets;
         self.preset_acts = true;
-        let unknown = self.unknown_presets_kept;
-        self.state.shift_coordinates(|offsets| offsets.set_preset(preset, unknown));
+        self.state.shift_coordinates(|offsets| offsets.set_presets(kept));
         self.emit_work_offset();
     }
 }

@@ -2,10 +2,10 @@
 
 use chordal_command::{CallPath, CallPaths, Command, CommandKind, Origin, Units, telling_number};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
-use chordal_machine::{AXES, Machine, PerAxis};
+use chordal_machine::Machine;
 
 use crate::corner_queue::Corners;
-use crate::offsets::UnknownPresets;
+use crate::offsets::Presets;
 use crate::rules::{ArcCenter, Rules};
 use crate::sink::RunSink;
 use crate::state::State;
@@ -72,9 +72,7 @@ pub struct KernelMemory {
     /// The number of the last block that has one.
     pub block_number: Option<f64>,
     /// Presets to put back.
-    pub preset_kept: PerAxis<f64>,
-    /// Those of them at a place that nobody knows.
-    pub unknown_presets_kept: UnknownPresets,
+    pub kept_presets: Presets,
     /// Presets act.
     pub preset_acts: bool,
     /// What was reported.
@@ -105,9 +103,7 @@ pub struct Kernel<'a> {
     /// Most of them.
     pub max_repeated: u64,
     /// Presets that G92.2 keeps.
-    pub preset_kept: PerAxis<f64>,
-    /// Those of them at a place that nobody knows.
-    pub unknown_presets_kept: UnknownPresets,
+    pub kept_presets: Presets,
     /// G92 or G52 acts: it was written, and not switched off since.
     pub preset_acts: bool,
     /// What was reported once.
@@ -144,8 +140,7 @@ impl<'a> Kernel<'a> {
             block_number: None,
             repeated: 0,
             max_repeated: u64::MAX,
-            preset_kept: [0.0; AXES],
-            unknown_presets_kept: UnknownPresets::default(),
+            kept_presets: Presets::default(),
             preset_acts: false,
             reported: Reported::default(),
             corners: Corners::default(),
@@ -275,8 +270,7 @@ impl<'a> Kernel<'a> {
             calls: self.calls.clone(),
             repeated: self.repeated,
             block_number: self.block_number,
-            preset_kept: self.preset_kept,
-            unknown_presets_kept: self.unknown_presets_kept,
+            kept_presets: self.kept_presets,
             preset_acts: self.preset_acts,
             reported: self.reported.clone(),
         }
@@ -289,8 +283,7 @@ impl<'a> Kernel<'a> {
         self.calls = memory.calls;
         self.repeated = memory.repeated;
         self.block_number = memory.block_number;
-        self.preset_kept = memory.preset_kept;
-        self.unknown_presets_kept = memory.unknown_presets_kept;
+        self.kept_presets = memory.kept_presets;
         self.preset_acts = memory.preset_acts;
         self.reported = memory.reported;
     }

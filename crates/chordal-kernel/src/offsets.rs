@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use chordal_command::{AxisMask, Position, WorkName, WorkNaming, WorkZero};
+use chordal_command::{AxisMask, Position, UnknownPresets, WorkName, WorkNaming, WorkZero};
 use chordal_geometry::Plane;
 use chordal_machine::{AXES, Axis, Machine, PerAxis, Tool};
 
@@ -44,13 +44,21 @@ pub struct Offsets {
     known: AxisMask,
 }
 
-/// Presets at a place that nobody knows.
+/// What G92 and its like have made of the coordinates.
 #[derive(Clone, Copy, Default, PartialEq, Debug)]
-pub struct UnknownPresets {
-    /// The axes on which one acts.
-    pub axes: AxisMask,
-    /// The number of the last one.
-    pub count: u32,
+pub struct Presets {
+    /// What they add on every axis, mm and rad.
+    pub values: Position,
+    /// Those at a place that nobody knows.
+    pub unknown: UnknownPresets,
+}
+
+impl Presets {
+    /// None acts any more; those to come are told from those that there were.
+    pub(crate) fn ended(self) -> Presets {
+        let unknown = UnknownPresets { axes: AxisMask::NONE, ..self.unknown };
+        Presets { values: [0.0; AXES], unknown }
+    }
 }
 
 /// The tool length in force.
@@ -130,8 +138,7 @@ impl Offsets {
         WorkZero {
             system: self.system,
             system_known: self.system_known,
-            preset_unknown: self.unknown_presets.axes,
-            preset: self.unknown_presets.count,
+            unknown_presets: self.unknown_presets,
         }
     }
 
@@ -211,20 +218,15 @@ impl Offsets {
         }
     }
 
-    /// The presets at a place that nobody knows, to put them back later.
-    pub fn unknown_presets(&self) -> UnknownPresets {
-        self.unknown_presets
-    }
-
     /// The presets, to put them back later.
-    pub fn preset(&self) -> Position {
-        self.preset
+    pub fn presets(&self) -> Presets {
+        Presets { values: self.preset, unknown: self.unknown_presets }
     }
 
     /// Puts presets back.
-    pub fn set_preset(&mut self, preset: Position, unknown: UnknownPresets) {
-        self.preset = preset;
-        self.unknown_presets = unknown;
+    pub fn set_presets(&mut self, presets: Presets) {
+        self.preset = presets.values;
+        self.unknown_presets = presets.unknown;
         self.preset_known = [None; AXES];
     }
 

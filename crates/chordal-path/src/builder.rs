@@ -29,7 +29,7 @@ impl RunFrame {
         let zero = &frame.zero;
         let offset = std::array::from_fn(|axis| match set_up[axis] {
             // Nothing else is known of it but what the preset says.
-            _ if zero.preset_unknown.has(axis) => frame.work[axis],
+            _ if zero.unknown_presets.axes.has(axis) => frame.work[axis],
             Some(value) => value,
             None => zero.system[axis],
         });

@@ -109,7 +109,7 @@ impl Interpreter<'_> {
             System::Constant(value) => f64::from(value),
             System::Home => return Ok(place(self.reference(1)[axis])),
             System::SecondHome => return Ok(place(self.reference(2)[axis])),
-            System::Preset => self.stored_out(axis, self.kernel.preset_kept[axis]),
+            System::Preset => self.stored_out(axis, self.kernel.kept_presets.values[axis]),
             System::PresetActs => f64::from(u8::from(self.kernel.preset_acts)),
             System::WorkSystem => self.kept_or(index, self.work_system()),
             System::WorkTable => self.kept_or(index, self.work_table(at)),
@@ -163,7 +163,7 @@ impl Interpreter<'_> {
                 self.references[usize::from(what == System::SecondHome)][axis] = Some(place);
             }
             System::Preset => {
-                self.kernel.preset_kept[at as usize] = self.stored_in(at as usize, value);
+                self.kernel.kept_presets.values[at as usize] = self.stored_in(at as usize, value);
             }
             System::PresetActs => self.kernel.preset_acts = value != 0.0,
             System::ProbePosition => {

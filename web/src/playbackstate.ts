@@ -16,7 +16,7 @@ export type Asked =
 /** X, Y and Z, mm; none where one is not known. */
 export type Coordinates = [number | undefined, number | undefined, number | undefined];
 
-export interface Stand {
+export interface PlaybackState {
   /** The row of the path that the tool is on, and how much of it is done. */
   row: number;
   share: number;
@@ -38,7 +38,7 @@ const AT_END_MM = 1e-3;
 const NEAR_END = 0.02;
 
 /** Where the program is when something is asked for. */
-export function standOf(asked: Asked, path: Path, setpoints: Setpoints | undefined): Stand {
+export function playbackStateOf(asked: Asked, path: Path, setpoints: Setpoints | undefined): PlaybackState {
   switch (asked.to) {
     case "start":
       return onRow(path, setpoints, 0, 0, 0);
@@ -54,11 +54,11 @@ export function standOf(asked: Asked, path: Path, setpoints: Setpoints | undefin
 }
 
 /** So many rows are done. */
-export function doneOf({ row, share }: Stand): number {
+export function doneOf({ row, share }: PlaybackState): number {
   return row + share;
 }
 
-function onRow(path: Path, setpoints: Setpoints | undefined, row: number, share: number, from?: number): Stand {
+function onRow(path: Path, setpoints: Setpoints | undefined, row: number, share: number, from?: number): PlaybackState {
   const seconds = setpoints && (from ?? timeOnRow(setpoints, row, share));
   const moment = setpoints && seconds !== undefined ? momentAt(setpoints, seconds) : undefined;
   const [own, said] = [path.pointOn(row, share), path.programmedOn(row, share)];
@@ -78,7 +78,7 @@ function stepAt(setpoints: Setpoints, seconds: number): number {
   return AT_END_MM + distance(before!, after!);
 }
 
-function atTime(path: Path, setpoints: Setpoints, seconds: number): Stand {
+function atTime(path: Path, setpoints: Setpoints, seconds: number): PlaybackState {
   const moment = momentAt(setpoints, seconds);
   if (!moment) return onRow(path, undefined, 0, 0);
   const { row, turn, speed } = moment;
@@ -111,7 +111,7 @@ function closes(path: Path, row: number): boolean {
 }
 
 /** What is known of a place: where the tool is drawn, and its coordinates. */
-function known(path: Path, row: number, share: number, at: Vec3 | undefined, said: Vec3 | undefined): Pick<Stand, "at" | "coordinates"> {
+function known(path: Path, row: number, share: number, at: Vec3 | undefined, said: Vec3 | undefined): Pick<PlaybackState, "at" | "coordinates"> {
   const axes = path.knownOn(row, share);
   const coordinates = axisBits.map((bit, axis) =>
     said && axes & bit ? said[axis]! + path.origin[axis]! : undefined) as Coordinates;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { KNOWN, Path } from "./path";
 import { type Setpoints, timeAfterRow, timeOfRow, timeOnRow } from "./playback";
-import { doneOf, standOf } from "./stand";
+import { doneOf, playbackStateOf } from "./playbackstate";
 
 /** From nowhere to X10 Z5 on line 1, along X on line 2 with a wait after it, along Z on line 4; Y is never named. */
 function program(): [Path, Setpoints] {
@@ -35,38 +35,38 @@ describe("the one state of the page", () => {
 
   it("has no place before the first known one", () => {
     for (const asked of [{ to: "start" } as const, { to: "time", seconds: 0 } as const, { to: "time", seconds: 0.5 } as const]) {
-      const stand = standOf(asked, path, setpoints);
-      expect(stand.at).toBeUndefined();
-      expect(stand.coordinates).toEqual([undefined, undefined, undefined]);
+      const state = playbackStateOf(asked, path, setpoints);
+      expect(state.at).toBeUndefined();
+      expect(state.coordinates).toEqual([undefined, undefined, undefined]);
     }
   });
 
   it("knows the axes that are named, and draws the one that never is at zero", () => {
-    expect(standOf({ to: "line", line: 1 }, path, setpoints)).toMatchObject({ at: [0, 0, 0], coordinates: [10, undefined, 5], seconds: 1 });
-    expect(standOf({ to: "time", seconds: 2 }, path, setpoints)).toMatchObject({ at: [10, 0, 0], coordinates: [20, undefined, 5], row: 1 });
+    expect(playbackStateOf({ to: "line", line: 1 }, path, setpoints)).toMatchObject({ at: [0, 0, 0], coordinates: [10, undefined, 5], seconds: 1 });
+    expect(playbackStateOf({ to: "time", seconds: 2 }, path, setpoints)).toMatchObject({ at: [10, 0, 0], coordinates: [20, undefined, 5], row: 1 });
   });
 
   it("goes to when a line is done, not to when the next begins", () => {
-    const stand = standOf({ to: "line", line: 2 }, path, setpoints);
-    expect(stand).toMatchObject({ row: 1, share: 1, coordinates: [30, undefined, 5], seconds: 3, speed: 0 });
-    expect(doneOf(stand)).toBe(2);
+    const state = playbackStateOf({ to: "line", line: 2 }, path, setpoints);
+    expect(state).toMatchObject({ row: 1, share: 1, coordinates: [30, undefined, 5], seconds: 3, speed: 0 });
+    expect(doneOf(state)).toBe(2);
     // Line 3 waits, and makes no path.
-    expect(standOf({ to: "line", line: 3 }, path, setpoints)).toEqual(stand);
-    expect(standOf({ to: "line", line: 4 }, path, setpoints)).toMatchObject({ coordinates: [30, undefined, 15], seconds: 6 });
+    expect(playbackStateOf({ to: "line", line: 3 }, path, setpoints)).toEqual(state);
+    expect(playbackStateOf({ to: "line", line: 4 }, path, setpoints)).toMatchObject({ coordinates: [30, undefined, 15], seconds: 6 });
   });
 
   it("shows one time for a place within a row", () => {
-    const stand = standOf({ to: "row", row: 1, share: 0.25, looks: true }, path, setpoints);
-    expect(stand.seconds).toBeCloseTo(1.5, 9);
-    expect(stand.coordinates[0]).toBeCloseTo(15, 9);
-    const again = standOf({ to: "time", seconds: stand.seconds! }, path, setpoints);
+    const state = playbackStateOf({ to: "row", row: 1, share: 0.25, looks: true }, path, setpoints);
+    expect(state.seconds).toBeCloseTo(1.5, 9);
+    expect(state.coordinates[0]).toBeCloseTo(15, 9);
+    const again = playbackStateOf({ to: "time", seconds: state.seconds! }, path, setpoints);
     expect(again.row).toBe(1);
-    expect(again.at).toEqual(stand.at);
+    expect(again.at).toEqual(state.at);
     expect(again.share).toBeCloseTo(0.25, 4);
   });
 
   it("has a place and no time while the motion is planned", () => {
-    expect(standOf({ to: "line", line: 2 }, path, undefined)).toMatchObject({ at: [20, 0, 0], seconds: undefined, speed: undefined });
+    expect(playbackStateOf({ to: "line", line: 2 }, path, undefined)).toMatchObject({ at: [20, 0, 0], seconds: undefined, speed: undefined });
   });
 });
 
