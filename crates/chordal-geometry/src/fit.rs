@@ -247,12 +247,36 @@ impl core::fmt::Display for RadiusError {
 
 impl core::error::Error for RadiusError {}
 
+/// How far twice a radius may be off the chord in a half circle, mm.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct HalfCircleTolerance {
+    /// Twice the radius is shorter: without it the arc would not reach its end.
+    pub too_short_mm: f64,
+    /// Twice the radius is longer: 0 where the centre is computed.
+    pub too_long_mm: f64,
+}
+
+impl HalfCircleTolerance {
+    /// The same in both senses.
+    pub const fn either(mm: f64) -> HalfCircleTolerance {
+        HalfCircleTolerance { too_short_mm: mm, too_long_mm: mm }
+    }
+
+    /// In a plane that is scaled by a factor.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> HalfCircleTolerance {
+        HalfCircleTolerance {
+            too_short_mm: self.too_short_mm * factor,
+            too_long_mm: self.too_long_mm * factor,
+        }
+    }
+}
+
 /// The centre (mm, in plane coordinates) of the arc from `start` to `end` with a signed radius, mm:
 /// positive for the arc of at most half a turn, negative for the one of more.
 ///
-/// Where twice the radius and the chord differ by at most `midpoint_tolerance` (mm), in either
-/// sense, the centre is the middle of the chord: that is how a half circle with a rounded radius
-/// arrives.
+/// Where twice the radius and the chord differ by no more than `tolerance`, the centre is the middle of the chord: that
+/// is how a half circle with a rounded radius arrives.
 ///
 /// # Errors
 /// See [`RadiusError`].
@@ -262,7 +286,7 @@ pub fn center_from_radius(
     end: Vec3,
     radius: f64,
     direction: Direction,
-    midpoint_tolerance: f64,
+    tolerance: HalfCircleTolerance,
 ) -> Result<(f64, f64), RadiusError> {
     let from = plane.project(start);
     let along = plane.project(end) - from;
@@ -276,7 +300,9 @@ pub fn center_from_radius(
     }
     let half = 0.5 * chord;
     let middle = from + along * 0.5;
-    if (2.0 * size - chord).abs() <= midpoint_tolerance {
+    let excess = 2.0 * size - chord;
+    let near = if excess < 0.0 { tolerance.too_short_mm } else { tolerance.too_long_mm };
+    if excess.abs() <= near {
         return Ok(middle.into());
     }
     if size < half {

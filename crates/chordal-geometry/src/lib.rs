@@ -67,8 +67,8 @@ pub use bspline::{Spline, SplineError};
 pub use chords::{ChordError, Chords, MAX_CHORDS, Placement, chords_in_whole};
 pub use curve::Curve;
 pub use fit::{
-    ArcFit, ArcSweep, RadiusError, arc_from_center, arc_sweep, center_from_radius,
-    spiral_from_center,
+    ArcFit, ArcSweep, HalfCircleTolerance, RadiusError, arc_from_center, arc_sweep,
+    center_from_radius, spiral_from_center,
 };
 pub use fitting::{FitError, FitOptions, FitPiece, Measure, breaks, fit_path, simplify};
 pub use frame::Frame;

@@ -3,8 +3,8 @@
 mod common;
 
 use chordal_geometry::{
-    ArcFit, Curve, Direction, ParamCurve, Plane, RadiusError, Vec2, Vec3, arc_from_center,
-    center_from_radius, spiral_from_center,
+    ArcFit, Curve, Direction, HalfCircleTolerance, ParamCurve, Plane, RadiusError, Vec2, Vec3,
+    arc_from_center, center_from_radius, spiral_from_center,
 };
 use common::*;
 use proptest::prelude::*;
@@ -107,7 +107,8 @@ fn a_given_sweep_counts_turns() {
 #[test]
 fn centres_from_radii_by_hand() {
     let (s, e) = (Vec3::ZERO, Vec3::new(6.0, 0.0, 1.0));
-    let c = |r, d| center_from_radius(Plane::Xy, s, e, r, d, 0.0).unwrap();
+    let c =
+        |r, d| center_from_radius(Plane::Xy, s, e, r, d, HalfCircleTolerance::either(0.0)).unwrap();
     assert_eq!(c(5.0, Direction::Ccw), (3.0, 4.0));
     assert_eq!(c(5.0, Direction::Cw), (3.0, -4.0));
     assert_eq!(c(-5.0, Direction::Ccw), (3.0, -4.0));
@@ -118,7 +119,16 @@ fn centres_from_radii_by_hand() {
 #[test]
 fn radii_that_do_not_reach() {
     let (s, e) = (Vec3::ZERO, Vec3::new(6.0, 0.0, 0.0));
-    let with = |r, tolerance| center_from_radius(Plane::Xy, s, e, r, Direction::Cw, tolerance);
+    let with = |r, tolerance| {
+        center_from_radius(
+            Plane::Xy,
+            s,
+            e,
+            r,
+            Direction::Cw,
+            HalfCircleTolerance::either(tolerance),
+        )
+    };
     assert_eq!(
         with(2.0, 0.001),
         Err(RadiusError::TooShort { chord: 6.0, radius: 2.0, short_by: 1.0 })
@@ -127,8 +137,21 @@ fn radii_that_do_not_reach() {
     assert_eq!(with(3.0004, 0.001), Ok((3.0, 0.0)));
     assert!(matches!(with(0.0, 0.001), Err(RadiusError::TooShort { .. })));
     assert_eq!(with(f64::NAN, 0.001), Err(RadiusError::NotFinite));
-    let full = center_from_radius(Plane::Xy, s, Vec3::Z, 4.0, Direction::Cw, 0.001);
+    let full = center_from_radius(
+        Plane::Xy,
+        s,
+        Vec3::Z,
+        4.0,
+        Direction::Cw,
+        HalfCircleTolerance::either(0.001),
+    );
     assert_eq!(full, Err(RadiusError::FullCircle));
+    // Where the centre is computed, by Pythagoras: 3.0004² - 3² = 0.04899².
+    let computed = HalfCircleTolerance { too_short_mm: 0.001, too_long_mm: 0.0 };
+    let (x, y) = center_from_radius(Plane::Xy, s, e, 3.0004, Direction::Cw, computed).unwrap();
+    assert!((x - 3.0).abs() < 1e-12 && (y + 0.048_991_4).abs() < 1e-6, "{x} {y}");
+    let short = center_from_radius(Plane::Xy, s, e, 2.9996, Direction::Cw, computed);
+    assert_eq!(short, Ok((3.0, 0.0)));
     assert!(RadiusError::FullCircle.to_string().contains("coincide"));
 }
 
@@ -160,7 +183,7 @@ proptest! {
         let chord = Plane::Xy.project(start).distance(Plane::Xy.project(end));
         prop_assume!(chord > 1e-3);
         let radius = 0.5 * chord * more * if long { -1.0 } else { 1.0 };
-        let c = center_from_radius(Plane::Xy, start, end, radius, direction, 0.0).unwrap();
+        let c = center_from_radius(Plane::Xy, start, end, radius, direction, HalfCircleTolerance::either(0.0)).unwrap();
         let fit = arc_from_center(Plane::Xy, start, end, c, direction, 0, 1e-9);
         prop_assert!((fit.radius_start - radius.abs()).abs() < 1e-12 * (radius.abs() + 300.0));
         prop_assert!(fit.radius_error().abs() < 1e-12 * (radius.abs() + 300.0));

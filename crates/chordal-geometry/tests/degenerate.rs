@@ -3,8 +3,8 @@
 mod common;
 
 use chordal_geometry::{
-    Arc, Curve, Direction, Frame, Line, ParamCurve, Placement, Plane, Spiral, Tracer, Transform,
-    Vec3, arc_from_center, center_from_radius, spiral_from_center,
+    Arc, Curve, Direction, Frame, HalfCircleTolerance, Line, ParamCurve, Placement, Plane, Spiral,
+    Tracer, Transform, Vec3, arc_from_center, center_from_radius, spiral_from_center,
 };
 use common::*;
 use proptest::prelude::*;
@@ -98,7 +98,17 @@ fn numbers_that_are_none() {
             exercise(&spiral_from_center(Plane::Xy, s, e, (m, 0.0), 9.0, 1e-9).curve);
             exercise(&spiral_from_center(Plane::Xy, s, e, (0.0, 0.0), bad, 1e-9).curve);
         }
-        assert!(center_from_radius(Plane::Xy, p, Vec3::Y, 1.0, Direction::Cw, 0.1).is_err());
+        assert!(
+            center_from_radius(
+                Plane::Xy,
+                p,
+                Vec3::Y,
+                1.0,
+                Direction::Cw,
+                HalfCircleTolerance::either(0.1)
+            )
+            .is_err()
+        );
     }
 }
 
@@ -165,6 +175,6 @@ proptest! {
         let (s, e) = (Vec3::new(x, y, z), Vec3::new(y, z, x));
         exercise(&arc_from_center(Plane::Yz, s, e, (a, b), Direction::Ccw, 3, tol).curve);
         exercise(&spiral_from_center(Plane::Yz, s, e, (a, b), x, tol).curve);
-        let _ = center_from_radius(Plane::Yz, s, e, a, Direction::Ccw, tol);
+        let _ = center_from_radius(Plane::Yz, s, e, a, Direction::Ccw, HalfCircleTolerance::either(tol));
     }
 }

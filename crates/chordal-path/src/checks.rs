@@ -264,7 +264,7 @@ impl<'a> Checks<'a> {
             return self.on_surface(path, &mut report);
         }
         self.now.tip.follow(command, self.machine);
-        if self.now.tip.is_doubtful() {
+        if self.now.tip.is_open() {
             self.tip(command, &mut report);
         }
         if self.assumed {

@@ -56,6 +56,8 @@ pub struct TipTracker {
     /// The tools that were in the spindle.
     used: Vec<u32>,
     place: TipPlace,
+    /// What the place needs is decided: reported, or nothing to report.
+    is_settled: bool,
 }
 
 /// Tools differ in Z on mills.
@@ -81,6 +83,7 @@ impl TipTracker {
             is_in_machine: false,
             used: Vec::new(),
             place: TipPlace::AsProgrammed,
+            is_settled: true,
         }
     }
 
@@ -129,6 +132,18 @@ impl TipTracker {
             _ => return,
         }
         self.place = self.placed(machine);
+        self.is_settled = !self.is_doubtful();
+    }
+
+    /// A move with this tool and this length has yet to be looked at.
+    #[inline]
+    pub fn is_open(&self) -> bool {
+        !self.is_settled
+    }
+
+    /// The place of the tip was reported.
+    pub fn settle(&mut self) {
+        self.is_settled = true;
     }
 
     /// Where the tip is now.
@@ -139,8 +154,7 @@ impl TipTracker {
 
     /// The length in force is not that of the tool. Where the program itself has written another value into the
     /// tool's own offset, it means the tip to be elsewhere.
-    #[inline]
-    pub fn is_doubtful(&self) -> bool {
+    fn is_doubtful(&self) -> bool {
         match self.place {
             TipPlace::AsProgrammed => false,
             TipPlace::Assumed => true,

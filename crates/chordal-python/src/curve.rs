@@ -1,8 +1,8 @@
 //! The exact curves, alone.
 
 use chordal::geometry::{
-    Arc, Curve as Exact, Direction, Frame, Line, ParamCurve, Placement, Plane, Spiral, Vec3,
-    arc_from_center as fit, center_from_radius,
+    Arc, Curve as Exact, Direction, Frame, HalfCircleTolerance, Line, ParamCurve, Placement, Plane,
+    Spiral, Vec3, arc_from_center as fit, center_from_radius,
 };
 use pyo3::prelude::*;
 
@@ -56,8 +56,15 @@ pub fn arc_from_radius(
     finite(&[start, end])?;
     let (start, end) = (Vec3::from_array(start), Vec3::from_array(end));
     let (plane, direction) = (plane_of(plane)?, direction(clockwise));
-    let center = center_from_radius(plane, start, end, radius, direction, midpoint_tolerance)
-        .map_err(error::value)?;
+    let center = center_from_radius(
+        plane,
+        start,
+        end,
+        radius,
+        direction,
+        HalfCircleTolerance::either(midpoint_tolerance),
+    )
+    .map_err(error::value)?;
     let tolerance = midpoint_tolerance + 1e-9 * radius.abs();
     Ok(Curve(fit(plane, start, end, center, direction, 0, tolerance).curve))
 }

@@ -56,6 +56,8 @@ pub(super) const EXCESS_DECIMALS: &[(&str, ExcessDecimals)] = &[
 
 pub(super) const SPINDLE_AT_TOOL_CHANGE: &[(&str, bool)] = &[("stops", true), ("turns", false)];
 
+pub(super) const NEAR_SEMICIRCLES: &[(&str, bool)] = &[("computed", false), ("middle", true)];
+
 pub(super) const ROTARY_IN_ARC: &[(&str, bool)] = &[("allowed", true), ("refused", false)];
 
 pub(super) const MACRO_ANGLES: &[(&str, bool)] = &[("0-to-360", true), ("180", false)];

@@ -52,6 +52,7 @@ pub enum Field {
     RadiusErrorTolerance,
     ArcMismatch,
     SemicircleTolerance,
+    NearSemicircle,
     ExcessDecimals,
     /// Whether a tool change stops the spindle.
     SpindleAtToolChange,
@@ -205,7 +206,12 @@ const GENERAL: &[Setting] = &[
     common(
         "semicircle_tolerance",
         Field::SemicircleTolerance,
-        "|2R - chord| up to here puts the centre in the middle of the chord: a length, or `two-increments` (0.0002 in, 0.002 mm)",
+        "chord - 2R up to here puts the centre in the middle of the chord, as where R is rounded: a length, or `two-increments` (0.0002 in, 0.002 mm)",
+    ),
+    common(
+        "near_semicircle",
+        Field::NearSemicircle,
+        "2R longer than the chord by no more than `semicircle_tolerance`: the centre is `computed`, or in the `middle` of the chord",
     ),
     common("helix_feed", Field::HelixFeed, "F of a helix along the `path` or in the `plane`"),
     common(
@@ -420,6 +426,9 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
             p.rules.arc.semicircle_tolerance_mm = None
         }
         Field::SemicircleTolerance => p.rules.arc.semicircle_tolerance_mm = Some(length()?),
+        Field::NearSemicircle => {
+            p.rules.arc.semicircle_of_long_radius = choose(word, NEAR_SEMICIRCLES)?;
+        }
         Field::ExcessDecimals => p.excess_decimals = choose(word, EXCESS_DECIMALS)?,
         Field::SpindleAtToolChange => {
             p.rules.spindle_stops_at_tool_change = choose(word, SPINDLE_AT_TOOL_CHANGE)?;
@@ -560,6 +569,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
             Some(tolerance) => mm_text(tolerance),
             None => "two-increments".into(),
         },
+        Field::NearSemicircle => name_of(p.rules.arc.semicircle_of_long_radius, NEAR_SEMICIRCLES),
         Field::ExcessDecimals => name_of(p.excess_decimals, EXCESS_DECIMALS),
         Field::SpindleAtToolChange => {
             name_of(p.rules.spindle_stops_at_tool_change, SPINDLE_AT_TOOL_CHANGE)

@@ -5,7 +5,8 @@ use chordal_command::{
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::{
-    ArcSweep, Direction, Plane, RadiusError, Vec3, arc_sweep, center_from_radius, chords_in_whole,
+    ArcSweep, Direction, HalfCircleTolerance, Plane, RadiusError, Vec3, arc_sweep,
+    center_from_radius, chords_in_whole,
 };
 
 use crate::frames::InPlane;
@@ -97,14 +98,14 @@ impl Kernel<'_> {
         let plane = self.state.plane;
         let (start, end) = (point(&self.state.position), point(&target));
         // A difference of rounding must not decide at the tolerance itself.
-        let tolerance = self.rules.semicircle_tolerance(self.state.units) + 1e-9;
+        let tolerance = self.rules.half_circle_tolerance(self.state.units);
         let found = match self.state.frames.in_plane(plane) {
             InPlane::Unequal { largest, mirrored } => {
                 self.unequal_center(&target, radius * largest, arc.direction, mirrored, tolerance)
             }
             // The control judges the arc in the work coordinate system.
             InPlane::Similar { factor, .. } => {
-                let tolerance = tolerance / factor;
+                let tolerance = tolerance.scaled(1.0 / factor);
                 center_from_radius(plane, start, end, radius, arc.direction, tolerance)
             }
             InPlane::Tilted => {
@@ -177,7 +178,7 @@ impl Kernel<'_> {
         radius: f64,
         direction: Direction,
         mirrored: bool,
-        tolerance: f64,
+        tolerance: HalfCircleTolerance,
     ) -> Result<(f64, f64), RadiusError> {
         let plane = self.state.plane;
         let (a, b, _) = plane.axes();

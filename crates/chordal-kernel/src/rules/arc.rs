@@ -85,6 +85,8 @@ pub struct ArcRules {
     /// `|2R − chord|` up to here makes the middle of the chord the centre, mm; `None` for two least
     /// increments of the units in force.
     pub semicircle_tolerance_mm: Option<f64>,
+    /// That is so where the radius is too long, too; otherwise such a centre is computed.
+    pub semicircle_of_long_radius: bool,
     /// Points closer than this are one point, mm: far below any least increment, far above
     /// rounding.
     pub coincidence_mm: f64,
@@ -127,6 +129,7 @@ impl ArcRules {
         radius_error_inch_factor: 1.0,
         arc_mismatch: ArcMismatch::Spiral,
         semicircle_tolerance_mm: None,
+        semicircle_of_long_radius: false,
         coincidence_mm: 1e-6,
         helix_feed: FeedAlong::Path,
         spiral: SpiralForm::None,

@@ -13,7 +13,7 @@ mod tool_lengths;
 mod turning;
 
 use chordal_command::{FeedMode, RapidPath, Units};
-use chordal_geometry::Plane;
+use chordal_geometry::{HalfCircleTolerance, Plane};
 
 pub use arc::*;
 pub use compensation::*;
@@ -115,10 +115,22 @@ pub struct Rules {
     pub turning: TurningRules,
 }
 
+/// What arithmetic makes of a radius that is half the chord, mm.
+const HALF_CIRCLE_ROUNDING_MM: f64 = 1e-9;
+
 impl Rules {
-    /// `|2R − chord|` up to here makes the middle of the chord the centre, mm.
-    pub fn semicircle_tolerance(&self, units: Units) -> f64 {
-        self.arc.semicircle_tolerance_mm.unwrap_or(2.0 * self.least_increment(units))
+    /// Up to which difference of 2R and the chord the middle of the chord is the centre.
+    pub fn half_circle_tolerance(&self, units: Units) -> HalfCircleTolerance {
+        let own = self.arc.semicircle_tolerance_mm;
+        let mm = own.unwrap_or(2.0 * self.least_increment(units)) + HALF_CIRCLE_ROUNDING_MM;
+        HalfCircleTolerance {
+            too_short_mm: mm,
+            too_long_mm: if self.arc.semicircle_of_long_radius {
+                mm
+            } else {
+                HALF_CIRCLE_ROUNDING_MM
+            },
+        }
     }
 
     /// What F counts at power-on.

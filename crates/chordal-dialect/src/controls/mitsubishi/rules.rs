@@ -26,6 +26,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
             spiral: SpiralForm::Pitches,
             // Section 6.13: RadErr 0.100 in the manual's own examples.
             radius_error_tolerance_mm: 0.1,
+            // #11028.
+            semicircle_of_long_radius: true,
             spiral_end_tolerance_mm: 0.1,
             ..ArcRules::COMMON
         },

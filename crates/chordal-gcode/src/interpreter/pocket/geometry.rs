@@ -214,9 +214,8 @@ impl Interpreter<'_> {
         let tolerance = self.control.parameters.rules.arc.radius_error_tolerance_mm;
         let center = match self.length_of(block, b'R') {
             Some(radius) => {
-                let near =
-                    self.control.parameters.rules.semicircle_tolerance(self.kernel.state.units)
-                        + 1e-9;
+                let rules = &self.control.parameters.rules;
+                let near = rules.half_circle_tolerance(self.kernel.state.units);
                 center_from_radius(Plane::Xy, flat(from), flat(to), radius, direction, near).ok()
             }
             None => Some((
