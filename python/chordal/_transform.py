@@ -97,6 +97,9 @@ class Restarted:
     goes_to_first_place_itself: bool
     #: The lines repeat G92: the machine must stand where the whole program starts.
     from_the_start_of_the_whole: bool
+    #: M codes before the line that are not repeated, each with its words and its line: clamps, outputs, pallets,
+    #: overrides. What they have set is not part of the proof.
+    not_repeated: tuple[tuple[str, int], ...]
 
 
 _Steps = list[tuple[str, list[float]]]
@@ -171,6 +174,7 @@ def restarted(text: bytes | None, told: str) -> Restarted:
         document["moves"],
         document["goes_to_first_place_itself"],
         document["from_the_start_of_the_whole"],
+        tuple((code["words"], code["line"]) for code in document["not_repeated"]),
     )
 
 

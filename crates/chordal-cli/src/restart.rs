@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use chordal::stock::WayIn;
 use chordal_export::restart_json;
 use chordal_rewrite::Refusal;
-use chordal_rewrite::restart::{Restart, blocked, restart, way_in};
+use chordal_rewrite::restart::{Restart, UnrepeatedCode, blocked, restart, way_in};
 
 use crate::failure::{Failure, Verdict};
 use crate::numbers::counted;
@@ -16,6 +16,9 @@ use crate::programs::{load_one, recognized};
 use crate::setup_files::files;
 use crate::stock_failure::failure_of;
 use crate::terminal::{Terminal, say};
+
+/// How many codes that are not repeated an answer names.
+const SHOWN_CODES: usize = 12;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -120,6 +123,21 @@ fn refused_text(refusal: &Refusal, name: &str) -> String {
     format!("refused: {name}:{line}: {what}\n{words}  {help}\nnothing is written\n")
 }
 
+/// The codes that the head leaves out, the last ones by name.
+fn not_repeated(codes: &[UnrepeatedCode]) -> String {
+    if codes.is_empty() {
+        return String::new();
+    }
+    let more = codes.len().saturating_sub(SHOWN_CODES);
+    let names: Vec<String> =
+        codes[more..].iter().map(|code| format!("{} (line {})", code.words, code.line)).collect();
+    let before = if more > 0 { format!("{more} more, ") } else { String::new() };
+    let names = names.join(", ");
+    format!(
+        "not repeated and not part of the proof: {before}{names}; set by hand what the rest needs of them\n"
+    )
+}
+
 fn text(done: &Restart, way: Option<&WayIn>, path: Option<&Path>) -> String {
     let mut text = format!("begins at line {}\n", done.line);
     for line in &done.head {
@@ -140,6 +158,7 @@ fn text(done: &Restart, way: Option<&WayIn>, path: Option<&Path>) -> String {
     }
     let moves = counted(done.moves, "move", "moves");
     text += &format!("proof: from this line on both programs do the same, {moves}\n");
+    text += &not_repeated(&done.unrepeated);
     if let Some(way) = way {
         let moves = counted(way.moves, "move", "moves");
         text += &match &way.unknown {

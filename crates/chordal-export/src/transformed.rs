@@ -102,6 +102,9 @@ pub fn restart_json(
     way: Option<&WayIn>,
 ) -> String {
     let way = way.map(|way| json!({ "moves": way.moves, "not_proved": way.unknown }));
+    let codes = done.map(|done| done.unrepeated.as_slice()).unwrap_or_default();
+    let not_repeated: Vec<Value> =
+        codes.iter().map(|code| json!({ "words": code.words, "line": code.line })).collect();
     let document = match done {
         Ok(done) => json!({
             "schema": "chordal.restart/1",
@@ -113,6 +116,7 @@ pub fn restart_json(
             "moves": done.moves,
             "goes_to_first_place_itself": done.approaches,
             "from_the_start_of_the_whole": done.from_the_start,
+            "not_repeated": not_repeated,
             "way_in": way,
             "written": written,
         }),

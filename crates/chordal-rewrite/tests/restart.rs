@@ -357,3 +357,26 @@ fn every_form_of_a_tool_length_is_said_again() {
         assert_ne!(compared.verdict, chordal_compare::Verdict::Same, "{machine}, {length}");
     }
 }
+
+/// Outputs, clamps and overrides are none of the head: they are named, and are no part of the proof.
+#[test]
+fn codes_that_are_not_repeated_are_named() {
+    let unrepeated = |machine: &str, codes: &str| -> Vec<(String, u32)> {
+        let text = format!(
+            "G21 G90 G17 G40 G49 G80\nT1 M6\n{codes}\nG0 G54 X10. Y20. S3000 M3\nM8\nG43 H1 Z25.\nG1 Z-1. F300.\n\
+             X30.\nX40.\nG0 Z25.\nM2\n"
+        );
+        let line = text.lines().position(|line| line == "X40.").expect("the line") as u32 + 1;
+        let done = restart(&job(&text, machine), line).expect("proved");
+        done.unrepeated.into_iter().map(|code| (code.words, code.line)).collect()
+    };
+    let named = |codes: &[(&str, u32)]| -> Vec<(String, u32)> {
+        codes.iter().map(|(words, line)| (words.to_string(), *line)).collect()
+    };
+    assert_eq!(unrepeated("linuxcnc-mill", "M9"), named(&[]));
+    assert_eq!(
+        unrepeated("linuxcnc-mill", "M51 P0\nM64 P1\nM68 E0 Q5\nM64 P1"),
+        named(&[("M51 P0", 3), ("M68 E0 Q5", 5), ("M64 P1", 6)])
+    );
+    assert_eq!(unrepeated("haas-vf2", "M10\nM83"), named(&[("M10", 3), ("M83", 4)]));
+}

@@ -21,6 +21,7 @@ use chordal::{Job, Severity};
 
 use self::head::{Head, Lack};
 use self::trace::{Care, Places, Trace};
+pub use self::watch::UnrepeatedCode;
 use self::watch::{Before, Way, before};
 use crate::Refusal;
 use crate::convert::{Contour, Contours};
@@ -111,6 +112,9 @@ pub struct Restart {
     pub approaches: bool,
     /// The head says the program's G92 again: the machine must stand where the whole program starts.
     pub from_the_start: bool,
+    /// M codes before the line that the head does not repeat, in the order of the program: what they have set is not
+    /// part of the proof.
+    pub unrepeated: Vec<UnrepeatedCode>,
 }
 
 /// Writes the main program of a job's first text so that it begins at a line, and proves it.
@@ -142,7 +146,9 @@ pub fn restart(job: &Job, line: u32) -> Result<Restart, Refused> {
     let lines = lines.map_err(|lack| asked.lack(lack))?;
     let approaches = changes || !is_known;
     let from_the_start = !before.shift.presets.is_empty();
-    let done = asked.prove(Draft { first, at, ran, lines, approaches, from_the_start });
+    let unrepeated = before.unrepeated.clone();
+    let draft = Draft { first, at, ran, lines, approaches, from_the_start, unrepeated };
+    let done = asked.prove(draft);
     done.map_err(
         |refused| if is_known || changes { refused } else { asked.position(&before.modal) },
     )
@@ -203,6 +209,7 @@ struct Draft {
     lines: Vec<String>,
     approaches: bool,
     from_the_start: bool,
+    unrepeated: Vec<UnrepeatedCode>,
 }
 
 impl Asked<'_, '_> {
@@ -435,7 +442,7 @@ impl Asked<'_, '_> {
         }
         let text = source.text.to_vec();
         let draft_first = draft.first;
-        let Draft { lines: head, approaches, from_the_start, .. } = draft;
+        let Draft { lines: head, approaches, from_the_start, unrepeated, .. } = draft;
         let (line, moves) = (self.line, old.moves);
         let head_bytes = draft_first..from[1];
         Ok(Restart {
@@ -447,6 +454,7 @@ impl Asked<'_, '_> {
             moves,
             approaches,
             from_the_start,
+            unrepeated,
         })
     }
 

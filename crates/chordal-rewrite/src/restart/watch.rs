@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use chordal::control::{
-    Action, CallCode, CallPath, Modal, ModeCode, OnceCode, Origin, ReadingCode,
+    Action, AfterCode, CallCode, CallPath, Modal, ModeCode, OnceCode, Origin, ReadingCode,
 };
-use chordal::syntax::Block;
+use chordal::syntax::{Block, Word};
 use chordal::{Command, CommandKind, Control, Diagnostic, Job, RunSink, Sink};
 
 use super::cycle::Cycle;
@@ -26,6 +26,7 @@ pub(super) struct Before {
     pub(super) cycle: Cycle,
     pub(super) shift: Shift,
     pub(super) turned: Turned,
+    pub(super) unrepeated: Vec<UnrepeatedCode>,
     /// What a place of X is multiplied by in a word.
     pub(super) x_factor: f64,
 }
@@ -41,6 +42,16 @@ pub(super) struct Open {
     pub(super) corner: Option<u32>,
     /// A G code that Chordal does not carry out.
     pub(super) unknown: Option<(String, u32)>,
+}
+
+/// An M code before the block that acts on something which Chordal does not know: clamps, outputs, pallets, overrides.
+/// A head does not repeat it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnrepeatedCode {
+    /// The code with its words, as the program writes them.
+    pub words: String,
+    /// The line of the last block that says so.
+    pub line: u32,
 }
 
 /// A run, as far as it goes to a block.
@@ -127,6 +138,7 @@ pub(super) fn before(job: &Job, source: &Source, ran: u64) -> Option<Before> {
         cycle: Cycle::default(),
         shift: Shift::default(),
         turned: Turned::default(),
+        unrepeated: Vec::new(),
         x_factor: match job.control().parameters.starts_with_radii {
             true => 1.0,
             false => job.machine().written_factor(0),
@@ -150,6 +162,7 @@ struct Walk<'s, 'a> {
     cycle: Cycle,
     shift: Shift,
     turned: Turned,
+    unrepeated: Vec<UnrepeatedCode>,
     x_factor: f64,
     highest: Option<f64>,
     is_machine: bool,
@@ -164,6 +177,7 @@ impl Walk<'_, '_> {
         let line = Some(block.line);
         self.open.corner = line.filter(|_| block.commas);
         for word in &block.words {
+            self.follow_unrepeated(block, word);
             let Some(row) = self.control.row_of(word) else { continue };
             match row.action {
                 Action::Once(code) => self.follow_once(code, block),
@@ -188,6 +202,39 @@ impl Walk<'_, '_> {
                 | Action::NotFollowed => {}
             }
         }
+    }
+
+    /// Notes an M code that a head does not repeat; the last of the same words counts.
+    fn follow_unrepeated(&mut self, block: &Block, word: &Word) {
+        if word.letter != b'M' || word.number().is_none() {
+            return;
+        }
+        let row = self.control.row_of(word);
+        let acts_elsewhere = row.is_none_or(|row| {
+            matches!(
+                row.action,
+                Action::NoEffect
+                    | Action::NotSimulated
+                    | Action::NotFollowed
+                    | Action::After(AfterCode::ShopCode)
+            )
+        });
+        if !acts_elsewhere {
+            return;
+        }
+        let is_own = |letter: u8| match row {
+            Some(row) => row.words.has(letter),
+            None => matches!(letter, b'P' | b'Q'),
+        };
+        let words = block.words.iter().filter(|other| {
+            other.range == word.range || (is_own(other.letter) && other.number().is_some())
+        });
+        let text =
+            |word: &Word| String::from_utf8_lossy(word.range.slice(self.source.text)).into_owned();
+        let texts: Vec<String> = words.map(text).collect();
+        let code = UnrepeatedCode { words: texts.join(" "), line: block.line };
+        self.unrepeated.retain(|other| other.words != code.words);
+        self.unrepeated.push(code);
     }
 
     fn follow_mode(&mut self, code: ModeCode, line: u32) {
@@ -316,9 +363,19 @@ impl RunSink for Walk<'_, '_> {
             let (said, open) = (self.said.clone(), self.open.clone());
             let (cycle, shift) = (std::mem::take(&mut self.cycle), std::mem::take(&mut self.shift));
             let turned = std::mem::take(&mut self.turned);
+            let unrepeated = std::mem::take(&mut self.unrepeated);
             let x_factor = self.x_factor;
-            self.before =
-                Some(Before { modal, said, highest, open, cycle, shift, turned, x_factor });
+            self.before = Some(Before {
+                modal,
+                said,
+                highest,
+                open,
+                cycle,
+                shift,
+                turned,
+                unrepeated,
+                x_factor,
+            });
         }
     }
 }

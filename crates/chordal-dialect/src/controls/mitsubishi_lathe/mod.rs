@@ -40,6 +40,11 @@ const PARAMETERS: Parameters = Parameters {
             thread_words_take_point: true,
             ..super::fanuc_lathe::PARAMETERS.rules.turning
         },
+        // #11028.
+        arc: ArcRules {
+            semicircle_of_long_radius: true,
+            ..super::fanuc_lathe::PARAMETERS.rules.arc
+        },
         ..super::fanuc_lathe::PARAMETERS.rules
     },
     ..super::fanuc_lathe::PARAMETERS
