@@ -1,7 +1,7 @@
 //! A run on stock in words.
 
 use chordal::stock::{Amount, StockReport, StockVerdict};
-use chordal::{Code, Report};
+use chordal::{Code, Report, Severity};
 
 use crate::numbers::duration;
 
@@ -41,20 +41,24 @@ pub fn stock_text(found: &StockReport) -> String {
     }
     text += stock_verdict_text(found.verdict);
     text.push('\n');
-    text += stock_premise_text(&found.report);
+    text += &stock_premise_text(&found.report);
     text += &without_holder(found);
     text
 }
 
-/// What the verdict rests on, where the stock was taken from a comment.
-pub(super) fn stock_premise_text(report: &Report) -> &'static str {
-    let is_from_comment =
-        report.diagnostics.iter().any(|found| found.code == Code::StockFromComment);
-    if is_from_comment {
-        "this holds for the stock that a comment of the program describes: no setup gives one\n"
-    } else {
-        ""
+/// What the verdict rests on: stock from a comment, a work offset that may have been set with the tool.
+pub(super) fn stock_premise_text(report: &Report) -> String {
+    let says = |code: Code, severity: Severity| {
+        report.diagnostics.iter().any(|found| found.code == code && found.severity == severity)
+    };
+    let mut text = String::new();
+    if says(Code::StockFromComment, Severity::Note) {
+        text += "this holds for the stock that a comment of the program describes: no setup gives one\n";
     }
+    if says(Code::TipNotKnown, Severity::Note) {
+        text += "this holds only where Z0 was set with the tool: its length is not given, and none is in force\n";
+    }
+    text
 }
 
 /// The tools of which no holder is given, where it counts.
@@ -76,7 +80,7 @@ pub fn stock_verdict_text(verdict: StockVerdict) -> &'static str {
         }
         StockVerdict::Problems => "problems: see the list of problems",
         StockVerdict::NotProved => {
-            "not proved: no touch was found, and some cannot be excluded at this resolution"
+            "not proved: no touch was found, and the messages say what is not known"
         }
     }
 }

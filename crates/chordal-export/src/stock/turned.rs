@@ -91,7 +91,7 @@ pub fn turned_text(found: &TurnedReport) -> String {
             "not proved: no touch was found, and some moves could not be followed, see above\n"
         }
     };
-    text += stock_premise_text(&found.report);
+    text += &stock_premise_text(&found.report);
     if !found.threads.is_empty() {
         text += "note: threads are within what is left; volumes count each as between nothing and its whole groove\n";
     }
