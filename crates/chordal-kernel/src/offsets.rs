@@ -76,12 +76,26 @@ pub struct Identity {
     active: WorkName,
     length: LengthOffset,
     tool_axes: AxisMask,
+    /// What of them is known, and how many presets there were at a place that nobody knows.
+    system_known: AxisMask,
+    is_length_known: bool,
+    unknown_presets: u32,
 }
 
 impl Identity {
     /// True when both stand for the same offset of an axis.
     pub fn same_for(&self, other: &Identity, axis: usize) -> bool {
         self.active == other.active && (!self.tool_axes.has(axis) || self.length == other.length)
+    }
+
+    /// Along this axis the same of both is unknown, if anything is: they differ by what is known of them.
+    pub fn same_unknowns_for(&self, other: &Identity, axis: usize) -> bool {
+        let is_tool_same =
+            !self.tool_axes.has(axis) || self.is_length_known == other.is_length_known;
+        self.same_for(other, axis)
+            && self.system_known.has(axis) == other.system_known.has(axis)
+            && is_tool_same
+            && self.unknown_presets == other.unknown_presets
     }
 }
 
@@ -150,7 +164,14 @@ impl Offsets {
 
     /// Which offsets are in force.
     pub fn identity(&self) -> Identity {
-        Identity { active: self.active, length: self.length, tool_axes: self.tool_axes }
+        Identity {
+            active: self.active,
+            length: self.length,
+            tool_axes: self.tool_axes,
+            system_known: self.system_known,
+            is_length_known: self.length_in_force().is_some(),
+            unknown_presets: self.unknown_presets.count,
+        }
     }
 
     /// The work coordinate system in force.

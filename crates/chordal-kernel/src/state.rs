@@ -421,7 +421,7 @@ impl State {
             work[axis] += old_total[axis] - new_total[axis];
             if self.machine_known.has(axis) && new_known.has(axis) {
                 known.insert(axis);
-            } else {
+            } else if !identity.same_unknowns_for(&old_identity, axis) {
                 known = known.without(AxisMask(1 << axis));
             }
         }

@@ -285,8 +285,10 @@ impl<'a> Gathered<'a> {
             return PartlyKnown::End(Line { start: above, end });
         }
         let is_retract = segment.to_known.covers(AxisMask::XY) && is_upright;
-        let is_low = start.z < self.depth_mm;
-        match segment.from_known.covers(AxisMask::LINEAR) && is_low && !is_retract {
+        // A shift may have taken the coordinate away, not the place.
+        let height_mm = if segment.from_known.has(2) { Some(start.z) } else { self.height_mm };
+        let is_low = height_mm.is_some_and(|z| z < self.depth_mm);
+        match is_low && !is_retract {
             true => PartlyKnown::AtDepth,
             // Before the first place that the program names nothing is known, nor after a reference return: the
             // tool is above the part.
