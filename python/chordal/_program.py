@@ -514,7 +514,7 @@ class Program:
         ...     },
         ...     "tools": {1: {"shape": "flat", "diameter": "10 mm", "flute_length": "25 mm"}},
         ... }
-        >>> text = "G21 G90 G54\\nT1 M6\\nS3000 M3\\nG0 X-20. Y30. Z-5.\\nG1 X100. F600.\\nM30\\n"
+        >>> text = "G21 G90 G54\\nT1 M6\\nS3000 M3\\nG0 X-20. Y30.\\nG43 H1 Z-5.\\nG1 X100. F600.\\nM30\\n"
         >>> left = chordal.loads(text, setup).stock()
         >>> left.verdict, left.most.shape, round(float(left.most[150, 200]), 3)
         ('clean', (300, 400), -5.0)

@@ -20,7 +20,7 @@ SETUP = {
     "tools": {1: {"shape": "flat", "diameter": "10 mm", "flute_length": "25 mm"}},
 }
 
-SLOT = "G21 G90 G54\nT1 M6\nS3000 M3\nG0 X20. Y30.\nG0 Z5.\nG1 Z-5. F200.\nX60. F600.\nG0 Z5.\nM30\n"
+SLOT = "G21 G90 G54\nT1 M6\nS3000 M3\nG0 X20. Y30.\nG43 H1 Z5.\nG1 Z-5. F200.\nX60. F600.\nG0 Z5.\nM30\n"
 
 
 def test_a_slot_is_between_its_bounds() -> None:
