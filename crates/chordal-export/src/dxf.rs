@@ -6,8 +6,8 @@ use chordal::geometry::{Arc, Curve, Line, ParamCurve, Placement, Vec3};
 use chordal::path::NotNamed;
 use chordal::{Segment, SegmentKind};
 
+use crate::not_named::not_named_texts;
 use crate::number::push_finite;
-use crate::plot::not_named_texts;
 
 /// How far the polylines of helices, spirals and splines leave the curve, mm.
 const TOLERANCE_MM: f64 = 0.001;

@@ -56,6 +56,7 @@ mod dxf;
 mod json;
 mod machine_error;
 mod motion;
+mod not_named;
 mod number;
 pub mod numbers;
 mod optimized;

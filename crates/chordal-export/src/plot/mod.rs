@@ -31,7 +31,6 @@ pub use page::{PageTool, PageView, Viewpoint};
 use relief::Relief;
 pub use section::{page_section, section_png, section_svg};
 use store::Store;
-pub(crate) use store::not_named_texts;
 
 /// What stands on the sheet in addition to the path, and how large it is.
 #[derive(Clone, Debug)]

@@ -1,11 +1,11 @@
 //! What is kept of a path until its extent, and so the scale, is known.
 
-use chordal::control::AxisMask;
 use chordal::geometry::{Aabb, Curve, ParamCurve, Vec3};
 use chordal::path::NotNamed;
 use chordal::{Segment, SegmentKind};
 
 use super::relief::Relief;
+use crate::not_named::not_named_texts;
 
 /// Pieces after which the path is thinned for the first time.
 const MANY: usize = 1 << 21;
@@ -365,20 +365,6 @@ impl Store {
         let near_rapids = Aabb { min: corner(self.rapids.min), max: corner(self.rapids.max) };
         Some(cuts.union(near_rapids))
     }
-}
-
-/// `Y is never named; drawn at Y0`, `Z is not known in any cut; drawn at Z0`.
-pub(crate) fn not_named_texts(axes: NotNamed) -> Vec<String> {
-    let said = |axes: AxisMask, why: &str| {
-        let letters: Vec<String> = axes.iter().map(|axis| axis.letter().to_string()).collect();
-        let zeros: Vec<String> = letters.iter().map(|letter| format!("{letter}0")).collect();
-        let verb = if letters.len() == 1 { "is" } else { "are" };
-        let text =
-            || format!("{} {verb} {why}; drawn at {}", letters.join(" and "), zeros.join(" "));
-        (!letters.is_empty()).then(text)
-    };
-    let both = [said(axes.never, "never named"), said(axes.in_no_cut, "not known in any cut")];
-    both.into_iter().flatten().collect()
 }
 
 /// The powers of a step: the one, or from the least to the most.
