@@ -15,7 +15,7 @@ use crate::segment::curve_of;
 const CENTER_MM: f64 = 1e-6;
 
 /// Above a limit by less, as a share of it, is rounding.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING_SHARE: f64 = 1e-9;
 
 const X: usize = 0;
 const Z: usize = 2;
@@ -88,7 +88,7 @@ impl Checks<'_> {
         let most = surface.most_rev_per_s;
         let has_maximum = most.is_finite() && !self.assumed;
         let is_over = match has_maximum {
-            true => free > most * (1.0 + ROUNDING),
+            true => free > most * (1.0 + ROUNDING_SHARE),
             // Whatever the machine's maximum is.
             false => least <= CENTER_MM && surface.mm_per_s > 0.0,
         };

@@ -87,7 +87,7 @@ struct Spans {
 }
 
 /// Where the bounds of a span differ by less, mm, its ends in the middle are midway between them.
-const NEAR: f64 = 2e-3;
+const NEAR_SPAN_MM: f64 = 2e-3;
 
 impl Spans {
     /// Of a square about its middle; false where the move does not meet it.
@@ -105,7 +105,7 @@ impl Spans {
     fn find_middle(&mut self, sweep: &Sweep<'_>, middle: [f64; 2], top: f64) {
         self.middle.clear();
         let is_near = |(a, b): (&Span, &Span)| {
-            (a.floor - b.floor).abs() < NEAR && (a.top - b.top).abs() < NEAR
+            (a.floor - b.floor).abs() < NEAR_SPAN_MM && (a.top - b.top).abs() < NEAR_SPAN_MM
         };
         let mut pairs = self.surely.iter().zip(&self.maybe);
         if self.surely.len() == self.maybe.len() && pairs.all(is_near) {
