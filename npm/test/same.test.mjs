@@ -2,13 +2,14 @@
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { extname, join } from "node:path";
 import { before, test } from "node:test";
 
 import * as chordal from "../dist/index.js";
+import { removeProfile } from "../../tools/profile.mjs";
 import { askAll, digest } from "./ask-all.mjs";
 import { QUESTIONS, ROOT, command, difference, each, optionsOf, programs, wordsOf } from "./native.mjs";
 
@@ -165,6 +166,6 @@ async function inChromium() {
     await ended;
     server.close();
     server.closeAllConnections();
-    rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+    removeProfile(profile);
   }
 }

@@ -2,11 +2,12 @@
 
 import { spawn } from "node:child_process";
 import { after, before } from "node:test";
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
+import { removeProfile } from "../../tools/profile.mjs";
 import { aloneSession } from "./alone.mjs";
 
 export const ROOT = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
@@ -55,7 +56,7 @@ export async function browser() {
     context,
     async stop() {
       await context.close();
-      rmSync(folder, { recursive: true, force: true });
+      removeProfile(folder);
     },
   };
 }

@@ -1,12 +1,13 @@
 // The extension in Visual Studio Code for the Web, in Chromium: no command is there, the server is WebAssembly.
 import assert from "node:assert/strict";
-import { createReadStream, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { createReadStream, existsSync, mkdirSync, mkdtempSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, extname, join, normalize } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { removeProfile } from "../../../../tools/profile.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const own = join(here, "../..");
@@ -71,7 +72,7 @@ before(async () => {
 
 after(async () => {
   await browser?.close();
-  if (profile) rmSync(profile, { recursive: true, force: true });
+  if (profile) removeProfile(profile);
   server?.close();
 });
 
