@@ -41,7 +41,7 @@ impl Asked {
             tools: options.tools.map(PathBuf::from),
             settings: options.settings.map(PathBuf::from),
             program: options.program,
-            block_delete: options.block_delete,
+            block_delete: options.block_delete.into(),
             max_blocks: options.max_blocks,
             ..chordal_load::Request::default()
         };

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use chordal::machine::{Dimension, QuantityError, parse_quantity};
 use chordal::{EVERY_PLACE, KEPT_PER_CODE};
 use chordal_export::report::Detail;
-use chordal_load::{Given, Request};
+use chordal_load::{BlockDelete, Given, Request};
 use clap::ValueEnum;
 
 /// Formats of an answer that has no other form.
@@ -15,6 +15,24 @@ pub enum AnswerFormat {
     Text,
     /// One JSON object
     Json,
+}
+
+/// How the switch of block delete stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum BlockDeleteName {
+    /// The blocks that start with `/` are skipped
+    On,
+    /// The program is run with and without them
+    Both,
+}
+
+/// What the request says of block delete.
+pub fn block_delete_of(name: Option<BlockDeleteName>) -> BlockDelete {
+    match name {
+        None => BlockDelete::AsMachine,
+        Some(BlockDeleteName::On) => BlockDelete::On,
+        Some(BlockDeleteName::Both) => BlockDelete::Both,
+    }
 }
 
 /// What all commands that run a program share.
@@ -47,9 +65,9 @@ pub struct Common {
     #[arg(long, value_name = "N", value_parser = program_number)]
     pub program: Option<u32>,
 
-    /// Block delete: skips the blocks that start with `/`
-    #[arg(long)]
-    pub block_delete: bool,
+    /// Block delete: skips the blocks that start with `/`; `=both` runs the program both ways
+    #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "on")]
+    pub block_delete: Option<BlockDeleteName>,
 
     /// Largest number of blocks carried out in calls, repeats and jumps before a program counts as endless
     #[arg(long, value_name = "N")]
@@ -72,7 +90,7 @@ impl Common {
             settings: self.settings.clone(),
             tools: self.tools.clone(),
             program: self.program,
-            block_delete: self.block_delete,
+            block_delete: block_delete_of(self.block_delete),
             max_blocks: self.max_blocks,
             ..Request::default()
         }

@@ -119,6 +119,8 @@ fn empty() -> Report {
         dropped: Vec::new(),
         counts: Counts::default(),
         not_verified_from: None,
+        path_lost_from: None,
+        other_sides: Default::default(),
         output: Vec::new(),
         outcomes: Vec::new(),
     }
@@ -167,6 +169,7 @@ fn join_reports(joined: &mut Report, report: Report, part: &Part) {
     }));
     joined.counts.errors += report.counts.errors;
     joined.not_verified_from = joined.not_verified_from.or(report.not_verified_from);
+    joined.path_lost_from = joined.path_lost_from.or(report.path_lost_from);
     joined.dropped.extend(report.dropped);
     joined.output.extend(report.output);
 }

@@ -36,7 +36,8 @@ pub struct Collector {
     dropped: BTreeMap<Code, u64>,
     told: HashSet<(Code, Span)>,
     counts: Counts,
-    lost: Option<Span>,
+    path_lost: Option<Span>,
+    time_lost: Option<Span>,
 }
 
 impl Collector {
@@ -49,14 +50,20 @@ impl Collector {
             dropped: BTreeMap::new(),
             told: HashSet::new(),
             counts: Counts::default(),
-            lost: None,
+            path_lost: None,
+            time_lost: None,
         }
     }
 
     /// Takes one.
     pub fn push(&mut self, diagnostic: Diagnostic) {
-        if self.lost.is_none() && diagnostic.code.loses_path(diagnostic.severity) {
-            self.lost = Some(diagnostic.primary.span);
+        let span = diagnostic.primary.span;
+        if self.path_lost.is_none() && diagnostic.code.loses_path(diagnostic.severity) {
+            self.path_lost = Some(span);
+        }
+        if self.time_lost.is_none() && diagnostic.code.loses_time() {
+            // What is lost first counts.
+            self.time_lost = Some(self.path_lost.unwrap_or(span));
         }
         let code = diagnostic.code;
         if self.was_said_once(code, diagnostic.primary.span) {
@@ -120,8 +127,13 @@ impl Collector {
     }
 
     /// The first place in the order of the run from which on the path is not known.
+    pub fn path_lost(&self) -> Option<Span> {
+        self.path_lost
+    }
+
+    /// The first place in the order of the run from which on the path or the time is not known.
     pub fn lost(&self) -> Option<Span> {
-        self.lost
+        self.time_lost.or(self.path_lost)
     }
 
     /// What was kept, by place.

@@ -81,8 +81,10 @@ pub enum System {
     OffsetsOfAxis(u8),
     /// Inputs: given by the machine file.
     Input,
-    /// Outputs, and switches that change neither path nor text.
+    /// Outputs and places of the control that hold what was written last: not known before the program writes them.
     Kept,
+    /// Switches that change neither path nor text, and that a reset turns off: 0 before the program writes them.
+    Switch,
     /// #3000.
     Alarm,
     /// #3006.

@@ -19,6 +19,7 @@ pub fn time_json(study: &TimeStudy, report: &Report, job: &Job) -> String {
     put("schema", json!("chordal.time/1"));
     put("machine", json!(job.machine().name));
     put("total_s", json!(time.total_s()));
+    put("total_s_range", json!(study.range_s));
     put("cutting_s", json!(time.times.cutting_s));
     put("rapid_s", json!(time.times.rapid_s));
     put("other_s", json!(time.times.other_s));

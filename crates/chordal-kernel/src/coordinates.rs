@@ -221,6 +221,11 @@ impl Kernel<'_> {
         });
     }
 
+    /// Values of work offsets are added to those that the tables have.
+    pub fn adds_to_work_values(&self) -> bool {
+        self.rules.work_values_add && self.state.incremental
+    }
+
     /// Writes a work offset: the values as given, or so that the present place gets them.
     pub fn write_work_values(
         &mut self,
@@ -228,7 +233,7 @@ impl Kernel<'_> {
         values: &PerAxis<Option<f64>>,
         from_position: bool,
     ) {
-        let add = self.rules.work_values_add && self.state.incremental && !from_position;
+        let add = self.adds_to_work_values() && !from_position;
         let machine: Vec<f64> = (0..AXES).map(|axis| self.state.machine_position(axis)).collect();
         let active = self.state.offsets.key(self.state.offsets.active());
         let offsets = &self.state.offsets;
@@ -299,12 +304,14 @@ impl Kernel<'_> {
             *preset = value.unwrap_or(*preset);
         }
         self.state.shift_coordinates(|offsets| offsets.set_presets(presets));
-        self.note_preset();
+        let named = AxisMask::with_values(values);
+        self.note_preset(named, named);
         self.emit_work_offset();
     }
 
-    /// G92 or G52 acts from here on.
-    fn note_preset(&mut self) {
+    /// G92 or G52 acts from here on, on the axes named; the values of some of them are known.
+    fn note_preset(&mut self, named: AxisMask, known: AxisMask) {
+        self.presets_known = self.presets_known.without(named).or(known);
         self.kept_presets = self.state.offsets.presets();
         self.preset_acts = true;
     }
@@ -323,6 +330,7 @@ impl Kernel<'_> {
             named = self.state.frames.map().reached(named);
         }
         let somewhere = named.without(self.state.known);
+        let placed = named.without(somewhere).without(self.state.start.program);
         self.state.shift_coordinates(|offsets| {
             offsets.preset_somewhere(somewhere);
             for axis in 0..AXES {
@@ -340,9 +348,10 @@ impl Kernel<'_> {
                 // Exactly what was written, not a difference of sums.
                 self.state.position[axis] = *value;
                 self.state.known.insert(axis);
+                self.state.start.program.remove(axis);
             }
         }
-        self.note_preset();
+        self.note_preset(named, placed);
         self.emit_work_offset();
     }
 
@@ -357,6 +366,7 @@ impl Kernel<'_> {
     pub fn clear_preset(&mut self, keep: bool) {
         if !keep {
             self.kept_presets = self.kept_presets.ended();
+            self.presets_known = AxisMask::ALL;
         }
         self.preset_acts = false;
         let none = self.state.offsets.presets().ended();

@@ -1,6 +1,8 @@
 //! The kernel: what a numerical control remembers and pushes into its sink.
 
-use chordal_command::{CallPath, CallPaths, Command, CommandKind, Origin, Units, telling_number};
+use chordal_command::{
+    AxisMask, CallPath, CallPaths, Command, CommandKind, Origin, Units, telling_number,
+};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_machine::Machine;
 
@@ -75,6 +77,8 @@ pub struct KernelMemory {
     pub kept_presets: Presets,
     /// Presets act.
     pub preset_acts: bool,
+    /// The axes whose preset follows from the program.
+    pub presets_known: AxisMask,
     /// What was reported.
     pub reported: Reported,
 }
@@ -106,6 +110,8 @@ pub struct Kernel<'a> {
     pub kept_presets: Presets,
     /// G92 or G52 acts: it was written, and not switched off since.
     pub preset_acts: bool,
+    /// The axes whose preset follows from the program.
+    pub presets_known: AxisMask,
     /// What was reported once.
     pub reported: Reported,
     /// Moves that wait for the corner at their end.
@@ -142,6 +148,7 @@ impl<'a> Kernel<'a> {
             max_repeated: u64::MAX,
             kept_presets: Presets::default(),
             preset_acts: false,
+            presets_known: AxisMask::NONE,
             reported: Reported::default(),
             corners: Corners::default(),
             collected: None,
@@ -272,6 +279,7 @@ impl<'a> Kernel<'a> {
             block_number: self.block_number,
             kept_presets: self.kept_presets,
             preset_acts: self.preset_acts,
+            presets_known: self.presets_known,
             reported: self.reported.clone(),
         }
     }
@@ -285,6 +293,7 @@ impl<'a> Kernel<'a> {
         self.block_number = memory.block_number;
         self.kept_presets = memory.kept_presets;
         self.preset_acts = memory.preset_acts;
+        self.presets_known = memory.presets_known;
         self.reported = memory.reported;
     }
 }

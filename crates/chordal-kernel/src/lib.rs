@@ -56,8 +56,8 @@ pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::RunSink;
 pub use state::{
-    CycleState, LiveTool, Motion, OverrideState, SplineForm, State, ThreadMemory, TurnPass,
-    TurningMemory, UnknownWords,
+    CycleState, LiveTool, Motion, OverrideState, SplineForm, StartAxes, State, ThreadMemory,
+    TurnPass, TurningMemory, UnknownWords,
 };
 pub use statement::{Statement, What};
 pub use surface::{SurfacePlane, SurfaceState};

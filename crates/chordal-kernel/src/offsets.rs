@@ -90,11 +90,14 @@ impl Identity {
 
     /// Along this axis the same of both is unknown, if anything is: they differ by what is known of them.
     pub fn same_unknowns_for(&self, other: &Identity, axis: usize) -> bool {
-        let is_tool_same =
-            !self.tool_axes.has(axis) || self.is_length_known == other.is_length_known;
-        self.same_for(other, axis)
+        let are_lengths_related = match (self.is_length_known, other.is_length_known) {
+            (true, true) => true,
+            (false, false) => self.length == other.length,
+            _ => false,
+        };
+        self.active == other.active
             && self.system_known.has(axis) == other.system_known.has(axis)
-            && is_tool_same
+            && (!self.tool_axes.has(axis) || are_lengths_related)
             && self.unknown_presets == other.unknown_presets
     }
 }
@@ -349,6 +352,32 @@ impl Offsets {
         };
         let sign = if self.length.minus { -1.0 } else { 1.0 };
         std::array::from_fn(|axis| tool.offset_of(axis).map_or(0.0, |value| sign * value))
+    }
+
+    /// What the tool's offsets add on an axis, where the table has it.
+    pub fn known_tool_offset(&self, axis: usize) -> Option<f64> {
+        let by_table = self.length.number.filter(|_| self.tool_values.is_none());
+        if let Some(number) = by_table
+            && self.tool_axes.has(axis)
+        {
+            self.tools.get(&number)?.offset_of(axis)?;
+        }
+        Some(self.tool_in_force()[axis])
+    }
+
+    /// One value of a work offset, where it is given. The external offset is zero where offsets are given and it is
+    /// not.
+    pub fn known_work_value(&self, key: &str, axis: usize) -> Option<f64> {
+        let has_given = || self.systems.values().flatten().any(Option::is_some);
+        let absent = || (key == "EXT" && has_given()).then_some(0.0);
+        self.work_value(key, axis).or_else(absent)
+    }
+
+    /// The rotation of a work coordinate system, degrees, where it is given or the system is and has none.
+    pub fn known_rotation(&self, key: &str) -> Option<f64> {
+        let is_given =
+            || self.systems.get(key).is_some_and(|values| values.iter().any(Option::is_some));
+        self.rotations.get(key).copied().or_else(|| is_given().then_some(0.0))
     }
 
     /// Computes total and known anew; to be called after any change.

@@ -228,6 +228,16 @@ pub struct UnknownWords {
     pub radius_offset: bool,
 }
 
+/// The axes of which the place follows from where the machine stood when the program began. It is drawn at the
+/// reference point, and a program that reads it reads what nobody knows.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct StartAxes {
+    /// In program coordinates.
+    pub program: AxisMask,
+    /// In machine coordinates.
+    pub machine: AxisMask,
+}
+
 /// Everything a control remembers from block to block.
 #[derive(Clone, PartialEq, Debug)]
 pub struct State {
@@ -241,6 +251,8 @@ pub struct State {
     pub machine_known: AxisMask,
     /// The axes that went to an unknown place: an increment does not make their place known again.
     pub astray: AxisMask,
+    /// The axes that stand where the run began.
+    pub start: StartAxes,
     /// Words in force whose values are not known.
     pub unknown: UnknownWords,
     /// The offset tables, and which are in force.
@@ -335,6 +347,7 @@ impl State {
             known,
             machine_known: AxisMask::ALL,
             astray: AxisMask::NONE,
+            start: StartAxes { program: AxisMask::ALL, machine: AxisMask::ALL },
             unknown: UnknownWords::default(),
             offsets,
             frames: Frames::default(),
@@ -390,6 +403,32 @@ impl State {
         place + self.offsets.total()[axis]
     }
 
+    /// The program coordinate of an axis where it follows from the program.
+    pub fn known_position(&self, axis: usize) -> Option<f64> {
+        let is_known = self.known.has(axis) && !self.start.program.has(axis);
+        is_known.then_some(self.position[axis])
+    }
+
+    /// The machine coordinate of an axis where it follows from the program.
+    pub fn known_machine_position(&self, axis: usize) -> Option<f64> {
+        let is_known = self.machine_known.has(axis) && !self.start.machine.has(axis);
+        is_known.then(|| self.machine_position(axis))
+    }
+
+    /// Axes come to places that do not depend on where the run began: in program coordinates, and in machine
+    /// coordinates where the offsets are known.
+    #[inline]
+    pub fn leave_start(&mut self, axes: AxisMask) {
+        self.start.program = self.start.program.without(axes);
+        self.start.machine = self.start.machine.without(axes.and(self.offsets.known()));
+    }
+
+    /// The same by a move in machine coordinates.
+    pub fn leave_machine_start(&mut self, axes: AxisMask) {
+        self.start.machine = self.start.machine.without(axes);
+        self.start.program = self.start.program.without(axes);
+    }
+
     /// The tool tip in the work coordinate system, the frames undone.
     pub fn work_position(&self) -> Position {
         match self.frames.is_plain() {
@@ -419,9 +458,14 @@ impl State {
                 continue;
             }
             work[axis] += old_total[axis] - new_total[axis];
+            let is_related = identity.same_unknowns_for(&old_identity, axis);
             if self.machine_known.has(axis) && new_known.has(axis) {
                 known.insert(axis);
-            } else if !identity.same_unknowns_for(&old_identity, axis) {
+                // The coordinate follows from the place of the machine.
+                if !is_related && self.start.machine.has(axis) {
+                    self.start.program.insert(axis);
+                }
+            } else if !is_related {
                 known = known.without(AxisMask(1 << axis));
             }
         }

@@ -53,7 +53,7 @@ pub use loaded::Loaded;
 pub use loader::Loader;
 pub use neighbours::without_called;
 pub use readings::{Premise, ReadingDifference, ReadingGroup};
-pub use request::{Given, Request};
+pub use request::{BlockDelete, Given, Request};
 pub use text::Text;
 
 /// Loads a file.

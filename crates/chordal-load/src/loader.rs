@@ -12,7 +12,7 @@ use crate::machine;
 use crate::neighbours::Folders;
 use crate::not_a_program;
 use crate::readings::Premise;
-use crate::request::{Given, Request};
+use crate::request::{BlockDelete, Given, Request};
 use crate::text::Text;
 
 /// Loads programs by one request. The machine that it names is loaded once, and each folder is listed
@@ -130,6 +130,7 @@ fn options(request: &Request, chosen: &Chosen, text: &[u8]) -> RunOptions {
         max_repeated_blocks: request.max_blocks.unwrap_or(usual.max_repeated_blocks),
         assumed_machine: chosen.is_guess() && !says(request, LIMITS),
         not_read: chosen.refusal(text).filter(|_| !named_control),
+        both_block_deletes: request.block_delete == BlockDelete::Both,
         ..usual
     }
 }

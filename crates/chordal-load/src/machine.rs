@@ -19,7 +19,7 @@ use crate::error::LoadError;
 use crate::files::Files;
 use crate::input::Input;
 use crate::readings::{Premise, machine_name, set_units, settle};
-use crate::request::{Given, Request};
+use crate::request::{BlockDelete, Given, Request};
 
 /// The file that says a folder's machine.
 const FOLDER_FILE: &str = "chordal.toml";
@@ -235,7 +235,7 @@ fn finish(mut machine: Machine, request: &Request) -> Result<Machine, LoadError>
         // known after the assignments: once more.
         assign(&mut machine)?;
     }
-    if request.block_delete {
+    if request.block_delete == BlockDelete::On {
         machine.switches.block_delete = [true; 10];
     }
     Ok(machine)

@@ -20,6 +20,24 @@ pub enum Given {
     Machine(Box<Machine>),
 }
 
+/// How the switch of block delete stands.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Debug)]
+pub enum BlockDelete {
+    /// As the machine file has it; off, where it says nothing.
+    #[default]
+    AsMachine,
+    /// The blocks that start with `/` are left out.
+    On,
+    /// The program is run as the machine file has it, and once more the other way.
+    Both,
+}
+
+impl From<bool> for BlockDelete {
+    fn from(is_on: bool) -> BlockDelete {
+        if is_on { BlockDelete::On } else { BlockDelete::AsMachine }
+    }
+}
+
 /// What a program is to run on, and what is otherwise than its machine says. Nothing said: the
 /// folder's `chordal.toml` says the machine, or the text does.
 #[derive(Clone, Default)]
@@ -36,8 +54,8 @@ pub struct Request {
     pub tools: Option<PathBuf>,
     /// Runs only this program of the file.
     pub program: Option<u32>,
-    /// Leaves out the blocks that start with `/`.
-    pub block_delete: bool,
+    /// What becomes of the blocks that start with `/`.
+    pub block_delete: BlockDelete,
     /// Most blocks carried out in calls, repeats and jumps.
     pub max_blocks: Option<u64>,
     /// Who knows the codes of the shop's own. It is asked once about each, while the program is

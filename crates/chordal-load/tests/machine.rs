@@ -3,7 +3,7 @@
 mod common;
 
 use chordal::machine::ControlName;
-use chordal_load::{Chosen, Given, Input, LoadError, Loader, Request, machine};
+use chordal_load::{BlockDelete, Chosen, Given, Input, LoadError, Loader, Request, machine};
 use common::{CLEAN, Folder, on};
 
 #[test]
@@ -102,7 +102,7 @@ fn a_request_changes_whichever_machine_runs() {
     let request = Request {
         set: vec!["title=\"Mill 4\"".into()],
         tools: Some(folder.path("tool.tbl")),
-        block_delete: true,
+        block_delete: BlockDelete::On,
         ..Request::default()
     };
     let loaded = folder.load_with("part.nc", &request).expect("a program");

@@ -105,6 +105,10 @@ type Key = (String, Range<usize>);
 
 /// The dotted keys before the `=`.
 fn keys(text: &str, source: &Source) -> Result<Vec<Key>, MachineError> {
+    // The name of a variable may have points in it.
+    if text.trim_start().starts_with("#<") {
+        return Ok(vec![(text.trim().to_string(), 0..text.len())]);
+    }
     let mut keys = Vec::new();
     let mut start = 0;
     for end in ends(text) {

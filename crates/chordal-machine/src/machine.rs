@@ -269,6 +269,8 @@ impl PartialEq for ShopCode {
 pub struct Macros {
     /// Values of variables by number (`#500`).
     pub variables: BTreeMap<u32, f64>,
+    /// Values of the control's own variables by name (`#<_hal[spindle.0.at-speed]>`): in lower case, without blanks.
+    pub named_variables: BTreeMap<String, f64>,
     /// Variables that are known to be vacant.
     pub vacant: BTreeSet<u32>,
     /// The date as a control shows it, YYYYMMDD.

@@ -218,10 +218,13 @@ impl Machine {
             let inputs: Vec<String> = macros.inputs.iter().map(|n| format!("{n:?}")).collect();
             out.line("inputs", &format!("[{}]", inputs.join(", ")));
         }
-        if !macros.variables.is_empty() {
+        if !macros.variables.is_empty() || !macros.named_variables.is_empty() {
             out.table("macros.variables");
             for (number, value) in &macros.variables {
                 out.line(&number.to_string(), &format!("{value:?}"));
+            }
+            for (name, value) in &macros.named_variables {
+                out.line(&format!("\"<{name}>\""), &format!("{value:?}"));
             }
         }
     }

@@ -77,7 +77,7 @@ impl Options {
             settings: self.settings,
             tools: self.tools,
             program: self.program,
-            block_delete: self.block_delete,
+            block_delete: self.block_delete.into(),
             max_blocks: self.max_blocks,
             shop_codes: shop.map(|shop| Arc::new(shop) as _),
             interrupt: Some(signals.interrupt()),

@@ -27,6 +27,7 @@ mod change;
 pub mod convert;
 mod proof;
 pub mod restart;
+mod sides;
 mod source;
 mod split;
 mod transform;

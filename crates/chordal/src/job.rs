@@ -106,6 +106,19 @@ impl<'a> Job<'a> {
             let text = first.take().unwrap_or_else(|| source.text().to_vec());
             sources.add(Source::new(source.name(), text));
         }
+        self.with_sources(sources)
+    }
+
+    /// The same job with block delete switched the other way.
+    pub(crate) fn with_other_block_delete(mut self) -> Job<'a> {
+        let switches = &mut self.machine.switches.block_delete;
+        *switches = [!switches.contains(&true); 10];
+        self.ahead = OnceLock::new();
+        self
+    }
+
+    /// The same job with other texts.
+    pub(crate) fn with_sources<'s>(&self, sources: SourceMap<'s>) -> Job<'s> {
         Job {
             sources,
             machine: self.machine.clone(),

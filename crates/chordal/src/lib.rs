@@ -37,6 +37,7 @@ mod compensated;
 mod first_cut;
 mod job;
 pub mod motion;
+mod other_sides;
 mod reading;
 mod recheck;
 mod report;
@@ -62,7 +63,8 @@ pub use chordal_path::{
 };
 pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
 pub use job::{Job, JobError, TextProgram};
+pub use other_sides::{BlockDeleteRuns, MOST_SIDE_RUNS, MOST_STOCK_SIDE_RUNS, Side};
 pub use reading::{ChoiceDifference, Reading, ReadingChoice, ReadingChoices};
 pub use recheck::CheckMemory;
-pub use report::{EVERY_PLACE, KEPT_PER_CODE, Report, Watch};
+pub use report::{EVERY_PLACE, KEPT_PER_CODE, OtherSides, Report, Watch};
 pub use summary::{AxisTravel, Summary, ToolUse};

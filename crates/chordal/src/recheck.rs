@@ -226,7 +226,8 @@ impl CheckMemory {
         if waiting >= MOST_WAITING {
             return job.check();
         }
-        let report = run.report(job, language);
+        let mut report = run.report(job, language);
+        job.check_other_sides(&mut report, KEPT_PER_CODE);
         // Half a run is no beginning for the next.
         self.run = Some(run).filter(|run| run.outcome.end != EndReason::Interrupted);
         report

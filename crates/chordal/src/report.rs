@@ -16,6 +16,29 @@ pub const KEPT_PER_CODE: usize = 200;
 /// Kept of each code where every place is asked for: a program of a million lines has room in memory.
 pub const EVERY_PLACE: usize = 100_000;
 
+/// What the runs of other sides cover.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct OtherSides {
+    /// The conditions of which both sides were run.
+    pub run: Vec<Span>,
+    /// Those that were met and of which one side was not run, because there are too many.
+    pub left_out: Vec<Span>,
+    /// Block delete was switched the other way in a run.
+    pub block_delete: bool,
+}
+
+impl OtherSides {
+    /// There was one side only.
+    pub fn is_empty(&self) -> bool {
+        self.count() == 0 && self.left_out.is_empty()
+    }
+
+    /// How many runs there were beside the first.
+    pub fn count(&self) -> usize {
+        self.run.len() + usize::from(self.block_delete)
+    }
+}
+
 /// What a run reports in addition to its commands.
 #[derive(Clone, Debug)]
 pub struct Report {
@@ -28,9 +51,13 @@ pub struct Report {
     pub dropped: Vec<(Code, u64)>,
     /// All problems counted.
     pub counts: Counts,
-    /// Where the run came first to something that is not followed: from there on the path is not
-    /// verified, and whatever is said of it is said of another path.
+    /// Where the run came first to something that is not followed, or that depends on what nobody gave: from there
+    /// on the path or its time is not verified, and whatever is said of it is said of another one.
     pub not_verified_from: Option<Span>,
+    /// The same of the path alone.
+    pub path_lost_from: Option<Span>,
+    /// Conditions that were assumed, and of which the other side was run, too.
+    pub other_sides: OtherSides,
     /// The lines that the program printed (DPRNT), in order.
     pub output: Vec<String>,
     /// How each program that was run ended.
@@ -72,7 +99,9 @@ impl Job<'_> {
         let mut sink = ReportSink::new(self, watch);
         contradicted_tools(self).into_iter().for_each(|found| sink.collector.push(found));
         let (outcomes, sink) = Compensated::judge(self, sink);
-        sink.finish(outcomes)
+        let mut report = sink.finish(outcomes);
+        self.check_other_sides(&mut report, KEPT_PER_CODE);
+        report
     }
 
     /// Runs with all checks and sums up.
@@ -87,6 +116,13 @@ impl Job<'_> {
 
     /// The same, and keeps so many diagnostics of each code; the others are counted.
     pub fn check_keeping(&self, most_per_code: usize) -> Report {
+        let mut report = self.check_of_run(most_per_code);
+        self.check_other_sides(&mut report, most_per_code);
+        report
+    }
+
+    /// The same of one run, whatever it assumes.
+    pub(crate) fn check_of_run(&self, most_per_code: usize) -> Report {
         let mut notes = Collector::new(most_per_code);
         contradicted_tools(self).into_iter().for_each(|diagnostic| notes.push(diagnostic));
         let sink = CheckSink::new(self, notes);
@@ -109,6 +145,8 @@ impl Report {
             dropped: collector.dropped().collect(),
             counts: collector.counts(),
             not_verified_from: collector.lost(),
+            path_lost_from: collector.path_lost(),
+            other_sides: OtherSides::default(),
             diagnostics: collector.into_sorted(),
             outcomes,
         }
@@ -126,9 +164,14 @@ impl Report {
         });
     }
 
-    /// The whole path was followed as the control would go it.
+    /// The whole path was followed as the control would go it, and with its feeds and waits.
     pub fn verified(&self) -> bool {
         self.not_verified_from.is_none()
+    }
+
+    /// The whole path was followed as the control would go it, however long it takes.
+    pub fn is_path_verified(&self) -> bool {
+        self.path_lost_from.is_none()
     }
 
     /// File and line from which on the path is not known.

@@ -107,14 +107,16 @@ fn the_line_from_which_a_run_is_not_verified() {
         ("IF[#500EQ1]GOTO9", Some(4)),
         ("M98 P#500", Some(4)),
         ("#[#500]=1", Some(4)),
-        ("F#500 X2.", None),
-        ("S#500", None),
+        ("F#500 X2.", Some(4)),
+        ("S#500", Some(4)),
         ("#1=#500", None),
         ("DPRNT[#500[40]]", None),
     ] {
         let text = format!("{head}{block}\nN9 G1 X3.\nM30\n");
         let report = report("fanuc-30i", &[], &text);
         assert_eq!(line(&report, &text), lost, "{block}: {:#?}", report.diagnostics);
+        let is_rate = block.starts_with(['F', 'S']);
+        assert_eq!(report.is_path_verified(), is_rate || lost.is_none(), "{block}");
         assert_eq!(report.counts.errors, 0, "{block}: {:#?}", report.diagnostics);
     }
     let text = format!("O9100\n{}M99\n", "G0 X#24 Y#25\n");

@@ -33,6 +33,6 @@ X+R5 (= none | ! CH727 "TU8")
 #CLEAR V1-V3,V10
 #R5=V1+V2+V3+V10+1
 X+R5 (= line to X1)
-#R5=TN+TL
+#R5=TL
 X+R5 (= line to X0)
 M2

@@ -2,6 +2,7 @@
 O0001 (MACRO B: MODAL CALLS)
 (machine: fanuc-30i)
 (units: mm)
+(set: work_offsets.G54.X = -50 mm)
 (set: work_offsets.G55.X = -100 mm)
 (set: tools.2.length = 50 mm)
 (set: tools.2.diameter = 10 mm)
@@ -23,7 +24,7 @@ N12 G67
 N13 X40. (= rapid to X40)
 (System variables as a Fanuc numbers them.)
 POPEN
-DPRNT[#5221[30]#5241[30]#11002[23]#13002[23]] (= > "   0-100 50.000  5.000")
+DPRNT[#5221[30]#5241[30]#11002[23]#13002[23]] (= > "- 50-100 50.000  5.000")
 #3=ATAN[-1]/[-1]
 DPRNT[#3[30]] (= > "-135")
 #13002=4.

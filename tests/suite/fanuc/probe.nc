@@ -6,7 +6,7 @@ O0001 (G31: THE PLACE OF THE SKIP HAS THE TOOL LENGTH IN IT)
 (units: mm)
 G21 G90 G17 G94 G40 G49 G80
 G43 H1 G0 X0 Y0 Z0
-G31 Z-25. F100. (= line to Z-10 feed 100 | ! CH723)
+G31 Z-25. F100. (= line to Z-10 feed 100 | ! CH732)
 #1=#5063
 G0 Z0 (= rapid to Z0)
 X#1 (= rapid to X40)

@@ -4,7 +4,7 @@
 (The probe touches at Z-4; a move that does not reach it finds nothing.)
 G21 G90 G17
 G0 X0 Y0 Z0
-G38.2 X5 Z-10 F50 (= line to X2 Z-4 | ! CH723 "touch at Z-4")
+G38.2 X5 Z-10 F50 (= line to X2 Z-4 | ! CH732 "touch at Z-4")
 #<top>=#5063
 G0 Z0
 X#<top> (= rapid to X-4)

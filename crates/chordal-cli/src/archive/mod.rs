@@ -10,6 +10,7 @@ use chordal::machine::ControlName;
 use chordal_load::{Given, Request};
 
 use crate::failure::{Failure, Verdict};
+use crate::options::{BlockDeleteName, block_delete_of};
 use crate::terminal::Terminal;
 
 /// Checks whole archives of programs, and compares them
@@ -53,9 +54,9 @@ pub struct Machines {
     #[arg(long, value_name = "tool.tbl")]
     tools: Option<PathBuf>,
 
-    /// Block delete: skips the blocks that start with `/`
-    #[arg(long)]
-    block_delete: bool,
+    /// Block delete: skips the blocks that start with `/`; `=both` runs the program both ways
+    #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "on")]
+    block_delete: Option<BlockDeleteName>,
 
     /// Largest number of blocks carried out in calls, repeats and jumps before a program counts as endless
     #[arg(long, value_name = "N")]
@@ -72,7 +73,7 @@ impl Machines {
             set: self.set.clone(),
             settings: self.settings.clone(),
             tools: self.tools.clone(),
-            block_delete: self.block_delete,
+            block_delete: block_delete_of(self.block_delete),
             max_blocks: self.max_blocks,
             ..Request::default()
         }

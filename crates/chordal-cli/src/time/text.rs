@@ -4,7 +4,7 @@ use chordal::control::{PathMode, Units as ProgramUnits};
 use chordal::diagnostics::FileId;
 use chordal::motion::{Level, MotionReport, Quantity, WaitKind};
 use chordal::time::{Alternative, BlockTime, Change, Reason, TimeReport, TimeStudy, ToolTime};
-use chordal::{Job, Report};
+use chordal::{Job, OtherSides, Report};
 use chordal_export::comment_text;
 use comfy_table::Table;
 
@@ -26,7 +26,12 @@ pub fn text(name: &str, study: &TimeStudy, report: &Report, job: &Job, color: bo
     let (time, motion) = (&study.timed.time, &study.timed.motion);
     let machine = job.machine();
     sheet.row("machine", &format!("{} ({})", machine.title, machine.name));
-    sheet.rows("time", &totals(time, motion, study.level));
+    let mut totals = totals(time, motion, study.level);
+    if let Some([least, most]) = study.range_s {
+        let (least, most) = (fine(least), fine(most));
+        totals.push(format!("{least} to {most} with {}", sides_text(&report.other_sides)));
+    }
+    sheet.rows("time", &totals);
     sheet.table("", &tools(&time.tools, job));
     if time.operations.len() > time.tools.len() {
         let named = time.operations.iter().any(|operation| operation.comment.is_some());
@@ -66,6 +71,19 @@ pub fn text(name: &str, study: &TimeStudy, report: &Report, job: &Job, color: bo
         sheet.rows(label, notes);
     }
     sheet.into_text()
+}
+
+/// What was run both ways.
+fn sides_text(sides: &OtherSides) -> String {
+    let count = sides.run.len() as u64;
+    let conditions = counted(count, "condition", "conditions");
+    match (count, sides.block_delete) {
+        (0, _) => "block delete on and off".to_string(),
+        (_, false) => format!("both sides of {conditions} that nobody knows"),
+        (_, true) => {
+            format!("both sides of {conditions} that nobody knows, block delete on and off")
+        }
+    }
 }
 
 fn totals(time: &TimeReport, motion: &MotionReport, level: Level) -> Vec<String> {

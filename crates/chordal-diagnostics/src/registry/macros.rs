@@ -104,8 +104,9 @@ older controls at most 8 digits together."#;
 
     SystemVariable = 719, "system-variable", Note;
     "a system variable has a value that Chordal does not know";
-    r#"The variable exists on the control, and its value does not follow from the program: an input, a timer, a
-load. Said once in a program, with all such variables that it reads. Chordal takes the values from `[macros]
+    r#"The variable exists on the control, and its value does not follow from the program: an input, a timer, a load, a
+position that no block has named, an offset that nobody gave. Said once in a program, with all such variables that
+it reads. Chordal takes the values from `[macros]
 variables` of the machine file or from `--set '#1001=1'`; without one the value is unknown, and so is what is
 computed from it: see CH726."#;
 
@@ -123,12 +124,13 @@ be whole, check the computation; if not, write ROUND or FIX so that a reader see
     r#"`#3006=n (TEXT)` stops the program, as M0 does, and shows the text to the operator."#;
 
     SkipAssumed = 723, "skip-assumed", Note;
-    "where a skip move stops is assumed";
+    "where a skip move stops is assumed: the path is not verified from here on";
     r#"A probe or skip move (G31, LinuxCNC G38.2 to G38.5) ends where the probe touches the part; no program
-says where that is. The machine file says what to assume:
+says where that is. Without a word in the machine file Chordal lets it touch where the move ends, and verifies
+nothing of what follows. The machine file says where it touches, and the run is whole:
 
     [probe]
-    hit = "end"             # it touches where the move ends (the default)
+    hit = "end"             # it touches where the move ends
     hit = "none"            # it touches nothing
     hit = { Z = "-10 mm" }  # it touches where Z reaches -10 mm, work coordinates
 
@@ -187,8 +189,8 @@ Check a program that calls it; a macro in the same folder is found by its number
     UnknownTime = 730, "unknown-time", Note;
     "a feed or a dwell depends on a value that nobody gave";
     r#"The feed or the time of a dwell is computed from a variable whose value is not known (see CH726). The path is the
-same; the time of these moves is not counted, and the feed is not held against the limits of the machine. Said
-once in a program."#;
+same, and what `stock` says of it holds; the time of these moves is not counted, and the feed is not held against
+the limits of the machine. Said once in a program, which is not verified from this line on."#;
 
     VariableFile = 731, "variable-file", Warning;
     "a line of a file of variables cannot be read";
@@ -199,6 +201,11 @@ This line has none of the forms that such files have, and is left out:
     #500=12.5                        COMMON.VAR of a Mitsubishi, older Fanucs
     N500 V12.5                       .VAR of a Haas
     5220 1.0                         .var of LinuxCNC"#;
+
+    SkipByMachineFile = 732, "skip-by-machine-file", Note;
+    "a skip move stops where the machine file says";
+    r#"A probe or skip move ends where the probe touches the part, and `[probe] hit` of the machine file says where that
+is. The path and the positions that the program reads afterwards are those of that touch, and of no other."#;
 
     NumberOutOfRange = 740, "number-out-of-range", Warning;
     "a value is outside the range of the control";

@@ -105,13 +105,21 @@ impl Code {
             | Code::MissingSubprogram
             | Code::UnsupportedMacro
             | Code::BudgetReached => matches!(severity, Severity::Error),
-            Code::ReadingNotKnown | Code::UnknownPath | Code::AssumedBranch | Code::MacroAlone => {
-                true
-            }
+            Code::ReadingNotKnown
+            | Code::UnknownPath
+            | Code::AssumedBranch
+            | Code::SkipAssumed
+            | Code::InputNotAnswered
+            | Code::MacroAlone => true,
             // A note says that the tip is taken as programmed.
             Code::TipNotKnown => !matches!(severity, Severity::Note),
             _ => false,
         }
+    }
+
+    /// The time is not known from there on: a feed, a speed or a wait depends on what nobody gave.
+    pub const fn loses_time(self) -> bool {
+        matches!(self, Code::UnknownTime)
     }
 
     /// What the registry knows of it.

@@ -117,4 +117,17 @@ is assumed and the program is verified."#;
     "how fast the program cuts depends on a control that nothing names";
     r#"The controls that the program may be for go the same path, at other feeds. The time is that of the control that
 was assumed. Name the machine: `--machine haas-vf2`."#;
+
+    BlockDeleteDecides = 218, "block-delete-decides", Note;
+    "block delete decides about a mode or a value that later blocks use";
+    r#"A block behind `/` changes how the blocks after it are carried out: G91, another plane or unit, an offset, a
+variable. With the switch the other way they go elsewhere:
+
+    /G91
+    X5.                      X to 5, or by 5
+
+Chordal runs the program as the switch is said to be (`--block-delete`, off without it), and once the other way: what
+only that run finds is listed with a note. Said once in a program. `--block-delete=both` asks for both runs whatever
+the blocks behind `/` do. If both ways are meant to end alike, say the mode again behind the blocks that may be left
+out."#;
 }

@@ -90,6 +90,11 @@ pub(super) fn problems(
         },
         "verified": report.verified(),
         "not_verified_from": report.not_verified_line(sources).map(|(file, line)| json!({ "file": file, "line": line })),
+        "other_sides": {
+            "run": places(&report.other_sides.run, sources),
+            "left_out": places(&report.other_sides.left_out, sources),
+            "block_delete": report.other_sides.block_delete,
+        },
         "diagnostics": diagnostics,
         "dropped": dropped,
     });
@@ -98,6 +103,15 @@ pub(super) fn problems(
     insert_reading(&mut object, reading, sources);
     object.extend(members(found));
     object
+}
+
+/// Where things begin: files and lines.
+fn places(spans: &[Span], sources: &SourceMap) -> Vec<Value> {
+    let place = |span: &Span| {
+        let source = sources.get(span.file)?;
+        Some(json!({ "file": source.name(), "line": source.line_of(span.range.start) }))
+    };
+    spans.iter().filter_map(place).collect()
 }
 
 /// The members of an object.

@@ -113,6 +113,8 @@ fn what_was_dropped_is_counted() {
         dropped: collector.dropped().collect(),
         counts: collector.counts(),
         not_verified_from: collector.lost(),
+        path_lost_from: None,
+        other_sides: Default::default(),
         diagnostics: collector.into_sorted(),
         outcomes: Vec::new(),
     };

@@ -93,6 +93,13 @@ pub struct RunOptions {
     /// What else is to be reported of the program before its first block: what was assumed of it, lines of files
     /// next to it that cannot be read.
     pub notes: Arc<[Diagnostic]>,
+    /// Another run has taken the usual sides: what this one finds is added to it.
+    pub is_other_side: bool,
+    /// Both ways of block delete are asked for, whatever the blocks do.
+    pub both_block_deletes: bool,
+    /// The conditions of which nobody knows whether they are fulfilled, and that are taken as fulfilled: their files
+    /// and where they begin. The others are taken as not fulfilled.
+    pub fulfilled: Arc<BTreeSet<(FileId, u32)>>,
 }
 
 impl Default for RunOptions {
@@ -104,6 +111,9 @@ impl Default for RunOptions {
             assumed_machine: false,
             not_read: None,
             notes: Arc::new([]),
+            is_other_side: false,
+            both_block_deletes: false,
+            fulfilled: Arc::default(),
         }
     }
 }
@@ -117,6 +127,9 @@ impl fmt::Debug for RunOptions {
             .field("assumed_machine", &self.assumed_machine)
             .field("not_read", &self.not_read.is_some())
             .field("notes", &self.notes.len())
+            .field("is_other_side", &self.is_other_side)
+            .field("both_block_deletes", &self.both_block_deletes)
+            .field("fulfilled", &self.fulfilled)
             .finish()
     }
 }
@@ -232,6 +245,8 @@ struct Reported {
     points_seen: bool,
     excess_decimals: bool,
     sender_changes_tools: bool,
+    /// A block behind block delete that decides about others.
+    deletable: bool,
     /// Another channel, and the second spindle of a lathe.
     channels: bool,
     second_spindle: bool,
@@ -360,7 +375,7 @@ impl<'a> Interpreter<'a> {
             stopped: None,
             shop: shop::ShopState::new(program),
             kept_modes: Vec::new(),
-            references: [[None; AXES]; 2],
+            references: macros::given_references(machine, control),
             judge: None,
             looked: Cell::new(None),
         }
@@ -497,6 +512,9 @@ impl<'a> Interpreter<'a> {
             BlockKind::Folder => return Flow::Next,
             BlockKind::Macro(range) => {
                 let form = self.rules().form;
+                if block.delete.is_some() {
+                    self.note_deletable(block);
+                }
                 if form != MacroForm::None && self.is_deleted(block) {
                     return Flow::Next;
                 }
@@ -512,12 +530,13 @@ impl<'a> Interpreter<'a> {
                 }
             }
         }
-        if let Some(delete) = block.delete
-            && self.machine.switches.block_delete[delete.switch.min(9) as usize]
-        {
-            block.truncate(delete.from_word);
-        } else if block.delete.is_some() && self.control.parameters.plain_block_delete {
-            self.check_block_delete(block);
+        if let Some(delete) = block.delete {
+            self.note_deletable(block);
+            if self.machine.switches.block_delete[delete.switch.min(9) as usize] {
+                block.truncate(delete.from_word);
+            } else if self.control.parameters.plain_block_delete {
+                self.check_block_delete(block);
+            }
         }
         if block.is_idle() {
             return Flow::Next;

@@ -18,26 +18,30 @@ impl Interpreter<'_> {
     /// The end point that the axis words of a block give, and the axes they name.
     #[inline]
     pub(super) fn target(&mut self, block: &Block) -> (Position, AxisMask) {
-        if self.kernel.state.polar.is_some() {
-            return self.target_by_angle(block);
-        }
-        if self.kernel.state.surface.is_some() {
-            return self.target_on_surface(block);
+        if self.kernel.state.polar.is_some() || self.kernel.state.surface.is_some() {
+            let (target, named) = match self.kernel.state.polar.is_some() {
+                true => self.target_by_angle(block),
+                false => self.target_on_surface(block),
+            };
+            if !self.kernel.state.incremental {
+                self.kernel.state.leave_start(named);
+            }
+            return (target, named);
         }
         let from = self.kernel.state.believed.unwrap_or(self.kernel.state.position);
         let mut target = from;
         let mut named = AxisMask::NONE;
-        let is_astray = self.kernel.state.astray != AxisMask::NONE;
+        let mut absolute = AxisMask::NONE;
         let left_to_right = self.control.table.distance_left_to_right && block.letters().has(b'G');
         for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6 && !word.comma {
                 let Some(value) = self.axis_value(word, axis) else { continue };
-                target[axis] =
-                    if self.kernel.state.incremental { from[axis] + value } else { value };
-                if is_astray && !self.kernel.state.incremental {
-                    // An absolute coordinate makes the place of its axis known again.
-                    self.kernel.state.astray.remove(axis);
+                if self.kernel.state.incremental {
+                    target[axis] = from[axis] + value;
+                } else {
+                    target[axis] = value;
+                    absolute.insert(axis);
                 }
                 named.insert(axis);
             } else if let Some(axis) = self.increment_axis(word) {
@@ -48,6 +52,9 @@ impl Interpreter<'_> {
                 self.distance_word(word);
             }
         }
+        // An absolute coordinate makes the place of its axis known.
+        self.kernel.state.leave_start(absolute);
+        self.kernel.state.astray = self.kernel.state.astray.without(absolute);
         if !block.polar.is_empty() {
             self.radius_and_angle(block, &mut target, &mut named);
         }

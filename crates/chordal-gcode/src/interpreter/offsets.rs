@@ -453,6 +453,9 @@ impl Interpreter<'_> {
             return self.kernel.missing_word(span, message, "P1 to P6 are G54 to G59");
         };
         let values = self.axis_words(block);
+        if !from_position {
+            self.check_added_values(block, &key, &values);
+        }
         let offsets = &self.kernel.state.offsets;
         if key == offsets.key(offsets.active()) {
             self.take_written_offsets();
@@ -487,6 +490,7 @@ impl Interpreter<'_> {
         };
         let key = self.kernel.state.offsets.key(WorkName::Extended(number as u16));
         let values = self.axis_words(block);
+        self.check_added_values(block, &key, &values);
         self.kernel.write_work_values(&key, &values, false);
     }
 

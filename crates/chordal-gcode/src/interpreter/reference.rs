@@ -269,6 +269,11 @@ impl Interpreter<'_> {
         std::array::from_fn(|axis| stored[axis].or(of_machine[axis]))
     }
 
+    /// The place of a reference point on an axis where it is stored (LinuxCNC #5161 to #5186).
+    pub(super) fn stored_reference(&self, number: usize, axis: usize) -> Option<f64> {
+        self.references[number - 1][axis]
+    }
+
     /// G28.1 and G30.1.
     pub(super) fn store_reference(&mut self, second: bool) {
         let state = &self.kernel.state;

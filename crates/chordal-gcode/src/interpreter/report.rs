@@ -2,9 +2,9 @@
 
 use chordal_command::Side;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
-use chordal_dialect::{Action, MotionCode};
+use chordal_dialect::{Action, MotionCode, OnceCode};
 use chordal_dialect::{CodeRow, CycleField, Field, ToolWord, code_name, code_number};
-use chordal_syntax::{Block, Letters, Word};
+use chordal_syntax::{Block, BlockKind, Letters, Word};
 
 use super::Interpreter;
 use crate::macro_alone::MissingCall;
@@ -173,6 +173,56 @@ impl Interpreter<'_> {
             Diagnostic::new(Code::BlockDeleteForm, span, message).help(help),
             &format!("Bad character '{bad}' used"),
         );
+    }
+
+    /// Notes the first block under block delete that changes how those after it are carried out.
+    #[cold]
+    pub(super) fn note_deletable(&mut self, block: &Block) {
+        if self.reported.deletable {
+            return;
+        }
+        let Some(delete) = block.delete else { return };
+        let mut words = block.words.iter().skip(delete.from_word);
+        let is_statement = matches!(block.kind, BlockKind::Macro(_));
+        if !is_statement && !words.any(|word| self.changes_modes(word)) {
+            return;
+        }
+        self.reported.deletable = true;
+        let message =
+            "block delete decides about a mode or a value that the blocks after this one use";
+        self.kernel.report(
+            Diagnostic::new(Code::BlockDeleteDecides, self.span(block.range), message)
+                .label("the first such block")
+                .help("say both times what the blocks after it need, or leave out the `/`"),
+        );
+    }
+
+    fn changes_modes(&self, word: &Word) -> bool {
+        let code = word.number().and_then(code_number).filter(|_| word.letter == b'G');
+        let row = code.and_then(|code| self.control.g_code(code));
+        row.is_some_and(|row| match row.action {
+            Action::Reading(_) | Action::Mode(_) | Action::Length(_) | Action::NotFollowed => true,
+            Action::Once(code) => matches!(
+                code,
+                OnceCode::SetData
+                    | OnceCode::LocalShift
+                    | OnceCode::PresetPosition
+                    | OnceCode::ClearPreset { .. }
+                    | OnceCode::RestorePreset
+                    | OnceCode::Rotation
+                    | OnceCode::Scaling
+                    | OnceCode::Mirror { .. }
+                    | OnceCode::MirrorOff
+                    | OnceCode::Surface(_)
+            ),
+            Action::Before(_)
+            | Action::Motion(_)
+            | Action::Cycle(_)
+            | Action::After(_)
+            | Action::Call(_)
+            | Action::NoEffect
+            | Action::NotSimulated => false,
+        })
     }
 
     /// What the control asks of the words of its codes.

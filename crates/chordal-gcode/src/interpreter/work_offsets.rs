@@ -3,6 +3,7 @@
 use chordal_command::WorkName;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::CodeRow;
+use chordal_machine::{AXES, AXIS_LETTERS, PerAxis};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
@@ -67,6 +68,27 @@ impl Interpreter<'_> {
                 &format!("P1 to P6 are G54 to G59, and P{MOST_COUNTED} is the last"),
             ),
         }
+    }
+
+    /// What is added to a value that nobody gave is not known either.
+    pub(super) fn check_added_values(
+        &mut self,
+        block: &Block,
+        key: &str,
+        values: &PerAxis<Option<f64>>,
+    ) {
+        if !self.kernel.adds_to_work_values() {
+            return;
+        }
+        let offsets = &self.kernel.state.offsets;
+        let is_missing =
+            |axis: usize| values[axis].is_some() && offsets.work_value(key, axis).is_none();
+        let Some(axis) = (0..AXES).find(|axis| is_missing(*axis)) else { return };
+        let letter = AXIS_LETTERS.as_bytes()[axis] as char;
+        let message = format!("`{letter}` is added to that of {key}, which is not given");
+        let help = format!("give it in the machine file: `[work_offsets.{key}]`");
+        let span = self.words_span(block, Letters(1 << (letter as u8 - b'A')));
+        self.lose_path_once(span, message, help);
     }
 
     fn report_no_offset(&mut self, block: &Block, message: String, help: &str) {

@@ -19,6 +19,8 @@ pub(crate) enum Cause {
     Variable(u32),
     /// A variable written with letters: its place in the grammar's list, and its number.
     Letters(u8, u32),
+    /// A named variable of the control: its place among the names that the run has met.
+    Name(u32),
 }
 
 impl Value {

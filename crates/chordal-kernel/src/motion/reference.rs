@@ -47,6 +47,7 @@ impl Kernel<'_> {
         state.known = state.known.without(named).or(place_known);
         state.machine_known = state.machine_known.or(named);
         state.astray = state.astray.without(named);
+        state.leave_machine_start(named);
         let motion = Move { from, to: state.position, from_known, to_known: state.known };
         self.emit(CommandKind::Rapid { motion, path: self.rules.rapid });
     }
@@ -87,6 +88,7 @@ impl Kernel<'_> {
         self.state.stand_at(work, known);
         self.state.machine_known = self.state.machine_known.or(named);
         self.state.astray = self.state.astray.without(named);
+        self.state.leave_machine_start(named);
         Move { from, to: self.state.position, from_known, to_known: self.state.known }
     }
 }

@@ -222,11 +222,15 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
             })?;
         }
         "<variable>" => {
-            let digits = key.strip_prefix('#').unwrap_or(key);
-            keys.number = whole(digits).filter(|number| *number > 0).ok_or_else(|| {
-                let help =
-                    "a variable is named by its number, such as `macros.variables.500`".to_string();
-                (format!("`{key}` is not the number of a variable"), help)
+            let name = key.strip_prefix('#').unwrap_or(key);
+            if let Some(name) = variable_name(name) {
+                keys.name = name;
+                return Ok(());
+            }
+            keys.number = whole(name).filter(|number| *number > 0).ok_or_else(|| {
+                let help = "a variable is named by its number, such as `macros.variables.500`, or by the name that a \
+                            control gives it, such as `macros.variables.\"<_hal[spindle.0.at-speed]>\"`";
+                (format!("`{key}` is not a variable"), help.to_string())
             })?;
         }
         "<code>" => {
@@ -255,6 +259,13 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
         _ => keys.name = key.to_string(),
     }
     Ok(())
+}
+
+/// The name of a variable written in angle brackets, as controls compare names: in lower case, without blanks.
+fn variable_name(key: &str) -> Option<String> {
+    let name = key.strip_prefix('<')?.strip_suffix('>')?;
+    let name: String = name.chars().filter(|letter| !letter.is_whitespace()).collect();
+    (!name.is_empty()).then(|| name.to_lowercase())
 }
 
 /// No control has M codes of more than four digits, and ten times the number fits 16 bits.

@@ -499,8 +499,11 @@ pub(crate) const ROWS: &[Row] = &[
     ),
     Row {
         path: "macros.variables.<variable>",
-        slot: Slot::Number(|m, k| m.macros.variables.entry(k.number).or_default()),
-        doc: "value of a macro variable when the program starts: common variables, inputs, timers and others that the program does not set",
+        slot: Slot::Number(|m, k| match k.name.as_str() {
+            "" => m.macros.variables.entry(k.number).or_default(),
+            name => m.macros.named_variables.entry(name.to_string()).or_default(),
+        }),
+        doc: "value of a macro variable when the program starts, by its number or by the name that the control gives it (`<_hal[spindle.0.at-speed]>`): common variables, inputs, timers and others that the program does not set",
     },
     Row {
         path: "macros.date",

@@ -43,7 +43,7 @@ use chordal::machine::{
 };
 
 use chordal::{Code, CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
-use chordal_compare::{Blocks, Category, Difference, FreePasses, Value};
+use chordal_compare::{Blocks, Category, Difference, FreePasses, Value, Verdict};
 
 use self::context::Context;
 pub(crate) use self::contours::{Contour, Contours};
@@ -57,6 +57,7 @@ use self::rendered::Rendered;
 use self::structure::Structure;
 use self::trace::Trace;
 pub(crate) use self::turning::station;
+use crate::sides::prove_other_sides;
 use crate::source::Source;
 use crate::{Certificate, Change, prove, prove_contour};
 
@@ -193,6 +194,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
     let mut plan = Plan::new(&context, options);
     // Writing out more may end worse than before: the nearest attempt is the one that is shown.
     let mut best = usize::MAX;
+    let mut terms = (Free::default(), false);
     let mut tried: BTreeMap<u32, Refusal> = BTreeMap::new();
     for round in 0..MOST_ROUNDS {
         let Rendered { lines, changes, refusals, printed, unwritten } = plan.render();
@@ -205,7 +207,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
                 passes: passes::lines(&context, &plan, &layout),
             },
         };
-        let certificate = proof(&trace, [old, &new], options, free, printed);
+        let certificate = proof(&trace, [old, &new], options, free.clone(), printed);
         let holds = certificate.holds() && refusals.is_empty();
         let more = !holds
             && round + 1 < MOST_ROUNDS
@@ -216,6 +218,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         let faults = refusals.len() + certificate.comparison.differences.len();
         if holds || faults < best {
             best = faults;
+            terms = (free, printed);
             conversion.text = layout.text;
             conversion.changes = changes;
             conversion.refusals = refusals;
@@ -228,7 +231,27 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         }
     }
     explain(&mut conversion, tried);
+    prove_sides(&mut conversion, old, |old, new| {
+        let (free, printed) = terms.clone();
+        proof(&trace, [old, new], options, free, printed)
+    });
     conversion
+}
+
+/// Refuses a conversion that is right for one way through the program and not for another.
+fn prove_sides(conversion: &mut Conversion, old: &Job, prove: impl Fn(&Job, &Job) -> Certificate) {
+    if !conversion.refusals.is_empty() {
+        return;
+    }
+    let Some(new) = conversion.job("converted") else { return };
+    let Some(mut certificate) = conversion.certificate.take() else { return };
+    let before = certificate.comparison.verdict;
+    let said = prove_other_sides([old, &new], &mut certificate, prove);
+    let is_different = certificate.comparison.verdict == Verdict::Different;
+    if let Some(reason) = said.filter(|_| is_different && before != Verdict::Different) {
+        conversion.refusals.push(Refusal { line: 0, words: String::new(), reason });
+    }
+    conversion.certificate = Some(certificate);
 }
 
 /// Blocks that differ are refused where the attempt to write them out has shown why they cannot be converted.
@@ -249,7 +272,7 @@ fn explain(conversion: &mut Conversion, tried: BTreeMap<u32, Refusal>) {
 }
 
 /// The lines of both texts whose cycles may be made in other steps.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Free {
     pecks: [BTreeSet<u32>; 2],
     passes: [FreePasses; 2],

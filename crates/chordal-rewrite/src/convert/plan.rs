@@ -5,7 +5,7 @@ use chordal::control::{Mark, marks};
 use std::collections::{BTreeMap, BTreeSet};
 
 use chordal::CommandKind;
-use chordal::syntax::BlockKind;
+use chordal::syntax::{Block, BlockKind, Value, Word};
 
 use super::comments;
 use super::context::Context;
@@ -18,6 +18,13 @@ use super::trace::Exec;
 use super::turning;
 use super::{Options, Refusal};
 use crate::Change;
+
+/// What a block does depends on values: a statement, or a word that is computed.
+fn is_by_value(block: &Block) -> bool {
+    let is_computed =
+        |word: &Word| matches!(word.value, Value::Expression(_) | Value::Register { .. });
+    matches!(block.kind, BlockKind::Macro(_)) || block.words.iter().any(is_computed)
+}
 
 /// The decisions made so far.
 pub(crate) struct Plan<'c, 'a> {
@@ -156,9 +163,26 @@ impl<'c, 'a> Plan<'c, 'a> {
             self.flattened(&mut rendered);
             let flat: Vec<bool> = self.flat.iter().map(Option::is_some).collect();
             initial::begin(self.context, &flat, &mut rendered);
+            self.refuse_assumed(&mut rendered);
             rendered.changes.sort_by_key(|change| change.line);
             return rendered;
         }
+    }
+
+    /// A statement, a computed word or a call that is written out is what one run did. Where that run has assumed a
+    /// value it is not what the program says.
+    fn refuse_assumed(&self, rendered: &mut Rendered) {
+        let Some(assumed) = &self.context.trace.assumed else { return };
+        let blocks = self.context.source.blocks.iter().enumerate();
+        let written_out = blocks.filter(|(at, block)| !self.is_kept(*at) && is_by_value(block));
+        rendered.refusals.extend(written_out.map(|(at, block)| Refusal {
+            line: block.line,
+            words: self.context.source.words(at),
+            reason: format!(
+                "it would have to be written out as one run does it, and nobody knows whether that run is right: {}",
+                assumed.message
+            ),
+        }));
     }
 
     /// Runs that another block's lines already hold.

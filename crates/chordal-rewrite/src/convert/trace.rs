@@ -10,9 +10,14 @@ use chordal::control::{
     RotarySurface, Side, SpindleState, Units, WorkName,
 };
 use chordal::geometry::Plane;
-use chordal::{Command, CommandKind, Diagnostic, Job, Sink, Span};
+use chordal::{Code, Command, CommandKind, Diagnostic, Job, Sink, Span};
 
 use crate::source::Source;
+
+/// Said where what a run does depends on a value that nobody gave.
+fn is_of_unknown_value(code: Code) -> bool {
+    matches!(code, Code::UnknownPath | Code::UnknownTime | Code::AssumedBranch | Code::SkipAssumed)
+}
 
 /// What is active after a block.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -101,6 +106,8 @@ pub(crate) struct Trace {
     pub facts: Vec<Facts>,
     /// The calling blocks, innermost first, by the numbers that runs have.
     pub paths: Vec<Vec<Span>>,
+    /// The first thing that the run assumed because nobody knows a value.
+    pub assumed: Option<Diagnostic>,
 }
 
 struct Gather<'s, 'a> {
@@ -121,7 +128,11 @@ impl Sink for Gather<'_, '_> {
         self.trace.commands.push(command.clone());
     }
 
-    fn diagnostic(&mut self, _: Diagnostic) {}
+    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+        if self.trace.assumed.is_none() && is_of_unknown_value(diagnostic.code) {
+            self.trace.assumed = Some(diagnostic);
+        }
+    }
 }
 
 impl RunSink for Gather<'_, '_> {
@@ -194,6 +205,7 @@ impl Trace {
             commands: Vec::new(),
             facts: vec![Facts::default(); source.blocks.len()],
             paths: vec![Vec::new()],
+            assumed: None,
         };
         let control = job.control();
         let per_x = match control.parameters.starts_with_radii {

@@ -29,6 +29,7 @@ use chordal::geometry::{Transform, Vec3};
 use chordal::syntax::{Block, BlockKind, BlockReader};
 use chordal_compare::{Category, Mapping, Options, Verdict};
 
+use crate::sides::prove_other_sides;
 use crate::source::first_text;
 use crate::{Certificate, Change, prove_mapped};
 
@@ -321,6 +322,10 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
     let new = job.with_text(text.clone());
     let prove = || prove_mapped(job, &new, &options, &all.expected, &all.mapping);
     let mut certificate = all.certificate.unwrap_or_else(prove);
+    let compared = prove_other_sides([job, &new], &mut certificate, |old, new| {
+        prove_mapped(old, new, &options, &all.expected, &all.mapping)
+    });
+    all.notes.extend(compared);
     let comparison = &mut certificate.comparison;
     let moves = comparison.moves.iter().any(|moves| *moves > 0);
     if comparison.max_distance_mm.is_none() && moves && text != first_text(job) {

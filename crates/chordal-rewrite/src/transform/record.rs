@@ -1,18 +1,19 @@
 //! What every block of the text did each time it ran.
 
 use chordal::RunSink;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use chordal::control::{Action, CycleKind, MotionCode};
 use chordal::control::{
     ArcCenter, ArcShape, AxisMask, FeedMode, Modal, Origin, Position, Side, Units,
 };
-use chordal::diagnostics::FileId;
+use chordal::diagnostics::{Code, FileId};
 use chordal::geometry::Plane;
-use chordal::{Command, CommandKind, Diagnostic, Job, Sink};
+use chordal::{Command, CommandKind, Diagnostic, Job, MOST_SIDE_RUNS, Sink};
 
 use crate::convert::Contours;
-use crate::source::Source;
+use crate::sides::block_delete_runs;
+use crate::source::{Source, first_text};
 
 /// What the words of a block are read by.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -67,7 +68,11 @@ pub(super) struct Run {
 #[derive(Clone, Debug)]
 pub(super) struct Runs {
     pub(super) first: Run,
+    /// How often it ran, in the run in which it did so most.
     pub(super) count: u32,
+    /// The same of the last run that it was in, and which one that is.
+    count_here: u32,
+    run: u32,
     /// Which block of the run it was the first time, from 0.
     pub(super) order: u32,
     /// Each way in which its words were read.
@@ -86,6 +91,12 @@ pub(super) struct Record {
     pub(super) blocks: HashMap<u32, Runs>,
     /// The first move of a block that stands in another text: its file and line.
     pub(super) elsewhere: Option<(FileId, u32)>,
+    /// What was assumed in the run under way.
+    assumed: Vec<Diagnostic>,
+    /// The run under way, from 0: those after the first take other sides.
+    run: u32,
+    /// Blocks that block delete takes in the run under way, by the byte that they begin at.
+    deleted: HashSet<u32>,
     /// How many blocks ran.
     ran: u32,
     last: Option<(Position, AxisMask, bool)>,
@@ -132,11 +143,37 @@ impl Record {
         record
     }
 
+    /// With the blocks of both sides of conditions that nobody knows, and with block delete on and off.
     pub(super) fn of(job: &Job) -> Record {
+        let deletable = deletable_blocks(job);
         let mut record = Record::default();
-        job.run(&mut record);
+        let first = record.run(job, &deletable);
+        let block_delete = block_delete_runs(job);
+        job.run_other_sides(&first, MOST_SIDE_RUNS, block_delete, |side, _| {
+            record.run(&side, &deletable)
+        });
         record
     }
+
+    /// Runs once more, and gives what was assumed.
+    fn run(&mut self, job: &Job, deletable: &HashSet<u32>) -> Vec<Diagnostic> {
+        let is_deleting = job.machine().switches.block_delete.contains(&true);
+        self.deleted = if is_deleting { deletable.clone() } else { HashSet::new() };
+        (self.last, self.reached, self.did) = (None, None, Doing::default());
+        job.run(self);
+        self.run += 1;
+        std::mem::take(&mut self.assumed)
+    }
+}
+
+/// Blocks of the first text that block delete takes as a whole, by the byte that they begin at.
+fn deletable_blocks(job: &Job) -> HashSet<u32> {
+    if !first_text(job).contains(&b'/') {
+        return HashSet::new();
+    }
+    let blocks = Source::of(job).blocks;
+    let deletable = blocks.iter().filter(|block| block.delete.is_some_and(|delete| delete.first));
+    deletable.map(|block| block.range.start).collect()
 }
 
 impl Sink for Record {
@@ -180,7 +217,11 @@ impl Sink for Record {
         did.moves += 1;
     }
 
-    fn diagnostic(&mut self, _: Diagnostic) {}
+    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+        if matches!(diagnostic.code, Code::AssumedBranch | Code::BlockDeleteDecides) {
+            self.assumed.push(diagnostic);
+        }
+    }
 }
 
 impl RunSink for Record {
@@ -194,7 +235,8 @@ impl RunSink for Record {
         let before = self.last.unwrap_or((modal.position, AxisMask::NONE, modal.incremental));
         let from = did.from.unwrap_or((before.0, before.1));
         self.last = Some((modal.position, modal.known, modal.incremental));
-        if origin.span.file != FileId(0) {
+        let start = origin.span.range.start;
+        if origin.span.file != FileId(0) || self.deleted.contains(&start) {
             return;
         }
         let context = Context {
@@ -222,9 +264,11 @@ impl RunSink for Record {
         let order = self.ran;
         self.ran += 1;
         self.blocks
-            .entry(origin.span.range.start)
+            .entry(start)
             .and_modify(|runs| {
-                runs.count += 1;
+                runs.count_here = if runs.run == self.run { runs.count_here + 1 } else { 1 };
+                runs.run = self.run;
+                runs.count = runs.count.max(runs.count_here);
                 runs.same &= (runs.first.from, runs.first.to) == (run.from, run.to)
                     && runs.first.shape == run.shape
                     && runs.first.known == run.known;
@@ -237,6 +281,8 @@ impl RunSink for Record {
             .or_insert_with(|| Runs {
                 first: run,
                 count: 1,
+                count_here: 1,
+                run: self.run,
                 order,
                 contexts: vec![context],
                 same: true,

@@ -23,6 +23,7 @@ use super::setup::{Files, Named, SetupError, shift_between};
 use super::target::{TARGET_TOLERANCE, Target, TargetReport, look_at_target};
 use super::tools::{Piece, ToolBody, tools_of};
 use crate::job::Job;
+use crate::other_sides::MOST_STOCK_SIDE_RUNS;
 use crate::report::Report;
 
 /// Why there is no run on stock.
@@ -70,6 +71,27 @@ impl Job<'_> {
     /// # Errors
     /// As [`Job::stock`].
     pub fn stock_by(
+        &self,
+        options: &StockOptions,
+        files: Files<'_>,
+        runner: &Runner<'_>,
+    ) -> Result<StockReport, StockRunError> {
+        let mut found = self.stock_of_run(options, files, runner)?;
+        let mut touches = false;
+        self.add_other_sides(&mut found.report, MOST_STOCK_SIDE_RUNS, |job| {
+            // Where the other side does not even reach the part there is nothing to cut.
+            let Ok(side) = job.stock_of_run(options, files, runner) else { return Vec::new() };
+            touches |= side.verdict == StockVerdict::Problems;
+            side.report.diagnostics
+        });
+        if touches {
+            found.verdict = StockVerdict::Problems;
+        }
+        Ok(found)
+    }
+
+    /// Cuts with one run.
+    fn stock_of_run(
         &self,
         options: &StockOptions,
         files: Files<'_>,
@@ -396,7 +418,7 @@ fn finish(
     // A spindle that was started without a speed does not turn either; the run itself knows which one does.
     let is_still = report.diagnostics.iter().any(|found| found.code == Code::SpindleStopped);
     let has_problems = problems.hits > 0 || report.counts.errors > 0 || is_still;
-    let is_proved = is_proved && report.verified() && knows_tips(&report);
+    let is_proved = is_proved && report.is_path_verified() && knows_tips(&report);
     report.add(problems.diagnostics);
     let Cut { checked: Checked { stock, refined, .. }, volumes, others, .. } = cut;
     let [mut removed_mm3, mut left_mm3] =

@@ -13,7 +13,8 @@ use crate::motion::{
     MotionStep, PathPart, Piece, PlanSink, Planned, Planner, PlannerOptions, Planning, Step,
     StepSource, WithSources,
 };
-use crate::report::{Report, ReportSink, Watch};
+use crate::other_sides::{BlockDeleteRuns, MOST_SIDE_RUNS};
+use crate::report::{KEPT_PER_CODE, Report, ReportSink, Watch};
 
 /// The time of a run, and how it was planned.
 #[derive(Clone, Debug)]
@@ -23,6 +24,11 @@ pub struct Timed {
     /// Limits, what was assumed, and what could not be planned.
     pub motion: MotionReport,
 }
+
+/// Sees nothing of a run.
+pub(super) struct Unwatched;
+
+impl Watch for Unwatched {}
 
 impl Job<'_> {
     /// Runs, plans and adds up the time.
@@ -51,6 +57,38 @@ impl Job<'_> {
         let planning = Planning::with(limits, options, Planner::new, taker);
         let (motion, planning) = self.motion(options, planning)?;
         Ok(Timed { time: planning.finish().time.finish(), motion })
+    }
+
+    /// The least and the most time of the runs that take other sides of conditions which nobody knows, the first
+    /// run among them, s. `None` where no condition was assumed. Combinations of sides that were not run may take
+    /// less or more.
+    ///
+    /// # Errors
+    /// A limit of an axis that is not a positive number.
+    pub fn time_of_sides(
+        &self,
+        options: &MotionOptions,
+        report: &Report,
+        total_s: f64,
+    ) -> Result<Option<[f64; 2]>, LimitError> {
+        let (mut range, mut error) = ([total_s; 2], None);
+        let (first, as_needed) = (&report.diagnostics, BlockDeleteRuns::WhereItDecides);
+        let sides = self.run_other_sides(first, MOST_SIDE_RUNS, as_needed, |job, _| {
+            let (report, timed) = job.report_timed(options, u64::MAX, &mut Unwatched);
+            match timed {
+                Ok(Some(timed)) => {
+                    let side_s = timed.time.total_s();
+                    range = [range[0].min(side_s), range[1].max(side_s)];
+                }
+                Ok(None) => {}
+                Err(limit) => error = Some(limit),
+            }
+            report.diagnostics
+        });
+        match error {
+            Some(error) => Err(error),
+            None => Ok((!sides.is_empty()).then_some(range)),
+        }
     }
 
     fn timed<P: PathPart>(
@@ -104,7 +142,9 @@ impl Job<'_> {
             let (motion, planning) = motion.finish(outcomes.clone());
             Timed { time: planning.finish().finish(), motion }
         });
-        (report.finish(outcomes), Ok(timed))
+        let mut report = report.finish(outcomes);
+        self.check_other_sides(&mut report, KEPT_PER_CODE);
+        (report, Ok(timed))
     }
 }
 

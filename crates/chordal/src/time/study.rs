@@ -1,9 +1,10 @@
 //! The time of a program with everything that is asked along with it.
 
+use super::run::Unwatched;
 use super::{Alternative, ChordCost, Effort, LeastReport, Timed};
 use crate::job::Job;
 use crate::motion::{Level, LimitError, MotionOptions};
-use crate::report::{Report, Watch};
+use crate::report::Report;
 
 /// Most moves of a program that is planned again unasked: all changes together then take less
 /// than a second.
@@ -43,6 +44,8 @@ pub struct TimeQuestion {
 pub struct TimeStudy {
     /// The time.
     pub timed: Timed,
+    /// The least and the most time where it depends on conditions that nobody knows, s.
+    pub range_s: Option<[f64; 2]>,
     /// How hard the planner tried.
     pub level: Level,
     /// The same program with changes, where it was asked.
@@ -64,11 +67,6 @@ fn effort() -> Effort {
     Effort { most_nodes: 4_000, total_nodes: 12_000, ..Effort::default() }
 }
 
-/// Sees nothing of a run.
-struct Unwatched;
-
-impl Watch for Unwatched {}
-
 impl Job<'_> {
     /// Runs with all checks, plans, and answers the question. The report stands whether or not
     /// the limits let anything be planned. There is no time of a program with more moves than can
@@ -78,16 +76,15 @@ impl Job<'_> {
         question: &TimeQuestion,
     ) -> (Report, Result<Option<TimeStudy>, LimitError>) {
         let (report, timed) = self.report_timed(&question.options, u64::MAX, &mut Unwatched);
-        let study = timed.and_then(|timed| {
-            timed.map(|timed| self.study(timed, report.summary.inch, question)).transpose()
-        });
+        let study = timed
+            .and_then(|timed| timed.map(|timed| self.study(timed, &report, question)).transpose());
         (report, study)
     }
 
     fn study(
         &self,
         timed: Timed,
-        inch: bool,
+        report: &Report,
         question: &TimeQuestion,
     ) -> Result<TimeStudy, LimitError> {
         let options = &question.options;
@@ -97,11 +94,15 @@ impl Job<'_> {
             Again::Always => true,
         };
         let (what_if, chords) = if again && timed.time.moves > 0 {
-            (self.what_if(options, &self.changes())?, self.chord_costs(options, inch)?)
+            (
+                self.what_if(options, &self.changes())?,
+                self.chord_costs(options, report.summary.inch)?,
+            )
         } else {
             (Vec::new(), Vec::new())
         };
         let least = question.bound.then(|| self.least(options, effort())).transpose()?;
-        Ok(TimeStudy { timed, level: options.level, what_if, least, chords })
+        let range_s = self.time_of_sides(options, report, timed.time.total_s())?;
+        Ok(TimeStudy { timed, range_s, level: options.level, what_if, least, chords })
     }
 }

@@ -60,7 +60,7 @@ const SYSTEM: &[SystemRow] = &[
     system(2601, 2800, System::RadiusWear),
     system(3000, 3000, System::Alarm),
     system(3001, 3002, System::Timer),
-    system(3003, 3004, System::Kept),
+    system(3003, 3004, System::Switch),
     system(3006, 3006, System::Message),
     system(3011, 3011, System::Date),
     system(3012, 3012, System::Time),

@@ -36,38 +36,38 @@ impl Interpreter<'_> {
         let name = self.letters_name(letters);
         let at = self.letters_number(name, number, range)?;
         let axis = axis_of(name).unwrap_or(0);
-        let unit = self.unit();
-        let unknown = Value::Unknown(Cause::Letters(letters, at));
-        Ok(Value::Number(match name {
+        let state = &self.kernel.state;
+        let shown = |place: Option<f64>| Some(self.axis_out(axis, place?));
+        let value = match name {
             "V" => {
                 let written = self.macros.lines.variables.get(at as usize).copied().flatten();
-                return Ok(written.unwrap_or(unknown));
+                return Ok(written.unwrap_or(Value::Unknown(Cause::Letters(letters, at))));
             }
             "R" => match self.registers[at as usize] {
-                Some(register) => register.to_f64(),
+                Some(register) => Some(register.to_f64()),
                 None => return Ok(Value::Unknown(self.cause_of_register(letters, at))),
             },
-            "AX" | "AY" | "AZ" | "AA" | "AB" | "AC" => {
-                self.axis_out(axis, self.kernel.state.position[axis])
-            }
+            "AX" | "AY" | "AZ" | "AA" | "AB" | "AC" => shown(state.known_position(axis)),
             "PX" | "PY" | "PZ" | "PA" | "PB" => {
-                self.axis_out(axis, self.macros.probe.points[at as usize - 1][axis])
+                let point = self.macros.probe.points[at as usize - 1][axis];
+                shown(self.macros.probe.skipped.then_some(point))
             }
             "FX" | "FY" | "FZ" | "FA" | "FB" => {
-                let key = self.kernel.state.offsets.key(WorkName::E(at as u16));
-                self.axis_out(axis, self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0))
+                let key = state.offsets.key(WorkName::E(at as u16));
+                shown(state.offsets.known_work_value(&key, axis))
             }
-            "H" => self.kernel.state.offsets.length_mm(at).unwrap_or(0.0) / unit,
-            "D" => 2.0 * self.kernel.state.offsets.radius_mm(at).unwrap_or(0.0) / unit,
-            "TN" => f64::from(self.kernel.state.tool),
-            "TL" => f64::from(self.kernel.state.offsets.length().number.unwrap_or(0)),
+            "H" => state.offsets.length_mm(at).map(|length| length / self.unit()),
+            "D" => state.offsets.radius_mm(at).map(|radius| 2.0 * radius / self.unit()),
+            "TN" => self.tool_in_spindle(),
+            "TL" => Some(f64::from(state.offsets.length().number.unwrap_or(0))),
             "VF" => self.feed_word(),
-            "G" if at == 1 => 1.0 + self.motion_code(),
-            _ => match self.macros.lines.written.get(&(letters, at)) {
-                Some(value) => return Ok(*value),
-                None => return Ok(unknown),
-            },
-        }))
+            "G" if at == 1 => Some(1.0 + self.motion_code()),
+            _ => {
+                let written = self.macros.lines.written.get(&(letters, at)).copied();
+                return Ok(written.unwrap_or(Value::Unknown(Cause::Letters(letters, at))));
+            }
+        };
+        Ok(Value::or_unknown(value, Cause::Letters(letters, at)))
     }
 
     pub(super) fn write_letters(

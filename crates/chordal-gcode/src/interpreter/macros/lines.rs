@@ -12,6 +12,7 @@ use chordal_syntax::{
 
 use super::super::literals::trim;
 use super::super::{EndReason, Flow, Interpreter};
+use super::ConditionOf;
 use crate::macros::evaluate::Purpose;
 use crate::macros::names::normal;
 use crate::macros::value::Value;
@@ -105,7 +106,9 @@ impl<'a> Interpreter<'a> {
             if let LineStatement::If(condition) = statement {
                 let purpose = Purpose { condition: true, ..self.line_purpose() };
                 let value = self.value_of(&parser, condition, purpose);
-                if value.is_some_and(|value| self.is_true(value, condition.range)) {
+                if value
+                    .is_some_and(|value| self.is_true(value, condition.range, ConditionOf::Branch))
+                {
                     continue;
                 }
                 break;

@@ -11,6 +11,7 @@ mod flow;
 mod letters;
 mod lines;
 mod memory;
+mod modal;
 mod named;
 mod output;
 mod owords;
@@ -30,6 +31,7 @@ use chordal_machine::{AXES, Machine};
 use chordal_syntax::{Expression, ExpressionParser, Op, Position as TextPosition, Target, Word};
 
 pub(super) use memory::MacroMemory;
+pub(super) use system::given_references;
 
 use super::Interpreter;
 
@@ -37,6 +39,15 @@ use crate::macros::evaluate::{Fault, Purpose, Variables, evaluate};
 use crate::macros::names::Names;
 use crate::macros::value::{Truth, Value};
 use crate::macros::variables::VariableStore;
+
+/// What depends on a condition.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum ConditionOf {
+    /// IF.
+    Branch,
+    /// WHILE: it is met again after each pass.
+    Loop,
+}
 
 /// What a run keeps for its macro statements.
 pub(super) struct MacroState<'a> {
@@ -172,23 +183,25 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Whether a condition holds. One that depends on an unknown value is taken as one that does not.
-    fn holds(&mut self, parser: &ExpressionParser<'a>, condition: Expression) -> bool {
+    /// Whether a condition holds. One that depends on an unknown value is assumed.
+    fn holds(
+        &mut self,
+        parser: &ExpressionParser<'a>,
+        condition: Expression,
+        of: ConditionOf,
+    ) -> bool {
         let Some(value) = self.value_of(parser, condition, Purpose::CONDITION) else {
             return false;
         };
-        self.is_true(value, condition.range)
+        self.is_true(value, condition.range, of)
     }
 
     /// The same of a value that is there already.
-    fn is_true(&mut self, value: Value, range: TextRange) -> bool {
+    fn is_true(&mut self, value: Value, range: TextRange, of: ConditionOf) -> bool {
         match Truth::from(value) {
             Truth::Holds => true,
             Truth::Fails => false,
-            Truth::Unknown(cause) => {
-                self.assume_not(range, cause);
-                false
-            }
+            Truth::Unknown(cause) => self.assume(range, cause, of),
         }
     }
 

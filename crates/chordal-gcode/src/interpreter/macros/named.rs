@@ -6,6 +6,7 @@ use chordal_dialect::Action;
 use chordal_geometry::{Direction, Plane};
 use chordal_kernel::Motion;
 use chordal_kernel::rules::ArcCenter;
+use chordal_machine::AXES;
 
 use super::super::Interpreter;
 use crate::macros::evaluate::Fault;
@@ -19,8 +20,14 @@ impl Interpreter<'_> {
         if name == "_value" {
             return Ok(self.macros.owords.value);
         }
-        let predefined = || self.predefined(&name).map(Value::Number);
-        if let Some(value) = self.macros.names.get(&name).or_else(predefined) {
+        if let Some(value) = self.macros.names.get(&name) {
+            return Ok(value);
+        }
+        if let Some(value) = self.predefined(&name) {
+            let given = || self.machine.macros.named_variables.get(&name).copied();
+            let cause = self.cause_of_name(&name);
+            let value = Value::or_unknown(value.or_else(given), cause);
+            self.note_unknown(value, range);
             return Ok(value);
         }
         Err(Fault::new(
@@ -63,25 +70,53 @@ impl Interpreter<'_> {
         ))
     }
 
-    fn predefined(&self, name: &str) -> Option<f64> {
+    /// What a variable of the control shows; `Some(None)` where neither the program nor the machine file says it.
+    fn predefined(&self, name: &str) -> Option<Option<f64>> {
+        let name = name.strip_prefix('_')?;
         let state = &self.kernel.state;
-        let flag = |value: bool| if value { 1.0 } else { 0.0 };
-        let axis = |axis: usize| self.axis_out(axis, state.position[axis]);
-        let inch = state.units == Units::Inch;
-        Some(match name.strip_prefix('_')? {
+        let axis = |axis: usize| Some(self.axis_out(axis, state.known_position(axis)?));
+        let machine = |axis: usize| Some(self.axis_out(axis, state.known_machine_position(axis)?));
+        Some(match name {
             "x" => axis(0),
             "y" => axis(1),
             "z" => axis(2),
             "a" => axis(3),
             "b" => axis(4),
             "c" => axis(5),
+            "abs_x" => machine(0),
+            "abs_y" => machine(1),
+            "abs_z" => machine(2),
+            "abs_a" => machine(3),
+            "abs_b" => machine(4),
+            "abs_c" => machine(5),
+            "tool_offset" => self.has_tool_offset().map(|has| f64::from(u8::from(has))),
+            "feed" => self.feed_word(),
+            "rpm" => self.speed_word(),
+            "current_tool" => self.tool_in_spindle(),
+            "current_pocket" | "selected_pocket" => None,
+            // Pins and keys of the machine's own configuration.
+            _ if name.starts_with("hal[") || name.starts_with("ini[") => None,
+            _ => Some(self.predefined_state(name)?),
+        })
+    }
+
+    /// Whether the tool offsets in force are anything but zero, where they are known.
+    fn has_tool_offset(&self) -> Option<bool> {
+        let offsets = &self.kernel.state.offsets;
+        let mut has = false;
+        for axis in 0..AXES {
+            has |= offsets.known_tool_offset(axis)? != 0.0;
+        }
+        Some(has)
+    }
+
+    /// A variable of the control that shows its modes.
+    fn predefined_state(&self, name: &str) -> Option<f64> {
+        let state = &self.kernel.state;
+        let flag = |value: bool| if value { 1.0 } else { 0.0 };
+        let inch = state.units == Units::Inch;
+        Some(match name {
             "u" | "v" | "w" | "abs_u" | "abs_v" | "abs_w" => 0.0,
-            "abs_x" => self.axis_out(0, state.machine_position(0)),
-            "abs_y" => self.axis_out(1, state.machine_position(1)),
-            "abs_z" => self.axis_out(2, state.machine_position(2)),
-            "abs_a" => self.axis_out(3, state.machine_position(3)),
-            "abs_b" => self.axis_out(4, state.machine_position(4)),
-            "abs_c" => self.axis_out(5, state.machine_position(5)),
             "vmajor" => 2.9,
             "vminor" => 0.0,
             "line" => {
@@ -111,25 +146,19 @@ impl Interpreter<'_> {
                 WorkName::G59(number) => 590.0 + f64::from(number),
                 _ => 540.0,
             },
-            "tool_offset" => {
-                let offsets = state.offsets.tool_in_force();
-                flag(offsets.iter().any(|offset| *offset != 0.0))
-            }
             "retract_r_plane" => flag(state.return_to_r),
             "retract_old_z" => flag(!state.return_to_r),
             "spindle_rpm_mode" => 1.0,
             "spindle_css_mode" | "lathe_diameter_mode" | "lathe_radius_mode" => 0.0,
-            "adaptive_feed" | "task" | "remap_level" | "current_pocket" => 0.0,
-            "selected_pocket" => 0.0,
+            "adaptive_feed" | "remap_level" => 0.0,
+            // The interpreter of the machine runs, not that of a preview.
+            "task" => 1.0,
             "speed_override" | "feed_override" | "feed_hold" => 1.0,
             "ijk_absolute_mode" => flag(state.arc_center == ArcCenter::Absolute),
             "spindle_on" => flag(matches!(state.spindle, SpindleState::Cw | SpindleState::Ccw)),
             "spindle_cw" => flag(state.spindle == SpindleState::Cw),
             "mist" => flag(state.coolant.mist),
             "flood" => flag(state.coolant.flood),
-            "feed" => self.feed_word(),
-            "rpm" => state.rpm,
-            "current_tool" => f64::from(state.tool),
             "selected_tool" => state.selected_tool.map_or(-1.0, f64::from),
             // Read before, as it may be unknown.
             "value" => 0.0,

@@ -16,6 +16,7 @@ use chordal_syntax::{
 mod labels;
 
 use super::super::{EndReason, Flow, Interpreter};
+use super::ConditionOf;
 use crate::macros::evaluate::Purpose;
 use crate::macros::names::normal;
 use crate::macros::value::Value;
@@ -238,10 +239,10 @@ impl<'a> Interpreter<'a> {
     }
 
     /// True when the value behind the word is not zero.
-    fn bracket_holds(&mut self, parser: &mut ExpressionParser<'a>) -> bool {
+    fn bracket_holds(&mut self, parser: &mut ExpressionParser<'a>, of: ConditionOf) -> bool {
         let start = parser.rest();
         let value = self.bracket(parser, Purpose::CONDITION);
-        value.is_some_and(|value| self.is_true(value, start))
+        value.is_some_and(|value| self.is_true(value, start, of))
     }
 
     /// The value of the bracket that is due here.
@@ -264,7 +265,8 @@ impl<'a> Interpreter<'a> {
         let Some(here) = index.at(self.kernel.origin.span.range.start) else { return Flow::Next };
         let row = index.lines[here];
         let holds = match word {
-            FlowWord::If | FlowWord::While => self.bracket_holds(parser),
+            FlowWord::If => self.bracket_holds(parser, ConditionOf::Branch),
+            FlowWord::While => self.bracket_holds(parser, ConditionOf::Loop),
             _ => false,
         };
         if !matches!(word, FlowWord::Repeat | FlowWord::ElseIf) {
@@ -360,7 +362,7 @@ impl<'a> Interpreter<'a> {
                     let o = text.iter().position(|b| b.eq_ignore_ascii_case(&b'O')).unwrap_or(0);
                     parser.go_to(TextRange::new(rest.start + o as u32, rest.end));
                     parse_o_word(parser);
-                    self.bracket_holds(parser)
+                    self.bracket_holds(parser, ConditionOf::Branch)
                 }
                 _ => false,
             };

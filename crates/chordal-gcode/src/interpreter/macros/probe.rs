@@ -11,6 +11,8 @@ use super::super::literals::trim;
 /// What the probe moves found.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(in super::super) struct Probe {
+    /// There was one.
+    pub skipped: bool,
     /// The last one touched something.
     pub found: bool,
     /// Points that the program can read: the last touch is the first of them, mm and rad.
@@ -48,7 +50,7 @@ impl Interpreter<'_> {
         let (end, found) = self.probe_end(target);
         if !self.macros.probe.told {
             self.macros.probe.told = true;
-            self.report_assumption(span);
+            self.report_skip(span);
         }
         if !found && must_hit {
             self.kernel.report(
@@ -68,7 +70,7 @@ impl Interpreter<'_> {
         self.kernel.emit(CommandKind::Line { motion, feed });
         self.kernel.emit(CommandKind::Probed { hit: found });
         self.macros.used = true;
-        self.macros.probe.found = found;
+        (self.macros.probe.skipped, self.macros.probe.found) = (true, found);
         self.forget_probe_result();
         self.macros.skip = end;
         self.macros.probe.points[0] = end;
@@ -126,7 +128,8 @@ impl Interpreter<'_> {
         }
     }
 
-    fn report_assumption(&mut self, span: chordal_diagnostics::Span) {
+    /// What probe and skip moves touch: as the machine file says, or assumed.
+    fn report_skip(&mut self, span: chordal_diagnostics::Span) {
         let probe = &self.machine.probe;
         let planes: Vec<String> = (0..AXES)
             .filter_map(|axis| probe.planes[axis].map(|plane| (axis, plane)))
@@ -144,14 +147,16 @@ impl Interpreter<'_> {
             None if !planes.is_empty() => format!("touch at {}", planes.join(" or ")),
             _ => "touch where they end".to_string(),
         };
+        if probe.hit.is_some() || !planes.is_empty() {
+            let message = format!("probe and skip moves {what}, as the machine file says");
+            return self.kernel.report(Diagnostic::new(Code::SkipByMachineFile, span, message));
+        }
+        let message = format!("it is assumed that probe and skip moves {what}");
         self.kernel.report(
-            Diagnostic::new(
-                Code::SkipAssumed,
-                span,
-                format!("it is assumed that probe and skip moves {what}"),
-            )
-            .severity(Severity::Note)
-            .help("give it in the machine file: `[probe] hit = { Z = \"-10 mm\" }`"),
+            Diagnostic::new(Code::SkipAssumed, span, message)
+                .severity(Severity::Note)
+                .label("from here on the path is assumed")
+                .help("give it in the machine file: `[probe] hit = { Z = \"-10 mm\" }`"),
         );
     }
 

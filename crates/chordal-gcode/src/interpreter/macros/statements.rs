@@ -7,6 +7,7 @@ use chordal_syntax::{
 };
 
 use super::super::{Flow, Interpreter};
+use super::ConditionOf;
 use crate::macros::evaluate::Purpose;
 
 /// What follows a statement.
@@ -110,7 +111,7 @@ impl Interpreter<'_> {
                 }
             }
             Statement::If { condition, branch } => {
-                let holds = self.holds(&parser, condition);
+                let holds = self.holds(&parser, condition, ConditionOf::Branch);
                 match branch {
                     _ if !holds => next = Next::Over(Flow::Next),
                     Branch::Goto(label) => {
@@ -131,7 +132,7 @@ impl Interpreter<'_> {
             Statement::While { condition, number } => {
                 let holds = match condition {
                     None => true,
-                    Some(condition) => self.holds(&parser, condition),
+                    Some(condition) => self.holds(&parser, condition, ConditionOf::Loop),
                 };
                 next = Next::Over(self.while_loop(range, number, holds));
             }

@@ -1,16 +1,15 @@
 //! System variables: positions, offsets, modal codes, alarms.
 
-use chordal_command::{FeedMode, Side, Units, WorkName};
+use chordal_command::{AxisMask, Units, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
-use chordal_dialect::Action;
-use chordal_dialect::macros::{ModalGroup, OFFSET_STEP, System, TURN_PLACE};
-use chordal_geometry::{Direction, Plane};
-use chordal_kernel::Motion;
+use chordal_dialect::Control;
+use chordal_dialect::macros::{OFFSET_STEP, System, TURN_PLACE};
 use chordal_kernel::ToolValue;
-use chordal_kernel::rules::{CycleKind, OffsetKind};
-use chordal_machine::AXES;
+use chordal_kernel::rules::OffsetKind;
+use chordal_machine::{AXES, Machine, PerAxis};
 
 use super::super::Interpreter;
+use super::ConditionOf;
 use crate::macros::arguments::letter_of;
 use crate::macros::evaluate::Fault;
 use crate::macros::value::{Cause, Value};
@@ -44,90 +43,117 @@ pub(super) fn read_only(number: u32, range: TextRange) -> Fault {
     )
 }
 
+/// The reference points that the variables of the machine file give: machine position, mm and rad.
+pub(in super::super) fn given_references(
+    machine: &Machine,
+    control: &Control,
+) -> [PerAxis<Option<f64>>; 2] {
+    let mut references = [[None; AXES]; 2];
+    let unit = match control.parameters.rules.units {
+        Units::Inch => 25.4,
+        Units::Millimetre => 1.0,
+    };
+    for (&number, &value) in &machine.macros.variables {
+        let (at, axis) = match control.macros.system_at(number) {
+            Some((System::Home, axis)) => (0, axis as usize),
+            Some((System::SecondHome, axis)) => (1, axis as usize),
+            _ => continue,
+        };
+        let place = if axis >= 3 { value.to_radians() } else { value * unit };
+        references[at][axis] = Some(place);
+    }
+    references
+}
+
 impl Interpreter<'_> {
+    /// The value of a variable of the system: of the state of the run, else what the program or the machine file has
+    /// written there. Neither of them: it is not known.
     pub(super) fn read_system(&mut self, index: u32, range: TextRange) -> Result<Value, Fault> {
+        let given = self.macros.kept.get(&index).copied();
         let Some((what, at)) = self.rules().system_at(index) else {
-            let given = self.macros.kept.get(&index).copied();
             return given.map(Value::Number).ok_or_else(|| no_variable(f64::from(index), range));
         };
-        let axis = at as usize;
-        let unknown = Value::Unknown(Cause::Variable(index));
-        let place = |place: Option<f64>| {
-            Value::or_unknown(
-                place.map(|place| self.stored_out(axis, place)),
-                Cause::Variable(index),
-            )
-        };
+        if matches!(what, System::Date | System::Time) {
+            return Ok(self.date_or_time(index, what, range));
+        }
         let value = match what {
-            System::BlockEnd => self.axis_out(axis, self.kernel.state.position[axis]),
-            System::MachinePosition => {
-                self.axis_out(axis, self.kernel.state.machine_position(axis))
+            System::WorkSystem | System::WorkTable | System::ProbeResult => {
+                given.or_else(|| self.system_value(what, at))
             }
+            _ => self.system_value(what, at).or(given),
+        };
+        Ok(Value::or_unknown(value, Cause::Variable(index)))
+    }
+
+    /// What a variable of the system shows where that follows from the program and the machine file.
+    fn system_value(&self, what: System, at: u32) -> Option<f64> {
+        let axis = at as usize;
+        let state = &self.kernel.state;
+        let shown = |place: Option<f64>| Some(self.axis_out(axis, place?));
+        let stored = |place: Option<f64>| Some(self.stored_out(axis, place?));
+        match what {
+            System::BlockEnd => shown(state.known_position(axis)),
+            System::MachinePosition => shown(state.known_machine_position(axis)),
             System::WorkPosition => {
-                let offsets = &self.kernel.state.offsets;
-                let length = offsets.total()[axis] - offsets.work()[axis];
-                self.axis_out(axis, self.kernel.state.position[axis] + length)
+                let length = state.offsets.known_tool_offset(axis)?;
+                shown(state.known_position(axis).map(|place| place + length))
             }
             System::SkipPosition | System::ProbePosition => {
-                self.axis_out(axis, self.macros.skip[axis])
+                shown(self.macros.probe.skipped.then(|| self.macros.skip[axis]))
             }
-            System::ActiveToolOffset => {
-                self.axis_out(axis, self.kernel.state.offsets.tool_in_force()[axis])
-            }
-            System::ModalGroup => match self.rules().modal_groups.get(axis) {
+            System::ActiveToolOffset => shown(state.offsets.known_tool_offset(axis)),
+            System::ModalGroup => Some(match self.rules().modal_groups.get(axis) {
                 Some(group) => self.modal_code(*group),
                 None => 0.0,
-            },
-            System::ModalWord(letter) => return Ok(self.modal_word(index, letter)),
-            System::ModalArgument => match letter_of(at + 1) {
-                Some(letter) => return Ok(self.modal_word(index, letter)),
-                None => 0.0,
-            },
+            }),
+            System::ModalWord(letter) => self.modal_word(letter),
+            System::ModalArgument => self.modal_word(letter_of(at + 1)?),
             System::Length | System::LengthWear | System::Radius | System::RadiusWear => {
                 self.tool_value(what, at + 1)
             }
             System::ExternalOffset
             | System::WorkOffsets
             | System::ExtendedOffsets
-            | System::OffsetsOfAxis(_) => match self.offset_place(what, at) {
-                Some((key, axis)) => {
-                    let value = self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0);
-                    self.axis_out(axis, value)
-                }
-                // Of an axis that Chordal does not have.
-                None => return Ok(unknown),
-            },
-            System::Kept => self.macros.kept.get(&index).copied().unwrap_or(0.0),
-            System::Input | System::Timer | System::Setting | System::MachineState => {
-                let given = self.macros.kept.get(&index).copied();
-                return Ok(given.map_or(unknown, Value::Number));
+            | System::OffsetsOfAxis(_) => {
+                // Of an axis that Chordal does not have: none.
+                let (key, axis) = self.offset_place(what, at)?;
+                Some(self.axis_out(axis, state.offsets.known_work_value(&key, axis)?))
             }
-            System::Date | System::Time => return Ok(self.date_or_time(index, what, range)),
-            System::Alarm | System::Message => 0.0,
-            System::Tool => f64::from(self.kernel.state.tool),
-            System::SpindleSpeed => self.kernel.state.rpm,
-            System::Constant(value) => f64::from(value),
-            System::Home => return Ok(place(self.reference(1)[axis])),
-            System::SecondHome => return Ok(place(self.reference(2)[axis])),
-            System::Preset => self.stored_out(axis, self.kernel.kept_presets.values[axis]),
-            System::PresetActs => f64::from(u8::from(self.kernel.preset_acts)),
-            System::WorkSystem => self.kept_or(index, self.work_system()),
-            System::WorkTable => self.kept_or(index, self.work_table(at)),
+            System::Kept
+            | System::Input
+            | System::Timer
+            | System::Setting
+            | System::MachineState
+            | System::Date
+            | System::Time => None,
+            System::Switch | System::Alarm | System::Message => Some(0.0),
+            System::Tool => self.tool_in_spindle(),
+            System::SpindleSpeed => self.speed_word(),
+            System::Constant(value) => Some(f64::from(value)),
+            System::Home => stored(self.stored_reference(1, axis)),
+            System::SecondHome => stored(self.stored_reference(2, axis)),
+            System::Preset => {
+                let is_known = self.kernel.presets_known.has(axis);
+                stored(is_known.then(|| self.kernel.kept_presets.values[axis]))
+            }
+            System::PresetActs => {
+                let is_known = self.kernel.presets_known != AxisMask::NONE;
+                is_known.then(|| f64::from(u8::from(self.kernel.preset_acts)))
+            }
+            System::WorkSystem => Some(self.work_system()),
+            System::WorkTable => self.work_table(at),
             System::SpindleTool => {
-                let state = &self.kernel.state;
-                let tool = state.offsets.tool(state.tool);
-                let offset = tool.and_then(|tool| tool.offset_of(axis));
-                self.stored_out(axis, offset.unwrap_or(0.0))
+                let tool = state.offsets.tool(state.tool)?;
+                stored(tool.offset_of(axis))
             }
             System::ToolDiameter => {
-                let radius = self.kernel.state.offsets.radius_mm(self.kernel.state.tool);
-                2.0 * self.stored_out(0, radius.unwrap_or(0.0))
+                Some(2.0 * self.stored_out(0, state.offsets.radius_mm(state.tool)?))
             }
             System::ProbeResult => {
-                self.kept_or(index, f64::from(u8::from(self.macros.probe.found)))
+                let probe = &self.macros.probe;
+                probe.skipped.then(|| f64::from(u8::from(probe.found)))
             }
-        };
-        Ok(Value::Number(value))
+        }
     }
 
     pub(super) fn write_system(
@@ -154,8 +180,12 @@ impl Interpreter<'_> {
         match what {
             System::Alarm => self.alarm(value, range),
             System::Message => self.message_stop(),
-            System::Kept | System::Timer | System::Setting | System::MachineState => {
+            System::Kept | System::Switch | System::Setting | System::MachineState => {
                 self.macros.kept.insert(index, value);
+            }
+            // It runs on from what was written.
+            System::Timer => {
+                self.macros.kept.remove(&index);
             }
             System::Home | System::SecondHome => {
                 let axis = at as usize;
@@ -164,9 +194,11 @@ impl Interpreter<'_> {
             }
             System::Preset => {
                 self.kernel.kept_presets.values[at as usize] = self.stored_in(at as usize, value);
+                self.kernel.presets_known.insert(at as usize);
             }
             System::PresetActs => self.kernel.preset_acts = value != 0.0,
             System::ProbePosition => {
+                self.macros.kept.insert(index, value);
                 self.macros.skip[at as usize] = self.axis_in(at as usize, value);
             }
             System::WorkSystem | System::ProbeResult => {
@@ -237,11 +269,6 @@ impl Interpreter<'_> {
         self.macros.kept.retain(|number, _| {
             !matches!(rules.system_at(*number), Some((System::ProbeResult, _)))
         });
-    }
-
-    /// What the program has written there, else a value.
-    fn kept_or(&self, index: u32, value: f64) -> f64 {
-        self.macros.kept.get(&index).copied().unwrap_or(value)
     }
 
     /// Writes the number of a work offset, if it is one that acts.
@@ -338,28 +365,42 @@ impl Interpreter<'_> {
     }
 
     /// A value of the tables of the nine work offsets, in the units of the machine.
-    fn work_table(&self, at: u32) -> f64 {
+    fn work_table(&self, at: u32) -> Option<f64> {
         if let Some(key) = self.work_turn(at) {
-            return self.kernel.state.offsets.rotation(&key);
+            return self.kernel.state.offsets.known_rotation(&key);
         }
-        let Some((key, axis)) = self.work_place(at) else { return 0.0 };
-        let value = self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0);
-        self.stored_out(axis, value)
+        let (key, axis) = self.work_place(at)?;
+        let value = self.kernel.state.offsets.known_work_value(&key, axis)?;
+        Some(self.stored_out(axis, value))
     }
 
-    fn tool_value(&self, what: System, number: u32) -> f64 {
-        let Some(tool) = self.kernel.state.offsets.tool(number) else { return 0.0 };
+    /// A value of the table of tools. A tool of which the size is known and no wear has none.
+    fn tool_value(&self, what: System, number: u32) -> Option<f64> {
+        let tool = self.kernel.state.offsets.tool(number)?;
         let per_radius = match self.control.parameters.rules.radius_offsets {
             OffsetKind::Diameter => 1.0,
             OffsetKind::Radius => 2.0,
         };
         let mm = match what {
-            System::Length => tool.offset[2].unwrap_or(0.0),
-            System::LengthWear => tool.offset_wear[2].unwrap_or(0.0),
-            System::Radius => tool.diameter_mm.unwrap_or(0.0) / per_radius,
-            _ => tool.diameter_wear_mm.unwrap_or(0.0) / per_radius,
+            System::Length => tool.offset[2]?,
+            System::LengthWear => tool.offset_wear[2].or(tool.offset[2].map(|_| 0.0))?,
+            System::Radius => tool.diameter_mm? / per_radius,
+            _ => tool.diameter_wear_mm.or(tool.diameter_mm.map(|_| 0.0))? / per_radius,
         };
-        mm / self.unit()
+        Some(mm / self.unit())
+    }
+
+    /// The tool in the spindle, where the program has changed it.
+    pub(super) fn tool_in_spindle(&self) -> Option<f64> {
+        let tool = self.kernel.state.tool;
+        (tool != 0 && !self.kernel.state.unknown.tool).then(|| f64::from(tool))
+    }
+
+    /// S as the program wrote it, rev/min; none before it, and while a cutting speed is kept.
+    pub(super) fn speed_word(&self) -> Option<f64> {
+        let state = &self.kernel.state;
+        let is_known = state.rpm != 0.0 && state.surface_speed.is_none() && !state.unknown.speed;
+        is_known.then_some(state.rpm)
     }
 
     fn write_tool_value(&mut self, of: ToolValue, number: u32, value: f64) {
@@ -381,10 +422,14 @@ impl Interpreter<'_> {
     ) -> Result<(), Fault> {
         match what {
             System::Alarm | System::Message => {
-                self.assume_not(range, cause);
+                self.assume(range, cause, ConditionOf::Branch);
                 Ok(())
             }
-            System::Kept | System::Timer | System::Setting | System::MachineState => {
+            System::Kept
+            | System::Switch
+            | System::Timer
+            | System::Setting
+            | System::MachineState => {
                 self.macros.kept.remove(&index);
                 Ok(())
             }
@@ -449,130 +494,5 @@ impl Interpreter<'_> {
             .help(format!("give it in the machine file: `[macros] {name} = \"{form}\"`")),
         );
         Value::Unknown(Cause::Variable(index))
-    }
-
-    /// The last word of a letter.
-    fn modal_word(&self, index: u32, letter: u8) -> Value {
-        let state = &self.kernel.state;
-        let is_unknown = match letter {
-            b'D' => state.unknown.radius_offset,
-            b'F' => state.unknown.feed,
-            b'S' => state.unknown.speed,
-            b'T' => state.unknown.tool,
-            _ => false,
-        };
-        if is_unknown {
-            return Value::Unknown(Cause::Variable(index));
-        }
-        Value::Number(match letter {
-            b'B' => state.position[4].to_degrees(),
-            b'D' => f64::from(state.radius_offset.unwrap_or(0)),
-            b'F' => self.feed_word(),
-            b'H' => f64::from(state.named_length.or(state.offsets.length().number).unwrap_or(0)),
-            b'N' => self.sequence.map_or(0.0, |number| number.to_f64()),
-            b'O' => f64::from(self.program_at(self.program).head.number.unwrap_or(0)),
-            b'S' => state.rpm,
-            b'T' => f64::from(state.selected_tool.unwrap_or(state.tool)),
-            b'P' => match state.offsets.active() {
-                WorkName::Extended(number) => f64::from(number),
-                _ => 0.0,
-            },
-            _ => {
-                let last = self.macros.last_words.get((letter - b'A') as usize);
-                let given = || self.macros.kept.get(&index).copied();
-                let word = last.copied().flatten().or_else(given);
-                return Value::or_unknown(word, Cause::Variable(index));
-            }
-        })
-    }
-
-    /// F as the program wrote it.
-    pub(super) fn feed_word(&self) -> f64 {
-        let state = &self.kernel.state;
-        let Some(feed) = state.feed else { return 0.0 };
-        match state.feed_mode {
-            FeedMode::PerTime => feed * 60.0 / self.unit(),
-            FeedMode::InverseTime => feed * 60.0,
-            FeedMode::PerRevolution => feed / self.unit(),
-        }
-    }
-
-    /// Ten times the code of the motion in force, by its row.
-    pub(super) fn motion_row_code(&self) -> f64 {
-        let action = self.kernel.state.motion_mode().map(Action::from);
-        let row = self.control.table.g_codes.iter().find(|row| Some(row.action) == action);
-        row.map_or(0.0, |row| f64::from(row.code))
-    }
-
-    /// The code in force of a group.
-    fn modal_code(&self, group: ModalGroup) -> f64 {
-        let state = &self.kernel.state;
-        match group {
-            ModalGroup::Motion => match state.motion {
-                Motion::Rapid | Motion::None => 0.0,
-                Motion::Linear => 1.0,
-                Motion::Thread | Motion::RigidTap => 33.0,
-                Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
-                Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,
-                Motion::Spline(form) => self.spline_code(form) / 10.0,
-                Motion::Turn(_) => self.motion_row_code() / 10.0,
-            },
-            ModalGroup::Plane => match state.plane {
-                Plane::Xy => 17.0,
-                Plane::Zx => 18.0,
-                Plane::Yz => 19.0,
-            },
-            ModalGroup::Distance if state.incremental => 91.0,
-            ModalGroup::Distance => 90.0,
-            ModalGroup::FeedMode => match state.feed_mode {
-                FeedMode::PerTime => 94.0,
-                FeedMode::InverseTime => 93.0,
-                FeedMode::PerRevolution => 95.0,
-            },
-            ModalGroup::Units => self.units_code(),
-            ModalGroup::Compensation => match state.side {
-                Side::Off => 40.0,
-                Side::Left => 41.0,
-                Side::Right => 42.0,
-            },
-            ModalGroup::Length => match state.offsets.length() {
-                length if length.number.is_none() => 49.0,
-                length if length.minus => 44.0,
-                _ => 43.0,
-            },
-            ModalGroup::Cycle => state.cycle.map_or(80.0, |cycle| self.cycle_code(cycle.kind)),
-            ModalGroup::ReturnLevel if state.return_to_r => 99.0,
-            ModalGroup::ReturnLevel => 98.0,
-            ModalGroup::WorkOffset => match state.offsets.active() {
-                WorkName::G(number) => f64::from(number),
-                WorkName::Extended(_) => self.extended_code(),
-                _ => 54.0,
-            },
-            ModalGroup::ModalCall if self.macros.active > 0 => 66.0,
-            ModalGroup::ModalCall => 67.0,
-            ModalGroup::Fixed(code) => f64::from(code),
-        }
-    }
-
-    fn units_code(&self) -> f64 {
-        let by_g70 = self.control.parameters.unit_codes == chordal_dialect::UnitCodes::G70;
-        match self.kernel.state.units {
-            Units::Inch if by_g70 => 70.0,
-            Units::Millimetre if by_g70 => 71.0,
-            Units::Inch => 20.0,
-            Units::Millimetre => 21.0,
-        }
-    }
-
-    fn cycle_code(&self, kind: CycleKind) -> f64 {
-        let rows = self.control.table.g_codes;
-        let row = rows.iter().find(|row| row.action == Action::Cycle(kind));
-        row.map_or(80.0, |row| f64::from(row.code) / 10.0)
-    }
-
-    /// 54.1 or 154.
-    fn extended_code(&self) -> f64 {
-        let code = self.control.table.work_names.extended;
-        code.trim_start_matches('G').parse().unwrap_or(54.0)
     }
 }

@@ -4,7 +4,7 @@
 //! unknown, and so is what is computed from it (`macros/value.rs`). Here is what follows from that: a feed of
 //! which the time is not known, axes of which the place is not known, branches that are assumed.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, Diagnostic, FileId, Shift, Span, TextRange};
@@ -15,10 +15,14 @@ use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Letters, Word};
 
 use super::super::Interpreter;
+use super::ConditionOf;
 use crate::macros::value::{Cause, Value};
 
 /// Most variables that are noted.
 const MOST_NOTED: usize = 1000;
+
+/// How often an IF is taken as fulfilled.
+const MOST_FULFILLED: u32 = 100;
 
 /// Most variables that a message names.
 const MOST_NAMED: usize = 20;
@@ -41,12 +45,16 @@ pub(in super::super) struct Unknown {
     time_lost: bool,
     /// A branch was assumed.
     branch_assumed: bool,
+    /// How often conditions were met that this run takes as fulfilled.
+    assumed: BTreeMap<(FileId, u32), u32>,
+    /// The names of [`Cause::Name`].
+    names: Vec<String>,
     /// Why registers R0 to R9 that the program has set are not known.
     registers: [Option<Cause>; 10],
 }
 
 impl Unknown {
-    /// A condition was taken as one that does not hold, and nobody knows.
+    /// Whether a condition holds was assumed, and nobody knows.
     pub fn branch_assumed(&self) -> bool {
         self.branch_assumed
     }
@@ -114,30 +122,50 @@ impl Interpreter<'_> {
         match cause {
             Cause::Variable(number) => self.rules().common_range(number).is_some(),
             Cause::Letters(letters, _) => matches!(self.letters_name(letters), "V" | "R"),
+            Cause::Name(_) => false,
         }
+    }
+
+    /// The cause that a named variable of the control is not known.
+    pub(super) fn cause_of_name(&mut self, name: &str) -> Cause {
+        let names = &mut self.macros.unknown.names;
+        let at = names.iter().position(|known| known == name).unwrap_or_else(|| {
+            if names.len() < MOST_NOTED {
+                names.push(name.to_string());
+            }
+            names.len() - 1
+        });
+        Cause::Name(at as u32)
     }
 
     fn name_of(&self, cause: Cause) -> String {
         match cause {
             Cause::Variable(number) => format!("#{number}"),
             Cause::Letters(letters, number) => format!("{}{number}", self.letters_name(letters)),
+            Cause::Name(at) => format!("#<{}>", self.macros.unknown.names[at as usize]),
         }
     }
 
     /// From here on the path is not known, because something (`what`) is an unknown value. Told once.
     pub(super) fn lose_path_by(&mut self, range: TextRange, what: &str, cause: Cause) {
-        if std::mem::replace(&mut self.macros.unknown.path_lost, true) {
+        if self.macros.unknown.path_lost {
             return;
         }
         let name = self.name_of(cause);
+        let message = format!("{what} is computed from {name}, which is not known");
+        let help = self.give_it(cause, &name);
+        self.lose_path_once(self.span(range), message, help);
+    }
+
+    /// From here on the path is not known, which is told once in a run.
+    pub(in super::super) fn lose_path_once(&mut self, span: Span, message: String, help: String) {
+        if std::mem::replace(&mut self.macros.unknown.path_lost, true) {
+            return;
+        }
         self.kernel.report(
-            Diagnostic::new(
-                Code::UnknownPath,
-                self.span(range),
-                format!("{what} is computed from {name}, which is not known"),
-            )
-            .label("from here on the path is not known")
-            .help(give_it(cause, &name)),
+            Diagnostic::new(Code::UnknownPath, span, message)
+                .label("from here on the path is not known")
+                .help(help),
         );
     }
 
@@ -154,23 +182,42 @@ impl Interpreter<'_> {
                 format!("`{letter}` is computed from {name}, which is not known"),
             )
             .label("the time of what it feeds or waits is not counted")
-            .help(give_it(cause, &name)),
+            .help(self.give_it(cause, &name)),
         );
     }
 
-    /// A condition that depends on an unknown value is taken as one that does not hold.
-    pub(super) fn assume_not(&mut self, range: TextRange, cause: Cause) {
+    /// Whether a condition that depends on an unknown value is taken as fulfilled: not, unless the run is one that
+    /// takes this side of it.
+    pub(super) fn assume(&mut self, range: TextRange, cause: Cause, of: ConditionOf) -> bool {
         self.macros.unknown.branch_assumed = true;
+        let is_fulfilled = self.takes_as_fulfilled(range, of);
         let name = self.name_of(cause);
+        let side = if is_fulfilled { "fulfilled" } else { "not fulfilled" };
         self.report_once(
             Diagnostic::new(
                 Code::AssumedBranch,
                 self.span(range),
-                format!("this depends on {name}, which is not known: it is taken as not fulfilled"),
+                format!("this depends on {name}, which is not known: it is taken as {side}"),
             )
             .label("from here on the path is assumed")
-            .help(give_it(cause, &name)),
+            .help(self.give_it(cause, &name)),
         );
+        is_fulfilled
+    }
+
+    fn takes_as_fulfilled(&mut self, range: TextRange, of: ConditionOf) -> bool {
+        let place = (self.file, range.start);
+        if !self.options.fulfilled.contains(&place) {
+            return false;
+        }
+        let times = self.macros.unknown.assumed.entry(place).or_insert(0);
+        *times += 1;
+        match of {
+            // Every loop makes one pass.
+            ConditionOf::Loop => *times % 2 == 1,
+            // A jump back must end.
+            ConditionOf::Branch => *times <= MOST_FULFILLED,
+        }
     }
 
     /// Names the variables that the run has read and nobody knows.
@@ -187,13 +234,13 @@ impl Interpreter<'_> {
                 format!("{names}: read before the program sets {it}, so {what} not known");
             let mut diagnostic = Diagnostic::new(Code::UnknownVariable, span, message)
                 .label("the first one")
-                .help(give(cause, &self.name_of(cause)));
+                .help(self.give(cause, &self.name_of(cause)));
             let held = |held: Held| -> Vec<Cause> {
                 let is_held = |cause: &Cause| match *cause {
                     Cause::Variable(number) => {
                         self.rules().common_range(number).is_some_and(|range| range.held == held)
                     }
-                    Cause::Letters(..) => false,
+                    Cause::Letters(..) | Cause::Name(_) => false,
                 };
                 own.iter().copied().filter(is_held).collect()
             };
@@ -217,9 +264,72 @@ impl Interpreter<'_> {
                 format!("{names} {show} of the machine, and Chordal cannot know the value");
             let diagnostic = Diagnostic::new(Code::SystemVariable, span, message)
                 .label("the first one")
-                .help(give(cause, &self.name_of(cause)));
+                .help(self.give(cause, &self.name_of(cause)));
             self.kernel.report(diagnostic);
         }
+    }
+
+    /// How a user gives a value, in short.
+    fn give_it(&self, cause: Cause, name: &str) -> String {
+        match cause {
+            Cause::Letters(letters, number) => self.give_letters(letters, number, name),
+            Cause::Variable(number) => match self.place_of(number) {
+                Some(place) => place,
+                None => format!("give the value with `--set '{name}=1.5'`"),
+            },
+            Cause::Name(_) => format!("give the value with `--set '{name}=1.5'`"),
+        }
+    }
+
+    /// All the ways in which a user gives a value.
+    fn give(&self, cause: Cause, name: &str) -> String {
+        let Cause::Variable(number) = cause else { return self.give_it(cause, name) };
+        if let Some(place) = self.place_of(number) {
+            return place;
+        }
+        format!(
+            "give the value with `--set '{name}=1.5'`, in the machine file (`[macros.variables]`, `{number} = 1.5`), \
+             or put the control's file of variables (MACRO.TXT, COMMON.VAR) next to the program"
+        )
+    }
+
+    fn give_letters(&self, letters: u8, number: u32, name: &str) -> String {
+        match self.letters_name(letters) {
+            "FX" | "FY" | "FZ" | "FA" | "FB" => {
+                format!("give the offset in the machine file: `[work_offsets.E{number}]`")
+            }
+            "H" | "D" => format!("give the tool in the machine file: `[tools.{number}]`"),
+            _ => format!("set {name} at the start of the program"),
+        }
+    }
+
+    /// What a user gives in place of the value of a variable that shows something else.
+    fn place_of(&self, number: u32) -> Option<String> {
+        let (what, _) = self.rules().system_at(number)?;
+        Some(match what {
+            System::BlockEnd | System::MachinePosition | System::WorkPosition => {
+                "name the axis in G90 before this, and give the work offset in the machine file"
+                    .into()
+            }
+            System::SkipPosition | System::ProbePosition | System::ProbeResult => {
+                "read it after a probe move, or give the value in the machine file".into()
+            }
+            System::ActiveToolOffset
+            | System::Length
+            | System::LengthWear
+            | System::Radius
+            | System::RadiusWear
+            | System::SpindleTool
+            | System::ToolDiameter => "give the tool in the machine file: `[tools.1]`".into(),
+            System::ExternalOffset
+            | System::WorkOffsets
+            | System::ExtendedOffsets
+            | System::OffsetsOfAxis(_)
+            | System::WorkTable => {
+                "give the work offset in the machine file: `[work_offsets.G54]`".into()
+            }
+            _ => return None,
+        })
     }
 
     fn names_of(&self, causes: &[Cause]) -> String {
@@ -269,14 +379,23 @@ impl Interpreter<'_> {
                     self.kernel.set_unknown_feed();
                     self.lose_time_by(word.range, word.letter, *cause);
                 }
-                Part::Speed => self.kernel.set_unknown_speed(),
-                Part::Tool => self.kernel.select_unknown_tool(),
+                Part::Speed => {
+                    self.kernel.set_unknown_speed();
+                    self.lose_time_by(word.range, word.letter, *cause);
+                }
+                Part::Tool => {
+                    self.kernel.select_unknown_tool();
+                    self.lose_path_by(word.range, "`T`", *cause);
+                }
                 Part::RadiusOffset => {
                     self.kernel.state.radius_offset = None;
                     self.kernel.state.unknown.radius_offset = true;
+                    self.lose_path_by(word.range, "`D`", *cause);
                 }
-                // The length changes no place in program coordinates.
-                Part::LengthOffset => drops.length = true,
+                Part::LengthOffset => {
+                    drops.length = true;
+                    self.lose_path_by(word.range, "`H`", *cause);
+                }
                 Part::Label => {}
                 Part::Wait => {
                     drops.once = true;
@@ -427,23 +546,4 @@ struct Drops {
     call: bool,
     /// The code of the tool length.
     length: bool,
-}
-
-/// How a user gives a value, in short.
-fn give_it(cause: Cause, name: &str) -> String {
-    match cause {
-        Cause::Variable(_) => format!("give the value with `--set '{name}=1.5'`"),
-        Cause::Letters(..) => format!("set {name} at the start of the program"),
-    }
-}
-
-/// All the ways in which a user gives a value.
-fn give(cause: Cause, name: &str) -> String {
-    match cause {
-        Cause::Variable(number) => format!(
-            "give the value with `--set '{name}=1.5'`, in the machine file (`[macros.variables]`, `{number} = 1.5`), \
-             or put the control's file of variables (MACRO.TXT, COMMON.VAR) next to the program"
-        ),
-        Cause::Letters(..) => format!("set {name} at the start of the program"),
-    }
 }

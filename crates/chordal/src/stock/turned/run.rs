@@ -21,6 +21,7 @@ use super::said::{At, Found, More};
 use super::target::Target;
 use super::tools::{LatheTool, tools_of};
 use crate::job::Job;
+use crate::other_sides::MOST_STOCK_SIDE_RUNS;
 use crate::report::Report;
 
 /// Moves between two looks at whether to end early.
@@ -53,6 +54,26 @@ impl Job<'_> {
     /// # Errors
     /// Without stock, or with a setup that is incomplete.
     pub fn turned_stock(
+        &self,
+        options: &TurnedOptions,
+        files: Files<'_>,
+    ) -> Result<TurnedReport, StockRunError> {
+        let mut found = self.turned_stock_of_run(options, files)?;
+        let mut touches = false;
+        self.add_other_sides(&mut found.report, MOST_STOCK_SIDE_RUNS, |job| {
+            // Where the other side does not even reach the part there is nothing to cut.
+            let Ok(side) = job.turned_stock_of_run(options, files) else { return Vec::new() };
+            touches |= side.verdict == StockVerdict::Problems;
+            side.report.diagnostics
+        });
+        if touches {
+            found.verdict = StockVerdict::Problems;
+        }
+        Ok(found)
+    }
+
+    /// Turns with one run.
+    fn turned_stock_of_run(
         &self,
         options: &TurnedOptions,
         files: Files<'_>,
@@ -150,8 +171,10 @@ impl Job<'_> {
         let mut too_hard = overloads(self, &mut moves, gathered.units);
         let Cutting { found, threads, target: wanted, bound, .. } = cutting;
         let has_problems = found.hits > 0 || !too_hard.is_empty() || report.counts.errors > 0;
-        let is_proved =
-            gathered.is_whole() && found.undecided == 0 && report.verified() && knows_tips(&report);
+        let is_proved = gathered.is_whole()
+            && found.undecided == 0
+            && report.is_path_verified()
+            && knows_tips(&report);
         let mut diagnostics = found.diagnostics;
         diagnostics.extend(gathered.diagnostics);
         diagnostics.append(&mut too_hard);

@@ -1,0 +1,91 @@
+//! Programs that go several ways: each way of the new text is held against that of the old one.
+
+use chordal::{BlockDeleteRuns, Job, Side};
+use chordal_compare::Verdict;
+
+use crate::Certificate;
+use crate::source::{Source, first_text};
+
+/// When block delete is run both ways: always, where the text has a block that it may take.
+pub(crate) fn block_delete_runs(job: &Job) -> BlockDeleteRuns {
+    let has_slash = first_text(job).contains(&b'/');
+    let is_deletable =
+        has_slash && Source::of(job).blocks.iter().any(|block| block.delete.is_some());
+    if is_deletable { BlockDeleteRuns::Both } else { BlockDeleteRuns::WhereItDecides }
+}
+
+/// Proves the ways that the first run did not take: the certificate becomes that of the first way that differs. What
+/// was compared, or why not all was, is said; nothing where there is one way.
+pub(crate) fn prove_other_sides(
+    [old, new]: [&Job; 2],
+    certificate: &mut Certificate,
+    prove: impl Fn(&Job, &Job) -> Certificate,
+) -> Option<String> {
+    if certificate.comparison.verdict == Verdict::Different {
+        return None;
+    }
+    let runs = [old, new].map(block_delete_runs);
+    let [first_old, first_new] = &certificate.comparison.reports;
+    let (olds, is_all) = old.other_side_jobs(&first_old.diagnostics, runs[0]);
+    let (news, _) = new.other_side_jobs(&first_new.diagnostics, runs[1]);
+    if olds.is_empty() && news.is_empty() {
+        return None;
+    }
+    if olds.len() != news.len() {
+        certificate.comparison.verdict = Verdict::NotVerified;
+        return Some(
+            "the new program has other conditions that nobody knows than the old one: their sides were not compared"
+                .to_string(),
+        );
+    }
+    let (mut conditions, mut block_delete) = (0, false);
+    for ((side, old), (_, new)) in olds.iter().zip(&news) {
+        match side {
+            Side::Fulfilled(_) => conditions += 1,
+            Side::BlockDelete => block_delete = true,
+        }
+        let of_side = prove(old, new);
+        if of_side.comparison.verdict == Verdict::Different {
+            *certificate = of_side;
+            return Some(differs(old, *side));
+        }
+    }
+    if !is_all {
+        certificate.comparison.verdict = Verdict::NotVerified;
+    }
+    Some(compared(conditions, block_delete, is_all))
+}
+
+fn differs(old: &Job, side: Side) -> String {
+    match side {
+        Side::BlockDelete => {
+            "with block delete switched the other way the new program moves otherwise".to_string()
+        }
+        Side::Fulfilled(condition) => {
+            let source = old.sources().get(condition.file);
+            let line = source.map_or(0, |source| source.line_of(condition.range.start));
+            format!(
+                "where the condition in line {line} is fulfilled the new program moves otherwise"
+            )
+        }
+    }
+}
+
+fn compared(conditions: u32, block_delete: bool, is_all: bool) -> String {
+    let mut what = Vec::new();
+    match conditions {
+        0 => {}
+        1 => what.push("both sides of a condition that nobody knows".to_string()),
+        more => what.push(format!("both sides of {more} conditions that nobody knows")),
+    }
+    if block_delete {
+        what.push("block delete on and off".to_string());
+    }
+    let what = what.join(", ");
+    match is_all {
+        true => format!("compared: {what}"),
+        false => format!(
+            "compared: {what}; the program has more conditions, of which one side was not run"
+        ),
+    }
+}
