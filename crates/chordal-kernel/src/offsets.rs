@@ -90,8 +90,11 @@ impl Identity {
 
     /// Along this axis the same of both is unknown, if anything is: they differ by what is known of them.
     pub fn same_unknowns_for(&self, other: &Identity, axis: usize) -> bool {
+        // Where tools differ along X, another offset is another tip of the turret: it is placed by the block that
+        // names it.
+        let is_of_one_tip = !self.tool_axes.has(X);
         let are_lengths_related = match (self.is_length_known, other.is_length_known) {
-            (true, true) => true,
+            (true, true) => is_of_one_tip || self.length == other.length,
             (false, false) => self.length == other.length,
             _ => false,
         };

@@ -2,6 +2,7 @@
 //! that it reaches. What neither the program nor the machine file says is not known, and a path that it reaches is
 //! not verified from there on.
 
+mod random;
 mod rows;
 mod sides;
 mod table;
