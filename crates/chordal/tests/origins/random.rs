@@ -353,14 +353,14 @@ impl Model {
             },
             Act::Loop(count, counter) => {
                 let mut passes = 0.0;
-                loop {
+                while self.lost.is_none() {
                     // The limit is computed anew before each pass.
                     let Some(count) = self.value(count) else {
                         self.lost = Some(each.line);
                         return;
                     };
                     let limit = count.abs() - (count.abs() / 3.0).floor() * 3.0;
-                    if passes >= limit || self.lost.is_some() {
+                    if passes >= limit {
                         return;
                     }
                     self.values.insert(counter, Some(passes));
