@@ -24,37 +24,37 @@ impl Interpreter<'_> {
                 false => self.target_on_surface(block),
             };
             if !self.kernel.state.incremental {
-                self.kernel.state.leave_start(named);
+                self.kernel.state.place(named);
             }
             return (target, named);
         }
         let from = self.kernel.state.believed.unwrap_or(self.kernel.state.position);
         let mut target = from;
         let mut named = AxisMask::NONE;
-        let mut absolute = AxisMask::NONE;
+        let mut increments = AxisMask::NONE;
         let left_to_right = self.control.table.distance_left_to_right && block.letters().has(b'G');
         for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6 && !word.comma {
                 let Some(value) = self.axis_value(word, axis) else { continue };
-                if self.kernel.state.incremental {
-                    target[axis] = from[axis] + value;
-                } else {
-                    target[axis] = value;
-                    absolute.insert(axis);
-                }
+                target[axis] =
+                    if self.kernel.state.incremental { from[axis] + value } else { value };
                 named.insert(axis);
+                if left_to_right && self.kernel.state.incremental {
+                    increments.insert(axis);
+                }
             } else if let Some(axis) = self.increment_axis(word) {
                 let Some(by) = self.axis_value(word, axis) else { continue };
                 target[axis] = from[axis] + by;
                 named.insert(axis);
+                increments.insert(axis);
             } else if left_to_right && word.letter == b'G' {
                 self.distance_word(word);
             }
         }
-        // An absolute coordinate makes the place of its axis known.
-        self.kernel.state.leave_start(absolute);
-        self.kernel.state.astray = self.kernel.state.astray.without(absolute);
+        if !self.kernel.state.incremental {
+            self.kernel.state.place(named.without(increments));
+        }
         if !block.polar.is_empty() {
             self.radius_and_angle(block, &mut target, &mut named);
         }
