@@ -31,6 +31,7 @@ impl Interpreter<'_> {
         let from = self.kernel.state.believed.unwrap_or(self.kernel.state.position);
         let mut target = from;
         let mut named = AxisMask::NONE;
+        let is_incremental = self.kernel.state.incremental;
         let mut increments = AxisMask::NONE;
         let left_to_right = self.control.table.distance_left_to_right && block.letters().has(b'G');
         for word in &block.words {
@@ -40,9 +41,6 @@ impl Interpreter<'_> {
                 target[axis] =
                     if self.kernel.state.incremental { from[axis] + value } else { value };
                 named.insert(axis);
-                if left_to_right && self.kernel.state.incremental {
-                    increments.insert(axis);
-                }
             } else if let Some(axis) = self.increment_axis(word) {
                 let Some(by) = self.axis_value(word, axis) else { continue };
                 target[axis] = from[axis] + by;
@@ -52,7 +50,7 @@ impl Interpreter<'_> {
                 self.distance_word(word);
             }
         }
-        if !self.kernel.state.incremental {
+        if !is_incremental && !self.kernel.state.incremental {
             self.kernel.state.place(named.without(increments));
         }
         if !block.polar.is_empty() {
