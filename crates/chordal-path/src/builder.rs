@@ -75,30 +75,30 @@ pub struct PathBuilder<'a> {
     tip: TipTracker,
     /// The speed of the spindle, 1/min; 0 while it stands.
     rpm: f64,
-    unsaid: Unsaid,
+    not_named: NotNamedTracker,
 }
 
-/// The axes that the program does not name.
+/// Finds the axes that the program does not name, move by move.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Unsaid {
+enum NotNamedTracker {
     /// Found before the run.
     Found(NotNamed),
     /// The run could not be looked at before: Z, as long as no move has named it and with it a cut was made.
     SoFar(Flat),
 }
 
-impl Unsaid {
+impl NotNamedTracker {
     /// Follows a move; the axes of it that are drawn at zero.
     fn follow(&mut self, motion: &Move, cuts: bool) -> NotNamed {
         match self {
-            Unsaid::Found(NotNamed { never, in_no_cut }) => {
+            NotNamedTracker::Found(NotNamed { never, in_no_cut }) => {
                 let mut stands = in_no_cut.without(motion.from_known.or(motion.to_known));
                 (0..3).filter(|axis| motion.from[*axis] != motion.to[*axis]).for_each(|axis| {
                     stands.remove(axis);
                 });
                 NotNamed { never: *never, in_no_cut: stands }
             }
-            Unsaid::SoFar(flat) => match flat.follow(motion, cuts) {
+            NotNamedTracker::SoFar(flat) => match flat.follow(motion, cuts) {
                 true => {
                     NotNamed { never: AxisMask::LINEAR.without(AxisMask::XY), ..NotNamed::NONE }
                 }
@@ -147,7 +147,7 @@ impl<'a> PathBuilder<'a> {
             shift: (Vec3::ZERO, None),
             tool: 0,
             rpm: 0.0,
-            unsaid: Unsaid::SoFar(Flat::Open),
+            not_named: NotNamedTracker::SoFar(Flat::Open),
         }
     }
 
@@ -172,7 +172,7 @@ impl<'a> PathBuilder<'a> {
     /// The axes that the program does not name are known before the run.
     pub fn without_names(mut self, axes: Option<NotNamed>) -> PathBuilder<'a> {
         if let Some(axes) = axes {
-            self.unsaid = Unsaid::Found(axes);
+            self.not_named = NotNamedTracker::Found(axes);
         }
         self
     }
@@ -192,7 +192,7 @@ impl<'a> PathBuilder<'a> {
         }
         let Some(motion) = command.kind.motion() else { return };
         let cuts = command.kind.feed().is_some();
-        let not_named = self.unsaid.follow(motion, cuts);
+        let not_named = self.not_named.follow(motion, cuts);
         let mut push = |segment: &Segment| match not_named {
             NotNamed::NONE => push(segment),
             not_named => push(&Segment { not_named, ..*segment }),
