@@ -4,7 +4,7 @@ use chordal::control::{AxisMask, WorkName, WorkNaming};
 use chordal::path::{NotNamed, UnrelatedZero};
 
 /// `Y is never named; drawn at Y0`, `Z is not known in any cut; drawn at Z0`.
-pub(crate) fn not_named_texts(axes: NotNamed) -> Vec<String> {
+pub fn not_named_texts(axes: NotNamed) -> Vec<String> {
     let said = |axes: AxisMask, why: &str| {
         let letters: Vec<String> = axes.iter().map(|axis| axis.letter().to_string()).collect();
         let zeros: Vec<String> = letters.iter().map(|letter| format!("{letter}0")).collect();

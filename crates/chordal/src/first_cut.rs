@@ -46,7 +46,7 @@ impl Sink for AheadSink {
         if self.first_cut.is_none() && !self.frame.follow(command) {
             if command.kind.feed().is_some() {
                 self.first_cut = Some(self.frame);
-            } else if command.kind.motion().is_some_and(|motion| is_known(motion)) {
+            } else if command.kind.motion().is_some_and(is_known) {
                 self.first_move.get_or_insert(self.frame);
             }
         }

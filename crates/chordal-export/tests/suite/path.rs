@@ -142,3 +142,23 @@ fn a_work_offset_of_unknown_relation_is_no_entity() {
     let said = "999\nmoves in G55 are left out: where it lies from G54 is not given\n";
     assert_eq!(text.matches(said).count(), 1);
 }
+
+#[test]
+fn a_chord_from_a_place_that_is_not_known_is_blank_there() {
+    let text = b"G21 G18 G90\nS900 M3\nG1 X10. Z-5. F100.\nG2 X20. Z-5. R5.\nG91 G28 Z0\nM30\n";
+    let job = job("haas-vf2", "profile.nc", text);
+    let mut csv = ChordWriter::csv(Vec::new(), 1.0, Placement::Inscribed).unwrap();
+    let mut json = ChordWriter::jsonl(Vec::new(), 1.0, Placement::Inscribed).unwrap();
+    job.path(|segment| {
+        csv.segment(segment).unwrap();
+        json.segment(segment).unwrap();
+    });
+    let (csv, json) = (lines(csv), lines(json));
+    // Y is never named, and at zero.
+    assert!(csv[1].starts_with("3,line,,0,,10,0,-5,,"), "{}", csv[1]);
+    assert!(csv[2].starts_with("4,arc,10,0,-5,"), "{}", csv[2]);
+    let last = csv.last().unwrap();
+    assert!(last.starts_with("5,rapid,20,0,-5,20,0,,,"), "{last}");
+    assert!(json[1].contains("\"from\":{\"X\":null,\"Y\":0,\"Z\":null}"), "{}", json[1]);
+    assert!(json[1].contains("\"length_mm\":null"), "{}", json[1]);
+}
