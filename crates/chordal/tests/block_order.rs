@@ -1,7 +1,8 @@
 //! In which order a block is carried out, whatever the order of its words: pairs of codes, on each control that has them,
 //! from the controls' manuals.
 
-use chordal::control::{FeedMode, SpindleState};
+use chordal::control::{FeedMode, Side, SpindleState};
+use chordal::geometry::Plane;
 use chordal::{Command, CommandKind, Diagnostic, Job, Machine, RunSink, Sink, Source, SourceMap};
 
 /// "Order of execution" in the G-code overview of the LinuxCNC documentation, 2.9: feed mode, F, S, T, outputs, tool change,
@@ -9,12 +10,14 @@ use chordal::{Command, CommandKind, Diagnostic, Job, Machine, RunSink, Sink, Sou
 /// distance, return level, reference points and offsets, motion, stop.
 const LINUXCNC: &str = "LinuxCNC 2.9, G-code overview, order of execution";
 /// The interpreter that Mach3 is written after has the table "Order of execution" (RS274/NGC version 3, section 3.8).
-const MACH3: &str = "RS274/NGC version 3, table 8 (section 3.8); Mach3Mill manual, order of execution";
+const MACH3: &str =
+    "RS274/NGC version 3, table 8 (section 3.8); Mach3Mill manual, order of execution";
 /// The comment and the steps of `gc_execute_line`: feed mode, F, S, T, spindle, coolant, dwell, plane, units (of the whole
 /// block, F included), length, work offset, distance, G10, G28 and G92, motion, stop.
 const GRBL: &str = "grbl/gcode.c, version 1.1h, steps of the execution of a line";
 /// Builders choose which M codes act before and which after the motion; these are the usual ones.
-const SHOP: &str = "usual; M codes beside a motion act as the builder of the machine chooses (B-63844EN 12.1)";
+const SHOP: &str =
+    "usual; M codes beside a motion act as the builder of the machine chooses (B-63844EN 12.1)";
 /// How the parts of a cycle block, of a plane and of a mode act together is in every manual.
 const ALL: &str = "manuals of all of them: modes of a block are those of its motion";
 
@@ -22,7 +25,7 @@ const LINUX: &[&str] = &["linuxcnc-mill"];
 const MACH: &[&str] = &["mach3-mill"];
 const GRBLS: &[&str] = &["grbl", "grblhal", "fluidnc"];
 const SHOPS: &[&str] = &["fanuc-0i", "haas-vf2", "mitsubishi-m700", "fadal-4020"];
-/// Those whose words may stand with G20 and G21.
+/// Those with a tool changer and tool offsets.
 const WITH_G43: &[&str] =
     &["fanuc-0i", "haas-vf2", "mitsubishi-m700", "fadal-4020", "linuxcnc-mill", "mach3-mill"];
 const EVERY: &[&str] = &[
@@ -56,7 +59,11 @@ const CASES: &[Case] = &[
         pair: "M3 and motion",
         before: "M5\nS0\n",
         blocks: &["G1 X10. S1000 M3", "M3 S1000 G1 X10."],
-        expected: &[(EVERY, "spindle cw 1000 | cut X10 at 200", "LinuxCNC, GRBL and RS274/NGC: spindle before motion; M3 of Fanuc and others: before, usual")],
+        expected: &[(
+            EVERY,
+            "spindle cw 1000 | cut X10 at 200",
+            "LinuxCNC, GRBL and RS274/NGC: spindle before motion; M3 of Fanuc and others: before, usual",
+        )],
     },
     Case {
         pair: "M4 and motion",
@@ -122,13 +129,21 @@ const CASES: &[Case] = &[
         pair: "M1 and motion",
         before: "",
         blocks: &["M1 G1 X10."],
-        expected: &[(WITH_G43, "cut X10 at 200 | optional stop", "all: a stop is the last of its block")],
+        expected: &[(
+            WITH_G43,
+            "cut X10 at 200 | optional stop",
+            "all: a stop is the last of its block",
+        )],
     },
     Case {
         pair: "M30 and motion",
         before: "",
         blocks: &["M30 G1 X10."],
-        expected: &[(EVERY, "cut X10 at 200 | spindle off | end", "all: the end is the last of its block")],
+        expected: &[(
+            EVERY,
+            "cut X10 at 200 | spindle off | end",
+            "all: the end is the last of its block",
+        )],
     },
     Case {
         pair: "M0 and M5",
@@ -144,19 +159,28 @@ const CASES: &[Case] = &[
         pair: "G4 and motion",
         before: "G1\n",
         blocks: &["G4 P1 X10.", "X10. G4 P1"],
-        expected: &[(LINUX, "dwell 1 | cut X10 at 200", LINUXCNC), (GRBLS, "dwell 1 | cut X10 at 200", GRBL)],
+        expected: &[
+            (LINUX, "dwell 1 | cut X10 at 200", LINUXCNC),
+            (GRBLS, "dwell 1 | cut X10 at 200", GRBL),
+        ],
     },
     Case {
         pair: "G4 and M3",
         before: "M5\nS0\n",
         blocks: &["G4 P1 M3 S1000"],
-        expected: &[(LINUX, "spindle cw 1000 | dwell 1", LINUXCNC), (GRBLS, "spindle cw 1000 | dwell 1", GRBL)],
+        expected: &[
+            (LINUX, "spindle cw 1000 | dwell 1", LINUXCNC),
+            (GRBLS, "spindle cw 1000 | dwell 1", GRBL),
+        ],
     },
     Case {
         pair: "G4 and M5",
         before: "",
         blocks: &["G4 P1 M5", "M5 G4 P1"],
-        expected: &[(LINUX, "spindle off | dwell 1", LINUXCNC), (GRBLS, "spindle off | dwell 1", GRBL)],
+        expected: &[
+            (LINUX, "spindle off | dwell 1", LINUXCNC),
+            (GRBLS, "spindle off | dwell 1", GRBL),
+        ],
     },
     Case {
         pair: "T and M6",
@@ -168,7 +192,10 @@ const CASES: &[Case] = &[
         pair: "M6 and M3",
         before: "M5\nS0\n",
         blocks: &["T2 M6 M3 S1000", "M3 S1000 T2 M6"],
-        expected: &[(LINUX, "tool 2 | spindle cw 1000", LINUXCNC), (MACH, "tool 2 | spindle cw 1000", MACH3)],
+        expected: &[
+            (LINUX, "tool 2 | spindle cw 1000", LINUXCNC),
+            (MACH, "tool 2 | spindle cw 1000", MACH3),
+        ],
     },
     Case {
         pair: "M6 and M8",
@@ -215,7 +242,11 @@ const CASES: &[Case] = &[
             (LINUX, "cut X15 at 200", LINUXCNC),
             (MACH, "cut X15 at 200", MACH3),
             (GRBLS, "cut X15 at 200", GRBL),
-            (&["fadal-4020"], "cut X10 at 200", "Fadal manual 13: G90 and G91 act from left to right"),
+            (
+                &["fadal-4020"],
+                "cut X10 at 200",
+                "Fadal manual 13: G90 and G91 act from left to right",
+            ),
         ],
     },
     Case {
@@ -290,17 +321,21 @@ const CASES: &[Case] = &[
         pair: "G99 and a cycle",
         before: "",
         blocks: &["G81 X10. Z-5. R2. G99 F100.", "G99 G81 X10. Z-5. R2. F100."],
-        expected: &[
-            (&["fanuc-0i", "haas-vf2", "mitsubishi-m700", "linuxcnc-mill", "mach3-mill", "grblhal"], "hole to Z2", ALL),
-        ],
+        expected: &[(
+            &["fanuc-0i", "haas-vf2", "mitsubishi-m700", "linuxcnc-mill", "mach3-mill", "grblhal"],
+            "hole to Z2",
+            ALL,
+        )],
     },
     Case {
         pair: "G98 and a cycle",
         before: "G99\n",
         blocks: &["G81 X10. Z-5. R2. G98 F100."],
-        expected: &[
-            (&["fanuc-0i", "haas-vf2", "mitsubishi-m700", "linuxcnc-mill", "mach3-mill", "grblhal"], "hole to Z10", ALL),
-        ],
+        expected: &[(
+            &["fanuc-0i", "haas-vf2", "mitsubishi-m700", "linuxcnc-mill", "mach3-mill", "grblhal"],
+            "hole to Z10",
+            ALL,
+        )],
     },
     Case {
         pair: "G53 and G0",
@@ -333,22 +368,26 @@ const CASES: &[Case] = &[
         pair: "G10 and G55",
         before: "",
         blocks: &["G55 G10 L2 P2 X1."],
-        expected: &[
-            (LINUX, "offset | offset", LINUXCNC),
-            (GRBLS, "offset | offset", GRBL),
-        ],
+        expected: &[(LINUX, "offset | offset", LINUXCNC), (GRBLS, "offset | offset", GRBL)],
     },
     Case {
         pair: "G64 and motion",
         before: "",
         blocks: &["G1 X10. G61"],
-        expected: &[(&["fanuc-0i", "mitsubishi-m700", "haas-vf2", "linuxcnc-mill", "mach3-mill"], "path | cut X10 at 200", ALL)],
+        expected: &[(
+            &["fanuc-0i", "mitsubishi-m700", "haas-vf2", "linuxcnc-mill", "mach3-mill"],
+            "path | cut X10 at 200",
+            ALL,
+        )],
     },
     Case {
         pair: "M49 and motion",
         before: "",
         blocks: &["G1 X10. M49"],
-        expected: &[(LINUX, "overrides | cut X10 at 200", LINUXCNC), (MACH, "overrides | cut X10 at 200", MACH3)],
+        expected: &[
+            (LINUX, "overrides | cut X10 at 200", LINUXCNC),
+            (MACH, "overrides | cut X10 at 200", MACH3),
+        ],
     },
     Case {
         pair: "a message and motion",
@@ -360,13 +399,21 @@ const CASES: &[Case] = &[
         pair: "M98 and motion",
         before: "",
         blocks: &["G1 X10. M98 P7", "M98 P7 G1 X10."],
-        expected: &[(&["fanuc-0i", "mitsubishi-m700", "haas-vf2"], "cut X10 at 200", "Fanuc B-63844EN 13.3: the move of the block, then the call")],
+        expected: &[(
+            &["fanuc-0i", "mitsubishi-m700", "haas-vf2"],
+            "cut X10 at 200",
+            "Fanuc B-63844EN 13.3: the move of the block, then the call",
+        )],
     },
     Case {
         pair: "G80 and motion",
         before: "G81 X10. Z-5. R2. F200.\n",
         blocks: &["G80 G0 X20.", "G0 X20. G80"],
-        expected: &[(&["fanuc-0i", "haas-vf2", "mitsubishi-m700", "linuxcnc-mill"], "rapid X20", ALL)],
+        expected: &[(
+            &["fanuc-0i", "haas-vf2", "mitsubishi-m700", "linuxcnc-mill"],
+            "rapid X20",
+            ALL,
+        )],
     },
 ];
 
@@ -401,11 +448,11 @@ impl Events {
     }
 }
 
-fn plane(plane: chordal::geometry::Plane) -> &'static str {
+fn plane(plane: Plane) -> &'static str {
     match plane {
-        chordal::geometry::Plane::Xy => "XY",
-        chordal::geometry::Plane::Zx => "ZX",
-        chordal::geometry::Plane::Yz => "YZ",
+        Plane::Xy => "XY",
+        Plane::Zx => "ZX",
+        Plane::Yz => "YZ",
     }
 }
 
@@ -434,7 +481,7 @@ impl Sink for Events {
             CommandKind::ToolLength { number: None, .. } => "length off".into(),
             CommandKind::WorkOffset { .. } => "offset".into(),
             CommandKind::Compensation { side, .. } => match side {
-                chordal::control::Side::Off => "compensation off".into(),
+                Side::Off => "compensation off".into(),
                 _ => "compensation".into(),
             },
             CommandKind::Dwell { seconds, .. } => format!("dwell {}", rounded(*seconds)),
@@ -456,17 +503,34 @@ impl RunSink for Events {}
 
 fn events(machine: &str, before: &str, block: &str) -> String {
     let text = format!("{HEAD}{before}{block}\nM30\nO7\nM99\n");
-    let line = 1 + HEAD.lines().count() as u32 + before.lines().count() as u32;
+    events_of(machine, &text, 1 + HEAD.lines().count() as u32 + before.lines().count() as u32)
+}
+
+fn events_of(machine: &str, text: &str, line: u32) -> String {
     let mut sources = SourceMap::new();
-    sources.add(Source::new("t.nc", text.into_bytes()));
+    sources.add(Source::new("t.nc", text.as_bytes()));
     let job = Job::new(sources, Machine::from_builtin(machine).expect("a machine")).expect("a job");
     let mut events = Events { line, said: Vec::new(), z: 0.0, in_cycle: false };
     job.run(&mut events);
     if events.in_cycle {
         events.said.push(format!("hole to Z{}", rounded(events.z)));
     }
-    // Modes that are in force already are said again by some controls; what counts is what is done.
     events.said.join(" | ")
+}
+
+/// Before the program has said its units, those of power-on are a guess, and F is read with those of its block.
+#[test]
+fn units_of_power_on_change_no_feed() {
+    for (machine, block, right) in [
+        ("linuxcnc-mill", "G20 F10 G1 X1.", "cut X25.4 at 254"),
+        ("mach3-mill", "G20 F10 G1 X1.", "cut X25.4 at 254"),
+    ] {
+        let text = format!("M3 S900\nG0 X0 Y0\n{block}\nM30\n");
+        assert_eq!(events_of(machine, &text, 3), right, "{machine}");
+    }
+    // What it has said holds after the end of a subprogram, too, and nothing changes where they are the same.
+    let same = "G21 M3 S900\nG0 X0 Y0\nG21 F10 G1 X1.\nM30\n";
+    assert_eq!(events_of("linuxcnc-mill", same, 3), "cut X1 at 10");
 }
 
 #[test]
