@@ -144,7 +144,7 @@ fn a_place_that_is_not_known_is_blank() {
             ("8", [true, true, true, false, true, true]),
         ]
     );
-    done.complains(&["X, Z where the place is not known", "Y is never named; drawn at Y0"]);
+    done.complains(&["Y is never named; drawn at Y0", "X, Z where the place is not known"]);
     let json = folder
         .run(&["sample", "part.nc", "-m", "haas-vf2", "--period", "10ms", "--format", "jsonl"])
         .ends(0);

@@ -18,6 +18,8 @@ use crate::job::Job;
 struct AheadSink {
     frame: Frame,
     first_cut: Option<Frame>,
+    /// That of the first cut whose place is known: one before it, as a jog to the part, is not drawn.
+    first_known_cut: Option<Frame>,
     /// Where a program without a cut begins.
     first_move: Option<Frame>,
     never: AxisMask,
@@ -37,16 +39,18 @@ impl AheadSink {
     }
 
     fn has_all(&self) -> bool {
-        self.first_cut.is_some() && self.never.or(self.in_no_cut) == AxisMask::NONE
+        self.first_known_cut.is_some() && self.never.or(self.in_no_cut) == AxisMask::NONE
     }
 }
 
 impl Sink for AheadSink {
     fn command(&mut self, command: &Command) {
-        if self.first_cut.is_none() && !self.frame.follow(command) {
+        if self.first_known_cut.is_none() && !self.frame.follow(command) {
+            let is_known = command.kind.motion().is_some_and(is_known);
             if command.kind.feed().is_some() {
-                self.first_cut = Some(self.frame);
-            } else if command.kind.motion().is_some_and(is_known) {
+                self.first_cut.get_or_insert(self.frame);
+                self.first_known_cut = is_known.then_some(self.frame);
+            } else if is_known {
                 self.first_move.get_or_insert(self.frame);
             }
         }
@@ -67,9 +71,9 @@ impl Sink for AheadSink {
 
 impl RunSink for AheadSink {}
 
-/// Where it ends on the part is known along some axis.
+/// Where it goes on the part is known along some axis, from its start to its end.
 fn is_known(motion: &Move) -> bool {
-    motion.to_known.and(AxisMask::LINEAR) != AxisMask::NONE
+    motion.from_known.and(motion.to_known).and(AxisMask::LINEAR) != AxisMask::NONE
 }
 
 /// The axes of X, Y and Z that a move shows to be named: they are known, or move all the same, as to a reference point.
@@ -107,6 +111,7 @@ impl Job<'_> {
         let mut sink = AheadSink {
             frame: self.initial_frame(),
             first_cut: None,
+            first_known_cut: None,
             first_move: None,
             never: AxisMask::LINEAR,
             in_no_cut: AxisMask::LINEAR,
@@ -124,7 +129,8 @@ impl Job<'_> {
                 break;
             }
         }
-        let run_frame = sink.first_cut.or(sink.first_move).map(|frame| self.run_frame_of(&frame));
+        let first = sink.first_known_cut.or(sink.first_cut).or(sink.first_move);
+        let run_frame = first.map(|frame| self.run_frame_of(&frame));
         Ahead { run_frame, not_named: Some(sink.not_named()) }
     }
 

@@ -211,6 +211,13 @@ fn shifts_of_a_work_offset_that_is_not_given_are_drawn_where_they_are() {
 }
 
 #[test]
+fn a_jog_to_the_part_before_its_zero_is_set_hides_nothing() {
+    let text =
+        "$X\nG21 G90\n$J=G91 X12 F500\nG10 L20 P1 X0 Y0 Z0\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F30\nG1 X30\n";
+    assert!(drawn(&job("grbl", text)).ends_with(&[7, 8]), "the cuts");
+}
+
+#[test]
 fn rapids_alone_have_the_frame_of_the_first_of_them() {
     let text = "G21 G90\nG54 G0 X0 Y0 Z5.\nX10.\nG55 G0 X0 Y0 Z5.\nX100.\nM30\n";
     assert_eq!(drawn(&job("haas-vf2", text)), [3]);
