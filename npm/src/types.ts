@@ -152,6 +152,8 @@ export interface Run extends Reading {
       range: [number, number];
       cut_range: [number, number] | null;
     }[];
+    /** Of moves in work offsets of which nobody knows how they lie to the first: `axes` are without them. */
+    moves_left_out: string[];
     repeats: boolean;
     /** What the program prints. */
     prints: string[];

@@ -58,6 +58,8 @@ export interface MachineInfo {
   turret: "rear" | "front" | null;
   /** What places on X, Y and Z are multiplied by to be programmed: 2 of a diameter. */
   factors: [number, number, number];
+  /** Whether it has X, Y and Z: a lathe of two axes has no Y. */
+  has: [boolean, boolean, boolean];
   name: string;
   title: string;
   control: string;
@@ -79,6 +81,8 @@ export interface Report {
   never_named: string[];
   /** The same of axes that are not known in any cut. */
   named_in_no_cut: string[];
+  /** Of moves in work offsets that are not given, which have no place in the picture, and what to do about it. */
+  moves_left_out: string[];
   inch: boolean;
   /** How far the segments may be from arcs that the control itself cuts them into; null where it does not. */
   own_chords_mm: number | null;

@@ -13,7 +13,7 @@ import { layout } from "./layout";
 import { measuring } from "./measuring";
 import { drawAxes } from "./axes";
 import { Link, type MachineInfo, type Report, type Times, type Told } from "./link";
-import { notNamedText, notVerified, showOutline, showState, showTimes } from "./panels";
+import { leftOutText, notNamedText, notVerified, showOutline, showState, showTimes } from "./panels";
 import { Path, type Vec3, axisBits, batchOf, kindOf } from "./path";
 import { Problems } from "./problems";
 import { readingsPanel } from "./readings";
@@ -114,7 +114,7 @@ const against = againstProgram({
 });
 
 /** Units of what is said of a place. */
-const units = (): Units => ({ inch: report?.inch ?? false, ...(machine && { factors: machine.factors }) });
+const units = (): Units => ({ inch: report?.inch ?? false, ...(machine && { factors: machine.factors, has: machine.has }) });
 
 /** With the problems of the stock. */
 const withStock = (told: Pick<Report, "diagnostics" | "left_out" | "errors" | "warnings" | "notes">) => {
@@ -337,7 +337,7 @@ function finish(told: Report): void {
   const depths = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
   ui.section.offer(path.tools, depths.map((z) => z! + path.origin[2]) as [number, number], { inch: told.inch });
   ui.empty(path.bounds ? "" : emptyText(told));
-  ui.turns([notNamedText(told), unknownTurns(told.axes, machine?.rotary ?? [])].filter(Boolean).join(" "));
+  ui.turns([notNamedText(told), leftOutText(told), unknownTurns(told.axes, machine?.rotary ?? [])].filter(Boolean).join(" "));
   ui.unverified(notVerified(told));
   editor.setProblems(told.diagnostics);
   tellProblems();
@@ -416,7 +416,7 @@ async function tellState(done: number, line: number, inSubprogram?: number): Pro
   const at = end && { place: end.coordinates, turn: end.turn };
   const moves = inSubprogram !== undefined || path.rowsOfLine(line) !== undefined;
   const kind = found && moves ? kindOf(found[0].kind[found[1]]!) : undefined;
-  showState(ui.panels.state, told.state ?? undefined, at, { line, kind, inSubprogram }, machine?.factors);
+  showState(ui.panels.state, told.state ?? undefined, at, { line, kind, inSubprogram }, machine);
 }
 
 /** Draws the tool where the program is; not where that is not known. */

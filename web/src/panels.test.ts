@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { notVerified } from "./panels";
+import { leftOutText, notVerified } from "./panels";
 
 it("says from which line on the path is not known", () => {
   expect(notVerified({ not_verified_from: null })).toBe("");
@@ -8,4 +8,9 @@ it("says from which line on the path is not known", () => {
     "Not verified from line 12 on: the path after it is not known.",
   );
   expect(notVerified({ not_verified_from: { ...from, own: false } })).toContain("from line 12 of part.nc on");
+});
+
+it("says which moves are left out for their work offset, and what to do", () => {
+  expect(leftOutText({ moves_left_out: [] })).toBe("");
+  expect(leftOutText({ moves_left_out: ["moves in G55 are left out", "give both"] })).toBe("Moves in G55 are left out. Give both.");
 });

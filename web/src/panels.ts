@@ -43,6 +43,11 @@ export function notNamedText(told: Pick<Report, "never_named" | "named_in_no_cut
   return [said(told.never_named, "never named"), said(told.named_in_no_cut, "not known in any cut")].filter(Boolean).join(" ");
 }
 
+/** Of moves that are left out for their work offset; empty where there are none. */
+export function leftOutText(told: Pick<Report, "moves_left_out">): string {
+  return told.moves_left_out.map((text) => `${text[0]!.toUpperCase()}${text.slice(1)}.`).join(" ");
+}
+
 /** Entries that are shown; a text with more is one of numbers. */
 const MOST_ENTRIES = 2_000;
 
@@ -89,14 +94,14 @@ export function showState(
   modal: Modal | undefined,
   at: { place: Coordinates; turn: Vec3 } | undefined,
   now: { line: number; kind: number | undefined; inSubprogram?: number | undefined } | undefined,
-  factors?: readonly number[],
+  machine?: Pick<MachineInfo, "factors" | "has">,
 ): void {
   root.replaceChildren();
   if (!modal) {
     root.append(element("p", "clean", "The run does not reach this line."));
     return;
   }
-  const units: Units = { inch: modal.inch, ...(factors && { factors }) };
+  const units: Units = { inch: modal.inch, ...(machine && { factors: machine.factors, has: machine.has }) };
   const table = element("table");
   if (now) row(table, "After line", now.inSubprogram === undefined ? count(now.line) : `${count(now.inSubprogram)} of a subprogram in another file`);
   if (modal.codes) row(table, "Codes", modal.codes.join(" "));

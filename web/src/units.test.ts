@@ -35,5 +35,6 @@ it("counts", () => {
 
 it("says a dash for a coordinate that is not known", () => {
   expect(position(metric, [10, undefined, -5])).toBe("X 10.000  Y –  Z -5.000 mm");
+  expect(position({ inch: false, has: [true, false, true] }, [10, 0, undefined])).toBe("X 10.000  Z – mm");
   expect(position({ inch: true, factors: [2, 1, 1] }, [25.4, 0, undefined])).toBe("X 2.0000  Y 0.0000  Z – in");
 });

@@ -4,6 +4,8 @@ export interface Units {
   inch: boolean;
   /** What places on X, Y and Z are multiplied by: 2 of what is programmed as a diameter; without it 1. */
   factors?: readonly number[];
+  /** Whether the machine has X, Y and Z; without it all. */
+  has?: readonly boolean[];
 }
 
 /** A place as it is programmed. */
@@ -11,11 +13,11 @@ export function programmed({ factors }: Units, at: readonly [number, number, num
   return at.map((value, axis) => value * (factors?.[axis] ?? 1)) as [number, number, number];
 }
 
-/** `X 10.000  Y –  Z -5.000 mm`: a place as it is programmed; a dash for a coordinate that is not known. */
+/** `X 10.000  Y –  Z -5.000 mm`: a place as it is programmed; a dash for a coordinate that is not known, none for an axis that is not there. */
 export function position(units: Units, at: readonly (number | undefined)[]): string {
   const texts = at.map((value, axis) =>
-    value === undefined ? "–" : coordinate(units, value * (units.factors?.[axis] ?? 1)));
-  return `X ${texts[0]}  Y ${texts[1]}  Z ${texts[2]} ${units.inch ? "in" : "mm"}`;
+    `${"XYZ"[axis]} ${value === undefined ? "–" : coordinate(units, value * (units.factors?.[axis] ?? 1))}`);
+  return `${texts.filter((_, axis) => units.has?.[axis] ?? true).join("  ")} ${units.inch ? "in" : "mm"}`;
 }
 
 const MM_PER_INCH = 25.4;

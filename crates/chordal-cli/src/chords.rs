@@ -3,10 +3,12 @@
 use std::io;
 use std::path::PathBuf;
 
+use chordal::control::AxisMask;
 use chordal::geometry::Placement;
-use chordal::{Job, Segment};
+use chordal::{Job, Segment, SegmentKind};
 use chordal_export::ChordWriter;
 use chordal_export::columns::{ChordColumns, ColumnFile};
+use chordal_export::{left_out_texts, not_named_texts};
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
@@ -23,7 +25,8 @@ Examples:
   chordal chords part.nc -o chords.jsonl          by the extension: .csv, .jsonl, .parquet, .arrow
 
 The tolerance is the largest distance between the exact curve and its chord. Inscribed chords have
-their ends on the curve; balanced chords lie as far outside as inside, and √2 times fewer are needed.";
+their ends on the curve; balanced chords lie as far outside as inside, and √2 times fewer are needed.
+A coordinate that is not known is blank.";
 
 /// Prints the straight chords that a control unit would send for the path
 #[derive(clap::Args)]
@@ -109,6 +112,15 @@ impl<'a> Writer<'a> {
     }
 }
 
+/// The axes of which a cut has no place at one of its ends. The way to the first place is never known; that is no loss.
+fn unknown_in(segment: &Segment) -> AxisMask {
+    if segment.kind == SegmentKind::Rapid {
+        return AxisMask::NONE;
+    }
+    let [from, to] = segment.places();
+    AxisMask::LINEAR.without(from.and(to).or(segment.not_named.all()))
+}
+
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let output = Output::of(args.output.as_deref(), args.format, RowFormat::Csv, "chords")?;
     let goes = |job: &Job| {
@@ -119,13 +131,32 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         let message = format!("{title} is not known to cut arcs into segments");
         Err(Failure::wrong(message, "say --tolerance instead of --as-control"))
     };
-    output.write_if(&args.file, &args.common, terminal, goes, |job, out, format| {
-        let mut writer = Writer::new(out, format, args, job)?;
-        let mut done = Ok(());
-        let report = job.report_with(|_, segments| {
-            keep(&mut done, || segments.iter().try_for_each(|segment| writer.segment(segment)));
-        });
-        done?;
-        Ok((report, writer.finish()?))
-    })
+    let mut remarks = Vec::new();
+    let verdict =
+        output.write_if(&args.file, &args.common, terminal, goes, |job, out, format| {
+            let mut writer = Writer::new(out, format, args, job)?;
+            let mut done = Ok(());
+            let mut blank = AxisMask::NONE;
+            let report = job.report_with(|_, segments| {
+                keep(&mut done, || segments.iter().try_for_each(|segment| writer.segment(segment)));
+                segments.iter().for_each(|segment| blank = blank.or(unknown_in(segment)));
+            });
+            done?;
+            remarks = not_named_texts(job.not_named_axes());
+            remarks.extend(left_out_texts(
+                &report.summary.unrelated_zeros,
+                job.control().table.work_names,
+            ));
+            if blank != AxisMask::NONE {
+                let letters: Vec<String> =
+                    blank.iter().map(|axis| axis.letter().to_string()).collect();
+                remarks.push(format!(
+                    "cuts at unknown places are blank there: {}",
+                    letters.join(", ")
+                ));
+            }
+            Ok((report, writer.finish()?))
+        })?;
+    remarks.iter().for_each(|remark| terminal.tell(&format!("  {remark}\n")));
+    Ok(verdict)
 }

@@ -254,7 +254,7 @@ fn open<'a>(path: &Path, format: Format, job: &'a Job<'a>) -> io::Result<Writer<
     let out = draft(path)?;
     Ok(match format {
         Format::Svg | Format::Png => Writer::Picture(out, format),
-        Format::Dxf => Writer::Dxf(Dxf::new(out)?),
+        Format::Dxf => Writer::Dxf(Dxf::new(out, job)?),
         Format::Csv => Writer::Csv(Box::new(CommandCsv::new(out, job)?)),
         Format::Jsonl => Writer::Jsonl(CommandJsonLines::new(out, job)?),
         Format::Canon => Writer::Canon(Canon::new(out, job)?),

@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
+use chordal::control::AxisMask;
 use chordal::machine::Dimension;
 use chordal::motion::{Level, MotionOptions, Sampled, Sampling, SamplingError};
 use chordal::{Job, Report, Severity};
 use chordal_export::report::{self, Detail};
-use chordal_export::{SampleFormat, SampleHead, SampleWriter};
+use chordal_export::{SampleFormat, SampleHead, SampleWriter, not_named_texts};
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
@@ -26,8 +27,8 @@ Examples:
 
 One row per period: time_s; x_mm, x_vel_mm_per_s, x_acc_mm_per_s2 and the same of Y and Z; a_deg,
 a_vel_deg_per_s, a_acc_deg_per_s2 and the same of B and C if the program moves them;
-speed_mm_per_s; line. Positions are continuous where an offset or a tool length jumps. The first row
-is the start, the last one the end. Parquet and Arrow files contain their units, their schema
+speed_mm_per_s; line. Positions are continuous where an offset or a tool length jumps; one that is
+not known is blank. The first row is the start, the last one the end. Parquet and Arrow files contain their units, their schema
 (chordal.samples/1) and the SHA-256 of the program.
 
 The summary on standard error gives the chord error of the period: how far the tool is from the path
@@ -129,7 +130,17 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
     let bent = sampled.motion.bent_rapids > 0;
     let machine_s = if bent { machine_time(&job, args.level) } else { None };
-    terminal.tell(&summary(&sampled, machine_s, args.period, units, terminal.err));
+    let columns = head.axes();
+    let not_named = not_named_texts(job.not_named_axes());
+    terminal.tell(&summary(
+        &sampled,
+        machine_s,
+        args.period,
+        units,
+        &not_named,
+        columns,
+        terminal.err,
+    ));
     Ok(verdict(&report))
 }
 
@@ -165,9 +176,11 @@ fn summary(
     machine_s: Option<f64>,
     period_s: f64,
     units: Units,
+    not_named: &[String],
+    columns: AxisMask,
     colors: bool,
 ) -> String {
-    let Sampled { motion, time_s, count, chord } = sampled;
+    let Sampled { motion, time_s, count, chord, .. } = sampled;
     let mut text = String::new();
     let mut row = |name: &str, value: &str| {
         let name = style(colors, BOLD, format!("{name:10}"));
@@ -187,6 +200,9 @@ fn summary(
         );
         row("", "of its axes arrives; on the machine the others go on at full speed");
     }
+    for text in not_named {
+        row("zero", text);
+    }
     if units == Units::Inch {
         row("units", "mm and degrees in the rows, though the program is in inch");
     }
@@ -194,6 +210,11 @@ fn summary(
     row("chord", &chord_text(chord_mm, line, units));
     if !motion.limits.assumed.is_empty() {
         row("limits", "typical values were used where the machine file gives none");
+    }
+    let axes = sampled.unknown_axes.and(columns).iter();
+    let blank: Vec<String> = axes.map(|axis| axis.letter().to_string()).collect();
+    if !blank.is_empty() {
+        row("blank", &format!("{} where the place is not known", blank.join(", ")));
     }
     if motion.cuts_without_feed > 0 {
         let cuts = counted(motion.cuts_without_feed, "cut", "cuts");

@@ -9,6 +9,7 @@ use chordal::motion::MotionReport;
 use chordal::time::Timed;
 use chordal::tool_comments::{KnownTool, known_tools};
 use chordal::{AxisTravel, Diagnostic, Job, Report, Severity, Summary, ToolUse};
+use chordal_export::{GIVE_OFFSETS, left_out_texts};
 use chordal_load::{Chosen, Loaded};
 use chordal_report::title;
 use comfy_table::{CellAlignment, Table};
@@ -50,6 +51,14 @@ pub fn text(
     sheet.table("", &tools(&summary.tools, units, job, &known));
     let by_comment = by_comment(&summary.tools, &known);
     sheet.table("", &axes(&summary.axes, units));
+    let left_out = left_out_texts(&summary.unrelated_zeros, job.control().table.work_names);
+    if !left_out.is_empty() {
+        sheet.gap();
+        sheet.rows("note", &left_out);
+    }
+    if summary.unrelated_zeros.iter().any(|zero| !zero.is_preset) {
+        sheet.more(GIVE_OFFSETS);
+    }
     sheet.gap();
     if !by_comment.is_empty() {
         let text = format!("{by_comment} from comments in the program; comments set no offset");

@@ -217,9 +217,32 @@ M30
     assert!(html.contains("&lt;b&gt;MILL&lt;/b&gt;") && html.contains("&lt;i&gt;today&lt;/i&gt;"));
 }
 
+/// Those of both work offsets of the part.
+fn offsets() -> Vec<&'static str> {
+    const OFFSETS: [&str; 6] = [
+        "work_offsets.G54.X=-300 mm",
+        "work_offsets.G54.Y=-200 mm",
+        "work_offsets.G54.Z=-400 mm",
+        "work_offsets.G55.X=-200 mm",
+        "work_offsets.G55.Y=-200 mm",
+        "work_offsets.G55.Z=-400 mm",
+    ];
+    OFFSETS.iter().flat_map(|offset| ["--set", offset]).collect()
+}
+
+#[test]
+fn the_picture_says_which_work_offset_it_leaves_out() {
+    let said = "Moves in G55 are left out: where it lies from G54 is not given.";
+    let html = page(&folder(), PART, &[]);
+    assert_eq!(html.matches(said).count(), 1);
+    // Both views, and the one tool that is drawn twice: in the legend and in the list.
+    assert_eq!(html.matches("<svg viewBox").count(), 2 + 1 + 1);
+    assert!(!page(&folder(), PART, &offsets()).contains(said));
+}
+
 #[test]
 fn the_page_needs_nothing_else() {
-    let html = page(&folder(), PART, &[]);
+    let html = page(&folder(), PART, &offsets());
     for word in ["http:", "https:", "//", "src=", "url(http", "@import", "<script", "<link"] {
         let found = html.find(word).map(|at| &html[at..(at + 60).min(html.len())]);
         assert_eq!(found, None, "{word}");

@@ -25,7 +25,8 @@ fn setpoints_are_a_table() {
     let rows: Vec<Vec<&str>> = done.out.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(rows[0][..4], ["time_s", "x_mm", "x_vel_mm_per_s", "x_acc_mm_per_s2"]);
     assert_eq!(rows[0].last(), Some(&"line"));
-    assert_eq!(rows[1][..3], ["0", "0", "0"]);
+    // Nothing says where the first move comes from, and so how fast X goes at first.
+    assert_eq!(rows[1][..3], ["0", "", ""]);
     assert_eq!(rows[2][0], "0.002");
     let last = rows.last().unwrap();
     assert_eq!((last[1], last[4], last[2]), ("120", "20", "0"));
@@ -107,4 +108,45 @@ fn a_dog_leg_rapid_goes_where_its_axes_take_it() {
     // Both axes at one speed until Y is there, 50 mm by 50 mm, less what the bend is rounded by.
     let bend = above("dog-leg");
     assert!(bend > 10.0 && bend < 25.0, "{bend}");
+}
+
+#[test]
+fn a_place_that_is_not_known_is_blank() {
+    // X and Z come from nowhere, Y is never named; after G28 it is not known where Z is on the part.
+    let text = "G21 G90 G18\nS1000 M3\nG0 X10. Z5.\nG1 Z-2. F600.\nG4 P100\nG91 G28 Z0\nG90 G1 X20.\nM30\n";
+    let folder = Folder::new();
+    folder.write("part.nc", text);
+    let done = folder.run(&["sample", "part.nc", "-m", "haas-vf2", "--period", "10ms"]).ends(0);
+    let head: Vec<&str> = done.out.lines().next().expect("a head").split(',').collect();
+    let place = |name: &str| head.iter().position(|own| *own == name).expect("a column");
+    let names = ["x_mm", "x_vel_mm_per_s", "y_mm", "z_mm", "z_vel_mm_per_s", "speed_mm_per_s"];
+    let columns = names.map(place);
+    let (mut lines, line) = (Vec::new(), place("line"));
+    for row in done.out.lines().skip(1).map(|row| row.split(',').collect::<Vec<_>>()) {
+        let known = columns.map(|column| !row[column].is_empty());
+        if lines.last() != Some(&(row[line], known)) {
+            lines.push((row[line], known));
+        }
+    }
+    let all = [true; 6];
+    assert_eq!(
+        lines,
+        [
+            // The spindle starts, and nothing moves.
+            ("2", [false, true, true, false, true, true]),
+            ("3", [false, false, true, false, false, false]),
+            // Z has arrived, and stands.
+            ("3", [false, false, true, false, true, false]),
+            ("4", all),
+            ("5", all),
+            ("6", [true, true, true, false, false, false]),
+            ("7", [true, true, true, false, true, true]),
+            ("8", [true, true, true, false, true, true]),
+        ]
+    );
+    done.complains(&["Y is never named; drawn at Y0", "X, Z where the place is not known"]);
+    let json = folder
+        .run(&["sample", "part.nc", "-m", "haas-vf2", "--period", "10ms", "--format", "jsonl"])
+        .ends(0);
+    assert!(json.out.lines().nth(1).expect("a row").contains("\"x_mm\":null"), "{}", json.out);
 }

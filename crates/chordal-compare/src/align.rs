@@ -6,7 +6,7 @@ use chordal::geometry::{Curve, ParamCurve, Vec3};
 use chordal::machine::PerAxis;
 use imara_diff::{Algorithm, Diff, InternedInput, Interner, Token as InternedToken};
 
-use crate::course::{Course, Event, Moved, Step, Way};
+use crate::course::{Course, Event, MoveKind, Moved, Step};
 
 /// A stretch of both runs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -87,7 +87,7 @@ pub(crate) fn in_step(a: &Course, b: &Course) -> Option<Alignment> {
                 }
                 let before = groups.last_mut().filter(|group| group.end == at);
                 if let Some(group) = before
-                    && moved.way != Way::Cut
+                    && moved.kind != MoveKind::Cut
                     && course.moved(at - 1).is_some_and(|last| last.command == moved.command)
                 {
                     group.end = at + 1;
@@ -102,7 +102,7 @@ pub(crate) fn in_step(a: &Course, b: &Course) -> Option<Alignment> {
     let is_alike =
         |(at, to): (&Range<usize>, &Range<usize>)| match (&a.steps[at.start], &b.steps[to.start]) {
             (Step::Move(one), Step::Move(other)) => {
-                (one.way == Way::Cut) == (other.way == Way::Cut)
+                (one.kind == MoveKind::Cut) == (other.kind == MoveKind::Cut)
             }
             (Step::Event { what: one, .. }, Step::Event { what: other, .. }) => {
                 std::mem::discriminant(one) == std::mem::discriminant(other)
@@ -113,7 +113,7 @@ pub(crate) fn in_step(a: &Course, b: &Course) -> Option<Alignment> {
         return None;
     }
     let regions = of_a.into_iter().zip(of_b).map(|(at, to)| {
-        let is_rapid = a.moved(at.start).is_some_and(|moved| moved.way != Way::Cut);
+        let is_rapid = a.moved(at.start).is_some_and(|moved| moved.kind != MoveKind::Cut);
         if is_rapid { Region::Rapid(at, to) } else { Region::Matched(at, to) }
     });
     Some(Alignment { regions: regions.collect(), moved: Vec::new() })
@@ -166,7 +166,7 @@ fn moved(
     // A rapid alone may be the same by chance: to one retract plane, to one tool change.
     let has_cut = |[moves, _]: &[Vec<usize>; 2]| {
         let mut moves = moves.iter().filter_map(|at| courses[0].moved(*at));
-        moves.any(|moved| moved.way == Way::Cut)
+        moves.any(|moved| moved.kind == MoveKind::Cut)
     };
     same.filter(has_cut).collect()
 }
@@ -190,7 +190,7 @@ fn move_token(course: &Course, moved: &Moved, grid_mm: f64) -> Token {
     let place = |place: Vec3| place.to_array().map(grid);
     if !moved.known {
         let way = place(moved.curve.end() - moved.curve.start());
-        return Token::Unknown { rapid: moved.way != Way::Cut, way };
+        return Token::Unknown { rapid: moved.kind != MoveKind::Cut, way };
     }
     let (start, end) = (place(moved.curve.start()), place(moved.curve.end()));
     let ends = [start[0], start[1], start[2], end[0], end[1], end[2]];

@@ -46,7 +46,7 @@ pub(crate) struct Moved {
     pub(crate) length_mm: f64,
     /// Both ends are known relative to the part.
     pub(crate) known: bool,
-    pub(crate) way: Way,
+    pub(crate) kind: MoveKind,
     /// The feed of a cut; nothing for rapids and before any F.
     pub(crate) feed: Option<Speed>,
     /// F counts by revolutions.
@@ -60,7 +60,7 @@ pub(crate) struct Moved {
 
 /// How a move goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Way {
+pub(crate) enum MoveKind {
     Cut,
     Rapid,
     /// A rapid on which each axis goes at its own speed, so that it is no straight line.
@@ -339,7 +339,7 @@ impl Gather {
                 curve: segment.curve,
                 length_mm: segment.length_mm,
                 known: (segment.known || self.assume_known) && !is_of_machine,
-                way: way(command),
+                kind: kind(command),
                 feed: speed(command, segment),
                 per_revolution: feed_mode == Some(FeedMode::PerRevolution),
                 turn,
@@ -352,15 +352,15 @@ impl Gather {
     }
 }
 
-fn way(command: &Command) -> Way {
+fn kind(command: &Command) -> MoveKind {
     match &command.kind {
         CommandKind::Rapid { path: RapidPath::DogLeg, motion } => {
             // Along a single axis both are the same line.
             let moving = (0..3).filter(|axis| motion.from[*axis] != motion.to[*axis]).count();
-            if moving > 1 { Way::DogLeg } else { Way::Rapid }
+            if moving > 1 { MoveKind::DogLeg } else { MoveKind::Rapid }
         }
-        CommandKind::Rapid { .. } => Way::Rapid,
-        _ => Way::Cut,
+        CommandKind::Rapid { .. } => MoveKind::Rapid,
+        _ => MoveKind::Cut,
     }
 }
 

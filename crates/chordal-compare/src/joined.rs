@@ -7,7 +7,7 @@ use chordal::diagnostics::{Counts, FileId, Span, TextRange};
 use chordal::geometry::{ParamCurve, Vec3};
 use chordal::{Diagnostic, Job, Report, Severity, Summary};
 
-use crate::course::{Course, Event, Moved, Step, Way};
+use crate::course::{Course, Event, MoveKind, Moved, Step};
 use crate::{Comparison, Options, SAME_MM, conclude};
 
 /// A text that a part has from the whole, byte for byte.
@@ -138,7 +138,7 @@ fn join(joined: &mut Course, part: &Part, options: &Options) {
         let is_own = kept.is_none() && origin.span.file == FileId(0);
         let origin = kept.unwrap_or(origin);
         match step {
-            Step::Move(moved) if is_own && moved.way != Way::Cut => {}
+            Step::Move(moved) if is_own && moved.kind != MoveKind::Cut => {}
             Step::Move(mut moved) => {
                 moved.state += states;
                 moved.turn += turns;
@@ -211,7 +211,7 @@ fn approach(course: &Course, from: usize) -> Option<Approach> {
     let mut rapids = Vec::new();
     for at in from..course.steps.len() {
         let Some(moved) = course.moved(at) else { continue };
-        if moved.way == Way::Cut {
+        if moved.kind == MoveKind::Cut {
             return Some(Approach { cut_from: moved.curve.start(), rapids });
         }
         rapids.push(at);

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use chordal::geometry::{Curve, Line, ParamCurve, Vec3};
 
-use crate::course::{Course, Moved, Step, Way};
+use crate::course::{Course, MoveKind, Moved, Step};
 use crate::difference::{Blocks, Category, Difference, Place};
 
 /// What of a cycle stays.
@@ -139,8 +139,8 @@ fn last_pass(moves: &[&Moved], kind: LastPass) -> Option<Vec<Moved>> {
             moves[end - count..end].iter().map(|moved| (*moved).clone()).collect()
         }
         LastPass::Cut => {
-            let end = moves.iter().rposition(|moved| moved.way == Way::Cut)? + 1;
-            let cuts = moves[..end].iter().rev().take_while(|moved| moved.way == Way::Cut);
+            let end = moves.iter().rposition(|moved| moved.kind == MoveKind::Cut)? + 1;
+            let cuts = moves[..end].iter().rev().take_while(|moved| moved.kind == MoveKind::Cut);
             let count = cuts.count();
             moves[end - count..end].iter().map(|moved| (*moved).clone()).collect()
         }
@@ -167,7 +167,7 @@ fn rapid(from: Vec3, to: Vec3, like: &Moved) -> Option<Moved> {
     (length_mm > SAME_MM).then(|| Moved {
         curve: Curve::Line(Line { start: from, end: to }),
         length_mm,
-        way: Way::Rapid,
+        kind: MoveKind::Rapid,
         feed: None,
         per_revolution: false,
         ..like.clone()
@@ -177,7 +177,7 @@ fn rapid(from: Vec3, to: Vec3, like: &Moved) -> Option<Moved> {
 /// One cut to the bottom of each plunge; nothing where the cuts are no plunges along one direction.
 fn plunges(moves: &[&Moved]) -> Option<Vec<Moved>> {
     let mut found: Vec<Moved> = Vec::new();
-    for own in moves.iter().filter(|moved| moved.way == Way::Cut) {
+    for own in moves.iter().filter(|moved| moved.kind == MoveKind::Cut) {
         let Curve::Line(line) = own.curve else { return None };
         let along = (line.end - line.start).normalized()?;
         let deeper = found.last_mut().and_then(|plunge| match plunge.curve {
@@ -214,7 +214,7 @@ fn stays_within(moves: &[&Moved], kept: &[Moved], from: Vec3) -> bool {
             false => (f64::NEG_INFINITY, high),
         }
     });
-    moves.iter().filter(|moved| moved.way == Way::Cut).all(|moved| {
+    moves.iter().filter(|moved| moved.kind == MoveKind::Cut).all(|moved| {
         let own = moved.curve.bounds();
         (0..3).all(|axis| {
             own.min.to_array()[axis] >= sides[axis].0 - SAME_MM
@@ -226,14 +226,14 @@ fn stays_within(moves: &[&Moved], kept: &[Moved], from: Vec3) -> bool {
 /// What the passes of a cycle were.
 fn passes(moves: &[&Moved]) -> Passes {
     let mut count = 0;
-    let mut before = Way::Rapid;
+    let mut before = MoveKind::Rapid;
     let mut length_mm = 0.0;
     let mut ends_mm = Vec::new();
     let mut levels: [Vec<f64>; 2] = Default::default();
     let mut along = [0.0; 2];
     for own in moves {
-        if own.way == Way::Cut {
-            count += usize::from(before != Way::Cut);
+        if own.kind == MoveKind::Cut {
+            count += usize::from(before != MoveKind::Cut);
             length_mm += own.length_mm;
             ends_mm.push(own.curve.end().to_array());
             if let Curve::Line(line) = own.curve {
@@ -251,7 +251,7 @@ fn passes(moves: &[&Moved]) -> Passes {
                 }
             }
         }
-        before = own.way;
+        before = own.kind;
     }
     let which = usize::from(along[1] > along[0]);
     let mut levels = std::mem::take(&mut levels[which]);

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use chordal::geometry::{Curve, Line, Vec3};
 
 use crate::SAME_MM;
-use crate::course::{Course, Moved, Speed, Step, Way};
+use crate::course::{Course, MoveKind, Moved, Speed, Step};
 use crate::difference::{Blocks, Category, Difference, Place};
 
 /// Steps closer to each other than this, mm, are the same: what two texts leave by rounding.
@@ -136,7 +136,7 @@ pub(crate) fn join(course: &mut Course, lines: &BTreeSet<u32>) -> Vec<Pecks> {
 
 /// The hole whose first cut is a step, that cut down to its bottom, and the step after it.
 fn hole(steps: &[Step], at: usize, first: &Moved) -> Option<(Pecks, Moved, usize)> {
-    let is_cut = first.origin.cycle && first.way == Way::Cut && first.length_mm > 0.0;
+    let is_cut = first.origin.cycle && first.kind == MoveKind::Cut && first.length_mm > 0.0;
     let line = line_of(first).filter(|_| is_cut)?;
     let down = (line.end - line.start).normalized()?;
     let depth = |point: Vec3| {
@@ -180,9 +180,9 @@ fn step(steps: &[Step], from: usize, first: &Moved) -> Option<(Vec<Vec3>, Line, 
             && moved.origin.call == first.origin.call
             && (moved.state, moved.turn, moved.known) == (first.state, first.turn, first.known);
         let line = line_of(moved).filter(|_| is_of_hole)?;
-        match moved.way {
-            Way::Rapid => ends.push(line.end),
-            Way::Cut if !ends.is_empty() && is_feed(moved.feed, first.feed) => {
+        match moved.kind {
+            MoveKind::Rapid => ends.push(line.end),
+            MoveKind::Cut if !ends.is_empty() && is_feed(moved.feed, first.feed) => {
                 return Some((ends, line, at + 1));
             }
             _ => return None,

@@ -6,7 +6,7 @@ use imara_diff::{Algorithm, Diff, InternedInput};
 
 use chordal::control::{Position, RotarySurface, SurfaceShape, number_text};
 
-use crate::course::{Course, Event, Moved, Speed, State, Step, Way};
+use crate::course::{Course, Event, MoveKind, Moved, Speed, State, Step};
 use crate::difference::{Blocks, Category, Difference, Place, Value};
 
 /// Tool lengths that differ by less are the same, mm: below the least increment of every control.
@@ -58,15 +58,15 @@ impl<'a> Steps<'a> {
     /// The state, the way and the feed of two moves that belong together.
     pub(crate) fn moves(&mut self, one: &Moved, other: &Moved) {
         let at = [Place::from(&one.origin), Place::from(&other.origin)];
-        let both = (one.way, other.way);
-        let is_cut = |way: Way| way == Way::Cut;
+        let both = (one.kind, other.kind);
+        let is_cut = |kind: MoveKind| kind == MoveKind::Cut;
         let rapid = (is_cut(both.0) != is_cut(both.1)).then(|| [word(both.0), word(both.1)]);
         // How many axes move from a place that is not known is not known either.
         let is_known = one.known && other.known;
         let is_path = rapid.is_none() && is_known && both.0 != both.1;
         self.note(Category::Rapid, rapid, at);
         self.note(Category::RapidPath, is_path.then(|| [word(both.0), word(both.1)]), at);
-        if both == (Way::Cut, Way::Cut) {
+        if both == (MoveKind::Cut, MoveKind::Cut) {
             let feed = (!self.is_feed_same(one.feed, other.feed))
                 .then(|| [feed_value(one.feed), feed_value(other.feed)]);
             self.note(Category::Feed, feed, at);
@@ -80,7 +80,7 @@ impl<'a> Steps<'a> {
     /// Two rapids between the same places that bend elsewhere.
     pub(crate) fn bend(&mut self, one: &Moved, other: &Moved) {
         let at = [Place::from(&one.origin), Place::from(&other.origin)];
-        let values = Some([word(one.way), word(other.way)]);
+        let values = Some([word(one.kind), word(other.kind)]);
         self.done.push(Difference::at(Category::RapidPath, at, values));
     }
 
@@ -233,12 +233,12 @@ fn event_value(event: &Event) -> Value {
     }
 }
 
-fn word(way: Way) -> Value {
+fn word(kind: MoveKind) -> Value {
     Value::Text(
-        match way {
-            Way::Cut => "cut",
-            Way::Rapid => "rapid",
-            Way::DogLeg => "dog-leg rapid",
+        match kind {
+            MoveKind::Cut => "cut",
+            MoveKind::Rapid => "rapid",
+            MoveKind::DogLeg => "dog-leg rapid",
         }
         .into(),
     )

@@ -4,7 +4,8 @@
 //! numbers are read, then tools, spindle and coolant on, then modes that its motion obeys, then the
 //! motion or the one code that takes its axis words, then what ends with it, then calls. Each part
 //! is an enum of its own, and each place that acts on it matches it exhaustively: a new code does
-//! not compile until every such place answers for it.
+//! not compile until every such place answers for it. Where controls differ,
+//! [`BlockOrder`](crate::BlockOrder) says how.
 
 use chordal_command::Units;
 use chordal_geometry::Direction;

@@ -19,6 +19,7 @@
 #![forbid(unsafe_code)]
 
 mod action;
+mod block_order;
 mod command_line;
 mod control;
 mod controls;
@@ -42,6 +43,7 @@ pub use action::{
     Action, AfterCode, BeforeCode, CallCode, Called, LengthCode, ModeCode, MotionCode, OnceCode,
     PathCode, ReadingCode, SurfaceCode,
 };
+pub use block_order::{BlockOrder, BlockStep};
 pub use command_line::CommandLine;
 pub use control::{Control, FIRST_ALIAS_SUBPROGRAM, table};
 pub use controls::ALL as CONTROLS;

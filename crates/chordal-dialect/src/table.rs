@@ -1,6 +1,7 @@
 //! A control as data: its codes, its words, its alarms, its settings.
 
 use crate::action::{Action, AfterCode, LengthCode, ModeCode, OnceCode};
+use crate::block_order::BlockOrder;
 use crate::command_line::CommandLine;
 use crate::firmware::Firmware;
 use crate::macros::MacroRules;
@@ -293,6 +294,8 @@ pub struct ControlTable {
     pub open_m_codes: bool,
     /// Of several codes of a group in a block the last one counts, without an alarm.
     pub last_of_group_counts: bool,
+    /// In which order it carries out what a block says.
+    pub order: BlockOrder,
     /// Codes that must be the only G code of their block.
     pub alone: &'static [u16],
     /// How its firmware judges a block as a whole before anything of it acts; nothing where words act one by one.

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use chordal::control::AxisMask;
 use chordal::geometry::{Chords, ParamCurve, Placement, Vec3};
 use chordal::{Segment, SegmentKind};
 
@@ -9,7 +10,7 @@ use crate::json::Object;
 use crate::number::{push_finite, push_integer};
 
 /// Writes the path as chords, one row each, as CSV or as JSON lines (schema
-/// `chordal.chords/1`). Lines and rapids are one chord without error.
+/// `chordal.chords/1`). Lines and rapids are one chord without error. A coordinate that is not known is blank or null.
 #[derive(Debug)]
 pub struct ChordWriter<W> {
     out: W,
@@ -62,10 +63,8 @@ impl<W: Write> ChordWriter<W> {
         let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
         let error_mm =
             if straight { 0.0 } else { error_mm(&chords, self.placement, self.tolerance_mm) };
-        let mut from = curve.start();
-        for to in chords.skip(1) {
+        for [from, to] in known_chords(segment, chords) {
             self.chord(segment, from, to, error_mm)?;
-            from = to;
         }
         Ok(())
     }
@@ -118,6 +117,33 @@ impl<W: Write> ChordWriter<W> {
         self.row.clear();
         Ok(())
     }
+}
+
+/// The ends of the chords of a segment. A coordinate that is not known is NaN; an axis that the program does not name is
+/// at zero.
+pub(crate) fn known_chords(
+    segment: &Segment,
+    corners: Chords,
+) -> impl Iterator<Item = [Vec3; 2]> + use<> {
+    let [start, end] = segment.places().map(|axes| axes.or(segment.not_named.all()));
+    let mut corners = corners.peekable();
+    let mut from = corners.next().map_or(Vec3::ZERO, |corner| only(corner, start));
+    std::iter::from_fn(move || {
+        let corner = corners.next()?;
+        let is_last = corners.peek().is_none();
+        let to = only(corner, if is_last { end } else { start.and(end) });
+        Some([std::mem::replace(&mut from, to), to])
+    })
+}
+
+/// A point with the coordinates of these axes alone.
+fn only(point: Vec3, known: AxisMask) -> Vec3 {
+    if known.covers(AxisMask::LINEAR) {
+        return point;
+    }
+    let place = point.to_array();
+    let of = |axis: usize| if known.has(axis) { place[axis] } else { f64::NAN };
+    Vec3::new(of(0), of(1), of(2))
 }
 
 /// How far chords are from their curve: by no more than the tolerance, or what a control makes of it.

@@ -2,11 +2,12 @@
 
 use std::io::{self, Write};
 
+use chordal::control::WorkNaming;
 use chordal::geometry::{Arc, Curve, Line, ParamCurve, Placement, Vec3};
-use chordal::path::NotNamed;
-use chordal::{Segment, SegmentKind};
+use chordal::path::{NotNamed, UnrelatedZero};
+use chordal::{Job, Segment, SegmentKind};
 
-use crate::not_named::not_named_texts;
+use crate::not_drawn::{left_out_texts, not_named_texts};
 use crate::number::push_finite;
 
 /// How far the polylines of helices, spirals and splines leave the curve, mm.
@@ -36,23 +37,32 @@ const FOOT: &str = "0\nENDSEC\n0\nEOF\n";
 ///
 /// Rapids are on the layer `RAPID`, cuts on `TOOL_1` and so on. Layers of tools are not
 /// declared ahead, because the file is written while the program runs; each entity carries
-/// its colour. What is not known relative to the part is left out; an axis that the program never
-/// names is at zero, and a comment says so.
+/// its colour. What is not known relative to the part is left out, and so are moves in a work offset of
+/// which nobody knows how it lies to the first; an axis that the program never names is at zero. A comment
+/// says each of it.
 #[derive(Debug)]
 pub struct Dxf<W> {
     out: W,
     text: Vec<u8>,
     not_named: NotNamed,
+    unrelated_zeros: Vec<UnrelatedZero>,
+    naming: WorkNaming,
 }
 
 impl<W: Write> Dxf<W> {
-    /// Writes the header.
+    /// Writes the header, for the path of a job.
     ///
     /// # Errors
     /// Those of the output.
-    pub fn new(mut out: W) -> io::Result<Self> {
+    pub fn new(mut out: W, job: &Job) -> io::Result<Self> {
         out.write_all(HEAD.as_bytes())?;
-        Ok(Self { out, text: Vec::with_capacity(1024), not_named: NotNamed::NONE })
+        Ok(Self {
+            out,
+            text: Vec::with_capacity(1024),
+            not_named: NotNamed::NONE,
+            unrelated_zeros: Vec::new(),
+            naming: job.control().table.work_names,
+        })
     }
 
     /// Writes a segment.
@@ -62,6 +72,11 @@ impl<W: Write> Dxf<W> {
     /// into chords.
     pub fn segment(&mut self, segment: &Segment) -> io::Result<()> {
         let bounds = segment.curve.bounds();
+        if let Some(zero) = segment.unrelated_zero
+            && !self.unrelated_zeros.contains(&zero)
+        {
+            self.unrelated_zeros.push(zero);
+        }
         if !segment.is_drawn() || !bounds.min.is_finite() || !bounds.max.is_finite() {
             return Ok(());
         }
@@ -79,7 +94,8 @@ impl<W: Write> Dxf<W> {
     /// # Errors
     /// Those of the output.
     pub fn finish(mut self) -> io::Result<W> {
-        for said in not_named_texts(self.not_named) {
+        let left_out = left_out_texts(&self.unrelated_zeros, self.naming);
+        for said in not_named_texts(self.not_named).into_iter().chain(left_out) {
             // A comment.
             self.group(999, &said);
         }

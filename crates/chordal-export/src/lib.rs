@@ -56,7 +56,7 @@ mod dxf;
 mod json;
 mod machine_error;
 mod motion;
-mod not_named;
+mod not_drawn;
 mod number;
 pub mod numbers;
 mod optimized;
@@ -85,6 +85,7 @@ pub use contour_ranges::{contour_ranges_json, contour_ranges_text};
 pub use digest::sha256_hex;
 pub use dxf::Dxf;
 pub use machine_error::machine_error_text;
+pub use not_drawn::{GIVE_OFFSETS, left_out_texts, not_named_texts};
 pub use optimized::{optimized_json, optimized_text};
 #[cfg(feature = "pictures")]
 pub use plot::{

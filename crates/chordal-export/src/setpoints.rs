@@ -54,7 +54,7 @@ impl SampleHead {
     }
 
     /// The axes that are columns.
-    pub(crate) fn axes(&self) -> AxisMask {
+    pub fn axes(&self) -> AxisMask {
         let mut axes = AxisMask::LINEAR;
         (3..AXES).filter(|axis| self.rotary[axis - 3]).for_each(|axis| axes.insert(axis));
         axes
@@ -91,10 +91,15 @@ pub(crate) fn sample_columns(
     columns_of(axes).into_iter().map(|column| {
         let meaning = match column.value {
             Value::Time => "from the start".to_string(),
-            Value::Speed => "speed of the tool along X, Y and Z".to_string(),
+            Value::Speed => {
+                "speed of the tool along X, Y and Z; NaN where it is not known".to_string()
+            }
             Value::Axis { axis, order } => {
                 let what = ["place", "velocity", "acceleration"][order];
-                format!("{what} of {}, continuous where offsets jump", Axis::ALL[axis].letter())
+                format!(
+                    "{what} of {}, continuous where offsets jump; NaN where it is not known",
+                    Axis::ALL[axis].letter()
+                )
             }
         };
         (column.name, column.unit, meaning)

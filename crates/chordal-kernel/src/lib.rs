@@ -55,6 +55,7 @@ pub use offsets::{LengthOffset, Offsets, Presets};
 pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::RunSink;
+pub use spindle_checks::hole_at_surface_speed;
 pub use state::{
     CycleState, LiveTool, Motion, OverrideState, SplineForm, StartAxes, State, ThreadMemory,
     TurnPass, TurningMemory, UnknownWords,

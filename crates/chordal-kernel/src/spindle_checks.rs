@@ -189,20 +189,8 @@ impl Kernel<'_> {
             return;
         }
         let what = if is_tap { "a tap" } else { "a hole in the centre" };
-        let message = match surface.rev_per_s(x) * 60.0 {
-            rpm if rpm.is_finite() => format!(
-                "{what} while G96 keeps the cutting speed: the spindle turns at {} rpm",
-                telling_number(rpm, 0)
-            ),
-            _ => format!(
-                "{what} while G96 keeps the cutting speed: the spindle turns as fast as it can"
-            ),
-        };
-        self.report(
-            Diagnostic::new(Code::DrillingAtSurfaceSpeed, at.span(), message)
-                .label("X0 asks for any speed")
-                .help("write G97 and the spindle speed before the hole"),
-        );
+        let rpm = Some(surface.rev_per_s(x) * 60.0).filter(|rpm| rpm.is_finite());
+        self.report(hole_at_surface_speed(at.span(), what, rpm));
     }
 
     /// A speed that a word of a cycle gives against the machine's; once for each tool.
@@ -253,6 +241,18 @@ impl Kernel<'_> {
             self.check_center_speed(at, place[Axis::X as usize], is_tap);
         }
     }
+}
+
+/// A hole (`what`) while the spindle keeps a cutting speed, with the speed that it comes to, where something limits it.
+pub fn hole_at_surface_speed(span: Span, what: &str, rpm: Option<f64>) -> Diagnostic {
+    let speed = match rpm {
+        Some(rpm) => format!("at {} rpm", telling_number(rpm, 0)),
+        None => "as fast as it can".to_string(),
+    };
+    let message = format!("{what} while G96 keeps the cutting speed: the spindle turns {speed}");
+    Diagnostic::new(Code::DrillingAtSurfaceSpeed, span, message)
+        .label("X0 asks for any speed")
+        .help("write G97 and the spindle speed before the hole")
 }
 
 /// How much of a straight path goes along each axis.

@@ -402,6 +402,13 @@ impl Machine {
         }
     }
 
+    /// It is described, and without this axis: a lathe of two axes has no Y.
+    pub fn lacks(&self, axis: Axis) -> bool {
+        let is_described =
+            [Axis::X, Axis::Y, Axis::Z].iter().any(|axis| self.axis(*axis).is_some());
+        is_described && self.axis(axis).is_none()
+    }
+
     /// The limits of an axis; `None`: the machine has no such axis.
     pub fn axis(&self, axis: Axis) -> Option<&AxisLimits> {
         self.axes[axis as usize].as_ref()

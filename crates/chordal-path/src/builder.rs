@@ -10,7 +10,9 @@ use chordal_machine::{AXES, Machine, PerAxis};
 
 use crate::frame::Frame;
 use crate::rapid;
-use crate::segment::{NotNamed, Segment, SegmentKind, curve_of, curves_of, is_known, point};
+use crate::segment::{
+    NotNamed, Segment, SegmentKind, UnrelatedZero, curve_of, curves_of, is_known, point,
+};
 use crate::tip::{TipPlace, TipTracker};
 
 /// The frame of a run: the work coordinate system of its first cut.
@@ -36,19 +38,27 @@ impl RunFrame {
         RunFrame { name: frame.name, zero: *zero, offset }
     }
 
-    /// How far program coordinates of another frame lie from this one, mm, and whether that is known of all axes.
-    fn shift_of(&self, frame: &Frame) -> (Vec3, bool) {
+    /// How far program coordinates of another frame lie from this one, mm: zero along the axes of which that is not
+    /// known.
+    fn shift_of(&self, frame: &Frame) -> (Vec3, Option<UnrelatedZero>) {
         let same_system = frame.name == self.name;
-        let mut is_known = true;
+        let mut axes = AxisMask::NONE;
         let mut along = |axis: usize| {
             if frame.zero.relation_is_known(&self.zero, same_system, axis) {
                 return frame.work[axis] - self.offset[axis];
             }
-            is_known = false;
+            axes.insert(axis);
             0.0
         };
         let shift = Vec3::new(along(0), along(1), along(2));
-        (shift, is_known)
+        let [own, of_run] = [&frame.zero, &self.zero].map(|zero| zero.unknown_presets.axes);
+        let unrelated = (axes != AxisMask::NONE).then_some(UnrelatedZero {
+            axes,
+            system: frame.name,
+            run_system: self.name,
+            is_preset: own.or(of_run).and(axes) != AxisMask::NONE,
+        });
+        (shift, unrelated)
     }
 }
 
@@ -59,36 +69,36 @@ pub struct PathBuilder<'a> {
     machine: &'a Machine,
     frame: Frame,
     run_frame: Option<RunFrame>,
-    /// From the active program coordinates to the frame of the run, mm, and whether that is known.
-    shift: (Vec3, bool),
+    /// From the active program coordinates to the frame of the run, mm, and where that is not known, why.
+    shift: (Vec3, Option<UnrelatedZero>),
     tool: u32,
     tip: TipTracker,
     /// The speed of the spindle, 1/min; 0 while it stands.
     rpm: f64,
-    unsaid: Unsaid,
+    not_named: NotNamedTracker,
 }
 
-/// The axes that the program does not name.
+/// Finds the axes that the program does not name, move by move.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Unsaid {
+enum NotNamedTracker {
     /// Found before the run.
     Found(NotNamed),
     /// The run could not be looked at before: Z, as long as no move has named it and with it a cut was made.
     SoFar(Flat),
 }
 
-impl Unsaid {
+impl NotNamedTracker {
     /// Follows a move; the axes of it that are drawn at zero.
     fn follow(&mut self, motion: &Move, cuts: bool) -> NotNamed {
         match self {
-            Unsaid::Found(NotNamed { never, in_no_cut }) => {
+            NotNamedTracker::Found(NotNamed { never, in_no_cut }) => {
                 let mut stands = in_no_cut.without(motion.from_known.or(motion.to_known));
                 (0..3).filter(|axis| motion.from[*axis] != motion.to[*axis]).for_each(|axis| {
                     stands.remove(axis);
                 });
                 NotNamed { never: *never, in_no_cut: stands }
             }
-            Unsaid::SoFar(flat) => match flat.follow(motion, cuts) {
+            NotNamedTracker::SoFar(flat) => match flat.follow(motion, cuts) {
                 true => {
                     NotNamed { never: AxisMask::LINEAR.without(AxisMask::XY), ..NotNamed::NONE }
                 }
@@ -134,10 +144,10 @@ impl<'a> PathBuilder<'a> {
             machine,
             frame: Frame::new(offset, known),
             run_frame: None,
-            shift: (Vec3::ZERO, true),
+            shift: (Vec3::ZERO, None),
             tool: 0,
             rpm: 0.0,
-            unsaid: Unsaid::SoFar(Flat::Open),
+            not_named: NotNamedTracker::SoFar(Flat::Open),
         }
     }
 
@@ -162,7 +172,7 @@ impl<'a> PathBuilder<'a> {
     /// The axes that the program does not name are known before the run.
     pub fn without_names(mut self, axes: Option<NotNamed>) -> PathBuilder<'a> {
         if let Some(axes) = axes {
-            self.unsaid = Unsaid::Found(axes);
+            self.not_named = NotNamedTracker::Found(axes);
         }
         self
     }
@@ -182,7 +192,7 @@ impl<'a> PathBuilder<'a> {
         }
         let Some(motion) = command.kind.motion() else { return };
         let cuts = command.kind.feed().is_some();
-        let not_named = self.unsaid.follow(motion, cuts);
+        let not_named = self.not_named.follow(motion, cuts);
         let mut push = |segment: &Segment| match not_named {
             NotNamed::NONE => push(segment),
             not_named => push(&Segment { not_named, ..*segment }),
@@ -279,7 +289,7 @@ impl<'a> PathBuilder<'a> {
             from_known: motion.from_known,
             to_known: motion.to_known,
             tip_known: !matches!(self.tip.place(), TipPlace::Unknown(_)),
-            frame_known: self.shift.1,
+            unrelated_zero: self.shift.1,
             not_named: NotNamed::NONE,
             origin: command.origin,
         }

@@ -20,7 +20,7 @@ use crate::compensation::PathCommand;
 use crate::contour_rapid::{ContourRapid, OpenRapid};
 use crate::excess::Excess;
 use crate::frame::Frame;
-use crate::rapid_check::{LowRapid, RapidLog, Way};
+use crate::rapid_check::{LowRapid, RapidDirection, RapidLog};
 use crate::segment::{curve_of, is_known, point};
 use crate::tip::TipTracker;
 use crate::turret_log::TurretLog;
@@ -72,8 +72,6 @@ pub struct ChecksMemory {
     legs: Vec<LowRapid>,
     contour: ContourRapid,
     tip: TipTracker,
-    /// The tools and length offsets whose tip was reported.
-    reported_tips: Vec<(u32, Option<u32>)>,
     cutting_speed: CuttingSpeedMemory,
     turret: TurretMemory,
     told_axes: AxisMask,
@@ -153,7 +151,6 @@ impl<'a> Checks<'a> {
             legs: Vec::new(),
             contour: ContourRapid::default(),
             tip: TipTracker::new(machine, ToolLengths::Absent, known),
-            reported_tips: Vec::new(),
             cutting_speed: CuttingSpeedMemory::default(),
             turret: TurretMemory::default(),
             told_axes: AxisMask::NONE,
@@ -455,14 +452,14 @@ impl<'a> Checks<'a> {
         let rapid = |way| LowRapid { way, from, to, plane, units, origin };
         let sideways = (from.x, from.y) != (to.x, to.y);
         if sideways && to.z < from.z {
-            self.seen.rapids.rapid(rapid(Way::Slanting));
+            self.seen.rapids.rapid(rapid(RapidDirection::Slanting));
         } else if sideways && at_depth {
             if legs.len() < LEGS_KEPT {
-                legs.push(rapid(Way::Sideways));
+                legs.push(rapid(RapidDirection::Sideways));
             }
             (self.now.at_depth, self.now.legs) = (true, legs);
         } else if !sideways && to.z < from.z {
-            self.seen.rapids.rapid(rapid(Way::Down));
+            self.seen.rapids.rapid(rapid(RapidDirection::Down));
         }
     }
 
@@ -488,13 +485,13 @@ impl<'a> Checks<'a> {
     fn rapid_into_part(&self, rapid: &LowRapid) -> Diagnostic {
         let depth = rapid.units.length_text(rapid.depth());
         let message = match rapid.way {
-            Way::Sideways => format!(
+            RapidDirection::Sideways => format!(
                 "between two cuts a rapid moves sideways {depth} below the clearance plane, where nothing was cut before"
             ),
-            Way::Slanting => format!(
+            RapidDirection::Slanting => format!(
                 "a rapid moves down at an angle to {depth} below the clearance plane, where nothing was cut before"
             ),
-            Way::Down => format!(
+            RapidDirection::Down => format!(
                 "a rapid plunges {depth} below the clearance plane, inside the region that is cut next"
             ),
         };

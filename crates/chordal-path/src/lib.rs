@@ -61,7 +61,7 @@ pub use contour_level::ContourLevel;
 pub use frame::Frame;
 pub use rotary::{RotaryLimits, rotary_parts};
 pub use rotary_extremes::places_on_axes;
-pub use segment::{NotNamed, Segment, SegmentKind, curve_of, curves_of};
+pub use segment::{NotNamed, Segment, SegmentKind, UnrelatedZero, curve_of, curves_of};
 pub use side_check::SideCheck;
 pub use surface::{SurfacePart, surface_parts};
 pub use tip::{TipDoubt, TipPlace, TipTracker};

@@ -23,7 +23,7 @@ const NEAR_MM: f64 = 1e-6;
 
 /// How a rapid goes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Way {
+pub(crate) enum RapidDirection {
     /// Sideways, from one cut to another.
     Sideways,
     /// Down at an angle.
@@ -35,7 +35,7 @@ pub(crate) enum Way {
 /// A rapid that ends below the clearance plane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LowRapid {
-    pub way: Way,
+    pub way: RapidDirection,
     pub from: Vec3,
     pub to: Vec3,
     /// The clearance plane, mm.
@@ -154,8 +154,8 @@ impl RapidLog {
             let (before, after) = self.events.split_at(index);
             // Where it plunges beside a contour the cut that follows begins: on the edge of its region.
             let region = match rapid.way {
-                Way::Down => self.cuts(after).next().unwrap_or(whole),
-                Way::Sideways | Way::Slanting => whole,
+                RapidDirection::Down => self.cuts(after).next().unwrap_or(whole),
+                RapidDirection::Sideways | RapidDirection::Slanting => whole,
             };
             let cleared = |place: Vec3| self.cuts(before).any(|cut| clears(&cut, place));
             if rapid.places().any(|place| is_inside(&region, place) && !cleared(place)) {
@@ -182,7 +182,7 @@ impl LowRapid {
     fn places(&self) -> impl Iterator<Item = Vec3> + '_ {
         let along =
             |step: u32| self.from + (self.to - self.from) * (f64::from(step) / f64::from(PLACES));
-        let first = if self.way == Way::Down { PLACES } else { 1 };
+        let first = if self.way == RapidDirection::Down { PLACES } else { 1 };
         (first..=PLACES)
             .map(move |step| if step == PLACES { self.to } else { along(step) })
             .filter(|place| place.z < self.plane - NEAR_MM)
@@ -214,7 +214,7 @@ mod tests {
         Vec3::new(x, y, z)
     }
 
-    fn rapid(way: Way, from: Vec3, to: Vec3) -> LowRapid {
+    fn rapid(way: RapidDirection, from: Vec3, to: Vec3) -> LowRapid {
         LowRapid { way, from, to, plane: 0.0, units: Units::Millimetre, origin: Origin::default() }
     }
 
@@ -236,9 +236,15 @@ mod tests {
 
     #[test]
     fn a_rapid_within_what_is_cut_is_safe() {
-        assert_eq!(found(log(rapid(Way::Sideways, v(1.0, 1.0, -5.0), v(9.0, 9.0, -5.0)))), 0);
+        assert_eq!(
+            found(log(rapid(RapidDirection::Sideways, v(1.0, 1.0, -5.0), v(9.0, 9.0, -5.0)))),
+            0
+        );
         // Deeper than the cut.
-        assert_eq!(found(log(rapid(Way::Sideways, v(1.0, 1.0, -6.0), v(9.0, 9.0, -6.0)))), 1);
+        assert_eq!(
+            found(log(rapid(RapidDirection::Sideways, v(1.0, 1.0, -6.0), v(9.0, 9.0, -6.0)))),
+            1
+        );
     }
 
     #[test]
@@ -246,7 +252,7 @@ mod tests {
         let mut log = RapidLog::default();
         log.cut(|open| open.include(v(0.0, 0.0, 0.0)).include(v(0.0, 0.0, -1.0)));
         log.end_cut();
-        log.rapid(rapid(Way::Sideways, v(0.0, 0.0, -1.0), v(1.0, 0.0, -1.0)));
+        log.rapid(rapid(RapidDirection::Sideways, v(0.0, 0.0, -1.0), v(1.0, 0.0, -1.0)));
         log.cut(|open| open.include(v(1.0, 0.0, -1.0)).include(v(2.0, 0.0, -1.0)));
         assert_eq!(found(log), 1);
     }
@@ -256,19 +262,22 @@ mod tests {
         let mut log = RapidLog::default();
         log.cut(|open| open.include(v(-10.0, 0.0, -1.0)).include(v(110.0, 0.0, -1.0)));
         log.end_cut();
-        log.rapid(rapid(Way::Sideways, v(110.0, 0.0, -1.0), v(110.0, 10.0, -1.0)));
+        log.rapid(rapid(RapidDirection::Sideways, v(110.0, 0.0, -1.0), v(110.0, 10.0, -1.0)));
         log.cut(|open| open.include(v(110.0, 10.0, -1.0)).include(v(-10.0, 10.0, -1.0)));
         assert_eq!(found(log), 0);
     }
 
     #[test]
     fn a_rapid_from_pocket_to_pocket_is_found() {
-        assert_eq!(found(log(rapid(Way::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0)))), 1);
+        assert_eq!(
+            found(log(rapid(RapidDirection::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0)))),
+            1
+        );
     }
 
     #[test]
     fn a_plunge_is_found_inside_what_is_cut_next_and_not_on_its_edge() {
-        let down = |x: f64, y: f64| rapid(Way::Down, v(x, y, 5.0), v(x, y, -5.0));
+        let down = |x: f64, y: f64| rapid(RapidDirection::Down, v(x, y, 5.0), v(x, y, -5.0));
         assert_eq!(found(log(down(45.0, 5.0))), 1);
         assert_eq!(found(log(down(40.0, 5.0))), 0, "where the contour begins");
         assert_eq!(found(log(down(5.0, 5.0))), 0, "cut before");
@@ -281,19 +290,19 @@ mod tests {
         let mut second = RapidLog::default();
         second.cut(|open| open.include(v(10.0, 10.0, -5.0)));
         second.end_cut();
-        second.rapid(rapid(Way::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0)));
+        second.rapid(rapid(RapidDirection::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0)));
         let mut third = RapidLog::default();
         third.cut(|open| open.include(v(40.0, 0.0, -5.0)).include(v(50.0, 10.0, -5.0)));
         first.and(&second);
         first.and(&third);
-        let whole = log(rapid(Way::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0)));
+        let whole = log(rapid(RapidDirection::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0)));
         assert_eq!(format!("{first:?}"), format!("{whole:?}"));
     }
 
     #[test]
     fn a_stretch_with_nothing_but_a_rapid_counts() {
         // The rapid led to a cut at an unknown place, which is in no region.
-        let way = rapid(Way::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0));
+        let way = rapid(RapidDirection::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0));
         let mut second = RapidLog::default();
         second.rapid(way);
         let mut first = RapidLog::default();

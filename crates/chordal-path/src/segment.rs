@@ -1,6 +1,6 @@
 //! A segment of path: an exact curve of the tool tip with its block.
 
-use chordal_command::{ArcShape, AxisMask, CommandKind, Move, Origin, Position};
+use chordal_command::{ArcShape, AxisMask, CommandKind, Move, Origin, Position, WorkName};
 use chordal_geometry::{Curve, Line, Spline, Vec3, spiral_from_center};
 
 /// What a piece of path is.
@@ -45,6 +45,20 @@ impl NotNamed {
     }
 }
 
+/// A zero of program coordinates of which nobody knows how it lies to that of the run: a work offset that is not given,
+/// or a preset at an unknown place. What is programmed from there has no place in the frame of the run.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct UnrelatedZero {
+    /// Those of X, Y and Z along which it is not known.
+    pub axes: AxisMask,
+    /// The work coordinate system.
+    pub system: WorkName,
+    /// That of the first cut.
+    pub run_system: WorkName,
+    /// The values of the systems are not the reason, but a preset (G92) where the tool was at an unknown place.
+    pub is_preset: bool,
+}
+
 /// A piece of path: an exact curve of the tool tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
@@ -72,8 +86,8 @@ pub struct Segment {
     pub to_known: AxisMask,
     /// The tip is at the programmed point, or as far from it as the curve says.
     pub tip_known: bool,
-    /// Where its program coordinates lie in the frame of the run is known.
-    pub frame_known: bool,
+    /// Where its program coordinates lie in the frame of the run is not known.
+    pub unrelated_zero: Option<UnrelatedZero>,
     /// Those of X, Y and Z that are taken as zero, because the program does not say them.
     pub not_named: NotNamed,
     /// The block that says so.
@@ -81,10 +95,15 @@ pub struct Segment {
 }
 
 impl Segment {
-    /// It can be drawn: both ends are known along every axis that the program names.
+    /// It can be drawn: both ends have a place in the frame of the run along every axis that the program names.
     pub fn is_drawn(&self) -> bool {
-        self.known
-            || self.from_known.and(self.to_known).or(self.not_named.all()).covers(AxisMask::LINEAR)
+        self.places().iter().all(|axes| axes.or(self.not_named.all()).covers(AxisMask::LINEAR))
+    }
+
+    /// Those of X, Y and Z whose place in the frame of the run is known, at the start and at the end.
+    pub fn places(&self) -> [AxisMask; 2] {
+        let lost = self.unrelated_zero.map_or(AxisMask::NONE, |zero| zero.axes);
+        [self.from_known, self.to_known].map(|axes| axes.and(AxisMask::LINEAR).without(lost))
     }
 }
 

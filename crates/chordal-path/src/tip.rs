@@ -56,8 +56,10 @@ pub struct TipTracker {
     /// The tools that were in the spindle.
     used: Vec<u32>,
     place: TipPlace,
-    /// What the place needs is decided: reported, or nothing to report.
-    is_settled: bool,
+    /// The tools and lengths whose place was reported.
+    reported: Vec<(u32, Option<u32>)>,
+    /// A move with this tool and this length has yet to be looked at.
+    is_open: bool,
 }
 
 /// Tools differ in Z on mills.
@@ -83,7 +85,8 @@ impl TipTracker {
             is_in_machine: false,
             used: Vec::new(),
             place: TipPlace::AsProgrammed,
-            is_settled: true,
+            reported: Vec::new(),
+            is_open: false,
         }
     }
 
@@ -132,18 +135,19 @@ impl TipTracker {
             _ => return,
         }
         self.place = self.placed(machine);
-        self.is_settled = !self.is_doubtful();
+        self.is_open = self.is_doubtful() && !self.reported.contains(&self.tool_and_offset());
     }
 
     /// A move with this tool and this length has yet to be looked at.
     #[inline]
     pub fn is_open(&self) -> bool {
-        !self.is_settled
+        self.is_open
     }
 
-    /// The place of the tip was reported.
-    pub fn settle(&mut self) {
-        self.is_settled = true;
+    /// The place of the tip was reported, once for each tool and length.
+    pub fn set_reported(&mut self) {
+        self.reported.push(self.tool_and_offset());
+        self.is_open = false;
     }
 
     /// Where the tip is now.

@@ -483,6 +483,7 @@ pub struct Pictures {
     pub tools: Vec<ToolSign>,
     /// Cuts whose place nobody knows are not drawn.
     pub cuts_left_out: bool,
-    /// What is said of axes that the program does not name, and that are drawn at zero.
-    pub not_named: Vec<String>,
+    /// What is said of axes that the program does not name, and that are drawn at zero, and of moves that are left out for
+    /// their work offset.
+    pub remarks: Vec<String>,
 }

@@ -9,6 +9,7 @@ use chordal::time::{TimeReport, Times};
 use chordal::tool_comments::known_tools;
 use chordal::{Diagnostic, Job, Report, SourceMap};
 use chordal_editor::Places;
+use chordal_export::{GIVE_OFFSETS, left_out_texts};
 use serde_json::{Value, json};
 
 /// Diagnostics that are sent; the rest is counted.
@@ -48,6 +49,7 @@ pub fn report(report: &Report, job: &Job) -> Value {
         })),
         "never_named": letters(job.not_named_axes().never),
         "named_in_no_cut": letters(job.not_named_axes().in_no_cut),
+        "moves_left_out": moves_left_out(report, job),
         "inch": report.summary.inch,
         "own_chords_mm": job.own_chords().map(|(tolerance_mm, _)| tolerance_mm),
         "output": report.output.iter().take(MOST).collect::<Vec<_>>(),
@@ -65,6 +67,16 @@ pub fn report(report: &Report, job: &Job) -> Value {
             "cut_range": axis.cut_range,
         })).collect::<Vec<_>>(),
     })
+}
+
+/// Of moves in work offsets that are not given, and what to do about it; empty where all are drawn.
+fn moves_left_out(report: &Report, job: &Job) -> Vec<String> {
+    let zeros = &report.summary.unrelated_zeros;
+    let mut texts = left_out_texts(zeros, job.control().table.work_names);
+    if zeros.iter().any(|zero| !zero.is_preset) {
+        texts.push(GIVE_OFFSETS.into());
+    }
+    texts
 }
 
 fn letters(axes: AxisMask) -> Vec<String> {
@@ -170,12 +182,14 @@ pub fn machine(job: &Job) -> Value {
         })
     });
     let turns = machine.turns();
+    let has = [Axis::X, Axis::Y, Axis::Z].map(|axis| !machine.lacks(axis));
     let factors = [0, 1, 2].map(|axis| machine.written_factor(axis));
     json!({
         // X is up at a turret behind the axis and down at one in front of it.
         "turret": turns.then(|| machine.turret.as_str()),
         // What is programmed as a diameter is said as one.
         "factors": factors,
+        "has": has,
         "name": machine.name,
         "title": machine.title,
         "control": job.control().table.title,

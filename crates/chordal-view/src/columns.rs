@@ -6,7 +6,6 @@
 //! asking again; it needs no rule of any control for that. Spans of splines have points along them,
 //! at even distances.
 
-use chordal::control::AxisMask;
 use chordal::geometry::{Curve, ParamCurve, SplinePiece, Vec3};
 use chordal::{Segment, SegmentKind};
 use serde_json::{Value, json};
@@ -15,7 +14,7 @@ use crate::frame::Frame;
 
 /// The tool moves at rapid speed.
 const RAPID: u8 = 0;
-/// Both ends are known relative to the part, along every axis that the program names; others cannot be drawn.
+/// Both ends have a place in the frame of the run, along every axis that the program names; others cannot be drawn.
 const KNOWN: u8 = 0x10;
 /// Compensation made it.
 const INSERTED: u8 = 0x20;
@@ -41,7 +40,7 @@ pub struct Columns {
     origin: Option<Vec3>,
     points: Vec<f32>,
     kind: Vec<u8>,
-    /// Which of X, Y and Z are known at both ends of each row.
+    /// Which of X, Y and Z have a known place at both ends of each row.
     known: Vec<u8>,
     tool: Vec<u32>,
     file: Vec<u8>,
@@ -86,8 +85,7 @@ impl Columns {
         self.points.extend(near(start));
         self.points.extend(near(end));
         self.kind.push(kind_of(segment, inserted));
-        let [from, to] =
-            [segment.from_known, segment.to_known].map(|axes| axes.and(AxisMask::LINEAR));
+        let [from, to] = segment.places();
         self.known.push(from.0 | to.0 << END_AXES);
         self.tool.push(segment.tool);
         self.file.push(u8::try_from(segment.origin.span.file.0).unwrap_or(u8::MAX));

@@ -119,6 +119,7 @@ impl ModalTrack {
         let shift = if shift.length() < SAME_MM { Vec3::ZERO } else { shift };
         self.moved = false;
         if cuts
+            && last.unrelated_zero.is_none()
             && let Some(name) = self.now.work
             && self.zeros.len() < 100
         {

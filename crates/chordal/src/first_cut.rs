@@ -1,5 +1,5 @@
-//! What is found before the run: its frame, which is the work coordinate system of its first cut, and the axes that
-//! it never names.
+//! What is found before the run: its frame, which is the work coordinate system of its first cut (without one, of its
+//! first move), and the axes that it never names.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -18,6 +18,10 @@ use crate::job::Job;
 struct AheadSink {
     frame: Frame,
     first_cut: Option<Frame>,
+    /// That of the first cut whose place is known: one before it, as a jog to the part, is not drawn.
+    first_known_cut: Option<Frame>,
+    /// Where a program without a cut begins.
+    first_move: Option<Frame>,
     never: AxisMask,
     in_no_cut: AxisMask,
     has_all: Arc<AtomicBool>,
@@ -35,15 +39,20 @@ impl AheadSink {
     }
 
     fn has_all(&self) -> bool {
-        self.first_cut.is_some() && self.never.or(self.in_no_cut) == AxisMask::NONE
+        self.first_known_cut.is_some() && self.never.or(self.in_no_cut) == AxisMask::NONE
     }
 }
 
 impl Sink for AheadSink {
     fn command(&mut self, command: &Command) {
-        if self.first_cut.is_none() && !self.frame.follow(command) && command.kind.feed().is_some()
-        {
-            self.first_cut = Some(self.frame);
+        if self.first_known_cut.is_none() && !self.frame.follow(command) {
+            let is_known = command.kind.motion().is_some_and(is_known);
+            if command.kind.feed().is_some() {
+                self.first_cut.get_or_insert(self.frame);
+                self.first_known_cut = is_known.then_some(self.frame);
+            } else if is_known {
+                self.first_move.get_or_insert(self.frame);
+            }
         }
         if let Some(motion) = command.kind.motion() {
             let named = named_by(motion);
@@ -62,6 +71,11 @@ impl Sink for AheadSink {
 
 impl RunSink for AheadSink {}
 
+/// Where it goes on the part is known along some axis, from its start to its end.
+fn is_known(motion: &Move) -> bool {
+    motion.from_known.and(motion.to_known).and(AxisMask::LINEAR) != AxisMask::NONE
+}
+
 /// The axes of X, Y and Z that a move shows to be named: they are known, or move all the same, as to a reference point.
 fn named_by(motion: &Move) -> AxisMask {
     let mut axes = motion.from_known.or(motion.to_known);
@@ -70,7 +84,7 @@ fn named_by(motion: &Move) -> AxisMask {
 }
 
 impl Job<'_> {
-    /// The frame of the run; `None` where nothing is cut, or somebody is asked on the way.
+    /// The frame of the run; `None` where nothing moves, or somebody is asked on the way.
     pub(crate) fn run_frame(&self) -> Option<RunFrame> {
         self.ahead().run_frame
     }
@@ -97,6 +111,8 @@ impl Job<'_> {
         let mut sink = AheadSink {
             frame: self.initial_frame(),
             first_cut: None,
+            first_known_cut: None,
+            first_move: None,
             never: AxisMask::LINEAR,
             in_no_cut: AxisMask::LINEAR,
             has_all: has_all.clone(),
@@ -113,7 +129,8 @@ impl Job<'_> {
                 break;
             }
         }
-        let run_frame = sink.first_cut.map(|frame| self.run_frame_of(&frame));
+        let first = sink.first_known_cut.or(sink.first_cut).or(sink.first_move);
+        let run_frame = first.map(|frame| self.run_frame_of(&frame));
         Ahead { run_frame, not_named: Some(sink.not_named()) }
     }
 

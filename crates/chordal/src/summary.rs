@@ -2,12 +2,12 @@
 
 use chordal_command::{AxisMask, Command, CommandKind, FeedMode, Move, SurfaceRun, Units};
 use chordal_dialect::Control;
-use chordal_machine::{AXES, AXIS_LETTERS, Machine, PerAxis};
+use chordal_machine::{AXES, AXIS_LETTERS, Axis, Machine, PerAxis};
 use std::collections::BTreeMap;
 
 use chordal_diagnostics::FileId;
 use chordal_geometry::{Aabb, ParamCurve};
-use chordal_path::{Segment, SegmentKind, places_on_axes};
+use chordal_path::{Segment, SegmentKind, UnrelatedZero, places_on_axes};
 
 /// What one tool does.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -78,6 +78,8 @@ pub struct Summary {
     pub tools: Vec<ToolUse>,
     /// The axes that move.
     pub axes: Vec<AxisTravel>,
+    /// Zeros whose moves have no place in the frame of the run: the ranges of the axes are without them.
+    pub unrelated_zeros: Vec<UnrelatedZero>,
 }
 
 impl Summary {
@@ -106,6 +108,8 @@ pub(crate) struct SummaryBuilder {
     /// The surface on which two coordinates lie.
     surface: Option<SurfaceRun>,
     written: PerAxis<f64>,
+    /// Those that the machine does not have.
+    lacking: AxisMask,
 }
 
 impl SummaryBuilder {
@@ -126,6 +130,7 @@ impl SummaryBuilder {
             axes: [empty; AXES],
             surface: None,
             written: machine.written_factors(),
+            lacking: lacking_axes(machine),
         }
     }
 
@@ -174,7 +179,6 @@ impl SummaryBuilder {
             .feed()
             .filter(|feed| feed.mode == FeedMode::PerTime && !command.kind.only_turns());
         let speed = per_time.map(|feed| feed.value).filter(|value| *value > 0.0);
-        let known = command.kind.motion().map(|motion| motion.from_known.and(motion.to_known));
         for (index, segment) in segments.iter().enumerate() {
             match (self.surface, command.kind.motion()) {
                 // The whole move, of which a rapid has several pieces.
@@ -182,7 +186,7 @@ impl SummaryBuilder {
                     self.extend_on_axes(run, motion, &command.kind);
                 }
                 (Some(_), Some(_)) => {}
-                _ => self.extend(segment, known.unwrap_or(AxisMask::NONE)),
+                _ => self.extend(segment),
             }
             if segment.kind == SegmentKind::Rapid {
                 if segment.known {
@@ -234,9 +238,16 @@ impl SummaryBuilder {
         tool
     }
 
-    fn extend(&mut self, segment: &Segment, known: AxisMask) {
+    fn extend(&mut self, segment: &Segment) {
         let cuts = segment.kind != SegmentKind::Rapid;
-        if known.and(AxisMask::LINEAR) != AxisMask::NONE {
+        if let Some(zero) = segment.unrelated_zero
+            && !self.summary.unrelated_zeros.contains(&zero)
+        {
+            self.summary.unrelated_zeros.push(zero);
+        }
+        let [from, to] = segment.places();
+        let known = from.and(to);
+        if known != AxisMask::NONE {
             let bounds: Aabb = segment.curve.bounds();
             let (start, end) = (segment.curve.start(), segment.curve.end());
             let (min, max) = (bounds.min.to_array(), bounds.max.to_array());
@@ -289,7 +300,9 @@ impl SummaryBuilder {
         }
         for (axis, letter) in AXIS_LETTERS.chars().enumerate() {
             let extent = self.axes[axis];
-            if extent.low <= extent.high {
+            // An axis that is not there stands at zero.
+            let is_there = !self.lacking.has(axis) || extent.low < extent.high;
+            if is_there && extent.low <= extent.high {
                 let factor = self.written[axis];
                 let cut = (extent.cut_low * factor, extent.cut_high * factor);
                 summary.axes.push(AxisTravel {
@@ -302,6 +315,13 @@ impl SummaryBuilder {
         }
         summary
     }
+}
+
+fn lacking_axes(machine: &Machine) -> AxisMask {
+    let mut axes = AxisMask::NONE;
+    let lacking = Axis::ALL.into_iter().filter(|axis| machine.lacks(*axis));
+    lacking.for_each(|axis| axes.insert(axis as usize));
+    axes
 }
 
 impl Extent {

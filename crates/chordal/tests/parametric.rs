@@ -17,13 +17,13 @@ const PLATE: f64 = 9.0;
 
 /// A move in inches: what kind, from where, to where.
 #[derive(Clone, Copy)]
-struct Way {
+struct ProgramMove {
     kind: char,
     from: [f64; 3],
     to: [f64; 3],
 }
 
-impl Way {
+impl ProgramMove {
     fn length(&self) -> f64 {
         (0..3).map(|axis| (self.to[axis] - self.from[axis]).powi(2)).sum::<f64>().sqrt()
     }
@@ -34,7 +34,7 @@ impl Way {
 }
 
 /// The moves of each tool in its turn, and the printed lines.
-fn made() -> (Vec<(u32, Vec<Way>)>, Vec<String>) {
+fn made() -> (Vec<(u32, Vec<ProgramMove>)>, Vec<String>) {
     let mut machine = Machine::from_builtin("haas-vf2").expect("a built-in machine");
     for line in PROGRAM.lines().filter_map(|line| line.strip_prefix("(set: ")) {
         machine.set(line.trim_end_matches(')')).expect("a setting");
@@ -42,7 +42,7 @@ fn made() -> (Vec<(u32, Vec<Way>)>, Vec<String>) {
     let mut sources = SourceMap::new();
     sources.add(Source::new("parametric.nc", PROGRAM.as_bytes()));
     let job = Job::new(sources, machine).expect("good settings");
-    let (mut turns, mut printed) = (Vec::<(u32, Vec<Way>)>::new(), Vec::new());
+    let (mut turns, mut printed) = (Vec::<(u32, Vec<ProgramMove>)>::new(), Vec::new());
     let report = job.report_of_commands(|command| {
         let kind = match &command.kind {
             CommandKind::Tool { number } => return turns.push((*number, Vec::new())),
@@ -55,7 +55,7 @@ fn made() -> (Vec<(u32, Vec<Way>)>, Vec<String>) {
         let motion = command.kind.motion().expect("it moves");
         let inch = |at: &PerAxis<f64>| [at[0] / 25.4, at[1] / 25.4, at[2] / 25.4];
         let (_, ways) = turns.last_mut().expect("a tool before the first move");
-        ways.push(Way { kind, from: inch(&motion.from), to: inch(&motion.to) });
+        ways.push(ProgramMove { kind, from: inch(&motion.from), to: inch(&motion.to) });
     });
     let told: Vec<_> =
         report.diagnostics.iter().filter(|told| told.severity > Severity::Note).collect();
@@ -64,7 +64,7 @@ fn made() -> (Vec<(u32, Vec<Way>)>, Vec<String>) {
 }
 
 /// Places where a drill ends at a depth.
-fn holes(ways: &[Way], depth: f64) -> Vec<[f64; 2]> {
+fn holes(ways: &[ProgramMove], depth: f64) -> Vec<[f64; 2]> {
     let bottoms = ways.iter().filter(|way| way.kind == 'l' && (way.to[2] - depth).abs() < 1e-9);
     bottoms.map(|way| [way.to[0], way.to[1]]).collect()
 }
@@ -143,9 +143,10 @@ fn the_pocket_is_an_ellipse() {
         wall.iter().map(way).fold(f64::INFINITY, f64::min)
     };
     let (turns, _) = made();
-    let cuts: Vec<&Way> = turns[5].1.iter().filter(|way| way.is_level_cut()).collect();
+    let cuts: Vec<&ProgramMove> = turns[5].1.iter().filter(|way| way.is_level_cut()).collect();
     for (level, depth) in [-0.1, -0.2, -0.3].into_iter().enumerate() {
-        let here: Vec<&&Way> = cuts.iter().filter(|way| (way.to[2] - depth).abs() < 1e-9).collect();
+        let here: Vec<&&ProgramMove> =
+            cuts.iter().filter(|way| (way.to[2] - depth).abs() < 1e-9).collect();
         // Three rings of 72 chords, the ways between them, and the way back.
         assert_eq!(here.len(), 3 * 72 + 3 + 1, "level {level}");
         let distances: Vec<f64> = here.iter().map(|way| to_wall(way.to)).collect();
@@ -163,7 +164,7 @@ fn the_chamfer_goes_once_round() {
     let ways = &turns[6].1;
     // The cone of 90 degrees meets the edge .03 below the face where its tip is .06 outside.
     let (half_x, half_y, corner) = (2.56, 1.86, 0.46);
-    let round: Vec<&Way> =
+    let round: Vec<&ProgramMove> =
         ways.iter().filter(|way| way.kind != 'r' && way.to[2] == way.from[2]).collect();
     assert!(round.iter().all(|way| (way.to[2] + 0.09).abs() < 1e-9));
     // On, five lines (the left side in two parts) and four corners, off.
@@ -185,8 +186,8 @@ fn the_chamfer_goes_once_round() {
 /// Strokes of the figures 0 to 9, counted on the drawing of the letters.
 const STROKES: [usize; 10] = [4, 2, 5, 5, 3, 5, 5, 2, 7, 5];
 
-fn assert_engraved(ways: &[Way], figures: [usize; 5], corner: [f64; 2], height: f64) {
-    let cuts: Vec<&Way> = ways.iter().filter(|way| way.is_level_cut()).collect();
+fn assert_engraved(ways: &[ProgramMove], figures: [usize; 5], corner: [f64; 2], height: f64) {
+    let cuts: Vec<&ProgramMove> = ways.iter().filter(|way| way.is_level_cut()).collect();
     assert!(cuts.iter().all(|way| (way.to[2] + 0.005).abs() < 1e-9));
     let wanted: usize = figures.iter().map(|figure| STROKES[*figure]).sum();
     assert_eq!(cuts.len(), wanted);

@@ -1,10 +1,11 @@
-//! Which piece of path a step of the motion is on, and pieces of axes that the program never names.
+//! Which piece of path a step of the motion is on, pieces of axes that the program never names, and in
+//! work offsets of unknown relation.
 
 use chordal::control::AxisMask;
 use chordal::geometry::ParamCurve;
 use chordal::motion::{MotionOptions, MotionStep, StepKind, StepSource};
 use chordal::path::NotNamed;
-use chordal::{Job, Machine, Segment, Source, SourceMap};
+use chordal::{Job, Machine, Segment, SegmentKind, Source, SourceMap};
 
 const Y: AxisMask = AxisMask(0b010);
 const Z: AxisMask = AxisMask(0b100);
@@ -131,4 +132,93 @@ fn a_machine_that_knows_where_it_stands_needs_no_name() {
     let job = Job::new(sources, machine).expect("a job");
     assert_eq!(job.not_named_axes(), NotNamed::NONE);
     assert!(path(&job).iter().all(|piece| piece.curve.end().y == 50.0));
+}
+
+/// A cut along X in each of these frames, which are lines of the program before it.
+fn in_frames(frames: &[&str]) -> String {
+    let mut text = String::from("G21 G17 G90\nS1000 M3\n");
+    for frame in frames {
+        text += &format!("{frame}\nG0 X0 Y0\nZ5.\nG1 Z-1. F100.\nX10.\nG0 Z5.\n");
+    }
+    text + "M30\n"
+}
+
+/// The ends of the cuts along X that are drawn, and the systems of those that are not.
+fn ends_of_cuts(machine: Machine, text: &str) -> (Vec<f64>, Vec<String>, Vec<(f64, f64)>) {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("t.nc", text.as_bytes()));
+    let job = Job::new(sources, machine).expect("a job");
+    let (mut drawn, mut left_out) = (Vec::new(), Vec::new());
+    let naming = job.control().table.work_names;
+    for piece in path(&job).iter().filter(|piece| piece.kind == SegmentKind::Line) {
+        let (start, end) = (piece.curve.start(), piece.curve.end());
+        if start.x == end.x {
+            continue;
+        }
+        match piece.unrelated_zero {
+            Some(zero) => left_out.push(zero.system.key(naming)),
+            None => drawn.push(end.x),
+        }
+        assert_eq!(piece.is_drawn(), piece.unrelated_zero.is_none());
+    }
+    let axes = job.report().summary.axes;
+    (
+        drawn,
+        left_out,
+        axes.iter().filter(|axis| axis.letter == 'X').map(|axis| axis.range).collect(),
+    )
+}
+
+fn haas_with(offsets: &str) -> Machine {
+    let none = |name: &str| Err(format!("no file {name}"));
+    let text = format!("inherits = \"haas-vf2\"\n{offsets}");
+    Machine::from_toml("m.toml", &text, &none).expect("a machine")
+}
+
+#[test]
+fn moves_in_a_work_offset_of_unknown_relation_are_not_drawn_over_others() {
+    let both = "[work_offsets]\nG54 = { X = \"-100 mm\", Y = \"-50 mm\", Z = \"-200 mm\" }\n\
+                G55 = { X = \"-70 mm\", Y = \"-50 mm\", Z = \"-200 mm\" }\n";
+    let first = "[work_offsets]\nG54 = { X = \"-100 mm\", Y = \"-50 mm\", Z = \"-200 mm\" }\n";
+    let known_x = "[work_offsets]\nG54 = { X = \"-100 mm\", Y = \"-50 mm\", Z = \"-200 mm\" }\n\
+                   G55 = { X = \"-70 mm\", Y = \"-50 mm\" }\n";
+    let text = in_frames(&["G54", "G55", "G54"]);
+    let two = || vec!["G55".to_string()];
+    // The machine stands at its X0, which is X100 of G54.
+    let placed = (vec![10.0, 40.0, 10.0], vec![], vec![(0.0, 100.0)]);
+    assert_eq!(ends_of_cuts(haas_with(both), &text), placed);
+    for offsets in ["", first, known_x] {
+        // Back in G54 it is where it was before.
+        let found = ends_of_cuts(haas_with(offsets), &text);
+        assert_eq!((&found.0, &found.1), (&vec![10.0, 10.0], &two()), "{offsets}");
+    }
+    // The ranges are those of what has a place; X of G55 has one where it is given.
+    assert_eq!(ends_of_cuts(haas_with(""), &text).2, [(0.0, 10.0)]);
+    let only_z = "[work_offsets]\nG54 = { Z = \"-200 mm\" }\nG55 = { Z = \"-200 mm\" }\n";
+    assert_eq!(ends_of_cuts(haas_with(only_z), &text).2, [(0.0, 10.0)]);
+}
+
+#[test]
+fn shifts_of_a_work_offset_that_is_not_given_are_drawn_where_they_are() {
+    let shifted = in_frames(&["G54", "G52 X50.", "G52 X0", "G92 X-20."]);
+    let (drawn, left_out, range) = ends_of_cuts(haas_with(""), &shifted);
+    // After the third cut the tool is at X10, which G92 calls X-20: zero is at 30.
+    assert_eq!((drawn, left_out, range), (vec![10.0, 60.0, 10.0, 40.0], vec![], vec![(0.0, 60.0)]));
+    // A preset where nobody knows the tool to be.
+    let home = "G21 G17 G90\nS1000 M3\nG54 G0 X0 Y0\nZ5.\nG1 Z-1. F100.\nX10.\nG0 Z5.\nG91 G28 X0\nG90 G92 X0\n\
+                G0 X0\nG1 X7.\nM30\n";
+    assert_eq!(ends_of_cuts(haas_with(""), home).1, ["G54"]);
+}
+
+#[test]
+fn a_jog_to_the_part_before_its_zero_is_set_hides_nothing() {
+    let text =
+        "$X\nG21 G90\n$J=G91 X12 F500\nG10 L20 P1 X0 Y0 Z0\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F30\nG1 X30\n";
+    assert!(drawn(&job("grbl", text)).ends_with(&[7, 8]), "the cuts");
+}
+
+#[test]
+fn rapids_alone_have_the_frame_of_the_first_of_them() {
+    let text = "G21 G90\nG54 G0 X0 Y0 Z5.\nX10.\nG55 G0 X0 Y0 Z5.\nX100.\nM30\n";
+    assert_eq!(drawn(&job("haas-vf2", text)), [3]);
 }

@@ -152,9 +152,9 @@ impl<'a, 'b> Playing<'a, 'b> {
     }
 }
 
-/// A ten-thousandth of a millimetre, without zeros at the end.
+/// A ten-thousandth of a millimetre, without zeros at the end; of what is not known the word of MTConnect.
 fn number(value: f64) -> String {
-    crate::numbers::short(value, 4)
+    if value.is_nan() { "UNAVAILABLE".to_string() } else { crate::numbers::short(value, 4) }
 }
 
 /// The text of a line of the program.

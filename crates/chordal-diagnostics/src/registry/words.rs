@@ -90,6 +90,12 @@ with `stop` (the default) the blocks after it are not run, with `continue` they 
 tool is changed. Chordal takes that for granted, and says so at the first M6 of a program. Where your sender passes M6 on,
 write `"M6" = "nobody"` under `[settings]` of the machine file: M6 is an error then."#;
 
+    FeedBeforeUnits = 315, "feed-before-units", Warning;
+    "F is taken before the units of its block change";
+    r#"LinuxCNC and Mach3 carry a block out step by step, and F comes before G20 and G21: `G21 F300` while G20 is in force
+is 300 inches a minute, not 300 mm. Write F in a block after the one with G20 or G21. Other controls read all words of a
+block in its own units."#;
+
     PolarWords = 340, "polar-words", Error;
     "a radius or an angle that cannot be used here";
     r#"On LinuxCNC `@` is a radius and `^` an angle in degrees about the work origin, in place of X and Y:

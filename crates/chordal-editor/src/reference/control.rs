@@ -30,6 +30,7 @@ pub(super) fn page(table: &'static ControlTable) -> String {
             text.push_str(&code_row(letter, run, &view));
         }
     }
+    text.push_str(&order(table));
     text.push_str(&data(table));
     text.push_str(&not_here(table));
     text.push_str(&letters(&view));
@@ -71,6 +72,21 @@ fn words(row: &CodeRow, view: &View) -> String {
         format!("{} {}", letters.join(" "), cell(&meaning))
     });
     lines.collect::<Vec<_>>().join("<br>")
+}
+
+/// In which order a block is carried out.
+fn order(table: &ControlTable) -> String {
+    let groups = table.order.steps.iter().enumerate().map(|(place, group)| {
+        let names: Vec<&str> = group.iter().map(|step| step.name()).collect();
+        table_row(&[(place + 1).to_string(), names.join("; ")])
+    });
+    format!(
+        "\n## Order within a block\n\nWhatever the order of the words; what stands in one row acts in the order of the block.\n\
+         Source: {} ({}).\n\n| | |\n|---|---|\n{}",
+        table.order.source,
+        sure(table.order.certainty),
+        groups.collect::<String>()
+    )
 }
 
 /// What G10 writes, by L.

@@ -15,7 +15,7 @@ use super::field::{Cell, Column, places, schema};
 use super::file::ColumnFile;
 use super::path::{KINDS, kind_key};
 use super::rows::Rows;
-use crate::chords::error_mm;
+use crate::chords::{error_mm, known_chords};
 
 /// Name and version of the columns of chords.
 pub const CHORD_COLUMNS: &str = "chordal.chord-columns/1";
@@ -41,10 +41,15 @@ pub(super) fn columns() -> Vec<Column> {
         Column::new("kind", Cell::Word, "", "kind of move of the chord"),
         Column::new("tool", Cell::Integer, "", "the tool in the spindle"),
     ];
-    let places = |end, meaning| places(AxisMask::LINEAR, end, Cell::Number, meaning);
-    columns.extend(places("from", "start of the chord, frame of the run"));
-    columns.extend(places("to", "end of the chord, frame of the run"));
-    columns.push(Column::new("length_mm", Cell::Number, "mm", "length of the chord"));
+    let places = |end, meaning| places(AxisMask::LINEAR, end, Cell::NumberOrGap, meaning);
+    columns.extend(places("from", "start of the chord, frame of the run, where known"));
+    columns.extend(places("to", "end of the chord, frame of the run, where known"));
+    columns.push(Column::new(
+        "length_mm",
+        Cell::NumberOrGap,
+        "mm",
+        "length of the chord, where known",
+    ));
     let error = "largest distance of the curve from the chord";
     columns.push(Column::new("error_mm", Cell::Number, "mm", error));
     columns
@@ -89,8 +94,7 @@ impl<'a> ChordColumns<'a> {
         let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
         let error_mm =
             if straight { 0.0 } else { error_mm(&chords, self.placement, self.tolerance_mm) };
-        let mut from = segment.curve.start();
-        Ok((chords.skip(1).map(move |to| [std::mem::replace(&mut from, to), to]), error_mm))
+        Ok((known_chords(segment, chords), error_mm))
     }
 
     fn chord(&mut self, segment: &Segment, [from, to]: [Vec3; 2], error_mm: f64) {

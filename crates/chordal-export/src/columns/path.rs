@@ -55,7 +55,7 @@ pub(super) fn columns(axes: AxisMask) -> Vec<Column> {
         column("file", File, "", "the text that the block is in"),
         column("kind", Word, "", "kind of the piece"),
         column("tool", Integer, "", "the tool in the spindle"),
-        column("known", Flag, "", "both ends are known relative to the part"),
+        column("known", Flag, "", "both ends have a known place in the frame of the run"),
     ];
     columns.extend(places(axes, "from", Number, "start of the piece, frame of the run"));
     columns.extend(places(axes, "to", Number, "end of the piece, frame of the run"));
@@ -171,7 +171,7 @@ impl<'a> PathColumns<'a> {
         self.file.push(segment.origin.span.file);
         self.kind.put(row, kind_key(segment.kind));
         self.tool.put(row, segment.tool);
-        self.known.put(row, segment.known);
+        self.known.put(row, segment.known && segment.unrelated_zero.is_none());
         self.rows += 1;
     }
 }

@@ -80,7 +80,7 @@ const MOST_PIXELS: u64 = 128 << 20;
 /// one scale, and an isometric view.
 ///
 /// Cuts are coloured by tool; rapids are thin and dashed. What is not known relative to the
-/// part, or not finite, is left out. Rapids that go far beyond the cuts are cut off at the
+/// part, in a work offset of which nobody knows how it lies to the first, or not finite, is left out. Rapids that go far beyond the cuts are cut off at the
 /// edge of the views.
 #[derive(Debug)]
 pub struct Plot {
@@ -95,7 +95,7 @@ impl Plot {
     pub fn new(job: &Job) -> Plot {
         let inch = job.control().parameters.rules.units == Units::Inch;
         let turned = job.turns().then(turned::Turned::default);
-        Plot { store: Store::default(), inch, turned }
+        Plot { store: Store::new(job.control().table.work_names), inch, turned }
     }
 
     /// The same for a picture file. Where the spindle may be a laser, and one tool cuts with several values of S, the

@@ -153,9 +153,10 @@ impl Plot {
         self.store.has_unknown()
     }
 
-    /// What is said of axes that the program does not name, and that are drawn at zero; nothing where it names all.
-    pub fn not_named(&self) -> Vec<String> {
-        self.store.not_named()
+    /// What is said of axes that the program does not name, and that are drawn at zero, and of moves that are left out for
+    /// their work offset.
+    pub fn remarks(&self) -> Vec<String> {
+        self.store.remarks()
     }
 
     /// The colours of [`Plot::page_view`] on a light or a dark page, as CSS declarations.

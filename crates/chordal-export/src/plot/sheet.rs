@@ -202,7 +202,7 @@ fn extents(store: &Store, is_turned: bool, grid: &Grid, inch: bool) -> Vec<Strin
     if store.has_unknown() && store.extent().is_some() {
         lines.push("cuts at unknown positions are left out".into());
     }
-    lines.extend(store.not_named());
+    lines.extend(store.remarks());
     lines
 }
 

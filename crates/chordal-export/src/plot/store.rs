@@ -1,11 +1,12 @@
 //! What is kept of a path until its extent, and so the scale, is known.
 
+use chordal::control::WorkNaming;
 use chordal::geometry::{Aabb, Curve, ParamCurve, Vec3};
-use chordal::path::NotNamed;
+use chordal::path::{NotNamed, UnrelatedZero};
 use chordal::{Segment, SegmentKind};
 
 use super::relief::Relief;
-use crate::not_named::not_named_texts;
+use crate::not_drawn::{left_out_texts, not_named_texts};
 
 /// Pieces after which the path is thinned for the first time.
 const MANY: usize = 1 << 21;
@@ -89,6 +90,10 @@ pub(super) struct Store {
     unknown: bool,
     /// The axes that the program does not name, of what is drawn.
     not_named: NotNamed,
+    /// Zeros whose moves are left out.
+    unrelated_zeros: Vec<UnrelatedZero>,
+    /// How the control calls its work offsets.
+    naming: WorkNaming,
     /// Two programs in one picture, by these names, not tools.
     pub overlay: Option<[String; 2]>,
     /// The stock that is left.
@@ -97,8 +102,9 @@ pub(super) struct Store {
     pub by_power: bool,
 }
 
-impl Default for Store {
-    fn default() -> Store {
+impl Store {
+    /// Nothing yet, of a control that calls its work offsets so.
+    pub fn new(naming: WorkNaming) -> Store {
         Store {
             runs: Vec::new(),
             pieces: Vec::new(),
@@ -112,22 +118,27 @@ impl Default for Store {
             limit: MANY,
             unknown: false,
             not_named: NotNamed::NONE,
+            unrelated_zeros: Vec::new(),
+            naming,
             overlay: None,
             stock: None,
             by_power: false,
         }
     }
-}
 
-impl Store {
     /// Keeps a segment that can be drawn.
     pub fn push(&mut self, segment: &Segment) {
         let bounds = segment.curve.bounds();
         let finite = bounds.min.is_finite() && bounds.max.is_finite();
         let rapid = segment.kind == SegmentKind::Rapid;
+        if let Some(zero) = segment.unrelated_zero
+            && !self.unrelated_zeros.contains(&zero)
+        {
+            self.unrelated_zeros.push(zero);
+        }
         if !segment.is_drawn() || !finite {
             // The way to the first place is never known; that is no loss.
-            self.unknown |= !rapid;
+            self.unknown |= !rapid && segment.unrelated_zero.is_none();
             return;
         }
         self.not_named = self.not_named.or(segment.not_named);
@@ -250,7 +261,7 @@ impl Store {
     /// Leaves out corners and curves that no drawing shows.
     fn thin(&mut self) {
         let reach = self.extent().map_or(0.0, |extent| extent.size().length() * DETAIL);
-        let old = std::mem::take(self);
+        let old = std::mem::replace(self, Store::new(self.naming));
         self.tools = old.tools;
         self.curves = Vec::new();
         for (index, run) in old.runs.iter().enumerate() {
@@ -287,6 +298,7 @@ impl Store {
         (self.cuts, self.rapids) = (old.cuts, old.rapids);
         (self.start, self.end, self.unknown) = (old.start, old.end, old.unknown);
         self.not_named = old.not_named;
+        self.unrelated_zeros = old.unrelated_zeros;
         (self.overlay, self.stock, self.by_power) = (old.overlay, old.stock, old.by_power);
         self.limit = MANY.max(2 * self.pieces.len());
     }
@@ -329,9 +341,11 @@ impl Store {
         self.unknown
     }
 
-    /// What is said of axes that the program does not name; nothing where it names all.
-    pub fn not_named(&self) -> Vec<String> {
-        not_named_texts(self.not_named)
+    /// What is said of axes that the program does not name, and of moves that are left out for their work offset.
+    pub fn remarks(&self) -> Vec<String> {
+        let mut texts = not_named_texts(self.not_named);
+        texts.extend(left_out_texts(&self.unrelated_zeros, self.naming));
+        texts
     }
 
     /// The box of the cuts.

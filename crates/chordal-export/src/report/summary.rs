@@ -11,6 +11,7 @@ use chordal::{AxisTravel, Job, Reading, Report, ToolUse};
 use serde_json::{Value, json};
 
 use super::json::problems;
+use crate::not_drawn::left_out_texts;
 use crate::stock::left_members;
 
 /// What a run came to.
@@ -62,6 +63,7 @@ fn summary(report: &Report, job: &Job, timed: Option<&Timed>) -> Value {
         "cuts_without_feed": summary.cuts_without_time,
         "tools": tools.collect::<Vec<_>>(),
         "axes": axes.collect::<Vec<_>>(),
+        "moves_left_out": left_out_texts(&summary.unrelated_zeros, job.control().table.work_names),
         "repeats": repeats,
         "prints": report.output,
     })

@@ -80,7 +80,7 @@ fn number(entity: &BTreeMap<u32, String>, code: u32) -> f64 {
 
 #[test]
 fn dxf_holds_true_arcs() {
-    let mut writer = Dxf::new(Vec::new()).unwrap();
+    let mut writer = Dxf::new(Vec::new(), &job("linuxcnc-mill", "small.nc", SMALL)).unwrap();
     let segments: Vec<Segment> = segments();
     segments.iter().for_each(|segment| writer.segment(segment).unwrap());
     let text = String::from_utf8(writer.finish().unwrap()).unwrap();
@@ -114,10 +114,51 @@ fn dxf_holds_true_arcs() {
 fn what_is_not_known_is_no_entity() {
     let text = b"G21 G18 G90\nS900 M3\nG1 X10. Z-5. F100.\nX20. Z-10.\nM30\n";
     let job = job("haas-vf2", "profile.nc", text);
-    let mut dxf = Dxf::new(Vec::new()).unwrap();
+    let mut dxf = Dxf::new(Vec::new(), &job).unwrap();
     job.path(|segment| dxf.segment(segment).unwrap());
     // X and Z of the first move come from nowhere; Y is never named, and lies at zero.
     let text = String::from_utf8(dxf.finish().unwrap()).unwrap();
     assert_eq!(entities(&text).len(), 1);
     assert_eq!(text.matches("999\nY is never named; drawn at Y0\n").count(), 1);
+}
+
+/// The same cut in each of two work offsets that nobody gives, and one more shifted in the first.
+pub const TWO_OFFSETS: &[u8] = b"G21 G17 G90\nS900 M3\nG54 G0 X0 Y0\nZ5.\nG1 Z-1. F100.\nX10.\nG0 Z5.\nG55 G0 X0 Y0\nZ5.\n\
+    G1 Z-1. F100.\nX10. Y3.\nG0 Z5.\nG54\nG52 X50.\nG0 X0 Y0\nZ5.\nG1 Z-1. F100.\nX10.\nG0 Z5.\nM30\n";
+
+#[test]
+fn a_work_offset_of_unknown_relation_is_no_entity() {
+    let job = job("haas-vf2", "two.nc", TWO_OFFSETS);
+    let mut dxf = Dxf::new(Vec::new(), &job).unwrap();
+    job.path(|segment| dxf.segment(segment).unwrap());
+    let text = String::from_utf8(dxf.finish().unwrap()).unwrap();
+    let entities = entities(&text);
+    let cuts: Vec<[f64; 2]> = entities
+        .iter()
+        .filter(|(_, groups)| groups[&8] != "RAPID" && number(groups, 30) == number(groups, 31))
+        .map(|(_, groups)| [number(groups, 10), number(groups, 11)])
+        .collect();
+    assert_eq!(cuts, [[0.0, 10.0], [50.0, 60.0]]);
+    let said = "999\nmoves in G55 are left out: where it lies from G54 is not given\n";
+    assert_eq!(text.matches(said).count(), 1);
+}
+
+#[test]
+fn a_chord_from_a_place_that_is_not_known_is_blank_there() {
+    let text = b"G21 G18 G90\nS900 M3\nG1 X10. Z-5. F100.\nG2 X20. Z-5. R5.\nG91 G28 Z0\nM30\n";
+    let job = job("haas-vf2", "profile.nc", text);
+    let mut csv = ChordWriter::csv(Vec::new(), 1.0, Placement::Inscribed).unwrap();
+    let mut json = ChordWriter::jsonl(Vec::new(), 1.0, Placement::Inscribed).unwrap();
+    job.path(|segment| {
+        csv.segment(segment).unwrap();
+        json.segment(segment).unwrap();
+    });
+    let (csv, json) = (lines(csv), lines(json));
+    // Y is never named, and at zero.
+    assert!(csv[1].starts_with("3,line,,0,,10,0,-5,,"), "{}", csv[1]);
+    assert!(csv[2].starts_with("4,arc,10,0,-5,"), "{}", csv[2]);
+    let last = csv.last().unwrap();
+    assert!(last.starts_with("5,rapid,20,0,-5,20,0,,,"), "{last}");
+    assert!(json[1].contains("\"from\":{\"X\":null,\"Y\":0,\"Z\":null}"), "{}", json[1]);
+    assert!(json[1].contains("\"length_mm\":null"), "{}", json[1]);
 }

@@ -5,6 +5,7 @@ use resvg::tiny_skia::Pixmap;
 use resvg::usvg::roxmltree::Document;
 
 use crate::common::{SMALL, job};
+use crate::path::TWO_OFFSETS;
 
 fn options() -> PlotOptions {
     PlotOptions {
@@ -166,6 +167,19 @@ fn a_fragment_that_never_names_an_axis_has_a_picture_that_says_so() {
         "the arc is drawn"
     );
     assert!(!plot_of_all_axes().contains("never named"));
+}
+
+#[test]
+fn a_picture_says_which_work_offset_is_left_out() {
+    let job = job("haas-vf2", "two.nc", TWO_OFFSETS);
+    let mut plot = Plot::new(&job);
+    job.path(|segment| plot.segment(segment));
+    let svg = plot.svg(&options());
+    check(&svg);
+    assert!(svg.contains("moves in G55 are left out: where it lies from G54 is not given"));
+    // 60 mm: the cut at G52 X50.
+    assert!(svg.contains("X 0 to 2.3622  ·  Y 0 to 0  ·"), "{svg}");
+    assert!(!svg.contains("unknown positions"), "that is another reason");
 }
 
 fn plot_of_all_axes() -> String {

@@ -33,6 +33,7 @@ impl Interpreter<'_> {
         self.gather(block, &mut codes);
         if self.shop.takes_words {
             // The axis words are no move.
+            self.take_switches(block, &codes);
             let flow = self.take_after_motion(block, &codes);
             self.codes = codes;
             return flow;
@@ -165,9 +166,7 @@ impl Interpreter<'_> {
         // goes to the end point that they name.
         let code_words = block.all(b'G').count() + block.all(b'M').count();
         if codes.len() < code_words {
-            for (row, _) in codes {
-                self.take_reading_mode(row.action);
-            }
+            self.take_reading_modes(block, codes);
             self.take_letters(block, codes);
             self.check_comma_words(block);
             self.take_corner(block);
@@ -199,9 +198,7 @@ impl Interpreter<'_> {
                 self.keep_modes(block, code, *at);
             }
         }
-        for (row, _) in codes {
-            self.take_reading_mode(row.action);
-        }
+        self.take_reading_modes(block, codes);
         self.watch_spatial(block, codes);
         self.check_word_rules(block, codes);
         self.check_multiplied_words(block, codes);

@@ -33,6 +33,7 @@ struct BlockMemory {
     sequence: Option<Decimal>,
     reported: Reported,
     lost_jump: bool,
+    units_said: bool,
     carried_out: bool,
     kept_modes: Vec<KeptModes>,
     references: [PerAxis<Option<f64>>; 2],
@@ -100,6 +101,7 @@ impl Interpreter<'_> {
             // Whoever collects keeps the first of them, so that it does not decide about what follows.
             reported: Reported { excess_decimals: false, ..self.reported.clone() },
             lost_jump: self.lost_jump,
+            units_said: self.units_said,
             carried_out: self.carried_out,
             kept_modes: self.kept_modes.clone(),
             references: self.references,
@@ -127,6 +129,7 @@ impl Interpreter<'_> {
         self.sequence = memory.sequence;
         self.reported = memory.reported;
         self.lost_jump = memory.lost_jump;
+        self.units_said = memory.units_said;
         self.carried_out = memory.carried_out;
         self.kept_modes = memory.kept_modes;
         self.references = memory.references;

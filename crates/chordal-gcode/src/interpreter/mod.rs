@@ -48,7 +48,7 @@ mod work_offsets;
 
 pub use self::calls::subroutine_head;
 
-use chordal_command::{AxisMask, CallPath, CallPaths, CommandKind, Origin, Side, WorkName};
+use chordal_command::{AxisMask, CallPath, CallPaths, CommandKind, Origin, Side, Units, WorkName};
 use chordal_dialect::macros::MacroForm;
 use chordal_dialect::{CodeRow, Control};
 use chordal_kernel::{Modal, Offsets, State};
@@ -202,6 +202,10 @@ struct Interpreter<'a> {
     codes: Vec<(&'static CodeRow, usize)>,
     reported: Reported,
     lost_jump: bool,
+    /// The program has said its units: they are not those of power-on.
+    units_said: bool,
+    /// Those of F of this block, where it changes them after it is taken.
+    units_of_feed: Option<Units>,
     carried_out: bool,
     /// The block before was a remark without its marks, or a comment left open.
     in_remark: bool,
@@ -364,6 +368,8 @@ impl<'a> Interpreter<'a> {
             codes: Vec::new(),
             reported: Reported::default(),
             lost_jump: false,
+            units_said: false,
+            units_of_feed: None,
             carried_out: false,
             in_remark: false,
             macros: macros::MacroState::new(control.table, machine),

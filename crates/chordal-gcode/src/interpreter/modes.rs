@@ -4,7 +4,7 @@
 use chordal_command::{CommandKind, FeedMode, Side, SpindleState, Units, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::{
-    Action, AfterCode, BeforeCode, CallCode, LengthCode, ModeCode, OnceCode, ReadingCode,
+    Action, AfterCode, BeforeCode, BlockStep, CallCode, LengthCode, ModeCode, OnceCode, ReadingCode,
 };
 use chordal_dialect::{CodeRow, Group, PlaneCodes, Scale, code_number};
 use chordal_geometry::Plane;
@@ -18,13 +18,12 @@ use super::{EndReason, Flow, Interpreter};
 const Z: usize = Axis::Z as usize;
 
 impl Interpreter<'_> {
-    /// Modes that change how the numbers of this very block are read.
-    pub(super) fn take_reading_mode(&mut self, action: Action) {
+    fn take_reading_mode(&mut self, action: Action) {
         let Action::Reading(code) = action else { return };
         let by_place = self.control.table.distance_left_to_right;
         match code {
-            ReadingCode::Inch => self.set_units(Units::Inch),
-            ReadingCode::Millimetre => self.set_units(Units::Millimetre),
+            ReadingCode::Inch => self.say_units(Units::Inch),
+            ReadingCode::Millimetre => self.say_units(Units::Millimetre),
             ReadingCode::Absolute if by_place => {}
             ReadingCode::Incremental if by_place => {}
             ReadingCode::Absolute => self.kernel.set_incremental(false),
@@ -45,6 +44,12 @@ impl Interpreter<'_> {
         }
     }
 
+    /// The program says its units.
+    fn say_units(&mut self, units: Units) {
+        self.units_said = true;
+        self.set_units(units);
+    }
+
     pub(super) fn set_units(&mut self, units: Units) {
         self.kernel.set_units(units);
         self.scale = Scale::new(units, &self.control.parameters);
@@ -56,6 +61,7 @@ impl Interpreter<'_> {
         if letters.has(b'F') && !self.feed_is_tap_speed(codes) {
             self.take_feed(block);
         }
+        self.units_of_feed = None;
         let surface = codes.iter().find(|(row, _)| {
             row.action == Action::Reading(ReadingCode::SurfaceSpeed) && row.words.has(b'D')
         });
@@ -103,10 +109,83 @@ impl Interpreter<'_> {
                 self.change_compensation_offset(block);
             }
         }
-        for (row, at) in codes {
-            if let Action::Before(code) = row.action {
-                self.take_before_motion(block, code, *at);
+        self.take_switches(block, codes);
+    }
+
+    /// What is switched before the motion, in the control's order.
+    pub(super) fn take_switches(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        let order = &self.control.table.order;
+        let rank = |row: &CodeRow| Some(order.rank(BlockStep::of_switch(row.action)?));
+        if codes.iter().all(|(row, _)| rank(row).is_none()) {
+            return;
+        }
+        for step in 0..order.rank(BlockStep::Motion) {
+            for (row, at) in codes.iter().filter(|(row, _)| rank(row) == Some(step)) {
+                match row.action {
+                    Action::Before(code) => self.take_before_motion(block, code, *at),
+                    Action::After(code) => self.switch_off(block, code),
+                    Action::Reading(_)
+                    | Action::Mode(_)
+                    | Action::Length(_)
+                    | Action::Motion(_)
+                    | Action::Cycle(_)
+                    | Action::Once(_)
+                    | Action::Call(_)
+                    | Action::NoEffect
+                    | Action::NotSimulated
+                    | Action::NotFollowed => {}
+                }
             }
+        }
+    }
+
+    /// Spindle and coolant off.
+    fn switch_off(&mut self, block: &Block, code: AfterCode) {
+        match code {
+            AfterCode::SpindleStop if self.names_live_tool(block) => {
+                self.kernel.set_live_tool(None);
+            }
+            AfterCode::SpindleStop => self.kernel.set_spindle(SpindleState::Off),
+            AfterCode::LiveToolStop => self.kernel.set_live_tool(None),
+            AfterCode::CoolantOff => self.kernel.set_coolant(|c| *c = Default::default()),
+            AfterCode::CoolantThroughToolOff => self.kernel.set_coolant(|c| c.through_tool = false),
+            // No switch.
+            AfterCode::ProgramStop
+            | AfterCode::OptionalStop
+            | AfterCode::ProgramEnd { .. }
+            | AfterCode::ProgramAgain
+            | AfterCode::ShopCode
+            | AfterCode::RunCycleHere => {}
+        }
+    }
+
+    fn is_switched_before(&self, row: &CodeRow) -> bool {
+        let order = &self.control.table.order;
+        let step = BlockStep::of_switch(row.action);
+        step.is_some_and(|step| order.is_before(step, BlockStep::Motion))
+    }
+
+    /// The units of F, where the control takes it before the block changes them from what the program has said to others.
+    fn units_of_feed(&self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> Option<Units> {
+        if !self.units_said || !block.letters().has(b'F') {
+            return None;
+        }
+        let before = self.kernel.state.units;
+        let changes =
+            codes.iter().any(|(row, _)| row.action.units().is_some_and(|to| to != before));
+        let order = &self.control.table.order;
+        (changes && order.is_before(BlockStep::Feed, BlockStep::Units)).then_some(before)
+    }
+
+    /// Modes that change how the numbers of this very block are read.
+    pub(super) fn take_reading_modes(
+        &mut self,
+        block: &Block,
+        codes: &[(&'static CodeRow, usize)],
+    ) {
+        self.units_of_feed = self.units_of_feed(block, codes);
+        for (row, _) in codes {
+            self.take_reading_mode(row.action);
         }
     }
 
@@ -426,6 +505,7 @@ impl Interpreter<'_> {
                 // not the block had axis words to act on.
                 Action::Reading(ReadingCode::Absolute) => self.kernel.set_incremental(false),
                 Action::Reading(ReadingCode::Incremental) => self.kernel.set_incremental(true),
+                Action::After(_) if self.is_switched_before(row) => {}
                 Action::After(code) => {
                     if let end @ Flow::End(_) = self.take_code_after_motion(block, codes, code, *at)
                     {
@@ -458,13 +538,10 @@ impl Interpreter<'_> {
         at: usize,
     ) -> Flow {
         match code {
-            AfterCode::SpindleStop if self.names_live_tool(block) => {
-                self.kernel.set_live_tool(None);
-            }
-            AfterCode::SpindleStop => self.kernel.set_spindle(SpindleState::Off),
-            AfterCode::LiveToolStop => self.kernel.set_live_tool(None),
-            AfterCode::CoolantOff => self.kernel.set_coolant(|c| *c = Default::default()),
-            AfterCode::CoolantThroughToolOff => self.kernel.set_coolant(|c| c.through_tool = false),
+            AfterCode::SpindleStop
+            | AfterCode::LiveToolStop
+            | AfterCode::CoolantOff
+            | AfterCode::CoolantThroughToolOff => self.switch_off(block, code),
             AfterCode::ProgramStop => self.kernel.emit(CommandKind::Stop { optional: false }),
             AfterCode::OptionalStop => self.kernel.emit(CommandKind::Stop { optional: true }),
             AfterCode::ProgramEnd { .. } => {

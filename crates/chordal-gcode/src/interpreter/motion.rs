@@ -1,13 +1,13 @@
 //! Targets, straight moves, feed, and the choice between line, arc, spiral and cycle.
 
-use chordal_command::{AxisMask, FeedMode, Position, Units};
+use chordal_command::{AxisMask, FeedMode, Position, Units, number_text};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_dialect::table::MotionModality;
 use chordal_dialect::{Action, MotionCode, ReadingCode};
 use chordal_geometry::Direction;
 use chordal_kernel::rules::CycleKind;
 use chordal_kernel::{Motion, SplineForm};
-use chordal_syntax::{Block, Letters};
+use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
 use super::literals::AXIS_OF;
@@ -64,7 +64,7 @@ impl Interpreter<'_> {
 
     /// The axis that a letter of its own moves by an increment (U of X).
     #[inline]
-    pub(super) fn increment_axis(&self, word: &chordal_syntax::Word) -> Option<usize> {
+    pub(super) fn increment_axis(&self, word: &Word) -> Option<usize> {
         let increments = self.control.parameters.increments;
         if increments.is_empty() || word.comma {
             return None;
@@ -74,7 +74,7 @@ impl Interpreter<'_> {
     }
 
     /// G90 and G91 where they act from left to right.
-    fn distance_word(&mut self, word: &chordal_syntax::Word) {
+    fn distance_word(&mut self, word: &Word) {
         let row = self
             .literal(word)
             .and_then(chordal_dialect::code_number)
@@ -305,11 +305,18 @@ impl Interpreter<'_> {
                 .help("write a feed above zero"),
             );
         }
-        let (factor, mut extra) = match self.kernel.state.units {
+        let units = match self.units_of_feed.take() {
+            Some(units) => {
+                self.report_feed_before_units(&word, units);
+                units
+            }
+            None => self.kernel.state.units,
+        };
+        let (factor, mut extra) = match units {
             Units::Inch => (254, 1),
             Units::Millimetre => (1, 0),
         };
-        if !number.has_point && self.kernel.state.units == Units::Inch {
+        if !number.has_point && units == Units::Inch {
             extra += parameters.feed_digits_inch;
         }
         let per_minute = number.times(factor, extra);
@@ -330,5 +337,26 @@ impl Interpreter<'_> {
                 .help("remove the sign"),
             );
         }
+    }
+
+    /// F of a block that changes the units after it: said with what it comes to.
+    fn report_feed_before_units(&mut self, word: &Word, units: Units) {
+        let Some(number) = self.literal(word) else { return };
+        if self.kernel.state.feed_mode == FeedMode::InverseTime {
+            return;
+        }
+        let (own, other, per_own) = match units {
+            Units::Inch => ("in", "mm", 25.4),
+            Units::Millimetre => ("mm", "in", 1.0 / 25.4),
+        };
+        let value = number_text(number.to_f64() * per_own, 4);
+        let title = self.control.table.title;
+        let message = format!(
+            "F{number} is {number} {own}, that is {value} {other}: {title} takes F before the units of its block change"
+        );
+        self.kernel.report(
+            Diagnostic::new(Code::FeedBeforeUnits, self.span(word.range), message)
+                .help("write F in a block after that of G20 or G21"),
+        );
     }
 }

@@ -61,7 +61,7 @@ enum Kernel {
 
 /// How places are smoothed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Way {
+pub(crate) enum SmoothingKind {
     /// The inside of bends, as far as the tolerance allows: by the plain kernel. Coordinates are rounded, and its
     /// widths would be too small where that is much for the tolerance: so the rounding is taken off by the sharp
     /// kernel first.
@@ -70,9 +70,9 @@ pub(crate) enum Way {
     Along,
 }
 
-impl Way {
+impl SmoothingKind {
     /// All of them.
-    pub const ALL: [Way; 2] = [Way::Inside, Way::Along];
+    pub const ALL: [SmoothingKind; 2] = [SmoothingKind::Inside, SmoothingKind::Along];
 }
 
 /// Tolerances, and what the axes can do.
@@ -174,14 +174,19 @@ pub(crate) struct Smooth<'a> {
 
 impl Smoothing {
     /// The curve through some chords; `None` where none was found within the tolerance.
-    pub fn smooth(&mut self, chords: &Chords, measure: &Measure, way: Way) -> Option<Smooth<'_>> {
+    pub fn smooth(
+        &mut self,
+        chords: &Chords,
+        measure: &Measure,
+        way: SmoothingKind,
+    ) -> Option<Smooth<'_>> {
         if chords.count() == 0 {
             return None;
         }
         let Smoothing { widths, spline, quiet, certificate } = self;
         let (through, kernel, (most, times)) = match way {
-            Way::Along => (chords, Kernel::Sharp, (FOURTH, SHARP_TIMES)),
-            Way::Inside => {
+            SmoothingKind::Along => (chords, Kernel::Sharp, (FOURTH, SHARP_TIMES)),
+            SmoothingKind::Inside => {
                 let part = measure.part(QUIET);
                 widths.find(chords, &part, Kernel::Sharp, QUIET_FOURTH);
                 widths.settle(chords, &part, Kernel::Sharp, QUIET_TIMES);
@@ -267,7 +272,7 @@ mod tests {
             chords.push(at, length, false);
         }
         let mut smoothing = Smoothing::default();
-        for way in Way::ALL {
+        for way in SmoothingKind::ALL {
             for tolerance in [1e-6, 1e-4, 0.01] {
                 let pieces = smoothing.smooth(&chords, &measure(tolerance), way);
                 assert!(pieces.is_none_or(|smooth| smooth.at.len() < 10_500));
@@ -286,7 +291,7 @@ mod tests {
         for seed in 1..rounds {
             let measure = measure([0.001, 0.01, 0.1][seed as usize % 3]);
             let chords = wave(seed);
-            let way = Way::ALL[seed as usize / 3 % 2];
+            let way = SmoothingKind::ALL[seed as usize / 3 % 2];
             let Some(smooth) = smoothing.smooth(&chords, &measure, way) else {
                 without += 1;
                 continue;

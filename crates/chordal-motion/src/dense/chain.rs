@@ -21,7 +21,7 @@ use crate::trajectory::Stretch;
 const AT_FEED: f64 = 1.02;
 
 /// How runs are planned.
-pub(super) struct Way<'a, S> {
+pub(super) struct ChainPlanning<'a, S> {
     pub moves: &'a [Move],
     pub limits: &'a Limits,
     pub arrays: AxisArrays,
@@ -78,7 +78,7 @@ fn are_lines(moves: &[Move]) -> bool {
 
 /// Moves planned corner by corner.
 fn singly(
-    way: &mut Way<'_, impl Singly>,
+    way: &mut ChainPlanning<'_, impl Singly>,
     moves: &[Move],
     [before, after]: &[Option<Meeting>; 2],
 ) -> Planned {
@@ -109,7 +109,7 @@ impl Dense {
         by_corners: &mut impl Singly,
     ) -> (Vec<Laid>, f64) {
         let arrays = AxisArrays::new(limits);
-        let mut way = Way { moves, limits, arrays, gap, singly: by_corners };
+        let mut way = ChainPlanning { moves, limits, arrays, gap, singly: by_corners };
         if !std::mem::take(&mut self.is_cut) {
             if !self.cut(moves) {
                 return (singly(&mut way, moves, &[None; 2]).stretches, 0.0);
@@ -124,7 +124,7 @@ impl Dense {
     /// Plans the runs between corners, where those at the ends are given; some again with more corners.
     fn chain(
         &mut self,
-        way: &mut Way<'_, impl Singly>,
+        way: &mut ChainPlanning<'_, impl Singly>,
         corners: &[usize],
         [before, after]: [Option<Meeting>; 2],
         more: Option<Joints>,
@@ -158,7 +158,7 @@ impl Dense {
     /// Plans a run as a curve, with more corners, or its moves singly, whichever is quickest.
     fn quickest(
         &mut self,
-        way: &mut Way<'_, impl Singly>,
+        way: &mut ChainPlanning<'_, impl Singly>,
         chords: Range<usize>,
         meetings: [Option<Meeting>; 2],
         more: Option<Joints>,
@@ -191,7 +191,7 @@ impl Dense {
     /// planned more quickly without a law.
     fn curve(
         &mut self,
-        way: &Way<'_, impl Singly>,
+        way: &ChainPlanning<'_, impl Singly>,
         chords: Range<usize>,
         [before, after]: &[Option<Meeting>; 2],
     ) -> Option<Planned> {
@@ -247,7 +247,7 @@ impl Dense {
     /// How the runs before and after a chord at a corner may meet, given where they begin and end.
     fn meeting(
         &self,
-        way: &Way<'_, impl Singly>,
+        way: &ChainPlanning<'_, impl Singly>,
         [begin, chord, end]: [usize; 3],
     ) -> Option<Meeting> {
         let moves = way.moves;

@@ -9,7 +9,7 @@ use chordal_geometry::AXES;
 
 use super::LADDER;
 use crate::bound::{Gentle, Run};
-use crate::curve::{Chords, Measure, Smooth, Smoothing, Way};
+use crate::curve::{Chords, Measure, Smooth, Smoothing, SmoothingKind};
 use crate::law::{Ends, Laid, Planner as LawPlanner, Work};
 use crate::limits::Limits;
 use crate::piece::Piece;
@@ -65,12 +65,12 @@ struct Candidate {
     pieces: Vec<Piece>,
     speeds: Vec<f64>,
     laid: Laid,
-    way: Option<Way>,
+    way: Option<SmoothingKind>,
 }
 
 /// The least times of first laws, of each way.
 #[derive(Clone, Copy, Debug)]
-struct Leasts([f64; Way::ALL.len()]);
+struct Leasts([f64; SmoothingKind::ALL.len()]);
 
 impl Quickest {
     /// The quickest curve through some chords, if there is one. `lay` makes pieces with their largest speeds,
@@ -96,7 +96,7 @@ impl Quickest {
                 break;
             }
             let mut level_s = f64::INFINITY;
-            for way in Way::ALL {
+            for way in SmoothingKind::ALL {
                 let mut candidate = self.spare.pop().unwrap_or_default();
                 candidate.clear();
                 if let Some(smooth) = self.smoothing.smooth(&self.divided, &measure, way) {
@@ -222,9 +222,9 @@ impl Quickest {
 }
 
 impl Leasts {
-    const NONE: Leasts = Leasts([f64::INFINITY; Way::ALL.len()]);
+    const NONE: Leasts = Leasts([f64::INFINITY; SmoothingKind::ALL.len()]);
 
-    fn see(&mut self, way: Way, first_s: f64) {
+    fn see(&mut self, way: SmoothingKind, first_s: f64) {
         let own = &mut self.0[way as usize];
         *own = own.min(first_s);
     }

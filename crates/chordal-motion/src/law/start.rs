@@ -27,7 +27,7 @@ pub(super) struct Start {
 
 /// A direction of a pass.
 #[derive(Clone, Copy, PartialEq)]
-enum Way {
+enum Direction {
     Forward,
     Back,
 }
@@ -37,12 +37,12 @@ struct View<'a> {
     grid: &'a Grid,
     from: usize,
     count: usize,
-    way: Way,
+    way: Direction,
 }
 
 impl View<'_> {
     fn cell(&self, index: usize) -> usize {
-        if self.way == Way::Forward { index } else { self.count - 1 - index }
+        if self.way == Direction::Forward { index } else { self.count - 1 - index }
     }
 
     fn length(&self, cell: usize) -> f64 {
@@ -50,12 +50,12 @@ impl View<'_> {
     }
 
     fn sign(&self) -> f64 {
-        if self.way == Way::Forward { 1.0 } else { -1.0 }
+        if self.way == Direction::Forward { 1.0 } else { -1.0 }
     }
 
     /// The nodes at which a cell is entered and left.
     fn nodes(&self, cell: usize) -> [usize; 2] {
-        if self.way == Way::Forward { [cell, cell + 1] } else { [cell + 1, cell] }
+        if self.way == Direction::Forward { [cell, cell + 1] } else { [cell + 1, cell] }
     }
 
     /// The largest growth of σ̈ by σ (or the largest fall) at both ends of a cell.
@@ -173,9 +173,9 @@ impl Start {
         }
         let rest = |side: usize| (sides[side] == Side::Rest).then_some(side);
         let view = |way| View { grid, from, count, way };
-        view(Way::Forward).pass(&most, rest(0), &mut self.forward);
-        view(Way::Back).pass(&self.forward, rest(1), &mut self.both);
-        self.round(&view(Way::Forward));
+        view(Direction::Forward).pass(&most, rest(0), &mut self.forward);
+        view(Direction::Back).pass(&self.forward, rest(1), &mut self.both);
+        self.round(&view(Direction::Forward));
         let inner = 2..count - 2;
         for (k, value) in coefficients.iter_mut().enumerate() {
             let fixed =

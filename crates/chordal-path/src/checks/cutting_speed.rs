@@ -7,6 +7,7 @@ use chordal_command::{
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity, Shift};
 use chordal_geometry::ParamCurve;
+use chordal_kernel::hole_at_surface_speed;
 
 use super::Checks;
 use crate::segment::curve_of;
@@ -171,18 +172,9 @@ impl Checks<'_> {
             return;
         }
         let most = cut.surface.most_rev_per_s * 60.0;
-        let speed = match most.is_finite() && (cut.surface.is_limited || !self.assumed) {
-            true => format!("at {} rpm", number_text(most, 0)),
-            false => "as fast as it can".to_string(),
-        };
-        let message = format!(
-            "a hole in the centre while G96 keeps the cutting speed: the spindle turns {speed}"
-        );
-        report(
-            Diagnostic::new(Code::DrillingAtSurfaceSpeed, cut.origin.span, message)
-                .label("X0 asks for any speed")
-                .help("write G97 and the spindle speed before the hole"),
-        );
+        let is_known = most.is_finite() && (cut.surface.is_limited || !self.assumed);
+        let rpm = is_known.then_some(most);
+        report(hole_at_surface_speed(cut.origin.span, "a hole in the centre", rpm));
     }
 }
 

@@ -19,14 +19,10 @@ impl Checks<'_> {
     pub(super) fn tip(&mut self, command: &Command, report: &mut impl FnMut(Diagnostic)) {
         let place = self.now.tip.place();
         let pair = self.now.tip.tool_and_offset();
-        if self.now.reported_tips.contains(&pair) {
-            return self.now.tip.settle();
-        }
         if !self.is_near_part(&command.kind, place) {
             return;
         }
-        self.now.tip.settle();
-        self.now.reported_tips.push(pair);
+        self.now.tip.set_reported();
         let span = command.origin.span;
         let (tool, number) = pair;
         let in_force = match number {

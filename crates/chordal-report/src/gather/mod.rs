@@ -289,6 +289,6 @@ fn pictures(plot: &Plot, plane_mm: &[f64; 3], stock: Option<&StockLeft>) -> Pict
         },
         tools: plot.page_tools().into_iter().map(sign).collect(),
         cuts_left_out: plot.leaves_out_cuts(),
-        not_named: plot.not_named(),
+        remarks: plot.remarks(),
     }
 }

@@ -244,8 +244,8 @@ fn pictures(document: &Document) -> Markup {
                 @if pictures.cuts_left_out {
                     p.faint { "Cuts at unknown positions are left out." }
                 }
-                @for said in &pictures.not_named {
-                    p.faint { (said) "." }
+                @for said in &pictures.remarks {
+                    p.faint { (upper_first(said)) "." }
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use chordal::CommandKind;
 use chordal::control::table::{Group, LineRepeat, MotionModality, Subroutines};
-use chordal::control::{Action, CallCode, Control, MotionCode, OnceCode, ReadingCode};
+use chordal::control::{Action, BlockStep, CallCode, Control, MotionCode, OnceCode, ReadingCode};
 use chordal::control::{Units, subroutine_head};
 use chordal::syntax::{BlockKind, Letters};
 
@@ -89,6 +89,7 @@ impl<'a> Context<'a> {
         self.dwell(draft, at);
         self.motion(draft, at);
         self.distance(draft);
+        self.switches(draft, at);
         self.repeats(draft, at);
         self.alone(draft);
         Ok(())
@@ -292,6 +293,36 @@ impl<'a> Context<'a> {
             } else {
                 draft.set(at, "");
                 draft.lead(word, "it must come before the words that it applies to");
+            }
+        }
+    }
+
+    /// What one control switches after the motion of its block and the other before it goes into a block of its own.
+    fn switches(&self, draft: &mut Draft, at: usize) {
+        let Some(run) = self.run(at) else { return };
+        if moves(self.trace.commands_of(run)).next().is_none() {
+            return;
+        }
+        let is_before = |control: &Control, step: BlockStep| {
+            control.table.order.is_before(step, BlockStep::Motion)
+        };
+        let title = self.to.table.title;
+        for word in 0..draft.block.words.len() {
+            let action = code_action(&draft.block.words[word], self.from);
+            let Some(step) = action.and_then(BlockStep::of_switch) else { continue };
+            let (was, will_be) = (is_before(self.from, step), is_before(self.to, step));
+            if was == will_be || draft.is_gone(word) {
+                continue;
+            }
+            let code = draft.now(word);
+            let place = if will_be { "before" } else { "after" };
+            let reason = format!("{title} would do it {place} the motion of its block");
+            draft.note(code.clone(), format!("{code} in a block of its own"), reason);
+            draft.set(word, "");
+            if was {
+                draft.before.push(code);
+            } else {
+                draft.after.push(code);
             }
         }
     }

@@ -22,7 +22,7 @@ use chordal::{Job, Severity};
 use self::head::{Head, Lack};
 use self::trace::{Care, Places, Trace};
 pub use self::watch::UnrepeatedCode;
-use self::watch::{Before, Way, before};
+use self::watch::{Before, RunToBlock, before};
 use crate::Refusal;
 use crate::convert::{Contour, Contours};
 use crate::source::Source;
@@ -126,7 +126,7 @@ pub fn restart(job: &Job, line: u32) -> Result<Restart, Refused> {
     let asked = Asked { job, source: &source, line };
     let main = asked.main()?;
     let at = asked.block(&main)?;
-    let way = Way::to(job, &source, &main, at);
+    let way = RunToBlock::to(job, &source, &main, at);
     let (ran, first) = asked.once(&way, at)?;
     asked.verified(at)?;
     let before = before(job, &source, ran)
@@ -253,7 +253,7 @@ impl Asked<'_, '_> {
     }
 
     /// The block is carried out once, by the main program: after how many blocks, and where the first is.
-    fn once(&self, way: &Way, at: usize) -> Result<(u64, u32), Refused> {
+    fn once(&self, way: &RunToBlock, at: usize) -> Result<(u64, u32), Refused> {
         if let (Some(caller), None) = (way.caller, way.ran) {
             return Err(self.refuse(
                 Reason::Called,
@@ -421,7 +421,7 @@ impl Asked<'_, '_> {
             self.refuse(Reason::Unproved, what, "begin at another line, best at a tool change")
         };
         let at = source.first_at(start);
-        let way = Way::to(&new, &source, &(0..source.blocks.len()), at);
+        let way = RunToBlock::to(&new, &source, &(0..source.blocks.len()), at);
         let Some(ran) = way.ran else {
             return Err(unproved("the new program never comes to the line".into()));
         };

@@ -56,7 +56,7 @@ pub struct UnrepeatedCode {
 
 /// A run, as far as it goes to a block.
 #[derive(Debug)]
-pub(super) struct Way {
+pub(super) struct RunToBlock {
     /// How many blocks are carried out before it; nothing where it is never carried out.
     pub(super) ran: Option<u64>,
     /// How many times it is carried out.
@@ -67,10 +67,10 @@ pub(super) struct Way {
     pub(super) first: Option<u32>,
 }
 
-impl Way {
+impl RunToBlock {
     /// Runs a job and looks for the block at a byte of its first text.
-    pub(super) fn to(job: &Job, source: &Source, main: &Range<usize>, at: usize) -> Way {
-        let way = Way { ran: None, times: 0, caller: None, first: None };
+    pub(super) fn to(job: &Job, source: &Source, main: &Range<usize>, at: usize) -> RunToBlock {
+        let way = RunToBlock { ran: None, times: 0, caller: None, first: None };
         let mut finder = Finder { source, main, at, ran: 0, main_line: 1, way };
         job.run(&mut finder);
         finder.way
@@ -83,7 +83,7 @@ struct Finder<'s, 'a> {
     at: usize,
     ran: u64,
     main_line: u32,
-    way: Way,
+    way: RunToBlock,
 }
 
 impl Sink for Finder<'_, '_> {

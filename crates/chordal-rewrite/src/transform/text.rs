@@ -117,14 +117,14 @@ pub(super) fn strip_comments(job: &Job) -> Outcome {
 }
 
 /// A way to make a text shorter.
-type Way = fn(&Job) -> Outcome;
+type Shortening = fn(&Job) -> Outcome;
 
 /// Makes the text no longer than so many bytes: by blanks, then digits, then numbers, then comments.
 pub(super) fn shrink(job: &Job, most: usize) -> Result<Outcome, Refusal> {
     let old = first_text(job);
     let mut text = old.to_vec();
     let (mut done, mut made) = (Vec::new(), Vec::new());
-    let ways: [(&str, Way); 4] = [
+    let ways: [(&str, Shortening); 4] = [
         ("blanks", blanks),
         ("digits", digits),
         ("block numbers", no_numbers),

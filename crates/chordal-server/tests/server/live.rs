@@ -72,6 +72,28 @@ fn the_axes_that_are_known_come_with_each_end() {
 }
 
 #[test]
+fn moves_in_a_work_offset_that_is_not_given_have_no_place() {
+    let text = "G21 G90\nS1000 M3\nG54 G0 X0 Y0 Z5.\nG1 X20. F100.\nG55 G0 X0 Y0 Z5.\nG1 X30. F100.\nM30\n";
+    let mut live = serve(Shown::text(text)).live();
+    let path = live.columns("path");
+    let rows = path.u32("line").into_iter().zip(path.u8("kind")).zip(path.u8("known"));
+    let found: Vec<(u32, bool, u8)> =
+        rows.map(|((line, kind), known)| (line, kind & 0x10 != 0, known >> 3)).collect();
+    assert_eq!(found, [(3, false, 7), (4, true, 7), (5, false, 0), (6, false, 0)]);
+    let report = live.json("report");
+    let said = report["moves_left_out"].as_array().expect("texts");
+    assert_eq!(said[0], "moves in G55 are left out: where it lies from G54 is not given");
+    assert_eq!(said.len(), 2, "and what to do");
+    let zeros: Vec<&str> = report["places"]["zeros"]
+        .as_array()
+        .expect("zeros")
+        .iter()
+        .map(|zero| zero["name"].as_str().expect("a name"))
+        .collect();
+    assert_eq!(zeros, ["G54"]);
+}
+
+#[test]
 fn a_long_text_comes_in_pieces_that_cut_no_character() {
     let line = "G1 X1.5 (ß→)\n";
     let long = line.repeat(200_000);

@@ -1,7 +1,7 @@
 //! From the commands of the tool centre to moves that join on to each other, and waits.
 
 use chordal_command::{
-    Command, CommandKind, Origin, Overrides, PathMode, RotarySurface, SpindleState,
+    AxisMask, Command, CommandKind, Origin, Overrides, PathMode, RotarySurface, SpindleState,
 };
 use chordal_diagnostics::Diagnostic;
 use chordal_geometry::{Curve, EvenPart, Line, ParamCurve, Transform, Vec3};
@@ -19,7 +19,7 @@ use super::operations::Operations;
 use super::options::InForce;
 use super::{
     MachineLimits, MotionOptions, MotionReport, MotionSink, MotionStep, Refused, StepKind,
-    StepSource, Wait, WaitKind,
+    StepSource, UnknownAxes, Wait, WaitKind,
 };
 use crate::job::Job;
 
@@ -67,6 +67,10 @@ pub(crate) struct MotionBuilder<'a, S> {
     pieces: u64,
     /// The piece of path of the last step.
     piece: u64,
+    /// X, Y and Z, and the rotary axes that there are.
+    axes: AxisMask,
+    /// Those whose place is not known after the last move.
+    unknown_places: AxisMask,
     held: Option<Held>,
     report: MotionReport,
     operations: Operations,
@@ -77,6 +81,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     pub fn new(job: &'a Job<'_>, limits: MachineLimits, options: &MotionOptions, sink: S) -> Self {
         let machine: &Machine = job.machine();
         let rules = job.control().parameters.rules.path;
+        let axes = job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR);
         let report = MotionReport {
             limits,
             moves: 0,
@@ -111,6 +116,8 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             number: 0,
             pieces: 0,
             piece: 0,
+            unknown_places: axes.without(job.initial_offset().1.or(job.not_named_axes().all())),
+            axes,
             held: None,
             report,
             operations: Operations::new(job, options.operations),
@@ -194,6 +201,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             kind: StepKind::Wait(kind),
             piece: self.piece,
             known: true,
+            unknown_axes: UnknownAxes { places: self.unknown_places, ..UnknownAxes::default() },
             length: 0.0,
             nominal_s: seconds,
             shift: self.shift,
@@ -282,14 +290,30 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             kind: StepKind::Move(segment.kind),
             piece: self.piece,
             known: segment.known,
+            unknown_axes: self.unknown_axes(segment, &motion),
             length,
             nominal_s,
             shift: self.shift,
             operation: self.operations.step(&segment.origin, false, true),
         };
         self.at = Some(motion.to());
+        self.unknown_places = self.axes.without(known_at(segment)[1]);
         let ending = Ending { mode: self.mode, cycle, bends };
         self.held = Some(Held { step: MotionStep::Move(motion), ending, source });
+    }
+
+    fn unknown_axes(&self, segment: &Segment, motion: &Move) -> UnknownAxes {
+        let [from, to] = known_at(segment);
+        let places = self.axes.without(from.and(to));
+        if places == AxisMask::NONE {
+            return UnknownAxes::default();
+        }
+        let size = segment.curve.bounds().size().to_array();
+        let turn = |axis: usize| motion.rotary_to[axis] - motion.rotary_from[axis];
+        let mut moves = AxisMask::NONE;
+        (0..3).filter(|axis| size[*axis] != 0.0).for_each(|axis| moves.insert(axis));
+        (0..3).filter(|axis| turn(*axis) != 0.0).for_each(|axis| moves.insert(axis + 3));
+        UnknownAxes { places, moves: moves.and(places) }
     }
 
     fn feed_override(&self) -> f64 {
@@ -456,6 +480,14 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             }
         }
     }
+}
+
+/// The axes whose place is known at the start and at the end of a piece of path; of one that the program does not name it
+/// is zero.
+fn known_at(segment: &Segment) -> [AxisMask; 2] {
+    let linear = segment.places().map(|axes| axes.or(segment.not_named.all()));
+    let rotary = [segment.from_known, segment.to_known].map(|axes| axes.and(AxisMask::ROTARY));
+    [linear[0].or(rotary[0]), linear[1].or(rotary[1])]
 }
 
 /// The straight move from the start to the end of a dog-leg rapid.

@@ -45,7 +45,8 @@ pub use options::MotionOptions;
 pub use plan::{PlanSink, Sources};
 pub use setpoints::{Sampled, Sampling, SamplingError};
 pub use steps::{
-    MotionReport, MotionSink, MotionStep, Refused, StepKind, StepSource, Wait, WaitKind,
+    MotionReport, MotionSink, MotionStep, Refused, StepKind, StepSource, UnknownAxes, Wait,
+    WaitKind,
 };
 
 pub(crate) use builder::MotionBuilder;

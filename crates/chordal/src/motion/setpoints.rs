@@ -1,8 +1,12 @@
 //! The setpoints of the axes of a whole run.
 
+use std::collections::VecDeque;
+
+use chordal_command::AxisMask;
+
 use super::{
     Level, LimitError, MotionOptions, MotionReport, PlanSink, Sample, Sampler, Sources, Step,
-    StepSource,
+    StepSource, UnknownAxes,
 };
 use crate::job::Job;
 
@@ -26,6 +30,8 @@ pub struct Sampled {
     pub time_s: f64,
     /// How many setpoints there are.
     pub count: u64,
+    /// Places of axes that are not known, of which the setpoints have no number.
+    pub unknown_axes: AxisMask,
     /// The largest distance of the tool from the path when the axes go straight from one setpoint
     /// to the next, mm, and its line.
     pub chord: (f64, u32),
@@ -48,7 +54,8 @@ impl From<LimitError> for SamplingError {
 
 impl Job<'_> {
     /// Plans the run and gives its setpoints one after the other, each with the line of its block.
-    /// Setpoints are positions: a rapid goes where its axes take it.
+    /// Setpoints are positions: a rapid goes where its axes take it. The place of an axis that is not known is NaN, and so
+    /// are velocity and acceleration where it moves.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number, or more setpoints than asked for.
@@ -59,7 +66,8 @@ impl Job<'_> {
     ) -> Result<Sampled, SamplingError> {
         let Sampling { period_s, level, most } = *sampling;
         let options = MotionOptions { level, dog_leg_shape: true, ..MotionOptions::default() };
-        let taker = Taker { take, period_s, count: 0, chord: (0.0, 0) };
+        let unknown = Unknown::default();
+        let taker = Taker { take, period_s, count: 0, chord: (0.0, 0), unknown };
         let mut setpoints = Setpoints { sampler: Sampler::new(period_s).at_most(most), taker };
         let motion = self.plan(&options, &mut setpoints)?;
         let Setpoints { sampler, mut taker } = setpoints;
@@ -68,7 +76,8 @@ impl Job<'_> {
             return Err(SamplingError::TooMany(time_s));
         }
         sampler.finish(|sample| taker.take(sample));
-        Ok(Sampled { motion, time_s, count: taker.count, chord: taker.chord })
+        let unknown_axes = taker.unknown.seen;
+        Ok(Sampled { motion, time_s, count: taker.count, unknown_axes, chord: taker.chord })
     }
 }
 
@@ -83,13 +92,58 @@ struct Taker<F> {
     period_s: f64,
     count: u64,
     chord: (f64, u32),
+    unknown: Unknown,
+}
+
+/// Which axes are not known from which step on.
+#[derive(Default)]
+struct Unknown {
+    /// The number of the step, where it differs from the one before.
+    changes: VecDeque<(u32, UnknownAxes)>,
+    /// Those that some setpoint was without.
+    seen: AxisMask,
+}
+
+impl Unknown {
+    fn follow(&mut self, source: &StepSource) {
+        let last = self.changes.back().map(|(_, axes)| *axes).unwrap_or_default();
+        if source.unknown_axes != last {
+            self.changes.push_back((StepSource::number_of(source.tag), source.unknown_axes));
+        }
+    }
+
+    /// The axes that are not known in the step with this tag. Tags grow.
+    fn at(&mut self, tag: u64) -> UnknownAxes {
+        let number = StepSource::number_of(tag);
+        while self.changes.get(1).is_some_and(|(from, _)| *from <= number) {
+            self.changes.pop_front();
+        }
+        let axes = self.changes.front().filter(|(from, _)| *from <= number);
+        axes.map(|(_, axes)| *axes).unwrap_or_default()
+    }
+
+    /// A setpoint without the numbers of what is not known.
+    fn without(&mut self, sample: &Sample, unknown: UnknownAxes) -> Sample {
+        let mut sample = *sample;
+        for axis in unknown.places.iter().map(|axis| axis as usize) {
+            sample.position[axis] = f64::NAN;
+            if unknown.moves.has(axis) {
+                (sample.velocity[axis], sample.acceleration[axis]) = (f64::NAN, f64::NAN);
+            }
+        }
+        self.seen = self.seen.or(unknown.places);
+        sample
+    }
 }
 
 impl<F: FnMut(&Sample, u32)> Taker<F> {
     #[inline]
     fn take(&mut self, sample: &Sample) {
         let line = StepSource::line_of(sample.tag);
-        (self.take)(sample, line);
+        match self.unknown.at(sample.tag) {
+            unknown if unknown.places == AxisMask::NONE => (self.take)(sample, line),
+            unknown => (self.take)(&self.unknown.without(sample, unknown), line),
+        }
         self.count += 1;
         let chord = normal_acceleration(sample) * self.period_s * self.period_s / 8.0;
         if chord > self.chord.0 {
@@ -99,6 +153,10 @@ impl<F: FnMut(&Sample, u32)> Taker<F> {
 }
 
 impl<F: FnMut(&Sample, u32)> PlanSink for Setpoints<F> {
+    fn source(&mut self, source: &StepSource) {
+        self.taker.unknown.follow(source);
+    }
+
     fn step(&mut self, step: Step<'_>, _: &Sources) {
         self.sampler.push(step, |sample| self.taker.take(sample));
     }

@@ -1,6 +1,6 @@
 //! The steps of motion: moves, waits and their reasons.
 
-use chordal_command::{Command, Origin};
+use chordal_command::{AxisMask, Command, Origin};
 use chordal_diagnostics::Diagnostic;
 use chordal_kernel::Outcome;
 use chordal_motion::{Axes, Move, MoveError};
@@ -78,6 +78,15 @@ pub enum StepKind {
     Wait(WaitKind),
 }
 
+/// Axes whose place is not known: their numbers count from zero.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct UnknownAxes {
+    /// All of them.
+    pub places: AxisMask,
+    /// Those that move: how far is not known, either.
+    pub moves: AxisMask,
+}
+
 /// Where a step comes from.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct StepSource {
@@ -95,6 +104,8 @@ pub struct StepSource {
     pub piece: u64,
     /// Both ends are known relative to the part.
     pub known: bool,
+    /// The axes whose place is not known during the step, and which of them move.
+    pub unknown_axes: UnknownAxes,
     /// Length: mm along X, Y and Z, or rad where rotary axes alone move; 0 for a wait.
     pub length: f64,
     /// How long it takes at its feed with the overrides, without acceleration, s.

@@ -230,7 +230,7 @@ impl<'a> Gathered<'a> {
             let why = "polar or cylindrical interpolation is active";
             return self.tell(Code::StockNotFollowed, segment, why);
         }
-        if !segment.frame_known {
+        if segment.unrelated_zero.is_some() {
             return self.frame_not_known(segment, kind);
         }
         if !segment.known {
@@ -267,7 +267,7 @@ impl<'a> Gathered<'a> {
 
     fn follow_height(&mut self, segment: &Segment) {
         let [start, end] = [segment.curve.start().z, segment.curve.end().z];
-        if segment.frame_known && segment.to_known.has(2) {
+        if segment.unrelated_zero.is_none() && segment.to_known.has(2) {
             self.height_mm = Some(end);
         } else if segment.to_known.has(2) || start != end {
             self.height_mm = None;

@@ -290,7 +290,7 @@ mod tests {
     use chordal_motion::{Phase, Piece};
     use chordal_path::SegmentKind;
 
-    use crate::motion::{StepKind, Wait};
+    use crate::motion::{StepKind, UnknownAxes, Wait};
 
     fn origin(line: u32) -> Origin {
         let span = Span { file: FileId(0), range: TextRange::new(line * 10, line * 10 + 9) };
@@ -335,6 +335,7 @@ mod tests {
                     kind,
                     piece: 0,
                     known: true,
+                    unknown_axes: UnknownAxes::default(),
                     length: 0.0,
                     nominal_s,
                     shift: [0.0; AXES],

@@ -12,12 +12,12 @@ struct Case {
     unit: String,
     radius: f64,
     program: String,
-    ways: Vec<Way>,
+    ways: Vec<Expected>,
 }
 
 /// What a kind of control makes of it.
 #[derive(Debug, Default)]
-struct Way {
+struct Expected {
     name: String,
     steps: Vec<Step>,
     alarm: Option<String>,
@@ -38,7 +38,7 @@ fn cases() -> Vec<Case> {
             "unit" => case.unit = rest.to_string(),
             "radius" => case.radius = rest.parse().expect("a radius"),
             ">" => case.program += &format!("{rest}\n"),
-            "path" => case.ways.push(Way { name: rest.to_string(), ..Way::default() }),
+            "path" => case.ways.push(Expected { name: rest.to_string(), ..Expected::default() }),
             "" => {}
             _ => read_way(case.ways.last_mut().expect("a path"), word, rest),
         }
@@ -46,7 +46,7 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-fn read_way(way: &mut Way, word: &str, rest: &str) {
+fn read_way(way: &mut Expected, word: &str, rest: &str) {
     let numbers: Vec<f64> = rest.split(' ').map_while(|number| number.parse().ok()).collect();
     match word {
         "line" => way.steps.push(Step { to: [numbers[0], numbers[1]], arc: None }),
@@ -133,7 +133,7 @@ fn the_worked_cases_come_out() {
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
 
-fn compare(case: &Case, way: &Way, on: &On) -> Vec<String> {
+fn compare(case: &Case, way: &Expected, on: &On) -> Vec<String> {
     let mm = if case.unit == "inch" { 25.4 } else { 1.0 };
     let go = |more: &[&str]| -> Ran {
         let settings: Vec<&str> = on.settings.iter().chain(more).copied().collect();

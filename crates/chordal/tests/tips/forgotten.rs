@@ -12,7 +12,7 @@ use crate::run;
 use crate::turned::turn_on;
 
 /// What one way of writing does.
-struct Way {
+struct LengthCase {
     what: &'static str,
     /// Blocks before the change to tool 2.
     before: &'static str,
@@ -39,8 +39,8 @@ const fn way(
     approach: &'static str,
     tip_mm: f64,
     verdicts: [StockVerdict; 2],
-) -> Way {
-    Way { what, before: "", change: CHANGE, approach, between: "", tip_mm, verdicts }
+) -> LengthCase {
+    LengthCase { what, before: "", change: CHANGE, approach, between: "", tip_mm, verdicts }
 }
 
 /// Tool 1 cuts first, with its own length.
@@ -48,57 +48,69 @@ const FIRST_TOOL: &str = "T1 M6\nG0 X10. Y20. S3000 M3\nG43 H1 Z25.\nG1 Z-1. F30
                           G91 G28 Z0.\nG90";
 
 /// Of controls whose programs say G43 with H.
-fn common_ways() -> Vec<Way> {
+fn common_ways() -> Vec<LengthCase> {
     vec![
         way("the length of the tool", "G43 H2 Z25.", -5.0, RIGHT),
         way("no length", "Z25.", -205.0, WRONG),
         way("the length of tool 1", "G43 H1 Z25.", -105.0, WRONG),
-        Way { between: "G49", ..way("cancelled before the cut", "G43 H2 Z25.", -205.0, WRONG) },
-        Way { before: "G43 H2", ..way("before the change of tools", "Z25.", -5.0, RIGHT) },
-        Way { before: FIRST_TOOL, ..way("that of tool 1 stays", "Z25.", -105.0, WRONG) },
-        Way { before: FIRST_TOOL, ..way("two tools, both right", "G43 H2 Z25.", -5.0, RIGHT) },
+        LengthCase {
+            between: "G49",
+            ..way("cancelled before the cut", "G43 H2 Z25.", -205.0, WRONG)
+        },
+        LengthCase { before: "G43 H2", ..way("before the change of tools", "Z25.", -5.0, RIGHT) },
+        LengthCase { before: FIRST_TOOL, ..way("that of tool 1 stays", "Z25.", -105.0, WRONG) },
+        LengthCase {
+            before: FIRST_TOOL,
+            ..way("two tools, both right", "G43 H2 Z25.", -5.0, RIGHT)
+        },
     ]
 }
 
 /// `G43 H0` brings no length into force.
-fn zero_is_none() -> Way {
+fn zero_is_none() -> LengthCase {
     way("H0", "G43 H0 Z25.", -205.0, WRONG)
 }
 
 /// G43 without H uses the H that is in force.
-fn without_number_in_force() -> Vec<Way> {
+fn without_number_in_force() -> Vec<LengthCase> {
     vec![
         way("G43 without H", "G43 Z25.", -205.0, WRONG),
-        Way { before: FIRST_TOOL, ..way("G43 without H after tool 1", "G43 Z25.", -105.0, WRONG) },
+        LengthCase {
+            before: FIRST_TOOL,
+            ..way("G43 without H after tool 1", "G43 Z25.", -105.0, WRONG)
+        },
     ]
 }
 
 /// G43 without H uses the tool in the spindle.
-fn without_number_of_tool() -> Vec<Way> {
+fn without_number_of_tool() -> Vec<LengthCase> {
     vec![
         way("G43 without H", "G43 Z25.", -5.0, RIGHT),
-        Way { before: FIRST_TOOL, ..way("G43 without H after tool 1", "G43 Z25.", -5.0, RIGHT) },
+        LengthCase {
+            before: FIRST_TOOL,
+            ..way("G43 without H after tool 1", "G43 Z25.", -5.0, RIGHT)
+        },
     ]
 }
 
 /// Controls with a wear of each length and with G44.
-fn wear_and_minus() -> Vec<Way> {
+fn wear_and_minus() -> Vec<LengthCase> {
     vec![
-        Way { before: "G10 L11 P2 R0.5", ..way("wear alone", "G43 H2 Z25.", -4.5, RIGHT) },
+        LengthCase { before: "G10 L11 P2 R0.5", ..way("wear alone", "G43 H2 Z25.", -4.5, RIGHT) },
         // Who subtracts all lengths keeps them with the other sign.
         way("G44 alone", "G44 H2 Z25.", -5.0, RIGHT),
-        Way { before: FIRST_TOOL, ..way("G44 after G43", "G44 H2 Z25.", -405.0, WRONG) },
+        LengthCase { before: FIRST_TOOL, ..way("G44 after G43", "G44 H2 Z25.", -405.0, WRONG) },
     ]
 }
 
 /// The length stays through returns to the reference point and moves in machine coordinates.
-fn kept_ways() -> Vec<Way> {
+fn kept_ways() -> Vec<LengthCase> {
     vec![
-        Way {
+        LengthCase {
             between: "G91 G28 Z0.\nG90 Z25.",
             ..way("a return to the reference point", "G43 H2 Z25.", -5.0, RIGHT)
         },
-        Way {
+        LengthCase {
             between: "G53 G0 Z0.\nG0 Z25.",
             ..way("a move of the machine", "G43 H2 Z25.", -5.0, RIGHT)
         },
@@ -106,7 +118,7 @@ fn kept_ways() -> Vec<Way> {
 }
 
 /// The ways of each control.
-fn table() -> Vec<(&'static str, Vec<Way>)> {
+fn table() -> Vec<(&'static str, Vec<LengthCase>)> {
     let fanuc = || {
         let mut ways = common_ways();
         ways.push(zero_is_none());
@@ -130,7 +142,7 @@ fn table() -> Vec<(&'static str, Vec<Way>)> {
     linuxcnc.extend(without_number_of_tool());
     linuxcnc.extend(kept_ways());
     linuxcnc.extend([
-        Way {
+        LengthCase {
             before: "G10 L1 P2 Z200.5",
             ..way("another length in the table", "G43 H2 Z25.", -4.5, RIGHT)
         },
@@ -147,9 +159,9 @@ fn table() -> Vec<(&'static str, Vec<Way>)> {
         way("no length", "Z25.", -205.0, WRONG),
         way("the length of tool 1", "H1 Z25.", -105.0, WRONG),
         way("H0", "H0 Z25.", -205.0, WRONG),
-        Way { between: "H0", ..way("cancelled before the cut", "H2 Z25.", -205.0, WRONG) },
-        Way { between: "G49", ..way("G49 before the cut", "H2 Z25.", -205.0, WRONG) },
-        Way {
+        LengthCase { between: "H0", ..way("cancelled before the cut", "H2 Z25.", -205.0, WRONG) },
+        LengthCase { between: "G49", ..way("G49 before the cut", "H2 Z25.", -205.0, WRONG) },
+        LengthCase {
             before: "T1 M6\nG0 X10. Y20. S3000 M3\nH1 Z25.\nG1 Z-1. F300.\nG0 Z25.\nG91 G28 Z0.\nG90",
             ..way("that of tool 1 stays", "Z25.", -105.0, WRONG)
         },
@@ -170,7 +182,7 @@ fn table() -> Vec<(&'static str, Vec<Way>)> {
 }
 
 /// The same where the work offset is set with each tool that has no length.
-fn touched_off(mut ways: Vec<Way>) -> Vec<Way> {
+fn touched_off(mut ways: Vec<LengthCase>) -> Vec<LengthCase> {
     for way in ways.iter_mut().filter(|way| ["no length", "H0"].contains(&way.what)) {
         way.verdicts[1] = Clean;
     }
@@ -200,7 +212,7 @@ fn setup(machine: &str, is_known: bool) -> String {
 }
 
 /// The program, with the numbers of the lines of the approach and of the cut.
-fn program(machine: &str, way: &Way) -> (String, [u32; 2]) {
+fn program(machine: &str, way: &LengthCase) -> (String, [u32; 2]) {
     let has_firmware = ["grbl", "fluidnc", "marlin-router"].contains(&machine);
     let (start, offset) = match machine {
         "fadal-4020" => ("G21 G90", "E1"),

@@ -246,7 +246,7 @@ fn ends(setup: &str, program: &str) -> Vec<(Vec3, bool)> {
     let job = Job::new(sources, machine(setup)).expect("settings of the control");
     let mut found = Vec::new();
     job.path(|segment| {
-        found.push((segment.curve.end(), segment.known && segment.frame_known));
+        found.push((segment.curve.end(), segment.known && segment.unrelated_zero.is_none()));
     });
     found
 }

@@ -34,6 +34,11 @@ pub static TABLE: ControlTable = ControlTable {
     set_data: SET_DATA,
     dwell: DWELL,
     dwell_alone_stops: false,
+    order: BlockOrder {
+        steps: BUILDER_STEPS,
+        source: "usual; which M codes act after the motion was not found in the manual",
+        certainty: Certainty::Trade,
+    },
     open_m_codes: false,
     last_of_group_counts: false,
     alone: &[530, 920],

@@ -39,6 +39,7 @@ pub(in crate::controls) const FANUC: ControlTable = ControlTable {
     set_data: SET_DATA,
     dwell: DWELL,
     dwell_alone_stops: true,
+    order: BUILDER_ORDER,
     open_m_codes: true,
     last_of_group_counts: true,
     alone: &[],

@@ -36,6 +36,11 @@ pub(in crate::controls) const FAMILY: ControlTable = ControlTable {
     set_data: SET_DATA,
     dwell: DWELL,
     dwell_alone_stops: false,
+    order: BlockOrder {
+        steps: GRBL_STEPS,
+        source: "grbl/gcode.c, version 1.1h: the steps in which a line is carried out",
+        certainty: Certainty::Documented,
+    },
     open_m_codes: false,
     last_of_group_counts: false,
     alone: &[],

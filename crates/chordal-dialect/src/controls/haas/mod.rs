@@ -37,6 +37,11 @@ pub static TABLE: ControlTable = ControlTable {
     set_data: SET_DATA,
     dwell: DWELL,
     dwell_alone_stops: false,
+    order: BlockOrder {
+        steps: BUILDER_STEPS,
+        source: "usual: spindle and coolant go on before the motion, and off after it",
+        certainty: Certainty::Trade,
+    },
     open_m_codes: false,
     last_of_group_counts: false,
     alone: &[1000, 1010],

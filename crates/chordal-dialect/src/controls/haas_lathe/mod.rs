@@ -24,6 +24,11 @@ pub static TABLE: ControlTable = ControlTable {
     // With a point P is seconds, without one milliseconds.
     dwell: &[DwellWord { letter: b'P', integer_s: 0.001, point_s: 1.0, takes_point: true }],
     dwell_alone_stops: false,
+    order: BlockOrder {
+        steps: BUILDER_STEPS,
+        source: "usual: spindle and coolant go on before the motion, and off after it",
+        certainty: Certainty::Trade,
+    },
     open_m_codes: false,
     last_of_group_counts: false,
     work_names: WorkNaming { extended: "G154", first: 1, by_e: false },

@@ -41,6 +41,11 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
     set_data: SET_DATA,
     dwell: DWELL,
     dwell_alone_stops: false,
+    order: BlockOrder {
+        steps: RS274_STEPS,
+        source: "LinuxCNC documentation 2.9, G-code overview: order of execution",
+        certainty: Certainty::Documented,
+    },
     open_m_codes: false,
     last_of_group_counts: false,
     alone: &[],

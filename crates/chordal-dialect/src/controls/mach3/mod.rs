@@ -25,6 +25,11 @@ pub static TABLE: ControlTable = ControlTable {
     alarms: alarms::ALARMS,
     arc_turns: ArcTurns::None,
     set_data: SET_DATA,
+    order: BlockOrder {
+        steps: RS274_STEPS,
+        source: "Using Mach3Mill, chapter 10: order of execution, as in RS274/NGC (version 3, table 8)",
+        certainty: Certainty::Documented,
+    },
     // What the reference does not list is looked for as a macro of the machine: `M100.m1s`.
     open_m_codes: true,
     word_rules: words::WORD_RULES,

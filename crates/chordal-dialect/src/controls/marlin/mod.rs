@@ -33,6 +33,11 @@ pub static TABLE: ControlTable = ControlTable {
     set_data: &[],
     dwell: DWELL,
     dwell_alone_stops: true,
+    order: BlockOrder {
+        steps: BUILDER_STEPS,
+        source: "a line is one command with its words",
+        certainty: Certainty::Documented,
+    },
     open_m_codes: false,
     last_of_group_counts: false,
     alone: &[],

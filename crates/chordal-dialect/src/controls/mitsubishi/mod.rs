@@ -37,6 +37,7 @@ pub static TABLE: ControlTable = ControlTable {
     set_data: SET_DATA,
     dwell: DWELL,
     dwell_alone_stops: false,
+    order: BUILDER_ORDER,
     open_m_codes: true,
     last_of_group_counts: true,
     alone: &[],

@@ -11,7 +11,7 @@ use super::super::record::{Did, Run, Runs};
 use super::super::roles::actions;
 use super::super::writer::Writer;
 use super::grid::HeightMap;
-use super::way::Way;
+use super::way::PlanePath;
 
 type Reason = (String, &'static str);
 
@@ -124,7 +124,7 @@ pub(super) fn inside(
     map: &HeightMap,
     block: &Block,
     run: &Run,
-    way: &Way,
+    way: &PlanePath,
 ) -> Result<(), Refusal> {
     let most = way.extremes().into_iter().map(|at| map.outside(at)).fold(0.0, f64::max);
     let unit = unit_mm(run.context.units);

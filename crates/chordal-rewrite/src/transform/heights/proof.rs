@@ -10,7 +10,7 @@ use chordal::{Command, CommandKind, Diagnostic, Job, RunSink, Severity, Sink};
 
 use super::Warp;
 use super::grid::HeightMap;
-use super::way::Way;
+use super::way::PlanePath;
 use super::write::{Trail, arc};
 
 /// Steps of the bisection for all pieces of one move.
@@ -232,7 +232,7 @@ impl Prover<'_> {
         if !knows || !pieces[0].known[0].has(2) {
             return Ok(());
         }
-        let way = Way::Line { from: [old.from[0], old.from[1]], to: [old.to[0], old.to[1]] };
+        let way = PlanePath::Line { from: [old.from[0], old.from[1]], to: [old.to[0], old.to[1]] };
         if let [up, _] = pieces
             && (up.from[..2] != up.to[..2] || up.to[2] < up.from[2] - self.allowed)
         {
@@ -279,7 +279,8 @@ impl Prover<'_> {
                 (at[0] - on[0]).hypot(at[1] - on[1])
             });
             let aside = aside.fold(0.0, f64::max);
-            let piece = Way::Line { from: [new.from[0], new.from[1]], to: [new.to[0], new.to[1]] };
+            let piece =
+                PlanePath::Line { from: [new.from[0], new.from[1]], to: [new.to[0], new.to[1]] };
             self.piece(old, new, &piece, [first, last], aside)?;
         }
         self.ends(old, pieces)
@@ -305,7 +306,7 @@ impl Prover<'_> {
                 return Err("an arc became something else".into());
             };
             let piece = arc(&own, [new.from[0], new.from[1]]);
-            let Way::Arc { radius: of_piece, .. } = piece else { return Ok(()) };
+            let PlanePath::Arc { radius: of_piece, .. } = piece else { return Ok(()) };
             let apart = (own.center[0] - shape.center[0]).hypot(own.center[1] - shape.center[1]);
             let first = swept / shape.sweep;
             swept += own.sweep;
@@ -340,14 +341,14 @@ impl Prover<'_> {
         &mut self,
         old: &Step,
         new: &Step,
-        way: &Way,
+        way: &PlanePath,
         part: [f64; 2],
         aside: f64,
     ) -> Result<(), String> {
         let rise = old.to[2] - old.from[2];
         let length = match way {
-            Way::Line { from, to } => (to[0] - from[0]).hypot(to[1] - from[1]),
-            Way::Arc { radius, sweep, .. } => radius * sweep.abs(),
+            PlanePath::Line { from, to } => (to[0] - from[0]).hypot(to[1] - from[1]),
+            PlanePath::Arc { radius, sweep, .. } => radius * sweep.abs(),
         };
         let off = |s: f64| {
             let z = new.from[2] * (1.0 - s) + new.to[2] * s;

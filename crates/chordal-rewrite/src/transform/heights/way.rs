@@ -13,7 +13,7 @@ const SHARE: f64 = 0.125;
 
 /// The way of a move in X and Y, from fraction 0 to 1, mm and rad.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Way {
+pub(super) enum PlanePath {
     Line { from: [f64; 2], to: [f64; 2] },
     Arc { center: [f64; 2], radius: f64, start: f64, sweep: f64 },
 }
@@ -22,13 +22,13 @@ pub(super) enum Way {
 #[derive(Debug)]
 pub(super) struct TooLong;
 
-impl Way {
+impl PlanePath {
     pub(super) fn at(&self, fraction: f64) -> [f64; 2] {
         match *self {
-            Way::Line { from, to } => {
+            PlanePath::Line { from, to } => {
                 [0, 1].map(|axis| from[axis] * (1.0 - fraction) + to[axis] * fraction)
             }
-            Way::Arc { center, radius, start, sweep } => {
+            PlanePath::Arc { center, radius, start, sweep } => {
                 let (sin, cos) = libm::sincos(start + sweep * fraction);
                 [center[0] + radius * cos, center[1] + radius * sin]
             }
@@ -38,7 +38,7 @@ impl Way {
     /// Its ends, and the places where it is farthest along X and Y.
     pub(super) fn extremes(&self) -> Vec<[f64; 2]> {
         let mut places = vec![self.at(0.0), self.at(1.0)];
-        if let Way::Arc { start, sweep, .. } = *self {
+        if let PlanePath::Arc { start, sweep, .. } = *self {
             for quarter in 0..4 {
                 let angle = FRAC_PI_2 * f64::from(quarter);
                 let mut passes = fractions_at_angle(start, sweep, angle);
@@ -113,10 +113,10 @@ impl Way {
         let at = self.at(fraction);
         let local = map.about(at);
         match *self {
-            Way::Line { from, to } => {
+            PlanePath::Line { from, to } => {
                 2.0 * (local.twist * (to[0] - from[0]) * (to[1] - from[1])).abs()
             }
-            Way::Arc { center, radius, sweep, .. } => {
+            PlanePath::Arc { center, radius, sweep, .. } => {
                 // With the centre as origin h = A + B u + C v + D u v, u = r cos, v = r sin: its second
                 // derivative is −B u − C v − 4 D u v.
                 let slopes = [
@@ -135,12 +135,12 @@ impl Way {
         let mut cuts = Vec::new();
         for axis in 0..2 {
             match *self {
-                Way::Line { from, to } => {
+                PlanePath::Line { from, to } => {
                     let (a, b) = (from[axis], to[axis]);
                     let edges = map.edges(axis, a.min(b), a.max(b));
                     cuts.extend(edges.iter().map(|edge| (edge - a) / (b - a)));
                 }
-                Way::Arc { center, radius, start, sweep } => {
+                PlanePath::Arc { center, radius, start, sweep } => {
                     let edges = map.edges(axis, center[axis] - radius, center[axis] + radius);
                     for edge in edges {
                         let half = libm::acos(((edge - center[axis]) / radius).clamp(-1.0, 1.0));

@@ -24,7 +24,7 @@ use super::Warp;
 use super::checks;
 use super::grid::HeightMap;
 use super::levels::{Level, is_machine, levels};
-use super::way::Way;
+use super::way::PlanePath;
 
 const REASON: &str = "the height of the map";
 /// Steps of the last digit that rounding the ends of a piece may take it off.
@@ -251,7 +251,7 @@ impl Bender<'_> {
     }
 
     /// The ends of pieces as they are written; those that come to nothing are left out.
-    fn rounded(&self, run: &Run, way: &Way, ends: &[f64]) -> Vec<Piece> {
+    fn rounded(&self, run: &Run, way: &PlanePath, ends: &[f64]) -> Vec<Piece> {
         let sweep = run.shape.map_or(0.0, |shape| shape.sweep);
         let mut pieces: Vec<Piece> = Vec::new();
         let (mut at, mut before) = (point(run), 0.0);
@@ -376,18 +376,18 @@ fn point(run: &Run) -> [f64; 3] {
 }
 
 /// The way of a cut in X and Y.
-fn way(run: &Run) -> Way {
+fn way(run: &Run) -> PlanePath {
     let [from, to] = [run.from, run.to].map(|at| [at[0], at[1]]);
     match run.shape.filter(|_| run.context.did == Did::Arc) {
         Some(shape) => arc(&shape, from),
-        None => Way::Line { from, to },
+        None => PlanePath::Line { from, to },
     }
 }
 
 /// The way of an arc from a place.
-pub(super) fn arc(shape: &ArcShape, from: [f64; 2]) -> Way {
+pub(super) fn arc(shape: &ArcShape, from: [f64; 2]) -> PlanePath {
     let out = [from[0] - shape.center[0], from[1] - shape.center[1]];
-    Way::Arc {
+    PlanePath::Arc {
         center: shape.center,
         radius: out[0].hypot(out[1]),
         start: libm::atan2(out[1], out[0]),

@@ -145,7 +145,7 @@ impl<'a> Gathered<'a> {
             }
             return self.tell(Code::StockNotFollowed, segment, "a rotary axis moves with it");
         }
-        let unknown = match (segment.known, segment.frame_known, segment.tip_known) {
+        let unknown = match (segment.known, segment.unrelated_zero.is_none(), segment.tip_known) {
             (true, true, true) => None,
             (true, true, false) => Some(TIP_NOT_KNOWN),
             (true, false, _) => Some(FRAME_NOT_KNOWN),
