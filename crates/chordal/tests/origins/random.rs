@@ -99,7 +99,7 @@ fn term(random: &mut Random, unknown: &[u32], percent: u64) -> Term {
 }
 
 fn value(random: &mut Random, unknown: &[u32], percent: u64) -> Value {
-    let mut term = |random: &mut Random| term(random, unknown, percent);
+    let term = |random: &mut Random| term(random, unknown, percent);
     match random.below(5) {
         0 => Value::Plain(term(random)),
         1 => Value::Sum(term(random), term(random)),
