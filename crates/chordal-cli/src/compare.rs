@@ -54,6 +54,10 @@ pub struct Args {
     #[arg(long, value_name = "PART", default_value_t = 1e-6)]
     feed_tolerance: f64,
 
+    /// The time of all cuts and dwells that differs by this fraction counts as the same
+    #[arg(long, value_name = "PART", default_value_t = 1e-3)]
+    time_tolerance: f64,
+
     /// Differences to ignore: feed, spindle, coolant, …
     #[arg(long, value_name = "CATEGORY", value_parser = category)]
     ignore: Vec<Category>,
@@ -100,6 +104,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let options = Options {
         tolerance_mm: args.tolerance,
         feed_tolerance: args.feed_tolerance,
+        time_tolerance: args.time_tolerance,
         ignored: args.ignore.clone(),
         ..Options::default()
     };

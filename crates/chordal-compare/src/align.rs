@@ -43,6 +43,12 @@ enum Token {
     Stop,
     Probed,
     Output(String),
+    ReadyTool,
+    Code(String),
+    Written(String),
+    Message,
+    Alarm,
+    Deletable,
 }
 
 /// Which steps of two runs belong together.
@@ -180,6 +186,12 @@ fn token(course: &Course, step: &Step, grid_mm: f64) -> Token {
             Event::Stop { .. } => Token::Stop,
             Event::Probed { .. } => Token::Probed,
             Event::Output(text) => Token::Output(text.clone()),
+            Event::ReadyTool(_) => Token::ReadyTool,
+            Event::Code(words) => Token::Code(words.clone()),
+            Event::Written { name, .. } => Token::Written(name.clone()),
+            Event::Message(_) => Token::Message,
+            Event::Alarm { .. } => Token::Alarm,
+            Event::Deletable(_) => Token::Deletable,
         },
     }
 }

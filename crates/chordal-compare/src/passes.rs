@@ -10,7 +10,8 @@ use std::collections::BTreeMap;
 use chordal::geometry::{Curve, Line, ParamCurve, Vec3};
 
 use crate::course::{Course, Moved, Step, Way};
-use crate::difference::{Blocks, Category, Difference, Place};
+use crate::category::Category;
+use crate::difference::{Blocks, Difference, Place};
 
 /// What of a cycle stays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -11,7 +11,8 @@ use chordal::geometry::{Curve, Line, Vec3};
 
 use crate::SAME_MM;
 use crate::course::{Course, Moved, Speed, Step, Way};
-use crate::difference::{Blocks, Category, Difference, Place};
+use crate::category::Category;
+use crate::difference::{Blocks, Difference, Place};
 
 /// Steps closer to each other than this, mm, are the same: what two texts leave by rounding.
 const SAME_STEP_MM: f64 = 1e-6;

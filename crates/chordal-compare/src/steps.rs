@@ -6,8 +6,9 @@ use imara_diff::{Algorithm, Diff, InternedInput};
 
 use chordal::control::{Position, RotarySurface, SurfaceShape, number_text};
 
-use crate::course::{Course, Event, Moved, Speed, State, Step, Way};
-use crate::difference::{Blocks, Category, Difference, Place, Value};
+use crate::course::{Course, Deletable, Event, Moved, Speed, State, Step, Way};
+use crate::category::Category;
+use crate::difference::{Blocks, Difference, Place, Value};
 
 /// Tool lengths that differ by less are the same, mm: below the least increment of every control.
 const SAME_LENGTH_MM: f64 = 1e-5;
@@ -126,8 +127,16 @@ impl<'a> Steps<'a> {
         };
         let is_same = match (one, other) {
             (Event::Dwell(a), Event::Dwell(b)) => is_part(*a, *b, self.feed_tolerance),
+            (Event::Written { name: a, values: x }, Event::Written { name: b, values: y }) => {
+                a == b && are_same_values(x, y)
+            }
             _ => one == other,
         };
+        let marks = [0, 1].map(|side: usize| deletable(self.courses[side], at[side]));
+        if marks[0] != marks[1] {
+            let values = Some(marks.map(deletable_value));
+            self.done.push(Difference::at(Category::BlockDelete, [a, b], values));
+        }
         if !is_same {
             let values = Some([event_value(one), event_value(other)]);
             self.done.push(Difference::at(category(one), [a, b], values));
@@ -206,9 +215,46 @@ pub(crate) fn lacking(
 
 fn event(course: &Course, at: usize) -> Option<(&Event, Place)> {
     match course.steps.get(at)? {
-        Step::Event { what, origin } => Some((what, Place::from(origin))),
+        Step::Event { what, origin, .. } => Some((what, Place::from(origin))),
         Step::Move(_) => None,
     }
+}
+
+fn deletable(course: &Course, at: usize) -> Option<Deletable> {
+    match course.steps.get(at)? {
+        Step::Event { deletable, .. } => *deletable,
+        Step::Move(_) => None,
+    }
+}
+
+fn deletable_value(deletable: Option<Deletable>) -> Value {
+    deletable.map_or(Value::Nothing, |deletable| {
+        let mark = match deletable.switch {
+            1 => "/".to_string(),
+            switch => format!("/{switch}"),
+        };
+        Value::Text(if deletable.partly { format!("{mark} in the block") } else { mark })
+    })
+}
+
+/// Values of the control nearer than this part are the same.
+const SAME_VALUE: f64 = 1e-9;
+
+fn are_same_values(a: &[Option<f64>], b: &[Option<f64>]) -> bool {
+    let is_same = |(a, b): (&Option<f64>, &Option<f64>)| match (a, b) {
+        (Some(a), Some(b)) => (a - b).abs() <= SAME_VALUE * a.abs().max(1.0),
+        (a, b) => a == b,
+    };
+    a.len() == b.len() && a.iter().zip(b).all(is_same)
+}
+
+fn written_text(name: &str, values: &[Option<f64>]) -> String {
+    let values: Vec<String> = values
+        .iter()
+        .flatten()
+        .map(|value| number_text(*value, 4))
+        .collect();
+    format!("{name} = {}", if values.is_empty() { "nothing".into() } else { values.join(", ") })
 }
 
 fn category(event: &Event) -> Category {
@@ -218,6 +264,12 @@ fn category(event: &Event) -> Category {
         Event::Stop { .. } => Category::Stop,
         Event::Probed { .. } => Category::Probe,
         Event::Output(_) => Category::Output,
+        Event::ReadyTool(_) => Category::ReadyTool,
+        Event::Code(_) => Category::Code,
+        Event::Written { .. } => Category::Written,
+        Event::Message(_) => Category::Message,
+        Event::Alarm { .. } => Category::Alarm,
+        Event::Deletable(_) => Category::BlockDelete,
     }
 }
 
@@ -229,7 +281,13 @@ fn event_value(event: &Event) -> Value {
         Event::Stop { optional: false } => Value::Text("stop".into()),
         Event::Probed { hit: true } => Value::Text("touched".into()),
         Event::Probed { hit: false } => Value::Text("not touched".into()),
-        Event::Output(text) => Value::Text(text.clone()),
+        Event::Output(text) | Event::Code(text) | Event::Message(text) => {
+            Value::Text(text.clone())
+        }
+        Event::ReadyTool(number) => Value::Number(*number),
+        Event::Written { name, values } => Value::Text(written_text(name, values)),
+        Event::Alarm { number, text } => Value::Text(format!("{number} {text}").trim().into()),
+        Event::Deletable(mark) => deletable_value(Some(*mark)),
     }
 }
 
@@ -310,7 +368,7 @@ fn own_length_text(values: &Position) -> String {
 }
 
 /// What differs of two states; nothing for each category that is the same.
-fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Value; 2]>); 8] {
+fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Value; 2]>); 9] {
     let number = |number: Option<u32>| number.map_or(Value::Nothing, Value::Number);
     let length = |state: &State| match state.own_length {
         Some(values) => Value::Text(own_length_text(&values)),
@@ -364,6 +422,13 @@ fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Valu
             Category::Rotary,
             (!is_same_surface(a.surface, b.surface))
                 .then(|| [surface_value(a.surface), surface_value(b.surface)]),
+        ),
+        (
+            Category::BlockDelete,
+            of(
+                a.deletable != b.deletable,
+                [deletable_value(a.deletable), deletable_value(b.deletable)],
+            ),
         ),
     ]
 }

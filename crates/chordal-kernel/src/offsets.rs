@@ -42,6 +42,19 @@ pub struct Offsets {
     system: Position,
     system_known: AxisMask,
     known: AxisMask,
+    /// What was written and is not told yet.
+    written: Vec<WrittenOffset>,
+}
+
+/// A place of the offset tables that a program has written.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum WrittenOffset {
+    /// A work coordinate system by its key, on an axis.
+    Work(String, usize),
+    /// Its rotation.
+    Rotation(String),
+    /// A tool.
+    Tool(u32),
 }
 
 /// What G92 and its like have made of the coordinates.
@@ -131,6 +144,7 @@ impl Offsets {
             system: [0.0; AXES],
             system_known: AxisMask::NONE,
             known: AxisMask::NONE,
+            written: Vec::new(),
         };
         offsets.update();
         offsets
@@ -265,11 +279,38 @@ impl Offsets {
         };
         let old = values[axis].unwrap_or(0.0);
         values[axis] = Some(if add { old + value } else { value });
+        self.note_written(WrittenOffset::Work(key.to_string(), axis));
     }
 
     /// Writes the rotation of a work coordinate system, degrees.
     pub fn write_rotation(&mut self, key: &str, degrees: f64) {
         self.rotations.insert(key.to_string(), degrees);
+        self.note_written(WrittenOffset::Rotation(key.to_string()));
+    }
+
+    /// The last of the same place counts.
+    fn note_written(&mut self, place: WrittenOffset) {
+        self.written.retain(|other| *other != place);
+        self.written.push(place);
+    }
+
+    /// What was written since this was asked last.
+    #[inline]
+    pub fn take_written(&mut self) -> Vec<WrittenOffset> {
+        std::mem::take(&mut self.written)
+    }
+
+    /// What a written place holds now.
+    pub fn written_values(&self, place: &WrittenOffset) -> Vec<Option<f64>> {
+        match place {
+            WrittenOffset::Work(key, axis) => vec![self.work_value(key, *axis)],
+            WrittenOffset::Rotation(key) => vec![Some(self.rotation(key))],
+            WrittenOffset::Tool(number) => self.tool(*number).map_or_else(Vec::new, |tool| {
+                let offsets = tool.offset.iter().chain(&tool.offset_wear).copied();
+                let tip = tool.tip.map(f64::from);
+                offsets.chain([tool.diameter_mm, tool.diameter_wear_mm, tip]).collect()
+            }),
+        }
     }
 
     /// The rotation of a work coordinate system, degrees.
@@ -312,6 +353,7 @@ impl Offsets {
 
     /// The offsets of a tool, to change them.
     pub fn tool_mut(&mut self, number: u32) -> &mut Tool {
+        self.note_written(WrittenOffset::Tool(number));
         self.tools.entry(number).or_default()
     }
 
