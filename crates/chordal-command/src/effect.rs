@@ -7,9 +7,16 @@ pub enum Effect {
     /// A code that acts on something which is not simulated (a clamp, an output, a pallet, limits), with its words
     /// in a form of their own: `M62 P1`.
     Code(String),
-    /// A value that the control keeps is written: of a work offset, a tool, a point, a variable.
+    /// A variable of the control is written that is an output, a setting, or outlives the program.
+    Variable {
+        /// Its number.
+        number: u32,
+        /// Its value; nothing where that is empty or not known.
+        value: Option<f64>,
+    },
+    /// A value that the control keeps is written: of a work offset, a tool, a reference point.
     Written {
-        /// What is written: `G55 Z`, `tool 3`, `#1100`.
+        /// What is written: `work offset 2 Z`, `tool 3`.
         name: String,
         /// What it holds now, mm, rad or the number itself; nothing where that is not known.
         values: Vec<Option<f64>>,

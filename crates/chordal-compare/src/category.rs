@@ -36,8 +36,10 @@ pub enum Category {
     RadiusOffset,
     /// The work offset.
     WorkOffset,
-    /// A value that the control keeps: of a work offset, a tool, a reference point, a variable.
+    /// A value that the control keeps: of a work offset, a tool, a reference point.
     Written,
+    /// A variable of the control that is an output, a setting, or outlives the program.
+    Variable,
     /// The coolant.
     Coolant,
     /// How corners are passed.
@@ -102,7 +104,7 @@ impl Command {
 
 impl Category {
     /// All of them, in the order in which they are declared.
-    pub const ALL: [Category; 29] = [
+    pub const ALL: [Category; 30] = [
         Category::Path,
         Category::Order,
         Category::Rotary,
@@ -118,6 +120,7 @@ impl Category {
         Category::RadiusOffset,
         Category::WorkOffset,
         Category::Written,
+        Category::Variable,
         Category::Coolant,
         Category::PathMode,
         Category::Overrides,
@@ -152,6 +155,7 @@ impl Category {
             Category::RadiusOffset => "radius-offset",
             Category::WorkOffset => "work-offset",
             Category::Written => "written",
+            Category::Variable => "variable",
             Category::Coolant => "coolant",
             Category::PathMode => "path-mode",
             Category::Overrides => "overrides",
@@ -209,6 +213,7 @@ impl Category {
         match effect {
             Effect::Code(_) => Category::Code,
             Effect::Written { .. } => Category::Written,
+            Effect::Variable { .. } => Category::Variable,
             Effect::Deletable { .. } => Category::BlockDelete,
             Effect::Alarm { .. } => Category::Alarm,
         }
@@ -231,6 +236,9 @@ impl Category {
             }
             (Category::Alarm | Category::Message | Category::NotRun, Command::Convert) => {
                 Some("statements and remarks are written as the new control has them")
+            }
+            (Category::Variable, Command::Convert) => {
+                Some("variables are named as the new control names them")
             }
             (Category::Unknown, Command::Transform) => {
                 Some("a way from a place that is not known is not known, moved or not")

@@ -9,8 +9,8 @@ use chordal::path::PathBuilder;
 use chordal::{Effect, Job, PathCommand, Report, Segment, SourceMap, Watch};
 
 use crate::Mapping;
-use crate::category::Category;
 use crate::Options;
+use crate::category::Category;
 use crate::machine_places::MachinePlaces;
 
 /// A run: its moves, each with the state that it is made in, and what happens between them.
@@ -111,14 +111,28 @@ pub(crate) enum Event {
     Tool(u32),
     ReadyTool(u32),
     Code(String),
-    Written { name: String, values: Vec<Option<f64>> },
+    Written {
+        name: String,
+        values: Vec<Option<f64>>,
+    },
+    Variable {
+        number: u32,
+        value: Option<f64>,
+    },
     Message(String),
-    Alarm { number: f64, text: String },
+    Alarm {
+        number: f64,
+        text: String,
+    },
     /// A block that may be left out, and that neither moves nor makes anything else happen here.
     Deletable(Deletable),
     Dwell(f64),
-    Stop { optional: bool },
-    Probed { hit: bool },
+    Stop {
+        optional: bool,
+    },
+    Probed {
+        hit: bool,
+    },
     Output(String),
 }
 
@@ -173,9 +187,20 @@ impl Course {
         }
     }
 
+    /// The length of the cuts whose ends are known, mm.
+    pub(crate) fn cut_mm(&self) -> f64 {
+        let cuts = self.steps.iter().map(|step| match step {
+            Step::Move(moved) if moved.known && moved.way == Way::Cut => moved.length_mm,
+            Step::Move(_) | Step::Event { .. } => 0.0,
+        });
+        cuts.sum()
+    }
+
     /// The time of cuts and dwells as far as their feeds are known, s.
     pub(crate) fn cutting_s(&self) -> f64 {
         let times = self.steps.iter().map(|step| match step {
+            // Where a move from an unknown place begins is not known, nor how long it is.
+            Step::Move(moved) if !moved.known => 0.0,
             Step::Move(moved) => match moved.feed {
                 Some(Speed::Path(speed)) => moved.length_mm / speed,
                 Some(Speed::Turn(speed)) => 1.0 / speed,
@@ -339,6 +364,10 @@ impl<'j> Gather<'j> {
             Effect::Written { name, values } => {
                 let (name, values) = (name.clone(), values.clone());
                 self.event(command, Event::Written { name, values });
+            }
+            Effect::Variable { number, value } => {
+                let (number, value) = (*number, *value);
+                self.event(command, Event::Variable { number, value });
             }
             Effect::Alarm { number, text } => {
                 let (number, text) = (*number, text.clone());

@@ -77,7 +77,7 @@ pub fn compare_joined(whole: &Job, parts: &[Part], options: &Options) -> Compari
 fn joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
     // What each part says once the whole says once: the texts are the same.
     let mut options = options.clone();
-    options.ignored.extend([Category::Value, Category::NotRun]);
+    options.ignored.extend([Category::Value, Category::NotRun, Category::Variable]);
     let options = &options;
     let mut a = Course::of(whole, options, None);
     let begins = begins(&a, parts);
@@ -150,8 +150,10 @@ fn join(joined: &mut Course, part: &Part, options: &Options) {
             Step::Event { what: Event::Tool(number), .. }
                 if is_own && tool(joined) == Some(number) => {}
             // The head says again what was said before.
-            Step::Event { what: what @ (Event::Code(_) | Event::Written { .. }), .. }
-                if is_own && has_event(joined, &what) => {}
+            Step::Event {
+                what: what @ (Event::Code(_) | Event::Written { .. } | Event::Variable { .. }),
+                ..
+            } if is_own && has_event(joined, &what) => {}
             Step::Event { what, deletable, .. } => {
                 joined.steps.push(Step::Event { what, origin, deletable });
             }

@@ -40,6 +40,7 @@ mod passes;
 mod pecks;
 mod problems;
 mod steps;
+mod values;
 mod walk;
 
 use std::collections::BTreeSet;
@@ -52,6 +53,7 @@ pub use difference::{Blocks, Difference, Place, Value};
 pub use joined::{Kept, Part, compare_joined};
 pub use passes::{FreePasses, LastPass, Passes};
 pub use pecks::Pecks;
+pub use values::are_same_values;
 
 /// Places nearer than this are the same, mm. Doubles leave up to a hundredth of it when a centre is
 /// computed from a radius; no control computes as finely.
@@ -297,7 +299,11 @@ fn times_apart(
     let times = courses.map(course::Course::cutting_s);
     let apart = (times[0] - times[1]).abs();
     let most = times[0].max(times[1]);
-    if apart <= options.time_tolerance * most || found.differences.iter().any(shows) {
+    // A path within the tolerance may be longer, and takes longer then.
+    let lengths = courses.map(course::Course::cut_mm);
+    let longer = (lengths[0] - lengths[1]).abs() / lengths[0].max(lengths[1]).max(SAME_MM);
+    let part = options.time_tolerance.max(options.feed_tolerance) + longer;
+    if apart <= part * most || found.differences.iter().any(shows) {
         return None;
     }
     let ends = courses.map(|course| {

@@ -13,9 +13,8 @@ use crate::walk::Found;
 
 /// Adds the first block that differs among those that one of two runs on one control has not come to.
 pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Found) {
-    let is_assumed = |report: &Report| {
-        report.diagnostics.iter().any(|one| one.code == Code::AssumedBranch)
-    };
+    let is_assumed =
+        |report: &Report| report.diagnostics.iter().any(|one| one.code == Code::AssumedBranch);
     let titles = jobs.map(|job| job.control().table.title);
     if !reports.into_iter().any(is_assumed) || titles[0] != titles[1] {
         return;

@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 
 use chordal::geometry::{Curve, Line, ParamCurve, Vec3};
 
-use crate::course::{Course, Moved, Step, Way};
 use crate::category::Category;
+use crate::course::{Course, Moved, Step, Way};
 use crate::difference::{Blocks, Difference, Place};
 
 /// What of a cycle stays.

@@ -10,8 +10,8 @@ use std::collections::BTreeSet;
 use chordal::geometry::{Curve, Line, Vec3};
 
 use crate::SAME_MM;
-use crate::course::{Course, Moved, Speed, Step, Way};
 use crate::category::Category;
+use crate::course::{Course, Moved, Speed, Step, Way};
 use crate::difference::{Blocks, Difference, Place};
 
 /// Steps closer to each other than this, mm, are the same: what two texts leave by rounding.

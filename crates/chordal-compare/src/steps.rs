@@ -6,12 +6,10 @@ use imara_diff::{Algorithm, Diff, InternedInput};
 
 use chordal::control::{Position, RotarySurface, SurfaceShape, number_text};
 
-use crate::course::{Course, Deletable, Event, Moved, Speed, State, Step, Way};
 use crate::category::Category;
+use crate::course::{Course, Deletable, Event, Moved, Speed, State, Step, Way};
 use crate::difference::{Blocks, Difference, Place, Value};
-
-/// Tool lengths that differ by less are the same, mm: below the least increment of every control.
-const SAME_LENGTH_MM: f64 = 1e-5;
+use crate::values::are_same_values;
 
 /// Gathers differences; those of one kind that follow each other are one.
 pub(crate) struct Steps<'a> {
@@ -130,6 +128,9 @@ impl<'a> Steps<'a> {
             (Event::Written { name: a, values: x }, Event::Written { name: b, values: y }) => {
                 a == b && are_same_values(x, y)
             }
+            (Event::Variable { number: a, value: x }, Event::Variable { number: b, value: y }) => {
+                a == b && are_same_values(&[*x], &[*y])
+            }
             _ => one == other,
         };
         let marks = [0, 1].map(|side: usize| deletable(self.courses[side], at[side]));
@@ -153,7 +154,7 @@ impl<'a> Steps<'a> {
             return;
         }
         let kind = |side: usize, at: &usize| {
-            event(self.courses[side], *at).map(|(event, _)| category(event))
+            event(self.courses[side], *at).map(|(event, _)| (category(event), name(event)))
         };
         let mut input = InternedInput::default();
         input.update_before(events[0].iter().map(|at| kind(0, at)));
@@ -237,23 +238,8 @@ fn deletable_value(deletable: Option<Deletable>) -> Value {
     })
 }
 
-/// Values of the control nearer than this part are the same.
-const SAME_VALUE: f64 = 1e-9;
-
-fn are_same_values(a: &[Option<f64>], b: &[Option<f64>]) -> bool {
-    let is_same = |(a, b): (&Option<f64>, &Option<f64>)| match (a, b) {
-        (Some(a), Some(b)) => (a - b).abs() <= SAME_VALUE * a.abs().max(1.0),
-        (a, b) => a == b,
-    };
-    a.len() == b.len() && a.iter().zip(b).all(is_same)
-}
-
 fn written_text(name: &str, values: &[Option<f64>]) -> String {
-    let values: Vec<String> = values
-        .iter()
-        .flatten()
-        .map(|value| number_text(*value, 4))
-        .collect();
+    let values: Vec<String> = values.iter().flatten().map(|value| number_text(*value, 4)).collect();
     format!("{name} = {}", if values.is_empty() { "nothing".into() } else { values.join(", ") })
 }
 
@@ -267,9 +253,29 @@ fn category(event: &Event) -> Category {
         Event::ReadyTool(_) => Category::ReadyTool,
         Event::Code(_) => Category::Code,
         Event::Written { .. } => Category::Written,
+        Event::Variable { .. } => Category::Variable,
         Event::Message(_) => Category::Message,
         Event::Alarm { .. } => Category::Alarm,
         Event::Deletable(_) => Category::BlockDelete,
+    }
+}
+
+/// What events of one category are told apart by: another code is not the same code with another word.
+fn name(event: &Event) -> &str {
+    match event {
+        Event::Code(words) => words.split(' ').next().unwrap_or_default(),
+        Event::Written { name, .. } => name,
+        // Each is known by its number, which is in its token.
+        Event::Variable { .. }
+        | Event::Tool(_)
+        | Event::ReadyTool(_)
+        | Event::Dwell(_)
+        | Event::Stop { .. }
+        | Event::Probed { .. }
+        | Event::Output(_)
+        | Event::Message(_)
+        | Event::Alarm { .. }
+        | Event::Deletable(_) => "",
     }
 }
 
@@ -281,11 +287,12 @@ fn event_value(event: &Event) -> Value {
         Event::Stop { optional: false } => Value::Text("stop".into()),
         Event::Probed { hit: true } => Value::Text("touched".into()),
         Event::Probed { hit: false } => Value::Text("not touched".into()),
-        Event::Output(text) | Event::Code(text) | Event::Message(text) => {
-            Value::Text(text.clone())
-        }
+        Event::Output(text) | Event::Code(text) | Event::Message(text) => Value::Text(text.clone()),
         Event::ReadyTool(number) => Value::Number(*number),
         Event::Written { name, values } => Value::Text(written_text(name, values)),
+        Event::Variable { number, value } => {
+            Value::Text(written_text(&format!("#{number}"), &[*value]))
+        }
         Event::Alarm { number, text } => Value::Text(format!("{number} {text}").trim().into()),
         Event::Deletable(mark) => deletable_value(Some(*mark)),
     }
@@ -354,7 +361,7 @@ fn surface_value(surface: Option<RotarySurface>) -> Value {
 /// Tool offsets that programs give themselves are the same, whatever their units.
 fn is_same_length(a: Option<Position>, b: Option<Position>) -> bool {
     match (a, b) {
-        (Some(a), Some(b)) => a.iter().zip(&b).all(|(a, b)| (a - b).abs() < SAME_LENGTH_MM),
+        (Some(a), Some(b)) => are_same_values(&a.map(Some), &b.map(Some)),
         (a, b) => a == b,
     }
 }

@@ -7,9 +7,9 @@ use chordal::geometry::{Curve, ParamCurve, Placement, Vec3};
 
 use crate::align::{Alignment, Region};
 use crate::bound::{Stretch, bound};
+use crate::category::Category;
 use crate::couple::{Couple, couple, most, move_by_move};
 use crate::course::{Course, Moved, Step};
-use crate::category::Category;
 use crate::difference::{Difference, Place, in_order};
 use crate::frechet::{MOST_CELLS, frechet};
 use crate::steps::{Steps, lacking};

@@ -41,8 +41,8 @@ const PLANTED: &[(&str, &str, &str, Category)] = &[
     ("fanuc-0i", "G10 L2 P6 X10.", "", Category::Written),
     ("fanuc-0i", "G10 L12 P3 R5.", "G10 L12 P3 R6.", Category::Written),
     ("fanuc-0i", "#5241=10.", "#5241=11.", Category::Written),
-    ("fanuc-0i", "#1100=1", "#1100=0", Category::Written),
-    ("fanuc-0i", "#501=7", "#501=8", Category::Written),
+    ("fanuc-0i", "#1100=1", "#1100=0", Category::Variable),
+    ("fanuc-0i", "#501=7", "#501=8", Category::Variable),
     ("fanuc-0i", "G22 X100. Y100. Z100. I0 J0 K0", "", Category::Code),
     ("fanuc-0i", "G22 X100. Y100. Z100. I0 J0 K0", "G22 X90. Y100. Z100. I0 J0 K0", Category::Code),
     ("fanuc-0i", "M0", "M1", Category::Stop),
@@ -77,7 +77,8 @@ fn a_planted_difference_of_every_item_is_seen() {
         let categories: Vec<Category> =
             found.differences.iter().map(|difference| difference.category).collect();
         if found.verdict != Verdict::Different || !categories.contains(category) {
-            missed.push(format!("{machine}: {line:?} {other:?}: {:?} {categories:?}", found.verdict));
+            missed
+                .push(format!("{machine}: {line:?} {other:?}: {:?} {categories:?}", found.verdict));
         }
     }
     assert!(missed.is_empty(), "{} of {}:\n{}", missed.len(), PLANTED.len(), missed.join("\n"));
@@ -96,7 +97,9 @@ fn an_unchanged_program_has_no_difference() {
 
 #[test]
 fn the_time_of_a_rotary_move_is_compared() {
-    let rotary = |feed: &str| job(&format!("G21 G90 G94\nG0 X0 Y0 Z5. A0\nG1 A90. F{feed}\nM30\n"), "fanuc-30i");
+    let rotary = |feed: &str| {
+        job(&format!("G21 G90 G94\nG0 X0 Y0 Z5. A0\nG1 A90. F{feed}\nM30\n"), "fanuc-30i")
+    };
     for pair in [["135.", "60."], ["100.", "101."]] {
         let jobs = pair.map(rotary);
         assert_eq!(compare(&jobs[0], &jobs[1], &Options::default()).verdict, Verdict::Different);

@@ -36,7 +36,8 @@ mod pockets;
 pub mod rules;
 mod sink;
 mod spindle_checks;
-pub mod state;
+pub mod standing;
+mod state;
 mod statement;
 mod surface;
 mod surface_codes;
@@ -55,6 +56,7 @@ pub use offsets::{LengthOffset, Offsets, Presets, WrittenOffset};
 pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::RunSink;
+pub use standing::{StateItem, StateValue};
 pub use state::{
     CycleState, LiveTool, Motion, OverrideState, SplineForm, State, ThreadMemory, TurnPass,
     TurningMemory, UnknownWords,

@@ -1,6 +1,6 @@
 //! Work offsets, shifts and tool length: what lies between program and machine coordinates.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use chordal_command::{AxisMask, Position, UnknownPresets, WorkName, WorkNaming, WorkZero};
 use chordal_geometry::Plane;
@@ -44,10 +44,12 @@ pub struct Offsets {
     known: AxisMask,
     /// What was written and is not told yet.
     written: Vec<WrittenOffset>,
+    /// All that was written.
+    touched: BTreeSet<WrittenOffset>,
 }
 
 /// A place of the offset tables that a program has written.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum WrittenOffset {
     /// A work coordinate system by its key, on an axis.
     Work(String, usize),
@@ -145,6 +147,7 @@ impl Offsets {
             system_known: AxisMask::NONE,
             known: AxisMask::NONE,
             written: Vec::new(),
+            touched: BTreeSet::new(),
         };
         offsets.update();
         offsets
@@ -290,6 +293,7 @@ impl Offsets {
 
     /// The last of the same place counts.
     fn note_written(&mut self, place: WrittenOffset) {
+        self.touched.insert(place.clone());
         self.written.retain(|other| *other != place);
         self.written.push(place);
     }
@@ -298,6 +302,17 @@ impl Offsets {
     #[inline]
     pub fn take_written(&mut self) -> Vec<WrittenOffset> {
         std::mem::take(&mut self.written)
+    }
+
+    /// All places that were written, with what they hold.
+    pub(crate) fn all_written(&self) -> Vec<(String, Vec<Option<f64>>)> {
+        let places = self.touched.iter();
+        places.map(|place| (format!("{place:?}"), self.written_values(place))).collect()
+    }
+
+    /// By how much G52 and G92 have moved the zero of an axis.
+    pub(crate) fn shift_of(&self, axis: usize) -> f64 {
+        self.shift[axis] + self.preset[axis]
     }
 
     /// What a written place holds now.

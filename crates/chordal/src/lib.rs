@@ -27,7 +27,8 @@ pub mod control {
     pub use chordal_kernel::rules::*;
     pub use chordal_kernel::{
         Alarms, Checkpoint, Class, EndReason, FrameKinds, Language, LiveTool, Modal, MotionMode,
-        Outcome, ProgramPlace, Ran, RunSink, SplineForm, Token, ToolValue, TurnPass,
+        Outcome, ProgramPlace, Ran, RunSink, SplineForm, StateItem, StateValue, Token, ToolValue,
+        TurnPass,
     };
 }
 

@@ -21,7 +21,7 @@ const COLUMNS: &[(&str, &str, &str, &str)] = &[
         "status",
         "utf8",
         "",
-        "`same`, `text`, `functions`, `feeds`, `path`, `other`, `unreadable`, `missing`, `new`",
+        "`same`, `text`, `not-verified`, `functions`, `feeds`, `path`, `other`, `unreadable`, `missing`, `new`",
     ),
     ("message", "utf8, or a gap", "", "why it could not be compared, or only in part"),
     ("released_sha256", "utf8, or a gap", "", "SHA-256 of the released file"),

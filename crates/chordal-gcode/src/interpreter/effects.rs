@@ -37,8 +37,7 @@ impl Interpreter<'_> {
 
     /// What the control holds now was told.
     pub(super) fn take_values_as_told(&mut self) {
-        self.told =
-            Told { variables: self.macros.kept.clone(), references: self.references };
+        self.told = Told { variables: self.macros.kept.clone(), references: self.references };
     }
 
     fn tell(&mut self, effect: Effect) {
@@ -53,7 +52,7 @@ impl Interpreter<'_> {
     /// The codes of a block that act on something which is not simulated, in their order.
     pub(super) fn tell_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         for (row, at) in codes {
-            if acts_elsewhere(row) {
+            if acts_elsewhere(row, block) {
                 let text = self.code_with_words(block, row, *at);
                 self.tell(Effect::Code(text));
             }
@@ -115,7 +114,7 @@ impl Interpreter<'_> {
     fn work_name(&self, key: &str) -> String {
         let naming = self.control.table.work_names;
         let names = (1..=u16::from(u8::MAX)).filter_map(WorkName::counted);
-        let further = (1..=3).map(WorkName::G59).chain((1..=6).map(WorkName::E));
+        let further = (1..=3).map(WorkName::G59).chain((1..=48).map(WorkName::E));
         let name = names.chain(further).find(|name| name.table_key(naming) == key);
         name.map_or_else(|| key.to_string(), |name| format!("work offset {}", name.ordinal()))
     }
@@ -135,7 +134,7 @@ impl Interpreter<'_> {
     }
 
     fn tell_variable(&mut self, number: u32, value: Option<f64>) {
-        self.tell(Effect::Written { name: format!("#{number}"), values: vec![value] });
+        self.tell(Effect::Variable { number, value });
     }
 
     /// The variables that keep over power-off what the program has left in them.
@@ -197,12 +196,14 @@ fn axis_letter(axis: usize) -> char {
 }
 
 /// What the code does is not in the commands of the run.
-fn acts_elsewhere(row: &CodeRow) -> bool {
+fn acts_elsewhere(row: &CodeRow, block: &Block) -> bool {
     match row.action {
         Action::NoEffect | Action::NotSimulated | Action::NotFollowed => true,
         Action::After(code) => code == AfterCode::ShopCode,
         // Without a word it stops at its mark, which the commands say.
-        Action::Before(code) => code == BeforeCode::SpindleOrient && row.words != Letters::NONE,
+        Action::Before(code) => {
+            code == BeforeCode::SpindleOrient && block.letters().meets(row.words)
+        }
         Action::Reading(_)
         | Action::Mode(_)
         | Action::Length(_)

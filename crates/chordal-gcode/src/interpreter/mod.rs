@@ -459,10 +459,10 @@ impl<'a> Interpreter<'a> {
         }
         self.report_compensation_at_end();
         self.report_unknown_variables();
-        self.tell_kept_variables();
         if end == EndReason::EndOfText {
             self.kernel.emit(CommandKind::End);
         }
+        self.tell_kept_variables();
     }
 
     #[inline]

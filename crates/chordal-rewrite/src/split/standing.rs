@@ -89,15 +89,10 @@ fn slot(group: Group, action: Action) -> Option<Slot> {
 
 impl Said {
     pub(crate) fn follow(&mut self, source: &Source, control: &Control, block: &Block) {
-        let text =
-            |word: &Word| String::from_utf8_lossy(word.range.slice(source.text)).into_owned();
+        let text = |word: &Word| source.text_of(word);
         let gap = if source.style.spaced { " " } else { "" };
-        let beside = |own: &Word, letters: &dyn Fn(u8) -> bool| -> Vec<String> {
-            let words = block.words.iter().filter(|word| {
-                word.range == own.range || (letters(word.letter) && word.number().is_some())
-            });
-            words.map(text).collect()
-        };
+        let beside =
+            |own: &Word, letters: &dyn Fn(u8) -> bool| source.code_with(block, own, letters);
         self.work |= control.table.work_names.by_e && block.word(b'E').is_some();
         self.speed |= block.word(b'S').is_some();
         self.h = block.word(b'H').map(text).or(self.h.take());

@@ -283,6 +283,28 @@ pub struct Transformed {
     pub notes: Vec<String>,
     /// The new path compared with the old one.
     pub certificate: Certificate,
+    meant: Meant,
+}
+
+/// What the new path is meant to be.
+#[derive(Debug)]
+pub(crate) struct Meant {
+    options: Options,
+    expected: Vec<Category>,
+    mapping: Mapping,
+}
+
+impl Transformed {
+    /// Proves another text in place of the one that came out, as one that was changed by hand.
+    pub fn prove(&self, job: &Job, text: Vec<u8>) -> Certificate {
+        self.meant.prove(job, &job.with_text(text))
+    }
+}
+
+impl Meant {
+    fn prove(&self, job: &Job, new: &Job) -> Certificate {
+        prove_mapped(job, new, &self.options, &self.expected, &self.mapping)
+    }
 }
 
 /// Changes the first text of a job, step by step, and proves it.
@@ -317,10 +339,9 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
             speed: all.mapping.speed * outcome.mapping.speed,
         };
     }
-    let options = all.options();
     let new = job.with_text(text.clone());
-    let prove = || prove_mapped(job, &new, &options, &all.expected, &all.mapping);
-    let mut certificate = all.certificate.unwrap_or_else(prove);
+    let meant = Meant { options: all.options(), expected: all.expected, mapping: all.mapping };
+    let mut certificate = all.certificate.unwrap_or_else(|| meant.prove(job, &new));
     let comparison = &mut certificate.comparison;
     let moves = comparison.moves.iter().any(|moves| *moves > 0);
     if comparison.max_distance_mm.is_none() && moves && text != first_text(job) {
@@ -335,5 +356,5 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
     if comparison.verdict == Verdict::NotVerified {
         all.notes.push(NOT_FOLLOWED.into());
     }
-    Ok(Transformed { text, changes, notes: all.notes, certificate })
+    Ok(Transformed { text, changes, notes: all.notes, certificate, meant })
 }
