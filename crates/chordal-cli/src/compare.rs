@@ -104,6 +104,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let options = Options {
         tolerance_mm: args.tolerance,
         feed_tolerance: args.feed_tolerance,
+        speed_tolerance: args.feed_tolerance,
         time_tolerance: args.time_tolerance,
         ignored: args.ignore.clone(),
         ..Options::default()

@@ -123,7 +123,22 @@ pub(crate) fn in_step(a: &Course, b: &Course) -> Option<Alignment> {
         let is_rapid = a.moved(at.start).is_some_and(|moved| moved.way != Way::Cut);
         if is_rapid { Region::Rapid(at, to) } else { Region::Matched(at, to) }
     });
-    Some(Alignment { regions: regions.collect(), moved: Vec::new() })
+    let mut regions: Vec<Region> = regions.collect();
+    // Of a move from a place that is not known all is compared but the path, at its first step.
+    let unknown = [a, b].map(|course| {
+        let moves = (0..course.steps.len()).filter_map(|at| Some((at, course.moved(at)?)));
+        let mut first: Vec<(usize, u32)> = moves
+            .filter(|(_, moved)| !moved.known)
+            .map(|(at, moved)| (at, moved.command))
+            .collect();
+        first.dedup_by_key(|(_, command)| *command);
+        first.into_iter().map(|(at, _)| at).collect::<Vec<usize>>()
+    });
+    if unknown[0].len() == unknown[1].len() {
+        let pairs = unknown[0].iter().zip(&unknown[1]);
+        regions.extend(pairs.map(|(at, to)| Region::Matched(*at..at + 1, *to..to + 1)));
+    }
+    Some(Alignment { regions, moved: Vec::new() })
 }
 
 /// What is the same and what is not, in order.

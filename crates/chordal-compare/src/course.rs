@@ -89,6 +89,8 @@ pub(crate) struct State {
     /// The tool offsets in force where the program gives them itself (G43.1), mm and rad.
     pub(crate) own_length: Option<Position>,
     pub(crate) radius_offset: Option<u32>,
+    /// The side of compensation, where the path does not show it.
+    pub(crate) side: Side,
     pub(crate) work_offset: u32,
     pub(crate) path_mode: PathMode,
     pub(crate) overrides: Overrides,
@@ -245,6 +247,8 @@ struct Gather<'j> {
     sources: &'j SourceMap<'j>,
     ignored: &'j [Category],
     ready_tools: bool,
+    programmed: bool,
+    in_step: bool,
     /// The block that a switch leaves out, and whether a step of it has come.
     deletable: Option<(Origin, Deletable, bool)>,
     steps: Vec<Step>,
@@ -266,6 +270,7 @@ impl<'j> Gather<'j> {
             length_offset: None,
             own_length: None,
             radius_offset: None,
+            side: Side::Off,
             // Which offset holds before the program names one is the control's business: its first.
             work_offset: 1,
             path_mode: PathMode::Continuous { tolerance_mm: None, joined: false },
@@ -277,6 +282,8 @@ impl<'j> Gather<'j> {
             sources: job.sources(),
             ignored: &options.ignored,
             ready_tools: options.ready_tools,
+            programmed: options.programmed,
+            in_step: options.in_step,
             deletable: None,
             steps: Vec::new(),
             states: vec![now],
@@ -412,6 +419,7 @@ impl<'j> Gather<'j> {
             }
             Kind::Coolant(coolant) => self.now.coolant = *coolant,
             Kind::Compensation { side, number, .. } => {
+                self.now.side = if self.programmed { *side } else { Side::Off };
                 self.now.radius_offset = if *side == Side::Off { None } else { *number };
             }
             Kind::ToolLength { number, offset, .. } => {
@@ -471,7 +479,10 @@ impl Gather<'_> {
         let feed_mode = command.kind.feed().map(|feed| feed.mode);
         for segment in segments {
             let turn = self.turn(segment);
-            if segment.length_mm == 0.0 && segment.rotary_from == segment.rotary_to {
+            // From a place that is not known the numbers may say that nothing moves.
+            let is_counted = self.in_step && !segment.known && !self.assume_known;
+            let stays = segment.length_mm == 0.0 && segment.rotary_from == segment.rotary_to;
+            if stays && !is_counted {
                 continue;
             }
             self.now.deletable = self.deletable_of(&segment.origin);

@@ -64,8 +64,10 @@ pub const SAME_MM: f64 = 1e-9;
 pub struct Options {
     /// Paths may be this far apart, mm.
     pub tolerance_mm: f64,
-    /// Feeds and speeds may differ by this part of them.
+    /// Feeds may differ by this part of them.
     pub feed_tolerance: f64,
+    /// Spindle speeds may differ by this part of them.
+    pub speed_tolerance: f64,
     /// The time of all cuts and dwells may differ by this part of it.
     pub time_tolerance: f64,
     /// Rotary axes may stand this far apart, rad.
@@ -100,6 +102,7 @@ impl Default for Options {
         Options {
             tolerance_mm: 0.0,
             feed_tolerance: 1e-6,
+            speed_tolerance: 1e-6,
             time_tolerance: 1e-3,
             rotary_tolerance_rad: 1e-9,
             precision_mm: 1e-6,

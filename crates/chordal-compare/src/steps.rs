@@ -4,17 +4,22 @@ use std::ops::Range;
 
 use imara_diff::{Algorithm, Diff, InternedInput};
 
-use chordal::control::{Position, RotarySurface, SurfaceShape, number_text};
+use chordal::control::{Position, RotarySurface, Side, SurfaceShape, number_text};
 
+use crate::Options;
 use crate::category::Category;
 use crate::course::{Course, Deletable, Event, Moved, Speed, State, Step, Way};
 use crate::difference::{Blocks, Difference, Place, Value};
 use crate::values::are_same_values;
 
+/// Dwells that differ by this part are the same: no control counts as finely.
+const SAME_DWELL: f64 = 1e-5;
+
 /// Gathers differences; those of one kind that follow each other are one.
 pub(crate) struct Steps<'a> {
     courses: [&'a Course; 2],
     feed_tolerance: f64,
+    speed_tolerance: f64,
     rotary_tolerance: f64,
     /// By category: what differs at the moves just seen.
     open: [Option<Difference>; Category::ALL.len()],
@@ -22,13 +27,15 @@ pub(crate) struct Steps<'a> {
 }
 
 impl<'a> Steps<'a> {
-    pub(crate) fn new(
-        courses: [&'a Course; 2],
-        feed_tolerance: f64,
-        rotary_tolerance: f64,
-    ) -> Steps<'a> {
-        let open = [const { None }; Category::ALL.len()];
-        Steps { courses, feed_tolerance, rotary_tolerance, open, done: Vec::new() }
+    pub(crate) fn new(courses: [&'a Course; 2], options: &Options) -> Steps<'a> {
+        Steps {
+            courses,
+            feed_tolerance: options.feed_tolerance,
+            speed_tolerance: options.speed_tolerance,
+            rotary_tolerance: options.rotary_tolerance_rad,
+            open: [const { None }; Category::ALL.len()],
+            done: Vec::new(),
+        }
     }
 
     pub(crate) fn finish(&mut self) -> Vec<Difference> {
@@ -71,7 +78,7 @@ impl<'a> Steps<'a> {
             self.note(Category::Feed, feed, at);
         }
         let states = (self.courses[0].state(one), self.courses[1].state(other));
-        for (category, values) in differences(states.0, states.1, self.feed_tolerance) {
+        for (category, values) in differences(states.0, states.1, self.speed_tolerance) {
             self.note(category, values, at);
         }
     }
@@ -124,7 +131,7 @@ impl<'a> Steps<'a> {
             return;
         };
         let is_same = match (one, other) {
-            (Event::Dwell(a), Event::Dwell(b)) => is_part(*a, *b, self.feed_tolerance),
+            (Event::Dwell(a), Event::Dwell(b)) => is_part(*a, *b, SAME_DWELL),
             (Event::Written { name: a, values: x }, Event::Written { name: b, values: y }) => {
                 a == b && are_same_values(x, y)
             }
@@ -346,6 +353,14 @@ fn is_same_surface(a: Option<RotarySurface>, b: Option<RotarySurface>) -> bool {
     }
 }
 
+fn side_value(side: Side) -> Value {
+    match side {
+        Side::Off => Value::Nothing,
+        Side::Left => Value::Text("left of the contour".into()),
+        Side::Right => Value::Text("right of the contour".into()),
+    }
+}
+
 fn surface_value(surface: Option<RotarySurface>) -> Value {
     Value::Text(match surface.map(|surface| surface.shape) {
         None => "the axes themselves".into(),
@@ -395,10 +410,13 @@ fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Valu
         ),
         (
             Category::RadiusOffset,
-            of(
-                a.radius_offset != b.radius_offset,
-                [number(a.radius_offset), number(b.radius_offset)],
-            ),
+            match a.side != b.side {
+                true => Some([a.side, b.side].map(side_value)),
+                false => of(
+                    a.radius_offset != b.radius_offset,
+                    [number(a.radius_offset), number(b.radius_offset)],
+                ),
+            },
         ),
         (
             Category::WorkOffset,

@@ -48,7 +48,7 @@ pub(crate) struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     pub(crate) fn new(a: &'a Course, b: &'a Course, options: &'a Options) -> Walk<'a> {
-        let steps = Steps::new([a, b], options.feed_tolerance, options.rotary_tolerance_rad);
+        let steps = Steps::new([a, b], options);
         let found = Found::default();
         let elsewhere = Default::default();
         Walk { courses: [a, b], options, steps, found, open: None, elsewhere }

@@ -185,6 +185,18 @@ pub fn compare_all<L: Loader>(
     rows.into_iter().flatten().collect()
 }
 
+/// Compares one file with another.
+pub fn compare_files(
+    loader: &mut impl Loader,
+    released: &Path,
+    returned: &Path,
+    options: DiffOptions,
+) -> DiffRow {
+    let name = released.to_string_lossy().into_owned();
+    let pair = [Some(released.to_path_buf()), Some(returned.to_path_buf())];
+    compare(loader, &name, &pair, options)
+}
+
 /// The files of a name: released and returned.
 type Pair = [Option<PathBuf>; 2];
 
@@ -347,8 +359,7 @@ fn judge(mut row: DiffRow, [before, after]: [&Motion; 2], found: &Comparison) ->
     let is_speed = |category: Category| {
         matches!(category, Category::Feed | Category::Spindle | Category::Time)
     };
-    // Problems are told by themselves.
-    let others = || found.differences.iter().filter(|one| one.category != Category::Problem);
+    let others = || found.differences.iter();
     let mut words: Vec<&str> = others()
         .map(|one| one.category)
         .filter(|one| !is_speed(*one))

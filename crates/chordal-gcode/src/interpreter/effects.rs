@@ -59,6 +59,12 @@ impl Interpreter<'_> {
         }
     }
 
+    /// A code that the control does not have: what it would do there is not known.
+    pub(super) fn tell_unknown_code(&mut self, word: &Word) {
+        let text = self.plain_word(word);
+        self.tell(Effect::Code(text));
+    }
+
     /// All words of a block, which are data of a code.
     pub(super) fn tell_data(&mut self, block: &Block) {
         let words: Vec<String> = block.words.iter().map(|word| self.plain_word(word)).collect();

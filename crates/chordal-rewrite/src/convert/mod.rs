@@ -268,6 +268,7 @@ fn proof(
     let compare = chordal_compare::Options {
         tolerance_mm: options.tolerance_mm,
         feed_tolerance: 1e-5,
+        speed_tolerance: 1e-5,
         rotary_tolerance_rad: rotary_tolerance(trace, options),
         // Both begin at the same place, and both machines have the same tables.
         assume_known: true,

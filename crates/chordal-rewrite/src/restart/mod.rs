@@ -464,6 +464,9 @@ impl Asked<'_, '_> {
         }
         let old = Trace::of(self.job, draft.ran);
         let trace = Trace::of(&new, ran);
+        if let Some(what) = old.begins_otherwise(&trace).filter(|_| !draft.approaches) {
+            return Err(unproved(format!("{what} is another one where the program begins")));
+        }
         let care = Care { exact: !draft.approaches, ..Care::default() };
         if let Some(unlike) = old.unlike(&trace, &places, care) {
             let what = format!("line {} would not do the same: {}", unlike.line, unlike.what);

@@ -52,6 +52,8 @@ pub(super) struct Trace {
     pub(super) moves: u64,
     /// The spindle keeps a cutting speed at its begin.
     follows: bool,
+    /// What holds at its begin.
+    begin: Option<Modal>,
     /// Variables that hold something over the end of the program.
     kept: Vec<(u32, Option<f64>)>,
 }
@@ -113,6 +115,16 @@ impl Trace {
         };
         job.run(&mut recorder);
         recorder.trace
+    }
+
+    /// What the head has not brought back as it was, although it may not show in what follows.
+    pub(super) fn begins_otherwise(&self, new: &Trace) -> Option<&'static str> {
+        let (one, other) = (self.begin.as_ref()?, new.begin.as_ref()?);
+        let mut standing = one.standing.iter().zip(&other.standing);
+        let found = standing.find(|((item, a), (_, b))| {
+            is_of_head(*item) && is_compared(*item, [one, other], true) && !is_same_value(a, b)
+        });
+        found.map(|((item, _), _)| item.word())
     }
 
     /// Variables that hold something after this run, and not the same after another one.
@@ -216,7 +228,9 @@ impl RunSink for Recorder<'_> {
             self.stand(origin);
             self.keep(What::Done(Box::new(modal())));
         } else if self.ran + 1 == self.after {
-            self.trace.follows = modal().surface_speed.is_some();
+            let modal = modal();
+            self.trace.follows = modal.surface_speed.is_some();
+            self.trace.begin = Some(modal);
         }
         self.ran += 1;
     }
@@ -353,6 +367,40 @@ fn different_modal(one: &Modal, other: &Modal, care: Care) -> Option<&'static st
         (!settled || one.codes == other.codes, "a modal code"),
     ];
     checks.into_iter().find(|(is_same, _)| !is_same).map(|(_, name)| name)
+}
+
+/// Whether the head brings an item back. What it leaves to the block that it begins at shows in what follows.
+fn is_of_head(item: StateItem) -> bool {
+    match item {
+        StateItem::Units
+        | StateItem::Plane
+        | StateItem::FeedMode
+        | StateItem::Spindle
+        | StateItem::SpindleSpeed
+        | StateItem::LiveTool
+        | StateItem::SurfaceSpeed
+        | StateItem::SpeedLimit
+        | StateItem::Coolant
+        | StateItem::Tool
+        | StateItem::Side
+        | StateItem::WorkOffset
+        | StateItem::LengthOffset
+        | StateItem::Tables
+        | StateItem::Frames
+        | StateItem::PathMode
+        | StateItem::Overrides => true,
+        StateItem::Distance
+        | StateItem::Motion
+        | StateItem::ArcCenter
+        | StateItem::Cycle
+        | StateItem::CycleWords
+        | StateItem::Feed
+        | StateItem::ReadyTool
+        | StateItem::RadiusOffset
+        | StateItem::NamedLength
+        | StateItem::Shift
+        | StateItem::Position => false,
+    }
 }
 
 /// Whether an item must be the same after a block.

@@ -243,6 +243,7 @@ struct Outcome {
     /// How far it may be off, mm.
     tolerance_mm: f64,
     feed_tolerance: f64,
+    speed_tolerance: f64,
     /// Differences that no writing can take away.
     expected: Vec<Category>,
     /// The proof of the edits, where it was made already.
@@ -255,6 +256,7 @@ impl Outcome {
         Options {
             tolerance_mm: self.tolerance_mm,
             feed_tolerance: self.feed_tolerance.max(Options::default().feed_tolerance),
+            speed_tolerance: self.speed_tolerance.max(Options::default().speed_tolerance),
             in_step: true,
             ..Options::default()
         }
@@ -332,6 +334,7 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
             all.tolerance_mm * outcome.mapping.path.scale_factor() + outcome.tolerance_mm;
         all.expected.append(&mut outcome.expected);
         all.feed_tolerance = all.feed_tolerance.max(outcome.feed_tolerance);
+        all.speed_tolerance = all.speed_tolerance.max(outcome.speed_tolerance);
         all.certificate = outcome.certificate.filter(|_| steps.len() == 1);
         all.mapping = Mapping {
             path: all.mapping.path.then(&outcome.mapping.path),
