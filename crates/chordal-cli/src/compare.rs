@@ -28,7 +28,8 @@ Examples:
 
 Chordal compares what the programs do, not their text: block numbers, spaces, subprograms, units, and
 how lines and arcs are divided make no difference. The distance is the largest one between two points
-that move along both paths from start to end, cuts and rapids in their order.
+that move along both paths from start to end, cuts and rapids in their order. Which tool is made ready is not
+compared.
 
 Exit code: 0 the same, or within the tolerance, 1 different, 2 wrong use.";
 

@@ -83,7 +83,7 @@ pub(crate) fn align(a: &Course, b: &Course, grid_mm: f64) -> Alignment {
 
 /// Puts the steps of both together one by one, where both make as many of the same kinds in the same
 /// order; moves from or to places that are not known are left out. Nothing where they do not.
-pub(crate) fn in_step(a: &Course, b: &Course) -> Option<Alignment> {
+pub(crate) fn in_step(a: &Course, b: &Course, with_unknown: bool) -> Option<Alignment> {
     // The steps of a rapid are one.
     let groups = |course: &Course| -> Vec<Range<usize>> {
         let mut groups: Vec<Range<usize>> = Vec::new();
@@ -134,7 +134,7 @@ pub(crate) fn in_step(a: &Course, b: &Course) -> Option<Alignment> {
         first.dedup_by_key(|(_, command)| *command);
         first.into_iter().map(|(at, _)| at).collect::<Vec<usize>>()
     });
-    if unknown[0].len() == unknown[1].len() {
+    if with_unknown && unknown[0].len() == unknown[1].len() {
         let pairs = unknown[0].iter().zip(&unknown[1]);
         regions.extend(pairs.map(|(at, to)| Region::Matched(*at..at + 1, *to..to + 1)));
     }

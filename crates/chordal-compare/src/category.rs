@@ -173,6 +173,54 @@ impl Category {
         }
     }
 
+    /// What it is, for people.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Category::Path => "the path of the tool centre",
+            Category::Order => "the same moves at another time",
+            Category::Rotary => {
+                "the place of a rotary axis on the way, and the surface that it turns"
+            }
+            Category::Rapid => "a rapid instead of a cut",
+            Category::RapidPath => "a dog-leg rapid instead of a straight one",
+            Category::Unknown => "moves to places that are not known relative to the part",
+            Category::Feed => "the feed",
+            Category::Time => "the time of cuts and dwells, where neither feeds nor paths show why",
+            Category::Spindle => "the spindle's direction or speed",
+            Category::Tool => "the tool",
+            Category::ReadyTool => "the tool that is made ready",
+            Category::LengthOffset => {
+                "the number of the tool length offset, or the offsets that the program gives itself"
+            }
+            Category::RadiusOffset => "the number of the radius offset",
+            Category::WorkOffset => "the work offset",
+            Category::Written => {
+                "a value that the control keeps: of a work offset, a tool, a reference point"
+            }
+            Category::Variable => {
+                "a variable of the control that is an output, a setting, or outlives the program"
+            }
+            Category::Coolant => "the coolant",
+            Category::PathMode => "how corners are passed",
+            Category::Overrides => "which overrides act",
+            Category::Dwell => "a dwell",
+            Category::Stop => "a stop for the operator",
+            Category::Code => {
+                "a code that acts on something which is not simulated, with its words: a clamp, an output, limits"
+            }
+            Category::Message => "a text for the operator",
+            Category::Alarm => "an alarm of the program (#3000)",
+            Category::BlockDelete => "a block that a switch of the panel leaves out",
+            Category::Probe => "a probe move",
+            Category::Output => "a printed line",
+            Category::Value => "a value that is read and not known: a variable, an input",
+            Category::NotRun => {
+                "blocks that neither run has come to, behind a condition that is not known"
+            }
+            Category::Problem => "a problem that only one of the two has",
+        }
+    }
+
     /// Which item of the list a command of a run is part of; nothing for those that only say how other commands are to
     /// be read, or that nothing comes of. A move is part of several, of which the path is the first.
     pub fn of(kind: &CommandKind) -> Option<Category> {
@@ -234,8 +282,14 @@ impl Category {
             (Category::Code, Command::Convert) => {
                 Some("codes that the new control does not have are left out, and listed as changes")
             }
-            (Category::Alarm | Category::Message | Category::NotRun, Command::Convert) => {
+            (Category::Alarm | Category::Message, Command::Convert) => {
                 Some("statements and remarks are written as the new control has them")
+            }
+            (Category::Value, Command::Convert) => Some(
+                "variables have other names; a program that depends on one is not proved anyway",
+            ),
+            (Category::NotRun, Command::Convert) => {
+                Some("compared between two programs of one control alone")
             }
             (Category::Variable, Command::Convert) => {
                 Some("variables are named as the new control names them")
@@ -243,10 +297,38 @@ impl Category {
             (Category::Unknown, Command::Transform) => {
                 Some("a way from a place that is not known is not known, moved or not")
             }
-            (Category::Written, Command::Transform) => {
-                Some("values in units of length go with the units of the program")
+            (Category::RapidPath, Command::Transform) => {
+                Some("dog-legs of a program that is turned or mirrored bend elsewhere")
+            }
+            (Category::Variable, Command::Restart) => {
+                Some("the head sets none; those that were set before the line are named")
+            }
+            (Category::Code, Command::Restart) => {
+                Some("those before the line are not in the head, and are named")
             }
             _ => None,
         }
     }
+}
+
+/// The list as a table of the documentation.
+pub fn shared_reference() -> String {
+    let mut page = String::from("| item | what | not compared, or only in part |\n|---|---|---|\n");
+    for item in Category::ALL {
+        let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
+        for command in Command::ALL {
+            let Some(why) = item.ignored_by(command) else { continue };
+            match reasons.iter_mut().find(|(reason, _)| *reason == why) {
+                Some((_, commands)) => commands.push(command.word()),
+                None => reasons.push((why, vec![command.word()])),
+            }
+        }
+        let reasons: Vec<String> = reasons
+            .iter()
+            .map(|(why, commands)| format!("`{}`: {why}", commands.join("`, `")))
+            .collect();
+        let (word, meaning) = (item.word(), item.meaning());
+        page.push_str(&format!("| `{word}` | {meaning} | {} |\n", reasons.join("; ")));
+    }
+    page
 }

@@ -283,7 +283,7 @@ impl<'j> Gather<'j> {
             ignored: &options.ignored,
             ready_tools: options.ready_tools,
             programmed: options.programmed,
-            in_step: options.in_step,
+            in_step: options.in_step && options.unknown_in_step,
             deletable: None,
             steps: Vec::new(),
             states: vec![now],

@@ -48,7 +48,7 @@ use std::collections::BTreeSet;
 use chordal::geometry::Transform;
 use chordal::{Job, Machine, Report};
 
-pub use category::{Category, Command};
+pub use category::{Category, Command, shared_reference};
 pub use difference::{Blocks, Difference, Place, Value};
 pub use joined::{Kept, Part, compare_joined};
 pub use passes::{FreePasses, LastPass, Passes};
@@ -89,6 +89,8 @@ pub struct Options {
     /// The two are meant to make the same moves: where both make as many of the same kinds, they are held
     /// against each other one by one in their order, and moves between places that are not known not at all.
     pub in_step: bool,
+    /// In step, of moves between places that are not known all is compared but the path: the way, the feed, the state.
+    pub unknown_in_step: bool,
     /// Lines of either program whose canned cycles may drill in other steps: there a hole counts as one
     /// cut from R to its bottom, and how the steps differ is reported apart ([`Comparison::pecks`]).
     pub free_pecks: [BTreeSet<u32>; 2],
@@ -112,6 +114,7 @@ impl Default for Options {
             ready_tools: false,
             kept: 1000,
             in_step: false,
+            unknown_in_step: false,
             free_pecks: Default::default(),
             free_passes: Default::default(),
         }
@@ -239,7 +242,8 @@ fn conclude(
     // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
     // what rounding may do.
     let grid_mm = (options.tolerance_mm / 2.0).max(1e-6);
-    let in_step = if options.in_step { align::in_step(&a, &b) } else { None };
+    let in_step =
+        if options.in_step { align::in_step(&a, &b, options.unknown_in_step) } else { None };
     walk.along(&in_step.unwrap_or_else(|| align::align(&a, &b, grid_mm)));
     let mut found = walk.finish();
     problems::compare(jobs, [&a.report, &b.report], &mut found);

@@ -37,7 +37,7 @@ pub const KINDS: &[Kind] = &[
     kind("Z of a move", &[Path], How::Number('Z', &["G1 Z"])),
     kind("R of an arc", &[Path], How::Number('R', &["G2 "])),
     kind("direction of an arc", &[Path], How::Replace("G2 ", "G3 ")),
-    kind("a cut in place of a rapid", &[Rapid, RapidPath], How::Replace("G0 X", "G1 X")),
+    kind("a cut in place of a rapid", &[Rapid], How::Replace("G0 X", "G1 X")),
     kind("a rapid in place of a cut", &[Rapid], How::Replace("G1 X", "G0 X")),
     kind("a move left out", &[Path], How::Remove("G1 X")),
     kind("a move put in", &[Path], How::Insert("G1 X", "G1 X95.5 Y99.")),

@@ -258,6 +258,7 @@ impl Outcome {
             feed_tolerance: self.feed_tolerance.max(Options::default().feed_tolerance),
             speed_tolerance: self.speed_tolerance.max(Options::default().speed_tolerance),
             in_step: true,
+            unknown_in_step: true,
             ..Options::default()
         }
     }
