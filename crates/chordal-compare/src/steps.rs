@@ -78,7 +78,9 @@ impl<'a> Steps<'a> {
             self.note(Category::Feed, feed, at);
         }
         let states = (self.courses[0].state(one), self.courses[1].state(other));
-        for (category, values) in differences(states.0, states.1, self.speed_tolerance) {
+        // Revolutions that keep a cutting speed follow the diameter, which is not known there either.
+        let speed_tolerance = if is_known { self.speed_tolerance } else { 1.0 };
+        for (category, values) in differences(states.0, states.1, speed_tolerance) {
             self.note(category, values, at);
         }
     }
