@@ -284,6 +284,9 @@ fn different_command(one: &CommandKind, other: &CommandKind, care: Care) -> Opti
         if !same_move(a, b, care.exact || care.settled || !is_rapid) {
             return Some("the move is another one".into());
         }
+        if !care.exact && !is_rapid && (0..3).any(|axis| !a.to_known.has(axis)) {
+            return Some("the cut is at a place that is not known".into());
+        }
         if !(care.exact || care.settled && is_rapid) && goes_by_distance(a, is_rapid) {
             return Some("the move goes by a distance from a place that is not known".into());
         }
@@ -385,6 +388,7 @@ fn is_of_head(item: StateItem) -> bool {
         | StateItem::Side
         | StateItem::WorkOffset
         | StateItem::LengthOffset
+        | StateItem::Shift
         | StateItem::Tables
         | StateItem::Frames
         | StateItem::PathMode
@@ -398,7 +402,6 @@ fn is_of_head(item: StateItem) -> bool {
         | StateItem::ReadyTool
         | StateItem::RadiusOffset
         | StateItem::NamedLength
-        | StateItem::Shift
         | StateItem::Position => false,
     }
 }
@@ -423,6 +426,7 @@ fn is_compared(item: StateItem, both: [&Modal; 2], settled: bool) -> bool {
         | StateItem::Tool
         | StateItem::ReadyTool
         | StateItem::WorkOffset
+        | StateItem::Shift
         | StateItem::Tables
         | StateItem::Frames
         | StateItem::PathMode
@@ -435,8 +439,6 @@ fn is_compared(item: StateItem, both: [&Modal; 2], settled: bool) -> bool {
             let spins = both.iter().any(|modal| modal.spindle != SpindleState::Off);
             spins && !follows
         }
-        // The places of the machine and of the work show it.
-        StateItem::Shift => false,
         // Whatever comes of them is in what both programs do from here on, which is compared.
         StateItem::CycleWords | StateItem::RadiusOffset | StateItem::NamedLength => false,
         // Only as far as both know it.

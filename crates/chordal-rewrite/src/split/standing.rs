@@ -62,6 +62,8 @@ pub(crate) enum Slot {
     Smoothness,
     LookAhead(u8),
     Overrides,
+    /// One of the overrides by itself, after the code for all of them.
+    OverridesByP,
 }
 
 fn slot(group: Group, action: Action) -> Option<Slot> {
@@ -70,9 +72,8 @@ fn slot(group: Group, action: Action) -> Option<Slot> {
         (Action::Mode(ModeCode::Path(PathCode::LookAhead { letter, .. })), _) => {
             Slot::LookAhead(letter)
         }
-        (Action::Mode(ModeCode::Overrides { .. }) | Action::Mode(ModeCode::OverridesByP), _) => {
-            Slot::Overrides
-        }
+        (Action::Mode(ModeCode::Overrides { .. }), _) => Slot::Overrides,
+        (Action::Mode(ModeCode::OverridesByP), _) => Slot::OverridesByP,
         (Action::Mode(ModeCode::CompensationOff), _) => Slot::Compensation,
         (Action::Mode(ModeCode::CancelCycle), _) => Slot::Cycle,
         (_, Group::Units) => Slot::Units,
@@ -100,6 +101,9 @@ impl Said {
             let Some(row) = control.row_of(word) else { continue };
             if let Some(slot) = slot(row.group, row.action) {
                 let words = beside(word, &|letter| row.words.has(letter));
+                if slot == Slot::Overrides {
+                    self.lines.remove(&Slot::OverridesByP);
+                }
                 self.codes.remove(&slot);
                 self.lines.remove(&slot);
                 let has_own_line = words.len() > 1 || word.letter == b'M';
