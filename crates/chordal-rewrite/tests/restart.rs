@@ -403,7 +403,7 @@ fn what_the_control_keeps_is_brought_back_or_refused() {
     assert!(at(&text, "X8").is_err());
     // Tables that variables have written are not in the head.
     let text = format!("{begin}#5241=7\nG0 X5 Y5 Z5\nG1 X1\nX2\nM2\n");
-    assert_eq!(at(&text, "X2").expect_err("refused").reason, Reason::Unproved);
+    assert!(at(&text, "X2").is_err());
     // A length that is added is given by its sum.
     let text = format!("{begin}G43.1 Z25\nG43.2 H2\nG0 X5 Y5 Z5\nG1 X1\nX2\nM2\n");
     let mut machine = Machine::from_builtin("linuxcnc-mill").expect("a machine");
