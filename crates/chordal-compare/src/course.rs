@@ -198,6 +198,15 @@ impl Course {
         cuts.sum()
     }
 
+    /// The lowest feed of a cut, mm/s.
+    pub(crate) fn slowest(&self) -> Option<f64> {
+        let feeds = self.steps.iter().filter_map(|step| match step {
+            Step::Move(Moved { feed: Some(Speed::Path(speed)), .. }) => Some(*speed),
+            Step::Move(_) | Step::Event { .. } => None,
+        });
+        feeds.min_by(f64::total_cmp)
+    }
+
     /// The time of cuts and dwells as far as their feeds are known, s.
     pub(crate) fn cutting_s(&self) -> f64 {
         let times = self.steps.iter().map(|step| match step {

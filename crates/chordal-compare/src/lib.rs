@@ -306,11 +306,13 @@ fn times_apart(
     let times = courses.map(course::Course::cutting_s);
     let apart = (times[0] - times[1]).abs();
     let most = times[0].max(times[1]);
-    // A path within the tolerance may be longer, and takes longer then.
+    // A path within the tolerance may be longer, and takes longer then: at the lowest feed the longest.
     let lengths = courses.map(course::Course::cut_mm);
-    let longer = (lengths[0] - lengths[1]).abs() / lengths[0].max(lengths[1]).max(SAME_MM);
-    let part = options.time_tolerance.max(options.feed_tolerance) + longer;
-    if apart <= part * most || found.differences.iter().any(shows) {
+    let slowest =
+        courses.into_iter().filter_map(course::Course::slowest).fold(f64::INFINITY, f64::min);
+    let longer_s = (lengths[0] - lengths[1]).abs() / slowest;
+    let part = options.time_tolerance.max(options.feed_tolerance);
+    if apart <= part * most + longer_s || found.differences.iter().any(shows) {
         return None;
     }
     let ends = courses.map(|course| {
