@@ -74,6 +74,7 @@ pub fn compared(asked: &mut Asked) -> Result<Answer, Failure> {
     let comparing = Comparing {
         tolerance_mm,
         feed_tolerance: length("feedTolerance", options.feed_tolerance)?,
+        speed_tolerance: options.feed_tolerance,
         ignored,
         ..Comparing::default()
     };

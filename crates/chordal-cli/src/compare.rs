@@ -28,7 +28,8 @@ Examples:
 
 Chordal compares what the programs do, not their text: block numbers, spaces, subprograms, units, and
 how lines and arcs are divided make no difference. The distance is the largest one between two points
-that move along both paths from start to end, cuts and rapids in their order.
+that move along both paths from start to end, cuts and rapids in their order. Which tool is made ready is not
+compared.
 
 Exit code: 0 the same, or within the tolerance, 1 different, 2 wrong use.";
 
@@ -53,6 +54,10 @@ pub struct Args {
     /// Feeds and speeds that differ by this fraction count as the same
     #[arg(long, value_name = "PART", default_value_t = 1e-6)]
     feed_tolerance: f64,
+
+    /// The time of all cuts and dwells that differs by this fraction counts as the same
+    #[arg(long, value_name = "PART", default_value_t = 1e-3)]
+    time_tolerance: f64,
 
     /// Differences to ignore: feed, spindle, coolant, …
     #[arg(long, value_name = "CATEGORY", value_parser = category)]
@@ -100,6 +105,8 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let options = Options {
         tolerance_mm: args.tolerance,
         feed_tolerance: args.feed_tolerance,
+        speed_tolerance: args.feed_tolerance,
+        time_tolerance: args.time_tolerance,
         ignored: args.ignore.clone(),
         ..Options::default()
     };

@@ -6,6 +6,7 @@ use chordal_diagnostics::TextRange;
 use chordal_geometry::{Plane, Spline};
 
 use crate::axes::{AxisMask, Position};
+use crate::effect::Effect;
 use crate::mode::{Coolant, Overrides, PathMode, Side, SpindleState};
 use crate::motion::{ArcShape, Feed, FeedMode, Move, RapidPath};
 use crate::origin::Origin;
@@ -181,6 +182,8 @@ pub enum CommandKind {
         /// The line without its end.
         text: String,
     },
+    /// Something else that moves nothing.
+    Effect(Arc<Effect>),
 }
 
 /// A command and the block it comes from.
@@ -204,6 +207,12 @@ impl CommandKind {
             | CommandKind::Spline { motion, .. } => Some(motion),
             _ => None,
         }
+    }
+
+    /// It moves nothing, and no rule of the path knows it: it is for who compares two programs.
+    #[inline]
+    pub fn is_effect(&self) -> bool {
+        matches!(self, CommandKind::Effect(_))
     }
 
     /// The feed, where the command cuts.

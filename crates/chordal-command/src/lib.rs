@@ -22,6 +22,7 @@
 
 mod axes;
 mod command;
+mod effect;
 mod mode;
 mod motion;
 mod origin;
@@ -33,6 +34,7 @@ mod work_zero;
 
 pub use axes::{AxisMask, Position};
 pub use command::{Command, CommandKind};
+pub use effect::Effect;
 pub use mode::{Coolant, Overrides, PathMode, Side, SpindleState};
 pub use motion::{ArcShape, Feed, FeedAlong, FeedMode, Move, RapidPath, SurfaceSpeed};
 pub use origin::{CallPath, CallPaths, Origin};

@@ -43,6 +43,13 @@ enum Token {
     Stop,
     Probed,
     Output(String),
+    ReadyTool,
+    Code(String),
+    Written(String),
+    Variable(u32),
+    Message,
+    Alarm,
+    Deletable,
 }
 
 /// Which steps of two runs belong together.
@@ -76,7 +83,7 @@ pub(crate) fn align(a: &Course, b: &Course, grid_mm: f64) -> Alignment {
 
 /// Puts the steps of both together one by one, where both make as many of the same kinds in the same
 /// order; moves from or to places that are not known are left out. Nothing where they do not.
-pub(crate) fn in_step(a: &Course, b: &Course) -> Option<Alignment> {
+pub(crate) fn in_step(a: &Course, b: &Course, with_unknown: bool) -> Option<Alignment> {
     // The steps of a rapid are one.
     let groups = |course: &Course| -> Vec<Range<usize>> {
         let mut groups: Vec<Range<usize>> = Vec::new();
@@ -116,7 +123,22 @@ pub(crate) fn in_step(a: &Course, b: &Course) -> Option<Alignment> {
         let is_rapid = a.moved(at.start).is_some_and(|moved| moved.kind != MoveKind::Cut);
         if is_rapid { Region::Rapid(at, to) } else { Region::Matched(at, to) }
     });
-    Some(Alignment { regions: regions.collect(), moved: Vec::new() })
+    let mut regions: Vec<Region> = regions.collect();
+    // Of a move from a place that is not known all is compared but the path, at its first step.
+    let unknown = [a, b].map(|course| {
+        let moves = (0..course.steps.len()).filter_map(|at| Some((at, course.moved(at)?)));
+        let mut first: Vec<(usize, u32)> = moves
+            .filter(|(_, moved)| !moved.known)
+            .map(|(at, moved)| (at, moved.command))
+            .collect();
+        first.dedup_by_key(|(_, command)| *command);
+        first.into_iter().map(|(at, _)| at).collect::<Vec<usize>>()
+    });
+    if with_unknown && unknown[0].len() == unknown[1].len() {
+        let pairs = unknown[0].iter().zip(&unknown[1]);
+        regions.extend(pairs.map(|(at, to)| Region::Matched(*at..at + 1, *to..to + 1)));
+    }
+    Some(Alignment { regions, moved: Vec::new() })
 }
 
 /// What is the same and what is not, in order.
@@ -180,6 +202,13 @@ fn token(course: &Course, step: &Step, grid_mm: f64) -> Token {
             Event::Stop { .. } => Token::Stop,
             Event::Probed { .. } => Token::Probed,
             Event::Output(text) => Token::Output(text.clone()),
+            Event::ReadyTool(_) => Token::ReadyTool,
+            Event::Code(words) => Token::Code(words.clone()),
+            Event::Written { name, .. } => Token::Written(name.clone()),
+            Event::Variable { number, .. } => Token::Variable(*number),
+            Event::Message(_) => Token::Message,
+            Event::Alarm { .. } => Token::Alarm,
+            Event::Deletable(_) => Token::Deletable,
         },
     }
 }

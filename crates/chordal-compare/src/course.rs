@@ -6,10 +6,11 @@ use chordal::control::{
 };
 use chordal::geometry::{Curve, ParamCurve};
 use chordal::path::PathBuilder;
-use chordal::{Job, PathCommand, Report, Segment, Watch};
+use chordal::{Effect, Job, PathCommand, Report, Segment, SourceMap, Watch};
 
 use crate::Mapping;
 use crate::Options;
+use crate::category::Category;
 use crate::machine_places::MachinePlaces;
 
 /// A run: its moves, each with the state that it is made in, and what happens between them.
@@ -27,7 +28,7 @@ pub(crate) struct Course {
 #[allow(clippy::large_enum_variant, reason = "most steps are moves")]
 pub(crate) enum Step {
     Move(Moved),
-    Event { what: Event, origin: Origin },
+    Event { what: Event, origin: Origin, deletable: Option<Deletable> },
 }
 
 impl Step {
@@ -88,20 +89,52 @@ pub(crate) struct State {
     /// The tool offsets in force where the program gives them itself (G43.1), mm and rad.
     pub(crate) own_length: Option<Position>,
     pub(crate) radius_offset: Option<u32>,
+    /// The side of compensation, where the path does not show it.
+    pub(crate) side: Side,
     pub(crate) work_offset: u32,
     pub(crate) path_mode: PathMode,
     pub(crate) overrides: Overrides,
     /// The surface on which two coordinates lie.
     pub(crate) surface: Option<RotarySurface>,
+    /// A switch leaves out the block.
+    pub(crate) deletable: Option<Deletable>,
+}
+
+/// A switch of the panel leaves a block out, or a part of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Deletable {
+    pub(crate) switch: u8,
+    pub(crate) partly: bool,
 }
 
 /// What happens between moves.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Event {
     Tool(u32),
+    ReadyTool(u32),
+    Code(String),
+    Written {
+        name: String,
+        values: Vec<Option<f64>>,
+    },
+    Variable {
+        number: u32,
+        value: Option<f64>,
+    },
+    Message(String),
+    Alarm {
+        number: f64,
+        text: String,
+    },
+    /// A block that may be left out, and that neither moves nor makes anything else happen here.
+    Deletable(Deletable),
     Dwell(f64),
-    Stop { optional: bool },
-    Probed { hit: bool },
+    Stop {
+        optional: bool,
+    },
+    Probed {
+        hit: bool,
+    },
     Output(String),
 }
 
@@ -112,7 +145,7 @@ impl Course {
         machine_places: Option<MachinePlaces>,
     ) -> Course {
         let assume_known = options.assume_known;
-        let mut gather = Gather { machine_places, assume_known, ..Gather::new() };
+        let mut gather = Gather { machine_places, assume_known, ..Gather::new(job, options) };
         let report = if options.programmed {
             let builder = job.path_builder();
             let mut contour = Programmed { gather: &mut gather, builder, segments: Vec::new() };
@@ -120,6 +153,7 @@ impl Course {
         } else {
             job.report_watched(&mut gather)
         };
+        gather.end_deletable();
         let Gather { steps, states, turns, .. } = gather;
         Course { steps, states, turns, report }
     }
@@ -155,6 +189,40 @@ impl Course {
         }
     }
 
+    /// The length of the cuts whose ends are known, mm.
+    pub(crate) fn cut_mm(&self) -> f64 {
+        let cuts = self.steps.iter().map(|step| match step {
+            Step::Move(moved) if moved.known && moved.kind == MoveKind::Cut => moved.length_mm,
+            Step::Move(_) | Step::Event { .. } => 0.0,
+        });
+        cuts.sum()
+    }
+
+    /// The lowest feed of a cut, mm/s.
+    pub(crate) fn slowest(&self) -> Option<f64> {
+        let feeds = self.steps.iter().filter_map(|step| match step {
+            Step::Move(Moved { feed: Some(Speed::Path(speed)), .. }) => Some(*speed),
+            Step::Move(_) | Step::Event { .. } => None,
+        });
+        feeds.min_by(f64::total_cmp)
+    }
+
+    /// The time of cuts and dwells as far as their feeds are known, s.
+    pub(crate) fn cutting_s(&self) -> f64 {
+        let times = self.steps.iter().map(|step| match step {
+            // Where a move from an unknown place begins is not known, nor how long it is.
+            Step::Move(moved) if !moved.known => 0.0,
+            Step::Move(moved) => match moved.feed {
+                Some(Speed::Path(speed)) => moved.length_mm / speed,
+                Some(Speed::Turn(speed)) => 1.0 / speed,
+                Some(Speed::PerRevolution(_)) | None => 0.0,
+            },
+            Step::Event { what: Event::Dwell(seconds), .. } => *seconds,
+            Step::Event { .. } => 0.0,
+        });
+        times.sum()
+    }
+
     pub(crate) fn move_count(&self) -> u64 {
         self.steps.iter().filter(|step| matches!(step, Step::Move(_))).count() as u64
     }
@@ -184,7 +252,14 @@ pub(crate) fn was_interrupted(report: &Report) -> bool {
 /// Arcs of more turns stay whole.
 const MOST_TURNS: f64 = 1e5;
 
-struct Gather {
+struct Gather<'j> {
+    sources: &'j SourceMap<'j>,
+    ignored: &'j [Category],
+    ready_tools: bool,
+    programmed: bool,
+    in_step: bool,
+    /// The block that a switch leaves out, and whether a step of it has come.
+    deletable: Option<(Origin, Deletable, bool)>,
     steps: Vec<Step>,
     states: Vec<State>,
     turns: Vec<[[f64; 3]; 2]>,
@@ -195,8 +270,8 @@ struct Gather {
     assume_known: bool,
 }
 
-impl Gather {
-    fn new() -> Gather {
+impl<'j> Gather<'j> {
+    fn new(job: &'j Job, options: &'j Options) -> Gather<'j> {
         let now = State {
             spindle: SpindleState::Off,
             rpm: 0.0,
@@ -204,13 +279,21 @@ impl Gather {
             length_offset: None,
             own_length: None,
             radius_offset: None,
+            side: Side::Off,
             // Which offset holds before the program names one is the control's business: its first.
             work_offset: 1,
             path_mode: PathMode::Continuous { tolerance_mm: None, joined: false },
             overrides: Overrides::ON,
             surface: None,
+            deletable: None,
         };
         Gather {
+            sources: job.sources(),
+            ignored: &options.ignored,
+            ready_tools: options.ready_tools,
+            programmed: options.programmed,
+            in_step: options.in_step && options.unknown_in_step,
+            deletable: None,
             steps: Vec::new(),
             states: vec![now],
             turns: vec![[[0.0; 3]; 2]],
@@ -262,12 +345,74 @@ impl Gather {
     }
 
     fn event(&mut self, command: &Command, what: Event) {
-        self.steps.push(Step::Event { what, origin: command.origin });
+        if matches!(what, Event::ReadyTool(_)) && !self.ready_tools {
+            return;
+        }
+        // An event of one run alone would keep others from finding each other.
+        if Category::of(&command.kind).is_some_and(|category| self.ignored.contains(&category)) {
+            return;
+        }
+        let deletable = self.deletable_of(&command.origin);
+        self.steps.push(Step::Event { what, origin: command.origin, deletable });
+    }
+
+    /// What leaves out the block of a step.
+    fn deletable_of(&mut self, origin: &Origin) -> Option<Deletable> {
+        let (of, deletable, is_shown) = self.deletable.as_mut()?;
+        if (of.span, of.call) != (origin.span, origin.call) {
+            return None;
+        }
+        *is_shown = true;
+        Some(*deletable)
+    }
+
+    /// The block that may be left out is over: one of which no step came is an event of its own.
+    fn end_deletable(&mut self) {
+        if let Some((origin, deletable, false)) = self.deletable.take() {
+            let what = Event::Deletable(deletable);
+            self.steps.push(Step::Event { what, origin, deletable: None });
+        }
+    }
+
+    fn effect(&mut self, command: &Command, effect: &Effect) {
+        match effect {
+            Effect::Code(words) => self.event(command, Event::Code(words.clone())),
+            Effect::Written { name, values } => {
+                let (name, values) = (name.clone(), values.clone());
+                self.event(command, Event::Written { name, values });
+            }
+            Effect::Variable { number, value } => {
+                let (number, value) = (*number, *value);
+                self.event(command, Event::Variable { number, value });
+            }
+            Effect::Alarm { number, text } => {
+                let (number, text) = (*number, text.clone());
+                self.event(command, Event::Alarm { number, text });
+            }
+            Effect::Deletable { switch, partly } => {
+                self.end_deletable();
+                let deletable = Deletable { switch: *switch, partly: *partly };
+                self.deletable = Some((command.origin, deletable, false));
+            }
+        }
     }
 
     fn command(&mut self, command: &Command) {
         use CommandKind as Kind;
+        let of_block = |(origin, ..): &(Origin, Deletable, bool)| {
+            (origin.span, origin.call) == (command.origin.span, command.origin.call)
+        };
+        if self.deletable.as_ref().is_some_and(|deletable| !of_block(deletable)) {
+            self.end_deletable();
+        }
         match &command.kind {
+            Kind::Effect(effect) => self.effect(command, effect),
+            Kind::ToolSelect { number } => self.event(command, Event::ReadyTool(*number)),
+            Kind::ToolNumber { number } => self.event(command, Event::Tool(*number)),
+            Kind::Message(range) => {
+                let words = self.sources.words(range.in_file(command.origin.span.file));
+                self.event(command, Event::Message(words.trim().to_string()));
+            }
             Kind::Tool { number } => self.event(command, Event::Tool(*number)),
             Kind::Dwell { seconds, .. } if *seconds > 0.0 => {
                 self.event(command, Event::Dwell(*seconds));
@@ -283,6 +428,7 @@ impl Gather {
             }
             Kind::Coolant(coolant) => self.now.coolant = *coolant,
             Kind::Compensation { side, number, .. } => {
+                self.now.side = if self.programmed { *side } else { Side::Off };
                 self.now.radius_offset = if *side == Side::Off { None } else { *number };
             }
             Kind::ToolLength { number, offset, .. } => {
@@ -295,27 +441,37 @@ impl Gather {
             Kind::Overrides(overrides) => self.now.overrides = *overrides,
             Kind::Surface { surface, .. } => self.now.surface = *surface,
             Kind::End => self.now.surface = None,
-            // How the words are to be read is in the moves already; a tool that is made ready
-            // moves nothing, and messages are text.
-            _ => {}
+            // How the words are to be read is in the moves already.
+            Kind::Rapid { .. }
+            | Kind::Line { .. }
+            | Kind::Arc { .. }
+            | Kind::Spiral { .. }
+            | Kind::Spline { .. }
+            | Kind::Dwell { .. }
+            | Kind::CornerArc { .. }
+            | Kind::Idle
+            | Kind::Units(_)
+            | Kind::Plane(_)
+            | Kind::FeedMode(_)
+            | Kind::FeedRate { .. } => {}
         }
     }
 }
 
-impl Watch for Gather {
+impl Watch for Gather<'_> {
     fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
         self.take(path.command, segments);
     }
 }
 
 /// The path before cutter compensation.
-struct Programmed<'g, 'm> {
-    gather: &'g mut Gather,
+struct Programmed<'g, 'j, 'm> {
+    gather: &'g mut Gather<'j>,
     builder: PathBuilder<'m>,
     segments: Vec<Segment>,
 }
 
-impl Watch for Programmed<'_, '_> {
+impl Watch for Programmed<'_, '_, '_> {
     fn programmed(&mut self, command: &Command) {
         self.segments.clear();
         self.builder.command(command, |segment| self.segments.push(*segment));
@@ -323,7 +479,7 @@ impl Watch for Programmed<'_, '_> {
     }
 }
 
-impl Gather {
+impl Gather<'_> {
     fn take(&mut self, command: &Command, segments: &[Segment]) {
         self.command(command);
         self.commands += 1;
@@ -332,9 +488,13 @@ impl Gather {
         let feed_mode = command.kind.feed().map(|feed| feed.mode);
         for segment in segments {
             let turn = self.turn(segment);
-            if segment.length_mm == 0.0 && segment.rotary_from == segment.rotary_to {
+            // From a place that is not known the numbers may say that nothing moves.
+            let is_counted = self.in_step && !segment.known && !self.assume_known;
+            let stays = segment.length_mm == 0.0 && segment.rotary_from == segment.rotary_to;
+            if stays && !is_counted {
                 continue;
             }
+            self.now.deletable = self.deletable_of(&segment.origin);
             let moved = Moved {
                 curve: segment.curve,
                 length_mm: segment.length_mm,

@@ -7,6 +7,7 @@ use chordal::diagnostics::{Counts, FileId, Span, TextRange};
 use chordal::geometry::{ParamCurve, Vec3};
 use chordal::{Diagnostic, Job, Report, Severity, Summary};
 
+use crate::category::Category;
 use crate::course::{Course, Event, MoveKind, Moved, Step};
 use crate::{Comparison, Options, SAME_MM, conclude};
 
@@ -74,6 +75,10 @@ pub fn compare_joined(whole: &Job, parts: &[Part], options: &Options) -> Compari
 }
 
 fn joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
+    // What each part says once the whole says once: the texts are the same.
+    let mut options = options.clone();
+    options.ignored.extend([Category::Value, Category::NotRun, Category::Variable]);
+    let options = &options;
     let mut a = Course::of(whole, options, None);
     let begins = begins(&a, parts);
     let mut b =
@@ -146,10 +151,22 @@ fn join(joined: &mut Course, part: &Part, options: &Options) {
             }
             Step::Event { what: Event::Tool(number), .. }
                 if is_own && tool(joined) == Some(number) => {}
-            Step::Event { what, .. } => joined.steps.push(Step::Event { what, origin }),
+            // The head says again what was said before.
+            Step::Event {
+                what: what @ (Event::Code(_) | Event::Written { .. } | Event::Variable { .. }),
+                ..
+            } if is_own && has_event(joined, &what) => {}
+            Step::Event { what, deletable, .. } => {
+                joined.steps.push(Step::Event { what, origin, deletable });
+            }
         }
     }
     join_reports(&mut joined.report, run.report, part);
+}
+
+fn has_event(course: &Course, event: &Event) -> bool {
+    let is_it = |step: &Step| matches!(step, Step::Event { what, .. } if what == event);
+    course.steps.iter().any(is_it)
 }
 
 /// The tool in the spindle after the last step.

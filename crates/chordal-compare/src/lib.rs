@@ -28,16 +28,19 @@
 
 mod align;
 mod bound;
+mod category;
 mod couple;
 mod course;
 mod difference;
 mod frechet;
 mod joined;
 mod machine_places;
+mod not_run;
 mod passes;
 mod pecks;
 mod problems;
 mod steps;
+mod values;
 mod walk;
 
 use std::collections::BTreeSet;
@@ -45,10 +48,12 @@ use std::collections::BTreeSet;
 use chordal::geometry::Transform;
 use chordal::{Job, Machine, Report};
 
-pub use difference::{Blocks, Category, Difference, Place, Value};
+pub use category::{Category, Command, shared_reference};
+pub use difference::{Blocks, Difference, Place, Value};
 pub use joined::{Kept, Part, compare_joined};
 pub use passes::{FreePasses, LastPass, Passes};
 pub use pecks::Pecks;
+pub use values::are_same_values;
 
 /// Places nearer than this are the same, mm. Doubles leave up to a hundredth of it when a centre is
 /// computed from a radius; no control computes as finely.
@@ -59,8 +64,12 @@ pub const SAME_MM: f64 = 1e-9;
 pub struct Options {
     /// Paths may be this far apart, mm.
     pub tolerance_mm: f64,
-    /// Feeds and speeds may differ by this part of them.
+    /// Feeds may differ by this part of them.
     pub feed_tolerance: f64,
+    /// Spindle speeds may differ by this part of them.
+    pub speed_tolerance: f64,
+    /// The time of all cuts and dwells may differ by this part of it.
+    pub time_tolerance: f64,
     /// Rotary axes may stand this far apart, rad.
     pub rotary_tolerance_rad: f64,
     /// Bounds of distances between curves of different kinds are found to this, mm.
@@ -73,11 +82,15 @@ pub struct Options {
     pub assume_known: bool,
     /// Differences of these are none.
     pub ignored: Vec<Category>,
+    /// Tools that are made ready count. They move nothing, and programs name them sooner or later.
+    pub ready_tools: bool,
     /// So many differences are kept; the rest is counted.
     pub kept: usize,
     /// The two are meant to make the same moves: where both make as many of the same kinds, they are held
     /// against each other one by one in their order, and moves between places that are not known not at all.
     pub in_step: bool,
+    /// In step, of moves between places that are not known all is compared but the path: the way, the feed, the state.
+    pub unknown_in_step: bool,
     /// Lines of either program whose canned cycles may drill in other steps: there a hole counts as one
     /// cut from R to its bottom, and how the steps differ is reported apart ([`Comparison::pecks`]).
     pub free_pecks: [BTreeSet<u32>; 2],
@@ -91,13 +104,17 @@ impl Default for Options {
         Options {
             tolerance_mm: 0.0,
             feed_tolerance: 1e-6,
+            speed_tolerance: 1e-6,
+            time_tolerance: 1e-3,
             rotary_tolerance_rad: 1e-9,
             precision_mm: 1e-6,
             programmed: false,
             assume_known: false,
             ignored: Vec::new(),
+            ready_tools: false,
             kept: 1000,
             in_step: false,
+            unknown_in_step: false,
             free_pecks: Default::default(),
             free_passes: Default::default(),
         }
@@ -225,12 +242,23 @@ fn conclude(
     // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
     // what rounding may do.
     let grid_mm = (options.tolerance_mm / 2.0).max(1e-6);
-    let in_step = if options.in_step { align::in_step(&a, &b) } else { None };
+    let in_step =
+        if options.in_step { align::in_step(&a, &b, options.unknown_in_step) } else { None };
     walk.along(&in_step.unwrap_or_else(|| align::align(&a, &b, grid_mm)));
     let mut found = walk.finish();
     problems::compare(jobs, [&a.report, &b.report], &mut found);
+    if !options.ignored.contains(&Category::Value) {
+        problems::compare_values(jobs, [&a.report, &b.report], &mut found);
+    }
+    if !options.ignored.contains(&Category::NotRun) {
+        not_run::compare(jobs, [&a.report, &b.report], &mut found);
+    }
     let pecks = pecks::compare(&apart.holes, options.tolerance_mm, &mut found.differences);
     let passes = passes::compare(&apart.cycles, options.tolerance_mm, &mut found.differences);
+    let has_other_steps = !pecks.is_empty() || !passes.is_empty();
+    if !has_other_steps && let Some(times) = times_apart([&a, &b], &found, options) {
+        found.differences.push(times);
+    }
     found.differences.retain(|difference| !options.ignored.contains(&difference.category));
     let verified = a.report.verified() && b.report.verified();
     let has_path = found.max_distance_mm.is_some_and(|distance| distance > SAME_MM);
@@ -255,6 +283,46 @@ fn conclude(
         passes,
         reports: [a.report, b.report],
     }
+}
+
+/// The time of cuts and dwells, where nothing else shows why it differs.
+fn times_apart(
+    courses: [&course::Course; 2],
+    found: &walk::Found,
+    options: &Options,
+) -> Option<Difference> {
+    let shows = |difference: &Difference| {
+        matches!(
+            difference.category,
+            Category::Path
+                | Category::Order
+                | Category::Rapid
+                | Category::Rotary
+                | Category::Unknown
+                | Category::Feed
+                | Category::Dwell
+        )
+    };
+    let times = courses.map(course::Course::cutting_s);
+    let apart = (times[0] - times[1]).abs();
+    let most = times[0].max(times[1]);
+    // A path within the tolerance may be longer, and takes longer then: at the lowest feed the longest.
+    let lengths = courses.map(course::Course::cut_mm);
+    let slowest =
+        courses.into_iter().filter_map(course::Course::slowest).fold(f64::INFINITY, f64::min);
+    let longer_s = (lengths[0] - lengths[1]).abs() / slowest;
+    let part = options.time_tolerance.max(options.feed_tolerance);
+    if apart <= part * most + longer_s || found.differences.iter().any(shows) {
+        return None;
+    }
+    let ends = courses.map(|course| {
+        let place = |step: Option<&course::Step>| step.map(|step| Place::from(step.origin()));
+        let (first, last) = (place(course.steps.first()), place(course.steps.last()));
+        first.zip(last).map(|(first, last)| Blocks { first, last })
+    });
+    let steps = courses.map(|course| course.steps.len() as u64);
+    let values = Some(times.map(Value::Seconds));
+    Some(Difference::new(Category::Time, ends, steps, values))
 }
 
 /// Nothing can be said of a run that was given up.

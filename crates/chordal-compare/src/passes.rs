@@ -9,8 +9,9 @@ use std::collections::BTreeMap;
 
 use chordal::geometry::{Curve, Line, ParamCurve, Vec3};
 
+use crate::category::Category;
 use crate::course::{Course, MoveKind, Moved, Step};
-use crate::difference::{Blocks, Category, Difference, Place};
+use crate::difference::{Blocks, Difference, Place};
 
 /// What of a cycle stays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,8 +10,9 @@ use std::collections::BTreeSet;
 use chordal::geometry::{Curve, Line, Vec3};
 
 use crate::SAME_MM;
+use crate::category::Category;
 use crate::course::{Course, MoveKind, Moved, Speed, Step};
-use crate::difference::{Blocks, Category, Difference, Place};
+use crate::difference::{Blocks, Difference, Place};
 
 /// Steps closer to each other than this, mm, are the same: what two texts leave by rounding.
 const SAME_STEP_MM: f64 = 1e-6;

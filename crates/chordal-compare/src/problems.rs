@@ -2,9 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use chordal::{Diagnostic, Job, Report, Severity};
+use chordal::{Code, Diagnostic, Job, Report, Severity};
 
-use crate::difference::{Blocks, Category, Difference, Place, Value};
+use crate::category::Category;
+use crate::difference::{Blocks, Difference, Place, Value};
 use crate::walk::Found;
 
 /// Adds the errors by code that occur in one run more often than in the other.
@@ -22,11 +23,7 @@ pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Found)
                 Value::Text(format!("{code}: {}", first.message))
             })
         });
-        let blocks = [0, 1].map(|side: usize| {
-            let span = of[side]?.1.primary.span;
-            let line = jobs[side].sources().get(span.file)?.line_of(span.range.start);
-            Some(Blocks::at(Place { span, line }))
-        });
+        let blocks = [0, 1].map(|side: usize| place(jobs[side], of[side]?.1));
         found.differences.push(Difference::new(Category::Problem, blocks, counts, Some(values)));
     }
 }
@@ -43,4 +40,47 @@ fn errors(report: &Report) -> BTreeMap<&'static str, (u64, &Diagnostic)> {
         }
     }
     errors
+}
+
+/// Adds the values that one run reads and does not know, and the other does not read.
+pub(crate) fn compare_values(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Found) {
+    let said = reports.map(|report| {
+        let mut said: BTreeMap<&str, Vec<&Diagnostic>> = BTreeMap::new();
+        for diagnostic in &report.diagnostics {
+            if VALUES.contains(&diagnostic.code) {
+                said.entry(diagnostic.message.as_str()).or_default().push(diagnostic);
+            }
+        }
+        said
+    });
+    let messages: BTreeSet<&str> = said.iter().flat_map(BTreeMap::keys).copied().collect();
+    for message in messages {
+        let of = said.each_ref().map(|said| said.get(message).map_or(&[][..], Vec::as_slice));
+        if of[0].len() == of[1].len() {
+            continue;
+        }
+        let counts = of.map(|of| of.len() as u64);
+        let blocks = [0, 1].map(|side: usize| place(jobs[side], of[side].first()?));
+        let values = of.map(|of| match of {
+            [] => Value::Nothing,
+            _ => Value::Text(message.to_string()),
+        });
+        found.differences.push(Difference::new(Category::Value, blocks, counts, Some(values)));
+    }
+}
+
+/// What a run says of values that nobody knows.
+const VALUES: &[Code] = &[
+    Code::UnknownVariable,
+    Code::SystemVariable,
+    Code::UnknownPath,
+    Code::UnknownTime,
+    Code::AssumedBranch,
+];
+
+/// Where a diagnostic stands.
+fn place(job: &Job, diagnostic: &Diagnostic) -> Option<Blocks> {
+    let span = diagnostic.primary.span;
+    let line = job.sources().get(span.file)?.line_of(span.range.start);
+    Some(Blocks::at(Place { span, line }))
 }

@@ -4,18 +4,22 @@ use std::ops::Range;
 
 use imara_diff::{Algorithm, Diff, InternedInput};
 
-use chordal::control::{Position, RotarySurface, SurfaceShape, number_text};
+use chordal::control::{Position, RotarySurface, Side, SurfaceShape, number_text};
 
-use crate::course::{Course, Event, MoveKind, Moved, Speed, State, Step};
-use crate::difference::{Blocks, Category, Difference, Place, Value};
+use crate::Options;
+use crate::category::Category;
+use crate::course::{Course, Deletable, Event, MoveKind, Moved, Speed, State, Step};
+use crate::difference::{Blocks, Difference, Place, Value};
+use crate::values::are_same_values;
 
-/// Tool lengths that differ by less are the same, mm: below the least increment of every control.
-const SAME_LENGTH_MM: f64 = 1e-5;
+/// Dwells that differ by this part are the same: no control counts as finely.
+const SAME_DWELL: f64 = 1e-5;
 
 /// Gathers differences; those of one kind that follow each other are one.
 pub(crate) struct Steps<'a> {
     courses: [&'a Course; 2],
     feed_tolerance: f64,
+    speed_tolerance: f64,
     rotary_tolerance: f64,
     /// By category: what differs at the moves just seen.
     open: [Option<Difference>; Category::ALL.len()],
@@ -23,13 +27,15 @@ pub(crate) struct Steps<'a> {
 }
 
 impl<'a> Steps<'a> {
-    pub(crate) fn new(
-        courses: [&'a Course; 2],
-        feed_tolerance: f64,
-        rotary_tolerance: f64,
-    ) -> Steps<'a> {
-        let open = [const { None }; Category::ALL.len()];
-        Steps { courses, feed_tolerance, rotary_tolerance, open, done: Vec::new() }
+    pub(crate) fn new(courses: [&'a Course; 2], options: &Options) -> Steps<'a> {
+        Steps {
+            courses,
+            feed_tolerance: options.feed_tolerance,
+            speed_tolerance: options.speed_tolerance,
+            rotary_tolerance: options.rotary_tolerance_rad,
+            open: [const { None }; Category::ALL.len()],
+            done: Vec::new(),
+        }
     }
 
     pub(crate) fn finish(&mut self) -> Vec<Difference> {
@@ -72,7 +78,9 @@ impl<'a> Steps<'a> {
             self.note(Category::Feed, feed, at);
         }
         let states = (self.courses[0].state(one), self.courses[1].state(other));
-        for (category, values) in differences(states.0, states.1, self.feed_tolerance) {
+        // Revolutions that keep a cutting speed follow the diameter, which is not known there either.
+        let speed_tolerance = if is_known { self.speed_tolerance } else { 1.0 };
+        for (category, values) in differences(states.0, states.1, speed_tolerance) {
             self.note(category, values, at);
         }
     }
@@ -125,9 +133,20 @@ impl<'a> Steps<'a> {
             return;
         };
         let is_same = match (one, other) {
-            (Event::Dwell(a), Event::Dwell(b)) => is_part(*a, *b, self.feed_tolerance),
+            (Event::Dwell(a), Event::Dwell(b)) => is_part(*a, *b, SAME_DWELL),
+            (Event::Written { name: a, values: x }, Event::Written { name: b, values: y }) => {
+                a == b && are_same_values(x, y)
+            }
+            (Event::Variable { number: a, value: x }, Event::Variable { number: b, value: y }) => {
+                a == b && are_same_values(&[*x], &[*y])
+            }
             _ => one == other,
         };
+        let marks = [0, 1].map(|side: usize| deletable(self.courses[side], at[side]));
+        if marks[0] != marks[1] {
+            let values = Some(marks.map(deletable_value));
+            self.done.push(Difference::at(Category::BlockDelete, [a, b], values));
+        }
         if !is_same {
             let values = Some([event_value(one), event_value(other)]);
             self.done.push(Difference::at(category(one), [a, b], values));
@@ -144,7 +163,7 @@ impl<'a> Steps<'a> {
             return;
         }
         let kind = |side: usize, at: &usize| {
-            event(self.courses[side], *at).map(|(event, _)| category(event))
+            event(self.courses[side], *at).map(|(event, _)| (category(event), name(event)))
         };
         let mut input = InternedInput::default();
         input.update_before(events[0].iter().map(|at| kind(0, at)));
@@ -206,9 +225,31 @@ pub(crate) fn lacking(
 
 fn event(course: &Course, at: usize) -> Option<(&Event, Place)> {
     match course.steps.get(at)? {
-        Step::Event { what, origin } => Some((what, Place::from(origin))),
+        Step::Event { what, origin, .. } => Some((what, Place::from(origin))),
         Step::Move(_) => None,
     }
+}
+
+fn deletable(course: &Course, at: usize) -> Option<Deletable> {
+    match course.steps.get(at)? {
+        Step::Event { deletable, .. } => *deletable,
+        Step::Move(_) => None,
+    }
+}
+
+fn deletable_value(deletable: Option<Deletable>) -> Value {
+    deletable.map_or(Value::Nothing, |deletable| {
+        let mark = match deletable.switch {
+            1 => "/".to_string(),
+            switch => format!("/{switch}"),
+        };
+        Value::Text(if deletable.partly { format!("{mark} in the block") } else { mark })
+    })
+}
+
+fn written_text(name: &str, values: &[Option<f64>]) -> String {
+    let values: Vec<String> = values.iter().flatten().map(|value| number_text(*value, 4)).collect();
+    format!("{name} = {}", if values.is_empty() { "nothing".into() } else { values.join(", ") })
 }
 
 fn category(event: &Event) -> Category {
@@ -218,6 +259,32 @@ fn category(event: &Event) -> Category {
         Event::Stop { .. } => Category::Stop,
         Event::Probed { .. } => Category::Probe,
         Event::Output(_) => Category::Output,
+        Event::ReadyTool(_) => Category::ReadyTool,
+        Event::Code(_) => Category::Code,
+        Event::Written { .. } => Category::Written,
+        Event::Variable { .. } => Category::Variable,
+        Event::Message(_) => Category::Message,
+        Event::Alarm { .. } => Category::Alarm,
+        Event::Deletable(_) => Category::BlockDelete,
+    }
+}
+
+/// What events of one category are told apart by: another code is not the same code with another word.
+fn name(event: &Event) -> &str {
+    match event {
+        Event::Code(words) => words.split(' ').next().unwrap_or_default(),
+        Event::Written { name, .. } => name,
+        // Each is known by its number, which is in its token.
+        Event::Variable { .. }
+        | Event::Tool(_)
+        | Event::ReadyTool(_)
+        | Event::Dwell(_)
+        | Event::Stop { .. }
+        | Event::Probed { .. }
+        | Event::Output(_)
+        | Event::Message(_)
+        | Event::Alarm { .. }
+        | Event::Deletable(_) => "",
     }
 }
 
@@ -229,7 +296,14 @@ fn event_value(event: &Event) -> Value {
         Event::Stop { optional: false } => Value::Text("stop".into()),
         Event::Probed { hit: true } => Value::Text("touched".into()),
         Event::Probed { hit: false } => Value::Text("not touched".into()),
-        Event::Output(text) => Value::Text(text.clone()),
+        Event::Output(text) | Event::Code(text) | Event::Message(text) => Value::Text(text.clone()),
+        Event::ReadyTool(number) => Value::Number(*number),
+        Event::Written { name, values } => Value::Text(written_text(name, values)),
+        Event::Variable { number, value } => {
+            Value::Text(written_text(&format!("#{number}"), &[*value]))
+        }
+        Event::Alarm { number, text } => Value::Text(format!("{number} {text}").trim().into()),
+        Event::Deletable(mark) => deletable_value(Some(*mark)),
     }
 }
 
@@ -281,6 +355,14 @@ fn is_same_surface(a: Option<RotarySurface>, b: Option<RotarySurface>) -> bool {
     }
 }
 
+fn side_value(side: Side) -> Value {
+    match side {
+        Side::Off => Value::Nothing,
+        Side::Left => Value::Text("left of the contour".into()),
+        Side::Right => Value::Text("right of the contour".into()),
+    }
+}
+
 fn surface_value(surface: Option<RotarySurface>) -> Value {
     Value::Text(match surface.map(|surface| surface.shape) {
         None => "the axes themselves".into(),
@@ -296,7 +378,7 @@ fn surface_value(surface: Option<RotarySurface>) -> Value {
 /// Tool offsets that programs give themselves are the same, whatever their units.
 fn is_same_length(a: Option<Position>, b: Option<Position>) -> bool {
     match (a, b) {
-        (Some(a), Some(b)) => a.iter().zip(&b).all(|(a, b)| (a - b).abs() < SAME_LENGTH_MM),
+        (Some(a), Some(b)) => are_same_values(&a.map(Some), &b.map(Some)),
         (a, b) => a == b,
     }
 }
@@ -310,7 +392,7 @@ fn own_length_text(values: &Position) -> String {
 }
 
 /// What differs of two states; nothing for each category that is the same.
-fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Value; 2]>); 8] {
+fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Value; 2]>); 9] {
     let number = |number: Option<u32>| number.map_or(Value::Nothing, Value::Number);
     let length = |state: &State| match state.own_length {
         Some(values) => Value::Text(own_length_text(&values)),
@@ -330,10 +412,13 @@ fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Valu
         ),
         (
             Category::RadiusOffset,
-            of(
-                a.radius_offset != b.radius_offset,
-                [number(a.radius_offset), number(b.radius_offset)],
-            ),
+            match a.side != b.side {
+                true => Some([a.side, b.side].map(side_value)),
+                false => of(
+                    a.radius_offset != b.radius_offset,
+                    [number(a.radius_offset), number(b.radius_offset)],
+                ),
+            },
         ),
         (
             Category::WorkOffset,
@@ -364,6 +449,13 @@ fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Valu
             Category::Rotary,
             (!is_same_surface(a.surface, b.surface))
                 .then(|| [surface_value(a.surface), surface_value(b.surface)]),
+        ),
+        (
+            Category::BlockDelete,
+            of(
+                a.deletable != b.deletable,
+                [deletable_value(a.deletable), deletable_value(b.deletable)],
+            ),
         ),
     ]
 }

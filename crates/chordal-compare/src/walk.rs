@@ -7,9 +7,10 @@ use chordal::geometry::{Curve, ParamCurve, Placement, Vec3};
 
 use crate::align::{Alignment, Region};
 use crate::bound::{Stretch, bound};
+use crate::category::Category;
 use crate::couple::{Couple, couple, most, move_by_move};
 use crate::course::{Course, Moved, Step};
-use crate::difference::{Category, Difference, Place, in_order};
+use crate::difference::{Difference, Place, in_order};
 use crate::frechet::{MOST_CELLS, frechet};
 use crate::steps::{Steps, lacking};
 use crate::{Options, SAME_MM};
@@ -47,7 +48,7 @@ pub(crate) struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     pub(crate) fn new(a: &'a Course, b: &'a Course, options: &'a Options) -> Walk<'a> {
-        let steps = Steps::new([a, b], options.feed_tolerance, options.rotary_tolerance_rad);
+        let steps = Steps::new([a, b], options);
         let found = Found::default();
         let elsewhere = Default::default();
         Walk { courses: [a, b], options, steps, found, open: None, elsewhere }

@@ -92,6 +92,8 @@ impl<'a, W: Write> Canon<'a, W> {
             CommandKind::FeedMode(mode) => self.feed_mode(line, *mode),
             // The feed is written where it is used, in mm/min; the units are always mm.
             CommandKind::FeedRate { .. } => {}
+            // What moves nothing and no rule of the path knows is for who compares programs.
+            CommandKind::Effect(_) => {}
             CommandKind::Units(units) => {
                 let word = if *units == Units::Inch { "inches" } else { "millimetres" };
                 self.plain(line, &format!("COMMENT(\"units of the program: {word}\")"));

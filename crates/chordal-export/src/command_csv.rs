@@ -118,6 +118,9 @@ impl<W: Write> CommandCsv<W> {
     /// # Errors
     /// Those of the output.
     pub fn command(&mut self, command: &Command) -> io::Result<()> {
+        if command.kind.is_effect() {
+            return Ok(());
+        }
         let kind = match &command.kind {
             CommandKind::Rapid { motion, .. } => {
                 self.ends(motion);

@@ -93,6 +93,9 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
     }
 
     fn write(&mut self, command: &Command, more: impl FnOnce(&mut Object)) -> io::Result<()> {
+        if command.kind.is_effect() {
+            return Ok(());
+        }
         let mut object = Object::open(&mut self.line);
         write_origin(&mut object, &command.origin, self.sources);
         let context = Context {

@@ -30,7 +30,7 @@ pub fn comparison_text(
         if unknown > 0 {
             let words = counted(unknown as u64, "word", "words");
             text += &format!(
-                "{name}: {words} not carried out, so their effect is not compared; `chordal check` lists them\n"
+                "{name}: {words} not carried out: compared by their codes, not by what they do; `chordal check` lists them\n"
             );
         }
         if !report.verified() {

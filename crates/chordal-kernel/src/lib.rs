@@ -36,7 +36,8 @@ mod pockets;
 pub mod rules;
 mod sink;
 mod spindle_checks;
-pub mod state;
+pub mod standing;
+mod state;
 mod statement;
 mod surface;
 mod surface_codes;
@@ -51,11 +52,12 @@ pub use kernel::{Alarms, Kernel, KernelMemory, Reported};
 pub use language::{Class, EndReason, Language, Outcome, ProgramPlace, Ran, Token};
 pub use modal::{Modal, MotionMode};
 pub use motion::{ArcWords, SpiralWords, is_over};
-pub use offsets::{LengthOffset, Offsets, Presets};
+pub use offsets::{LengthOffset, Offsets, Presets, WrittenOffset};
 pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::RunSink;
 pub use spindle_checks::hole_at_surface_speed;
+pub use standing::{StateItem, StateValue};
 pub use state::{
     CycleState, LiveTool, Motion, OverrideState, SplineForm, StartAxes, State, ThreadMemory,
     TurnPass, TurningMemory, UnknownWords,

@@ -7,6 +7,7 @@ use chordal_geometry::{Direction, Plane};
 
 use crate::frames::FrameKinds;
 use crate::rules::{ArcCenter, CycleKind};
+use crate::standing::{StateItem, StateValue};
 use crate::state::{LiveTool, Motion, SplineForm, State, TurnPass};
 
 /// What a block without a motion code does.
@@ -95,6 +96,8 @@ pub struct Modal {
     pub radius_offset: Option<u32>,
     /// How corners are passed.
     pub path_mode: PathMode,
+    /// All that the control keeps, item by item.
+    pub standing: Vec<(StateItem, StateValue)>,
 }
 
 impl Modal {
@@ -136,13 +139,14 @@ impl Modal {
             own_length: state.offsets.own_length(),
             radius_offset: state.radius_offset,
             path_mode: state.path.in_force(),
+            standing: state.standing(),
         }
     }
 }
 
 impl State {
     /// The frames that words are read in.
-    fn frame_kinds(&self) -> FrameKinds {
+    pub(crate) fn frame_kinds(&self) -> FrameKinds {
         FrameKinds {
             polar: self.polar.is_some(),
             surface: self.surface.is_some(),

@@ -1,6 +1,6 @@
 //! Work offsets, shifts and tool length: what lies between program and machine coordinates.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use chordal_command::{AxisMask, Position, UnknownPresets, WorkName, WorkNaming, WorkZero};
 use chordal_geometry::Plane;
@@ -42,6 +42,21 @@ pub struct Offsets {
     system: Position,
     system_known: AxisMask,
     known: AxisMask,
+    /// What was written and is not told yet.
+    written: Vec<WrittenOffset>,
+    /// All that was written.
+    touched: BTreeSet<WrittenOffset>,
+}
+
+/// A place of the offset tables that a program has written.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum WrittenOffset {
+    /// A work coordinate system by its key, on an axis.
+    Work(String, usize),
+    /// Its rotation.
+    Rotation(String),
+    /// A tool.
+    Tool(u32),
 }
 
 /// What G92 and its like have made of the coordinates.
@@ -137,6 +152,8 @@ impl Offsets {
             system: [0.0; AXES],
             system_known: AxisMask::NONE,
             known: AxisMask::NONE,
+            written: Vec::new(),
+            touched: BTreeSet::new(),
         };
         offsets.update();
         offsets
@@ -271,11 +288,50 @@ impl Offsets {
         };
         let old = values[axis].unwrap_or(0.0);
         values[axis] = Some(if add { old + value } else { value });
+        self.note_written(WrittenOffset::Work(key.to_string(), axis));
     }
 
     /// Writes the rotation of a work coordinate system, degrees.
     pub fn write_rotation(&mut self, key: &str, degrees: f64) {
         self.rotations.insert(key.to_string(), degrees);
+        self.note_written(WrittenOffset::Rotation(key.to_string()));
+    }
+
+    /// The last of the same place counts.
+    fn note_written(&mut self, place: WrittenOffset) {
+        self.touched.insert(place.clone());
+        self.written.retain(|other| *other != place);
+        self.written.push(place);
+    }
+
+    /// What was written since this was asked last.
+    #[inline]
+    pub fn take_written(&mut self) -> Vec<WrittenOffset> {
+        std::mem::take(&mut self.written)
+    }
+
+    /// All places that were written, with what they hold.
+    pub(crate) fn all_written(&self) -> Vec<(String, Vec<Option<f64>>)> {
+        let places = self.touched.iter();
+        places.map(|place| (format!("{place:?}"), self.written_values(place))).collect()
+    }
+
+    /// By how much G52 and G92 have moved the zero of an axis.
+    pub(crate) fn shift_of(&self, axis: usize) -> f64 {
+        self.shift[axis] + self.preset[axis]
+    }
+
+    /// What a written place holds now.
+    pub fn written_values(&self, place: &WrittenOffset) -> Vec<Option<f64>> {
+        match place {
+            WrittenOffset::Work(key, axis) => vec![self.work_value(key, *axis)],
+            WrittenOffset::Rotation(key) => vec![Some(self.rotation(key))],
+            WrittenOffset::Tool(number) => self.tool(*number).map_or_else(Vec::new, |tool| {
+                let offsets = tool.offset.iter().chain(&tool.offset_wear).copied();
+                let tip = tool.tip.map(f64::from);
+                offsets.chain([tool.diameter_mm, tool.diameter_wear_mm, tip]).collect()
+            }),
+        }
     }
 
     /// The rotation of a work coordinate system, degrees.
@@ -318,6 +374,7 @@ impl Offsets {
 
     /// The offsets of a tool, to change them.
     pub fn tool_mut(&mut self, number: u32) -> &mut Tool {
+        self.note_written(WrittenOffset::Tool(number));
         self.tools.entry(number).or_default()
     }
 

@@ -457,7 +457,13 @@ impl Program {
                     .ok_or_else(|| error::value(format!("there is no category {word}")))
             })
             .collect::<PyResult<_>>()?;
-        let options = Comparing { tolerance_mm, feed_tolerance, ignored, ..Comparing::default() };
+        let options = Comparing {
+            tolerance_mm,
+            feed_tolerance,
+            speed_tolerance: feed_tolerance,
+            ignored,
+            ..Comparing::default()
+        };
         self.ask(py, |job| {
             let other = other.loaded.job().map_err(|failure| error::inside(failure.to_string()))?;
             let found = compare(job, &other, &options);

@@ -64,6 +64,24 @@ impl<'a> Source<'a> {
         String::from_utf8_lossy(words).trim().to_string()
     }
 
+    /// A code of a block with those of its other words that are numbers and belong to it.
+    pub fn code_with(
+        &self,
+        block: &Block,
+        code: &Word,
+        belongs: impl Fn(u8) -> bool,
+    ) -> Vec<String> {
+        let words = block.words.iter().filter(|word| {
+            word.range == code.range || (belongs(word.letter) && word.number().is_some())
+        });
+        words.map(|word| self.text_of(word)).collect()
+    }
+
+    /// A word as it is written.
+    pub fn text_of(&self, word: &Word) -> String {
+        String::from_utf8_lossy(word.range.slice(self.text)).into_owned()
+    }
+
     pub fn of(job: &'a Job) -> Source<'a> {
         let text = first_text(job);
         let control = job.control();

@@ -380,3 +380,34 @@ fn codes_that_are_not_repeated_are_named() {
     );
     assert_eq!(unrepeated("haas-vf2", "M10\nM83"), named(&[("M10", 3), ("M83", 4)]));
 }
+
+/// What the control keeps is the same where the program begins, or the line is refused.
+#[test]
+fn what_the_control_keeps_is_brought_back_or_refused() {
+    let at = |program: &str, words: &str| {
+        let line = program.lines().position(|line| line == words).expect("the line") as u32 + 1;
+        restart(&job(program, "linuxcnc-mill"), line)
+    };
+    let begin = "G21 G17 G90 G40 G49 G80 G94\nG54\nT1 M6\nS1000 M3\nG0 X0 Y0 Z30\nF200\n";
+    // G52 of millimetres would be inches in the head.
+    let text = format!("{begin}G52 X24\nG0 X25.4 Y25.4 Z25.4\nG20\nG1 X1 F9\nX2\nM2\n");
+    assert_eq!(at(&text, "X2").expect_err("refused").reason, Reason::Unproved);
+    let text = format!("{begin}G52 X24\nG0 X5 Y5 Z5\nG1 X1 F9\nX2\nM2\n");
+    assert!(at(&text, "X2").is_ok());
+    // M49 ends both overrides, M50 that of the feed alone.
+    let text = format!("{begin}M49\nM50 P0\nG0 X5 Y5 Z5\nG1 X1 F9\nX2\nM2\n");
+    let head = at(&text, "X2").expect("proved").head;
+    assert!(head.contains(&"M49".to_string()) && head.contains(&"M50 P0".to_string()), "{head:?}");
+    // Y and Z would be wherever the machine stands.
+    let text = format!("{begin}G1 X5 Y6 Z-2\nG59.1\nX8\nX9\nM2\n");
+    assert!(at(&text, "X8").is_err());
+    // Tables that variables have written are not in the head.
+    let text = format!("{begin}#5241=7\nG0 X5 Y5 Z5\nG1 X1\nX2\nM2\n");
+    assert!(at(&text, "X2").is_err());
+    // A length that is added is given by its sum.
+    let text = format!("{begin}G43.1 Z25\nG43.2 H2\nG0 X5 Y5 Z5\nG1 X1\nX2\nM2\n");
+    let mut machine = Machine::from_builtin("linuxcnc-mill").expect("a machine");
+    machine.set("tools.2.length = 10 mm").expect("a length");
+    let done = restart(&job_on(&text, machine), 11).expect("proved");
+    assert!(done.head.contains(&"G43.1 Z35.".to_string()), "{:?}", done.head);
+}

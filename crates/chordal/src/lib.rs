@@ -27,7 +27,8 @@ pub mod control {
     pub use chordal_kernel::rules::*;
     pub use chordal_kernel::{
         Alarms, Checkpoint, Class, EndReason, FrameKinds, Language, LiveTool, Modal, MotionMode,
-        Outcome, ProgramPlace, Ran, RunSink, SplineForm, Token, ToolValue, TurnPass,
+        Outcome, ProgramPlace, Ran, RunSink, SplineForm, StateItem, StateValue, Token, ToolValue,
+        TurnPass,
     };
 }
 
@@ -52,7 +53,7 @@ pub use chordal_machine as machine;
 pub use chordal_path as path;
 pub use chordal_syntax as syntax;
 
-pub use chordal_command::{Command, CommandKind, Sink};
+pub use chordal_command::{Command, CommandKind, Effect, Sink};
 pub use chordal_diagnostics::{Code, Diagnostic, Severity, Source, SourceMap, Span};
 pub use chordal_dialect::Control;
 pub use chordal_gcode::{RunOptions, ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord};

@@ -71,7 +71,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-export", &["chordal", "chordal-calc", "chordal-compare", "chordal-rewrite"]),
     ("chordal-report", &["chordal", "chordal-export"]),
     ("chordal-load", &["chordal"]),
-    ("chordal-archive", &["chordal", "chordal-export", "chordal-load"]),
+    ("chordal-archive", &["chordal", "chordal-compare", "chordal-export", "chordal-load"]),
     ("chordal-compare", &["chordal"]),
     ("chordal-rewrite", &["chordal", "chordal-compare", "chordal-editor"]),
     ("chordal-editor", &["chordal"]),

@@ -16,6 +16,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use chordal::Job;
+use chordal_compare::{Category, Comparison, Options, Verdict};
 use chordal_export::sha256_hex;
 use serde::Serialize;
 
@@ -31,15 +33,18 @@ pub use distance::{Piece, Within, distance};
 
 /// What became of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(rename_all = "kebab-case")]
 pub enum Status {
     /// The same bytes.
     Same,
     /// Another text with the same motion, feeds, speeds and functions.
     Text,
-    /// The same motion, other tools, offsets, coolant, dwells, stops or path modes.
+    /// The same motion, and something else of what two programs must share is another one: tools, offsets, codes,
+    /// stops, messages, values.
     Functions,
-    /// The same motion with other feeds or spindle speeds.
+    /// No difference was found, and one of the two does something that is not followed.
+    NotVerified,
+    /// The same motion with other feeds, spindle speeds or times.
     Feeds,
     /// Another motion.
     Path,
@@ -55,9 +60,10 @@ pub enum Status {
 
 impl Status {
     /// All of them, in the order in which they are reported.
-    pub const ALL: [Status; 9] = [
+    pub const ALL: [Status; 10] = [
         Status::Same,
         Status::Text,
+        Status::NotVerified,
         Status::Functions,
         Status::Feeds,
         Status::Path,
@@ -72,6 +78,7 @@ impl Status {
         match self {
             Status::Same => "same",
             Status::Text => "text",
+            Status::NotVerified => "not-verified",
             Status::Functions => "functions",
             Status::Feeds => "feeds",
             Status::Path => "path",
@@ -100,7 +107,7 @@ pub struct DiffRow {
     pub lines: Option<(u32, u32)>,
     /// Feeds or spindle speeds differ.
     pub feeds_differ: Option<bool>,
-    /// Tools, offsets, coolant, dwells, stops or path modes differ.
+    /// Something else than motion, feeds, speeds and times differs.
     pub functions_differ: Option<bool>,
     /// The distance of the paths is at least and at most this, mm.
     pub distance_mm: Option<(f64, f64)>,
@@ -178,6 +185,18 @@ pub fn compare_all<L: Loader>(
     rows.into_iter().flatten().collect()
 }
 
+/// Compares one file with another.
+pub fn compare_files(
+    loader: &mut impl Loader,
+    released: &Path,
+    returned: &Path,
+    options: DiffOptions,
+) -> DiffRow {
+    let name = released.to_string_lossy().into_owned();
+    let pair = [Some(released.to_path_buf()), Some(returned.to_path_buf())];
+    compare(loader, &name, &pair, options)
+}
+
 /// The files of a name: released and returned.
 type Pair = [Option<PathBuf>; 2];
 
@@ -233,17 +252,30 @@ fn compare(loader: &mut impl Loader, name: &str, pair: &Pair, options: DiffOptio
     let both = [(released, before), (returned, after)].map(|(path, text)| {
         guarded(|| {
             let prepared = loader.prepare(path, text)?;
-            Ran::of(&prepared, options)
+            let ran = Ran::of(&prepared, options)?;
+            Ok((prepared, ran))
         })
     });
     match both {
-        [Ok(before), Ok(after)] => {
+        [Ok((first, before)), Ok((second, after))] => {
             row.brings(
                 after.problems.more_than(&before.problems),
                 &before.problems.more_than(&after.problems),
             );
             row.time_s = before.time_s.zip(after.time_s);
-            judge(row, &before.motion, &after.motion, options.tolerance_mm)
+            row.at_feed_s = Some((before.motion.time_s, after.motion.time_s));
+            let (before, after) = (&before.motion, &after.motion);
+            if let Some(lines) = before.first_other(after) {
+                return other_path(row, [before, after], lines, options.tolerance_mm);
+            }
+            let found = guarded(|| Ok(compare_shared(&job(&first)?, &job(&second)?)));
+            match found {
+                Ok(found) => judge(row, [before, after], &found),
+                Err(message) => {
+                    row.message = Some(message);
+                    row
+                }
+            }
         }
         [Err(message), _] | [_, Err(message)] => {
             row.message = Some(message);
@@ -299,25 +331,65 @@ fn is_no_program(loader: &mut impl Loader, path: &Path, text: &[u8]) -> bool {
         || !loader.may_be_program(sample)
 }
 
-fn judge(mut row: DiffRow, before: &Motion, after: &Motion, tolerance_mm: f64) -> DiffRow {
+/// All that two programs must share.
+fn compare_shared(before: &Job, after: &Job) -> Comparison {
+    chordal_compare::compare(before, after, &Options { ready_tools: true, ..Options::default() })
+}
+
+fn other_path(
+    mut row: DiffRow,
+    [before, after]: [&Motion; 2],
+    lines: (u32, u32),
+    tolerance_mm: f64,
+) -> DiffRow {
+    row.status = Status::Path;
+    row.lines = Some(lines);
     row.feeds_differ = Some(!before.has_feeds_of(after));
     row.functions_differ = Some(before.functions != after.functions);
-    row.at_feed_s = Some((before.time_s, after.time_s));
-    if let Some(lines) = before.first_other(after) {
-        row.status = Status::Path;
-        row.lines = Some(lines);
-        let found = before.distance_to(after, tolerance_mm);
-        row.distance_mm = found.map(|within| (within.low, within.high));
-        row.message = (found.is_none()).then(|| {
-            "the distance is not defined: one path has no cuts or no rapids, or rotary axes move".into()
-        });
-    } else if row.feeds_differ == Some(true) {
-        row.status = Status::Feeds;
+    let found = before.distance_to(after, tolerance_mm);
+    row.distance_mm = found.map(|within| (within.low, within.high));
+    row.message = (found.is_none()).then(|| {
+        "the distance is not defined: one path has no cuts or no rapids, or rotary axes move".into()
+    });
+    row
+}
+
+/// Judges two programs with the same moves.
+fn judge(mut row: DiffRow, [before, after]: [&Motion; 2], found: &Comparison) -> DiffRow {
+    let is_speed = |category: Category| {
+        matches!(category, Category::Feed | Category::Spindle | Category::Time)
+    };
+    let others = || found.differences.iter();
+    let mut words: Vec<&str> = others()
+        .map(|one| one.category)
+        .filter(|one| !is_speed(*one))
+        .map(Category::word)
+        .collect();
+    words.sort_unstable();
+    words.dedup();
+    row.feeds_differ =
+        Some(!before.has_feeds_of(after) || others().any(|one| is_speed(one.category)));
+    row.functions_differ = Some(!words.is_empty() || before.functions != after.functions);
+    row.status = match (row.feeds_differ, row.functions_differ) {
+        (Some(true), _) => Status::Feeds,
+        (_, Some(true)) => Status::Functions,
+        _ if found.verdict == Verdict::NotVerified => Status::NotVerified,
+        _ => Status::Text,
+    };
+    if row.status == Status::Feeds {
         row.lines = before.first_other_feed(after).or(row.lines);
-    } else if row.functions_differ == Some(true) {
-        row.status = Status::Functions;
-    } else {
-        row.status = Status::Text;
+    }
+    if !words.is_empty() {
+        row.message = Some(format!("other: {}", words.join(", ")));
+    }
+    if row.status == Status::NotVerified {
+        let lines = found.reports.each_ref().map(|report| report.not_verified_from.is_some());
+        let which = match lines {
+            [true, true] => "both programs do",
+            _ => "one of the programs does",
+        };
+        row.message =
+            Some(format!("no difference was found, and {which} something that is not followed"));
     }
     row
 }

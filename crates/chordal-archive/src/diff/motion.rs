@@ -2,6 +2,7 @@
 
 use chordal::control::{Command, CommandKind, Feed};
 use chordal::{PathCommand, Segment, SegmentKind, Watch};
+use chordal_compare::Category;
 
 use super::distance::{Piece, Within, distance};
 
@@ -64,24 +65,12 @@ impl Watch for Motion {
 
 impl Motion {
     fn note(&mut self, command: &Command) {
-        use CommandKind as Kind;
         let at = self.moves.len();
-        match &command.kind {
-            kind if kind.motion().is_some() => {}
-            // Words that only say how the moves are to be read are in the moves already; what is
-            // shown to the operator is text.
-            Kind::Units(_)
-            | Kind::Plane(_)
-            | Kind::FeedMode(_)
-            | Kind::FeedRate { .. }
-            | Kind::Compensation { .. }
-            | Kind::CornerArc { .. }
-            | Kind::Idle
-            | Kind::Message(_) => {}
-            // Where a control puts its offsets is the table's business; which it takes is said.
-            Kind::WorkOffset { name, .. } => self.functions.push((at, format!("{name:?}"))),
-            kind @ Kind::Spindle { .. } => self.speeds.push((at, format!("{kind:?}"))),
-            kind => self.functions.push((at, format!("{kind:?}"))),
+        match Category::of(&command.kind) {
+            // Moves are held against each other as they are, and what is shown to the operator is text.
+            None | Some(Category::Path | Category::Message) => {}
+            Some(Category::Spindle) => self.speeds.push((at, format!("{:?}", command.kind))),
+            Some(_) => self.functions.push((at, function(&command.kind))),
         }
     }
 
@@ -131,5 +120,14 @@ impl Motion {
         let cuts = distance(&of(self, false), &of(other, false), tolerance_mm)?;
         let rapids = distance(&of(self, true), &of(other, true), tolerance_mm)?;
         Some(cuts.or(rapids))
+    }
+}
+
+fn function(kind: &CommandKind) -> String {
+    match kind {
+        // Where a control puts its offsets is the table's business; which it takes is said.
+        CommandKind::WorkOffset { name, .. } => format!("{name:?}"),
+        CommandKind::Compensation { side, number, .. } => format!("{side:?} {number:?}"),
+        kind => format!("{kind:?}"),
     }
 }

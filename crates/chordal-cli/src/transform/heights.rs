@@ -105,7 +105,8 @@ impl Bent {
             "what was changed before is proved by itself; the proof below is that of the map"
                 .into(),
         );
-        Ok(Transformed { text: bent.text, certificate: bent.certificate, ..done })
+        (done.text, done.certificate) = (bent.text, bent.certificate);
+        Ok(done)
     }
 
     fn described(&self, warped: Warped) -> Transformed {

@@ -211,6 +211,9 @@ impl<'a> CommandColumns<'a> {
     /// Takes a command.
     #[inline]
     pub fn command(&mut self, command: &Command) {
+        if command.kind.is_effect() {
+            return;
+        }
         let kind = match &command.kind {
             CommandKind::Rapid { motion, .. } => {
                 self.ends(motion);

@@ -121,7 +121,10 @@ impl Interpreter<'_> {
                     }
                     codes.push((row, at));
                 }
-                None => self.unknown_code(word),
+                None => {
+                    self.tell_unknown_code(word);
+                    self.unknown_code(word);
+                }
             }
         }
         self.check_groups(block, codes);

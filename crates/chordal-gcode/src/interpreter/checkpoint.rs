@@ -137,6 +137,7 @@ impl Interpreter<'_> {
         self.spatial = memory.spatial;
         self.spline = memory.spline;
         self.judge = memory.judge;
+        self.take_values_as_told();
     }
 
     /// Notes that a program was read, searched, or asked for a place in it.

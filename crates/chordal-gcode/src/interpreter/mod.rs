@@ -16,6 +16,7 @@ mod conflicts;
 mod context;
 mod corner;
 mod cycle;
+mod effects;
 mod engraving;
 mod firmware;
 mod frames;
@@ -236,6 +237,8 @@ struct Interpreter<'a> {
     judge: Option<Judge>,
     /// What of the first text was read since the last rest beside the blocks one after the other.
     looked: Cell<Option<TextRange>>,
+    /// Values of the control as they were told last.
+    told: effects::Told,
 }
 
 /// What was reported once and is not reported for every block.
@@ -384,8 +387,10 @@ impl<'a> Interpreter<'a> {
             references: macros::given_references(machine, control),
             judge: None,
             looked: Cell::new(None),
+            told: effects::Told::default(),
         }
         .with_judge()
+        .with_values_told()
     }
 
     fn outcome(mut self) -> Option<Ran> {
@@ -437,6 +442,7 @@ impl<'a> Interpreter<'a> {
                 return Some(EndReason::Interrupted);
             }
             let flow = self.execute(&mut block);
+            self.tell_written();
             if block.commas || self.kernel.waits_at_corner() {
                 self.end_corner_block(&block);
             }
@@ -477,6 +483,7 @@ impl<'a> Interpreter<'a> {
         if end == EndReason::EndOfText {
             self.kernel.emit(CommandKind::End);
         }
+        self.tell_kept_variables();
     }
 
     #[inline]
@@ -501,6 +508,9 @@ impl<'a> Interpreter<'a> {
         let longest = self.control.parameters.longest_line;
         if longest > 0 && block.range.len() > longest {
             self.report_long_line(block, longest);
+        }
+        if block.delete.is_some() {
+            self.tell_block_delete(block);
         }
         let goes_on = std::mem::take(&mut self.in_remark);
         if !block.problems.is_empty() {

@@ -499,6 +499,7 @@ impl Interpreter<'_> {
         if self.kernel.state.path.once {
             self.kernel.end_exact_stop_once();
         }
+        self.tell_codes(block, codes);
         for (row, at) in codes {
             match row.action {
                 // Where they act from left to right the last one stays in force, whether or

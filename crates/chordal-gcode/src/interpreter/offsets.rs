@@ -337,6 +337,7 @@ impl Interpreter<'_> {
             Some(DataTarget::WorkOffsetFromPosition) => self.write_work_offset(block, true),
             Some(DataTarget::ExtendedWorkOffset) => self.write_extended(block),
             Some(DataTarget::Register) => self.write_register(block, l.unwrap_or(100) - 100),
+            // Nothing is written, and what was is in force already.
             Some(DataTarget::Reload) => {}
             Some(DataTarget::ToolTable) => self.write_tool_table(block, ToolFrom::Words),
             Some(DataTarget::TurningTool { wear }) => self.write_turning_tool(block, Some(wear)),
@@ -347,18 +348,24 @@ impl Interpreter<'_> {
                 self.write_tool_table(block, ToolFrom::Fixture);
             }
             Some(DataTarget::Tool(value)) => self.write_tool(block, value),
-            Some(DataTarget::Other) => self.kernel.report(Diagnostic::new(
-                Code::NotSimulated,
-                span,
-                format!("G10 L{} is not simulated", l.unwrap_or(0)),
-            )),
+            Some(DataTarget::Other) => {
+                self.tell_data(block);
+                self.kernel.report(Diagnostic::new(
+                    Code::NotSimulated,
+                    span,
+                    format!("G10 L{} is not simulated", l.unwrap_or(0)),
+                ));
+            }
             Some(DataTarget::IntoRegister) => {
                 let l = l.unwrap_or(0);
                 let message =
                     format!("G10 L{l} reads a value of the control into R, which is not followed");
                 self.lose_path(block.words[at].range, message);
             }
-            Some(DataTarget::Lines) => self.begin_data_lines(span, l.unwrap_or(0)),
+            Some(DataTarget::Lines) => {
+                self.tell_data(block);
+                self.begin_data_lines(span, l.unwrap_or(0));
+            }
             None => {
                 let known: Vec<String> = self
                     .control
@@ -396,7 +403,10 @@ impl Interpreter<'_> {
     /// Whether a block after G10 L50 is data. One with a code is none: it ends the data, with G11 or without.
     pub(super) fn is_data_line(&mut self, block: &Block) -> bool {
         let word = block.words.iter().find(|word| matches!(word.letter, b'G' | b'M'));
-        let Some(word) = word else { return true };
+        let Some(word) = word else {
+            self.tell_data(block);
+            return true;
+        };
         self.data_lines = false;
         let row = word.number().and_then(chordal_dialect::code_number);
         let row = row.and_then(|code| self.control.g_code(code));

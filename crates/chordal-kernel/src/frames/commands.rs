@@ -78,7 +78,8 @@ impl Map {
             | CommandKind::Surface { .. }
             | CommandKind::Probed { .. }
             | CommandKind::Message(_)
-            | CommandKind::Output { .. }) => other,
+            | CommandKind::Output { .. }
+            | CommandKind::Effect(_)) => other,
         }
     }
 

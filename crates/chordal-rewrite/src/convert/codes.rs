@@ -60,6 +60,22 @@ fn is_own(action: Action) -> bool {
     )
 }
 
+/// A code, by its words in a run, that means what the old control makes of it, and that the new one does not have with
+/// this meaning: a conversion leaves it out.
+pub(crate) fn is_only_of(words: &str, from: &Control, to: &Control) -> bool {
+    let code = words.split(' ').next().unwrap_or_default();
+    let row = |control: &Control| {
+        let letter = code.bytes().next()?;
+        let number = code_number(chordal::syntax::Decimal::parse(code.get(1..)?.as_bytes())?)?;
+        match letter {
+            b'G' => control.g_code(number),
+            _ => control.m_code(number),
+        }
+    };
+    let Some(own) = row(from) else { return false };
+    !row(to).is_some_and(|there| there.action == own.action && there.title == own.title)
+}
+
 /// A row's code as the programmer writes codes.
 pub(crate) fn spelt(row: &CodeRow, letter: u8, style: Style) -> String {
     if style.two_digits && row.code < 100 && row.code.is_multiple_of(10) {

@@ -24,6 +24,7 @@ use super::trace::Modes;
 use super::turning;
 use crate::source::Style;
 
+mod effects;
 mod lathe;
 
 use self::lathe::{Lathe, reads_distances};
@@ -31,6 +32,7 @@ use self::lathe::{Lathe, reads_distances};
 /// Writes commands as blocks in absolute coordinates.
 #[derive(Clone)]
 pub(crate) struct Emitter<'a> {
+    pub(super) from: &'a Control,
     to: &'a Control,
     style: Style,
     tolerance_mm: f64,
@@ -65,6 +67,7 @@ impl<'a> Emitter<'a> {
     ) -> Emitter<'a> {
         let (to, style) = (context.to, context.style());
         Emitter {
+            from: context.from,
             to,
             style,
             tolerance_mm,
@@ -303,6 +306,7 @@ impl<'a> Emitter<'a> {
                 self.lines.push(format!("(PRINTED: {})", text.trim()));
                 self.printed = true;
             }
+            CommandKind::Effect(effect) => self.effect(effect),
         }
         Ok(())
     }

@@ -42,7 +42,7 @@ use chordal::machine::{
     AXIS_LETTERS, RapidShape, Setting, SettingValue, WorkOffset, mirrored_tip, work_offset_name,
 };
 
-use chordal::{Code, CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
+use chordal::{Code, CommandKind, Job, Machine, Report, Severity, Source as Text, SourceMap};
 use chordal_compare::{Blocks, Category, Difference, FreePasses, Value, Verdict};
 
 use self::context::Context;
@@ -291,6 +291,7 @@ fn proof(
     let compare = chordal_compare::Options {
         tolerance_mm: options.tolerance_mm,
         feed_tolerance: 1e-5,
+        speed_tolerance: 1e-5,
         rotary_tolerance_rad: rotary_tolerance(trace, options),
         // Both begin at the same place, and both machines have the same tables.
         assume_known: true,
@@ -308,13 +309,32 @@ fn proof(
             || (no_lengths && difference.category == Category::LengthOffset)
             || (printed && difference.category == Category::Output)
             || follows_the_diameter(difference, &surface)
+            || is_left_out(difference, [old, new])
     };
-    if compensates {
-        return prove_contour(old, new, &compare, is_expected);
+    let mut certificate = if compensates {
+        prove_contour(old, new, &compare, is_expected)
+    } else {
+        let mut certificate = prove(old, new, &compare, &[]);
+        certificate.set_aside(is_expected);
+        certificate
+    };
+    // What is not followed is not proved either way, and variables have other names.
+    if !certificate.comparison.reports.iter().all(Report::verified) {
+        certificate.set_aside(|difference| difference.category == Category::Value);
     }
-    let mut certificate = prove(old, new, &compare, &[]);
-    certificate.set_aside(is_expected);
     certificate
+}
+
+/// A code of the old control that the new one does not have, and that is among the changes; what statements and remarks
+/// say to the operator.
+fn is_left_out(difference: &Difference, [old, new]: [&Job; 2]) -> bool {
+    match (difference.category, &difference.values) {
+        (Category::Code, Some([Value::Text(words), Value::Nothing])) => {
+            codes::is_only_of(words, old.control(), new.control())
+        }
+        (Category::Message | Category::Alarm | Category::Variable, _) => true,
+        _ => false,
+    }
 }
 
 /// How far rotary axes may be apart: on a cylinder one control gives lengths and the other one angles, and both are rounded. At its
@@ -382,6 +402,20 @@ const LIMITS: &[Code] = &[
     Code::OffsetNotSet,
     Code::DiameterNotSet,
 ];
+
+/// Proves another text in place of that of a conversion, one that was changed by hand: as a whole, without other steps of
+/// its cycles. Nothing where the machine has settings that its control does not have.
+pub fn prove_text(
+    old: &Job,
+    found: &Conversion,
+    text: String,
+    options: &Options,
+) -> Option<Certificate> {
+    let new = job("converted", text, &found.machine)?;
+    let source = Source::of(old);
+    let trace = Trace::of(old, &source);
+    Some(proof(&trace, [old, &new], options, Free::default(), false))
+}
 
 /// Writes out the blocks that differ; false where there is nothing left to do.
 fn follow(

@@ -122,6 +122,18 @@ pub struct Restart {
 /// # Errors
 /// Why it cannot begin there, and what to do.
 pub fn restart(job: &Job, line: u32) -> Result<Restart, Refused> {
+    begin(job, line, None)
+}
+
+/// Proves a text that begins at a line, with a head that was written or changed by hand.
+///
+/// # Errors
+/// Why the line is none to begin at, or what the text does otherwise.
+pub fn prove_head(job: &Job, line: u32, text: &[u8]) -> Result<Restart, Refused> {
+    begin(job, line, Some(text))
+}
+
+fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<Restart, Refused> {
     let source = Source::of(job);
     let asked = Asked { job, source: &source, line };
     let main = asked.main()?;
@@ -147,7 +159,8 @@ pub fn restart(job: &Job, line: u32) -> Result<Restart, Refused> {
     let approaches = changes || !is_known;
     let from_the_start = !before.shift.presets.is_empty();
     let unrepeated = before.unrepeated.clone();
-    let draft = Draft { first, at, ran, lines, approaches, from_the_start, unrepeated };
+    let given = given.map(<[u8]>::to_vec);
+    let draft = Draft { first, at, ran, lines, approaches, from_the_start, unrepeated, given };
     let done = asked.prove(draft);
     done.map_err(
         |refused| if is_known || changes { refused } else { asked.position(&before.modal) },
@@ -210,6 +223,8 @@ struct Draft {
     approaches: bool,
     from_the_start: bool,
     unrepeated: Vec<UnrepeatedCode>,
+    /// A text that stands already.
+    given: Option<Vec<u8>>,
 }
 
 impl Asked<'_, '_> {
@@ -410,7 +425,21 @@ impl Asked<'_, '_> {
 
     /// The new text, if it does the same.
     fn prove(&self, draft: Draft) -> Result<Restart, Refused> {
-        let (text, places) = self.text(&draft);
+        let (mut text, mut places) = self.text(&draft);
+        if let Some(given) = &draft.given {
+            // Contours that are put above the line are part of the head, and their places are not looked for.
+            let rest = &text[places.from[1] as usize..];
+            if !given.ends_with(rest) || !given.starts_with(&text[..draft.first as usize]) {
+                let what = "the text from this line on, or before the head, is another one";
+                return Err(self.refuse(
+                    Reason::Unproved,
+                    what,
+                    "change the lines of the head alone",
+                ));
+            }
+            places.from[1] = (given.len() - rest.len()) as u32;
+            text.clone_from(given);
+        }
         let after = self.contours_needed(&draft).1.into_iter().flatten();
         let after_the_end = after.map(|block| self.source.words(block)).collect();
         let from = places.from;
@@ -435,6 +464,9 @@ impl Asked<'_, '_> {
         }
         let old = Trace::of(self.job, draft.ran);
         let trace = Trace::of(&new, ran);
+        if let Some(what) = old.begins_otherwise(&trace).filter(|_| !draft.approaches) {
+            return Err(unproved(format!("{what} is another one where the program begins")));
+        }
         let care = Care { exact: !draft.approaches, ..Care::default() };
         if let Some(unlike) = old.unlike(&trace, &places, care) {
             let what = format!("line {} would not do the same: {}", unlike.line, unlike.what);
@@ -442,7 +474,9 @@ impl Asked<'_, '_> {
         }
         let text = source.text.to_vec();
         let draft_first = draft.first;
-        let Draft { lines: head, approaches, from_the_start, unrepeated, .. } = draft;
+        let kept = self.kept_variables(&draft, &old.kept_otherwise(&trace));
+        let Draft { lines: head, approaches, from_the_start, mut unrepeated, .. } = draft;
+        unrepeated.extend(kept);
         let (line, moves) = (self.line, old.moves);
         let head_bytes = draft_first..from[1];
         Ok(Restart {
@@ -456,6 +490,23 @@ impl Asked<'_, '_> {
             from_the_start,
             unrepeated,
         })
+    }
+
+    /// Variables that the program leaves another value in than the one that begins at the line.
+    fn kept_variables(&self, draft: &Draft, kept: &[(u32, Option<f64>)]) -> Vec<UnrepeatedCode> {
+        let before = &self.source.blocks[..draft.at];
+        let line_of = |number: u32| {
+            let name = format!("#{number}");
+            let says =
+                |block: &&chordal::syntax::Block| self.source.words_of(block).contains(&name);
+            before.iter().rev().find(says).map_or(self.line, |block| block.line)
+        };
+        let say = |(number, value): &(u32, Option<f64>)| {
+            let value =
+                value.map_or(String::new(), |value| chordal::control::number_text(value, 6));
+            UnrepeatedCode { words: format!("#{number}={value}"), line: line_of(*number) }
+        };
+        kept.iter().map(say).collect()
     }
 
     /// The text, and how places of the old one are places of it.

@@ -3,10 +3,11 @@
 use std::ops::Range;
 
 use chordal::control::{
-    ArcShape, AxisMask, CallPath, Feed, Modal, Move, Origin, Position, SpindleState,
+    ArcShape, AxisMask, CallPath, Feed, Modal, Move, Origin, Position, SpindleState, StateItem,
+    StateValue,
 };
 use chordal::machine::AXES;
-use chordal::{Command, CommandKind, Diagnostic, Job, RunSink, Severity, Sink};
+use chordal::{Command, CommandKind, Diagnostic, Effect, Job, RunSink, Severity, Sink, SourceMap};
 
 /// Numbers nearer than this are the same: mm, rad, mm/s.
 const SAME: f64 = 1e-9;
@@ -19,6 +20,8 @@ enum What {
     Done(Box<Modal>),
     /// An alarm of the control.
     Alarm(&'static str),
+    /// A text for the operator.
+    Message(String),
 }
 
 impl What {
@@ -49,6 +52,10 @@ pub(super) struct Trace {
     pub(super) moves: u64,
     /// The spindle keeps a cutting speed at its begin.
     follows: bool,
+    /// What holds at its begin.
+    begin: Option<Modal>,
+    /// Variables that hold something over the end of the program.
+    kept: Vec<(u32, Option<f64>)>,
 }
 
 /// How much must be the same.
@@ -97,10 +104,33 @@ impl Places {
 impl Trace {
     /// Runs a job and keeps what happens after so many blocks.
     pub(super) fn of(job: &Job, after: u64) -> Trace {
-        let mut recorder =
-            Recorder { after, ran: 0, last: (0, 0), line: 0, trace: Trace::default() };
+        let mut recorder = Recorder {
+            sources: job.sources(),
+            after,
+            ran: 0,
+            last: (0, 0),
+            line: 0,
+            has_ended: false,
+            trace: Trace::default(),
+        };
         job.run(&mut recorder);
         recorder.trace
+    }
+
+    /// What the head has not brought back as it was, although it may not show in what follows.
+    pub(super) fn begins_otherwise(&self, new: &Trace) -> Option<&'static str> {
+        let (one, other) = (self.begin.as_ref()?, new.begin.as_ref()?);
+        let mut standing = one.standing.iter().zip(&other.standing);
+        let found = standing.find(|((item, a), (_, b))| {
+            is_of_head(*item) && is_compared(*item, [one, other], true) && !is_same_value(a, b)
+        });
+        found.map(|((item, _), _)| item.word())
+    }
+
+    /// Variables that hold something after this run, and not the same after another one.
+    pub(super) fn kept_otherwise(&self, other: &Trace) -> Vec<(u32, Option<f64>)> {
+        let is_other = |one: &&(u32, Option<f64>)| !other.kept.contains(one);
+        self.kept.iter().filter(is_other).copied().collect()
     }
 
     /// The first thing in which another run is not like this one.
@@ -133,15 +163,17 @@ impl Trace {
     }
 }
 
-struct Recorder {
+struct Recorder<'j> {
+    sources: &'j SourceMap<'j>,
     after: u64,
     ran: u64,
     last: (u32, u32),
     line: u32,
+    has_ended: bool,
     trace: Trace,
 }
 
-impl Recorder {
+impl Recorder<'_> {
     fn keep(&mut self, what: What) {
         let (at, line) = (self.last, self.line);
         self.trace.steps.push(Step { what, at, line });
@@ -156,14 +188,27 @@ impl Recorder {
     }
 }
 
-impl Sink for Recorder {
+impl Sink for Recorder<'_> {
     fn command(&mut self, command: &Command) {
         if self.ran < self.after {
             return;
         }
+        // What variables hold at last is told after the end.
+        if let (true, CommandKind::Effect(effect)) = (self.has_ended, &command.kind)
+            && let Effect::Variable { number, value } = **effect
+        {
+            self.trace.kept.push((number, value));
+            return;
+        }
+        self.has_ended |= command.kind == CommandKind::End;
         self.stand(&command.origin);
         self.trace.moves += u64::from(command.kind.motion().is_some());
-        self.keep(What::Command(command.kind.clone()));
+        self.keep(match &command.kind {
+            CommandKind::Message(range) => What::Message(
+                self.sources.words(range.in_file(command.origin.span.file)).into_owned(),
+            ),
+            kind => What::Command(kind.clone()),
+        });
     }
 
     fn diagnostic(&mut self, diagnostic: Diagnostic) {
@@ -173,7 +218,7 @@ impl Sink for Recorder {
     }
 }
 
-impl RunSink for Recorder {
+impl RunSink for Recorder<'_> {
     fn wants_blocks(&self) -> bool {
         true
     }
@@ -183,7 +228,9 @@ impl RunSink for Recorder {
             self.stand(origin);
             self.keep(What::Done(Box::new(modal())));
         } else if self.ran + 1 == self.after {
-            self.trace.follows = modal().surface_speed.is_some();
+            let modal = modal();
+            self.trace.follows = modal.surface_speed.is_some();
+            self.trace.begin = Some(modal);
         }
         self.ran += 1;
     }
@@ -207,14 +254,6 @@ fn near(one: f64, other: f64) -> bool {
     (one - other).abs() <= SAME * one.abs().max(1.0)
 }
 
-fn is_near(one: Option<f64>, other: Option<f64>) -> bool {
-    match (one, other) {
-        (Some(one), Some(other)) => near(one, other),
-        (None, None) => true,
-        _ => false,
-    }
-}
-
 /// The same on every axis of which both know the place.
 fn same_place(one: &Position, other: &Position, known: AxisMask) -> bool {
     (0..AXES).all(|axis| !known.has(axis) || near(one[axis], other[axis]))
@@ -227,6 +266,8 @@ fn different(one: &What, other: &What, care: Care) -> Option<String> {
             different_modal(one, other, care).map(|name| format!("{name} is another one after it"))
         }
         (What::Alarm(one), What::Alarm(other)) if one == other => None,
+        (What::Message(one), What::Message(other)) if one == other => None,
+        (What::Message(_), What::Message(_)) => Some("the message is another one".into()),
         (_, What::Alarm(code)) => Some(format!("the new program has an error there ({code})")),
         (What::Alarm(code), _) => Some(format!("only the old program has the error {code}")),
         _ => Some("the block does something else".into()),
@@ -243,6 +284,9 @@ fn different_command(one: &CommandKind, other: &CommandKind, care: Care) -> Opti
         if !same_move(a, b, care.exact || care.settled || !is_rapid) {
             return Some("the move is another one".into());
         }
+        if !care.exact && !is_rapid && (0..3).any(|axis| !a.to_known.has(axis)) {
+            return Some("the cut is at a place that is not known".into());
+        }
         if !(care.exact || care.settled && is_rapid) && goes_by_distance(a, is_rapid) {
             return Some("the move goes by a distance from a place that is not known".into());
         }
@@ -254,7 +298,7 @@ fn different_command(one: &CommandKind, other: &CommandKind, care: Care) -> Opti
     }
     let is_same = match (one, other) {
         (Kind::Rapid { path: a, .. }, Kind::Rapid { path: b, .. }) => a == b,
-        (Kind::Line { .. }, Kind::Line { .. }) | (Kind::Message(_), Kind::Message(_)) => true,
+        (Kind::Line { .. }, Kind::Line { .. }) => true,
         (Kind::Arc { shape: a, .. }, Kind::Arc { shape: b, .. })
         | (Kind::Spiral { shape: a, .. }, Kind::Spiral { shape: b, .. }) => same_shape(a, b),
         (Kind::Spindle { state: a, rpm: x }, Kind::Spindle { state: b, rpm: y }) => {
@@ -308,32 +352,14 @@ fn different_modal(one: &Modal, other: &Modal, care: Care) -> Option<&'static st
     let known = one.known.and(other.known);
     let machine = one.machine_known.and(other.machine_known);
     let settled = care.exact || care.settled;
-    // With a cutting speed the revolutions follow the diameter, at rapids: they come by themselves.
-    let follows = one.surface_speed.is_some() && other.surface_speed.is_some();
-    let spins = one.spindle != SpindleState::Off || other.spindle != SpindleState::Off;
+    let standing = one.standing.iter().zip(&other.standing);
+    let is_other = |((item, a), (_, b)): &(&(StateItem, StateValue), &(StateItem, StateValue))| {
+        is_compared(*item, [one, other], settled) && !is_same_value(a, b)
+    };
+    if let Some(((item, _), _)) = standing.clone().find(is_other) {
+        return Some(item.word());
+    }
     let checks = [
-        (one.units == other.units, "the unit"),
-        (one.motion == other.motion, "the motion code"),
-        (one.incremental == other.incremental, "G90 or G91"),
-        (one.plane == other.plane, "the plane"),
-        (one.side == other.side, "cutter compensation"),
-        (one.arc_center == other.arc_center, "the way of arc centres"),
-        (one.cycle == other.cycle, "the canned cycle"),
-        (one.feed_mode == other.feed_mode, "the feed mode"),
-        (is_near(one.feed, other.feed), "the feed"),
-        (one.spindle == other.spindle, "the spindle"),
-        (one.live == other.live, "the live tool"),
-        (!spins || follows || near(one.rpm, other.rpm), "the spindle speed"),
-        (is_near(one.surface_speed, other.surface_speed), "the cutting speed"),
-        (is_near(one.speed_limit, other.speed_limit), "the limit of the spindle"),
-        (one.coolant == other.coolant, "the coolant"),
-        (one.tool == other.tool, "the tool"),
-        (one.selected_tool == other.selected_tool, "the tool made ready"),
-        (one.work == other.work, "the work offset"),
-        (!settled || one.length_offset == other.length_offset, "the length offset"),
-        (!settled || is_same_length(one, other), "the length offset"),
-        (one.path_mode == other.path_mode, "the path mode"),
-        (one.frames == other.frames, "a frame"),
         (same_place(&one.position, &other.position, known), "the position"),
         (same_place(&one.work_position, &other.work_position, known), "the work position"),
         (
@@ -346,11 +372,91 @@ fn different_modal(one: &Modal, other: &Modal, care: Care) -> Option<&'static st
     checks.into_iter().find(|(is_same, _)| !is_same).map(|(_, name)| name)
 }
 
-/// The tool offsets that both programs give themselves are the same.
-fn is_same_length(one: &Modal, other: &Modal) -> bool {
-    match (one.own_length, other.own_length) {
-        (Some(a), Some(b)) => same_place(&a, &b, AxisMask::ALL),
-        (None, None) => true,
-        _ => false,
+/// Whether the head brings an item back. What it leaves to the block that it begins at shows in what follows.
+fn is_of_head(item: StateItem) -> bool {
+    match item {
+        StateItem::Units
+        | StateItem::Plane
+        | StateItem::FeedMode
+        | StateItem::Spindle
+        | StateItem::SpindleSpeed
+        | StateItem::LiveTool
+        | StateItem::SurfaceSpeed
+        | StateItem::SpeedLimit
+        | StateItem::Coolant
+        | StateItem::Tool
+        | StateItem::Side
+        | StateItem::WorkOffset
+        | StateItem::LengthOffset
+        | StateItem::Shift
+        | StateItem::Tables
+        | StateItem::Frames
+        | StateItem::PathMode
+        | StateItem::Overrides => true,
+        StateItem::Distance
+        | StateItem::Motion
+        | StateItem::ArcCenter
+        | StateItem::Cycle
+        | StateItem::CycleWords
+        | StateItem::Feed
+        | StateItem::ReadyTool
+        | StateItem::RadiusOffset
+        | StateItem::NamedLength
+        | StateItem::Position => false,
+    }
+}
+
+/// Whether an item must be the same after a block.
+fn is_compared(item: StateItem, both: [&Modal; 2], settled: bool) -> bool {
+    match item {
+        StateItem::Units
+        | StateItem::Motion
+        | StateItem::Distance
+        | StateItem::Plane
+        | StateItem::Side
+        | StateItem::ArcCenter
+        | StateItem::Cycle
+        | StateItem::FeedMode
+        | StateItem::Feed
+        | StateItem::Spindle
+        | StateItem::LiveTool
+        | StateItem::SurfaceSpeed
+        | StateItem::SpeedLimit
+        | StateItem::Coolant
+        | StateItem::Tool
+        | StateItem::ReadyTool
+        | StateItem::WorkOffset
+        | StateItem::Shift
+        | StateItem::Tables
+        | StateItem::Frames
+        | StateItem::PathMode
+        | StateItem::Overrides => true,
+        // A length that is not in force yet moves nothing.
+        StateItem::LengthOffset => settled,
+        // With a cutting speed the revolutions follow the diameter, at rapids: they come by themselves.
+        StateItem::SpindleSpeed => {
+            let follows = both.iter().all(|modal| modal.surface_speed.is_some());
+            let spins = both.iter().any(|modal| modal.spindle != SpindleState::Off);
+            spins && !follows
+        }
+        // Whatever comes of them is in what both programs do from here on, which is compared.
+        StateItem::CycleWords | StateItem::RadiusOffset | StateItem::NamedLength => false,
+        // Only as far as both know it.
+        StateItem::Position => false,
+    }
+}
+
+fn is_same_value(one: &StateValue, other: &StateValue) -> bool {
+    let are_near =
+        |a: &[f64], b: &[f64]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| near(*a, *b));
+    match (one, other) {
+        (StateValue::Numbers(a), StateValue::Numbers(b)) => are_near(a, b),
+        (StateValue::Places(a), StateValue::Places(b)) => {
+            a.len() == b.len()
+                && a.iter().zip(b).all(|((name, a), (other, b))| {
+                    name == other && chordal_compare::are_same_values(a, b)
+                })
+        }
+        (one, other) => one == other,
     }
 }

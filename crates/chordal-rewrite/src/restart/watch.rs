@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use chordal::control::{
     Action, AfterCode, CallCode, CallPath, Modal, ModeCode, OnceCode, Origin, ReadingCode,
+    number_text,
 };
 use chordal::syntax::{Block, Word};
-use chordal::{Command, CommandKind, Control, Diagnostic, Job, RunSink, Sink};
+use chordal::{Command, CommandKind, Control, Diagnostic, Effect, Job, RunSink, Sink};
 
 use super::cycle::Cycle;
 use super::shift::Shift;
@@ -226,15 +227,38 @@ impl Walk<'_, '_> {
             Some(row) => row.words.has(letter),
             None => matches!(letter, b'P' | b'Q'),
         };
-        let words = block.words.iter().filter(|other| {
-            other.range == word.range || (is_own(other.letter) && other.number().is_some())
-        });
-        let text =
-            |word: &Word| String::from_utf8_lossy(word.range.slice(self.source.text)).into_owned();
-        let texts: Vec<String> = words.map(text).collect();
-        let code = UnrepeatedCode { words: texts.join(" "), line: block.line };
-        self.unrepeated.retain(|other| other.words != code.words);
-        self.unrepeated.push(code);
+        let words = self.source.code_with(block, word, is_own).join(" ");
+        self.leave_out(words, block.line);
+    }
+
+    /// The last of the same words counts.
+    fn leave_out(&mut self, words: String, line: u32) {
+        self.unrepeated.retain(|other| other.words != words);
+        self.unrepeated.push(UnrepeatedCode { words, line });
+    }
+
+    /// Notes a variable or a reference point that was written: a head says neither again.
+    fn follow_effect(&mut self, effect: &Effect, line: u32) {
+        if self.ran >= self.until {
+            return;
+        }
+        match effect {
+            Effect::Variable { number, value: Some(value) } => {
+                let value = number_text(*value, 6);
+                self.unrepeated.retain(|other| !other.words.starts_with(&format!("#{number}=")));
+                self.leave_out(format!("#{number}={value}"), line);
+            }
+            Effect::Variable { number, value: None } => {
+                self.leave_out(format!("#{number}"), line);
+            }
+            Effect::Written { name, .. } if name.starts_with("reference point") => {
+                self.leave_out(name.clone(), line);
+            }
+            Effect::Written { .. }
+            | Effect::Code(_)
+            | Effect::Alarm { .. }
+            | Effect::Deletable { .. } => {}
+        }
     }
 
     fn follow_mode(&mut self, code: ModeCode, line: u32) {
@@ -322,6 +346,8 @@ impl Sink for Walk<'_, '_> {
                 self.highest = None;
                 self.turned.approach = None;
             }
+            // The tables of offsets are compared; what else is written is not said again.
+            CommandKind::Effect(effect) => self.follow_effect(effect, command.origin.line),
             kind => {
                 let Some(motion) = kind.motion() else { return };
                 self.moved = true;

@@ -62,6 +62,8 @@ pub(crate) enum Slot {
     Smoothness,
     LookAhead(u8),
     Overrides,
+    /// One of the overrides by itself, after the code for all of them.
+    OverridesByP,
 }
 
 fn slot(group: Group, action: Action) -> Option<Slot> {
@@ -70,9 +72,8 @@ fn slot(group: Group, action: Action) -> Option<Slot> {
         (Action::Mode(ModeCode::Path(PathCode::LookAhead { letter, .. })), _) => {
             Slot::LookAhead(letter)
         }
-        (Action::Mode(ModeCode::Overrides { .. }) | Action::Mode(ModeCode::OverridesByP), _) => {
-            Slot::Overrides
-        }
+        (Action::Mode(ModeCode::Overrides { .. }), _) => Slot::Overrides,
+        (Action::Mode(ModeCode::OverridesByP), _) => Slot::OverridesByP,
         (Action::Mode(ModeCode::CompensationOff), _) => Slot::Compensation,
         (Action::Mode(ModeCode::CancelCycle), _) => Slot::Cycle,
         (_, Group::Units) => Slot::Units,
@@ -89,15 +90,10 @@ fn slot(group: Group, action: Action) -> Option<Slot> {
 
 impl Said {
     pub(crate) fn follow(&mut self, source: &Source, control: &Control, block: &Block) {
-        let text =
-            |word: &Word| String::from_utf8_lossy(word.range.slice(source.text)).into_owned();
+        let text = |word: &Word| source.text_of(word);
         let gap = if source.style.spaced { " " } else { "" };
-        let beside = |own: &Word, letters: &dyn Fn(u8) -> bool| -> Vec<String> {
-            let words = block.words.iter().filter(|word| {
-                word.range == own.range || (letters(word.letter) && word.number().is_some())
-            });
-            words.map(text).collect()
-        };
+        let beside =
+            |own: &Word, letters: &dyn Fn(u8) -> bool| source.code_with(block, own, letters);
         self.work |= control.table.work_names.by_e && block.word(b'E').is_some();
         self.speed |= block.word(b'S').is_some();
         self.h = block.word(b'H').map(text).or(self.h.take());
@@ -105,6 +101,9 @@ impl Said {
             let Some(row) = control.row_of(word) else { continue };
             if let Some(slot) = slot(row.group, row.action) {
                 let words = beside(word, &|letter| row.words.has(letter));
+                if slot == Slot::Overrides {
+                    self.lines.remove(&Slot::OverridesByP);
+                }
                 self.codes.remove(&slot);
                 self.lines.remove(&slot);
                 let has_own_line = words.len() > 1 || word.letter == b'M';

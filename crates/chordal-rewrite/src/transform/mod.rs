@@ -244,6 +244,7 @@ struct Outcome {
     /// How far it may be off, mm.
     tolerance_mm: f64,
     feed_tolerance: f64,
+    speed_tolerance: f64,
     /// Differences that no writing can take away.
     expected: Vec<Category>,
     /// The proof of the edits, where it was made already.
@@ -256,7 +257,9 @@ impl Outcome {
         Options {
             tolerance_mm: self.tolerance_mm,
             feed_tolerance: self.feed_tolerance.max(Options::default().feed_tolerance),
+            speed_tolerance: self.speed_tolerance.max(Options::default().speed_tolerance),
             in_step: true,
+            unknown_in_step: true,
             ..Options::default()
         }
     }
@@ -284,6 +287,28 @@ pub struct Transformed {
     pub notes: Vec<String>,
     /// The new path compared with the old one.
     pub certificate: Certificate,
+    meant: Meant,
+}
+
+/// What the new path is meant to be.
+#[derive(Debug)]
+pub(crate) struct Meant {
+    options: Options,
+    expected: Vec<Category>,
+    mapping: Mapping,
+}
+
+impl Transformed {
+    /// Proves another text in place of the one that came out, as one that was changed by hand.
+    pub fn prove(&self, job: &Job, text: Vec<u8>) -> Certificate {
+        self.meant.prove(job, &job.with_text(text))
+    }
+}
+
+impl Meant {
+    fn prove(&self, job: &Job, new: &Job) -> Certificate {
+        prove_mapped(job, new, &self.options, &self.expected, &self.mapping)
+    }
 }
 
 /// Changes the first text of a job, step by step, and proves it.
@@ -311,6 +336,7 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
             all.tolerance_mm * outcome.mapping.path.scale_factor() + outcome.tolerance_mm;
         all.expected.append(&mut outcome.expected);
         all.feed_tolerance = all.feed_tolerance.max(outcome.feed_tolerance);
+        all.speed_tolerance = all.speed_tolerance.max(outcome.speed_tolerance);
         all.certificate = outcome.certificate.filter(|_| steps.len() == 1);
         all.mapping = Mapping {
             path: all.mapping.path.then(&outcome.mapping.path),
@@ -318,13 +344,11 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
             speed: all.mapping.speed * outcome.mapping.speed,
         };
     }
-    let options = all.options();
     let new = job.with_text(text.clone());
-    let prove = || prove_mapped(job, &new, &options, &all.expected, &all.mapping);
-    let mut certificate = all.certificate.unwrap_or_else(prove);
-    let compared = prove_other_sides([job, &new], &mut certificate, |old, new| {
-        prove_mapped(old, new, &options, &all.expected, &all.mapping)
-    });
+    let meant = Meant { options: all.options(), expected: all.expected, mapping: all.mapping };
+    let mut certificate = all.certificate.unwrap_or_else(|| meant.prove(job, &new));
+    let compared =
+        prove_other_sides([job, &new], &mut certificate, |old, new| meant.prove(old, new));
     all.notes.extend(compared);
     let comparison = &mut certificate.comparison;
     let moves = comparison.moves.iter().any(|moves| *moves > 0);
@@ -340,5 +364,5 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
     if comparison.verdict == Verdict::NotVerified {
         all.notes.push(NOT_FOLLOWED.into());
     }
-    Ok(Transformed { text, changes, notes: all.notes, certificate })
+    Ok(Transformed { text, changes, notes: all.notes, certificate, meant })
 }

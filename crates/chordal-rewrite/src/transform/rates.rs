@@ -23,6 +23,7 @@ pub(super) fn rates(job: &Job, feed: f64, speed: f64) -> Result<Outcome, Refusal
         mapping: Mapping { feed, speed, ..Mapping::default() },
         // S is a whole number.
         feed_tolerance: 1e-2,
+        speed_tolerance: 1e-2,
         ..Outcome::default()
     };
     let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);

@@ -24,7 +24,9 @@ pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
         Units::Inch => Action::Reading(ReadingCode::Inch),
         Units::Millimetre => Action::Reading(ReadingCode::Millimetre),
     };
-    let mut outcome = Outcome { feed_tolerance: 1e-3, ..Outcome::default() };
+    // A cutting speed is written anew, and the revolutions follow it.
+    let speed_tolerance = if job.control().table.turns() { 1e-3 } else { 0.0 };
+    let mut outcome = Outcome { feed_tolerance: 1e-3, speed_tolerance, ..Outcome::default() };
     let Some(code) = writer.control.g_codes().find(|row| row.action == wanted) else {
         return Err(Refusal::new(
             writer.text,

@@ -57,7 +57,7 @@ pub(super) struct MacroState<'a> {
     words: Vec<Word>,
     pub(super) store: VariableStore,
     /// Values of system variables that the program or the machine file gives.
-    kept: BTreeMap<u32, f64>,
+    pub(super) kept: BTreeMap<u32, f64>,
     /// Loops that run in this program, outermost first.
     pub(super) loops: Vec<Loop>,
     /// Where the END of a loop is, by file and beginning of the loop.

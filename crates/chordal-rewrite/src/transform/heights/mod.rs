@@ -12,12 +12,12 @@ mod way;
 mod write;
 
 use chordal::Job;
-use chordal_compare::{Category, Options, Verdict};
+use chordal_compare::{Category, Mapping, Options, Verdict};
 
 pub use grid::{HeightMap, MapError};
 
 use super::edit::{self, Refusal};
-use super::{Transformed, refuse_what_has_no_roles};
+use super::{Meant, Transformed, refuse_what_has_no_roles};
 use crate::prove;
 use crate::source::first_text;
 
@@ -41,6 +41,22 @@ pub struct Warped {
     pub moves: [u64; 2],
 }
 
+/// What happens between moves, which stays as it is.
+const BETWEEN_MOVES: &[Category] = &[
+    Category::Tool,
+    Category::Dwell,
+    Category::Stop,
+    Category::Code,
+    Category::Written,
+    Category::Variable,
+    Category::Message,
+    Category::Alarm,
+    Category::Probe,
+    Category::Output,
+    Category::Value,
+    Category::NotRun,
+];
+
 /// Raises every move of a program by the height of the map at its place, and proves it.
 ///
 /// # Errors
@@ -53,8 +69,10 @@ pub fn warp(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Warped, Refusal> 
     let changes = edit::changes(old, &written.edits);
     let new = job.with_text(text.clone());
     // The comparison looks for one path near another. Here every move has its own others, so they are held
-    // against each other move by move; of the comparison only what both runs say of themselves is kept.
-    let options = Options { ignored: Category::ALL.to_vec(), ..Options::default() };
+    // against each other move by move; of the comparison what happens between the moves is kept, and what both runs say
+    // of themselves.
+    let ignored = Category::ALL.into_iter().filter(|category| !BETWEEN_MOVES.contains(category));
+    let options = Options { ignored: ignored.collect(), ..Options::default() };
     let mut certificate = prove(job, &new, &options, &[]);
     let mut notes = written.notes;
     let proved = proof::prove(job, &new, map, &written.trail, warp);
@@ -66,7 +84,9 @@ pub fn warp(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Warped, Refusal> 
     match &proved {
         Ok(proved) => {
             comparison.max_distance_mm = Some(proved.deviation_mm);
-            if comparison.verdict != Verdict::NotVerified {
+            if !comparison.differences.is_empty() {
+                comparison.verdict = Verdict::Different;
+            } else if comparison.verdict != Verdict::NotVerified {
                 let is_same = proved.deviation_mm <= chordal_compare::SAME_MM;
                 comparison.verdict = if is_same { Verdict::Same } else { Verdict::Within };
             }
@@ -83,6 +103,7 @@ pub fn warp(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Warped, Refusal> 
     if comparison.verdict == Verdict::NotVerified {
         notes.push(super::NOT_FOLLOWED.into());
     }
-    let done = Transformed { text, changes, notes, certificate };
+    let meant = Meant { options, expected: Vec::new(), mapping: Mapping::default() };
+    let done = Transformed { text, changes, notes, certificate, meant };
     Ok(Warped { done, heights_mm, moves })
 }

@@ -1,0 +1,334 @@
+//! The list of what two programs must share: each command that holds programs against each other compares every item, or
+//! ignores it by intent.
+
+use chordal::{CommandKind, Effect};
+use serde::Serialize;
+
+/// In what two runs differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Category {
+    /// The path of the tool centre.
+    Path,
+    /// The same moves at another time.
+    Order,
+    /// The place of a rotary axis on the way, and the surface that it turns.
+    Rotary,
+    /// A rapid instead of a cut.
+    Rapid,
+    /// A dog-leg rapid instead of a straight one.
+    RapidPath,
+    /// Moves to places that are not known relative to the part.
+    Unknown,
+    /// The feed.
+    Feed,
+    /// The time of cuts and dwells, where neither feeds nor paths show why.
+    Time,
+    /// The spindle's direction or speed.
+    Spindle,
+    /// The tool.
+    Tool,
+    /// The tool that is made ready.
+    ReadyTool,
+    /// The number of the tool length offset, or the offsets that the program gives itself.
+    LengthOffset,
+    /// The number of the radius offset.
+    RadiusOffset,
+    /// The work offset.
+    WorkOffset,
+    /// A value that the control keeps: of a work offset, a tool, a reference point.
+    Written,
+    /// A variable of the control that is an output, a setting, or outlives the program.
+    Variable,
+    /// The coolant.
+    Coolant,
+    /// How corners are passed.
+    PathMode,
+    /// Which overrides act.
+    Overrides,
+    /// A dwell.
+    Dwell,
+    /// A stop for the operator.
+    Stop,
+    /// A code that acts on something which is not simulated, with its words: a clamp, an output, limits.
+    Code,
+    /// A text for the operator.
+    Message,
+    /// An alarm of the program (#3000).
+    Alarm,
+    /// A block that a switch of the panel leaves out.
+    BlockDelete,
+    /// A probe move.
+    Probe,
+    /// A printed line.
+    Output,
+    /// A value that is read and not known: a variable, an input.
+    Value,
+    /// Blocks that neither run has come to, behind a condition that is not known.
+    NotRun,
+    /// A problem that only one of the two has.
+    Problem,
+}
+
+/// Who holds two programs against each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Command {
+    /// `chordal diff`: whole folders.
+    Diff,
+    /// `chordal compare`.
+    Compare,
+    /// The proof of `chordal convert`.
+    Convert,
+    /// The proof of `chordal transform`.
+    Transform,
+    /// The proof of `chordal restart`.
+    Restart,
+}
+
+impl Command {
+    /// All of them.
+    pub const ALL: [Command; 5] =
+        [Command::Diff, Command::Compare, Command::Convert, Command::Transform, Command::Restart];
+
+    /// Its name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Command::Diff => "diff",
+            Command::Compare => "compare",
+            Command::Convert => "convert",
+            Command::Transform => "transform",
+            Command::Restart => "restart",
+        }
+    }
+}
+
+impl Category {
+    /// All of them, in the order in which they are declared.
+    pub const ALL: [Category; 30] = [
+        Category::Path,
+        Category::Order,
+        Category::Rotary,
+        Category::Rapid,
+        Category::RapidPath,
+        Category::Unknown,
+        Category::Feed,
+        Category::Time,
+        Category::Spindle,
+        Category::Tool,
+        Category::ReadyTool,
+        Category::LengthOffset,
+        Category::RadiusOffset,
+        Category::WorkOffset,
+        Category::Written,
+        Category::Variable,
+        Category::Coolant,
+        Category::PathMode,
+        Category::Overrides,
+        Category::Dwell,
+        Category::Stop,
+        Category::Code,
+        Category::Message,
+        Category::Alarm,
+        Category::BlockDelete,
+        Category::Probe,
+        Category::Output,
+        Category::Value,
+        Category::NotRun,
+        Category::Problem,
+    ];
+
+    /// The word for people and programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Category::Path => "path",
+            Category::Order => "order",
+            Category::Rotary => "rotary",
+            Category::Rapid => "rapid",
+            Category::RapidPath => "rapid-path",
+            Category::Unknown => "unknown",
+            Category::Feed => "feed",
+            Category::Time => "time",
+            Category::Spindle => "spindle",
+            Category::Tool => "tool",
+            Category::ReadyTool => "ready-tool",
+            Category::LengthOffset => "length-offset",
+            Category::RadiusOffset => "radius-offset",
+            Category::WorkOffset => "work-offset",
+            Category::Written => "written",
+            Category::Variable => "variable",
+            Category::Coolant => "coolant",
+            Category::PathMode => "path-mode",
+            Category::Overrides => "overrides",
+            Category::Dwell => "dwell",
+            Category::Stop => "stop",
+            Category::Code => "code",
+            Category::Message => "message",
+            Category::Alarm => "alarm",
+            Category::BlockDelete => "block-delete",
+            Category::Probe => "probe",
+            Category::Output => "output",
+            Category::Value => "value",
+            Category::NotRun => "not-run",
+            Category::Problem => "problem",
+        }
+    }
+
+    /// What it is, for people.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Category::Path => "the path of the tool centre",
+            Category::Order => "the same moves at another time",
+            Category::Rotary => {
+                "the place of a rotary axis on the way, and the surface that it turns"
+            }
+            Category::Rapid => "a rapid instead of a cut",
+            Category::RapidPath => "a dog-leg rapid instead of a straight one",
+            Category::Unknown => "moves to places that are not known relative to the part",
+            Category::Feed => "the feed",
+            Category::Time => "the time of cuts and dwells, where neither feeds nor paths show why",
+            Category::Spindle => "the spindle's direction or speed",
+            Category::Tool => "the tool",
+            Category::ReadyTool => "the tool that is made ready",
+            Category::LengthOffset => {
+                "the number of the tool length offset, or the offsets that the program gives itself"
+            }
+            Category::RadiusOffset => "the number of the radius offset",
+            Category::WorkOffset => "the work offset",
+            Category::Written => {
+                "a value that the control keeps: of a work offset, a tool, a reference point"
+            }
+            Category::Variable => {
+                "a variable of the control that is an output, a setting, or outlives the program"
+            }
+            Category::Coolant => "the coolant",
+            Category::PathMode => "how corners are passed",
+            Category::Overrides => "which overrides act",
+            Category::Dwell => "a dwell",
+            Category::Stop => "a stop for the operator",
+            Category::Code => {
+                "a code that acts on something which is not simulated, with its words: a clamp, an output, limits"
+            }
+            Category::Message => "a text for the operator",
+            Category::Alarm => "an alarm of the program (#3000)",
+            Category::BlockDelete => "a block that a switch of the panel leaves out",
+            Category::Probe => "a probe move",
+            Category::Output => "a printed line",
+            Category::Value => "a value that is read and not known: a variable, an input",
+            Category::NotRun => {
+                "blocks that neither run has come to, behind a condition that is not known"
+            }
+            Category::Problem => "a problem that only one of the two has",
+        }
+    }
+
+    /// Which item of the list a command of a run is part of; nothing for those that only say how other commands are to
+    /// be read, or that nothing comes of. A move is part of several, of which the path is the first.
+    pub fn of(kind: &CommandKind) -> Option<Category> {
+        match kind {
+            CommandKind::Rapid { .. }
+            | CommandKind::Line { .. }
+            | CommandKind::Arc { .. }
+            | CommandKind::Spiral { .. }
+            | CommandKind::Spline { .. } => Some(Category::Path),
+            CommandKind::Dwell { .. } => Some(Category::Dwell),
+            CommandKind::Tool { .. } | CommandKind::ToolNumber { .. } => Some(Category::Tool),
+            CommandKind::ToolSelect { .. } => Some(Category::ReadyTool),
+            CommandKind::ToolLength { .. } => Some(Category::LengthOffset),
+            CommandKind::Compensation { .. } => Some(Category::RadiusOffset),
+            CommandKind::Spindle { .. } => Some(Category::Spindle),
+            CommandKind::Coolant(_) => Some(Category::Coolant),
+            CommandKind::Stop { .. } => Some(Category::Stop),
+            CommandKind::PathMode(_) => Some(Category::PathMode),
+            CommandKind::Overrides(_) => Some(Category::Overrides),
+            CommandKind::WorkOffset { .. } => Some(Category::WorkOffset),
+            CommandKind::Surface { .. } => Some(Category::Rotary),
+            CommandKind::Probed { .. } => Some(Category::Probe),
+            CommandKind::Message(_) => Some(Category::Message),
+            CommandKind::Output { .. } => Some(Category::Output),
+            CommandKind::Effect(effect) => Some(Category::of_effect(effect)),
+            // The path, the feed and the places are in the moves that follow; the end is where the run ends.
+            CommandKind::CornerArc { .. }
+            | CommandKind::Idle
+            | CommandKind::End
+            | CommandKind::Units(_)
+            | CommandKind::Plane(_)
+            | CommandKind::FeedMode(_)
+            | CommandKind::FeedRate { .. } => None,
+        }
+    }
+
+    fn of_effect(effect: &Effect) -> Category {
+        match effect {
+            Effect::Code(_) => Category::Code,
+            Effect::Written { .. } => Category::Written,
+            Effect::Variable { .. } => Category::Variable,
+            Effect::Deletable { .. } => Category::BlockDelete,
+            Effect::Alarm { .. } => Category::Alarm,
+        }
+    }
+
+    /// Why a command does not compare this, or only in part; nothing where it compares all of it.
+    pub fn ignored_by(self, command: Command) -> Option<&'static str> {
+        match (self, command) {
+            (Category::ReadyTool, Command::Compare | Command::Convert | Command::Transform) => {
+                Some("a tool that is made ready moves nothing: programs name it sooner or later")
+            }
+            (Category::RapidPath, Command::Convert) => {
+                Some("whether rapids are straight is the machine's")
+            }
+            (Category::PathMode | Category::Overrides, Command::Convert) => {
+                Some("each control has its own codes for corners and overrides")
+            }
+            (Category::Code, Command::Convert) => {
+                Some("codes that the new control does not have are left out, and listed as changes")
+            }
+            (Category::Alarm | Category::Message, Command::Convert) => {
+                Some("statements and remarks are written as the new control has them")
+            }
+            (Category::Value, Command::Convert) => Some(
+                "variables have other names; a program that depends on one is not proved anyway",
+            ),
+            (Category::NotRun, Command::Convert) => {
+                Some("compared between two programs of one control alone")
+            }
+            (Category::Variable, Command::Convert) => {
+                Some("variables are named as the new control names them")
+            }
+            (Category::Unknown, Command::Transform) => {
+                Some("a way from a place that is not known is not known, moved or not")
+            }
+            (Category::RapidPath, Command::Transform) => {
+                Some("dog-legs of a program that is turned or mirrored bend elsewhere")
+            }
+            (Category::Variable, Command::Restart) => {
+                Some("the head sets none; those that were set before the line are named")
+            }
+            (Category::Code, Command::Restart) => {
+                Some("those before the line are not in the head, and are named")
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The list as a table of the documentation.
+pub fn shared_reference() -> String {
+    let mut page = String::from("| item | what | not compared, or only in part |\n|---|---|---|\n");
+    for item in Category::ALL {
+        let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
+        for command in Command::ALL {
+            let Some(why) = item.ignored_by(command) else { continue };
+            match reasons.iter_mut().find(|(reason, _)| *reason == why) {
+                Some((_, commands)) => commands.push(command.word()),
+                None => reasons.push((why, vec![command.word()])),
+            }
+        }
+        let reasons: Vec<String> = reasons
+            .iter()
+            .map(|(why, commands)| format!("`{}`: {why}", commands.join("`, `")))
+            .collect();
+        let (word, meaning) = (item.word(), item.meaning());
+        page.push_str(&format!("| `{word}` | {meaning} | {} |\n", reasons.join("; ")));
+    }
+    page
+}

@@ -1,0 +1,111 @@
+//! Blocks that no run comes to because a condition before them is not known: their words are held against each other.
+
+use std::collections::BTreeSet;
+
+use chordal::control::{Modal, Origin, RunSink, Sink};
+use chordal::diagnostics::FileId;
+use chordal::syntax::{Block, BlockKind, BlockReader};
+use chordal::{Code, Command, Diagnostic, Job, Report, Span};
+
+use crate::category::Category;
+use crate::difference::{Blocks, Difference, Place, Value};
+use crate::walk::Found;
+
+/// Adds the first block that differs among those that one of two runs on one control has not come to.
+pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Found) {
+    let is_assumed =
+        |report: &Report| report.diagnostics.iter().any(|one| one.code == Code::AssumedBranch);
+    let titles = jobs.map(|job| job.control().table.title);
+    if !reports.into_iter().any(is_assumed) || titles[0] != titles[1] {
+        return;
+    }
+    let left = [0, 1].map(|side: usize| Left::of(jobs[side], reports[side]));
+    let common = left[0].len().min(left[1].len());
+    let first = (0..common).find(|at| left[0][*at].words != left[1][*at].words);
+    let Some(at) = first.or((left[0].len() != left[1].len()).then_some(common)) else { return };
+    let only = left.each_ref().map(|left| left.get(at));
+    let blocks = only.map(|left| left.map(|left| Blocks::at(left.place)));
+    let values = only.map(|left| match left {
+        None => Value::Nothing,
+        Some(left) => Value::Text(left.words.clone()),
+    });
+    let counts = left.map(|left| (left.len() - common.min(at)) as u64);
+    found.differences.push(Difference::new(Category::NotRun, blocks, counts, Some(values)));
+}
+
+/// A block that was not run, or whose condition was not decided.
+struct Left {
+    words: String,
+    place: Place,
+}
+
+impl Left {
+    fn of(job: &Job, report: &Report) -> Vec<Left> {
+        let mut ran = Ran::default();
+        job.run(&mut ran);
+        let undecided: BTreeSet<(FileId, u32)> = report
+            .diagnostics
+            .iter()
+            .filter(|one| one.code == Code::AssumedBranch)
+            .filter_map(|one| {
+                let span = one.primary.span;
+                Some((span.file, job.sources().get(span.file)?.line_of(span.range.start)))
+            })
+            .collect();
+        let mut files: BTreeSet<FileId> = ran.blocks.iter().map(|(file, _)| *file).collect();
+        files.insert(FileId(0));
+        let mut left = Vec::new();
+        for file in files {
+            let Some(source) = job.sources().get(file) else { continue };
+            let mut reader = BlockReader::new(source.text(), file, job.control().table.lexicon);
+            let mut block = Block::new();
+            while reader.read(&mut block) {
+                let has_run = ran.blocks.contains(&(file, block.range.start));
+                if has_run && !undecided.contains(&(file, block.line)) {
+                    continue;
+                }
+                let words = words(source.text(), &block);
+                if !words.is_empty() {
+                    let span = Span { file, range: block.range };
+                    left.push(Left { words, place: Place { span, line: block.line } });
+                }
+            }
+        }
+        left
+    }
+}
+
+/// The words of a block without its number, without blanks and, unless a statement shows them, without remarks.
+fn words(text: &[u8], block: &Block) -> String {
+    let range = block.range;
+    let from = block.word(b'N').map_or(range.start, |word| word.range.end);
+    let shows_text = matches!(block.kind, BlockKind::Macro(_));
+    let is_remark = |at: u32| {
+        !shows_text && block.comments.iter().any(|comment| comment.start <= at && at < comment.end)
+    };
+    let bytes = (from..range.end).filter(|at| !is_remark(*at)).map(|at| text[at as usize]);
+    let kept = bytes.filter(|byte| !byte.is_ascii_whitespace() && *byte != b'%');
+    String::from_utf8_lossy(&kept.collect::<Vec<u8>>()).to_ascii_uppercase()
+}
+
+/// The blocks that a run has carried out.
+#[derive(Default)]
+struct Ran {
+    blocks: BTreeSet<(FileId, u32)>,
+}
+
+impl Sink for Ran {
+    fn command(&mut self, _: &Command) {}
+
+    fn diagnostic(&mut self, _: Diagnostic) {}
+}
+
+impl RunSink for Ran {
+    fn wants_blocks(&self) -> bool {
+        true
+    }
+
+    fn block_done(&mut self, origin: &Origin, _: &dyn Fn() -> Modal) {
+        self.blocks.insert((origin.span.file, origin.span.range.start));
+    }
+}

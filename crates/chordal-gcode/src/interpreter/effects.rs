@@ -1,0 +1,221 @@
+//! What a block does beside moves and modes, told for who compares programs: codes that act on what is not simulated,
+//! values of the control that are written, blocks that a switch leaves out.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use chordal_command::{CommandKind, Effect, WorkName};
+use chordal_dialect::macros::Held;
+use chordal_dialect::{Action, AfterCode, BeforeCode, CodeRow};
+use chordal_kernel::WrittenOffset;
+use chordal_machine::{AXES, AXIS_LETTERS, PerAxis};
+use chordal_syntax::{Block, Letters, Word};
+
+use super::Interpreter;
+use crate::macros::value::Value;
+
+/// Letters whose value is a length where it stands beside a code that is not simulated (G22).
+const LENGTHS: Letters = Letters::of("XYZUVWIJK");
+
+/// Words that an M code may have which no table knows.
+const WORDS_OF_OPEN_CODES: Letters = Letters::of("PQR");
+
+/// What the control holds as it was told last.
+#[derive(Clone, Default, Debug)]
+pub(super) struct Told {
+    pub(super) variables: BTreeMap<u32, f64>,
+    pub(super) references: [PerAxis<Option<f64>>; 2],
+}
+
+impl Interpreter<'_> {
+    /// What the machine file gives is not told.
+    pub(super) fn with_values_told(mut self) -> Self {
+        self.kernel.state.offsets.take_written();
+        self.take_values_as_told();
+        self
+    }
+
+    /// What the control holds now was told.
+    pub(super) fn take_values_as_told(&mut self) {
+        self.told = Told { variables: self.macros.kept.clone(), references: self.references };
+    }
+
+    fn tell(&mut self, effect: Effect) {
+        self.kernel.emit(CommandKind::Effect(Arc::new(effect)));
+    }
+
+    /// The program stops itself.
+    pub(super) fn tell_alarm(&mut self, number: f64, text: &str) {
+        self.tell(Effect::Alarm { number, text: text.to_string() });
+    }
+
+    /// The codes of a block that act on something which is not simulated, in their order.
+    pub(super) fn tell_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        for (row, at) in codes {
+            if acts_elsewhere(row, block) {
+                let text = self.code_with_words(block, row, *at);
+                self.tell(Effect::Code(text));
+            }
+        }
+    }
+
+    /// A code that the control does not have: what it would do there is not known.
+    pub(super) fn tell_unknown_code(&mut self, word: &Word) {
+        let text = self.plain_word(word);
+        self.tell(Effect::Code(text));
+    }
+
+    /// All words of a block, which are data of a code.
+    pub(super) fn tell_data(&mut self, block: &Block) {
+        let words: Vec<String> = block.words.iter().map(|word| self.plain_word(word)).collect();
+        self.tell(Effect::Code(words.join(" ")));
+    }
+
+    /// The block may be left out by a switch.
+    pub(super) fn tell_block_delete(&mut self, block: &Block) {
+        let Some(delete) = block.delete else { return };
+        let partly = delete.from_word > 0;
+        self.tell(Effect::Deletable { switch: delete.switch, partly });
+    }
+
+    /// What the block has written of what the control keeps.
+    #[inline]
+    pub(super) fn tell_written(&mut self) {
+        let written = self.kernel.state.offsets.take_written();
+        if !written.is_empty() || self.macros.used {
+            self.tell_all_written(written);
+        }
+    }
+
+    #[cold]
+    fn tell_all_written(&mut self, written: Vec<WrittenOffset>) {
+        for place in written {
+            let values = self.kernel.state.offsets.written_values(&place);
+            let name = match place {
+                WrittenOffset::Work(key, axis) => {
+                    format!("{} {}", self.work_name(&key), axis_letter(axis))
+                }
+                WrittenOffset::Rotation(key) => format!("{} R", self.work_name(&key)),
+                WrittenOffset::Tool(number) => format!("tool {number}"),
+            };
+            self.tell(Effect::Written { name, values });
+        }
+        self.tell_references();
+        if self.macros.kept != self.told.variables {
+            let before = std::mem::replace(&mut self.told.variables, self.macros.kept.clone());
+            for (number, value) in self.told.variables.clone() {
+                if before.get(&number).is_none_or(|old| old.to_bits() != value.to_bits()) {
+                    self.tell_variable(number, Some(value));
+                }
+            }
+            for number in before.into_keys() {
+                if !self.told.variables.contains_key(&number) {
+                    self.tell_variable(number, None);
+                }
+            }
+        }
+    }
+
+    /// A work coordinate system, counted alike on every control.
+    fn work_name(&self, key: &str) -> String {
+        let naming = self.control.table.work_names;
+        let names = (1..=u16::from(u8::MAX)).filter_map(WorkName::counted);
+        let further = (1..=3).map(WorkName::G59).chain((1..=48).map(WorkName::E));
+        let name = names.chain(further).find(|name| name.table_key(naming) == key);
+        name.map_or_else(|| key.to_string(), |name| format!("work offset {}", name.ordinal()))
+    }
+
+    /// Reference points that were stored.
+    pub(super) fn tell_references(&mut self) {
+        if self.references == self.told.references {
+            return;
+        }
+        let before = std::mem::replace(&mut self.told.references, self.references);
+        for (which, (old, new)) in before.into_iter().zip(self.references).enumerate() {
+            for axis in (0..AXES).filter(|axis| old[*axis] != new[*axis]) {
+                let name = format!("reference point {} {}", which + 1, axis_letter(axis));
+                self.tell(Effect::Written { name, values: vec![new[axis]] });
+            }
+        }
+    }
+
+    fn tell_variable(&mut self, number: u32, value: Option<f64>) {
+        self.tell(Effect::Variable { number, value });
+    }
+
+    /// The variables that keep over power-off what the program has left in them.
+    pub(super) fn tell_kept_variables(&mut self) {
+        if !self.macros.used {
+            return;
+        }
+        let ranges = self.rules().common.iter().filter(|range| range.held == Held::OverPowerOff);
+        let own = ranges.filter(|range| range.stored == range.first);
+        for number in own.flat_map(|range| range.first..=range.last) {
+            let given = self.machine.macros.variables.get(&number).copied();
+            let value = match self.macros.store.read(number) {
+                Ok(Value::Number(value)) => Some(value),
+                Ok(Value::Vacant) => None,
+                Ok(Value::Unknown(_)) | Err(_) => continue,
+            };
+            if value != given {
+                self.tell_variable(number, value);
+            }
+        }
+    }
+
+    /// `M62 P1`: the code by its own name and its words, numbers without what does not count.
+    fn code_with_words(&self, block: &Block, row: &CodeRow, at: usize) -> String {
+        let word = &block.words[at];
+        let is_open = row.action == Action::After(AfterCode::ShopCode);
+        let has = |letter: u8| match is_open {
+            true => WORDS_OF_OPEN_CODES.has(letter),
+            false => row.words.has(letter),
+        };
+        let code = match is_open {
+            true => self.plain_word(word),
+            false => row.name(word.letter),
+        };
+        let mut words = vec![code];
+        let own = block.words.iter().filter(|own| !matches!(own.letter, b'G' | b'M' | b'N'));
+        words.extend(own.filter(|own| has(own.letter)).map(|own| self.plain_word(own)));
+        words.join(" ")
+    }
+
+    fn plain_word(&self, word: &Word) -> String {
+        let Some(number) = self.literal(word) else {
+            return char::from(word.letter).to_string();
+        };
+        let unit = if LENGTHS.has(word.letter) { self.unit_mm() } else { 1.0 };
+        format!("{}{}", char::from(word.letter), number.to_f64() * unit)
+    }
+
+    fn unit_mm(&self) -> f64 {
+        match self.kernel.state.units {
+            chordal_command::Units::Inch => 25.4,
+            chordal_command::Units::Millimetre => 1.0,
+        }
+    }
+}
+
+fn axis_letter(axis: usize) -> char {
+    char::from(AXIS_LETTERS.as_bytes()[axis])
+}
+
+/// What the code does is not in the commands of the run.
+fn acts_elsewhere(row: &CodeRow, block: &Block) -> bool {
+    match row.action {
+        Action::NoEffect | Action::NotSimulated | Action::NotFollowed => true,
+        Action::After(code) => code == AfterCode::ShopCode,
+        // Without a word it stops at its mark, which the commands say.
+        Action::Before(code) => {
+            code == BeforeCode::SpindleOrient && block.letters().meets(row.words)
+        }
+        Action::Reading(_)
+        | Action::Mode(_)
+        | Action::Length(_)
+        | Action::Motion(_)
+        | Action::Cycle(_)
+        | Action::Once(_)
+        | Action::Call(_) => false,
+    }
+}
