@@ -104,6 +104,8 @@ export interface Reading {
   /** The whole path is known. */
   verified: boolean;
   not_verified_from: { file: string; line: number } | null;
+  /** Conditions that nobody knows, of which both sides were run or one was not, and whether block delete was run both ways. */
+  other_sides: { run: { file: string; line: number }[]; left_out: { file: string; line: number }[]; block_delete: boolean };
   diagnostics: Diagnostic[];
   /** Problems that are counted and not listed. */
   dropped: { code: string; name: string; count: number }[];
@@ -207,6 +209,8 @@ export interface BlockTime extends Line {
 export interface Time extends Times, Least {
   schema: "chordal.time/1";
   machine: string;
+  /** The least and the most time where it depends on conditions that nobody knows. */
+  total_s_range: [number, number] | null;
   at_feed_s: number;
   level: "fast" | "best";
   moves: number;
@@ -268,9 +272,10 @@ export interface SampleOptions {
 
 /** What two runs can differ in. */
 export type Category =
-  | "path" | "order" | "rotary" | "rapid" | "rapid-path" | "unknown" | "feed" | "spindle" | "tool"
-  | "length-offset" | "radius-offset" | "work-offset" | "coolant" | "path-mode" | "overrides" | "dwell"
-  | "stop" | "probe" | "output" | "problem";
+  | "path" | "order" | "rotary" | "rapid" | "rapid-path" | "unknown" | "feed" | "time" | "spindle" | "tool"
+  | "ready-tool" | "length-offset" | "radius-offset" | "work-offset" | "written" | "variable" | "coolant"
+  | "path-mode" | "overrides" | "dwell" | "stop" | "code" | "message" | "alarm" | "block-delete" | "probe"
+  | "output" | "value" | "not-run" | "problem";
 
 export interface CompareOptions {
   /** Of the first program. */
@@ -339,6 +344,16 @@ export interface ConvertOptions extends ProgramOptions {
   exactCycles?: boolean;
 }
 
+/** The ways through a program that a proof covers beside the one that its first run takes. */
+export interface Covers {
+  /** Conditions that nobody knows, of which both sides were compared. */
+  conditions: number;
+  /** Block delete was compared on and off. */
+  block_delete: boolean;
+  /** No such condition is left. */
+  complete: boolean;
+}
+
 /** What `convert` comes to. */
 export interface Conversion {
   schema: "chordal.convert/1";
@@ -350,7 +365,7 @@ export interface Conversion {
   changes: { line: number; before: string; after: string; reason: string }[];
   pecks: unknown[];
   passes: unknown[];
-  proof: (Comparison & { of_the_machines: Difference[] }) | null;
+  proof: (Comparison & { of_the_machines: Difference[]; covers: Covers }) | null;
   /** The new program; empty where something was refused. */
   text: string;
 }

@@ -76,6 +76,8 @@ const VALUES: &[Code] = &[
     Code::UnknownPath,
     Code::UnknownTime,
     Code::AssumedBranch,
+    Code::SkipAssumed,
+    Code::DateNotSet,
 ];
 
 /// Where a diagnostic stands.

@@ -4,6 +4,7 @@ use chordal::Job;
 use chordal::control::PathMode;
 use chordal::diagnostics::{FileId, Span};
 use chordal_compare::{Blocks, Comparison, Difference, Place, Value as Had};
+use chordal_rewrite::Certificate;
 use chordal_rewrite::convert::{Conversion, PassChange, PassReading, PeckChange, PeckReading};
 use serde_json::{Value, json};
 
@@ -22,7 +23,7 @@ pub fn conversion_json(found: &Conversion, old: &Job) -> String {
     let new = found.job("converted");
     let proof = found.certificate.as_ref().zip(new.as_ref()).map(|(certificate, new)| {
         let jobs = [old, new];
-        let mut proof = comparison(&certificate.comparison, jobs, certificate.tolerance_mm);
+        let mut proof = certificate_value(certificate, jobs);
         let expected = certificate.expected.iter().map(|one| difference(one, jobs));
         proof["of_the_machines"] = expected.collect();
         proof
@@ -51,6 +52,18 @@ pub fn conversion_json(found: &Conversion, old: &Job) -> String {
         "text": found.text,
     });
     format!("{document:#}\n")
+}
+
+/// A certificate: the comparison, and which ways through the program it covers.
+pub(crate) fn certificate_value(certificate: &Certificate, jobs: [&Job; 2]) -> Value {
+    let mut proof = comparison(&certificate.comparison, jobs, certificate.tolerance_mm);
+    let sides = &certificate.sides;
+    proof["covers"] = json!({
+        "conditions": sides.conditions,
+        "block_delete": sides.block_delete,
+        "complete": sides.is_complete,
+    });
+    proof
 }
 
 fn peck_change(change: &PeckChange) -> Value {

@@ -7,7 +7,7 @@ use chordal_rewrite::restart::{Refused, Restart};
 use chordal_rewrite::{Change, Refusal, Split, Transformed};
 use serde_json::{Value, json};
 
-use crate::comparison::comparison;
+use crate::comparison::certificate_value;
 
 /// One JSON object, schema `chordal.transform/1`: what was changed and why, line by line, what is to be
 /// known beside it, and the certificate, which is a comparison of the path that is meant (`a`) with the
@@ -22,7 +22,7 @@ pub fn transformed_json(done: &Transformed, jobs: [&Job; 2], written: Option<&st
         "bytes": { "before": before, "after": done.text.len() },
         "notes": done.notes,
         "changes": changes(&done.changes),
-        "certificate": comparison(&certificate.comparison, jobs, certificate.tolerance_mm),
+        "certificate": certificate_value(certificate, jobs),
     });
     format!("{document:#}\n")
 }
@@ -63,9 +63,7 @@ pub fn split_json(
             "written": written.get(index),
         })
     });
-    let of_change = |changed: &Transformed| {
-        comparison(&changed.certificate.comparison, jobs, changed.certificate.tolerance_mm)
-    };
+    let of_change = |changed: &Transformed| certificate_value(&changed.certificate, jobs);
     let notes = changed.map(|changed| changed.notes.as_slice()).unwrap_or_default();
     let document = json!({
         "schema": "chordal.transform/1",
@@ -73,7 +71,7 @@ pub fn split_json(
         "notes": notes.iter().chain(&done.notes).collect::<Vec<&String>>(),
         "changes": changed.map(|changed| changes(&changed.changes)).unwrap_or_default(),
         "parts": parts.collect::<Vec<Value>>(),
-        "certificate": comparison(&certificate.comparison, [jobs[1], jobs[1]], certificate.tolerance_mm),
+        "certificate": certificate_value(certificate, [jobs[1], jobs[1]]),
         "changed": changed.map(of_change),
     });
     format!("{document:#}\n")

@@ -33,7 +33,7 @@ mod split;
 mod transform;
 
 pub use change::Change;
-pub use proof::{Certificate, prove, prove_contour, prove_mapped};
+pub use proof::{Certificate, ComparedSides, prove, prove_contour, prove_mapped};
 pub use split::{By, Part, Split, split};
 pub use transform::{
     ArcForm, ChipLimit, FeedProof, HeightMap, MapError, NotSplit, OptimizeError, OptimizeOptions,

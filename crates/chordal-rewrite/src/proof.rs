@@ -17,6 +17,25 @@ pub struct Certificate {
     /// Where the tool centre goes another way because the controls compensate otherwise: the
     /// comparison of its paths. That of the certificate is then about the programmed contours.
     pub tool_center: Option<Comparison>,
+    /// The ways through the program that were compared beside the first.
+    pub sides: ComparedSides,
+}
+
+/// The ways through a program that a certificate covers beside the one that its first run takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ComparedSides {
+    /// Conditions that nobody knows, of which both sides were compared.
+    pub conditions: u32,
+    /// Block delete was compared on and off.
+    pub block_delete: bool,
+    /// No condition that nobody knows is left of which one side was not compared.
+    pub is_complete: bool,
+}
+
+impl Default for ComparedSides {
+    fn default() -> ComparedSides {
+        ComparedSides { conditions: 0, block_delete: false, is_complete: true }
+    }
 }
 
 impl Certificate {
@@ -64,6 +83,7 @@ pub fn prove_mapped(
         expected: Vec::new(),
         tolerance_mm: options.tolerance_mm,
         tool_center: None,
+        sides: ComparedSides::default(),
     };
     certificate.set_aside(|difference| expected.contains(&difference.category));
     certificate

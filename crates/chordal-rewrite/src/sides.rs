@@ -3,8 +3,8 @@
 use chordal::{BlockDeleteRuns, Job, Side};
 use chordal_compare::Verdict;
 
-use crate::Certificate;
 use crate::source::{Source, first_text};
+use crate::{Certificate, ComparedSides};
 
 /// When block delete is run both ways: always, where the text has a block that it may take.
 pub(crate) fn block_delete_runs(job: &Job) -> BlockDeleteRuns {
@@ -33,27 +33,29 @@ pub(crate) fn prove_other_sides(
     }
     if olds.len() != news.len() {
         certificate.comparison.verdict = Verdict::NotVerified;
+        certificate.sides.is_complete = false;
         return Some(
             "the new program has other conditions that nobody knows than the old one: their sides were not compared"
                 .to_string(),
         );
     }
-    let (mut conditions, mut block_delete) = (0, false);
+    let mut sides = ComparedSides { is_complete: is_all, ..ComparedSides::default() };
     for ((side, old), (_, new)) in olds.iter().zip(&news) {
         match side {
-            Side::Fulfilled(_) => conditions += 1,
-            Side::BlockDelete => block_delete = true,
+            Side::Fulfilled(_) => sides.conditions += 1,
+            Side::BlockDelete => sides.block_delete = true,
         }
         let of_side = prove(old, new);
         if of_side.comparison.verdict == Verdict::Different {
-            *certificate = of_side;
+            *certificate = Certificate { sides, ..of_side };
             return Some(differs(old, *side));
         }
     }
     if !is_all {
         certificate.comparison.verdict = Verdict::NotVerified;
     }
-    Some(compared(conditions, block_delete, is_all))
+    certificate.sides = sides;
+    Some(compared(&sides))
 }
 
 fn differs(old: &Job, side: Side) -> String {
@@ -71,18 +73,18 @@ fn differs(old: &Job, side: Side) -> String {
     }
 }
 
-fn compared(conditions: u32, block_delete: bool, is_all: bool) -> String {
+fn compared(sides: &ComparedSides) -> String {
     let mut what = Vec::new();
-    match conditions {
+    match sides.conditions {
         0 => {}
         1 => what.push("both sides of a condition that nobody knows".to_string()),
         more => what.push(format!("both sides of {more} conditions that nobody knows")),
     }
-    if block_delete {
+    if sides.block_delete {
         what.push("block delete on and off".to_string());
     }
     let what = what.join(", ");
-    match is_all {
+    match sides.is_complete {
         true => format!("compared: {what}"),
         false => format!(
             "compared: {what}; the program has more conditions, of which one side was not run"

@@ -14,6 +14,7 @@ use chordal_compare::{Comparison, Difference, Options, compare_joined};
 
 use self::points::{Kind, Point, Survey};
 use self::text::Writer;
+use crate::ComparedSides;
 use crate::source::Source;
 use crate::{Certificate, Refusal};
 
@@ -104,6 +105,7 @@ pub fn split(job: &Job, by: By) -> Result<Split, Refusal> {
             expected: Vec::new(),
             tolerance_mm: rounded_mm,
             tool_center: None,
+            sides: ComparedSides::default(),
         };
         let differences = &certificate.comparison.differences;
         let begin = differences.iter().find_map(|difference| begin_before(difference, &parts));
