@@ -91,6 +91,9 @@ pub struct Options {
     pub in_step: bool,
     /// In step, of moves between places that are not known all is compared but the path: the way, the feed, the state.
     pub unknown_in_step: bool,
+    /// Whoever asks compares the other sides of conditions that nobody knows as runs of their own: blocks that they run
+    /// are not held against each other by their words.
+    pub sides_apart: bool,
     /// Lines of either program whose canned cycles may drill in other steps: there a hole counts as one
     /// cut from R to its bottom, and how the steps differ is reported apart ([`Comparison::pecks`]).
     pub free_pecks: [BTreeSet<u32>; 2],
@@ -115,6 +118,7 @@ impl Default for Options {
             kept: 1000,
             in_step: false,
             unknown_in_step: false,
+            sides_apart: false,
             free_pecks: Default::default(),
             free_passes: Default::default(),
         }
@@ -251,7 +255,7 @@ fn conclude(
         problems::compare_values(jobs, [&a.report, &b.report], &mut found);
     }
     if !options.ignored.contains(&Category::NotRun) {
-        not_run::compare(jobs, [&a.report, &b.report], &mut found);
+        not_run::compare(jobs, [&a.report, &b.report], options.sides_apart, &mut found);
     }
     let pecks = pecks::compare(&apart.holes, options.tolerance_mm, &mut found.differences);
     let passes = passes::compare(&apart.cycles, options.tolerance_mm, &mut found.differences);

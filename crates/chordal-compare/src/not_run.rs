@@ -5,21 +5,30 @@ use std::collections::BTreeSet;
 use chordal::control::{Modal, Origin, RunSink, Sink};
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockKind, BlockReader};
-use chordal::{Code, Command, Diagnostic, Job, Report, Span};
+use chordal::{BlockDeleteRuns, Code, Command, Diagnostic, Job, Report, Span};
 
 use crate::category::Category;
 use crate::difference::{Blocks, Difference, Place, Value};
 use crate::walk::Found;
 
 /// Adds the first block that differs among those that one of two runs on one control has not come to.
-pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Found) {
+pub(crate) fn compare(
+    jobs: [&Job; 2],
+    reports: [&Report; 2],
+    sides_apart: bool,
+    found: &mut Found,
+) {
     let is_assumed =
         |report: &Report| report.diagnostics.iter().any(|one| one.code == Code::AssumedBranch);
+    // What it does not come to, the first run does, or a further one.
+    if sides_apart && jobs.iter().any(|job| job.takes_other_side()) {
+        return;
+    }
     let titles = jobs.map(|job| job.control().table.title);
     if !reports.into_iter().any(is_assumed) || titles[0] != titles[1] {
         return;
     }
-    let left = [0, 1].map(|side: usize| Left::of(jobs[side], reports[side]));
+    let left = [0, 1].map(|side: usize| Left::of(jobs[side], reports[side], sides_apart));
     let common = left[0].len().min(left[1].len());
     let first = (0..common).find(|at| left[0][*at].words != left[1][*at].words);
     let Some(at) = first.or((left[0].len() != left[1].len()).then_some(common)) else { return };
@@ -40,9 +49,16 @@ struct Left {
 }
 
 impl Left {
-    fn of(job: &Job, report: &Report) -> Vec<Left> {
+    fn of(job: &Job, report: &Report, sides_apart: bool) -> Vec<Left> {
         let mut ran = Ran::default();
         job.run(&mut ran);
+        if sides_apart {
+            let as_needed = BlockDeleteRuns::WhereItDecides;
+            let (sides, _) = job.other_side_jobs(&report.diagnostics, as_needed);
+            for (_, side) in sides {
+                side.run(&mut ran);
+            }
+        }
         let undecided: BTreeSet<(FileId, u32)> = report
             .diagnostics
             .iter()

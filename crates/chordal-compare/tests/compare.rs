@@ -267,7 +267,7 @@ fn one_program_on_two_machines() {
 #[test]
 fn turns_of_a_helix_in_pieces() {
     let head = "G21 G90 S100 M3\nG0 X10. Y0 Z0\nG1 F100.\n";
-    let whole = format!("{head}G3 X10. Y0 Z-6. I-10. P2\nG3 I-10. P1\nM30\n");
+    let whole = format!("{head}G3 X10. Y0 Z-6. I-10. P3\nG3 I-10. P2\nM30\n");
     let turns =
         format!("{head}G3 Z-2. I-10.\nG3 Z-4. I-10.\nG3 Z-6. I-10.\nG3 I-10.\nG3 I-10.\nM30\n");
     let jobs = [&whole, &turns].map(|text| job("a.nc", "mitsubishi-m700", text));

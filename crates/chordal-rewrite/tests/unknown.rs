@@ -40,7 +40,8 @@ fn blocks_on_both_sides_of_a_condition_are_changed() {
     assert!(new.contains("G20"), "{new}");
     assert!(new.contains("Z-1."), "{new}");
     assert!(!new.contains("25.4"), "{new}");
-    assert_eq!(inch.certificate.comparison.verdict, Verdict::NotVerified);
+    let comparison = &inch.certificate.comparison;
+    assert_eq!(comparison.verdict, Verdict::NotVerified, "{:#?}", comparison.differences);
     assert!(
         inch.notes.iter().any(|note| note.contains("both sides of a condition")),
         "{:?}",

@@ -64,6 +64,11 @@ impl Job<'_> {
         (jobs, sides.left_out.is_empty())
     }
 
+    /// Whether this is the run of another side than the usual one.
+    pub fn takes_other_side(&self) -> bool {
+        self.run_options().is_other_side
+    }
+
     /// Runs the other sides of what the first run has assumed, and of what is met on the way. `run` gets the job of
     /// each and the side that it takes, and gives the problems found.
     pub fn run_other_sides<'s>(
@@ -157,7 +162,7 @@ impl Job<'_> {
         most_runs: usize,
         mut run: impl FnMut(&Job<'_>) -> Vec<Diagnostic>,
     ) {
-        if self.run_options().is_other_side {
+        if self.takes_other_side() {
             return;
         }
         let mut known: BTreeSet<(Code, Span)> =

@@ -196,6 +196,10 @@ fn facts_of_action(action: Action, view: &View, several: bool, facts: &mut Facts
         match view.table.arc_turns {
             ArcTurns::None => {}
             ArcTurns::Extra => facts.add("turns", "P: full turns in addition to the arc itself"),
+            ArcTurns::BesideAngle => facts.add(
+                "turns",
+                "P: full turns in addition to the angle from start to end; all turns of a full circle",
+            ),
             ArcTurns::Total => facts.add("turns", "P: all turns, the arc itself counted as one"),
         }
     }

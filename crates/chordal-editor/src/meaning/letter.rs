@@ -84,6 +84,9 @@ pub fn letter_meanings(letter: u8, view: &View) -> Vec<String> {
         match table.arc_turns {
             ArcTurns::None => {}
             ArcTurns::Extra => add("with an arc: additional full turns"),
+            ArcTurns::BesideAngle => {
+                add("with an arc: additional full turns; all turns of a full circle");
+            }
             ArcTurns::Total => add("with an arc: all turns, the arc itself counted as one"),
         }
         if parameters.packed_calls {

@@ -448,6 +448,9 @@ fn arc(letter: u8, view: &View) -> Option<String> {
         (b'P', _) => match view.table.arc_turns {
             ArcTurns::None => return None,
             ArcTurns::Extra => "full turns in addition to the arc's own",
+            ArcTurns::BesideAngle => {
+                "full turns in addition to the angle from start to end; all turns of a full circle"
+            }
             ArcTurns::Total => "all turns, the arc's own counted as one",
         },
         (b'Q', SpiralForm::IncrementCount) => {

@@ -64,7 +64,7 @@ impl Interpreter<'_> {
         if has_center && radius.is_some() && !self.center_and_radius(block) {
             return self.kernel.straight_instead(&self.at(block), target, named);
         }
-        let turns = self.extra_turns(block, radius.is_some());
+        let turns = self.extra_turns(block, &target, radius.is_some());
         let center = match radius {
             None if has_center => {
                 [self.length_of(block, a_letter), self.length_of(block, b_letter)]
@@ -93,13 +93,13 @@ impl Interpreter<'_> {
     }
 
     /// P on an arc, as turns beside the arc's own.
-    fn extra_turns(&mut self, block: &Block, by_radius: bool) -> u32 {
+    fn extra_turns(&mut self, block: &Block, target: &Position, by_radius: bool) -> u32 {
         let rule = self.control.table.arc_turns;
         let has = self.control.parameters.build.turns;
         if rule == ArcTurns::None || !has || !block.letters().has(b'P') {
             return 0;
         }
-        if rule == ArcTurns::Extra && by_radius {
+        if matches!(rule, ArcTurns::Extra | ArcTurns::BesideAngle) && by_radius {
             // A radius fixes an arc of less than a turn.
             if let Some(word) = block.word(b'P').copied() {
                 self.unused_word(&word);
@@ -109,8 +109,16 @@ impl Interpreter<'_> {
         let turns = self.count_of(block, b'P').unwrap_or(0).min(9999);
         match rule {
             ArcTurns::Total => turns.saturating_sub(1),
-            _ => turns,
+            ArcTurns::BesideAngle if self.ends_at_its_start(target) => turns.saturating_sub(1),
+            ArcTurns::BesideAngle | ArcTurns::Extra | ArcTurns::None => turns,
         }
+    }
+
+    /// Both points are one in the plane: the arc is a full circle.
+    fn ends_at_its_start(&self, target: &Position) -> bool {
+        let (first, second, _) = self.kernel.state.plane.axes();
+        let from = &self.kernel.state.position;
+        target[first] == from[first] && target[second] == from[second]
     }
 
     /// A centre word outside the plane. Controls with cones know it as their height word: outside a cone

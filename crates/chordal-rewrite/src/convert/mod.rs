@@ -295,6 +295,7 @@ fn proof(
         rotary_tolerance_rad: rotary_tolerance(trace, options),
         // Both begin at the same place, and both machines have the same tables.
         assume_known: true,
+        sides_apart: true,
         free_pecks: free.pecks,
         free_passes: free.passes,
         kept: 100_000,

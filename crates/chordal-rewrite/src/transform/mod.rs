@@ -260,6 +260,7 @@ impl Outcome {
             speed_tolerance: self.speed_tolerance.max(Options::default().speed_tolerance),
             in_step: true,
             unknown_in_step: true,
+            sides_apart: true,
             ..Options::default()
         }
     }

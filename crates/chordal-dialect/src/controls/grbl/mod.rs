@@ -82,8 +82,13 @@ const LEXICON: Lexicon = Lexicon {
 };
 
 /// The same where a build has parameters, expressions and O words.
-pub(in crate::controls) const LEXICON_OF_EXPRESSIONS: Lexicon =
-    Lexicon { o_words: true, grammar: &MacroGrammar::LINUXCNC, ..LEXICON };
+pub(in crate::controls) const LEXICON_OF_EXPRESSIONS: Lexicon = Lexicon {
+    // What stands behind a comment may be a statement, which the firmware's own reading of lines does not know.
+    parenthesis: ParenthesisComment::Closed,
+    o_words: true,
+    grammar: &MacroGrammar::LINUXCNC,
+    ..LEXICON
+};
 
 const SET_DATA: &[(u16, DataTarget)] =
     &[(2, DataTarget::WorkOffset), (20, DataTarget::WorkOffsetFromPosition)];

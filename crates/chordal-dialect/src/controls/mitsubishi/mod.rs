@@ -32,7 +32,7 @@ pub static TABLE: ControlTable = ControlTable {
     subroutines: Subroutines::None,
     fixed_routines: &[],
     axis_letters: AXIS_LETTERS,
-    arc_turns: ArcTurns::Extra,
+    arc_turns: ArcTurns::BesideAngle,
     strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
