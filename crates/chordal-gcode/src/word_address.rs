@@ -6,9 +6,10 @@ use chordal_kernel::{Checkpoint, Language, ProgramPlace, Ran, RunSink, Token};
 use chordal_machine::Machine;
 use chordal_syntax::{Block, BlockReader};
 
-use crate::interpreter::{RunOptions, run_from};
+use crate::interpreter::run_from;
 use crate::library::Library;
 use crate::macro_alone::missing_call;
+use crate::run_options::RunOptions;
 use crate::tokens::block_tokens;
 
 /// Programs of blocks, with the texts, the machine and its control.
