@@ -182,10 +182,10 @@ def moving(motions):
     return [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)]
 
 
-def ours(chordal, program, what="commands"):
-    """Motions of Chordal in mm and degrees; printed lines; whether it reports errors."""
+def ours(chordal, program, what="commands", machine=None, given=()):
+    """Motions of Chordal in mm and degrees; printed lines; whether it reports errors. `given` are assignments."""
     lathe = LATHE in program.read_text()
-    machine = "linuxcnc-lathe" if lathe else "linuxcnc-mill"
+    machine = machine or ("linuxcnc-lathe" if lathe else "linuxcnc-mill")
     command = [chordal, what, str(program), "--machine", machine, "--format", "jsonl"]
     for tool, diameter in LATHE_TOOLS if lathe else ():
         command += ["--set", f"tools.{tool}.offset.X=0 mm", "--set", f"tools.{tool}.offset.Z=0 mm"]
@@ -193,6 +193,8 @@ def ours(chordal, program, what="commands"):
     for tool, length, diameter in () if lathe else ((1, 0, 0), (2, 0, 0), (3, 2, 4)):
         command += ["--set", f"tools.{tool}.length={length} in"]
         command += ["--set", f"tools.{tool}.diameter={diameter} in"]
+    for assignment in given:
+        command += ["--set", assignment]
     done = subprocess.run(command, capture_output=True, text=True)
     motions, printed = [], []
     for row in done.stdout.splitlines():
