@@ -184,9 +184,10 @@ fn the_feed_of_a_helix() {
 
 #[test]
 fn turns_of_an_arc() {
-    // Mitsubishi counts further turns, LinuxCNC all of them; the others have none.
+    // Mitsubishi counts turns beside the angle between the ends, which a full circle does not have, LinuxCNC all of
+    // them; the others have none.
     let unused = "arc 360 deg, CH304";
-    five("", "G3 I5. P2", [unused, unused, unused, "arc 1080 deg", "arc 720 deg"]);
+    five("", "G3 I5. P2", [unused, unused, unused, "arc 720 deg", "arc 720 deg"]);
 }
 
 #[test]

@@ -21,7 +21,12 @@ fn report(machine: &str, set: &[&str], text: &str) -> Report {
 fn kinds(machine: &str, set: &[&str], text: &str) -> Vec<String> {
     on(machine, set, text, |job| {
         let mut kinds = Vec::new();
-        job.report_of_commands(|command: &Command| kinds.push(format!("{:?}", command.kind)));
+        // What a program writes is not what it does.
+        job.report_of_commands(|command: &Command| {
+            if !command.kind.is_effect() {
+                kinds.push(format!("{:?}", command.kind));
+            }
+        });
         kinds
     })
 }

@@ -20,9 +20,9 @@ enum Form {
     Plain,
     /// P counts all turns.
     AllTurns,
-    /// G2.1 and G3.1 with P; P of G2 and G3 counts further turns.
+    /// G2.1 and G3.1 with P; P of G2 and G3 counts turns beside the angle between the ends.
     Pitches,
-    /// Q, then the height, then L; P counts further turns.
+    /// Q, then the height, then L; P counts turns beside the angle between the ends.
     IncrementHeightCount,
     /// Q, then L, rounded up.
     IncrementCount,
@@ -236,6 +236,11 @@ impl Asked {
         let with_turns = |turns: f64| TAU * turns + if turns > 0.0 { within } else { turned };
         let count = |word: Option<f64>| word.unwrap_or(0.0);
         let arc = if self.is_closed() { TAU } else { turned };
+        // The angle between the ends of a full circle is zero: P are all its turns (Mitsubishi M700V 6.6 (3)).
+        let beside_angle = |turns: f64| match self.is_closed() {
+            true => TAU * turns.max(1.0),
+            false => turned + TAU * turns,
+        };
         let by_increment = |change: f64, each: f64| {
             let least = if self.is_closed() { 1.0 } else { 0.0 };
             let whole = (change.abs() / each.abs() - within / TAU).round().max(least);
@@ -252,7 +257,7 @@ impl Asked {
             Form::Plain => arc,
             Form::AllTurns => arc + TAU * (count(self.p) - 1.0).max(0.0),
             Form::Pitches if self.spiral_code => with_turns(count(self.p)),
-            Form::Pitches => arc + TAU * count(self.p),
+            Form::Pitches => beside_angle(count(self.p)),
             Form::IncrementHeightCount | Form::IncrementCount => {
                 let begun = count(self.l).max(1.0) - 1.0;
                 let full = self.is_closed() || on_ray && form == Form::IncrementCount;
@@ -263,7 +268,7 @@ impl Asked {
                 } else if words && !circle {
                     with_turns(begun + f64::from(u8::from(full)))
                 } else if form == Form::IncrementHeightCount {
-                    arc + TAU * count(self.p)
+                    beside_angle(count(self.p))
                 } else {
                     arc
                 }
