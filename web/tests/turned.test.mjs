@@ -140,7 +140,7 @@ test("X is said as a diameter, up at a rear turret and down at one in front", as
     const { page } = await show(PROGRAM, own);
     axes.push(await page.evaluate(() => window.chordal.view.axes().map((axis) => axis.map((value) => Math.round(value) + 0))));
     await seekLine(page, 45, 1);
-    assert.match(await page.locator(".readout").innerText(), /X 16\.000 +Y/);
+    assert.match(await page.locator(".readout").innerText(), /X 16\.000 +Z -22\.000/);
     await picture(page, own === front ? "turned-front" : "turned-rear");
     await page.close();
   }

@@ -229,7 +229,9 @@ test("every tool has a colour of its own, also T1 and T9", async () => {
 });
 
 test("cuts are coloured by depth and by feed, with the ends of the scale and their units", async () => {
-  const { page } = await show(BRACKET);
+  // Both work offsets are given, so that the holes lie where the pockets do.
+  const offsets = ["E1", "E7"].flatMap((name) => ["X", "Y", "Z"].flatMap((axis) => ["--set", `work_offsets.${name}.${axis}=0 in`]));
+  const { page } = await show(BRACKET, ...offsets);
   await page.locator("#color").selectOption("depth");
   assert.match(await page.locator(".legend").innerText(), /Z -0\.6 in\s+Z 0 in/);
   await picture(page, "walk-depth");

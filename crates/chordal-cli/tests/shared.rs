@@ -216,6 +216,7 @@ fn by_restart(text: &str, machine: &Machine, dice: &mut Dice, tally: &mut Tally)
 
 #[test]
 fn planted_differences_are_seen_or_ignored_by_intent() {
+    #[allow(clippy::disallowed_methods, reason = "a test reads how many rounds it is to run")]
     let rounds = std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok());
     let mut tally = Tally::default();
     for round in 0..rounds.unwrap_or(24u64) {

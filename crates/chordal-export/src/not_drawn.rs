@@ -18,15 +18,16 @@ pub fn not_named_texts(axes: NotNamed) -> Vec<String> {
 }
 
 /// What to do about moves in a work offset that is not given.
-pub const GIVE_OFFSETS: &str =
-    "give both in `[work_offsets]` of the machine file, or with `--set work_offsets.G55.X=…`";
+pub const GIVE_OFFSETS: &str = "give both in `[work_offsets]` of the machine file, or with `--set`";
 
 /// `moves in G55 are left out: where it lies from G54 is not given`: moves in work offsets of which nobody knows how they lie
-/// to that of the first cut.
+/// to that of the first cut. Moves in machine coordinates go to the machine's own places, and nothing is said of them.
 pub fn left_out_texts(zeros: &[UnrelatedZero], naming: WorkNaming) -> Vec<String> {
     let mut texts = Vec::new();
-    let (presets, offsets): (Vec<&UnrelatedZero>, Vec<_>) =
-        zeros.iter().partition(|zero| zero.is_preset);
+    let (presets, offsets): (Vec<&UnrelatedZero>, Vec<_>) = zeros
+        .iter()
+        .filter(|zero| zero.system != WorkName::Machine)
+        .partition(|zero| zero.is_preset);
     if let Some(first) = offsets.first() {
         let of_run = first.run_system.key(naming);
         let (systems, verb) = listed(&offsets, naming);
