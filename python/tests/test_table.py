@@ -72,8 +72,8 @@ def test_setpoints_agree_with_the_time(program: chordal.Program) -> None:
     assert abs(run.time[-1] - program.time().total_s) <= period
     assert run.position[-1].tolist() == [0.0, 0.0, 50.0]
     assert (run.velocity[-1] == 0).all()
-    # Where the first move comes from is not known, and so not how fast it is.
-    assert np.isnan(run.position[0]).all() and np.isnan(run.speed[0])
+    # Where the first move comes from is not known; it begins at rest.
+    assert np.isnan(run.position[0]).all() and run.speed[0] == 0.0
     assert (np.nanmax(np.abs(run.velocity[:, :2]), axis=0) <= 25.4e3 / 60 + 1e-9).all()
     assert np.nanmax(np.abs(run.acceleration[:, :3])) <= 3000.0 * (1 + 1e-9)
     norm = np.linalg.norm(run.velocity[:, :3], axis=1)
