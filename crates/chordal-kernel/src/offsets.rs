@@ -304,6 +304,12 @@ impl Offsets {
         self.written.push(place);
     }
 
+    /// Something was written since that was taken last.
+    #[inline]
+    pub fn has_written(&self) -> bool {
+        !self.written.is_empty()
+    }
+
     /// What was written since this was asked last.
     #[inline]
     pub fn take_written(&mut self) -> Vec<WrittenOffset> {

@@ -415,20 +415,16 @@ impl State {
         is_known.then(|| self.machine_position(axis))
     }
 
-    /// Axes come to places that a block names: their program coordinate is known, and their machine coordinate
-    /// where the offsets are.
+    /// Axes come to places that a block names: their program coordinates are known.
     #[inline]
     pub fn place(&mut self, axes: AxisMask) {
-        let in_program = axes.and(self.start.program.or(self.astray));
-        let in_machine = axes.and(self.start.machine).and(self.offsets.known());
-        if in_program.or(in_machine) != AxisMask::NONE {
+        if axes.and(self.start.program.or(self.astray)) != AxisMask::NONE {
             self.start.program = self.start.program.without(axes);
-            self.start.machine = self.start.machine.without(in_machine);
             self.astray = self.astray.without(axes);
         }
     }
 
-    /// The same by a move in machine coordinates.
+    /// Axes come to places of machine coordinates.
     pub fn leave_machine_start(&mut self, axes: AxisMask) {
         self.start.machine = self.start.machine.without(axes);
         self.start.program = self.start.program.without(axes);

@@ -81,8 +81,8 @@ impl Interpreter<'_> {
     /// What the block has written of what the control keeps.
     #[inline]
     pub(super) fn tell_written(&mut self) {
-        let written = self.kernel.state.offsets.take_written();
-        if !written.is_empty() || self.macros.used {
+        if self.kernel.state.offsets.has_written() || self.macros.used {
+            let written = self.kernel.state.offsets.take_written();
             self.tell_all_written(written);
         }
     }

@@ -98,6 +98,8 @@ impl Kernel<'_> {
             }
         };
         let placed = placed.without(self.state.astray);
+        let left = placed.and(offset_known).without(self.state.start.program);
+        self.state.start.machine = self.state.start.machine.without(left);
         self.state.machine_known = machine.without(moved).or(placed.and(offset_known));
         self.state.believed = None;
         let from = std::mem::replace(&mut self.state.position, target);
