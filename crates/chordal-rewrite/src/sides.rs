@@ -6,12 +6,32 @@ use chordal_compare::Verdict;
 use crate::source::{Source, first_text};
 use crate::{Certificate, ComparedSides};
 
+/// A block of the first text that block delete may take.
+pub(crate) struct DeletableBlock {
+    /// The byte that it begins at.
+    pub start: u32,
+    /// All of it, not what stands behind a slash in its middle.
+    pub is_whole: bool,
+}
+
+/// The blocks of the first text that block delete may take.
+pub(crate) fn deletable_blocks(job: &Job) -> Vec<DeletableBlock> {
+    if !first_text(job).contains(&b'/') {
+        return Vec::new();
+    }
+    let blocks = Source::of(job).blocks;
+    let deletable = blocks.iter().filter_map(|block| {
+        Some(DeletableBlock { start: block.range.start, is_whole: block.delete?.first })
+    });
+    deletable.collect()
+}
+
 /// When block delete is run both ways: always, where the text has a block that it may take.
-pub(crate) fn block_delete_runs(job: &Job) -> BlockDeleteRuns {
-    let has_slash = first_text(job).contains(&b'/');
-    let is_deletable =
-        has_slash && Source::of(job).blocks.iter().any(|block| block.delete.is_some());
-    if is_deletable { BlockDeleteRuns::Both } else { BlockDeleteRuns::WhereItDecides }
+pub(crate) fn block_delete_runs(deletable: &[DeletableBlock]) -> BlockDeleteRuns {
+    match deletable {
+        [] => BlockDeleteRuns::WhereItDecides,
+        _ => BlockDeleteRuns::Both,
+    }
 }
 
 /// Proves the ways that the first run did not take: the certificate becomes that of the first way that differs. What
@@ -24,7 +44,7 @@ pub(crate) fn prove_other_sides(
     if certificate.comparison.verdict == Verdict::Different {
         return None;
     }
-    let runs = [old, new].map(block_delete_runs);
+    let runs = [old, new].map(|job| block_delete_runs(&deletable_blocks(job)));
     let [first_old, first_new] = &certificate.comparison.reports;
     let (olds, is_all) = old.other_side_jobs(&first_old.diagnostics, runs[0]);
     let (news, _) = new.other_side_jobs(&first_new.diagnostics, runs[1]);

@@ -12,8 +12,8 @@ use chordal::geometry::Plane;
 use chordal::{Command, CommandKind, Diagnostic, Job, MOST_SIDE_RUNS, Sink};
 
 use crate::convert::Contours;
-use crate::sides::block_delete_runs;
-use crate::source::{Source, first_text};
+use crate::sides::{block_delete_runs, deletable_blocks};
+use crate::source::Source;
 
 /// What the words of a block are read by.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -146,9 +146,11 @@ impl Record {
     /// With the blocks of both sides of conditions that nobody knows, and with block delete on and off.
     pub(super) fn of(job: &Job) -> Record {
         let deletable = deletable_blocks(job);
+        let block_delete = block_delete_runs(&deletable);
+        let whole = deletable.iter().filter(|block| block.is_whole);
+        let deletable: HashSet<u32> = whole.map(|block| block.start).collect();
         let mut record = Record::default();
         let first = record.run(job, &deletable);
-        let block_delete = block_delete_runs(job);
         job.run_other_sides(&first, MOST_SIDE_RUNS, block_delete, |side, _| {
             record.run(&side, &deletable)
         });
@@ -164,16 +166,6 @@ impl Record {
         self.run += 1;
         std::mem::take(&mut self.assumed)
     }
-}
-
-/// Blocks of the first text that block delete takes as a whole, by the byte that they begin at.
-fn deletable_blocks(job: &Job) -> HashSet<u32> {
-    if !first_text(job).contains(&b'/') {
-        return HashSet::new();
-    }
-    let blocks = Source::of(job).blocks;
-    let deletable = blocks.iter().filter(|block| block.delete.is_some_and(|delete| delete.first));
-    deletable.map(|block| block.range.start).collect()
 }
 
 impl Sink for Record {

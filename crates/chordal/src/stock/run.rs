@@ -77,16 +77,10 @@ impl Job<'_> {
         runner: &Runner<'_>,
     ) -> Result<StockReport, StockRunError> {
         let mut found = self.stock_of_run(options, files, runner)?;
-        let mut touches = false;
-        self.add_other_sides(&mut found.report, MOST_STOCK_SIDE_RUNS, |job| {
-            // Where the other side does not even reach the part there is nothing to cut.
-            let Ok(side) = job.stock_of_run(options, files, runner) else { return Vec::new() };
-            touches |= side.verdict == StockVerdict::Problems;
-            side.report.diagnostics
+        cut_other_sides(self, &mut found.report, &mut found.verdict, |job| {
+            let side = job.stock_of_run(options, files, runner).ok()?;
+            Some((side.report, side.verdict))
         });
-        if touches {
-            found.verdict = StockVerdict::Problems;
-        }
         Ok(found)
     }
 
@@ -138,6 +132,23 @@ impl Job<'_> {
         found.target = target;
         Ok(found)
     }
+}
+
+/// Cuts the stock with the runs that take other sides, and adds what only they touch. `cut` gives nothing where such a
+/// run does not even reach the part.
+pub(super) fn cut_other_sides(
+    job: &Job<'_>,
+    report: &mut Report,
+    verdict: &mut StockVerdict,
+    mut cut: impl FnMut(&Job<'_>) -> Option<(Report, StockVerdict)>,
+) {
+    job.add_other_sides(report, MOST_STOCK_SIDE_RUNS, |side| {
+        let Some((found, of_side)) = cut(side) else { return Vec::new() };
+        if of_side == StockVerdict::Problems {
+            *verdict = of_side;
+        }
+        found.diagnostics
+    });
 }
 
 /// The bodies of a setup, where the part is not turned.

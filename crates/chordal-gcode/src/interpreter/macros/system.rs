@@ -49,20 +49,28 @@ pub(in super::super) fn given_references(
     control: &Control,
 ) -> [PerAxis<Option<f64>>; 2] {
     let mut references = [[None; AXES]; 2];
-    let unit = match control.parameters.rules.units {
-        Units::Inch => 25.4,
-        Units::Millimetre => 1.0,
-    };
     for (&number, &value) in &machine.macros.variables {
         let (at, axis) = match control.macros.system_at(number) {
             Some((System::Home, axis)) => (0, axis as usize),
             Some((System::SecondHome, axis)) => (1, axis as usize),
             _ => continue,
         };
-        let place = if axis >= 3 { value.to_radians() } else { value * unit };
-        references[at][axis] = Some(place);
+        references[at][axis] = Some(stored_place(control, axis, value));
     }
     references
+}
+
+/// A coordinate, mm or rad, from a number of the tables of a control.
+fn stored_place(control: &Control, axis: usize, written: f64) -> f64 {
+    if axis >= 3 { written.to_radians() } else { written * machine_unit(control) }
+}
+
+/// mm in one unit of the machine, as the tables of its control count.
+fn machine_unit(control: &Control) -> f64 {
+    match control.parameters.rules.units {
+        Units::Inch => 25.4,
+        Units::Millimetre => 1.0,
+    }
 }
 
 impl Interpreter<'_> {
@@ -248,19 +256,11 @@ impl Interpreter<'_> {
 
     /// A coordinate as the tables of a control show it: in the units of the machine.
     fn stored_out(&self, axis: usize, value: f64) -> f64 {
-        if axis >= 3 { value.to_degrees() } else { value / self.machine_unit() }
+        if axis >= 3 { value.to_degrees() } else { value / machine_unit(self.control) }
     }
 
     fn stored_in(&self, axis: usize, written: f64) -> f64 {
-        if axis >= 3 { written.to_radians() } else { written * self.machine_unit() }
-    }
-
-    /// mm in one unit of the machine.
-    fn machine_unit(&self) -> f64 {
-        match self.control.parameters.rules.units {
-            Units::Inch => 25.4,
-            Units::Millimetre => 1.0,
-        }
+        stored_place(self.control, axis, written)
     }
 
     /// The result of a probe move takes the place of what the program has written.

@@ -7,7 +7,7 @@ use chordal_stock::turned::Region;
 
 use super::super::engagement::Material;
 use super::super::report::{StockVerdict, knows_tips};
-use super::super::run::StockRunError;
+use super::super::run::{StockRunError, cut_other_sides};
 use super::super::setup::{Files, Named, SetupError, shift_between};
 use super::super::target::TARGET_TOLERANCE;
 use super::bodies::grown;
@@ -21,7 +21,6 @@ use super::said::{At, Found, More};
 use super::target::Target;
 use super::tools::{LatheTool, tools_of};
 use crate::job::Job;
-use crate::other_sides::MOST_STOCK_SIDE_RUNS;
 use crate::report::Report;
 
 /// Moves between two looks at whether to end early.
@@ -59,16 +58,10 @@ impl Job<'_> {
         files: Files<'_>,
     ) -> Result<TurnedReport, StockRunError> {
         let mut found = self.turned_stock_of_run(options, files)?;
-        let mut touches = false;
-        self.add_other_sides(&mut found.report, MOST_STOCK_SIDE_RUNS, |job| {
-            // Where the other side does not even reach the part there is nothing to cut.
-            let Ok(side) = job.turned_stock_of_run(options, files) else { return Vec::new() };
-            touches |= side.verdict == StockVerdict::Problems;
-            side.report.diagnostics
+        cut_other_sides(self, &mut found.report, &mut found.verdict, |job| {
+            let side = job.turned_stock_of_run(options, files).ok()?;
+            Some((side.report, side.verdict))
         });
-        if touches {
-            found.verdict = StockVerdict::Problems;
-        }
         Ok(found)
     }
 
