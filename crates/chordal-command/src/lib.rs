@@ -36,7 +36,9 @@ pub use axes::{AxisMask, Position};
 pub use command::{Command, CommandKind};
 pub use effect::Effect;
 pub use mode::{Coolant, Overrides, PathMode, Side, SpindleState};
-pub use motion::{ArcShape, Feed, FeedAlong, FeedMode, Move, RapidPath, SurfaceSpeed};
+pub use motion::{
+    ArcShape, Feed, FeedAlong, FeedMode, Move, RapidPath, RotaryLength, SurfaceSpeed,
+};
 pub use origin::{CallPath, CallPaths, Origin};
 pub use sink::Sink;
 pub use surface::{RotarySurface, SurfaceRun, SurfaceShape};

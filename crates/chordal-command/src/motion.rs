@@ -2,6 +2,7 @@
 
 use chordal_geometry::Plane;
 
+use crate::Units;
 use crate::axes::{AxisMask, Position};
 
 /// A move of the tool tip in program coordinates.
@@ -28,6 +29,12 @@ impl Move {
         }
     }
 
+    /// The angle that the rotary axes turn together, rad.
+    pub fn turn_rad(&self) -> f64 {
+        let [_, _, _, a, b, c] = std::array::from_fn(|axis| self.to[axis] - self.from[axis]);
+        (a * a + b * b + c * c).sqrt()
+    }
+
     /// Rotary axes turn and the tool tip stays where it is, so that F per time is an angle per time.
     /// An arc moves the tip even where it ends at its start.
     #[inline]
@@ -50,10 +57,45 @@ pub enum FeedMode {
 /// Along what F is measured.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum FeedAlong {
-    /// Along the whole path.
+    /// Along the whole path of X, Y and Z.
     Path,
     /// Along the arc in its plane; a helix is faster by its slope.
     Plane,
+    /// Along the vector of all axes that move, the rotary ones counted as lengths.
+    AllAxes(RotaryLength),
+}
+
+/// The length that the angle of a rotary axis counts for in a feed along all axes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum RotaryLength {
+    /// A degree is one unit of length: 1 mm or 1 in.
+    DegreeAsUnit(Units),
+    /// The arc on a cylinder about the axis; its diameter for A, B and C, nm.
+    ArcOnCylinder {
+        /// Diameters of the cylinders about A, B and C, nm.
+        diameters_nm: [u32; 3],
+    },
+}
+
+impl RotaryLength {
+    /// The length of one radian of a rotary axis (0 for A, 1 for B, 2 for C), mm.
+    pub fn mm_per_rad(self, rotary_axis: usize) -> f64 {
+        match self {
+            RotaryLength::DegreeAsUnit(units) => 1f64.to_degrees() * units.mm(),
+            RotaryLength::ArcOnCylinder { diameters_nm } => {
+                0.5e-6 * f64::from(diameters_nm[rotary_axis])
+            }
+        }
+    }
+
+    /// The length of the vector of all axes, mm, of which X, Y and Z make `linear_mm`.
+    pub fn vector_mm(self, linear_mm: f64, motion: &Move) -> f64 {
+        let rotary = (0..3).map(|axis| {
+            let angle_rad = motion.to[axis + 3] - motion.from[axis + 3];
+            (self.mm_per_rad(axis) * angle_rad).powi(2)
+        });
+        (linear_mm.powi(2) + rotary.sum::<f64>()).sqrt()
+    }
 }
 
 /// The feed of a cutting move.

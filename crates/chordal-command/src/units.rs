@@ -10,6 +10,14 @@ pub enum Units {
 }
 
 impl Units {
+    /// One of these units, mm.
+    pub fn mm(self) -> f64 {
+        match self {
+            Units::Inch => 25.4,
+            Units::Millimetre => 1.0,
+        }
+    }
+
     /// A length in mm for people, in these units: to 0.0001 in or 0.001 mm.
     pub fn length_text(self, mm: f64) -> String {
         match self {

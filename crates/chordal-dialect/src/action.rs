@@ -469,6 +469,10 @@ impl From<MotionMode> for Action {
             MotionMode::RigidTap => MotionCode::RigidTap,
             MotionMode::Spline(form) => MotionCode::Spline(form),
             MotionMode::Turn(pass) => MotionCode::Turn(pass),
+            MotionMode::Probe { must_hit } => return Action::Once(OnceCode::Probe { must_hit }),
+            MotionMode::ThreadPasses => {
+                return Action::Once(OnceCode::Turning(TurnCycle::LineThread));
+            }
             MotionMode::Cycle(kind) => return Action::Cycle(kind),
         };
         Action::Motion(code)

@@ -109,7 +109,7 @@ impl DumpRow {
             DumpMeaning::JunctionDeviation | DumpMeaning::ArcTolerance => {
                 format!("settings.${number}={value} mm")
             }
-            DumpMeaning::Steps(_) => format!("settings.${number}={value}"),
+            DumpMeaning::Steps(_) | DumpMeaning::LaserMode => format!("settings.${number}={value}"),
             DumpMeaning::Velocity(axis) => format!("axes.{axis}.max_velocity={value} mm/min"),
             DumpMeaning::Acceleration(axis) => {
                 format!("axes.{axis}.max_acceleration={value} mm/s^2")
@@ -124,6 +124,9 @@ impl DumpRow {
         match self.meaning {
             DumpMeaning::JunctionDeviation => Some(junctions?.deviation_mm),
             DumpMeaning::ArcTolerance => Some(junctions?.arc_tolerance_mm),
+            DumpMeaning::LaserMode => {
+                Some(f64::from(u8::from(control.parameters.rules.path.laser_mode)))
+            }
             DumpMeaning::Steps(axis) => junctions?.steps_per_mm.get(axis as usize).copied(),
             DumpMeaning::Velocity(axis) => Some(60.0 * machine.axis(axis)?.max_velocity?),
             DumpMeaning::Acceleration(axis) => machine.axis(axis)?.max_acceleration,

@@ -98,12 +98,14 @@ pub struct LineRules {
     pub named_commands: bool,
     /// Letters of its words.
     pub letters: Letters,
+    /// A build may have rotary axes; the machine file says which.
+    pub further_axes: bool,
 }
 
 /// What a firmware lets pass that its kin refuses.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockRules {
-    /// G2 and G3 with a centre and no axis word: a full circle.
+    /// G2 and G3 with a centre and no axis word of the plane: a full circle, or with the third axis a ring of a helix.
     pub bare_circles: bool,
     /// The axes that G43.1 takes.
     pub length_axes: Letters,
@@ -189,6 +191,8 @@ pub enum DumpMeaning {
     JunctionDeviation,
     /// How far the segments of an arc are from it, mm.
     ArcTolerance,
+    /// Whether the output of the spindle drives a laser: 1 or 0.
+    LaserMode,
     /// Steps a mm.
     Steps(Axis),
     /// Rapid speed, mm/min.

@@ -19,7 +19,7 @@ pub(crate) use crate::parameters::*;
 pub(crate) use crate::recognition::*;
 pub(crate) use crate::settings::{
     CORNER_ROUNDING, Certainty, CompensationField as C, CycleField, Field, FrameField, PathField,
-    Setting, TurningField, setting, short_blocks,
+    RotaryFeedField, Setting, TurningField, setting, short_blocks,
 };
 pub(crate) use crate::spatial::SpatialRules;
 pub(crate) use crate::surface::{SurfaceRules, SurfaceWord};

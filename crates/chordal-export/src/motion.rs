@@ -3,7 +3,7 @@
 use chordal::Job;
 use chordal::control::{ArcShape, Feed, FeedAlong, FeedMode, Move, Side, SpindleState};
 use chordal::geometry::{Curve, ParamCurve, Plane, Spiral, Spline};
-use chordal::machine::{AXES, AXIS_LETTERS, PerAxis};
+use chordal::machine::{AXIS_LETTERS, PerAxis};
 use chordal::path::curve_of;
 
 /// A feed in the unit of [`PathFeed::per_minute`].
@@ -41,23 +41,23 @@ pub(crate) fn spline_feed(feed: &Feed, length_mm: f64) -> f64 {
 
 /// The feed along the path whatever F counts.
 pub(crate) fn path_feed(feed: &Feed, motion: &Move, curve: &Curve, length_mm: f64) -> PathFeed {
-    let turn = angle(motion);
+    let turn = motion.turn_rad();
     // A move that stands still but for its rotary axes is measured by their angle.
     let rotary = length_mm == 0.0 && turn > 0.0;
     let way =
         if rotary { turn.to_degrees() } else { measured_length(feed.along, curve, length_mm) };
+    // The path is slower than F where F counts rotary axes too.
+    let share = match feed.along {
+        FeedAlong::AllAxes(counted) if !rotary => length_mm / counted.vector_mm(length_mm, motion),
+        _ => 1.0,
+    };
     let per_second = match feed.mode {
         FeedMode::PerTime if rotary => feed.value.to_degrees(),
-        FeedMode::PerTime => feed.value,
+        FeedMode::PerTime => feed.value * share,
         FeedMode::InverseTime => feed.value * way,
-        FeedMode::PerRevolution => feed.value * feed.spindle_rev_per_s,
+        FeedMode::PerRevolution => feed.value * feed.spindle_rev_per_s * share,
     };
     PathFeed { per_minute: per_second * 60.0, rotary }
-}
-
-/// The angle that the rotary axes turn together, rad.
-fn angle(motion: &Move) -> f64 {
-    (3..AXES).map(|axis| (motion.to[axis] - motion.from[axis]).powi(2)).sum::<f64>().sqrt()
 }
 
 /// The length that F counts.

@@ -224,6 +224,25 @@ impl Kernel<'_> {
         }
     }
 
+    /// A spiral while coordinates are mirrored or scaled, on a control that refuses that.
+    pub fn spiral_is_refused(&mut self, at: &dyn Statement) -> bool {
+        let kinds = self.state.frames.kinds();
+        if !self.rules.frames.refuses_spirals || !kinds.mirror && !kinds.scaling {
+            return false;
+        }
+        let what = if kinds.mirror { "mirrored" } else { "scaled" };
+        self.report(
+            Diagnostic::new(
+                Code::SpiralInFrame,
+                at.span(),
+                format!("a spiral while coordinates are {what}: this control refuses it"),
+            )
+            .label("shown as a straight line")
+            .help("cancel the mirror image (G50.1) and the scaling (G50) first"),
+        );
+        true
+    }
+
     #[cold]
     fn report_unequal_arc(&mut self, at: &dyn Statement) {
         let span = at.span();

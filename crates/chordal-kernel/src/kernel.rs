@@ -34,6 +34,10 @@ impl Alarms {
 pub struct Reported {
     /// No feed before a cut.
     pub missing_feed: bool,
+    /// An arc that may be a full circle.
+    pub vanishing_circle: bool,
+    /// A rotary axis whose feed counts on a diameter that is not given.
+    pub rotary_diameter: bool,
     /// The tool that cut without a spindle.
     pub spindle_for_tool: Option<u32>,
     /// The tap whose pitch the feed does not fit.

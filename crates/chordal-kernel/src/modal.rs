@@ -29,6 +29,13 @@ pub enum MotionMode {
     Spline(SplineForm),
     /// A pass of a lathe and back to its start.
     Turn(TurnPass),
+    /// A probe move, where its code stays in force.
+    Probe {
+        /// Without a touch the control stops.
+        must_hit: bool,
+    },
+    /// A thread in many passes, where its code stays in force.
+    ThreadPasses,
     /// A canned cycle.
     Cycle(CycleKind),
 }
@@ -165,6 +172,8 @@ impl State {
             (None, Motion::Thread) => Some(MotionMode::Thread),
             (None, Motion::RigidTap) => Some(MotionMode::RigidTap),
             (None, Motion::Spline(form)) => Some(MotionMode::Spline(form)),
+            (None, Motion::Probe { must_hit }) => Some(MotionMode::Probe { must_hit }),
+            (None, Motion::ThreadPasses) => Some(MotionMode::ThreadPasses),
             (None, Motion::Turn(pass)) => Some(MotionMode::Turn(pass)),
             (None, Motion::None) => None,
         }

@@ -32,6 +32,13 @@ pub enum Motion {
     Spline(SplineForm),
     /// A pass of a lathe and back to its start.
     Turn(TurnPass),
+    /// A probe move, where its code stays in force (RS274/NGC and GRBL G38.2 to G38.5).
+    Probe {
+        /// Without a touch the control stops.
+        must_hit: bool,
+    },
+    /// A thread in many passes, where its code stays in force and needs its words again (RS274/NGC G76).
+    ThreadPasses,
     /// None: an axis word needs a motion code (LinuxCNC after G80).
     None,
 }

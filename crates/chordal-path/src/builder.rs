@@ -319,6 +319,7 @@ pub fn duration_s(feed: &Feed, motion: &Move, curve: &Curve) -> f64 {
     }
     let length = match (feed.along, curve) {
         (FeedAlong::Path, _) => curve.length(),
+        (FeedAlong::AllAxes(rotary), _) => rotary.vector_mm(curve.length(), motion),
         (FeedAlong::Plane, Curve::Arc(arc)) => (arc.radius * arc.sweep).abs(),
         (FeedAlong::Plane, Curve::Spiral(spiral)) => {
             let flat = chordal_geometry::Spiral { rise: 0.0, ..*spiral };
@@ -336,9 +337,7 @@ pub fn duration_s(feed: &Feed, motion: &Move, curve: &Curve) -> f64 {
         FeedMode::PerTime if length > 0.0 => length / feed.value,
         FeedMode::PerTime => {
             // Rotary axes alone: the feed is an angle per time.
-            let turn =
-                (3..AXES).map(|axis| (motion.to[axis] - motion.from[axis]).powi(2)).sum::<f64>();
-            turn.sqrt() / feed.value
+            motion.turn_rad() / feed.value
         }
     }
 }

@@ -515,7 +515,12 @@ impl<'a> BlockReader<'a> {
         }
         let text = &self.text[..self.end];
         let rest = &text[self.at..];
-        let sign = usize::from(matches!(rest.first(), Some(b'+' | b'-')));
+        let is_sign = |b: &&u8| matches!(**b, b'+' | b'-');
+        // Where numbers may have blanks, they may have signs in any count (`X--#1`).
+        let sign = match self.lexicon.blanks_in_numbers {
+            true => rest.iter().take_while(|b| is_sign(b) || matches!(**b, b' ' | b'\t')).count(),
+            false => usize::from(rest.first().as_ref().is_some_and(is_sign)),
+        };
         let blanks = rest[sign..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
         match rest.get(sign + blanks) {
             Some(b'#' | b'[') => {

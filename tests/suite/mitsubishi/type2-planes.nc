@@ -17,7 +17,15 @@ G0 X0. Y0. Z0.
 G3 Y20. Z0. J50. I2. Q10. X6. (= spiral ccw plane yz radius 50..30 sweep 720 to X6 Y20)
 G0 X0. Y0. Z0.
 G17
-G2 X20. I50. (= arc cw to X20 | ! CH401 "20 mm" "P70")
+(Without Q, L and K two radii are a spiral of less than a turn, as with L1.)
+G2 X20. I50. (= line to X20 | ! CH410 "without L it makes no turn")
+G0 X0. Y0.
+G2 X20. Y10. I50. (= spiral cw plane xy center X50 Y0 radius 50..31.6228 sweep 18.4349 to X20 Y10)
+G0 X0. Y0.
+G3 X20. Y10. I50. Z4. (= spiral ccw plane xy center X50 Y0 radius 50..31.6228 sweep 341.565 to X20 Y10 Z4)
+G0 X0. Y0. Z0.
+(Radii that agree within 0.1 mm are an arc.)
+G2 X50. Y50.08 I50. (= arc cw sweep 90 to X50 Y50.08)
 G2 X30. L1 (= line to X30 | ! CH405 "P33")
 G2 X40. R5. Q2. (= line to X40 | ! CH405 "P33")
 M30

@@ -206,4 +206,20 @@ shows the corner as it is without the word."#;
 the segments, and then take the product for mm/min: `G93 G2 X20 I10 F30` of 78 segments runs at 2340 mm/min, and does
 not take the thirtieth part of a minute. Lines in G93 are right. Chordal gives the time that the control takes. Write arcs
 in G94."#;
+
+    VanishingCircle = 446, "vanishing-circle", Note;
+    "an arc that ends one increment from its start, and may be meant as a full circle";
+    r#"An end at the start makes a full circle. One that misses it by an increment makes an arc of almost nothing, or of
+almost a whole turn, by its direction:
+
+    X1. Y0
+    G3 X1. Y0.0001 I-1.     0.006 degrees
+    G3 X1. Y0. I-1.         360 degrees
+
+Chordal shows the arc as it is written. Write the start as the end where a circle is meant."#;
+
+    SpiralInFrame = 447, "spiral-in-frame", Error;
+    "a spiral while coordinates are mirrored or scaled";
+    r#"A Mitsubishi does not cut spirals and cones under G51.1 (mirror image) or G51 (scaling), and stops with P34 (M700V
+manual 6.13). Cancel the mirror and the scaling before it, or write the mirrored spiral out."#;
 }

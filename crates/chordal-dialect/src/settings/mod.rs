@@ -7,6 +7,7 @@ mod frame;
 mod general;
 mod length;
 mod path_mode;
+mod rotary_feed;
 mod turning;
 
 use chordal_command::{FeedAlong, RapidPath, Units};
@@ -21,6 +22,7 @@ use self::general::*;
 pub use self::length::LengthField;
 pub use self::path_mode::PathField;
 pub(crate) use self::path_mode::{CORNER_ROUNDING, short_blocks};
+pub use self::rotary_feed::RotaryFeedField;
 pub use self::turning::TurningField;
 use crate::firmware::BuildOption;
 use crate::parameters::*;
@@ -92,6 +94,8 @@ pub enum Field {
     Compensation(CompensationField),
     Path(PathField),
     Frame(FrameField),
+    /// F with rotary axes.
+    RotaryFeed(RotaryFeedField),
     Turning(TurningField),
     /// Tool lengths.
     Length(LengthField),
@@ -215,6 +219,21 @@ const GENERAL: &[Setting] = &[
     ),
     common("helix_feed", Field::HelixFeed, "F of a helix along the `path` or in the `plane`"),
     common(
+        "rotary_feed",
+        Field::RotaryFeed(RotaryFeedField::Measure),
+        "F of a line with rotary axes counts `linear-axes`, all axes with `degrees-as-units` or `degrees-as-mm`, or all axes `on-diameter`",
+    ),
+    common(
+        "rotary_diameter_4th",
+        Field::RotaryFeed(RotaryFeedField::FourthDiameter),
+        "diameter on which F `on-diameter` counts A, or B where there is no A",
+    ),
+    common(
+        "rotary_diameter_5th",
+        Field::RotaryFeed(RotaryFeedField::FifthDiameter),
+        "diameter on which F `on-diameter` counts C, or B where there is an A",
+    ),
+    common(
         "spiral",
         Field::Spiral,
         "spiral commands: `none`, `pitches`, `increment-height-count` or `increment-count`",
@@ -327,6 +346,7 @@ pub fn resolve(
             chordal_machine::RapidShape::Straight => RapidPath::Straight,
         };
     }
+    parameters.rules.rotary_feed.has_a = machine.axes[3].is_some();
     let mut errors = Vec::new();
     for (name, given) in &machine.settings {
         if let Err(error) = apply(own, &mut parameters, name, given) {
@@ -510,6 +530,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::Compensation(rule) => compensation::set(p, rule, word, value)?,
         Field::Path(rule) => path_mode::set(p, rule, word, value)?,
         Field::Frame(rule) => frame::set(p, rule, word, value)?,
+        Field::RotaryFeed(rule) => rotary_feed::set(p, rule, word, length)?,
         Field::Turning(rule) => turning::set(p, rule, word, value)?,
         Field::Length(rule) => length::set(p, rule, word)?,
         Field::StartRadii => p.starts_with_radii = choose(word, X_WORDS)?,
@@ -625,6 +646,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::Compensation(rule) => compensation::value_text(p, rule),
         Field::Path(rule) => path_mode::value_text(p, rule),
         Field::Frame(rule) => frame::value_text(p, rule),
+        Field::RotaryFeed(rule) => rotary_feed::value_text(p, rule),
         Field::Turning(rule) => turning::value_text(p, rule),
         Field::Length(rule) => length::value_text(p, rule),
         Field::StartRadii => name_of(p.starts_with_radii, X_WORDS),

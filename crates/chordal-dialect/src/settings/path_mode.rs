@@ -32,6 +32,7 @@ pub enum PathField {
     SpeedStep(u8),
     /// Steps of X, Y or Z a mm, by the number of the axis.
     Steps(u8),
+    LaserMode,
 }
 
 const STARTS: Choices<StartMode> = &[
@@ -42,6 +43,10 @@ const STARTS: Choices<StartMode> = &[
 
 const LEVELS: Choices<u8> =
     &[("rough", 1), ("medium", 2), ("finish", 3), ("1", 1), ("2", 2), ("3", 3)];
+
+// `$32=2` of grblHAL is a lathe.
+const LASER_MODES: Choices<bool> =
+    &[("on", true), ("off", false), ("1", true), ("0", false), ("2", false)];
 
 const SHORT_BLOCKS: Choices<ShortBlocks> = &[
     ("apart", ShortBlocks::Apart),
@@ -131,6 +136,7 @@ pub(crate) fn set(
         PathField::Start => rules.start = choose(word, STARTS)?,
         PathField::StopBeforeCut => rules.stop_before_cut = choose(word, SWITCH)?,
         PathField::StopBetweenRapids => rules.stop_between_rapids = choose(word, SWITCH)?,
+        PathField::LaserMode => rules.laser_mode = choose(word, LASER_MODES)?,
         PathField::StopAfterCut => rules.stop_after_cut = choose(word, SWITCH)?,
         PathField::Rounding => rules.rounding_mm = optional()?,
         PathField::LevelPart(level) => {
@@ -201,6 +207,7 @@ pub(crate) fn value_text(p: &Parameters, field: PathField) -> String {
         PathField::Start => name_of(rules.start, STARTS),
         PathField::StopBeforeCut => name_of(rules.stop_before_cut, SWITCH),
         PathField::StopBetweenRapids => name_of(rules.stop_between_rapids, SWITCH),
+        PathField::LaserMode => name_of(rules.laser_mode, LASER_MODES),
         PathField::StopAfterCut => name_of(rules.stop_after_cut, SWITCH),
         PathField::Rounding => optional(rules.rounding_mm),
         PathField::LevelPart(level) => {

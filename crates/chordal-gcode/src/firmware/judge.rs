@@ -1,11 +1,13 @@
 //! A block is judged as a whole. The mistakes of its words come first, in their order; then those of the block, in
 //! the order in which the firmware looks for them.
 
+use chordal_command::AxisMask;
 use chordal_diagnostics::TextRange;
 use chordal_dialect::firmware::{Firmware, NeededWords, Refusal};
 use chordal_dialect::{
     Action, BeforeCode, CodeRow, Control, Group, LengthCode, MotionCode, OnceCode, ToolChanger,
 };
+use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Decimal, Letters};
 
 use super::codes::{
@@ -19,10 +21,11 @@ pub(super) const MM_PER_INCH: f32 = 25.4;
 const NOT_NEGATIVE: Letters = Letters::of("FNPST");
 /// Letters that need no code.
 const STORED: Letters = Letters::of("NFST");
-pub(super) const AXES: Letters = Letters::of("XYZ");
+/// The axes that each build has.
+const AXES: Letters = Letters::of("XYZ");
 const CENTRES: Letters = Letters::of("IJK");
 /// Letters that a jog may have with its axes, and its G codes, ten times the number.
-const JOG: Letters = Letters::of("FNXYZ");
+const JOG: Letters = Letters::of("FN");
 const JOG_CODES: [u16; 5] = [200, 210, 530, 900, 910];
 
 /// A block that the firmware carries out.
@@ -108,7 +111,7 @@ impl Judged<'_> {
 
     fn value(&mut self, word: &ReadWord, letter: u8) -> Result<(), Fault> {
         let refuse = |refusal| Err(Fault::new(refusal, word.range));
-        if !self.firmware.line.letters.has(letter) {
+        if !self.firmware.line.letters.union(self.axis_letters()).has(letter) {
             return refuse(Refusal::Unknown);
         }
         if letter == b'T' && word.value > self.firmware.largest[1] as f32 {
@@ -238,7 +241,20 @@ impl Judged<'_> {
     }
 
     pub fn has_axes(&self) -> bool {
-        self.written.meets(AXES)
+        self.written.meets(self.axis_letters())
+    }
+
+    /// The axes of this machine.
+    pub fn axis_letters(&self) -> Letters {
+        let mut letters = AXES;
+        if self.firmware.line.further_axes {
+            let rotary = self.control.axes().and(AxisMask::ROTARY);
+            let has = |axis: &usize| rotary.has(*axis);
+            (0..chordal_machine::AXES)
+                .filter(has)
+                .for_each(|axis| letters.insert(AXIS_LETTERS.as_bytes()[axis]));
+        }
+        letters
     }
 
     fn block(mut self, jog: bool) -> Result<Accepted, Fault> {
@@ -271,7 +287,7 @@ impl Judged<'_> {
             self.use_up(Letters::of("O"));
         }
         if self.axis_use.is_some() {
-            self.use_up(AXES);
+            self.use_up(self.axis_letters());
         }
         if self.left != Letters::NONE {
             let letters: String = self.left.iter().collect();
@@ -313,7 +329,7 @@ impl Judged<'_> {
             Some(LengthCode::Cancel) => after.length = [0.0; 3],
             Some(LengthCode::FromAxes) => {
                 let axes = self.firmware.block.length_axes;
-                let others = AXES.without(axes);
+                let others = self.axis_letters().without(axes);
                 if !self.written.meets(axes) || self.written.meets(others) {
                     let letters: String = others.iter().chain(['G']).collect();
                     return self.refuse(Refusal::LengthAxis, &letters);
@@ -389,7 +405,7 @@ impl Judged<'_> {
     /// Letters of words that pass and have no effect: axes next to G49, a centre outside the plane.
     fn unused(&self) -> Letters {
         if self.length == Some(LengthCode::Cancel) {
-            return AXES;
+            return self.axis_letters();
         }
         let is_arc = self.modes.motion == FirmwareMotion::Arc;
         if is_arc && self.axis_use == Some(AxisUse::Motion) && !self.written.has(b'R') {
@@ -423,7 +439,10 @@ impl Judged<'_> {
     fn check_jog(&self) -> Result<(), Fault> {
         for word in &self.words {
             let is_code = word.letter == b'G' && JOG_CODES.contains(&((word.value * 10.0) as u16));
-            if !is_code && (matches!(word.letter, b'G' | b'M') || !JOG.has(word.letter)) {
+            if !is_code
+                && (matches!(word.letter, b'G' | b'M')
+                    || !JOG.union(self.axis_letters()).has(word.letter))
+            {
                 return Err(Fault::new(Refusal::JogWords, word.range));
             }
         }

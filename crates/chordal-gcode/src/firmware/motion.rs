@@ -175,7 +175,6 @@ impl Judged<'_> {
             self.use_up(Letters::of("P"));
         }
         let is_bare = self.firmware.block.bare_circles
-            && !self.has_axes()
             && !self.written.has(b'R')
             && self.written.meets(Letters::of("IJK"));
         if !self.has_axes() && !is_bare {

@@ -2,7 +2,7 @@
 
 use chordal_command::AxisMask;
 use chordal_dialect::table::{LineRepeat, Subroutines};
-use chordal_dialect::{Action, BeforeCode, OnceCode};
+use chordal_dialect::{Action, BeforeCode, LengthCode, OnceCode};
 use chordal_dialect::{CodeRow, Group, UnitCodes, code_number};
 use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Letters, Word};
@@ -224,7 +224,13 @@ impl Interpreter<'_> {
         }
         let dwells = self.control.parameters.dwell_with_motion;
         let leaves = |row: &CodeRow| row.action.leaves_axes(dwells);
-        let one_shot = codes.iter().rev().find(|(row, _)| row.takes_axes() && !leaves(row));
+        let adds_axes = |row: &CodeRow| {
+            row.action == Action::Length(LengthCode::Add) && !block.letters().has(b'H')
+        };
+        let one_shot = codes
+            .iter()
+            .rev()
+            .find(|(row, _)| (row.takes_axes() || adds_axes(row)) && !leaves(row));
         let moves = block.letters().meets(AXES);
         let waits = |row: &CodeRow| {
             moves

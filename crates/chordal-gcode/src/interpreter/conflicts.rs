@@ -258,6 +258,7 @@ impl Interpreter<'_> {
             Motion::Turn(_) | Motion::Thread if !self.control.parameters.increments.is_empty() => {
                 return self.motion_in_force_words();
             }
+            Motion::ThreadPasses => return self.motion_in_force_words(),
             Motion::Thread => 330,
             Motion::RigidTap => 331,
             Motion::Spline(form) => {

@@ -5,7 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_dialect::table::MotionModality;
 use chordal_dialect::{Action, MotionCode, ReadingCode};
 use chordal_geometry::Direction;
-use chordal_kernel::rules::CycleKind;
+use chordal_kernel::rules::{CycleKind, TurnCycle};
 use chordal_kernel::{Motion, SplineForm};
 use chordal_syntax::{Block, Letters, Word};
 
@@ -228,6 +228,8 @@ impl Interpreter<'_> {
             Motion::Thread => self.thread_block(block, target, named, false),
             Motion::RigidTap => self.thread_block(block, target, named, true),
             Motion::Turn(pass) => self.turn_block(block, pass, target, named, explicit),
+            Motion::Probe { must_hit } => self.probe_move(block, 0, must_hit),
+            Motion::ThreadPasses => self.turning_cycle(block, 0, TurnCycle::LineThread),
             // Carried out before: its words are others.
             Motion::Spline(_) => {}
             Motion::None => self.report_no_motion(block, target, named),

@@ -9,7 +9,7 @@ use chordal_kernel::LengthOffset;
 use chordal_kernel::Motion;
 use chordal_kernel::ToolValue;
 use chordal_kernel::rules::LeadLength;
-use chordal_machine::{Axis, PerAxis};
+use chordal_machine::{AXIS_LETTERS, Axis, PerAxis};
 use chordal_syntax::{Block, Letters, Value};
 
 use super::Interpreter;
@@ -163,10 +163,17 @@ impl Interpreter<'_> {
 
     /// G43.2: the offsets of tool H are added to those in force.
     pub(super) fn add_tool_offsets(&mut self, block: &Block) {
+        if !block.letters().has(b'H') && block.letters().meets(Letters::of(AXIS_LETTERS)) {
+            let values = self.axis_words(block);
+            return self.kernel.set_tool_offsets(&values, true);
+        }
         let Some(number) = self.count_of(block, b'H') else {
             let span = self.span(block.range);
-            let diagnostic = Diagnostic::new(Code::MissingWord, span, "G43.2 without H")
-                .help("give the number of the tool with H");
+            let diagnostic =
+                Diagnostic::new(Code::MissingWord, span, "G43.2 without H and without axis words")
+                    .help(
+                        "give the number of the tool with H, or the lengths to add with X, Y and Z",
+                    );
             let alarm = "G43.2: No axes specified and H word missing";
             return self.report_refused(diagnostic, alarm);
         };

@@ -3,10 +3,10 @@
 
 use chordal_command::{AxisMask, CommandKind, Side};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
-use chordal_dialect::OnceCode;
+use chordal_dialect::{Action, CodeRow, Group, OnceCode};
 use chordal_geometry::Direction;
 use chordal_kernel::Motion;
-use chordal_kernel::rules::Allowance;
+use chordal_kernel::rules::{Allowance, TurnCycle};
 use chordal_machine::{AXES, PerAxis};
 use chordal_syntax::{Block, Decimal, Word};
 
@@ -14,6 +14,16 @@ use super::Interpreter;
 use super::literals::{AXIS_OF, trim};
 
 impl Interpreter<'_> {
+    /// A code that the table has among the motion codes stays in force, and the next block with axes repeats it.
+    fn keep_in_force(&mut self, code: OnceCode, motion: Motion) {
+        let rows = self.control.table.g_codes;
+        let is = |row: &CodeRow| row.action == Action::Once(code) && row.group == Group::Motion;
+        if rows.iter().any(is) {
+            self.kernel.end_cycle_if(true);
+            self.kernel.state.motion = motion;
+        }
+    }
+
     pub(super) fn one_shot(&mut self, block: &Block, code: OnceCode, at: usize) {
         let to_machine = matches!(
             code,
@@ -43,7 +53,10 @@ impl Interpreter<'_> {
             }
             OnceCode::Home => self.home(block),
             OnceCode::Pattern(pattern) => self.pattern(block, at, pattern),
-            OnceCode::Probe { must_hit } => self.probe_move(block, at, must_hit),
+            OnceCode::Probe { must_hit } => {
+                self.keep_in_force(code, Motion::Probe { must_hit });
+                self.probe_move(block, at, must_hit);
+            }
             OnceCode::LocalShift | OnceCode::PresetPosition if self.lacks_axes(block) => {
                 let span = self.span(block.words[at].range);
                 self.report_refused(
@@ -103,7 +116,12 @@ impl Interpreter<'_> {
             OnceCode::CircularPocketCcw => self.circular_pocket(block, at, Direction::Ccw),
             OnceCode::GeneralPocket => self.general_pocket(block, at),
             OnceCode::CornerArcAlone => self.corner_arc(block, true),
-            OnceCode::Turning(cycle) => self.turning_cycle(block, at, cycle),
+            OnceCode::Turning(cycle) => {
+                if cycle == TurnCycle::LineThread {
+                    self.keep_in_force(code, Motion::ThreadPasses);
+                }
+                self.turning_cycle(block, at, cycle);
+            }
             OnceCode::Surface(code) => self.surface_code(block, at, code),
             OnceCode::Engraving => self.engrave(block, at),
         }

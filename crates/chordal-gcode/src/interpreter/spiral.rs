@@ -81,8 +81,9 @@ impl Interpreter<'_> {
     }
 
     /// True when a G2 or G3 block is a spiral by its words.
-    pub(super) fn is_spiral_of_type_two(&self, block: &Block, target: &Position) -> bool {
-        self.has_spiral_words(block) && !self.is_plain_circle(block, target)
+    pub(super) fn is_spiral_of_type_two(&mut self, block: &Block, target: &Position) -> bool {
+        (self.has_spiral_words(block) || self.has_two_radii(block, target))
+            && !self.is_plain_circle(block, target)
     }
 
     /// A full circle whose further words are zero, as posts write them, or ask for its one turn.
@@ -101,6 +102,19 @@ impl Interpreter<'_> {
             && one_turn
             && zero(b'Q')
             && zero(height)
+    }
+
+    /// Where Q, L and K may all be left out, two radii make a spiral of less than a turn, as with L1 (M700V manual
+    /// 6.13 (7)).
+    fn has_two_radii(&mut self, block: &Block, target: &Position) -> bool {
+        let rules = &self.control.parameters.rules.arc;
+        let (form, tolerance_mm) = (rules.spiral, rules.radius_error_tolerance_mm);
+        if form != SpiralForm::IncrementHeightCount || block.letters().has(b'R') {
+            return false;
+        }
+        let spiral = self.spiral_words(block, Direction::Ccw);
+        let [from, to] = self.kernel.radii(spiral.center, target);
+        spiral.centered && (from - to).abs() > tolerance_mm
     }
 
     fn has_spiral_words(&self, block: &Block) -> bool {

@@ -321,6 +321,8 @@ impl Interpreter<'_> {
             Motion::Spiral(_)
             | Motion::Thread
             | Motion::RigidTap
+            | Motion::Probe { .. }
+            | Motion::ThreadPasses
             | Motion::Turn(_)
             | Motion::Spline(_)
             | Motion::None => {

@@ -2,6 +2,7 @@
 
 use chordal_command::{
     ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, Side,
+    telling_number,
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::{
@@ -32,6 +33,12 @@ pub struct ArcWords {
     pub turns: u32,
 }
 
+/// An arc of less may be a circle that an increment made vanish, rad.
+const VANISHING_SWEEP_RAD: f64 = 0.01;
+
+/// So many least increments between start and end are rounding: one for each word, and half for a sum.
+const VANISHING_INCREMENTS: f64 = 1.5;
+
 impl Kernel<'_> {
     /// The centre on the plane's axes, by a rule for its words.
     pub fn center(&self, words: [Option<f64>; 2], rule: ArcCenter) -> (f64, f64) {
@@ -54,6 +61,13 @@ impl Kernel<'_> {
                 (first.unwrap_or(left_out.0), second.unwrap_or(left_out.1))
             }
         }
+    }
+
+    /// The distances of the present place and of the end from a centre, in the plane, mm.
+    pub fn radii(&self, center: [Option<f64>; 2], target: &Position) -> [f64; 2] {
+        let (a, b, _) = self.state.plane.axes();
+        let center = self.center(center, self.state.arc_center);
+        [&self.state.position, target].map(|place| (place[a] - center.0).hypot(place[b] - center.1))
     }
 
     /// An arc, a helix or a full circle about a centre.
@@ -79,7 +93,35 @@ impl Kernel<'_> {
         let judged = self.fit_in_work(&fit, center, arc, &target);
         self.check_mismatch(at, &judged, arc, &target);
         self.check_radius_limit(at, judged.radius_start.max(judged.radius_end));
+        self.check_vanishing_circle(at, &fit);
         self.emit_arc(at, center, &fit, target, named);
+    }
+
+    /// An arc of almost nothing, whose end misses the start by an increment. Said once.
+    #[inline]
+    fn check_vanishing_circle(&mut self, at: &dyn Statement, fit: &ArcSweep) {
+        let is_short = fit.sweep.abs() < VANISHING_SWEEP_RAD;
+        if is_short && !self.reported.vanishing_circle {
+            self.report_vanishing_circle(at, fit);
+        }
+    }
+
+    #[cold]
+    fn report_vanishing_circle(&mut self, at: &dyn Statement, fit: &ArcSweep) {
+        let missed_mm = fit.sweep.abs() * fit.radius_start;
+        if missed_mm > VANISHING_INCREMENTS * self.rules.least_increment(self.state.units) {
+            return;
+        }
+        self.reported.vanishing_circle = true;
+        let (angle, missed) = (fit.sweep.abs().to_degrees(), self.length_text(missed_mm));
+        let message = format!(
+            "this arc turns {}°: its end misses the start by {missed}",
+            telling_number(angle, 4)
+        );
+        self.report(
+            Diagnostic::new(Code::VanishingCircle, at.span(), message)
+                .help("for a full circle, write the start as the end"),
+        );
     }
 
     /// An arc by its radius; negative for more than half a circle.

@@ -3,6 +3,7 @@
 mod arc;
 mod corner;
 mod reference;
+mod rotary_feed;
 mod spiral;
 mod spline;
 mod thread;
@@ -120,10 +121,15 @@ impl Kernel<'_> {
         // No F at all is a NaN, which is not above zero either.
         let value = value.unwrap_or(f64::NAN);
         let (spindle_rev_per_s, surface) = self.spindle_of_feed(motion.from[0]);
+        let (value, along) = match motion.from[3..] == motion.to[3..] || shape.is_some() {
+            true => (value, FeedAlong::Path),
+            false => self.rotary_feed(at, motion, value),
+        };
+        let state = &self.state;
         let feed = Feed {
             value,
             mode: state.feed_mode,
-            along: FeedAlong::Path,
+            along,
             spindle_rev_per_s,
             lead_change: 0.0,
             surface,

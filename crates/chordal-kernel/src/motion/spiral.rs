@@ -124,7 +124,7 @@ impl Kernel<'_> {
             self.report(Diagnostic::new(Code::NoCenter, at.span(), message).help(help));
             return None;
         }
-        if !self.arc_fits_frames(at) {
+        if self.spiral_is_refused(at) || !self.arc_fits_frames(at) {
             return None;
         }
         let center = self.center(spiral.center, self.state.arc_center);

@@ -31,6 +31,8 @@ pub struct FrameRules {
     pub factor_range: [f64; 2],
     /// An arc while the axes of its plane have different factors.
     pub unequal_arcs: UnequalArcs,
+    /// Spirals and cones are refused while coordinates are mirrored or scaled.
+    pub refuses_spirals: bool,
     /// The plane may change while a rotation is in force.
     pub plane_change: bool,
     /// Another work coordinate system leaves the centre of a rotation where it is on the machine.
@@ -82,6 +84,7 @@ impl FrameRules {
         factors_by_vector: true,
         factor_range: [0.0, 10_000.0],
         unequal_arcs: UnequalArcs::Judged,
+        refuses_spirals: false,
         plane_change: false,
         rotation_stays: false,
         work_rotation: false,

@@ -9,6 +9,7 @@ mod corner;
 mod cycle;
 mod frame;
 mod path_mode;
+mod rotary_feed;
 mod tool_lengths;
 mod turning;
 
@@ -21,6 +22,7 @@ pub use corner::*;
 pub use cycle::*;
 pub use frame::*;
 pub use path_mode::*;
+pub use rotary_feed::*;
 pub use tool_lengths::*;
 pub use turning::*;
 
@@ -66,6 +68,8 @@ pub struct Rules {
     pub starting_feed_mm_s: Option<f64>,
     /// Largest turn of a rotary axis in a block, rad.
     pub max_rotary_per_block_rad: f64,
+    /// F of straight cuts with rotary axes.
+    pub rotary_feed: RotaryFeedRules,
     /// What the radius offsets of the table are.
     pub radius_offsets: OffsetKind,
     /// Many of its machines have a spindle that is switched by hand, or none: a pen, a knife (GRBL).
@@ -169,6 +173,7 @@ impl Rules {
         spindle_by_hand: false,
         spindle_stops_at_tool_change: false,
         speed_by_hand: false,
+        rotary_feed: RotaryFeedRules::COMMON,
         radius_offsets: OffsetKind::Radius,
         outside_corner: OutsideCorner::Linear,
         compensation_entry: CompensationEntry::A,

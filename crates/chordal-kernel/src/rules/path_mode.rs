@@ -80,6 +80,8 @@ pub struct PathRules {
     pub short_blocks: ShortBlocks,
     /// Trapezoids with junction deviation, where the control moves like that and not with limited jerk.
     pub junctions: Option<JunctionRules>,
+    /// The spindle output drives a laser (GRBL's `$32=1`): another S in the block of a motion does not stop the axes.
+    pub laser_mode: bool,
 }
 
 impl PathRules {
@@ -95,6 +97,7 @@ impl PathRules {
         look_ahead_mm: None,
         short_blocks: ShortBlocks::Apart,
         junctions: None,
+        laser_mode: false,
     };
 
     /// The distance that a level of smoothness allows, mm.

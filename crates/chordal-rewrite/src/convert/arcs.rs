@@ -1,13 +1,11 @@
 //! Arcs: centres and turns as the new control reads them, and the feed of a helix.
 
-use chordal::CommandKind;
-use chordal::control::{ArcShape, Control, FeedAlong, FeedMode, Units};
+use chordal::control::{ArcShape, Control};
 use chordal::syntax::Letters;
 
 use super::context::Context;
 use super::draft::{Draft, Expand};
 use super::numbers;
-use super::spiral;
 use super::trace::{Exec, moves};
 
 /// An arc must name an axis of its plane, also where it ends at its start.
@@ -40,7 +38,6 @@ impl Context<'_> {
         {
             return Err(Expand(format!("{} counts turns in another way", self.to.table.title)));
         }
-        self.helix_feed(draft, at, run)?;
         if self.from.parameters.rules.arc.arc_center != parameters.rules.arc.arc_center
             && letters.meets(Letters::of("IJK"))
         {
@@ -89,41 +86,6 @@ impl Context<'_> {
         let units = run.after.units;
         let text = numbers::length(place, units, numbers::digits(self.to, units), self.style());
         draft.append(format!("{}{text}", char::from(first)), reason);
-        Ok(())
-    }
-
-    /// F of a helix, where the new control measures it along something else.
-    fn helix_feed(&self, draft: &mut Draft, at: usize, run: &Exec) -> Result<(), Expand> {
-        let helix = self.trace.commands_of(run).iter().find_map(|command| match &command.kind {
-            CommandKind::Arc { motion, shape, feed } => Some((motion, shape, feed)),
-            _ => None,
-        });
-        let Some((motion, shape, feed)) = helix else { return Ok(()) };
-        let new = self.to.parameters.rules.arc.helix_feed;
-        if feed.mode != FeedMode::PerTime || !feed.value.is_finite() {
-            return Ok(());
-        }
-        let scale = spiral::feed_scale(motion, shape, feed, new);
-        if (scale - 1.0).abs() < 1e-9 {
-            return Ok(());
-        }
-        let unit = if run.after.units == Units::Inch { 25.4 } else { 1.0 };
-        let value = feed.value * 60.0 / unit;
-        let text = |value: f64| format!("F{}", numbers::feed(value, self.style()));
-        let reason = format!(
-            "{} measures the feed of a helix {}",
-            self.to.table.title,
-            if new == FeedAlong::Plane { "in the plane of its arc" } else { "along the helix" }
-        );
-        if self.trace.facts[at].feed_varies {
-            return Err(Expand(reason));
-        }
-        let own = draft.place(b'F');
-        match own {
-            Some(own) => draft.replace(own, text(value * scale), reason),
-            None => draft.append(text(value * scale), reason),
-        }
-        draft.after.push(text(value));
         Ok(())
     }
 }

@@ -5,8 +5,8 @@ use chordal::control::{
     Action, AfterCode, BeforeCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode,
 };
 use chordal::control::{
-    ArcShape, Control, Coolant, Feed, FeedAlong, FeedMode, Move, Overrides, PathMode, Side,
-    SpindleState, Units, WorkName,
+    ArcShape, Control, Coolant, Feed, FeedMode, Move, Overrides, PathMode, Side, SpindleState,
+    Units, WorkName,
 };
 use chordal::geometry::Plane;
 use chordal::machine::{AXES, AXIS_LETTERS};
@@ -16,6 +16,7 @@ use super::Refusal;
 use super::arcs;
 use super::codes;
 use super::context::Context;
+use super::feed::feed_word;
 use super::numbers;
 use super::spiral;
 use super::tap::{self, Tap};
@@ -151,19 +152,14 @@ impl<'a> Emitter<'a> {
     /// F, where what was written holds another one.
     fn restore_feed(&mut self, modes: &Modes) {
         let Some(value) = modes.feed.filter(|_| self.feed.is_some()) else { return };
-        let feed = Feed {
-            value,
-            mode: modes.feed_mode,
-            along: FeedAlong::Path,
-            spindle_rev_per_s: 0.0,
-            lead_change: 0.0,
-            surface: None,
+        let per_unit = match modes.feed_mode {
+            FeedMode::PerTime => 60.0,
+            FeedMode::PerRevolution => 1.0,
+            FeedMode::InverseTime => return,
         };
-        if feed.mode != FeedMode::InverseTime {
-            let mut words = Vec::new();
-            self.feed(&mut words, &feed, 1.0, false);
-            self.pending.extend(words);
-        }
+        let mut words = Vec::new();
+        self.feed_value(&mut words, value * per_unit / self.units.mm());
+        self.pending.extend(words);
     }
 
     /// Lines that do nothing.
@@ -381,7 +377,8 @@ impl<'a> Emitter<'a> {
         }
         let mut words = self.head(Action::Motion(MotionCode::Linear))?;
         words.extend(axes);
-        self.feed(&mut words, feed, 1.0, motion.only_turns(None));
+        let value = feed_word(motion, None, feed, self.to, self.units);
+        self.feed(&mut words, feed, value);
         self.line(&words);
         Ok(())
     }
@@ -390,24 +387,15 @@ impl<'a> Emitter<'a> {
         if shape.plane != self.plane {
             return Err("an arc outside the active plane".into());
         }
-        let along = Feed { along: FeedAlong::Path, ..*feed };
         let most = self.to.parameters.rules.arc.radius_error_tolerance_mm.min(self.tolerance_mm);
         for piece in spiral::as_arcs(motion, shape, most, self.tolerance_mm) {
-            let new = self.to.parameters.rules.arc.helix_feed;
-            let scale = spiral::feed_scale(&piece.motion, &piece.shape, feed, new);
-            self.one_arc(&piece.motion, &piece.shape, &along, scale)?;
+            self.one_arc(&piece.motion, &piece.shape, feed)?;
         }
         Ok(())
     }
 
     /// An arc of at most a turn.
-    fn one_arc(
-        &mut self,
-        motion: &Move,
-        shape: &ArcShape,
-        feed: &Feed,
-        scale: f64,
-    ) -> Result<(), Refused> {
+    fn one_arc(&mut self, motion: &Move, shape: &ArcShape, feed: &Feed) -> Result<(), Refused> {
         let action = if shape.sweep < 0.0 {
             Action::Motion(MotionCode::ArcCw)
         } else {
@@ -449,7 +437,8 @@ impl<'a> Emitter<'a> {
         words.extend(centers);
         let mut line = self.head(action)?;
         line.extend(words);
-        self.feed(&mut line, feed, scale, false);
+        let value = feed_word(motion, Some(shape), feed, self.to, self.units);
+        self.feed(&mut line, feed, value);
         self.line(&line);
         Ok(())
     }
@@ -476,19 +465,21 @@ impl<'a> Emitter<'a> {
         Ok(())
     }
 
-    fn feed(&mut self, words: &mut Vec<String>, feed: &Feed, scale: f64, only_turns: bool) {
-        if !feed.value.is_finite() {
+    /// F of this value, where it is not in force.
+    fn feed(&mut self, words: &mut Vec<String>, feed: &Feed, value: f64) {
+        if feed.mode == FeedMode::InverseTime && value.is_finite() {
+            // Each block needs its own.
+            self.feed = None;
+        }
+        self.feed_value(words, value);
+    }
+
+    fn feed_value(&mut self, words: &mut Vec<String>, value: f64) {
+        if !value.is_finite() {
             return;
         }
-        let unit = if self.units == Units::Inch { 25.4 } else { 1.0 };
-        let value = match feed.mode {
-            FeedMode::PerTime if only_turns => feed.value.to_degrees() * 60.0,
-            FeedMode::PerTime => feed.value * 60.0 / unit * scale,
-            FeedMode::InverseTime => feed.value * 60.0,
-            FeedMode::PerRevolution => feed.value / unit,
-        };
         let text = numbers::feed(value, self.style);
-        if self.feed.as_ref() != Some(&text) || feed.mode == FeedMode::InverseTime {
+        if self.feed.as_ref() != Some(&text) {
             words.push(format!("F{text}"));
             self.feed = Some(text);
         }

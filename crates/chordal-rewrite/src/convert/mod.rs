@@ -15,6 +15,7 @@ mod corners;
 mod cycles;
 mod draft;
 mod emit;
+mod feed;
 mod frames;
 mod initial;
 mod layout;

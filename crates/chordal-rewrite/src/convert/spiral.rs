@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use chordal::control::{ArcShape, Feed, FeedAlong, Move};
+use chordal::control::{ArcShape, Move};
 use chordal::geometry::{Arc, Vec3};
 use chordal::machine::{AXES, PerAxis};
 use libm::{atan2, cos, sin};
@@ -113,20 +113,4 @@ fn chain(motion: &Move, shape: &ArcShape, count: usize, tolerance_mm: f64) -> Op
         from = to;
     }
     Some(pieces)
-}
-
-/// What F must be multiplied by, where the new control measures it along something else.
-pub(crate) fn feed_scale(motion: &Move, shape: &ArcShape, feed: &Feed, new: FeedAlong) -> f64 {
-    let (_, _, c) = shape.plane.axes();
-    let radius = (shape.radius_from + shape.radius_to) / 2.0;
-    let flat = radius * shape.sweep.abs();
-    let whole = flat.hypot(motion.to[c] - motion.from[c]);
-    if flat == 0.0 {
-        return 1.0;
-    }
-    match (feed.along, new) {
-        (FeedAlong::Plane, FeedAlong::Path) => whole / flat,
-        (FeedAlong::Path, FeedAlong::Plane) => flat / whole,
-        _ => 1.0,
-    }
 }

@@ -84,6 +84,7 @@ impl<'a> Context<'a> {
         self.offsets(draft, at)?;
         cycles::translate(self, draft, at)?;
         self.arc(draft, at)?;
+        self.feed_along(draft, at)?;
         self.registers(draft, at)?;
         self.numbers(draft, at);
         self.dwell(draft, at);

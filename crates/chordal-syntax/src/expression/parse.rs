@@ -328,12 +328,20 @@ impl<'a> ExpressionParser<'a> {
                 let digits_at = self.at;
                 let rest = &self.text[self.at..self.end];
                 let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
-                self.at += digits;
-                let index = rest[..digits]
-                    .iter()
-                    .fold(0.0, |sum: f64, digit| sum * 10.0 + f64::from(digit - b'0'));
+                // Decimals are read too, so that `#1.5` is no variable instead of #1.
+                let decimals = match rest.get(digits) {
+                    Some(b'.') => {
+                        rest[digits + 1..].iter().take_while(|b| b.is_ascii_digit()).count()
+                    }
+                    _ => 0,
+                };
+                let length = if decimals > 0 { digits + 1 + decimals } else { digits };
+                self.at += length;
+                let number = std::str::from_utf8(&rest[..length]).ok();
+                let index = number.and_then(|text| text.parse().ok()).unwrap_or(f64::INFINITY);
                 self.push(Op::Number(index), digits_at);
             }
+            b'+' | b'-' if self.grammar.names => self.unary(),
             mark if mark == open => self.bracket(),
             b'<' if self.grammar.names => return self.named(start, marks),
             mark if mark.is_ascii_alphabetic() && self.grammar.names => self.name(start),

@@ -56,6 +56,10 @@ pub(crate) struct MotionBuilder<'a, S> {
     spline_tolerance_mm: f64,
     mode: PathMode,
     spindle_rpm: f64,
+    /// Whether a laser is on, and whether its power follows the speed.
+    laser_state: SpindleState,
+    /// The block that changed the power of a laser, and may yet move.
+    laser_change: Option<Origin>,
     /// The surface on which two coordinates lie.
     surface: Option<RotarySurface>,
     tool: u32,
@@ -109,6 +113,8 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             dog_leg_shape: options.dog_leg_shape,
             spline_tolerance_mm: options.spline_tolerance_mm,
             spindle_rpm: 0.0,
+            laser_state: SpindleState::Off,
+            laser_change: None,
             surface: None,
             tool: 0,
             at: None,
@@ -180,6 +186,17 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         };
         let difference = (target - self.spindle_rpm).abs();
         self.spindle_rpm = target;
+        if self.rules.laser_mode {
+            // A laser has no speed that takes time, but switching it waits until the axes stand.
+            let is_switched = std::mem::replace(&mut self.laser_state, state) != state;
+            if is_switched {
+                self.laser_change = None;
+                self.wait(WaitKind::SpindleSpeed, 0.0, origin);
+            } else if difference > 0.0 {
+                self.laser_change = Some(origin);
+            }
+            return;
+        }
         let per_1000 = self.times.spindle_per_1000_rpm_s.unwrap_or(0.0);
         if difference > 0.0 {
             self.wait(WaitKind::SpindleSpeed, difference / 1000.0 * per_1000, origin);
@@ -187,6 +204,22 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         if state == SpindleState::Oriented {
             let seconds = self.times.spindle_orient_s.unwrap_or(0.0);
             self.wait(WaitKind::SpindleOrient, seconds, origin);
+        }
+    }
+
+    /// A new power of the laser stops the axes, unless it comes with a motion in its block.
+    #[inline]
+    fn power_of_laser(&mut self, command: &Command, moves: bool) {
+        let Some(changed) = self.laser_change else { return };
+        let is_same_block =
+            changed.span == command.origin.span && changed.call == command.origin.call;
+        match (is_same_block, moves) {
+            (true, true) => self.laser_change = None,
+            (true, false) => {}
+            (false, _) => {
+                self.laser_change = None;
+                self.wait(WaitKind::SpindleSpeed, 0.0, changed);
+            }
         }
     }
 
@@ -443,6 +476,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
 
     /// Takes a command and its pieces of path.
     pub fn follow(&mut self, command: &Command, segments: &[Segment]) {
+        self.power_of_laser(command, !segments.is_empty());
         self.sink.command(command);
         if segments.is_empty() {
             return self.other_command(command);

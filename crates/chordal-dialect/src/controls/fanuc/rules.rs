@@ -20,6 +20,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         machine_move_needs_absolute: true,
         length: LengthRules { adds_to_increment: true, ..LengthRules::COMMON },
         radius_offsets: OffsetKind::Radius,
+        // B-63174EN 4.2: X20. C40. F300. takes 0.149 min.
+        rotary_feed: RotaryFeedRules::measured(RotaryFeed::DegreesAsUnits),
         chip_break_mm: 1.0,
         peck_clearance_mm: 1.0,
         cycles: CYCLES,

@@ -27,6 +27,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
         starts_per_revolution: true,
         machine_move_is_rapid: true,
         radius_offsets: OffsetKind::Radius,
+        rotary_feed: RotaryFeedRules::measured(RotaryFeed::DegreesAsUnits),
         bare_home_moves_all: true,
         chip_break_mm: 1.0,
         peck_clearance_mm: 1.0,

@@ -14,6 +14,7 @@ pub(super) static FIRMWARE: Firmware = Firmware {
         zeros_count: true,
         named_commands: true,
         letters: Letters::of("EFIJKLNPQRSTXYZ"),
+        further_axes: true,
     },
     block: BlockRules {
         bare_circles: false,

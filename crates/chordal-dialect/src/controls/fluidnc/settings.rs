@@ -1,10 +1,11 @@
 //! The settings of FluidNC by the names of its configuration file, and of who sends it programs.
 
-use super::super::grbl::settings::ON_ERROR;
+use super::super::grbl::settings::{ON_ERROR, laser_mode};
 use crate::vocabulary::*;
 
 pub(super) const SETTINGS: &[Setting] = &[
     ON_ERROR,
+    laser_mode("laser_mode"),
     of_file(
         "junction_deviation_mm",
         PathField::JunctionDeviation,

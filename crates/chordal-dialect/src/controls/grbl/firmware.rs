@@ -14,6 +14,7 @@ pub(super) static FIRMWARE: Firmware = Firmware {
         zeros_count: true,
         named_commands: false,
         letters: Letters::of("FIJKLNPRSTXYZ"),
+        further_axes: false,
     },
     block: BlockRules::STRICT,
     with_fractions: &[28, 30, 38, 43, 61, 90, 91, 92],
@@ -143,6 +144,7 @@ pub(in crate::controls) const fn answer(
 pub(in crate::controls) const DUMP: &[DumpRow] = &[
     dump(11, DumpMeaning::JunctionDeviation),
     dump(12, DumpMeaning::ArcTolerance),
+    dump(32, DumpMeaning::LaserMode),
     dump(100, DumpMeaning::Steps(Axis::X)),
     dump(101, DumpMeaning::Steps(Axis::Y)),
     dump(102, DumpMeaning::Steps(Axis::Z)),

@@ -19,6 +19,8 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
         rapid: RapidPath::Straight,
         bare_home_moves_all: true,
         spindle_by_hand: true,
+        // The planner takes the length of the vector of all axes, and G20 does not scale rotary ones.
+        rotary_feed: RotaryFeedRules::measured(RotaryFeed::DegreesAsMillimetres),
         work_values_add: false,
         // Nothing stops between a rapid and a cut.
         path: PathRules {

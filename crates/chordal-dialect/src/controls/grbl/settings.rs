@@ -19,6 +19,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     STEPS[1],
     STEPS[2],
     BLOCKS,
+    laser_mode("$32"),
 ];
 
 /// What a sender does after an error.
@@ -67,6 +68,18 @@ pub(in crate::controls) const BLOCKS: Setting = setting(
     Certainty::Documented,
     "BLOCK_BUFFER_SIZE of the build, less one",
 );
+
+/// Whether the output of the spindle drives a laser.
+pub(in crate::controls) const fn laser_mode(name: &'static str) -> Setting {
+    setting(
+        name,
+        Field::Path(PathField::LaserMode),
+        &[],
+        "laser mode: another S in a block with a motion does not stop the axes: `on` or `off`",
+        Certainty::Documented,
+        "GRBL 1.1, laser mode",
+    )
+}
 
 /// What a build has or not.
 pub(in crate::controls) const fn build(name: &'static str, option: BuildOption, text: &'static str) -> Setting {

@@ -14,6 +14,7 @@ pub(super) static FIRMWARE: Firmware = Firmware {
         zeros_count: false,
         named_commands: true,
         letters: Letters::of("DEFHIJKLNOPQRSTXYZ"),
+        further_axes: true,
     },
     block: BlockRules {
         bare_circles: true,

@@ -1,10 +1,13 @@
 //! The settings of grblHAL, and of who sends it programs.
 
-use super::super::grbl::settings::{ARC_TOLERANCE, BLOCKS, DEVIATION, ON_ERROR, STEPS, build};
+use super::super::grbl::settings::{
+    ARC_TOLERANCE, BLOCKS, DEVIATION, ON_ERROR, STEPS, build, laser_mode,
+};
 use crate::vocabulary::*;
 
 pub(super) const SETTINGS: &[Setting] = &[
     ON_ERROR,
+    laser_mode("$32"),
     build("tool table", BuildOption::ToolTable, "the build has a tool table, and with it G43 H: `on` or `off`"),
     build(
         "expressions",

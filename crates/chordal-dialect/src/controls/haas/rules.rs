@@ -17,6 +17,11 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         frames: FRAMES,
         rapid: RapidPath::DogLeg,
         radius_offsets: OffsetKind::Diameter,
+        // Settings 34 and 79; what they hold at delivery was not found.
+        rotary_feed: RotaryFeedRules {
+            diameter_names: ["Setting 34", "Setting 79"],
+            ..RotaryFeedRules::measured(RotaryFeed::OnDiameter)
+        },
         chip_break_mm: 0.508,
         peck_clearance_mm: 0.508,
         bare_home_moves_all: true,

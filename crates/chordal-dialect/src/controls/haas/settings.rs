@@ -29,6 +29,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         "Setting 22, Can Cycle Delta Z",
     ),
     setting(
+        "Setting 34",
+        Field::RotaryFeed(RotaryFeedField::FourthDiameter),
+        &[],
+        "diameter on which F counts the 4th axis",
+        Certainty::Documented,
+        "Setting 34, 4th Axis Diameter",
+    ),
+    setting(
         "Setting 40",
         Field::RadiusOffsets,
         &[],
@@ -51,6 +59,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         "outside corners of cutter compensation",
         Certainty::Documented,
         "Setting 58, Cutter Compensation",
+    ),
+    setting(
+        "Setting 79",
+        Field::RotaryFeed(RotaryFeedField::FifthDiameter),
+        &[],
+        "diameter on which F counts the 5th axis",
+        Certainty::Documented,
+        "Setting 79, 5th Axis Diameter",
     ),
     setting(
         "Setting 85",

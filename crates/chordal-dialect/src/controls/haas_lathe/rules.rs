@@ -17,6 +17,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     corners_of_lines: true,
     rules: Rules {
         rapid: RapidPath::DogLeg,
+        // How F counts the C axis of a lathe was not found.
+        rotary_feed: RotaryFeedRules::COMMON,
         chip_break_mm: 0.508,
         peck_clearance_mm: 0.508,
         cycles: CYCLES,

@@ -19,6 +19,7 @@ pub(in crate::controls) const ALARMS: &[(Code, &str)] = &[
     (Code::NestingTooDeep, "P230 Subprogram nesting over"),
     (Code::MissingFeed, "P62 No F command"),
     (Code::UnknownCode, "P34 Improper G code"),
+    (Code::SpiralInFrame, "P34 Improper G code"),
     (Code::OutsideDomain, "P282 CALCULATION IMPOSSIBLE"),
     (Code::DivisionByZero, "P283 DIVIDE BY ZERO"),
     (Code::BadVariable, "P241 NO VARI NUMBER"),

@@ -15,6 +15,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         machine_move_is_rapid: true,
         length: LengthRules { adds_to_increment: true, ..LengthRules::COMMON },
         radius_offsets: OffsetKind::Radius,
+        // As Fanuc; no section of the manual was found.
+        rotary_feed: RotaryFeedRules::measured(RotaryFeed::DegreesAsUnits),
         chip_break_mm: 1.0,
         peck_clearance_mm: 1.0,
         cycles: CYCLES,
@@ -60,6 +62,8 @@ const COMPENSATION: CompensationRules = CompensationRules {
 
 /// Mitsubishi M700V manual, G51 and G68: angle and centre by G90 and G91, an axis without a centre is not scaled.
 const FRAMES: FrameRules = FrameRules {
+    // M700V manual 6.13.
+    refuses_spirals: true,
     angle_adds: true,
     angle_is_kept: true,
     center_by_mode: true,

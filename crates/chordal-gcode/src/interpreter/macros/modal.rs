@@ -60,7 +60,9 @@ impl Interpreter<'_> {
                 Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
                 Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,
                 Motion::Spline(form) => self.spline_code(form) / 10.0,
-                Motion::Turn(_) => self.motion_row_code() / 10.0,
+                Motion::Turn(_) | Motion::Probe { .. } | Motion::ThreadPasses => {
+                    self.motion_row_code() / 10.0
+                }
             },
             ModalGroup::Plane => match state.plane {
                 Plane::Xy => 17.0,

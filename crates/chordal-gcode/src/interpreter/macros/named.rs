@@ -184,7 +184,7 @@ impl Interpreter<'_> {
             Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 20.0,
             Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 30.0,
             Motion::Spline(form) => self.spline_code(form),
-            Motion::Turn(_) => self.motion_row_code(),
+            Motion::Turn(_) | Motion::Probe { .. } | Motion::ThreadPasses => self.motion_row_code(),
         }
     }
 }
