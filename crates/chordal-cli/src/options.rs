@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use chordal::machine::{Dimension, QuantityError, parse_quantity};
+use chordal::syntax::scan_program_name;
 use chordal::{EVERY_PLACE, KEPT_PER_CODE};
 use chordal_export::report::Detail;
 use chordal_load::{BlockDelete, Given, Request};
@@ -133,6 +134,9 @@ impl Showing {
 
 /// `1000`, `O1000`, `o1000`, `:1000`.
 fn program_number(text: &str) -> Result<u32, String> {
+    if let Some((number, _)) = scan_program_name(text.as_bytes()) {
+        return Ok(number);
+    }
     let digits = text.strip_prefix(['O', 'o', ':']).unwrap_or(text);
     digits.parse().map_err(|_| "write a program number, such as `1000` or `O1000`".to_string())
 }

@@ -102,8 +102,9 @@ fn programs(sheet: &mut Sheet, job: &Job, program: Option<u32>) {
     };
     let shown = |index: &usize| {
         let program = &library.programs()[*index];
-        let name = program.head.number.map_or("without a number".into(), |n| format!("O{n}"));
-        let title = title(library.text(program.file), program.head.head.end as usize);
+        let text = library.text(program.file);
+        let name = program.head.title(text).unwrap_or_else(|| "without a number".into());
+        let title = title(text, program.head.head.end as usize);
         let title = title.map_or_else(String::new, |title| format!(" ({title})"));
         let from = match job.sources().get(program.file) {
             Some(source) if program.file != FileId(0) => format!(" from {}", source.name()),

@@ -6,7 +6,7 @@ use chordal::control::table::{CodeRow, ControlTable, code_number};
 use chordal::control::{Modal, SpindleState, Units, number_text};
 use chordal::diagnostics::TextRange;
 use chordal::machine::AXIS_NAMES;
-use chordal::syntax::{Block, Word};
+use chordal::syntax::{Block, Word, is_program_name};
 
 use crate::meaning::{code_brief, code_name, codes, letter_text, word_meaning};
 use crate::names::{Name, Role};
@@ -100,6 +100,11 @@ impl Program {
             .map(|place| self.source().line_of(place.range.start))
             .collect();
         let (what, verb) = match name {
+            Name::Program(number) if is_program_name(*number) => {
+                let place = places.first()?;
+                let written = place.range.slice(self.source().text());
+                (format!("Program {}", String::from_utf8_lossy(written)), "begins")
+            }
             Name::Program(number) => (format!("Program O{number}"), "begins"),
             Name::Subroutine(label) => (format!("Subroutine o{label}"), "is made"),
             Name::Label { number, .. } => (format!("Block N{number}"), "stands"),

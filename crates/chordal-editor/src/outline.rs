@@ -74,8 +74,15 @@ impl Program {
         if let Some(word) = block.word(b'T').and_then(|word| word.number()?.to_integer()) {
             *tool = u32::try_from(word).ok();
         }
-        if let Some(number) = block.word(b'O').and_then(|word| word.number()?.to_integer()) {
-            return Some((PROGRAM, self.make(block, EntryKind::Program, format!("O{number}"))));
+        if let Some(word) = block.word(b'O')
+            && let Some(number) = word.number().and_then(|number| number.to_integer())
+        {
+            let written = word.range.slice(self.text());
+            let name = match written.first() {
+                Some(b'<') => String::from_utf8_lossy(written).into_owned(),
+                _ => format!("O{number}"),
+            };
+            return Some((PROGRAM, self.make(block, EntryKind::Program, name)));
         }
         let changes = block.words.iter().any(|word| {
             self.control()

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use chordal_diagnostics::{Code, Diagnostic, FileId, SourceMap, Span};
-use chordal_syntax::{Block, BlockReader, Lexicon, ProgramHead, find_programs};
+use chordal_syntax::{Block, BlockReader, Lexicon, ProgramHead, find_programs, is_program_name};
 
 /// A program of one of the texts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -126,11 +126,12 @@ impl<'a> Library<'a> {
             let span = |index: usize| -> Span {
                 self.programs[index].head.head.in_file(self.programs[index].file)
             };
-            let number = self.programs[*again].head.number.unwrap_or(0);
+            let Program { file, head } = self.programs[*again];
+            let name = head.title(self.text(file)).unwrap_or_default();
             Diagnostic::new(
                 Code::DuplicateProgram,
                 span(*again),
-                format!("there are two programs O{number}"),
+                format!("there are two programs {name}"),
             )
             .label("this one is never called")
             .also(span(*first), "the first one")
@@ -225,7 +226,7 @@ fn call_at(text: &[u8], at: usize, letter: u8, lexicon: &Lexicon, numbers: &mut 
             let number = word.number().and_then(|d| d.to_integer());
             if let Some(number) = number.and_then(|n| u32::try_from(n).ok()) {
                 numbers.push(number);
-                if number > 9999 {
+                if number > 9999 && !is_program_name(number) {
                     numbers.push(number % 10_000);
                 }
             }

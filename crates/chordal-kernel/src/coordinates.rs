@@ -270,7 +270,7 @@ impl Kernel<'_> {
 
     /// Turns a work coordinate system about its zero, degrees.
     pub fn write_work_rotation(&mut self, key: &str, degrees: f64) {
-        self.state.shift_coordinates(|offsets| offsets.write_rotation(key, degrees));
+        self.state.write_work_rotation(key, degrees);
         self.emit_written_offset(key);
     }
 

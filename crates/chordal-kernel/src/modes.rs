@@ -25,15 +25,29 @@ impl Kernel<'_> {
         }
     }
 
+    /// A code of the program says what F counts.
+    pub fn set_feed_mode_by_code(&mut self, mode: FeedMode) {
+        let is_in_force = self.state.feed_mode == mode;
+        if is_in_force && self.rules.feed_mode_code_ends_feed {
+            self.end_feed();
+        }
+        self.set_feed_mode(mode);
+    }
+
+    /// F is what it is before any F.
+    fn end_feed(&mut self) {
+        self.state.feed = None;
+        self.state.feed_angular = None;
+        self.state.unknown.feed = false;
+        self.reported.missing_feed = false;
+    }
+
     /// What F counts.
     pub fn set_feed_mode(&mut self, mode: FeedMode) {
         if self.state.feed_mode != mode {
             self.state.feed_mode = mode;
             // A feed of one mode means nothing in another.
-            self.state.feed = None;
-            self.state.feed_angular = None;
-            self.state.unknown.feed = false;
-            self.reported.missing_feed = false;
+            self.end_feed();
             self.emit(CommandKind::FeedMode(mode));
         }
     }

@@ -361,7 +361,7 @@ impl Offsets {
     }
 
     /// Where the zero of a system lies in its coordinates, without shift and preset.
-    fn zero_of_turn(&self) -> [f64; 2] {
+    pub(crate) fn zero_of_turn(&self) -> [f64; 2] {
         [0, 1].map(|axis| -(self.shift[axis] + self.preset[axis]))
     }
 

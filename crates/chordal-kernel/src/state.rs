@@ -452,6 +452,10 @@ impl State {
         let old_total = self.offsets.total();
         let old_known = self.offsets.known();
         let old_identity = self.offsets.identity();
+        let old_turn_deg = self.frames.work_rotation_deg();
+        let drift = self
+            .believed
+            .map(|believed| [0, 1, 2].map(|axis| believed[axis] - self.position[axis]));
         change(&mut self.offsets);
         self.offsets.update();
         let new_total = self.offsets.total();
@@ -479,6 +483,28 @@ impl State {
         }
         self.offsets.turn_coordinates(&mut self.frames);
         self.stand_at(work, known);
+        if let Some([x, y, z]) = drift {
+            let [x, y] = turned([x, y], old_turn_deg - self.frames.work_rotation_deg());
+            let mut believed = self.position;
+            [x, y, z].iter().enumerate().for_each(|(axis, by)| believed[axis] += by);
+            self.believed = Some(believed);
+        }
+    }
+
+    /// Writes the turn of a work coordinate system. While G92 or G52 is in force, the interpreter of RS274/NGC turns its
+    /// place about the zero of the program, and the machine turns about that of the work coordinate system: from then
+    /// on it believes to be where the machine does not stand, and the next move ends where it believes.
+    pub fn write_work_rotation(&mut self, key: &str, degrees: f64) {
+        let old_turn_deg = self.frames.work_rotation_deg();
+        self.shift_coordinates(|offsets| offsets.write_rotation(key, degrees));
+        let by_deg = old_turn_deg - self.frames.work_rotation_deg();
+        let preset = self.offsets.zero_of_turn().map(|zero| -zero);
+        if by_deg != 0.0 && preset != [0.0; 2] {
+            let by = turned(preset, by_deg);
+            let mut believed = self.believed.unwrap_or(self.position);
+            (0..2).for_each(|axis| believed[axis] += preset[axis] - by[axis]);
+            self.believed = Some(believed);
+        }
     }
 
     /// Changes the frames: the machine stands still and the program coordinates change.
@@ -498,4 +524,10 @@ impl State {
             self.known = self.frames.inverse().known(known);
         }
     }
+}
+
+/// A vector of X and Y after a turn.
+fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
+    let (sin, cos) = libm::sincos(degrees.to_radians());
+    [cos * x - sin * y, sin * x + cos * y]
 }

@@ -2,7 +2,7 @@
 
 use chordal::Machine;
 use chordal::control::{Control, RunOptions};
-use chordal::syntax::{ProgramHead, find_programs};
+use chordal::syntax::{ProgramHead, find_programs, is_program_name};
 
 use crate::chosen::Chosen;
 use crate::error::LoadError;
@@ -151,8 +151,10 @@ fn has_program(text: &Text, number: u32, heads: &[ProgramHead]) -> Result<(), Lo
     if numbers.contains(&number) {
         return Ok(());
     }
-    let message = format!("there is no program O{number} in {}", text.name());
-    let names: Vec<String> = numbers.iter().take(20).map(|number| format!("O{number}")).collect();
+    let called = if is_program_name(number) { "of this name".into() } else { format!("O{number}") };
+    let message = format!("there is no program {called} in {}", text.name());
+    let titles = heads.iter().filter_map(|head| head.title(text.bytes()));
+    let names: Vec<String> = titles.take(20).collect();
     let more = if numbers.len() > 20 { ", …" } else { "" };
     Err(match names.as_slice() {
         [] => LoadError::wrong(message, "no program of this file has a number"),

@@ -25,8 +25,8 @@ pub enum Semicolon {
 pub struct Lexicon {
     /// How a `(` comment ends.
     pub parenthesis: ParenthesisComment,
-    /// A `(` inside of a comment is an error, whatever closes it (RS274/NGC).
-    pub nested_comment_refused: bool,
+    /// A `(` inside of a comment, whatever closes it, and a comment before an O word are errors (RS274/NGC).
+    pub strict_comments: bool,
     /// What a semicolon is.
     pub semicolon: Semicolon,
     /// `*` starts a comment to the end of the line.
@@ -42,6 +42,8 @@ pub struct Lexicon {
     pub o_words: bool,
     /// `O1234` or `:1234` at the start of a line begins a program; where not, a file is one program.
     pub program_heads: bool,
+    /// `<NAME>` heads a program too, and names one in a call (Fanuc 30i).
+    pub named_programs: bool,
     /// `@` and `^` are words: a radius and an angle in the plane.
     pub polar_words: bool,
     /// `$2` heads the program of a channel, and `!2L1` waits for one.
@@ -54,7 +56,7 @@ impl Lexicon {
     /// The common ground of Fanuc-style controls.
     pub const FANUC_STYLE: Lexicon = Lexicon {
         parenthesis: ParenthesisComment::Closed,
-        nested_comment_refused: false,
+        strict_comments: false,
         semicolon: Semicolon::EndOfBlock,
         star_comment: false,
         registers: false,
@@ -62,6 +64,7 @@ impl Lexicon {
         blanks_in_numbers: false,
         o_words: false,
         program_heads: true,
+        named_programs: true,
         polar_words: false,
         channels: false,
         grammar: &MacroGrammar::FANUC,

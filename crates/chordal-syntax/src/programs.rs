@@ -6,10 +6,41 @@ use crate::alignment::is_alignment_number;
 use crate::lexicon::{Lexicon, Semicolon};
 use crate::reader::Position;
 
+/// Numbers from here on stand for names (`<PART_1>`): they are made from the name, and nobody writes them.
+const FIRST_OF_NAMES: u32 = 1 << 31;
+
+/// Most characters of a program's name (Fanuc 30i).
+const MAX_NAME_LENGTH: usize = 32;
+
+/// The program that `<NAME>` at the beginning of a text names, and the length of the words; `<O123>` is program 123.
+pub fn scan_program_name(text: &[u8]) -> Option<(u32, usize)> {
+    let name = text.strip_prefix(b"<")?;
+    let length = name.iter().take(MAX_NAME_LENGTH + 1).position(|byte| *byte == b'>')?;
+    let name = &name[..length];
+    let fits = |byte: &u8| byte.is_ascii_alphanumeric() || b" _+-.".contains(byte);
+    if name.is_empty() || !name.iter().all(fits) {
+        return None;
+    }
+    let digits =
+        name[0].eq_ignore_ascii_case(&b'O').then(|| std::str::from_utf8(&name[1..]).ok()).flatten();
+    let number =
+        digits.and_then(|digits| digits.parse().ok()).filter(|number| *number < FIRST_OF_NAMES);
+    // FNV-1a: two names of one folder have the same number once in many millions.
+    let hash = name.iter().fold(0x811c_9dc5_u32, |hash, byte| {
+        (hash ^ u32::from(byte.to_ascii_uppercase())).wrapping_mul(0x0100_0193)
+    });
+    Some((number.unwrap_or(FIRST_OF_NAMES | hash >> 2), length + 2))
+}
+
+/// Whether a program's number stands for a name.
+pub fn is_program_name(number: u32) -> bool {
+    number >= FIRST_OF_NAMES
+}
+
 /// A program of a file: its head and the text up to the next head.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ProgramHead {
-    /// The number after `O` or `:`; `None` for text before the first head.
+    /// The number after `O` or `:`, or that of its name; `None` for text before the first head.
     pub number: Option<u32>,
     /// The head's own words.
     pub head: TextRange,
@@ -19,8 +50,17 @@ pub struct ProgramHead {
     pub end: u32,
 }
 
+impl ProgramHead {
+    /// How the program is called: `O1234`, or by its name; `None` where it has neither.
+    pub fn title(&self, text: &[u8]) -> Option<String> {
+        let number = self.number?;
+        let name = || String::from_utf8_lossy(self.head.slice(text)).into_owned();
+        Some(if is_program_name(number) { name() } else { format!("O{number}") })
+    }
+}
+
 /// Finds the programs of a text by their heads: `O1234` or `:1234` at the start of a line,
-/// an N number or blanks before it allowed. One pass that only stops at the letter `O`, so
+/// an N number or blanks before it allowed, or `<NAME>` there. One pass that only stops at the letter `O`, so
 /// a gigabyte costs a fraction of a second.
 pub fn find_programs(text: &[u8], lexicon: &Lexicon) -> Vec<ProgramHead> {
     if !lexicon.program_heads {
@@ -28,7 +68,17 @@ pub fn find_programs(text: &[u8], lexicon: &Lexicon) -> Vec<ProgramHead> {
     }
     let mut heads: Vec<ProgramHead> = Vec::new();
     let mut counted = Position { offset: 0, line: 1 };
-    for at in memchr::memchr3_iter(b'O', b'o', b':', text) {
+    let named = lexicon.named_programs.then(|| memchr::memchr_iter(b'<', text));
+    let mut named = named.into_iter().flatten().peekable();
+    let mut numbered = memchr::memchr3_iter(b'O', b'o', b':', text).peekable();
+    loop {
+        let at = match (numbered.peek(), named.peek()) {
+            (None, None) => break,
+            (Some(number), Some(name)) if name < number => named.next(),
+            (None, Some(_)) => named.next(),
+            (Some(_), _) => numbered.next(),
+        };
+        let Some(at) = at else { break };
         let Some((line_start, number, end)) = head_at(text, at, lexicon) else { continue };
         counted = advance(text, counted, line_start as u32);
         if let Some(last) = heads.last_mut() {
@@ -56,6 +106,12 @@ fn nameless(end: u32) -> ProgramHead {
 
 /// Line start, number and end of a head whose letter is at `at`, if it is one.
 fn head_at(text: &[u8], at: usize, lexicon: &Lexicon) -> Option<(usize, u32, usize)> {
+    if text[at] == b'<' {
+        let (number, length) = scan_program_name(&text[at..])?;
+        let line_start = memchr::memrchr2(b'\n', b'\r', &text[..at]).map_or(0, |end| end + 1);
+        let is_first = text[line_start..at].iter().all(|b| matches!(b, b' ' | b'\t' | 0));
+        return is_first.then_some((line_start, number, at + length));
+    }
     let digits = text[at + 1..].iter().take_while(|b| b.is_ascii_digit()).count();
     if digits == 0 || digits > 9 {
         return None;

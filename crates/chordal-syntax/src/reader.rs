@@ -13,6 +13,7 @@ use crate::alignment::is_alignment_number;
 use crate::block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
 use crate::decimal::{self, Decimal};
 use crate::lexicon::{Lexicon, ParenthesisComment, Semicolon};
+use crate::programs::scan_program_name;
 
 /// A place between two blocks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -218,9 +219,24 @@ impl<'a> BlockReader<'a> {
                 return self.read_any_word(block, byte, false);
             }
             b'$' | b'!' if self.lexicon.channels => self.channel_mark(block),
+            b'<' if self.lexicon.named_programs => self.program_name(block),
             _ => self.unexpected(block),
         }
         true
+    }
+
+    /// `<NAME>`: the head of a program where nothing but N stands before it, and behind a call what P says elsewhere.
+    #[cold]
+    fn program_name(&mut self, block: &mut Block) {
+        let Some((number, length)) = scan_program_name(&self.text[self.at..self.end]) else {
+            return self.unexpected(block);
+        };
+        let is_head = block.words.iter().all(|word| word.letter == b'N');
+        let letter = if is_head { b'O' } else { b'P' };
+        let range = TextRange::new(self.at as u32, (self.at + length) as u32);
+        self.at += length;
+        let value = Value::Number(Decimal::integer(i64::from(number)));
+        block.push(Word { letter, register: None, comma: false, value, range });
     }
 
     /// `$2` and `!2L1`: the mark with the digits, letters and marks that follow it.
@@ -328,7 +344,7 @@ impl<'a> BlockReader<'a> {
         match length {
             Some(length) => self.at = start + length + 1,
             // More open than closed: the first `)` ends the comment, and nothing is left over.
-            None if self.lexicon.nested_comment_refused => {}
+            None if self.lexicon.strict_comments => {}
             None => return,
         }
         self.problem(block, || {
@@ -398,6 +414,9 @@ impl<'a> BlockReader<'a> {
     fn read_any_word(&mut self, block: &mut Block, letter: u8, comma: bool) -> bool {
         let start = self.at - usize::from(comma);
         if letter == b'O' && self.lexicon.o_words && self.flow_control() {
+            if self.lexicon.strict_comments && !block.comments.is_empty() {
+                self.o_word_behind_comment(block, start);
+            }
             self.skip_to_line_end();
             block.kind = BlockKind::Macro(TextRange::new(start as u32, self.at as u32));
             return false;

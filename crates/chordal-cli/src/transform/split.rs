@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use chordal::Job;
+use chordal::syntax::is_program_name;
 use chordal_export::{comparison_text, refusal_json, split_json};
 use chordal_rewrite::{By, Part, Split, Transformed, split};
 
@@ -85,7 +86,10 @@ fn text(done: &Split, job: &Job, by: By, asked: &Asked, written: &[PathBuf]) -> 
         By::Tool => format!("{count}, split before every tool change\n"),
     };
     for (index, part) in done.parts.iter().enumerate() {
-        let number = part.number.map_or(String::new(), |number| format!("O{number}: "));
+        let number = part
+            .number
+            .filter(|number| !is_program_name(*number))
+            .map_or(String::new(), |number| format!("O{number}: "));
         let begins = match (index, part.at_tool_change) {
             (0, _) => "",
             (_, true) => ", before a tool change",

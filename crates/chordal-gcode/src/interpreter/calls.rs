@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 use chordal_command::SpindleState;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
-use chordal_syntax::{Block, Letters, Position as TextPosition, Word};
+use chordal_syntax::{Block, Letters, Position as TextPosition, Word, is_program_name};
 
 use super::shop::Given;
 use super::{EndReason, Flow, Frame, Interpreter};
@@ -201,7 +201,8 @@ impl Interpreter<'_> {
     /// The number of the called program and how often it runs, where P may hold both (`P50012`). A
     /// program that has the whole number is meant as it stands.
     fn unpacked(&self, written: u32, times: u32) -> (u32, u32) {
-        let packed = self.control.parameters.packed_calls && written > 9999;
+        let packed =
+            self.control.parameters.packed_calls && written > 9999 && !is_program_name(written);
         if packed && self.library.find(written, self.file).is_none() {
             (written % 10_000, written / 10_000)
         } else {
@@ -231,17 +232,25 @@ impl Interpreter<'_> {
         if !self.missing.contains(&number) {
             self.missing.push(number);
         }
+        let name = match is_program_name(number) {
+            true => String::from_utf8_lossy(word.range.slice(self.reader.text())).into_owned(),
+            false => format!("O{number}"),
+        };
+        let mut help = format!(
+            "put {name} into the file, or a file {} into its folder",
+            name.trim_matches(['<', '>'])
+        );
+        if !is_program_name(number) {
+            help += &format!("; or say in the machine file what it does: `[shop_codes.{name}]`");
+        }
         self.report_once(
             Diagnostic::new(
                 Code::MissingSubprogram,
                 self.span(word.range),
-                format!("there is no program O{number} in this file or its folder"),
+                format!("there is no program {name} in this file or its folder"),
             )
             .label("the call is skipped: what it moves is missing from the path")
-            .help(format!(
-                "put O{number} into the file, or a file O{number} into its folder; or say in the machine \
-                 file what it does: `[shop_codes.O{number}]`"
-            )),
+            .help(help),
         );
     }
 

@@ -280,11 +280,27 @@ impl Interpreter<'_> {
         }
         for index in 0..block.words.len().min(2) {
             let word = &block.words[index];
+            let is_signed =
+                || word.letter == b'N' && word.number().is_some_and(|number| number.negative);
+            if self.control.parameters.strict_words && is_signed() {
+                let span = self.span(word.range);
+                self.report_refused(
+                    Diagnostic::new(Code::BadNumber, span, "a line number below zero")
+                        .help("write N and digits"),
+                    "Bad format unsigned integer",
+                );
+            }
+            let word = &block.words[index];
             if matches!(word.letter, b'N' | b'O') && word.range.len() > FEWEST_LONG_NUMBER {
                 let word = *word;
                 self.check_long_number(&word);
             }
         }
+    }
+
+    /// A word that names a program, `<SUB_A>`.
+    pub(super) fn is_name(&self, word: &Word) -> bool {
+        word.range.slice(self.reader.text()).starts_with(b"<")
     }
 
     #[cold]
@@ -294,6 +310,9 @@ impl Interpreter<'_> {
             _ => self.control.parameters.largest_numbers.program,
         };
         let Some(number) = self.literal(word).filter(|_| largest > 0) else { return };
+        if self.is_name(word) {
+            return;
+        }
         if number.to_f64() > f64::from(largest) {
             let letter = word.letter as char;
             self.kernel.report(

@@ -161,6 +161,8 @@ struct Interpreter<'a> {
     open_corner: bool,
     /// A line by its angle alone waits for the next block.
     open_line: Option<angle::OpenLine>,
+    /// A percent sign stands before its blocks.
+    begun_by_percent: bool,
     /// A percent sign has ended it.
     ended_by_percent: bool,
     /// Set where a statement ends the run.
@@ -317,6 +319,7 @@ impl<'a> Interpreter<'a> {
             message: None,
             open_corner: false,
             open_line: None,
+            begun_by_percent: false,
             ended_by_percent: false,
             stopped: None,
             shop: shop::ShopState::new(program),
@@ -461,7 +464,7 @@ impl<'a> Interpreter<'a> {
         }
         match block.kind {
             BlockKind::Words => {}
-            BlockKind::Percent => return self.percent(),
+            BlockKind::Percent => return self.percent(block),
             BlockKind::Folder => return Flow::Next,
             BlockKind::Macro(range) => {
                 let form = self.rules().form;
@@ -557,8 +560,13 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A percent sign ends the tape, once something stood before it.
-    fn percent(&mut self) -> Flow {
-        if self.carried_out && self.frames.is_empty() {
+    fn percent(&mut self, block: &Block) -> Flow {
+        if !self.carried_out {
+            self.begun_by_percent = true;
+        } else if self.frames.is_empty() {
+            if self.control.parameters.strict_words && !self.begun_by_percent {
+                self.report_lone_percent(block);
+            }
             self.ended_by_percent = true;
             return Flow::End(EndReason::EndOfText);
         }

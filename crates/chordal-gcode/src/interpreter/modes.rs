@@ -34,9 +34,13 @@ impl Interpreter<'_> {
             ReadingCode::ArcCenterIncremental => {
                 self.kernel.state.arc_center = ArcCenter::FromStart;
             }
-            ReadingCode::FeedPerTime => self.kernel.set_feed_mode(FeedMode::PerTime),
-            ReadingCode::FeedInverseTime => self.kernel.set_feed_mode(FeedMode::InverseTime),
-            ReadingCode::FeedPerRevolution => self.kernel.set_feed_mode(FeedMode::PerRevolution),
+            ReadingCode::FeedPerTime => self.kernel.set_feed_mode_by_code(FeedMode::PerTime),
+            ReadingCode::FeedInverseTime => {
+                self.kernel.set_feed_mode_by_code(FeedMode::InverseTime)
+            }
+            ReadingCode::FeedPerRevolution => {
+                self.kernel.set_feed_mode_by_code(FeedMode::PerRevolution)
+            }
             ReadingCode::SurfaceSpeed => self.kernel.keep_surface_speed(),
             ReadingCode::SpindleRpm => self.kernel.keep_spindle_speed(),
             ReadingCode::Diameters => self.per_word[0] = 0.5,

@@ -398,6 +398,21 @@ impl Interpreter<'_> {
         );
     }
 
+    /// `%` in a text that does not begin with one.
+    #[cold]
+    pub(super) fn report_lone_percent(&mut self, block: &Block) {
+        let span = self.span(block.range);
+        self.report_refused(
+            Diagnostic::new(
+                Code::UnexpectedCharacter,
+                span,
+                "`%` in a text that does not begin with it",
+            )
+            .help("remove it, or write another one on the first line"),
+            "Bad character '%' used",
+        );
+    }
+
     pub(super) fn report_missing_end(&mut self) {
         let refused = self.control.parameters.end_required;
         let optional = self.control.parameters.end_optional;

@@ -153,6 +153,11 @@ impl Frames {
         }
     }
 
+    /// The angle by which the work coordinate system is turned, degrees.
+    pub fn work_rotation_deg(&self) -> f64 {
+        self.work.map_or(0.0, |rotation| rotation.degrees)
+    }
+
     /// The axes that are mirrored.
     pub fn mirrored(&self) -> AxisMask {
         AxisMask::with_values(&self.mirror)

@@ -43,7 +43,8 @@ impl Kernel<'_> {
     /// The centre on the plane's axes, by a rule for its words.
     pub fn center(&self, words: [Option<f64>; 2], rule: ArcCenter) -> (f64, f64) {
         let (a, b, _) = self.state.plane.axes();
-        let start = (self.state.position[a], self.state.position[b]);
+        let from = self.state.believed.as_ref().unwrap_or(&self.state.position);
+        let start = (from[a], from[b]);
         let [first, second] = words;
         match rule {
             ArcCenter::FromStart => {
@@ -90,7 +91,11 @@ impl Kernel<'_> {
             self.report_zero_radius(at);
             return self.straight_instead(at, target, named);
         }
-        let judged = self.fit_in_work(&fit, center, arc, &target);
+        // The control judges the arc from where it takes the tool to be.
+        let judged = match self.state.believed {
+            None => self.fit_in_work(&fit, center, arc, &target),
+            Some(place) => arc_sweep(plane, point(&place), end, center, arc.direction, arc.turns),
+        };
         self.check_mismatch(at, &judged, arc, &target);
         self.check_radius_limit(at, judged.radius_start.max(judged.radius_end));
         self.check_vanishing_circle(at, &fit);

@@ -68,6 +68,8 @@ pub struct Rules {
     pub starting_feed_mm_s: Option<f64>,
     /// Largest turn of a rotary axis in a block, rad.
     pub max_rotary_per_block_rad: f64,
+    /// A code of the feed mode ends F, also where that mode is in force (RS274/NGC: G94 behind F100 needs an F again).
+    pub feed_mode_code_ends_feed: bool,
     /// F of straight cuts with rotary axes.
     pub rotary_feed: RotaryFeedRules,
     /// What the radius offsets of the table are.
@@ -173,6 +175,7 @@ impl Rules {
         spindle_by_hand: false,
         spindle_stops_at_tool_change: false,
         speed_by_hand: false,
+        feed_mode_code_ends_feed: false,
         rotary_feed: RotaryFeedRules::COMMON,
         radius_offsets: OffsetKind::Radius,
         outside_corner: OutsideCorner::Linear,

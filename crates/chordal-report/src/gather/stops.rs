@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use chordal::control::{Command, CommandKind, Library, Origin};
 use chordal::diagnostics::FileId;
+use chordal::syntax::is_program_name;
 use chordal::{Job, Span};
 
 use super::text::{Comments, clean, file_name, title};
@@ -151,12 +152,18 @@ impl<'j> Programs<'j> {
         let rows = places.iter().take(MOST_CALLED).map(|at| {
             let program = &self.library.programs()[*at];
             let text = self.library.text(program.file);
+            let head = &program.head;
+            let remark = head.number.and_then(|_| title(text, head.head.end as usize));
+            // A program with a name has no number.
+            let number = head.number.filter(|number| !is_program_name(*number));
+            let name = head.title(text).filter(|_| number.is_none());
+            let title = match (name, remark) {
+                (Some(name), Some(remark)) => Some(format!("{name} {remark}")),
+                (name, remark) => name.or(remark),
+            };
             Called {
-                number: program.head.number,
-                title: program
-                    .head
-                    .number
-                    .and_then(|_| title(text, program.head.head.end as usize)),
+                number,
+                title,
                 file: other_file(self.job, program.file),
                 line: program.head.start.line,
             }

@@ -18,7 +18,12 @@ const MACHINES: [&str; 5] =
     ["fadal-4020", "haas-vf2", "fanuc-30i", "mitsubishi-m700", "linuxcnc-mill"];
 
 fn machine(name: &str) -> Machine {
-    Machine::from_builtin(name).expect("a built-in machine")
+    let mut machine = Machine::from_builtin(name).expect("a built-in machine");
+    if name == "haas-vf2" {
+        // How fast F turns A there is a setting.
+        machine.set("settings.\"Setting 34\"=\"4 in\"").expect("a setting of a Haas");
+    }
+    machine
 }
 
 fn job(text: &str, machine: Machine) -> Job<'static> {

@@ -48,6 +48,17 @@ impl BlockReader<'_> {
         Some(Value::Number(number))
     }
 
+    /// `(cut) o100 repeat [2]`: the interpreter reads the O as a letter like any other, and has none.
+    #[cold]
+    pub(super) fn o_word_behind_comment(&self, block: &mut Block, start: usize) {
+        self.problem(block, || {
+            let span = Span::new(self.file, start as u32, start as u32 + 1);
+            Diagnostic::new(Code::MixedBlock, span, "an O word behind a comment")
+                .label("the control reads no O word here, and refuses the line")
+                .help("write the comment behind the statement, or on a line of its own")
+        });
+    }
+
     #[cold]
     pub(super) fn bad_number(&mut self, block: &mut Block, start: usize) {
         let rest = &self.text[self.at..self.end];

@@ -65,7 +65,7 @@ pub static TABLE: ControlTable = ControlTable {
 
 const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
-    nested_comment_refused: false,
+    strict_comments: false,
     semicolon: Semicolon::EndOfBlock,
     star_comment: true,
     registers: true,
@@ -73,6 +73,7 @@ const LEXICON: Lexicon = Lexicon {
     blanks_in_numbers: false,
     o_words: false,
     program_heads: true,
+    named_programs: false,
     polar_words: false,
     channels: false,
     grammar: &MacroGrammar::FADAL,

@@ -68,7 +68,7 @@ pub(in crate::controls) const FAMILY: ControlTable = ControlTable {
 /// Comments, and nothing that a number could not begin with: the firmware reads its lines itself.
 const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
-    nested_comment_refused: false,
+    strict_comments: false,
     semicolon: Semicolon::Comment,
     star_comment: false,
     registers: false,
@@ -76,6 +76,7 @@ const LEXICON: Lexicon = Lexicon {
     blanks_in_numbers: true,
     o_words: false,
     program_heads: false,
+    named_programs: false,
     polar_words: false,
     channels: false,
     grammar: &MacroGrammar::FANUC,

@@ -69,7 +69,7 @@ pub static TABLE: ControlTable = ControlTable {
 /// The macro language of its lathes, too.
 pub(in crate::controls) const LATHE_MACROS: &MacroRules = &macros::MACROS;
 
-const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::HAAS, ..Lexicon::FANUC_STYLE };
+const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::HAAS, named_programs: false, ..Lexicon::FANUC_STYLE };
 
 const SET_DATA: &[(u16, DataTarget)] = &[
     (2, DataTarget::WorkOffset),

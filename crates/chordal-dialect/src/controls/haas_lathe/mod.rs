@@ -13,7 +13,7 @@ pub static TABLE: ControlTable = ControlTable {
     name: "haas-lathe",
     title: "Haas lathe",
     source: "Haas lathe manual: G71, G76, tool nose compensation, imaginary tool tip",
-    lexicon: Lexicon { grammar: &MacroGrammar::HAAS, ..Lexicon::FANUC_STYLE },
+    lexicon: Lexicon { grammar: &MacroGrammar::HAAS, named_programs: false, ..Lexicon::FANUC_STYLE },
     g_codes: codes::G_CODES,
     m_codes: codes::M_CODES,
     parameters: rules::PARAMETERS,

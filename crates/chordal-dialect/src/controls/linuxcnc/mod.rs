@@ -72,7 +72,7 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
 
 pub(in crate::controls) const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::Closed,
-    nested_comment_refused: true,
+    strict_comments: true,
     semicolon: Semicolon::Comment,
     star_comment: false,
     registers: false,
@@ -80,6 +80,7 @@ pub(in crate::controls) const LEXICON: Lexicon = Lexicon {
     blanks_in_numbers: true,
     o_words: true,
     program_heads: false,
+    named_programs: false,
     polar_words: true,
     channels: false,
     grammar: &MacroGrammar::LINUXCNC,

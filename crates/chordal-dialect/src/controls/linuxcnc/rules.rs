@@ -20,6 +20,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     plain_block_delete: true,
     nesting: 9,
     rules: Rules {
+        feed_mode_code_ends_feed: true,
         // `G43 H0` is the offset of the tool in the spindle on machines whose changer puts tools back (its
         // documentation, G43).
         length: LengthRules {

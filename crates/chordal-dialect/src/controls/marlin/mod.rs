@@ -65,7 +65,7 @@ pub static TABLE: ControlTable = ControlTable {
 /// A line is read as a whole (`line.rs`); this is what comments and words look like in an editor.
 const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
-    nested_comment_refused: false,
+    strict_comments: false,
     semicolon: Semicolon::Comment,
     star_comment: false,
     registers: false,
@@ -73,6 +73,7 @@ const LEXICON: Lexicon = Lexicon {
     blanks_in_numbers: false,
     o_words: false,
     program_heads: false,
+    named_programs: false,
     polar_words: false,
     channels: false,
     grammar: &MacroGrammar::FANUC,

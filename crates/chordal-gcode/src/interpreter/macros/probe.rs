@@ -39,6 +39,19 @@ impl Interpreter<'_> {
         if self.kernel.state.side != Side::Off {
             self.report_probe(span, "a probe move while cutter compensation is on");
         }
+        if self.control.parameters.strict_words
+            && self.kernel.state.feed_mode == FeedMode::PerRevolution
+        {
+            self.report_refused(
+                Diagnostic::new(
+                    Code::BadProbeMove,
+                    span,
+                    "a probe move with a feed per revolution (G95)",
+                )
+                .help("write G94 and a feed per minute before it"),
+                "Cannot probe with feed per rev mode",
+            );
+        }
         let way = (0..AXES).map(|axis| (target[axis] - self.kernel.state.position[axis]).abs());
         if self.control.parameters.strict_words && way.fold(0.0, f64::max) < LEAST_PROBE_MM {
             self.report_refused(
