@@ -138,6 +138,9 @@ fn command_shows(row: &Row, document: &Document, line: &str) -> Result<(), Strin
     if row.prints.is_empty() {
         return Err(format!("{line}: nothing is expected of it"));
     }
+    if let Some(text) = row.lacks.iter().find(|text| said.contains(&***text)) {
+        return Err(format!("{line}: `{text}` is printed\n{said}"));
+    }
     match row.prints.iter().find(|text| !said.contains(&***text)) {
         None => Ok(()),
         Some(text) => Err(format!("{line}: `{text}` is not printed, but\n{said}")),

@@ -78,6 +78,9 @@ pub struct Row {
     pub command: Option<String>,
     #[serde(default)]
     pub prints: Vec<String>,
+    /// What the command must not print.
+    #[serde(default)]
+    pub lacks: Vec<String>,
     /// The exit code of the command.
     #[serde(default)]
     pub exit: i32,
