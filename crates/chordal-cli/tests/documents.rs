@@ -1,6 +1,6 @@
 //! What the four documents say, held row by row: every line of a document is in a row, every row has a
-//! test, and every test shows it. The rows are `tests/documents/*.toml`; the page that people read is
-//! `docs/documents.md`.
+//! test, and every test shows it. The rows are `tests/documents/*.toml`; the pages that people read are
+//! `docs/documents.md` and those of `docs/documents/`.
 
 #![allow(
     clippy::disallowed_methods,
@@ -30,16 +30,19 @@ use rows::{Document, Kind, Row};
 fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let files = read(&root.join("tests/documents"));
-    if std::env::var_os("DOCUMENTS_PAGE").is_some_and(|wanted| wanted == "write") {
-        fs::write(root.join("docs/documents.md"), page::page(&files)).expect("the page is written");
-    }
     let mut trials = Vec::new();
-    let page = page::page(&files);
-    let written = root.join("docs/documents.md");
-    trials.push(Trial::test("the page is of these rows", move || {
-        let same = fs::read_to_string(&written).is_ok_and(|text| text == page);
-        if same { Ok(()) } else { Err("write docs/documents.md anew: see its head".into()) }
-    }));
+    for (path, text) in page::pages(&files) {
+        let written = root.join(&path);
+        if std::env::var_os("DOCUMENTS_PAGE").is_some_and(|wanted| wanted == "write") {
+            let folder = written.parent().unwrap_or(&root);
+            fs::create_dir_all(folder).expect("the folder of the pages");
+            fs::write(&written, &text).expect("the page is written");
+        }
+        trials.push(Trial::test(format!("{path} is of these rows"), move || {
+            let same = fs::read_to_string(&written).is_ok_and(|page| page == text);
+            if same { Ok(()) } else { Err("write it anew: see docs/documents.md".into()) }
+        }));
+    }
     for (file, document) in files {
         let document = Arc::new(document);
         let whole = Arc::clone(&document);
