@@ -1,6 +1,6 @@
 //! What the four documents say, held row by row: every line of a document is in a row, every row has a
-//! test, and every test shows it. The rows are `tests/documents/*.toml`; the page that people read is
-//! `docs/documents.md`.
+//! test, and every test shows it. The rows are `tests/documents/*.toml`; the pages that people read are
+//! `docs/documents.md` and those of `docs/documents/`.
 
 #![allow(
     clippy::disallowed_methods,
@@ -30,16 +30,19 @@ use rows::{Document, Kind, Row};
 fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let files = read(&root.join("tests/documents"));
-    if std::env::var_os("DOCUMENTS_PAGE").is_some_and(|wanted| wanted == "write") {
-        fs::write(root.join("docs/documents.md"), page::page(&files)).expect("the page is written");
-    }
     let mut trials = Vec::new();
-    let page = page::page(&files);
-    let written = root.join("docs/documents.md");
-    trials.push(Trial::test("the page is of these rows", move || {
-        let same = fs::read_to_string(&written).is_ok_and(|text| text == page);
-        if same { Ok(()) } else { Err("write docs/documents.md anew: see its head".into()) }
-    }));
+    for (path, text) in page::pages(&files) {
+        let written = root.join(&path);
+        if std::env::var_os("DOCUMENTS_PAGE").is_some_and(|wanted| wanted == "write") {
+            let folder = written.parent().unwrap_or(&root);
+            fs::create_dir_all(folder).expect("the folder of the pages");
+            fs::write(&written, &text).expect("the page is written");
+        }
+        trials.push(Trial::test(format!("{path} is of these rows"), move || {
+            let same = fs::read_to_string(&written).is_ok_and(|page| page == text);
+            if same { Ok(()) } else { Err("write it anew: see docs/documents.md".into()) }
+        }));
+    }
     for (file, document) in files {
         let document = Arc::new(document);
         let whole = Arc::clone(&document);
@@ -92,7 +95,10 @@ fn shown(root: &Path, document: &Document, row: &Row) -> Result<(), String> {
     }
     if let Some(command) = &row.command {
         command_shows(row, document, command)?;
-    } else if let Some(program) = &row.program {
+    }
+    // With a command, too, what stands on the lines must hold.
+    let expects = |program: &&String| row.command.is_none() || program.contains("(=");
+    if let Some(program) = row.program.as_ref().filter(expects) {
         check::check("row", &with_machine(program, document))?;
     }
     for test in &row.tests {
@@ -138,6 +144,9 @@ fn command_shows(row: &Row, document: &Document, line: &str) -> Result<(), Strin
     if row.prints.is_empty() {
         return Err(format!("{line}: nothing is expected of it"));
     }
+    if let Some(text) = row.lacks.iter().find(|text| said.contains(&***text)) {
+        return Err(format!("{line}: `{text}` is printed\n{said}"));
+    }
     match row.prints.iter().find(|text| !said.contains(&***text)) {
         None => Ok(()),
         Some(text) => Err(format!("{line}: `{text}` is not printed, but\n{said}")),
@@ -157,10 +166,18 @@ fn words_of(line: &str) -> Vec<String> {
     words
 }
 
-/// A test elsewhere: its file is there, and the text stands in it.
+/// A test elsewhere: its file is there, the text stands in it, and of a suite program the line is
+/// one that expects something.
 fn stands(root: &Path, test: &str) -> Result<(), String> {
     let (path, quote) =
         test.split_once(": ").ok_or_else(|| format!("`{test}` is not `path: text in it`"))?;
     let text = fs::read_to_string(root.join(path)).map_err(|error| format!("{path}: {error}"))?;
-    if text.contains(quote) { Ok(()) } else { Err(format!("{path} has no `{quote}`")) }
+    let at = text.find(quote).ok_or_else(|| format!("{path} has no `{quote}`"))?;
+    let start = text[..at].rfind('\n').map_or(0, |line_end| line_end + 1);
+    let quoted = at + quote.len();
+    let end = quoted + text[quoted..].find('\n').unwrap_or(text.len() - quoted);
+    if path.ends_with(".nc") && !text[start..end].contains("(=") {
+        return Err(format!("{path}: nothing is expected of `{quote}`"));
+    }
+    Ok(())
 }

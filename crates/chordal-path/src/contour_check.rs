@@ -6,7 +6,7 @@
 //! or not at all.
 
 use chordal_command::{Origin, Units};
-use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
 
 use crate::compensation::{ContourPiece, Role};
@@ -94,7 +94,9 @@ impl ContourCheck {
             diagnostic.code,
             Code::InsideArcTooSmall | Code::CompensationInterference | Code::NoOffsetIntersection
         );
-        if interference && self.alarms.len() < TOLD_PER_CONTOUR {
+        // A note is about a block that the control carries out: it is no alarm.
+        let alarm = interference && diagnostic.severity > Severity::Note;
+        if alarm && self.alarms.len() < TOLD_PER_CONTOUR {
             self.alarms.push(diagnostic.primary.span);
         }
     }

@@ -72,12 +72,15 @@ pub struct Row {
     /// What stands there, in words of our own.
     pub says: String,
     /// A program with its expectations on the lines, as those of `tests/suite`. With
-    /// `command` it is the file `part.nc` of the command's folder.
+    /// `command` it is also the file `part.nc` of the command's folder, and may expect nothing.
     pub program: Option<String>,
     /// A command line, and what it must print.
     pub command: Option<String>,
     #[serde(default)]
     pub prints: Vec<String>,
+    /// What the command must not print.
+    #[serde(default)]
+    pub lacks: Vec<String>,
     /// The exit code of the command.
     #[serde(default)]
     pub exit: i32,
