@@ -197,8 +197,9 @@ def probes(chordal, program):
     return theirs, sum(json.loads(row).get("kind") == "probed" for row in rows)
 
 
-# rs274 knows no travel.
-TRAVEL = [f'axes.{axis}.travel=["-90 m", "90 m"]' for axis in "XYZ"]
+# rs274 knows no travel and no largest speed.
+LIMITS = [f'axes.{axis}.travel=["-90 m", "90 m"]' for axis in "XYZ"]
+LIMITS += [f'axes.{axis}.max_velocity="9000 m/min"' for axis in "XYZ"]
 
 
 def is_not_followed(chordal, program):
@@ -214,7 +215,7 @@ def judge(chordal, program):
         message = None
     except Failed as failure:
         theirs, message = failure.motions, str(failure) or "refused"
-    mine, _, has_errors = ours(chordal, program, given=TRAVEL)
+    mine, _, has_errors = ours(chordal, program, given=LIMITS)
     problems = []
     if message and not has_errors:
         problems.append(f"rs274 refuses it ({message.splitlines()[-1]}), Chordal does not")

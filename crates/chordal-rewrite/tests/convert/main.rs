@@ -6,6 +6,7 @@ mod forms;
 mod kept;
 mod lathes;
 mod random;
+mod rotary;
 mod suite;
 
 use std::path::Path;
