@@ -336,6 +336,15 @@ impl Head<'_, '_> {
     fn motion(&self, modal: &Modal) -> Result<Option<String>, Lack> {
         match modal.motion {
             None => Ok(self.name(Action::Mode(ModeCode::CancelCycle))),
+            // RS274/NGC refuses G1 before any F, alone too.
+            Some(MotionMode::Linear | MotionMode::Arc(_)) if self.lacks_feed(modal) => {
+                match self.says_motion() {
+                    true => Ok(None),
+                    false => Err(Lack(
+                        "G1 is in force and no feed: the control takes no G1 in a head then".into(),
+                    )),
+                }
+            }
             // A control that only arms the direction of an arc goes on with G1 after it.
             Some(mode @ (MotionMode::Rapid | MotionMode::Linear)) => {
                 self.needed(mode.into(), "the motion in force").map(Some)
@@ -347,6 +356,12 @@ impl Head<'_, '_> {
             Some(MotionMode::Turn(_) | MotionMode::Thread) if self.turns() => Ok(None),
             Some(_) => Err(Lack("a motion is in force that a head cannot begin".into())),
         }
+    }
+
+    fn lacks_feed(&self, modal: &Modal) -> bool {
+        self.control.parameters.rules.feed_mode_code_ends_feed
+            && modal.feed_mode != FeedMode::InverseTime
+            && feed_word(modal, self.source.style).is_none()
     }
 
     /// The program has turned a rotary axis, or said that it stands at zero.
