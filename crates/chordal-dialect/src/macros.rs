@@ -104,6 +104,8 @@ pub enum System {
     /// A state of the machine that no program and no machine file says, such as the servo lag, loads and
     /// tool lives.
     MachineState,
+    /// An old number of a tool offset, which depends on the memory that the control has.
+    OffsetOfMemory,
     /// A constant.
     Constant(u32),
     /// Place of the first reference point, machine coordinates (LinuxCNC 5161).

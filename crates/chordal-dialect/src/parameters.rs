@@ -149,6 +149,8 @@ pub struct Parameters {
     pub length_must_match_tool: bool,
     /// The codes that choose inch and millimetres.
     pub unit_codes: UnitCodes,
+    /// What the old numbers of tool offsets are (Fanuc #2001 to #2400).
+    pub offset_memory: OffsetMemory,
     /// The count of M98 may stand in Q where there is no L (Mach3).
     pub calls_counted_by_q: bool,
     /// Where a file is one program, M98 finds `O5` above the call too, not only below it (Mach3).
@@ -379,6 +381,7 @@ impl Parameters {
         packed_calls: false,
         length_must_match_tool: false,
         unit_codes: UnitCodes::G20,
+        offset_memory: OffsetMemory::NotKnown,
         calls_counted_by_q: false,
         calls_upwards: false,
         dwell_factor: 1.0,
@@ -404,4 +407,15 @@ impl Parameters {
         thread_lead: b'K',
         rules: Rules::COMMON,
     };
+}
+
+/// How a Fanuc keeps tool offsets, an option of the control that no program shows.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum OffsetMemory {
+    /// Nobody said.
+    NotKnown,
+    /// A: one value each.
+    Whole,
+    /// B and C: wear and geometry apart.
+    GeometryAndWear,
 }

@@ -38,6 +38,13 @@ pub(super) const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] = &[
     ("contour", CompensationEntry::Contour),
 ];
 
+pub(super) const OFFSET_MEMORIES: &[(&str, OffsetMemory)] = &[
+    ("not known", OffsetMemory::NotKnown),
+    ("A", OffsetMemory::Whole),
+    ("C", OffsetMemory::GeometryAndWear),
+    ("B", OffsetMemory::GeometryAndWear),
+];
+
 pub(super) const SPIRAL_ON_RAY: &[(&str, SpiralOnRay)] =
     &[("no-turn", SpiralOnRay::NoTurn), ("full-turn", SpiralOnRay::FullTurn)];
 

@@ -122,6 +122,8 @@ pub enum Field {
     /// What the time of G4 counts in (Mach3).
     DwellUnit,
     MacroAngles,
+    /// What the old numbers of tool offsets are.
+    OffsetMemory,
     /// A G code that calls a macro, by its place.
     AliasG(u8),
     /// An M code that does.
@@ -538,6 +540,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::LiveToolP => p.live_tool_p = count()?,
         Field::SecondSpindleP => p.second_spindle_p = count()?,
         Field::WaitCode { last } => p.wait_codes[usize::from(last)] = count()?,
+        Field::OffsetMemory => p.offset_memory = choose(word, OFFSET_MEMORIES)?,
         Field::ToolChanger => p.tool_change = choose(word, TOOL_CHANGERS)?,
         Field::Build(option) => *p.build.option_mut(option) = flag()?,
         Field::AfterRefusal => p.goes_on_after_refusal = choose(word, AFTER_REFUSAL)?,
@@ -654,6 +657,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::LiveToolP => p.live_tool_p.to_string(),
         Field::SecondSpindleP => p.second_spindle_p.to_string(),
         Field::WaitCode { last } => p.wait_codes[usize::from(last)].to_string(),
+        Field::OffsetMemory => name_of(p.offset_memory, OFFSET_MEMORIES),
         Field::ToolChanger => name_of(p.tool_change, TOOL_CHANGERS),
         Field::Build(option) => on(p.build.has(option)),
         Field::AfterRefusal => name_of(p.goes_on_after_refusal, AFTER_REFUSAL),

@@ -35,7 +35,7 @@ const SYSTEM: &[SystemRow] = &[
     system(1000, 1035, System::Input),
     system(1100, 1135, System::Kept),
     // Tool offsets 1 to 200 of memory A; in memory C the length wear, and from #2201 on the geometry.
-    system(2001, 2400, System::MachineState),
+    system(2001, 2400, System::OffsetOfMemory),
     system(2500, 2506, System::OffsetsOfAxis(0)),
     system(2600, 2606, System::OffsetsOfAxis(1)),
     system(2700, 2706, System::OffsetsOfAxis(2)),

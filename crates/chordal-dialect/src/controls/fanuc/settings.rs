@@ -156,6 +156,14 @@ pub(super) const SETTINGS: &[Setting] = &[
         "15i",
     ),
     setting(
+        "offset_memory",
+        Field::OffsetMemory,
+        &[],
+        "tool offset memory: `A` (#2001 to #2200 are offsets), `B` or `C` (wear there, geometry from #2201 on), or `not known`",
+        Certainty::Documented,
+        "B-63534EN, tool compensation memory",
+    ),
+    setting(
         "subprogram_repeats",
         Field::PackedCalls,
         &[("packed", "on"), ("separate", "off")],

@@ -2,8 +2,8 @@
 
 use chordal_command::{AxisMask, Units, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
-use chordal_dialect::Control;
 use chordal_dialect::macros::{OFFSET_STEP, System, TURN_PLACE};
+use chordal_dialect::{Control, OffsetMemory};
 use chordal_kernel::ToolValue;
 use chordal_kernel::rules::OffsetKind;
 use chordal_machine::{AXES, Machine, PerAxis};
@@ -73,12 +73,30 @@ fn machine_unit(control: &Control) -> f64 {
     }
 }
 
+/// So many tool offsets have old numbers.
+const OFFSETS_OF_MEMORY: u32 = 200;
+
 impl Interpreter<'_> {
+    /// What a variable of the system shows on this machine.
+    pub(super) fn system_at(&self, number: u32) -> Option<(System, u32)> {
+        let (what, at) = self.rules().system_at(number)?;
+        if what != System::OffsetOfMemory {
+            return Some((what, at));
+        }
+        match (self.control.parameters.offset_memory, at.checked_sub(OFFSETS_OF_MEMORY)) {
+            (OffsetMemory::NotKnown, _) => Some((System::MachineState, at)),
+            (OffsetMemory::Whole, None) => Some((System::Length, at)),
+            (OffsetMemory::Whole, Some(_)) => None,
+            (OffsetMemory::GeometryAndWear, None) => Some((System::LengthWear, at)),
+            (OffsetMemory::GeometryAndWear, Some(at)) => Some((System::Length, at)),
+        }
+    }
+
     /// The value of a variable of the system: of the state of the run, else what the program or the machine file has
     /// written there. Neither of them: it is not known.
     pub(super) fn read_system(&mut self, index: u32, range: TextRange) -> Result<Value, Fault> {
         let given = self.macros.kept.get(&index).copied();
-        let Some((what, at)) = self.rules().system_at(index) else {
+        let Some((what, at)) = self.system_at(index) else {
             return given.map(Value::Number).ok_or_else(|| no_variable(f64::from(index), range));
         };
         if matches!(what, System::Date | System::Time) {
@@ -132,6 +150,7 @@ impl Interpreter<'_> {
             | System::Timer
             | System::Setting
             | System::MachineState
+            | System::OffsetOfMemory
             | System::Date
             | System::Time => None,
             System::Switch | System::Alarm | System::Message => Some(0.0),
@@ -170,7 +189,7 @@ impl Interpreter<'_> {
         value: Value,
         range: TextRange,
     ) -> Result<(), Fault> {
-        let Some((what, at)) = self.rules().system_at(index) else {
+        let Some((what, at)) = self.system_at(index) else {
             let given = self.macros.kept.get_mut(&index);
             let place = given.ok_or_else(|| no_variable(f64::from(index), range))?;
             match value.known() {
@@ -188,7 +207,11 @@ impl Interpreter<'_> {
         match what {
             System::Alarm => self.alarm(value, range),
             System::Message => self.message_stop(),
-            System::Kept | System::Switch | System::Setting | System::MachineState => {
+            System::Kept
+            | System::Switch
+            | System::Setting
+            | System::MachineState
+            | System::OffsetOfMemory => {
                 self.macros.kept.insert(index, value);
             }
             // It runs on from what was written.
@@ -429,7 +452,8 @@ impl Interpreter<'_> {
             | System::Switch
             | System::Timer
             | System::Setting
-            | System::MachineState => {
+            | System::MachineState
+            | System::OffsetOfMemory => {
                 self.macros.kept.remove(&index);
                 Ok(())
             }

@@ -305,7 +305,7 @@ impl Interpreter<'_> {
 
     /// What a user gives in place of the value of a variable that shows something else.
     fn place_of(&self, number: u32) -> Option<String> {
-        let (what, _) = self.rules().system_at(number)?;
+        let (what, _) = self.system_at(number)?;
         Some(match what {
             System::BlockEnd | System::MachinePosition | System::WorkPosition => {
                 "name the axis in G90 before this, and give the work offset in the machine file"
