@@ -14,6 +14,7 @@ const SAME: f64 = 1e-9;
 
 /// A thing that happens.
 #[derive(Debug)]
+#[allow(clippy::large_enum_variant, reason = "most of them are commands")]
 enum What {
     Command(CommandKind),
     /// A block is done: what holds after it.
