@@ -32,11 +32,35 @@ pub struct ArcWords {
     pub turns: u32,
 }
 
+/// An arc whose ends lie at different distances from its centre: what is said of it, and what it was read from.
+#[derive(Clone, PartialEq, Debug)]
+pub struct MisfitArc {
+    /// The problem, not reported yet.
+    pub problem: Diagnostic,
+    /// The plane.
+    pub plane: Plane,
+    /// Where it begins, program coordinates, mm.
+    pub start: Position,
+    /// Where it ends.
+    pub end: Position,
+    /// What the statement says of it.
+    pub arc: ArcWords,
+}
+
 impl Kernel<'_> {
     /// The centre on the plane's axes, by a rule for its words.
     pub fn center(&self, words: [Option<f64>; 2], rule: ArcCenter) -> (f64, f64) {
         let (a, b, _) = self.state.plane.axes();
-        let start = (self.state.position[a], self.state.position[b]);
+        self.center_seen_from((self.state.position[a], self.state.position[b]), words, rule)
+    }
+
+    /// The same of an arc that begins elsewhere.
+    fn center_seen_from(
+        &self,
+        start: (f64, f64),
+        words: [Option<f64>; 2],
+        rule: ArcCenter,
+    ) -> (f64, f64) {
         let [first, second] = words;
         match rule {
             ArcCenter::FromStart => {
@@ -56,6 +80,14 @@ impl Kernel<'_> {
         }
     }
 
+    /// The arc from one place to another about a centre by its words, read by the rule in force.
+    pub fn sweep_by_words(&self, start: &Position, end: &Position, arc: &ArcWords) -> ArcSweep {
+        let plane = self.state.plane;
+        let (a, b, _) = plane.axes();
+        let center = self.center_seen_from((start[a], start[b]), arc.center, self.state.arc_center);
+        arc_sweep(plane, point(start), point(end), center, arc.direction, arc.turns)
+    }
+
     /// An arc, a helix or a full circle about a centre.
     pub fn arc_by_center(
         &mut self,
@@ -64,8 +96,22 @@ impl Kernel<'_> {
         target: Position,
         named: AxisMask,
     ) {
+        if let Some(misfit) = self.arc_about_center(at, arc, target, named) {
+            self.report(misfit.problem);
+        }
+    }
+
+    /// The same for a language that has more to say where the arc is none: the problem is left to it.
+    pub fn arc_about_center(
+        &mut self,
+        at: &dyn Statement,
+        arc: &ArcWords,
+        target: Position,
+        named: AxisMask,
+    ) -> Option<Box<MisfitArc>> {
         if !self.arc_fits_frames(at) {
-            return self.straight_instead(at, target, named);
+            self.straight_instead(at, target, named);
+            return None;
         }
         let plane = self.state.plane;
         let from = self.state.position;
@@ -74,12 +120,14 @@ impl Kernel<'_> {
         let fit = arc_sweep(plane, start, end, center, arc.direction, arc.turns);
         if fit.radius_start <= self.rules.arc.coincidence_mm {
             self.report_zero_radius(at);
-            return self.straight_instead(at, target, named);
+            self.straight_instead(at, target, named);
+            return None;
         }
         let judged = self.fit_in_work(&fit, center, arc, &target);
-        self.check_mismatch(at, &judged, arc, &target);
+        let misfit = self.misfit(at, &judged, arc, &target);
         self.check_radius_limit(at, judged.radius_start.max(judged.radius_end));
         self.emit_arc(at, center, &fit, target, named);
+        misfit
     }
 
     /// An arc by its radius; negative for more than half a circle.
@@ -346,36 +394,34 @@ impl Kernel<'_> {
     }
 
     #[inline]
-    fn check_mismatch(
+    fn misfit(
         &mut self,
         at: &dyn Statement,
         fit: &ArcSweep,
         arc: &ArcWords,
         target: &Position,
-    ) {
+    ) -> Option<Box<MisfitArc>> {
         let p = &self.rules.arc;
         let error = fit.radius_error().abs();
         // A difference of rounding must not decide at the tolerance itself.
         let factor = p.radius_error_factor(self.state.units);
         if p.judged_before || error <= factor * p.radius_error_tolerance_mm * (1.0 + 1e-9) {
-            return;
+            return None;
         }
         let by_radius = p.radius_error_relative > 0.0
             && error <= factor * p.radius_error_limit_mm
             && error <= p.radius_error_relative * fit.radius_start.max(fit.radius_end);
-        if !by_radius {
-            self.report_mismatch(at, fit, arc, target);
-        }
+        if by_radius { None } else { Some(self.misfit_arc(at, fit, arc, target)) }
     }
 
     #[cold]
-    fn report_mismatch(
+    fn misfit_arc(
         &mut self,
         at: &dyn Statement,
         fit: &ArcSweep,
         arc: &ArcWords,
         target: &Position,
-    ) {
+    ) -> Box<MisfitArc> {
         let span = at.words(What::EndAndCenter(self.state.plane));
         let error = self.length_text(fit.radius_error().abs());
         let factor = self.rules.arc.radius_error_factor(self.state.units);
@@ -398,7 +444,13 @@ impl Kernel<'_> {
                  block before, where the arc starts",
             ),
         };
-        self.report(diagnostic);
+        Box::new(MisfitArc {
+            problem: diagnostic,
+            plane: self.state.plane,
+            start: self.state.position,
+            end: *target,
+            arc: *arc,
+        })
     }
 
     /// Says that the same words make a true arc under another rule for the centre; with the setting, at the
