@@ -58,6 +58,7 @@ fn the_changed_word_is_named() {
         ("G1 X2. Y3.\nG2 X9. Y3. I8.5 J0.\n", "I8.5", "I3.5"),
         // A number where zero was meant.
         ("G1 X1. Y0.\nG3 X2.25 Y1.25 I2. J1.25\n", "I2.", "I0"),
+        ("G1 X5. Y7.\nG2 X6. Y6. I2. J-1.\n", "I2.", "I0"),
     ];
     let mut wrong = Vec::new();
     for (body, old, new) in cases {

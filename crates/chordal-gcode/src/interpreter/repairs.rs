@@ -53,9 +53,9 @@ impl Slip {
         if self == Slip::Digit { 1.0 } else { 1.5 }
     }
 
-    /// Among many trials, or of a word that says little.
+    /// Among so many trials that one may agree by chance.
     fn is_last_resort(self) -> bool {
-        matches!(self, Slip::Digit | Slip::Number)
+        self == Slip::Digit
     }
 }
 
