@@ -6,7 +6,7 @@
 //! or not at all.
 
 use chordal_command::{Origin, Units};
-use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
 
 use crate::compensation::{ContourPiece, Role};
@@ -88,12 +88,16 @@ impl ContourCheck {
     }
 
     /// Notes an alarm of the control. Where it is about interference and nothing would be cut,
-    /// that is reported once the contour is known.
+    /// that is reported once the contour is known. What the control runs all the same (an inside arc as large as the
+    /// offset, a note) is no alarm.
     pub fn alarm(&mut self, diagnostic: &Diagnostic) {
-        let interference = matches!(
-            diagnostic.code,
-            Code::InsideArcTooSmall | Code::CompensationInterference | Code::NoOffsetIntersection
-        );
+        let interference = diagnostic.severity == Severity::Error
+            && matches!(
+                diagnostic.code,
+                Code::InsideArcTooSmall
+                    | Code::CompensationInterference
+                    | Code::NoOffsetIntersection
+            );
         if interference && self.alarms.len() < TOLD_PER_CONTOUR {
             self.alarms.push(diagnostic.primary.span);
         }
