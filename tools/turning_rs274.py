@@ -10,6 +10,7 @@ millimetres, with diameters and radii. They are compared as tools/compare_rs274.
 import argparse
 import itertools
 import pathlib
+import random
 import sys
 import tempfile
 
@@ -148,6 +149,44 @@ def programs():
     yield from threads(turns)
     yield from compensated(turns)
     yield from other(turns)
+    yield from contour_words(turns, 120)
+
+
+def contour_words(turns, count):
+    """Random contours with increments (U, W), roundings (A) and chamfers (C); the same at every run."""
+    chance = random.Random(43)
+    for number in range(count):
+        frame = next(turns)
+        x, z = chance.randint(4, 10), 2.0
+        lines = [f"G0 X{frame.x(x)}"]
+        moves, places = chance.randint(3, 7), [(x, z)]
+        for move in range(moves):
+            kind = "along" if move == 0 else chance.choice(["along", "out", "slant", "arc"])
+            way = {"along": (0, -6), "out": (4, 0), "slant": (3, -4), "arc": (3, -3)}[kind]
+            dx, dz = (part * chance.uniform(0.8, 1.3) for part in way)
+            dx, dz = (dx, -dx) if kind == "arc" else (dx, dz)
+            x, z = x + dx, z + dz
+            factor = frame.side * (2 if frame.diameter else 1)
+            by_x, by_z = (chance.random() < 0.5 for _ in range(2))
+            words = []
+            if dx:
+                words.append(f"U{frame.length(dx * factor)}" if by_x else f"X{frame.x(x)}")
+            if dz:
+                words.append(f"W{frame.length(dz)}" if by_z else f"Z{frame.length(z)}")
+            code = "G1"
+            if kind == "arc":
+                code = frame.turned(chance.choice(["G2", "G3"]))
+                words.append(f"R{frame.length(dx)}")
+            corner = chance.random()
+            if corner < 0.6:
+                words.append(f"{'A' if corner < 0.35 else 'C'}{frame.length(chance.uniform(0.2, 0.9))}")
+            lines.append(f"{code} {' '.join(words)}")
+            places.append((x, z))
+        lines.append(f"G1 X{frame.x(x + 3)}")
+        cycle = chance.choice(["G70 Q100", scaled(frame, "G71 Q100 I2.9 R.5"), scaled(frame, "G71 Q100 I1.7 R.4 D.3")])
+        yield f"contour words {number} {cycle}", frame.head(
+            "o100 sub", *lines, "o100 endsub", frame.at("G0", x + 3, 2), cycle
+        )
 
 
 def scaled(frame, text):
