@@ -354,7 +354,11 @@ fn every_word_that_makes_an_arc_true_is_offered_as_a_fix() {
         })
         .collect();
     // The digits of the end, or those of the point before.
-    assert_eq!(texts.iter().map(|(_, text)| *text).collect::<Vec<_>>(), ["Y-11.68", "Y-16.18"], "{actions}");
+    assert_eq!(
+        texts.iter().map(|(_, text)| *text).collect::<Vec<_>>(),
+        ["Y-11.68", "Y-16.18"],
+        "{actions}"
+    );
     assert!(texts[0].0.contains("`Y-11.68` for `Y-16.18`"), "{actions}");
     assert!(texts[1].0.contains("in the block before"), "{actions}");
     editor.end();

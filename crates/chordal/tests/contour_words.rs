@@ -161,6 +161,23 @@ fn a_rounds_and_c_chamfers_the_end_of_a_move() {
 }
 
 #[test]
+fn a_corner_shorter_than_a_thousandth_is_none() {
+    // A turn by 0.1°: a rounding of 0.55 mm would be 0.00096 mm long, one of 0.6 mm is 0.00105 mm.
+    let [x, z] = [10.017_453, -14.999_985];
+    for (radius, corners) in [("0.55", 0), ("0.6", 1), ("3", 1)] {
+        for letter in ["A", "C"] {
+            let contour = format!("G0 X10\nG1 Z-5 {letter}{radius}\nX{x} Z{z}\nX40");
+            let (moves, _) = moves(&program(&contour, "G8"));
+            assert_eq!(moves.len(), 5 + corners, "{contour} {moves:?}");
+        }
+    }
+    // An arc that goes on from a line.
+    let contour = "G0 X10\nG1 Z-5\nX14 A.5\nG3 X17 Z-8 R3\nG1 Z-20";
+    let end = [line(14.0, -5.0), arc(17.0, -8.0, [14.0, -8.0]), line(17.0, -20.0)];
+    goes(contour, "G8", &[&[line(10.0, 2.0), line(10.0, -5.0)][..], &end[..]].concat());
+}
+
+#[test]
 fn what_the_control_refuses_is_said_in_its_words() {
     for (contour, alarm) in [
         ("G0 X10\nG1 Z-5\nX14 U1\nZ-20", "Cannot use U and X in the same block"),

@@ -4,7 +4,7 @@
 mod fit;
 
 use chordal_command::{
-    ArcShape, AxisMask, CallPath, Command, CommandKind, Feed, FeedAlong, FeedMode, Move,
+    ArcShape, AxisMask, CallPath, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Units,
     telling_number,
 };
 use chordal_diagnostics::{Code, Diagnostic};
@@ -48,6 +48,14 @@ impl Kernel<'_> {
     /// The blocks at work are those of a contour that has words of its own, in a subroutine.
     pub fn reads_contour_words(&self) -> bool {
         self.rules.turning.contour_words && self.collected.is_some()
+    }
+
+    /// A corner of a contour that is shorter is none (rs274 2.9: a thousandth of the program's unit), mm.
+    fn least_corner_of_contour(&self) -> f64 {
+        match self.state.units {
+            Units::Inch => 0.0254,
+            Units::Millimetre => 0.001,
+        }
     }
 
     /// A contour ends: a corner at the end of its last move is none.
@@ -285,6 +293,10 @@ impl Kernel<'_> {
             Ok(None) => return Ok(None),
             Err(misfit) => return Err(self.too_large(&held.corner, misfit, [&one, &two])),
         };
+        let span = libm::hypot(fit.end[0] - fit.start[0], fit.end[1] - fit.start[1]);
+        if self.reads_contour_words() && span < self.least_corner_of_contour() {
+            return Ok(None);
+        }
         let (a, b, _) = held.plane.axes();
         let plane_axes = AxisMask(1 << a | 1 << b);
         // Where the first move begins elsewhere than is known, so does the corner.
