@@ -110,7 +110,7 @@ fn random_arcs_with_one_changed_word() {
         let round = |value: f64| (value * 1e3).round() / 1e3;
         let start = [round(x + radius * from.cos()), round(y + radius * from.sin())];
         let end = [x + radius * (from + sweep).cos(), y + radius * (from + sweep).sin()];
-        let mut words = vec![
+        let mut words = [
             ("X", number(end[0])),
             ("Y", number(end[1])),
             ("I", number(x - start[0])),

@@ -291,6 +291,12 @@ impl Kernel<'_> {
         let fit = match fit {
             Ok(Some(fit)) => fit,
             Ok(None) => return Ok(None),
+            // Moves that go on into one another leave no room for one, and need none.
+            Err(Misfit::TooLarge(room))
+                if self.reads_contour_words() && room < self.least_corner_of_contour() =>
+            {
+                return Ok(None);
+            }
             Err(misfit) => return Err(self.too_large(&held.corner, misfit, [&one, &two])),
         };
         let span = libm::hypot(fit.end[0] - fit.start[0], fit.end[1] - fit.start[1]);
