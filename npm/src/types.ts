@@ -50,6 +50,8 @@ export interface Diagnostic extends Place {
   /** What to do. */
   help: string | null;
   fix: Fix | null;
+  /** Others that would do as well, the likeliest first. */
+  other_fixes: Fix[];
   /** The calls that led here. */
   calls: { file: string | null; line: number | null; text: string }[];
 }

@@ -92,6 +92,8 @@ class Diagnostic:
     help: str | None
     #: A replacement that does it.
     fix: Fix | None
+    #: Others that would do as well, the likeliest first.
+    other_fixes: tuple[Fix, ...]
     #: The calls through which the block was reached, innermost first.
     calls: tuple[Call, ...]
     #: The whole problem as text, with the words underlined.
@@ -152,6 +154,7 @@ def _of_object(told: dict[str, Any], text: str, html: str) -> Diagnostic:
         notes=tuple(told["notes"]),
         help=told["help"],
         fix=None if fix is None else Fix(**fix),
+        other_fixes=tuple(Fix(**each) for each in told["other_fixes"]),
         calls=tuple(Call(**each) for each in told["calls"]),
         text=text,
         html=html,

@@ -221,17 +221,20 @@ export class Editor {
     this.view.dispatch(setDiagnostics(this.view.state, diagnostics));
   }
 
-  private actionsOf({ fix }: Problem): Diagnostic["actions"] {
-    if (!fix?.place?.own) return [];
-    const { place, replacement, title, safe } = fix;
-    return [{
-      name: plain(safe ? title : `${title} (check the result)`),
-      apply: (view) => {
-        const { from, to } = rangeOf(view.state.doc, place);
-        view.dispatch({ changes: { from, to, insert: replacement } });
-        view.focus();
-      },
-    }];
+  private actionsOf({ fix, other_fixes }: Problem): Diagnostic["actions"] {
+    return [fix, ...other_fixes].flatMap((one) => {
+      const place = one?.place;
+      if (!one || !place?.own) return [];
+      const { replacement, title, safe } = one;
+      return [{
+        name: plain(safe ? title : `${title} (check the result)`),
+        apply: (view: EditorView) => {
+          const { from, to } = rangeOf(view.state.doc, place);
+          view.dispatch({ changes: { from, to, insert: replacement } });
+          view.focus();
+        },
+      }];
+    });
   }
 
   markLines(kind: "differs" | "now", lines: number[]): void {

@@ -14,6 +14,13 @@ export interface Place {
   end_column: number;
 }
 
+export interface Fix {
+  title: string;
+  replacement: string;
+  place: Place | null;
+  safe: boolean;
+}
+
 export interface Problem {
   code: string;
   name: string;
@@ -26,7 +33,9 @@ export interface Problem {
   notes: string[];
   help: string | null;
   explanation: string;
-  fix: { title: string; replacement: string; place: Place | null; safe: boolean } | null;
+  fix: Fix | null;
+  /** Others that would do as well, the likeliest first. */
+  other_fixes: Fix[];
 }
 
 export interface Tool {

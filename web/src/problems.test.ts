@@ -15,6 +15,7 @@ const problem = (severity: Problem["severity"], code: string, line: number): Pro
   help: null,
   explanation: "",
   fix: null,
+  other_fixes: [],
 });
 
 test("problems of one code stand together, errors first", () => {

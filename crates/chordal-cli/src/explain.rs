@@ -15,6 +15,7 @@ Examples:
   chordal explain G154                        a code, on every control that has it
   chordal explain M17 --machine fadal-4020    a code on one control
   chordal explain R                           a letter
+  chordal explain L9601 -m fadal-4020         a letter whose number says something
   chordal explain \"Setting 40\"                a setting
   chordal explain PS0010                      an alarm of a control, by its number
   chordal explain alarm 304                   or as the control shows it";
@@ -23,7 +24,7 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// `CH401`, `radius-mismatch`, `G2`, `G02.1`, `M17`, `R`, `"Setting 40"`, `alarm 304`
+    /// `CH401`, `radius-mismatch`, `G2`, `G02.1`, `M17`, `R`, `L9601`, `"Setting 40"`, `alarm 304`
     #[arg(value_name = "CODE|WORD", required = true)]
     words: Vec<String>,
 

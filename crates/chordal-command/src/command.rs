@@ -158,6 +158,8 @@ pub enum CommandKind {
         offset: Position,
         /// What of it the work coordinate system gives, and what shifts and presets.
         zero: WorkZero,
+        /// How far the work coordinate system is turned about its zero (G10 L2 R), degrees: moves are those after it.
+        turned: f64,
         /// The axes whose way to machine coordinates, tool length included, is known.
         known: AxisMask,
         /// The tool tip in the new program coordinates.

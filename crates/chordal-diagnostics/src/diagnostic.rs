@@ -54,6 +54,8 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// A replacement that does it.
     pub fix: Option<Fix>,
+    /// Others that would do it as well, the likeliest first.
+    pub other_fixes: Vec<Fix>,
     /// The calls through which the block was reached, innermost first.
     pub calls: Vec<Span>,
 }
@@ -71,6 +73,7 @@ impl Diagnostic {
             notes: Vec::new(),
             help: None,
             fix: None,
+            other_fixes: Vec::new(),
             calls: Vec::new(),
         }
     }
@@ -109,6 +112,11 @@ impl Diagnostic {
     pub fn fix(mut self, fix: Fix) -> Diagnostic {
         self.fix = Some(fix);
         self
+    }
+
+    /// The fix, and the others that would do.
+    pub fn fixes(&self) -> impl Iterator<Item = &Fix> {
+        self.fix.iter().chain(&self.other_fixes)
     }
 
     /// Another severity than the registered one.

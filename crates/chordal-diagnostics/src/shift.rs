@@ -80,9 +80,9 @@ impl Shift {
 
     /// Makes a problem of the old text one of the new; `None` where it speaks of words that went.
     pub fn diagnostic(&self, diagnostic: &mut Diagnostic) -> Option<()> {
-        let Diagnostic { primary, secondary, fix, calls, .. } = diagnostic;
+        let Diagnostic { primary, secondary, fix, other_fixes, calls, .. } = diagnostic;
         let labels = std::iter::once(primary).chain(secondary).map(|label| &mut label.span);
-        let fix = fix.iter_mut().map(|fix| &mut fix.span);
+        let fix = fix.iter_mut().chain(other_fixes).map(|fix| &mut fix.span);
         for span in labels.chain(fix).chain(calls) {
             *span = self.span(*span)?;
         }

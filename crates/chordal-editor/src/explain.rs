@@ -6,7 +6,7 @@ use chordal::control::COMMON_SETTINGS;
 
 use crate::meaning::{
     View, alarm_text, code_name, code_of, code_text, codes, diagnostic_text, letter_text,
-    one_letter, setting_text,
+    number_text, one_letter, setting_text,
 };
 
 /// Codes that differ by more, in tenths, are not typing errors of each other.
@@ -21,7 +21,7 @@ pub struct Unexplained {
     pub help: Option<String>,
 }
 
-/// What a word means on some controls: `CH401`, `radius-mismatch`, `G2`, `M17`, `R`, `Setting 40`,
+/// What a word means on some controls: `CH401`, `radius-mismatch`, `G2`, `M17`, `R`, `L9601`, `Setting 40`,
 /// `alarm 304`.
 ///
 /// # Errors
@@ -32,7 +32,8 @@ pub fn explain(word: &str, views: &[View]) -> Result<String, Unexplained> {
         .or_else(|| code_of(word).and_then(|(letter, code)| code_text(letter, code, views)))
         .or_else(|| one_letter(word).and_then(|letter| letter_text(letter, views)))
         .or_else(|| setting_text(word, views))
-        .or_else(|| alarm_text(word, views));
+        .or_else(|| alarm_text(word, views))
+        .or_else(|| number_text(word, views));
     text.ok_or_else(|| unknown(word, views))
 }
 

@@ -13,7 +13,10 @@ use chordal::geometry::{Plane, Spline};
 use chordal::machine::PerAxis;
 use chordal::{Command, CommandKind, Job, SourceMap};
 
+use self::turn::Turn;
 use crate::number::{push_fixed, push_integer};
+
+mod turn;
 
 /// Radii that differ by more are not one arc, mm: below what is written.
 const SAME_RADIUS_MM: f64 = 1e-6;
@@ -24,6 +27,9 @@ const SAME_RADIUS_MM: f64 = 1e-6;
 /// A spline is `NURBS_FEED` with its order, then X, Y and weight of each control point.
 /// Arcs between different radii have no canonical form. They are written as `ARC_FEED` with
 /// both radii in a comment.
+///
+/// A place is as the program has it: the machine is at its sum with `SET_G92_OFFSET`, turned by `SET_XY_ROTATION`
+/// about zero, and moved by `SET_G5X_OFFSET` and `USE_TOOL_LENGTH_OFFSET`.
 #[derive(Debug)]
 pub struct Canon<'a, W> {
     out: W,
@@ -33,6 +39,8 @@ pub struct Canon<'a, W> {
     plane: Plane,
     coolant: Coolant,
     rpm: f64,
+    work: Option<(WorkName, Position)>,
+    turn: Turn,
 }
 
 impl<'a, W: Write> Canon<'a, W> {
@@ -53,6 +61,8 @@ impl<'a, W: Write> Canon<'a, W> {
             plane: job.control().parameters.rules.starts_in,
             coolant: Coolant::default(),
             rpm: 0.0,
+            work: None,
+            turn: Turn::default(),
         })
     }
 
@@ -72,16 +82,26 @@ impl<'a, W: Write> Canon<'a, W> {
             | CommandKind::Spiral { motion, shape, feed } => {
                 self.feed(line, feed);
                 self.select_plane(line, shape.plane);
-                self.arc(line, motion, shape);
+                self.arc(line, &motion.to, shape);
             }
-            CommandKind::Spline { curve, feed, .. } => {
+            CommandKind::Spline { motion, curve, feed } => {
                 self.feed(line, feed);
-                self.spline(line, curve);
+                match self.turn.upright_arc(curve) {
+                    Some((end, shape)) => {
+                        self.select_plane(line, shape.plane);
+                        let [x, y, z] = end.to_array();
+                        let [_, _, _, a, b, c] = motion.to;
+                        self.arc_of(line, &[x, y, z, a, b, c], &shape);
+                    }
+                    None => self.spline(line, curve),
+                }
             }
             CommandKind::Plane(plane) => self.select_plane(line, *plane),
             CommandKind::Spindle { state, rpm } => self.spindle(line, *state, *rpm),
             CommandKind::Coolant(coolant) => self.coolant(line, *coolant),
-            CommandKind::WorkOffset { name, offset, .. } => self.work_offset(line, *name, offset),
+            CommandKind::WorkOffset { name, offset, zero, turned, .. } => {
+                self.work_offset(line, *name, offset, &zero.system, *turned);
+            }
             CommandKind::Message(range) => {
                 let words = self.sources.words(range.in_file(command.origin.span.file));
                 self.plain(line, &format!("MESSAGE(\"{}\")", one_line(&words)));
@@ -134,7 +154,8 @@ impl<'a, W: Write> Canon<'a, W> {
         self.begin(line);
         self.line.extend_from_slice(name.as_bytes());
         self.line.push(b'(');
-        self.numbers(&canonical(&motion.to));
+        let to = self.turn.before(&motion.to);
+        self.numbers(&canonical(&to));
         self.line.extend_from_slice(b")\n");
     }
 
@@ -147,9 +168,16 @@ impl<'a, W: Write> Canon<'a, W> {
         }
     }
 
-    fn arc(&mut self, line: u32, motion: &Move, shape: &ArcShape) {
+    fn arc(&mut self, line: u32, to: &Position, shape: &ArcShape) {
+        let before = self.turn.arc_before(to, shape);
+        let to = self.turn.before(to);
+        self.arc_of(line, &to, &before);
+    }
+
+    /// An arc as the program has it.
+    fn arc_of(&mut self, line: u32, to: &Position, shape: &ArcShape) {
         let (first, second, normal) = shape.plane.axes();
-        let to = canonical(&motion.to);
+        let to = canonical(to);
         self.begin(line);
         self.line.extend_from_slice(b"ARC_FEED(");
         self.numbers(&[to[first], to[second], shape.center[0], shape.center[1]]);
@@ -171,6 +199,7 @@ impl<'a, W: Write> Canon<'a, W> {
         self.line.extend_from_slice(format!("NURBS_FEED({}", curve.order()).as_bytes());
         for (point, weight) in curve.points().iter().zip(curve.weights()) {
             self.line.extend_from_slice(b", ");
+            let point = self.turn.point_before(*point);
             self.numbers(&[point.x, point.y, *weight]);
         }
         self.line.extend_from_slice(b")\n");
@@ -252,11 +281,35 @@ impl<'a, W: Write> Canon<'a, W> {
         }
     }
 
-    fn work_offset(&mut self, line: u32, name: WorkName, offset: &Position) {
-        self.begin(line);
-        self.line.extend_from_slice(format!("SET_G5X_OFFSET({}, ", slot(name)).as_bytes());
-        self.numbers(&canonical(offset));
-        self.line.extend_from_slice(b")\n");
+    /// The parts of a work offset that have changed: its system, presets and shifts, its turn.
+    fn work_offset(
+        &mut self,
+        line: u32,
+        name: WorkName,
+        offset: &Position,
+        system: &Position,
+        turned: f64,
+    ) {
+        let preset = std::array::from_fn(|axis| offset[axis] - system[axis]);
+        let before = std::mem::replace(&mut self.turn, Turn { degrees: turned, preset });
+        if self.work.replace((name, *system)) != Some((name, *system)) {
+            self.begin(line);
+            self.line.extend_from_slice(format!("SET_G5X_OFFSET({}, ", slot(name)).as_bytes());
+            self.numbers(&canonical(system));
+            self.line.extend_from_slice(b")\n");
+        }
+        if before.preset != preset {
+            self.begin(line);
+            self.line.extend_from_slice(b"SET_G92_OFFSET(");
+            self.numbers(&canonical(&preset));
+            self.line.extend_from_slice(b")\n");
+        }
+        if before.degrees != turned {
+            self.begin(line);
+            self.line.extend_from_slice(b"SET_XY_ROTATION(");
+            self.numbers(&[turned]);
+            self.line.extend_from_slice(b")\n");
+        }
     }
 }
 

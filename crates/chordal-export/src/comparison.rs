@@ -14,7 +14,7 @@ use crate::numbers::{self, Units};
 /// One JSON object, schema `chordal.compare/1`: lengths in mm, feeds in mm/min, angles in degrees, the
 /// first program as `a`, the second as `b`.
 pub fn comparison_json(found: &Comparison, jobs: [&Job; 2], tolerance_mm: f64) -> String {
-    format!("{:#}\n", comparison(found, jobs, tolerance_mm))
+    crate::pretty_json(comparison(found, jobs, tolerance_mm))
 }
 
 /// A conversion as one JSON object, schema `chordal.convert/1`: the changes, what was refused, the
@@ -51,7 +51,7 @@ pub fn conversion_json(found: &Conversion, old: &Job) -> String {
         "proof": proof,
         "text": found.text,
     });
-    format!("{document:#}\n")
+    crate::pretty_json(document)
 }
 
 /// A certificate: the comparison, and which ways through the program it covers.

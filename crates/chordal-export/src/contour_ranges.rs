@@ -187,5 +187,5 @@ pub fn contour_ranges_json(found: &ContourRanges) -> String {
         "contours": contours,
         "left_out": found.left_out,
     });
-    format!("{whole:#}\n")
+    crate::pretty_json(whole)
 }

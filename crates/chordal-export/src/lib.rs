@@ -54,6 +54,7 @@ mod contour_ranges;
 mod digest;
 mod dxf;
 mod json;
+mod json_text;
 mod machine_error;
 mod motion;
 mod not_drawn;
@@ -84,6 +85,7 @@ pub use comparison_text::{
 pub use contour_ranges::{contour_ranges_json, contour_ranges_text};
 pub use digest::sha256_hex;
 pub use dxf::Dxf;
+pub use json_text::pretty_json;
 pub use machine_error::machine_error_text;
 pub use not_drawn::{GIVE_OFFSETS, left_out_texts, not_named_texts};
 pub use optimized::{optimized_json, optimized_text};

@@ -135,5 +135,5 @@ pub fn optimized_json(done: &Optimized, file: &str, written: Option<&str>) -> St
         "notes": done.notes,
         "changes": changes,
     });
-    format!("{object:#}\n")
+    crate::pretty_json(object)
 }

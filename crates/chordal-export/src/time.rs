@@ -68,7 +68,7 @@ pub fn time_json(study: &TimeStudy, report: &Report, job: &Job) -> String {
     put("cuts_without_feed", json!(motion.cuts_without_feed));
     put("unknown_moves", json!(motion.unknown_moves));
     put("refused_moves", json!(motion.refused_moves));
-    format!("{:#}\n", Value::Object(whole))
+    crate::pretty_json(Value::Object(whole))
 }
 
 /// A comment without its marks and the blanks around it, on one line.

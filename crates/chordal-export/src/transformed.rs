@@ -24,7 +24,7 @@ pub fn transformed_json(done: &Transformed, jobs: [&Job; 2], written: Option<&st
         "changes": changes(&done.changes),
         "certificate": certificate_value(certificate, jobs),
     });
-    format!("{document:#}\n")
+    crate::pretty_json(document)
 }
 
 fn changes(changes: &[Change]) -> Vec<Value> {
@@ -74,7 +74,7 @@ pub fn split_json(
         "certificate": certificate_value(certificate, [jobs[1], jobs[1]]),
         "changed": changed.map(of_change),
     });
-    format!("{document:#}\n")
+    crate::pretty_json(document)
 }
 
 /// A program that stays as it is, in the same schema.
@@ -88,7 +88,7 @@ pub fn refusal_json(refusal: &Refusal, file: &str) -> String {
         "message": refusal.what,
         "help": refusal.help,
     });
-    format!("{document:#}\n")
+    crate::pretty_json(document)
 }
 
 /// A program that begins at a line, or why it cannot: schema `chordal.restart/1`. `written` is the name of
@@ -129,5 +129,5 @@ pub fn restart_json(
             "help": refused.refusal.help,
         }),
     };
-    format!("{document:#}\n")
+    crate::pretty_json(document)
 }

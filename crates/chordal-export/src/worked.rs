@@ -81,9 +81,7 @@ pub fn worked_json(worked: &Worked, program: Option<&str>) -> String {
     if let (Some(program), Some(object)) = (program, whole.as_object_mut()) {
         object.insert("program".into(), json!(program));
     }
-    let mut text = serde_json::to_string_pretty(&whole).unwrap_or_default();
-    text.push('\n');
-    text
+    crate::pretty_json(whole)
 }
 
 fn value(quantity: &Quantity, units: Units) -> (f64, Option<&'static str>) {

@@ -31,6 +31,7 @@ impl Kernel<'_> {
             name: state.offsets.active(),
             offset: state.offsets.work(),
             zero: state.offsets.zero(),
+            turned: state.offsets.turned(),
             known: state.offsets.known(),
             position: state.position,
         };

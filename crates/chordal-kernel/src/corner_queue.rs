@@ -14,6 +14,8 @@ pub enum CornerForm {
     Rounding,
     /// A straight line.
     Chamfer,
+    /// A straight line between the points where a rounding of this radius would touch both moves.
+    ChordOfRounding,
 }
 
 /// What a block asks for at its end.

@@ -51,7 +51,7 @@ pub use frames::{FrameKinds, Frames, Polar, PolarWords};
 pub use kernel::{Alarms, Kernel, KernelMemory, Reported};
 pub use language::{Class, EndReason, Language, Outcome, ProgramPlace, Ran, Token};
 pub use modal::{Modal, MotionMode};
-pub use motion::{ArcWords, SpiralWords, is_over};
+pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};
 pub use offsets::{LengthOffset, Offsets, Presets, WrittenOffset};
 pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};

@@ -350,8 +350,12 @@ impl Offsets {
         if self.rotations.is_empty() {
             return;
         }
-        let degrees = self.rotation(&self.key(self.active));
-        frames.set_work_rotation(degrees, self.zero_of_turn());
+        frames.set_work_rotation(self.turned(), self.zero_of_turn());
+    }
+
+    /// How far the system in force is turned, degrees.
+    pub fn turned(&self) -> f64 {
+        if self.rotations.is_empty() { 0.0 } else { self.rotation(&self.key(self.active)) }
     }
 
     /// The turn of a system about its zero, where systems are turned.

@@ -49,8 +49,8 @@ pub fn actions(
     );
     let mut found = Vec::new();
     if wanted(&CodeActionKind::QUICKFIX) {
-        for problem in &ran.report.diagnostics {
-            let Some(fix) = &problem.fix else { continue };
+        let problems = ran.report.diagnostics.iter();
+        for (problem, fix) in problems.flat_map(|one| one.fixes().map(move |fix| (one, fix))) {
             if fix.span.file == FileId(0) && touch(problem.primary.span.range, range) {
                 let safe = fix.applicability == Applicability::Safe;
                 let title =

@@ -336,6 +336,35 @@ fn fixes_are_offered_where_they_belong() {
 }
 
 #[test]
+fn every_word_that_makes_an_arc_true_is_offered_as_a_fix() {
+    let mut editor = Editor::start(json!({ "machine": "fanuc-0i" }));
+    editor.open("G21 G90 G17 S900 M3\nG1 X2. Y-11.68 F90.\nG3 X4. Y-16.18 I1. J0.\nM30\n");
+    let problems = editor.problems(1);
+    assert!(problems.iter().any(|problem| problem["code"] == "CH401"), "{problems:?}");
+    let at = json!({ "range": range((2, 3), (2, 3)), "context": { "diagnostics": [] } });
+    let actions = editor.of("codeAction", at).expect("actions");
+    let texts: Vec<(&str, &str)> = actions
+        .as_array()
+        .expect("a list")
+        .iter()
+        .filter(|action| action["kind"] == "quickfix")
+        .map(|action| {
+            let edit = &action["edit"]["changes"][URI][0];
+            (action["title"].as_str().unwrap_or(""), edit["newText"].as_str().unwrap_or(""))
+        })
+        .collect();
+    // The digits of the end, or those of the point before.
+    assert_eq!(
+        texts.iter().map(|(_, text)| *text).collect::<Vec<_>>(),
+        ["Y-11.68", "Y-16.18"],
+        "{actions}"
+    );
+    assert!(texts[0].0.contains("`Y-11.68` for `Y-16.18`"), "{actions}");
+    assert!(texts[1].0.contains("in the block before"), "{actions}");
+    editor.end();
+}
+
+#[test]
 fn the_settings_choose_the_machine() {
     let mut editor = Editor::start(json!({ "machine": "fadal-4020" }));
     editor.open("L100\nX1.\nM17\nM30\n");

@@ -88,15 +88,17 @@ impl ContourCheck {
     }
 
     /// Notes an alarm of the control. Where it is about interference and nothing would be cut,
-    /// that is reported once the contour is known.
+    /// that is reported once the contour is known. What the control runs all the same (an inside arc as large as the
+    /// offset, a note) is no alarm.
     pub fn alarm(&mut self, diagnostic: &Diagnostic) {
-        let interference = matches!(
-            diagnostic.code,
-            Code::InsideArcTooSmall | Code::CompensationInterference | Code::NoOffsetIntersection
-        );
-        // A note is about a block that the control carries out: it is no alarm.
-        let alarm = interference && diagnostic.severity > Severity::Note;
-        if alarm && self.alarms.len() < TOLD_PER_CONTOUR {
+        let interference = diagnostic.severity == Severity::Error
+            && matches!(
+                diagnostic.code,
+                Code::InsideArcTooSmall
+                    | Code::CompensationInterference
+                    | Code::NoOffsetIntersection
+            );
+        if interference && self.alarms.len() < TOLD_PER_CONTOUR {
             self.alarms.push(diagnostic.primary.span);
         }
     }

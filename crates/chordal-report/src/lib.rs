@@ -42,7 +42,5 @@ pub fn problem_html(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
 /// The document as one JSON object, schema `chordal.report/1`.
 pub fn json(document: &Document) -> String {
     // Plain data without maps: nothing in it can fail.
-    let mut text = serde_json::to_string_pretty(document).unwrap_or_default();
-    text.push('\n');
-    text
+    chordal_export::pretty_json(serde_json::to_value(document).unwrap_or_default())
 }

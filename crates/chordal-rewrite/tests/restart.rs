@@ -411,3 +411,55 @@ fn what_the_control_keeps_is_brought_back_or_refused() {
     let done = restart(&job_on(&text, machine), 11).expect("proved");
     assert!(done.head.contains(&"G43.1 Z35.".to_string()), "{:?}", done.head);
 }
+
+/// After a tool change or G28 Z0 the height is where the machine has it: a shift of the zero, and places of X and Y, say all
+/// that the rest needs.
+#[test]
+fn a_program_begins_after_a_shift_of_the_zero_with_the_height_of_the_machine() {
+    const SHIFTED: &str = "\
+%
+O1
+G21 G90 G40 G17 G94
+T1 M6
+S1000 M3
+G0 G54 X10. Y0.
+G43 H1 Z5.
+G1 Z-1. F100.
+X20.
+G0 Z50.
+G91 G28 Z0
+G90
+G52 X5. Y6.
+G0 X10. Y10.
+X12.
+G43 H1 Z5.
+G1 Z-1.
+X30.
+G0 Z50.
+G91 G28 Z0
+G90 G52 X0. Y0.
+G0 X1. Y1.
+G43 H1 Z5.
+G1 Z-1.
+M30
+%
+";
+    for machine in ["fanuc-0i", "haas-vf2", "mitsubishi-m700", "linuxcnc-mill"] {
+        // The lines after each shift, whose program goes to its first place by itself, and those between that and the way
+        // down.
+        for (line, over) in
+            [(14, ""), (15, "X10. Y10."), (16, "X12. Y10."), (22, ""), (23, "X1. Y1.")]
+        {
+            let text = begun(SHIFTED, machine, line);
+            let (head, _) =
+                text.split_once(SHIFTED.lines().nth(line as usize - 1).unwrap()).unwrap();
+            let said = head.lines().find_map(|said| said.strip_prefix("G0 G54 "));
+            assert!(said.unwrap_or_default().starts_with(over), "{machine}, line {line}\n{text}");
+            assert_eq!(said.is_none(), over.is_empty(), "{machine}, line {line}\n{text}");
+            assert_eq!(head.contains("G52 X5. Y6."), line < 22, "{machine}, line {line}\n{text}");
+        }
+    }
+    // Without a place of X and Y there is nothing to begin at.
+    let bare = "%\nO1\nG21 G90 G40 G17 G94\nT1 M6\nG54\nG52 X5.\nS900 M3\nG1 X3. F100.\nY2. Z1.\nX9.\nM30\n%\n";
+    assert_eq!(refused(bare, 9).0, Reason::Position);
+}

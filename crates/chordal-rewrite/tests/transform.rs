@@ -369,6 +369,53 @@ proptest! {
     }
 }
 
+/// A quarter turn makes YZ of ZX and ZX of YZ: arcs and cycles of each lie in the other one after it.
+#[test]
+fn a_quarter_turn_takes_arcs_and_cycles_of_one_upright_plane_to_the_other() {
+    let head = "G21 G90 G94 G40 G49 G80 G17 G54\nS900 M3\nG0 X12. Y7. Z3.\nG1 Z-1. F240.\n";
+    let bodies = [
+        // A half circle and a helix in ZX by their centres, a quarter in YZ by its radius.
+        "G18 G2 X20. Z-1. I4. K0.\nG3 X12. Z-1. I-4. K0. Y9.\nG19 G3 Y13. Z-5. R4.\nG17 G1 X3.\n",
+        // Distances, the plane said before the arc, more than half a turn.
+        "G19\nG91\nG2 Y6. Z2. J3. K1.\nG3 Y2.5 Z2.5 R-2.5\nG90\nG18\nG3 X17. Z6. R15.\nG17\n",
+        // A whole circle with a lead, then lines.
+        "G19 G3 X15. J-2.5 K.5\nG18 G2 I1.5 K-2. Y6.\nG17 G1 X1. Y2.\n",
+        // Compensation in an upright plane.
+        "G18 G42 D1 G1 X14. Z-2.\nG1 X20. Z-2.\nG2 X26. Z-8. I0. K-6.\nG1 Z-14.\nG40 G1 X30. Z-15.\nG17\n",
+        // Holes along Y and along X.
+        "G0 Z8.\nG18 G98 G81 X3. Z2. Y-4. R5. F90.\nX6.\nZ4.\nG80\nG19 G83 Y1. Z6. X-7. R10. Q2.5\nG80\nG17\n",
+    ];
+    for (body, machine) in bodies
+        .iter()
+        .flat_map(|body| ["fanuc-30i", "haas-vf2", "mitsubishi-m700"].map(|m| (body, m)))
+    {
+        let text = format!("{head}{body}G0 Z50.\nM30\n");
+        // Fanuc and Mitsubishi drill along Z in every plane; where they are told to, along the plane's normal.
+        for degrees in [90.0_f64, -90.0, 270.0, 450.0] {
+            for about in [[0.0, 0.0], [3.5, -2.25]] {
+                let steps = [Step::Rotate { angle: degrees.to_radians(), about }];
+                let done = transform(&job(text.clone().into(), machine), &steps);
+                let done = done.unwrap_or_else(|refusal| {
+                    panic!("{machine} {degrees}: {} `{}`\n{text}", refusal.what, refusal.text)
+                });
+                let new = String::from_utf8_lossy(&done.text).into_owned();
+                assert!(
+                    done.certificate.holds(),
+                    "{machine} {degrees} about {about:?}\n{text}\n{new}"
+                );
+                let count = |text: &str, word: &str| text.matches(word).count();
+                assert_eq!(count(&text, "G18"), count(&new, "G19"), "{new}");
+                assert_eq!(count(&text, "G19"), count(&new, "G18"), "{new}");
+            }
+        }
+        let steps = [Step::Rotate { angle: 30_f64.to_radians(), about: [0.0, 0.0] }];
+        match transform(&job(text.clone().into(), machine), &steps) {
+            Err(refusal) => assert!(refusal.help.contains("90°"), "{}", refusal.help),
+            Ok(done) => assert!(body.contains("G81") && done.certificate.holds(), "{text}"),
+        }
+    }
+}
+
 #[test]
 fn a_program_with_splines_is_refused_where_its_path_would_change() {
     let text = "G21 G90 G17 S900 M3 F500\nG0 X0 Y0 Z0\nG5 I0 J3 P0 Q-3 X1 Y1\nM2\n";

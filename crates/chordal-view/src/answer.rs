@@ -104,6 +104,7 @@ fn diagnostic(diagnostic: &Diagnostic, spots: &mut Spots<'_, '_>) -> Value {
         "help": diagnostic.help,
         "explanation": info.explanation,
         "fix": diagnostic.fix.as_ref().map(|it| fix(it, spots)),
+        "other_fixes": diagnostic.other_fixes.iter().map(|it| fix(it, spots)).collect::<Vec<_>>(),
     })
 }
 

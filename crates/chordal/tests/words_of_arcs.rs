@@ -367,3 +367,31 @@ fn something_moves_or_something_is_said() {
         assert!(failed.is_empty(), "{machine}: {count} of {rounds}\n{}", failed.join("\n"));
     }
 }
+
+/// A spiral from its centre or to it: what is said of the one end and what to do about it, the right way round.
+#[test]
+fn a_spiral_that_begins_or_ends_on_its_centre_says_which() {
+    let head = "G21 G90 G94 G17\nS900 M3\nG0 X10. Y0. Z2.\nG1 Z-1. F90.\n";
+    // From the centre, and to it.
+    let cases = [
+        ("mitsubishi-m700-type2", "G03 X30. Y0. I0. J0. L3", "start", "end", "begin it"),
+        ("mitsubishi-m700-type2", "G02 X10. Y8. I0. J0. L2 K-1. Z-3.", "start", "end", "begin it"),
+        ("fanuc-30i", "G02 X30. Y0. I0. J0. L3", "start", "end", "begin it"),
+        ("mitsubishi-m700-type2", "G03 X30. Y0. I20. J0. L3", "end", "start", "end it"),
+        ("fanuc-30i", "G03 X10. Y7. I0. J7. L1", "end", "start", "end it"),
+        ("mitsubishi-m700", "G02.1 X0. Y0. I-10. P1", "end", "start", "end it"),
+    ];
+    for (machine, block, own, other, help) in cases {
+        let text = format!("{head}{block}\nG0 Z9.\nM30\n");
+        let mut sources = SourceMap::new();
+        sources.add(Source::new("part.nc", text.as_bytes().to_vec()));
+        let job = Job::new(sources, Machine::from_builtin(machine).unwrap()).unwrap();
+        let found = job.check().diagnostics;
+        let problem = found.iter().find(|one| one.code.id() == "CH412");
+        let problem = problem.unwrap_or_else(|| panic!("{machine} {block}: {found:?}"));
+        assert_eq!(problem.message, format!("the {own} of this spiral is its centre"), "{block}");
+        assert!(problem.primary.text.ends_with(&format!("that of the {other}")), "{block}");
+        let said = problem.help.clone().unwrap();
+        assert!(said.contains(&format!("{help} a little away")), "{block}: {said}");
+    }
+}

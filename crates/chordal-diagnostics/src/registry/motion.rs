@@ -16,7 +16,12 @@ The message gives the two radii, the difference, and the tolerance of this contr
 (`radius_error_tolerance`, on Fanuc No. 3410, on Mitsubishi #1084 RadErr). Look for swapped
 digits and lost signs in the end point of this block *and of the block before*, then in the
 centre words. Other common causes: centre words that another control reads as absolute, and
-an R0 or I0 that was typed as another number."#;
+an R0 or I0 that was typed as another number.
+
+Where one changed word makes a true arc, Chordal names it, the simplest change first: a sign, the
+letter, two digits that have changed places, the decimal point, another digit, a number in place
+of zero. Here `Z-1.618` in the block before makes both radii 0.9600. Editors offer it as a fix.
+Several words may do, and that one does is no proof that it was meant: hold it against the drawing."#;
 
     RadiusTooShort = 402, "radius-too-short", Error;
     "the radius does not reach from start to end";

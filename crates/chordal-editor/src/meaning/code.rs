@@ -1,8 +1,5 @@
 //! What a G or M code does on a control, from its row of the table.
 
-use std::ops::RangeInclusive;
-
-use chordal::Code;
 use chordal::control::table::{
     ArcTurns, CodeRow, ControlTable, DataTarget, Group, MotionModality, code_name,
 };
@@ -11,6 +8,7 @@ use chordal::control::{Certainty, Field, SurfaceCode, SurfaceWord};
 use chordal::control::{CycleKind, ToolValue, TurnCycle, TurnPass, TurningField};
 use chordal::syntax::Letters;
 
+use crate::meaning::alarm_codes::alarms;
 use crate::meaning::form::{example, word_rows};
 use crate::meaning::word::dwell_text;
 use crate::meaning::{Facts, View, own_value, sections, settings, some, without_places};
@@ -122,47 +120,6 @@ fn beside(action: Action) -> &'static str {
         | Action::NotSimulated
         | Action::NotFollowed => "",
     }
-}
-
-/// The alarms that the control has for a wrong use of a code.
-fn alarms(action: Action, table: &ControlTable) -> Vec<(Code, &'static str)> {
-    let codes: &[RangeInclusive<u16>] = match action {
-        Action::Motion(MotionCode::Rapid) => &[309..=309],
-        Action::Motion(MotionCode::Linear) => &[309..=309, 406..=407],
-        Action::Motion(MotionCode::ArcCw | MotionCode::ArcCcw) => &[401..=406, 408..=412],
-        Action::Motion(MotionCode::SpiralCw | MotionCode::SpiralCcw) => &[404..=406, 410..=412],
-        Action::Motion(MotionCode::Spline(_) | MotionCode::SplineEnd) => &[419..=426],
-        Action::Motion(MotionCode::Thread | MotionCode::RigidTap | MotionCode::Turn(_)) => {
-            &[804..=804]
-        }
-        Action::Cycle(_) => &[800..=817],
-        Action::Mode(ModeCode::CompensationLeft | ModeCode::CompensationRight) => &[501..=523],
-        Action::Mode(ModeCode::CompensationOff) => &[501..=501],
-        Action::Once(OnceCode::Rotation | OnceCode::Scaling | OnceCode::Mirror { .. }) => {
-            &[430..=441]
-        }
-        Action::Once(OnceCode::GeneralPocket) => &[820..=828],
-        Action::Once(OnceCode::Surface(_)) => &[442..=444],
-        Action::Call(CallCode::CallProgram | CallCode::CallLabel) => &[201..=203],
-        Action::Call(CallCode::MacroCall | CallCode::ModalMacroCall { .. }) => {
-            &[201..=203, 713..=714]
-        }
-        Action::Mode(_)
-        | Action::Once(_)
-        | Action::Call(CallCode::Return | CallCode::SubroutineEnd)
-        | Action::Length(_)
-        | Action::Reading(_)
-        | Action::Before(_)
-        | Action::After(_)
-        | Action::NoEffect
-        | Action::NotSimulated
-        | Action::NotFollowed => &[],
-    };
-    let number = |code: &Code| code.id().strip_prefix("CH").and_then(|digits| digits.parse().ok());
-    Code::all()
-        .filter(|code| number(code).is_some_and(|n| codes.iter().any(|range| range.contains(&n))))
-        .filter_map(|code| Some((code, table.alarm(code)?)))
-        .collect()
 }
 
 /// What the table says of an action in addition to its settings.

@@ -2,16 +2,19 @@
 
 use chordal::control::Action;
 use chordal::control::Field;
-use chordal::control::table::{ArcTurns, LineRepeat, Subroutines, code_name};
+use chordal::control::table::{ArcTurns, CodeRow, LineRepeat, Subroutines, code_name};
 
 use crate::meaning::code::codes;
-use crate::meaning::word::dwell_text;
+use crate::meaning::word::{dwell_text, word_meaning};
 use crate::meaning::{View, own_value, sections, settings, some};
 
 /// The letter on each control; `None` when it has a meaning nowhere.
 pub fn letter_text(letter: u8, views: &[View]) -> Option<String> {
     sections(&char::from(letter).to_string(), views, |view| {
         let mut meanings = letter_meanings(letter, view);
+        if views.len() == 1 {
+            meanings.extend(with_codes(letter, view));
+        }
         meanings.extend(takers(letter, view));
         match meanings.as_slice() {
             [] => None,
@@ -99,16 +102,37 @@ pub fn letter_meanings(letter: u8, view: &View) -> Vec<String> {
     meanings
 }
 
+/// What the letter means next to the codes that take it, those that say the same together.
+fn with_codes(letter: u8, view: &View) -> Vec<String> {
+    let mut meanings: Vec<(String, Vec<String>)> = Vec::new();
+    for (code, row) in rows_with(letter, view) {
+        let Some(meaning) = word_meaning(row, letter, view) else { continue };
+        let name = code_name(code, row.code);
+        match meanings.iter_mut().find(|(other, _)| *other == meaning) {
+            Some((_, names)) => names.push(name),
+            None => meanings.push((meaning, vec![name])),
+        }
+    }
+    meanings
+        .into_iter()
+        .map(|(meaning, names)| format!("with {}: {meaning}", some(&names)))
+        .collect()
+}
+
+/// The rows of codes that take the letter.
+fn rows_with(letter: u8, view: &View) -> impl Iterator<Item = (u8, &'static CodeRow)> {
+    let table = view.table;
+    [b'G', b'M']
+        .into_iter()
+        .flat_map(move |code| codes(table, code).iter().map(move |row| (code, row)))
+        .filter(move |(_, row)| row.words.has(letter))
+        .filter(|(_, row)| !row.action.is_left_out() || row.action == Action::NoEffect)
+}
+
 /// The codes that take the letter.
 fn takers(letter: u8, view: &View) -> Option<String> {
-    let table = view.table;
-    let takers: Vec<String> = [b'G', b'M']
-        .into_iter()
-        .flat_map(|code| codes(table, code).iter().map(move |row| (code, row)))
-        .filter(|(_, row)| row.words.has(letter))
-        .filter(|(_, row)| !row.action.is_left_out() || row.action == Action::NoEffect)
-        .map(|(code, row)| code_name(code, row.code))
-        .collect();
+    let takers: Vec<String> =
+        rows_with(letter, view).map(|(code, row)| code_name(code, row.code)).collect();
     (!takers.is_empty()).then(|| format!("taken by {}", some(&takers)))
 }
 

@@ -2,9 +2,11 @@
 //! that it is what the interpreter itself goes by.
 
 mod alarm;
+mod alarm_codes;
 mod code;
 mod form;
 mod letter;
+mod number;
 mod word;
 
 use chordal::Code;
@@ -19,6 +21,7 @@ pub(crate) use code::target_name;
 pub use code::{code_brief, code_text, codes, group_name};
 pub use form::{example, word_rows};
 pub use letter::{letter_meanings, letter_text};
+pub use number::number_text;
 pub use word::word_meaning;
 
 /// A control to explain on.

@@ -443,6 +443,11 @@ fn center(letter: u8, view: &View) -> Option<String> {
 fn arc(letter: u8, view: &View) -> Option<String> {
     let form = view.parameters.rules.arc.spiral;
     let text = match (letter, form) {
+        (b'I' | b'J' | b'K', SpiralForm::IncrementHeightCount) => {
+            return center(letter, view).map(|center| {
+                format!("{center}; of the axis that is not in the plane the rise of a spiral in one turn")
+            });
+        }
         (b'I' | b'J' | b'K', _) => return center(letter, view),
         (b'R', _) => "radius; negative for an arc of more than half a turn",
         (b'P', _) => match view.table.arc_turns {

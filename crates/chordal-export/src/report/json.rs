@@ -142,6 +142,8 @@ fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> Value {
     object.insert("help".into(), json!(diagnostic.help));
     let fix = diagnostic.fix.as_ref().map(|fix| fix_object(fix, sources));
     object.insert("fix".into(), json!(fix));
+    let others = diagnostic.other_fixes.iter().map(|fix| fix_object(fix, sources));
+    object.insert("other_fixes".into(), others.collect());
     let calls = diagnostic.calls.iter().map(|call| call_object(*call, sources));
     object.insert("calls".into(), calls.collect());
     Value::Object(object)

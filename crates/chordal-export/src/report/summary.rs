@@ -34,7 +34,7 @@ pub fn summary_json(run: &RunOf<'_>, job: &Job, file: &str, reading: &Reading<'_
     if let Some(found) = stock {
         object.insert("stock".into(), Value::Object(left_members(found)));
     }
-    format!("{:#}\n", Value::Object(object))
+    crate::pretty_json(Value::Object(object))
 }
 
 fn summary(report: &Report, job: &Job, timed: Option<&Timed>) -> Value {

@@ -227,7 +227,7 @@ pub fn engagement_json(found: &EngagementReport, file: &str, moves: bool) -> Str
         "errors": found.report.counts.errors,
         "moves": rows,
     });
-    format!("{object:#}\n")
+    crate::pretty_json(object)
 }
 
 fn row(each: &MoveEngagement) -> Value {

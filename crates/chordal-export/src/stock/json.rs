@@ -43,7 +43,7 @@ pub fn stock_json(found: &StockReport, file: &str) -> String {
     object.insert("schema".into(), json!("chordal.stock/1"));
     object.insert("file".into(), json!(file));
     object.extend(stock_members(found));
-    format!("{:#}\n", Value::Object(object))
+    crate::pretty_json(Value::Object(object))
 }
 
 /// The members of that object but for its schema and file.

@@ -142,7 +142,7 @@ pub fn turned_json(found: &TurnedReport, file: &str) -> String {
     object.insert("schema".into(), json!("chordal.stock/1"));
     object.insert("file".into(), json!(file));
     object.extend(turned_members(found));
-    format!("{:#}\n", Value::Object(object))
+    crate::pretty_json(Value::Object(object))
 }
 
 /// The members of that object but for its schema and file.
@@ -253,7 +253,7 @@ pub fn turning_json(found: &TurnedReport, file: &str) -> String {
         "power_share": chordal::stock::POWER_SHARE,
         "moves": found.moves.iter().map(row).collect::<Vec<_>>(),
     });
-    format!("{object:#}\n")
+    crate::pretty_json(object)
 }
 
 /// How hard each tool works, in the units of the program.

@@ -209,3 +209,72 @@ fn splines_are_of_a_kind_of_their_own() {
     let first = "N3 NURBS_FEED(4, 0.000000, 0.000000, 1.000000, 0.000000, 3.000000, 1.000000, ";
     assert!(canon.contains(first), "{canon}");
 }
+
+/// Each move of a canonical text with its plane and the last call of each part of its frame, numbers as thousandths.
+fn canonical_moves(text: &str) -> Vec<(String, Vec<i64>)> {
+    let (mut plane, mut frame) =
+        (String::from("XY"), [vec![1, 0, 0, 0, 0, 0, 0], vec![0; 6], vec![0]]);
+    let mut moves = Vec::new();
+    for line in text.lines() {
+        let call = line.trim_start().trim_start_matches(|c: char| c == 'N' || c.is_ascii_digit());
+        let Some((name, rest)) = call.trim_start_matches(['.', ' ']).split_once('(') else {
+            continue;
+        };
+        let rest = rest.trim_end_matches(')');
+        let numbers =
+            || rest.split(", ").map(|part| (part.parse::<f64>().unwrap() * 1e3).round() as i64);
+        match name {
+            "SELECT_PLANE" => plane = rest[rest.len() - 2..].to_string(),
+            "SET_G5X_OFFSET" => frame[0] = numbers().collect(),
+            "SET_G92_OFFSET" => frame[1] = numbers().collect(),
+            "SET_XY_ROTATION" => frame[2] = numbers().collect(),
+            "STRAIGHT_TRAVERSE" | "STRAIGHT_FEED" => {
+                moves.push((name.to_string(), numbers().chain(frame.concat()).collect()));
+            }
+            "ARC_FEED" => {
+                moves.push((format!("{name} {plane}"), numbers().chain(frame.concat()).collect()));
+            }
+            _ => {}
+        }
+    }
+    moves
+}
+
+/// Held against what LinuxCNC's own interpreter (`rs274 -g`) prints for the same blocks: places before the turn, and what lies
+/// between them and the machine. `tools/canon_rs274.py` compares random programs.
+#[test]
+fn canonical_places_are_those_before_a_turn_with_its_frame() {
+    let program = b"G21 G90 G17 G40 F300\nG10 L2 P1 X3.5 Y-2 R40\nG0 X8 Y3 Z2\nG92 X1.5 Y-6\nG0 X4 Y2.5 Z1\n\
+        G3 X8 Y2.5 I2 J0\nG52 X-3 Z4\nG1 X5 Y1 Z-2\nG18 G2 X9 Z-2 I2 K0\nG55\nG10 L2 P2 R180\nG0 X2 Y7 Z3\n\
+        G18 G3 X-4 Z3 I-3 K0\nG19 G2 Y7 Z3 J2.5 K-1\nG92.1\nG17 G0 X1 Y2 Z8\nM2\n";
+    let job = job("linuxcnc-mill", "turned.ngc", program);
+    let mut writer = Canon::new(Vec::new(), &job).unwrap();
+    commands(&job).iter().for_each(|command| writer.command(command).unwrap());
+    let text = text(writer.finish().unwrap());
+    let printed = "\
+        N..... SET_G5X_OFFSET(1, 3.5000, -2.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SET_XY_ROTATION(40.0000)\n\
+        N..... STRAIGHT_TRAVERSE(8.0000, 3.0000, 2.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SET_G92_OFFSET(6.5000, 9.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... STRAIGHT_TRAVERSE(4.0000, 2.5000, 1.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... ARC_FEED(8.0000, 2.5000, 6.0000, 2.5000, 1, 1.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SET_G92_OFFSET(-3.0000, 9.0000, 4.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... STRAIGHT_FEED(5.0000, 1.0000, -2.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SELECT_PLANE(CANON_PLANE_XZ)\n\
+        N..... ARC_FEED(-2.0000, 9.0000, -2.0000, 7.0000, -1, 1.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SET_G5X_OFFSET(2, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SET_G92_OFFSET(-3.0000, 9.0000, 4.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SET_XY_ROTATION(0.0000)\n\
+        N..... SET_G5X_OFFSET(2, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SET_XY_ROTATION(180.0000)\n\
+        N..... STRAIGHT_TRAVERSE(2.0000, 7.0000, 3.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SELECT_PLANE(CANON_PLANE_XZ)\n\
+        N..... ARC_FEED(3.0000, -4.0000, 3.0000, -1.0000, 1, 7.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SELECT_PLANE(CANON_PLANE_YZ)\n\
+        N..... ARC_FEED(7.0000, 3.0000, 9.5000, 2.0000, -1, -4.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SET_G92_OFFSET(0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n\
+        N..... SELECT_PLANE(CANON_PLANE_XY)\n\
+        N..... STRAIGHT_TRAVERSE(1.0000, 2.0000, 8.0000, 0.0000, 0.0000, 0.0000)\n";
+    assert_eq!(canonical_moves(&text), canonical_moves(printed), "{text}");
+    assert_eq!(canonical_moves(printed).len(), 9);
+}

@@ -78,7 +78,11 @@ impl Interpreter<'_> {
                 let radius = (self.span(word.range), value);
                 self.kernel.arc_by_radius(&at, radius, &arc, target, named);
             }
-            None if has_center => self.kernel.arc_by_center(&at, &arc, target, named),
+            None if has_center => {
+                if let Some(misfit) = self.kernel.arc_about_center(&at, &arc, target, named) {
+                    self.report_misfit(block, *misfit);
+                }
+            }
             None if self.control.parameters.arc_without_center_is_line => {
                 self.line_in_arc_mode(block, target, named, explicit);
             }

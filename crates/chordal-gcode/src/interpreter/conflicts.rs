@@ -226,6 +226,9 @@ impl Interpreter<'_> {
         {
             claims = claims.union(self.words_of(row));
         }
+        if self.kernel.reads_contour_words() {
+            claims = claims.union(Letters::of("ACUW"));
+        }
         // While a cycle is in force a block makes a hole, no arc.
         let ends = |row: &CodeRow| row.action == Action::Mode(ModeCode::CancelCycle);
         let drills = self.kernel.state.cycle.is_some() && !codes.iter().any(|(row, _)| ends(row));

@@ -14,7 +14,8 @@ impl Interpreter<'_> {
     pub(super) fn is_corner_word(&self, word: &Word) -> bool {
         word.comma
             && matches!(word.letter, b'R' | b'C')
-            && self.control.parameters.rules.corner.moves != CornerMoves::None
+            && (self.control.parameters.rules.corner.moves != CornerMoves::None
+                || self.kernel.reads_contour_words())
     }
 
     /// Before the motion of a block: the corner at its end.
@@ -28,24 +29,33 @@ impl Interpreter<'_> {
         }
         let mut words = block.words.iter().filter(|word| self.is_corner_word(word)).copied();
         let Some(first) = words.next() else { return };
+        let in_contour = self.kernel.reads_contour_words();
         if let Some(second) = words.next() {
-            self.kernel.report(
-                Diagnostic::new(
-                    Code::CornerBlock,
-                    self.span(second.range),
-                    "a block ends in one rounding or one chamfer",
-                )
-                .label("neither is made")
-                .also(self.span(first.range), "the first")
-                .help("keep one of them"),
-            );
+            let alarm = in_contour.then(|| {
+                let title = self.control.table.title;
+                format!("{title}: G7X error: Both A and C parameters on a corner")
+            });
+            let mut problem = Diagnostic::new(
+                Code::CornerBlock,
+                self.span(second.range),
+                "a block ends in one rounding or one chamfer",
+            )
+            .label("neither is made")
+            .also(self.span(first.range), "the first")
+            .help("keep one of them");
+            problem.alarm = alarm;
+            self.kernel.report(problem);
             return;
         }
-        let (name, form) = match first.letter {
-            b'R' => (",R", CornerForm::Rounding),
-            _ => (",C", CornerForm::Chamfer),
+        let (name, form) = match (first.letter, in_contour) {
+            (b'R', true) => ("A", CornerForm::Rounding),
+            (_, true) => ("C", CornerForm::ChordOfRounding),
+            (b'R', false) => (",R", CornerForm::Rounding),
+            (_, false) => (",C", CornerForm::Chamfer),
         };
         let Some(size_mm) = self.length(&first) else { return };
+        // The sign says nothing in a contour.
+        let size_mm = if in_contour { size_mm.abs() } else { size_mm };
         let word = self.span(first.range);
         if size_mm < 0.0 {
             let message = format!("`{name}` is a length from the corner and cannot be negative");

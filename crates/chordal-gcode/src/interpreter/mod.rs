@@ -31,6 +31,7 @@ mod path_modes;
 mod pocket;
 mod polar;
 mod reference;
+mod repairs;
 mod repeats;
 mod report;
 mod shop;

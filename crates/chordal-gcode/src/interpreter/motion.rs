@@ -65,7 +65,7 @@ impl Interpreter<'_> {
     /// The axis that a letter of its own moves by an increment (U of X).
     #[inline]
     pub(super) fn increment_axis(&self, word: &Word) -> Option<usize> {
-        let increments = self.control.parameters.increments;
+        let increments = self.increments();
         if increments.is_empty() || word.comma {
             return None;
         }

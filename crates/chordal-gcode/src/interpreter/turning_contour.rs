@@ -198,6 +198,9 @@ impl Interpreter<'_> {
                 );
                 continue;
             }
+            if self.kernel.reads_contour_words() && !self.read_as_contour(&mut block) {
+                continue;
+            }
             if let Flow::End(EndReason::Budget) = self.execute(&mut block) {
                 break;
             }
@@ -205,11 +208,49 @@ impl Interpreter<'_> {
                 self.end_corner_block(&block);
             }
         }
+        if self.kernel.reads_contour_words() {
+            self.kernel.end_corners_of_contour();
+        }
         while self.frames.len() > depth {
             self.leave(None);
         }
         self.reader.seek(here);
         self.kernel.origin = origin;
+    }
+
+    /// The letters of increments, and their axes: those of the control, or of a contour that has words of its own.
+    pub(super) fn increments(&self) -> &'static [(u8, u8)] {
+        match self.kernel.reads_contour_words() {
+            true => &[(b'U', b'X'), (b'W', b'Z')],
+            false => self.control.parameters.increments,
+        }
+    }
+
+    /// Reads A and C of a contour's block as a corner, be they axes elsewhere. False where the control refuses it.
+    fn read_as_contour(&mut self, block: &mut Block) -> bool {
+        for (letter, axis) in self.increments() {
+            let (Some(way), Some(place)) = (block.word(*letter), block.word(*axis)) else {
+                continue;
+            };
+            let [letter, axis] = [*letter, *axis].map(char::from);
+            let diagnostic = Diagnostic::new(
+                Code::BadWordValue,
+                self.span(way.range),
+                format!("{letter} and {axis} in one block of a contour"),
+            )
+            .label("the block is not read")
+            .also(self.span(place.range), "the same axis")
+            .help("keep one of them");
+            let alarm = format!("G7x error: Cannot use {letter} and {axis} in the same block");
+            self.report_refused(diagnostic, &alarm);
+            return false;
+        }
+        for word in block.words.iter_mut().filter(|word| b"AC".contains(&word.letter)) {
+            word.letter = if word.letter == b'A' { b'R' } else { b'C' };
+            word.comma = true;
+            block.commas = true;
+        }
+        true
     }
 
     /// The place of a word that a contour cannot have: calls, ends, further cycles.

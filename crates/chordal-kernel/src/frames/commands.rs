@@ -54,9 +54,9 @@ impl Map {
             CommandKind::CornerArc { toward } => {
                 CommandKind::CornerArc { toward: toward.map(|way| self.way_in_plane(plane, way)) }
             }
-            CommandKind::WorkOffset { name, offset, zero, known, position } => {
+            CommandKind::WorkOffset { name, offset, zero, turned, known, position } => {
                 let position = self.point(&position);
-                CommandKind::WorkOffset { name, offset, zero, known, position }
+                CommandKind::WorkOffset { name, offset, zero, turned, known, position }
             }
             // Nothing of the others lies anywhere.
             other @ (CommandKind::Dwell { .. }

@@ -39,12 +39,36 @@ const VANISHING_SWEEP_RAD: f64 = 0.01;
 /// So many least increments between start and end are rounding: one for each word, and half for a sum.
 const VANISHING_INCREMENTS: f64 = 1.5;
 
+/// An arc whose ends lie at different distances from its centre: what is said of it, and what it was read from.
+#[derive(Clone, PartialEq, Debug)]
+pub struct MisfitArc {
+    /// The problem, not reported yet.
+    pub problem: Diagnostic,
+    /// The plane.
+    pub plane: Plane,
+    /// Where it begins, program coordinates, mm.
+    pub start: Position,
+    /// Where it ends.
+    pub end: Position,
+    /// What the statement says of it.
+    pub arc: ArcWords,
+}
+
 impl Kernel<'_> {
     /// The centre on the plane's axes, by a rule for its words.
     pub fn center(&self, words: [Option<f64>; 2], rule: ArcCenter) -> (f64, f64) {
         let (a, b, _) = self.state.plane.axes();
         let from = self.state.believed.as_ref().unwrap_or(&self.state.position);
-        let start = (from[a], from[b]);
+        self.center_seen_from((from[a], from[b]), words, rule)
+    }
+
+    /// The same of an arc that begins elsewhere.
+    fn center_seen_from(
+        &self,
+        start: (f64, f64),
+        words: [Option<f64>; 2],
+        rule: ArcCenter,
+    ) -> (f64, f64) {
         let [first, second] = words;
         match rule {
             ArcCenter::FromStart => {
@@ -71,6 +95,14 @@ impl Kernel<'_> {
         [&self.state.position, target].map(|place| (place[a] - center.0).hypot(place[b] - center.1))
     }
 
+    /// The arc from one place to another about a centre by its words, read by the rule in force.
+    pub fn sweep_by_words(&self, start: &Position, end: &Position, arc: &ArcWords) -> ArcSweep {
+        let plane = self.state.plane;
+        let (a, b, _) = plane.axes();
+        let center = self.center_seen_from((start[a], start[b]), arc.center, self.state.arc_center);
+        arc_sweep(plane, point(start), point(end), center, arc.direction, arc.turns)
+    }
+
     /// An arc, a helix or a full circle about a centre.
     pub fn arc_by_center(
         &mut self,
@@ -79,8 +111,22 @@ impl Kernel<'_> {
         target: Position,
         named: AxisMask,
     ) {
+        if let Some(misfit) = self.arc_about_center(at, arc, target, named) {
+            self.report(misfit.problem);
+        }
+    }
+
+    /// The same for a language that has more to say where the arc is none: the problem is left to it.
+    pub fn arc_about_center(
+        &mut self,
+        at: &dyn Statement,
+        arc: &ArcWords,
+        target: Position,
+        named: AxisMask,
+    ) -> Option<Box<MisfitArc>> {
         if !self.arc_fits_frames(at) {
-            return self.straight_instead(at, target, named);
+            self.straight_instead(at, target, named);
+            return None;
         }
         let plane = self.state.plane;
         let from = self.state.position;
@@ -89,17 +135,19 @@ impl Kernel<'_> {
         let fit = arc_sweep(plane, start, end, center, arc.direction, arc.turns);
         if fit.radius_start <= self.rules.arc.coincidence_mm {
             self.report_zero_radius(at);
-            return self.straight_instead(at, target, named);
+            self.straight_instead(at, target, named);
+            return None;
         }
         // The control judges the arc from where it takes the tool to be.
         let judged = match self.state.believed {
             None => self.fit_in_work(&fit, center, arc, &target),
             Some(place) => arc_sweep(plane, point(&place), end, center, arc.direction, arc.turns),
         };
-        self.check_mismatch(at, &judged, arc, &target);
+        let misfit = self.misfit(at, &judged, arc, &target);
         self.check_radius_limit(at, judged.radius_start.max(judged.radius_end));
         self.check_vanishing_circle(at, &fit);
         self.emit_arc(at, center, &fit, target, named);
+        misfit
     }
 
     /// An arc of almost nothing, whose end misses the start by an increment. Said once.
@@ -393,36 +441,34 @@ impl Kernel<'_> {
     }
 
     #[inline]
-    fn check_mismatch(
+    fn misfit(
         &mut self,
         at: &dyn Statement,
         fit: &ArcSweep,
         arc: &ArcWords,
         target: &Position,
-    ) {
+    ) -> Option<Box<MisfitArc>> {
         let p = &self.rules.arc;
         let error = fit.radius_error().abs();
         // A difference of rounding must not decide at the tolerance itself.
         let factor = p.radius_error_factor(self.state.units);
         if p.judged_before || error <= factor * p.radius_error_tolerance_mm * (1.0 + 1e-9) {
-            return;
+            return None;
         }
         let by_radius = p.radius_error_relative > 0.0
             && error <= factor * p.radius_error_limit_mm
             && error <= p.radius_error_relative * fit.radius_start.max(fit.radius_end);
-        if !by_radius {
-            self.report_mismatch(at, fit, arc, target);
-        }
+        if by_radius { None } else { Some(self.misfit_arc(at, fit, arc, target)) }
     }
 
     #[cold]
-    fn report_mismatch(
+    fn misfit_arc(
         &mut self,
         at: &dyn Statement,
         fit: &ArcSweep,
         arc: &ArcWords,
         target: &Position,
-    ) {
+    ) -> Box<MisfitArc> {
         let span = at.words(What::EndAndCenter(self.state.plane));
         let error = self.length_text(fit.radius_error().abs());
         let factor = self.rules.arc.radius_error_factor(self.state.units);
@@ -445,7 +491,13 @@ impl Kernel<'_> {
                  block before, where the arc starts",
             ),
         };
-        self.report(diagnostic);
+        Box::new(MisfitArc {
+            problem: diagnostic,
+            plane: self.state.plane,
+            start: self.state.position,
+            end: *target,
+            arc: *arc,
+        })
     }
 
     /// Says that the same words make a true arc under another rule for the centre; with the setting, at the

@@ -15,7 +15,7 @@ use chordal_command::{
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_machine::{AXES, Axis};
 
-pub use arc::ArcWords;
+pub use arc::{ArcWords, MisfitArc};
 pub use spiral::SpiralWords;
 
 use crate::kernel::Kernel;

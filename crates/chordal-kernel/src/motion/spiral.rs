@@ -277,9 +277,10 @@ impl Kernel<'_> {
             )
             .severity(Severity::Warning)
             .label(format!("the angle there is not known; shown as that of the {other}"))
-            .help(
-                "it is not known whether the control accepts it: end it a little away from the centre",
-            ),
+            .help(format!(
+                "it is not known whether the control accepts it: {} it a little away from the centre",
+                if start { "begin" } else { "end" }
+            )),
         );
     }
 

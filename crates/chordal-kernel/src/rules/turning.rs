@@ -82,6 +82,9 @@ pub struct TurningRules {
     pub thread_words_take_point: bool,
     /// How its programs limit the spindle where they keep a cutting speed.
     pub speed_limit_example: &'static str,
+    /// In the subroutine of a contour U and W are increments of X and Z, A is a rounding and C a chamfer at the end of the
+    /// move, whichever axes there are; nothing else but moves is read of it (LinuxCNC).
+    pub contour_words: bool,
     /// Tip numbers count with X turned round: 2 is the tool for turning outside, not 3 (LinuxCNC).
     pub tips_mirrored: bool,
 }
@@ -104,6 +107,7 @@ impl TurningRules {
         two_blocks: true,
         thread_words_take_point: true,
         speed_limit_example: "G50 S2500",
+        contour_words: false,
         tips_mirrored: false,
     };
 }

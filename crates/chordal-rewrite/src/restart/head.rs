@@ -67,6 +67,23 @@ impl Head<'_, '_> {
         Ok(lines)
     }
 
+    /// The lines before a block where the height alone is not known, as after a tool change or G28 Z0: they take the tool
+    /// over its place, at the height that the machine has.
+    pub(super) fn before_descent(&self) -> Result<Vec<String>, Lack> {
+        let mut lines = self.modes();
+        lines.extend(self.tool());
+        if self.has_one_command_a_line() {
+            lines.extend(self.work());
+            lines.extend(self.spindle_line());
+        }
+        lines.push(self.over()?);
+        lines.extend(self.before.said.coolant.iter().cloned());
+        lines.extend(self.ready());
+        lines.extend(feed_word(&self.before.modal, self.source.style));
+        lines.extend(self.ending()?);
+        Ok(lines)
+    }
+
     /// The lines before any other block: they take the tool to where it stands.
     pub(super) fn all(&self) -> Result<Vec<String>, Lack> {
         if self.turns() {

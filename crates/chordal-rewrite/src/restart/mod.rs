@@ -160,11 +160,26 @@ fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<Restart, Refused>
     let from_the_start = !before.shift.presets.is_empty();
     let unrepeated = before.unrepeated.clone();
     let given = given.map(<[u8]>::to_vec);
-    let draft = Draft { first, at, ran, lines, approaches, from_the_start, unrepeated, given };
-    let done = asked.prove(draft);
-    done.map_err(
-        |refused| if is_known || changes { refused } else { asked.position(&before.modal) },
-    )
+    let draft = |lines: Vec<String>| Draft {
+        first,
+        at,
+        ran,
+        lines,
+        approaches,
+        from_the_start,
+        unrepeated: unrepeated.clone(),
+        given: given.clone(),
+    };
+    let done = asked.prove(draft(lines));
+    let Err(refused) = done else { return done };
+    if is_known || changes {
+        return Err(refused);
+    }
+    // Over the place that is known, where the program does not go to one by itself.
+    let is_over = !job.turns() && before.modal.known.has(0) && before.modal.known.has(1);
+    let lines = is_over.then(|| head.before_descent().ok()).flatten();
+    let done = lines.and_then(|lines| asked.prove(draft(lines)).ok());
+    done.ok_or_else(|| asked.position(&before.modal))
 }
 
 /// Looks whether the head's moves meet what the program has left of the stock of a lathe at the line; nothing without a stock, on a

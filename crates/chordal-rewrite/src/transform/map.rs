@@ -1,6 +1,6 @@
 //! Moving, turning, mirroring and scaling a program, word by word.
 
-use chordal::control::{Action, AfterCode, MotionCode, OnceCode};
+use chordal::control::{Action, AfterCode, ModeCode, MotionCode, OnceCode};
 use chordal::control::{AxisMask, RapidPath};
 use chordal::diagnostics::FileId;
 use chordal::geometry::{Plane, Transform, Vec3};
@@ -11,7 +11,7 @@ use chordal_compare::{Category, Mapping};
 use super::Outcome;
 use super::edit::{Edit, Refusal};
 use super::record::{Context, Did, Record, Runs};
-use super::roles::{Role, Turned, actions, is_fixed, roles};
+use super::roles::{Role, Turned, actions, drilling_axis, is_fixed, roles};
 use super::writer::Writer;
 
 /// A similarity that leaves Z an axis by itself, taken apart.
@@ -47,11 +47,30 @@ impl Map {
         [self.plane[0][0], self.plane[1][1], self.z][axis]
     }
 
-    /// Arcs in a plane turn the other way.
+    /// X becomes Y and Y becomes X, each alone: a turn by 90° or 270°.
+    fn swaps_axes(&self) -> bool {
+        let [[a, _], [_, d]] = self.plane;
+        self.turns && a == 0.0 && d == 0.0
+    }
+
+    /// The axis that an axis becomes, where each of them becomes one.
+    fn image(&self, axis: usize) -> usize {
+        if axis < 2 && self.swaps_axes() { 1 - axis } else { axis }
+    }
+
+    /// What a way along an axis is multiplied by to be one along its image.
+    fn image_factor(&self, axis: usize) -> f64 {
+        if axis == 2 { self.z } else { self.plane[self.image(axis)][axis] }
+    }
+
+    /// Arcs in a plane turn the other way in the plane that it becomes.
     fn is_mirrored(&self, plane: Plane) -> bool {
         let [[a, b], [c, d]] = self.plane;
+        // ZX becomes YZ with Z first, and YZ becomes ZX with Z last: seen from the other side.
         let sign = match plane {
             Plane::Xy => a * d - b * c,
+            Plane::Zx if self.swaps_axes() => -c * self.z,
+            Plane::Yz if self.swaps_axes() => -b * self.z,
             Plane::Zx => a * self.z,
             Plane::Yz => d * self.z,
         };
@@ -196,21 +215,28 @@ impl Mapper<'_> {
         let mut edits = Vec::new();
         self.codes(block, context, &mut edits)?;
         let roles = roles(block, context, self.writer.control);
-        if map.turns {
-            let is_round = matches!(context.did, Did::Arc | Did::Spiral | Did::Cycle);
-            if context.plane != Plane::Xy && is_round {
+        let is_upright = map.turns
+            && match context.did {
+                Did::Arc | Did::Spiral => context.plane != Plane::Xy,
+                Did::Cycle => drilling_axis(context, self.writer.control) != 2,
+                Did::Nothing | Did::Rapid | Did::Line | Did::Spline => false,
+            };
+        if is_upright {
+            if !map.swaps_axes() {
                 return Err(self.refuse(
                     block,
                     "an arc or a cycle in G18 or G19 would lie in no plane of the control",
-                    "rotate by 180°, or write it in G17 or as chords (--chords)",
+                    "rotate by 90°, 180° or 270°, or write it in G17 or as chords (--chords)",
                 ));
             }
+            self.renamed(block, context, &roles, &mut edits)?;
+        } else if map.turns {
             self.pairs(block, runs, context, &roles, &mut edits)?;
         }
         for (word, role) in block.words.iter().zip(&roles) {
             let (factor, plus) = match *role {
                 Role::Place(axis) | Role::Way(axis) | Role::Center(axis) | Role::Spoke(axis)
-                    if map.turns && axis < 2 =>
+                    if map.turns && (axis < 2 || is_upright) =>
                 {
                     continue;
                 }
@@ -264,23 +290,60 @@ impl Mapper<'_> {
                     "write the moves out, or rotate with the control's own G68",
                 ));
             }
-            let Some(other) = mirrored(action).filter(|_| self.map.is_mirrored(context.plane))
-            else {
-                continue;
-            };
+            let plane = quarter_turned(action).filter(|_| self.map.swaps_axes());
+            let mirrored = || mirrored(action).filter(|_| self.map.is_mirrored(context.plane));
+            let Some(other) = plane.or_else(mirrored) else { continue };
             let mut rows = self.writer.control.g_codes();
             let Some(row) = rows.find(|row| row.action == other) else {
                 return Err(self.refuse(
                     block,
                     format!(
-                        "the control has no code for the mirror image of `{}`",
+                        "the control has no code for the image of `{}`",
                         self.writer.word(word)
                     ),
                     "write the move in another form",
                 ));
             };
             let text = self.writer.code(word, row.code);
-            edits.push(Edit::new(word.range, text, "a mirror image turns in the other direction"));
+            let reason = match plane {
+                Some(_) => "X becomes Y, and the plane of arcs with it",
+                None => "a mirror image turns in the other direction",
+            };
+            edits.push(Edit::new(word.range, text, reason));
+        }
+        Ok(())
+    }
+
+    /// Words of an arc or a cycle in G18 or G19 after a quarter turn: X becomes Y, I becomes J, and the other way round.
+    fn renamed(
+        &self,
+        block: &Block,
+        context: &Context,
+        roles: &[Role],
+        edits: &mut Vec<Edit>,
+    ) -> Result<(), Refusal> {
+        for (word, role) in block.words.iter().zip(roles) {
+            let (axis, is_place) = match *role {
+                Role::Place(axis) | Role::Center(axis) => (axis, true),
+                Role::Way(axis) | Role::Spoke(axis) => (axis, false),
+                _ => continue,
+            };
+            let image = self.map.image(axis);
+            let (factor, plus) =
+                (self.map.image_factor(axis), if is_place { self.map.shift[image] } else { 0.0 });
+            let letters = [b"XYZ", b"IJK"].into_iter().find(|all| all.contains(&word.letter));
+            let letter = letters.map_or(word.letter, |all| all[image]);
+            if (letter, factor, plus) == (word.letter, 1.0, 0.0) {
+                continue;
+            }
+            let units = (context.units, context.units);
+            let text = match (factor, plus) {
+                (1.0, 0.0) => self.writer.word(word),
+                _ => self.writer.scaled_length(block, word, units, factor, plus)?,
+            };
+            let rest = text.get(1..).unwrap_or_default();
+            let text = format!("{}{rest}", char::from(letter));
+            edits.push(Edit::new(word.range, text, self.reason()));
         }
         Ok(())
     }
@@ -416,6 +479,13 @@ fn makes_moves_of_its_own(action: Action) -> bool {
     // Those of lathes have words whose directions are known.
     let once = |code: OnceCode| code.is_pocket() || matches!(code, OnceCode::Pattern(_));
     action.once().is_some_and(once) || action == Action::After(AfterCode::RunCycleHere)
+}
+
+/// The code of the plane that a plane becomes by a quarter turn about Z.
+fn quarter_turned(action: Action) -> Option<Action> {
+    let [zx, yz] = [ModeCode::PlaneZx, ModeCode::PlaneYz].map(Action::Mode);
+    let others = [(zx, yz), (yz, zx)];
+    others.into_iter().find(|(plane, _)| *plane == action).map(|(_, other)| other)
 }
 
 /// The code that does the same in a mirror; `None` where it is the same code.

@@ -3,7 +3,7 @@
 use chordal::Control;
 use chordal::control::CycleKind;
 use chordal::control::{Action, CallCode, ModeCode, OnceCode, PathCode, ReadingCode};
-use chordal::control::{FeedMode, TapFeed};
+use chordal::control::{DrillingAxis, FeedMode, TapFeed};
 use chordal::syntax::{Block, Value, Word};
 
 use super::record::{Context, Did};
@@ -181,6 +181,14 @@ fn axis(letter: u8) -> Option<usize> {
     b"XYZ".iter().position(|axis| *axis == letter)
 }
 
+/// The axis along which the cycles of a mill drill.
+pub(super) fn drilling_axis(context: &Context, control: &Control) -> usize {
+    match control.parameters.rules.cycles.axis {
+        DrillingAxis::AlwaysZ | DrillingAxis::OfCode => 2,
+        DrillingAxis::PlaneNormal => context.plane.axes().2,
+    }
+}
+
 fn move_role(
     word: &Word,
     context: &Context,
@@ -190,6 +198,7 @@ fn move_role(
 ) -> Role {
     let place = |axis: usize| if incremental { Role::Way(axis) } else { Role::Place(axis) };
     let normal = context.plane.axes().2;
+    let drilled = drilling_axis(context, control);
     let in_cycle = context.cycle.is_some();
     let is_arc = matches!(context.did, Did::Arc | Did::Spiral);
     if word.comma {
@@ -222,11 +231,11 @@ fn move_role(
         letter @ b'I'..=b'K' if starts_compensation => Role::Way(usize::from(letter - b'I')),
         b'R' if control.table.lexicon.registers => match word.register {
             Some(0) if is_arc => Role::Length,
-            Some(0) if in_cycle => place(normal),
+            Some(0) if in_cycle => place(drilled),
             _ => Role::Doubtful,
         },
         b'R' if is_arc => Role::Length,
-        b'R' if in_cycle => place(normal),
+        b'R' if in_cycle => place(drilled),
         b'Q' if in_cycle => match context.cycle {
             Some(CycleKind::FineBore | CycleKind::BackBore) => Role::Doubtful,
             _ => Role::Length,

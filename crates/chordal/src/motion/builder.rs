@@ -360,6 +360,10 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     /// Speed along a cut with the override; never more than the machine's largest feed. `None`
     /// without a feed.
     fn cut_speed(&self, segment: &Segment, length: f64) -> Option<f64> {
+        // Without a feed there is no time: the largest feed of the machine is none that anybody has asked for.
+        if segment.duration_s.is_nan() || segment.duration_s <= 0.0 {
+            return None;
+        }
         let speed = length / segment.duration_s * self.feed_override();
         let turns_only = segment.length_mm <= 0.0;
         let largest = if turns_only { self.feed.max_rad_per_s } else { self.feed.max_mm_per_s };

@@ -14,7 +14,7 @@ const MOST_FILES: usize = 200;
 
 pub fn json(rows: &[DiffRow]) -> String {
     let document = serde_json::json!({ "schema": "chordal.diff/2", "files": rows });
-    format!("{document:#}\n")
+    chordal_export::pretty_json(document)
 }
 
 pub fn text(rows: &[DiffRow], all: bool) -> String {

@@ -34,6 +34,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
         turning: TurningRules {
             tips_mirrored: true,
             speed_limit_example: "G96 D2500 S…",
+            contour_words: true,
             ..TurningRules::COMMON
         },
         rapid: RapidPath::Straight,

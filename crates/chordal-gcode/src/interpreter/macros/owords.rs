@@ -156,7 +156,8 @@ impl Index {
                 FlowWord::Call | FlowWord::Return => continue,
                 _ => sub,
             };
-            if word != FlowWord::Sub {
+            // A subroutine may have the name of a loop or a branch that stands outside of it.
+            if !matches!(word, FlowWord::Sub | FlowWord::EndSub) {
                 let first = *labels.entry((scope, label.clone())).or_insert(here);
                 index.lines[here].same = if first == here { NONE } else { first };
             }

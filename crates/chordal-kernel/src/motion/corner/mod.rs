@@ -4,7 +4,7 @@
 mod fit;
 
 use chordal_command::{
-    ArcShape, AxisMask, CallPath, Command, CommandKind, Feed, FeedAlong, FeedMode, Move,
+    ArcShape, AxisMask, CallPath, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Units,
     telling_number,
 };
 use chordal_diagnostics::{Code, Diagnostic};
@@ -45,6 +45,27 @@ fn refusal(code: Code, what: impl Into<String>, help: &str) -> Refusal {
 }
 
 impl Kernel<'_> {
+    /// The blocks at work are those of a contour that has words of its own, in a subroutine.
+    pub fn reads_contour_words(&self) -> bool {
+        self.rules.turning.contour_words && self.collected.is_some()
+    }
+
+    /// A corner of a contour that is shorter is none (rs274 2.9: a thousandth of the program's unit), mm.
+    fn least_corner_of_contour(&self) -> f64 {
+        match self.state.units {
+            Units::Inch => 0.0254,
+            Units::Millimetre => 0.001,
+        }
+    }
+
+    /// A contour ends: a corner at the end of its last move is none.
+    pub fn end_corners_of_contour(&mut self) {
+        self.corners.asked = None;
+        if let Some(held) = self.corners.held.take() {
+            self.pass_on(*held);
+        }
+    }
+
     /// Takes back what was asked, where the move of the block comes later.
     pub fn take_asked_corner(&mut self) -> Option<Corner> {
         self.corners.asked.take()
@@ -139,7 +160,7 @@ impl Kernel<'_> {
                 "write the corner as a block of its own",
             ));
         }
-        if let CommandKind::Rapid { .. } = kind {
+        if matches!(kind, CommandKind::Rapid { .. }) && !self.reads_contour_words() {
             return Err(refusal(Code::CornerBlock, "this block is a rapid", help));
         }
         self.leg(corner, kind, [Code::CornerBlock; 2]).map(drop)
@@ -155,9 +176,11 @@ impl Kernel<'_> {
         let plane = self.state.plane;
         let (a, b, _) = plane.axes();
         let help = "write a line or an arc in the active plane";
+        let in_contour = self.reads_contour_words();
         let (motion, feed, shape) = match kind {
-            CommandKind::Line { motion, feed } => (motion, feed, None),
-            CommandKind::Arc { motion, shape, feed } => (motion, feed, Some(shape)),
+            CommandKind::Line { motion, feed } => (motion, *feed, None),
+            CommandKind::Arc { motion, shape, feed } => (motion, *feed, Some(shape)),
+            CommandKind::Rapid { motion, .. } if in_contour => (motion, feed_of(kind), None),
             CommandKind::Rapid { .. } => {
                 return Err(refusal(other, "the move is a rapid", help));
             }
@@ -184,7 +207,7 @@ impl Kernel<'_> {
             if shape.plane != plane {
                 return Err(refusal(nothing, "the arc is not in the active plane", help));
             }
-            if self.rules.corner.moves != CornerMoves::LinesAndArcs {
+            if self.rules.corner.moves != CornerMoves::LinesAndArcs && !in_contour {
                 let title = self.alarms.title;
                 let what = format!("the move is an arc; {title} does this between straight moves");
                 return Err(refusal(other, what, "write the corner as a block of its own"));
@@ -260,12 +283,26 @@ impl Kernel<'_> {
         let fit = match held.corner.form {
             CornerForm::Rounding => fit::rounding(&one, &two, held.corner.size_mm, straight),
             CornerForm::Chamfer => fit::chamfer(&one, &two, held.corner.size_mm, straight),
+            CornerForm::ChordOfRounding => {
+                let fit = fit::rounding(&one, &two, held.corner.size_mm, straight);
+                fit.map(|fit| fit.map(|fit| fit::Fit { arc: None, ..fit }))
+            }
         };
         let fit = match fit {
             Ok(Some(fit)) => fit,
             Ok(None) => return Ok(None),
+            // Moves that go on into one another leave no room for one, and need none.
+            Err(Misfit::TooLarge(room))
+                if self.reads_contour_words() && room < self.least_corner_of_contour() =>
+            {
+                return Ok(None);
+            }
             Err(misfit) => return Err(self.too_large(&held.corner, misfit, [&one, &two])),
         };
+        let span = libm::hypot(fit.end[0] - fit.start[0], fit.end[1] - fit.start[1]);
+        if self.reads_contour_words() && span < self.least_corner_of_contour() {
+            return Ok(None);
+        }
         let (a, b, _) = held.plane.axes();
         let plane_axes = AxisMask(1 << a | 1 << b);
         // Where the first move begins elsewhere than is known, so does the corner.
@@ -310,7 +347,7 @@ impl Kernel<'_> {
     fn too_large(&self, corner: &Corner, misfit: Misfit, legs: [&Leg; 2]) -> Refusal {
         let form = match corner.form {
             CornerForm::Rounding => "a radius",
-            CornerForm::Chamfer => "a chamfer",
+            CornerForm::Chamfer | CornerForm::ChordOfRounding => "a chamfer",
         };
         let room = match misfit {
             Misfit::Reversal => {
@@ -338,7 +375,7 @@ impl Kernel<'_> {
 
     /// A block has been carried out: whether the corner before it still may wait.
     pub fn corner_block_done(&mut self) {
-        if let Some(corner) = self.corners.asked.take() {
+        if let Some(corner) = self.corners.asked.take().filter(|_| !self.reads_contour_words()) {
             let help = "write it into a block that cuts a line or an arc in the active plane";
             let refusal = refusal(Code::CornerBlock, "this block makes no move", help);
             self.refuse(&corner, refusal, None);
@@ -439,7 +476,7 @@ impl Kernel<'_> {
         }
         let form = match corner.form {
             CornerForm::Rounding => "rounding",
-            CornerForm::Chamfer => "chamfer",
+            CornerForm::Chamfer | CornerForm::ChordOfRounding => "chamfer",
         };
         let name = corner.name;
         let diagnostic = Diagnostic::new(
@@ -479,6 +516,7 @@ fn fit_length(leg: &Leg, lost: f64) -> f64 {
 fn trimmed(kind: &CommandKind, motion: Move, lost: f64, at_end: bool) -> CommandKind {
     match kind {
         CommandKind::Line { feed, .. } => CommandKind::Line { motion, feed: *feed },
+        CommandKind::Rapid { path, .. } => CommandKind::Rapid { motion, path: *path },
         CommandKind::Arc { shape, feed, .. } => {
             let (a, b, _) = shape.plane.axes();
             let place = if at_end { motion.to } else { motion.from };
