@@ -5,6 +5,7 @@
 
 mod against;
 mod common;
+mod failures;
 mod live;
 mod security;
 mod stock;
