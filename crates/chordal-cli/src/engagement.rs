@@ -57,7 +57,9 @@ pub fn run(
 ) -> Result<Verdict, Failure> {
     let forms: Vec<Form> = args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
     let job = loaded.job()?;
-    let found = job.engagement(options, &setup_files::files).map_err(|error| failure_of(error, args.setup))?;
+    let found = job
+        .engagement(options, &setup_files::files)
+        .map_err(|error| failure_of(error, args.setup))?;
     for (path, form) in args.output.iter().zip(forms) {
         write_whole(path, &content(&found, &job, form, loaded.name())?)?;
     }

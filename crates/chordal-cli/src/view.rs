@@ -216,7 +216,8 @@ impl Programs for Shown {
     fn read(&self) -> Result<Vec<u8>, Refusal> {
         match (&self.held, &self.input.path) {
             (Some(held), _) => Ok(held.clone()),
-            (None, Some(path)) => Files::Disk.bytes(path)
+            (None, Some(path)) => Files::Disk
+                .bytes(path)
                 .map_err(|error| refusal(&LoadError::read(path.to_string_lossy(), &error))),
             (None, None) => Ok(Vec::new()),
         }

@@ -64,7 +64,7 @@ fn opened(path: &Path) -> io::Result<File> {
     use std::sync::mpsc::channel;
     use std::time::Duration;
 
-    const PATIENCE: Duration = Duration::from_secs(10);
+    const PATIENCE: Duration = Duration::from_secs(5);
     if !path.metadata().is_ok_and(|about| about.file_type().is_fifo()) {
         return File::open(path);
     }
