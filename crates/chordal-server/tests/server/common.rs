@@ -112,7 +112,10 @@ pub struct Site {
 }
 
 pub fn serve(shown: Shown) -> Site {
-    let server = Server::listen(0).unwrap();
+    serve_by(Server::listen(0).unwrap(), shown)
+}
+
+pub fn serve_by(server: Server, shown: Shown) -> Site {
     let url = server.url();
     let rest = url.strip_prefix("http://127.0.0.1:").unwrap();
     let (port, token) = rest.split_once('/').unwrap();

@@ -6,6 +6,7 @@
 mod against;
 mod common;
 mod failures;
+mod idle;
 mod live;
 mod security;
 mod stock;
