@@ -5,7 +5,7 @@
 
 use std::path::PathBuf;
 
-use chordal::machine::{Machine, parse_quantity};
+use chordal::machine::{Dimension, Machine, parse_quantity};
 use chordal::stock::StockOptions;
 use chordal_load::{Files, Given, Input, Loader, Request, Text};
 use libfuzzer_sys::fuzz_target;
@@ -67,7 +67,7 @@ fuzz_target!(|input: (u8, &[u8])| {
         let mut machine = Machine::from_builtin(base).expect("a built-in machine");
         for line in text.lines() {
             let _ = machine.set(line);
-            let _ = parse_quantity(line);
+            let _ = parse_quantity(line, Dimension::Length);
         }
     }
     let Ok(mut loader) = Loader::new(request) else { return };

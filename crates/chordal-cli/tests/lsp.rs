@@ -23,12 +23,15 @@ fn messages(mut text: &str) -> Vec<Value> {
 #[test]
 fn a_malformed_message_is_refused_and_the_session_goes_on() {
     let ask = |id: u32, method: &str, params: Value| {
-        framed(&json!({ "jsonrpc": "2.0", "id": id, "method": method, "params": params }).to_string())
+        framed(
+            &json!({ "jsonrpc": "2.0", "id": id, "method": method, "params": params }).to_string(),
+        )
     };
     let tell = |method: &str, params: Value| {
         framed(&json!({ "jsonrpc": "2.0", "method": method, "params": params }).to_string())
     };
-    let document = json!({ "uri": "file:///part.nc", "languageId": "nc", "version": 1, "text": "G0 X1.\n" });
+    let document =
+        json!({ "uri": "file:///part.nc", "languageId": "nc", "version": 1, "text": "G0 X1.\n" });
     let at = json!({ "textDocument": { "uri": "file:///part.nc" }, "position": { "line": 0, "character": 1 } });
     for wrong in ["{\"a\":", "[]", "{\"id\":{},\"method\":1}", "\u{0}"] {
         let session = [

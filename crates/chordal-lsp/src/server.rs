@@ -316,7 +316,8 @@ impl<'a> Server<'a> {
             }
             Found::Failed(why) => {
                 document.failed = Some(version);
-                let (uri, told) = (uri.clone(), Diagnostic::new_simple(Range::default(), why.clone()));
+                let (uri, told) =
+                    (uri.clone(), Diagnostic::new_simple(Range::default(), why.clone()));
                 self.publish(uri, vec![told], Some(version));
                 for request in self.waiting_for(&key) {
                     let code = ErrorCode::InternalError as i32;

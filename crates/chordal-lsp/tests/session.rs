@@ -479,13 +479,8 @@ fn a_first_message_with_odd_words_is_no_reason_to_end() {
     let (server, connection) = Connection::memory();
     let server = thread::spawn(move || serve(&server, &Typical).expect("it goes on"));
     let odd = json!({ "capabilities": 7, "rootUri": [], "initializationOptions": "none" });
-    let mut editor = Editor {
-        connection,
-        server,
-        next: 0,
-        notices: Vec::new(),
-        capabilities: Value::Null,
-    };
+    let mut editor =
+        Editor { connection, server, next: 0, notices: Vec::new(), capabilities: Value::Null };
     editor.ask("initialize", odd).expect("an answer");
     // Before `initialized`, which some editors send late.
     editor.open("G20 G90\nG1 X1. F20.\nM30\n");

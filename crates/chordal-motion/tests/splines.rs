@@ -70,7 +70,10 @@ fn planned(spline: &Spline, limits: Limits) {
         let length: f64 = moves.iter().map(Move::length).sum();
         for level in [Level::Fast, Level::Best] {
             let time_s = time_of(&plan(&moves, limits, level));
-            assert!(time_s.is_finite() && time_s >= 0.9 * length / SPEED, "{time_s} s for {length} mm {spline:?} {corner:?}");
+            assert!(
+                time_s.is_finite() && time_s >= 0.9 * length / SPEED,
+                "{time_s} s for {length} mm {spline:?} {corner:?}"
+            );
         }
     }
 }
