@@ -111,6 +111,11 @@ pub(crate) struct Server<'a> {
     machine: Option<String>,
 }
 
+/// Bytes of a text whose words are all told at once, at most: the answer has ten times as many.
+const LARGEST_COLOURED: usize = 4 << 20;
+/// Lines whose words are told at once, at most: more than a screen shows.
+const MOST_COLOURED: u32 = 50_000;
+
 /// What a request asks of a document.
 type Answer = Result<Value, ResponseError>;
 
@@ -513,13 +518,17 @@ impl<'a> Server<'a> {
 
     fn tokens(&self, params: Value) -> Answer {
         let SemanticTokensParams { text_document, .. } = parse(params)?;
+        // Of a long text editors ask for what they show, once they hear that all of it is not to be had.
+        if self.document(&text_document.uri)?.text().len() > LARGEST_COLOURED {
+            return told(Value::Null);
+        }
         self.tokens_of(&text_document.uri, 1, u32::MAX)
     }
 
     fn range_tokens(&self, params: Value) -> Answer {
         let SemanticTokensRangeParams { text_document, range, .. } = parse(params)?;
         let (from, to) = lines(range);
-        self.tokens_of(&text_document.uri, from, to)
+        self.tokens_of(&text_document.uri, from, to.min(from.saturating_add(MOST_COLOURED)))
     }
 
     fn tokens_of(&self, uri: &Uri, from: u32, to: u32) -> Answer {
