@@ -72,3 +72,29 @@ fn a_spline_of_a_hundred_kilometres_is_a_small_drawing() {
         assert!(text.contains("curves of more than 100000 corners are within "));
     }
 }
+
+#[test]
+fn a_plunge_of_a_hundred_metres_costs_what_the_stock_is_high() {
+    let folder = Folder::new();
+    let setup = "machine = \"haas-vf2\"\n[tools.1]\nshape = \"flat\"\ndiameter = \"12 mm\"\n\
+                 length = \"60 mm\"\nflute_length = \"10 mm\"\nholder = [[\"40 mm\", \"40 mm\"]]\n\
+                 [stock]\nshape = \"box\"\nfrom = { X = \"0 mm\", Y = \"0 mm\", Z = \"-5 mm\" }\n\
+                 to = { X = \"60 mm\", Y = \"60 mm\", Z = \"0 mm\" }\n";
+    folder.write("setup.toml", setup);
+    let text = |depth: &str| {
+        format!(
+            "O1\nG21 G90 G54 G17 G40\nT1 M6\nS3000 M3\nG0 X30. Y30.\nG43 H1 Z2.\n\
+             G1 Z{depth} F100.\nG0 Z2.\nM30\n"
+        )
+    };
+    folder.write("deep.nc", text("-100000.")).write("due.nc", text("-90."));
+    let of = |name: &str| {
+        let done = folder.run(&["stock", name, "--setup", "setup.toml", "--resolution", "1mm"]);
+        assert!(done.out.contains("the holder touches"), "{}{}", done.out, done.err);
+        let touched =
+            done.out.lines().filter(|line| line.contains("goes") || line.contains("deepest"));
+        touched.map(str::to_string).collect::<Vec<_>>()
+    };
+    // All of the holder has gone through at the end of both.
+    assert_eq!(of("deep.nc"), of("due.nc"));
+}
