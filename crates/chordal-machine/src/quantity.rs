@@ -299,7 +299,7 @@ fn find_unit(name: &str) -> Option<&'static Unit> {
 }
 
 /// No machine has larger values, mm, rad and s: sums and products of a few are still numbers.
-const LARGEST: f64 = 1e15;
+const LARGEST: f64 = 1e30;
 
 /// Reads a quantity (`"0.5 in"`, `"25 m/min"`, `"2000 mm/s^2"`) into the unit of its dimension
 /// ([`Dimension::inside`]). The digits are converted exactly and rounded once.
