@@ -330,8 +330,17 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityE
         _ => return Err(QuantityError::WrongDimension { text: own(), found, dimension }),
     };
     let value = number.times(factor);
-    if value.abs() > LARGEST || value.is_nan() {
+    if !value.is_finite() {
         return Err(QuantityError::OutOfRange { text: own(), dimension });
+    }
+    Ok(value)
+}
+
+/// The same of a machine: one without measure is refused.
+pub(crate) fn machine_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+    let value = parse_quantity(text, dimension)?;
+    if value.abs() > LARGEST {
+        return Err(QuantityError::OutOfRange { text: text.trim().to_string(), dimension });
     }
     Ok(value)
 }
