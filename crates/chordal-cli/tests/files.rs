@@ -2,6 +2,11 @@
 //! leaves nothing behind.
 
 #![cfg(unix)]
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "the tests of a shell have its files and processes"
+)]
 
 mod common;
 

@@ -3,8 +3,6 @@
 
 mod common;
 
-use std::fs;
-
 use common::Folder;
 
 #[test]
@@ -66,7 +64,7 @@ fn a_spline_of_a_hundred_kilometres_is_a_small_drawing() {
             format!("G21 G90 G54\nF1000 S100 M3\nG0 X0 Y0\nG5 I1 J{end} P1 Q1 X{end} Y1\nM2\n");
         folder.write("far.ngc", text);
         folder.run(&["run", "far.ngc", "-m", "linuxcnc-mill", "-o", "far.dxf"]);
-        let size = fs::metadata(folder.path("far.dxf")).unwrap().len();
+        let size = folder.bytes("far.dxf").len();
         assert!(size < 20_000_000, "{size} bytes");
         let text = folder.read("far.dxf");
         assert!(text.contains("curves of more than 100000 corners are within "));
