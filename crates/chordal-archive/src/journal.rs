@@ -4,7 +4,8 @@
 //! files under work and no other. A power cut may also take what the system had not brought to the
 //! disk: shards are synced every few seconds. What is left is whole records and perhaps a torn one
 //! or zeros at the end, which nobody reads. A later run writes shards of its own next to the old
-//! ones. The folder goes when the table is in its place.
+//! ones, and so does one that runs at the same time: each reads what it has opened, and takes its own shards away.
+//! The folder goes when the table is in its place and nobody else has a shard in it.
 //!
 //! A record is the length of its payload and the payload's CRC-32 (four bytes each, low byte
 //! first), then the payload: place-independent, so it names its file.
@@ -12,12 +13,13 @@
 use std::collections::HashMap;
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use chordal_export::columns::{ColumnFile, ColumnFormat};
+use chordal_files::Draft;
 
 use crate::columns::ArchiveColumns;
 use crate::error::ArchiveError;
@@ -47,6 +49,8 @@ pub struct Journal {
     names: Vec<String>,
     places: Mutex<Vec<Option<Place>>>,
     next_shard: Mutex<u32>,
+    /// The shards that this run knows, open to be read: another run may take their names away.
+    readers: Mutex<HashMap<u32, File>>,
 }
 
 /// A shard that a worker writes.
@@ -111,13 +115,16 @@ impl Journal {
         let mut places = vec![None; names.len()];
         let order: HashMap<&str, usize> =
             names.iter().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
+        let mut readers = HashMap::new();
         for shard in shards {
             // A shard that cannot be read holds nothing: its files are done again.
-            let _ = each_record(&shard_path(&folder, shard), |offset, name, record| {
+            let Ok(file) = File::open(shard_path(&folder, shard)) else { continue };
+            let _ = each_record(&file, |offset, name, record| {
                 if let Some(index) = order.get(name) {
                     places[*index] = Some(Place { shard, offset, key: short(&record.key) });
                 }
             });
+            readers.insert(shard, file);
         }
         drop(order);
         Ok(Journal {
@@ -126,6 +133,7 @@ impl Journal {
             names,
             places: Mutex::new(places),
             next_shard: Mutex::new(next),
+            readers: Mutex::new(readers),
         })
     }
 
@@ -156,12 +164,25 @@ impl Journal {
     /// A file that cannot be made.
     pub fn shard(&self) -> Result<Shard, ArchiveError> {
         let mut next = self.next_shard.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        let number = *next;
-        *next += 1;
-        let path = shard_path(&self.folder, number);
-        let file = OpenOptions::new().write(true).create_new(true).open(&path);
-        let file = file.map_err(ArchiveError::write(&path))?;
-        Ok(Shard { file, path, number, offset: 0, synced: Instant::now() })
+        loop {
+            let number = *next;
+            *next += 1;
+            let path = shard_path(&self.folder, number);
+            let made = OpenOptions::new().write(true).create_new(true).open(&path);
+            match made {
+                Ok(file) => {
+                    let reader = File::open(&path).map_err(ArchiveError::write(&path))?;
+                    self.readers().insert(number, reader);
+                    return Ok(Shard { file, path, number, offset: 0, synced: Instant::now() });
+                }
+                // A run of the same table at the same time has this number, or has just taken the folder away.
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                    fs::create_dir_all(&self.folder).map_err(ArchiveError::write(&self.folder))?;
+                }
+                Err(error) => return Err(ArchiveError::write(&path)(error)),
+            }
+        }
     }
 
     /// Writes the record of a file. A record made elsewhere counts only where it is whole and
@@ -189,21 +210,28 @@ impl Journal {
     /// A file without a record, and a disk that is full.
     pub fn finish(self, see: impl FnMut(&str, &FileRecord)) -> Result<(), ArchiveError> {
         self.write_table(see)?;
-        fs::remove_dir_all(&self.folder).map_err(ArchiveError::write(&self.folder))
+        for number in self.readers().keys() {
+            // Another run that had the same one has taken it away.
+            let _ = fs::remove_file(shard_path(&self.folder, *number));
+        }
+        match shards(&self.folder) {
+            Ok(others) if !others.is_empty() => Ok(()),
+            _ => match fs::remove_dir_all(&self.folder) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                    Err(ArchiveError::write(&self.folder)(error))
+                }
+                _ => Ok(()),
+            },
+        }
     }
 
     fn write_table(&self, mut see: impl FnMut(&str, &FileRecord)) -> Result<(), ArchiveError> {
         let failed = ArchiveError::write(&self.out);
-        // In the journal's folder, so that one that a killed run leaves goes with it.
-        let mut builder = tempfile::Builder::new();
-        builder.prefix("table-");
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let draft = builder.tempfile_in(&self.folder).map_err(&failed)?;
+        let draft = Draft::open(&self.out).map_err(&failed)?;
         let columns = ArchiveColumns::new();
-        let table = ColumnFile::new(BufWriter::new(draft), ColumnFormat::Parquet, columns);
+        let table = ColumnFile::new(draft, ColumnFormat::Parquet, columns);
         let mut table = table.map_err(&failed)?;
-        let mut readers: HashMap<u32, File> = HashMap::new();
+        let mut readers = self.readers();
         let places = self.places();
         for (index, name) in self.names.iter().enumerate() {
             let place = places[index].ok_or_else(|| self.missing(index))?;
@@ -218,10 +246,13 @@ impl Journal {
                 put.map_err(&failed)?;
             }
         }
-        let draft = table.finish().map_err(&failed)?.into_inner();
-        let draft = draft.map_err(|error| failed(error.into_error()))?;
-        draft.as_file().sync_all().map_err(&failed)?;
-        draft.persist(&self.out).map_err(|error| failed(error.error))?;
+        let mut draft = table.finish().map_err(&failed)?;
+        draft.flush().map_err(&failed)?;
+        if !chordal_files::is_regular(&self.out) {
+            return draft.put().map_err(&failed);
+        }
+        draft.file().sync_all().map_err(&failed)?;
+        draft.put().map_err(&failed)?;
         sync_folder_of(&self.out).map_err(&failed)
     }
 
@@ -230,12 +261,7 @@ impl Journal {
         readers: &mut HashMap<u32, File>,
         place: Place,
     ) -> io::Result<Option<(String, FileRecord)>> {
-        let file = match readers.entry(place.shard) {
-            std::collections::hash_map::Entry::Occupied(open) => open.into_mut(),
-            std::collections::hash_map::Entry::Vacant(free) => {
-                free.insert(File::open(shard_path(&self.folder, place.shard))?)
-            }
-        };
+        let Some(file) = readers.get_mut(&place.shard) else { return Ok(None) };
         file.seek(SeekFrom::Start(place.offset))?;
         let mut bytes = vec![0; 8];
         file.read_exact(&mut bytes)?;
@@ -250,6 +276,10 @@ impl Journal {
 
     fn places(&self) -> std::sync::MutexGuard<'_, Vec<Option<Place>>> {
         self.places.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+
+    fn readers(&self) -> std::sync::MutexGuard<'_, HashMap<u32, File>> {
+        self.readers.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
     fn missing(&self, index: usize) -> ArchiveError {
@@ -303,8 +333,8 @@ fn whole(bytes: &[u8]) -> Option<(String, FileRecord)> {
 }
 
 /// Emits the whole records of a shard up to the first torn one.
-fn each_record(path: &Path, mut take: impl FnMut(u64, &str, &FileRecord)) -> io::Result<()> {
-    let mut reader = BufReader::with_capacity(1 << 18, File::open(path)?);
+fn each_record(file: &File, mut take: impl FnMut(u64, &str, &FileRecord)) -> io::Result<()> {
+    let mut reader = BufReader::with_capacity(1 << 18, file);
     let mut offset = 0;
     let mut bytes = Vec::new();
     loop {

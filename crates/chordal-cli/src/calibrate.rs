@@ -7,7 +7,7 @@ use chordal::Machine;
 use chordal::machine::{Axis, builtin};
 use chordal::motion::{LimitError, MotionOptions, WaitKind};
 use chordal::time::{Factors, Fit, Parameter, Prediction, Untold, fit};
-use chordal_load::Loaded;
+use chordal_load::{Files, Loaded};
 
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{counted, duration, fixed, short};
@@ -97,8 +97,7 @@ fn keep_machine(name: &str, output: &Path) -> Result<(), Failure> {
 fn read(args: &Args) -> Result<Vec<Measurement>, Failure> {
     let path = &args.measured;
     let name = path.to_string_lossy();
-    let text =
-        std::fs::read_to_string(path).map_err(|error| Failure::read(name.as_ref(), &error))?;
+    let text = Files::Disk.text(path).map_err(|error| Failure::read(name.as_ref(), &error))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut measurements = Vec::new();
     for (index, row) in text.trim_start_matches('\u{feff}').lines().enumerate() {

@@ -10,7 +10,7 @@ use crate::out::{Format, Out, RowFormat};
 
 /// Writes rows of commands.
 pub enum CommandRows<'a> {
-    Jsonl(CommandJsonLines<'a, Out>),
+    Jsonl(Box<CommandJsonLines<'a, Out>>),
     Csv(Box<CommandCsv<Out>>),
     Columns(Box<ColumnFile<Out, CommandColumns<'a>>>),
 }
@@ -30,7 +30,8 @@ impl<'a> CommandRows<'a> {
             return Ok(CommandRows::Columns(Box::new(file)));
         }
         if format == RowFormat::Jsonl {
-            return CommandJsonLines::new(out, job).map(CommandRows::Jsonl);
+            let rows = CommandJsonLines::new(out, job)?;
+            return Ok(CommandRows::Jsonl(Box::new(rows)));
         }
         let csv = if of_path { CommandCsv::of_path(out, job) } else { CommandCsv::new(out, job) };
         csv.map(Box::new).map(CommandRows::Csv)

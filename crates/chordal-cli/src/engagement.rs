@@ -1,6 +1,5 @@
 //! `chordal stock --engagement`: how hard the cuts are.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use chordal::Job;
@@ -8,12 +7,13 @@ use chordal::stock::{EngagementOptions, EngagementReport};
 use chordal_export::columns::{ColumnFile, ColumnFormat, CutColumns, cuts_csv};
 use chordal_export::report::{self, Detail};
 use chordal_export::{engagement_json, engagement_text};
-use chordal_load::{Loaded, reason};
+use chordal_load::Loaded;
 
 use crate::failure::{Failure, Verdict};
 use crate::options::AnswerFormat;
 use crate::output::write_whole;
 use crate::programs::recognized;
+use crate::setup_files;
 use crate::stock_failure::failure_of;
 use crate::terminal::{Terminal, say};
 
@@ -57,8 +57,9 @@ pub fn run(
 ) -> Result<Verdict, Failure> {
     let forms: Vec<Form> = args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
     let job = loaded.job()?;
-    let files = |name: &str| fs::read(name).map_err(|error| reason(&error));
-    let found = job.engagement(options, &files).map_err(|error| failure_of(error, args.setup))?;
+    let found = job
+        .engagement(options, &setup_files::files)
+        .map_err(|error| failure_of(error, args.setup))?;
     for (path, form) in args.output.iter().zip(forms) {
         write_whole(path, &content(&found, &job, form, loaded.name())?)?;
     }

@@ -31,7 +31,7 @@ pub enum Failure {
     },
     /// Standard output went away or is full.
     #[error("cannot write to standard output: {}", reason(.0))]
-    Out(#[from] io::Error),
+    Out(io::Error),
     /// The command line asks for something that does not go.
     #[error("{message}")]
     Use {
@@ -40,6 +40,26 @@ pub enum Failure {
         /// What does.
         help: Option<String>,
     },
+}
+
+/// What could not be written to a file, where an error passes through what does not know where it writes.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot write {file}: {error}")]
+pub struct OfFile {
+    /// The name as the user gave it.
+    pub file: String,
+    /// The system's word.
+    pub error: io::Error,
+}
+
+impl From<io::Error> for Failure {
+    /// What knows its file is of that file, all else of standard output.
+    fn from(error: io::Error) -> Failure {
+        match error.get_ref().and_then(|inner| inner.downcast_ref::<OfFile>()) {
+            Some(OfFile { file, error }) => Failure::write(file.as_str(), error),
+            None => Failure::Out(error),
+        }
+    }
 }
 
 impl Failure {

@@ -194,6 +194,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             return u8::try_from(told.exit_code()).unwrap_or(2);
         }
     };
+    chordal_load::ledger::begin();
     let terminal = Terminal::new(cli.color);
     let verdict = cli.command.carry_out(terminal).unwrap_or_else(|failure| {
         terminal.failure(&failure);

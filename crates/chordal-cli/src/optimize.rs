@@ -1,6 +1,5 @@
 //! `chordal optimize`: feeds by what the tool meets, with a proof.
 
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -8,13 +7,13 @@ use chordal::machine::Dimension;
 use chordal::motion::MotionOptions;
 use chordal::stock::{EngagementOptions, StockOptions};
 use chordal_export::{optimized_json, optimized_text};
-use chordal_load::reason;
 use chordal_rewrite::{ChipLimit, OptimizeError, OptimizeOptions, optimize};
 
 use crate::failure::{Failure, Verdict};
 use crate::options::{AnswerFormat, Common, quantity};
 use crate::out::{Out, Plain, trouble};
 use crate::programs::{load_one, recognized};
+use crate::setup_files;
 use crate::stock_failure::failure_of;
 use crate::terminal::{Terminal, say};
 
@@ -116,9 +115,8 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
         split: args.split,
         motion: MotionOptions::default(),
     };
-    let files = |name: &str| fs::read(name).map_err(|error| reason(&error));
     let streams = args.output.as_deref() == Some(Path::new("-"));
-    let done = match optimize(&job, &options, &files) {
+    let done = match optimize(&job, &options, &setup_files::files) {
         Ok(done) => done,
         Err(error) => return refused(error, args, loaded.name(), terminal),
     };

@@ -4,10 +4,11 @@ use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 use std::path::{Path, PathBuf};
 
 use chordal_export::columns::ColumnFormat;
+use chordal_files::Draft;
 use clap::ValueEnum;
 
-use crate::failure::Failure;
-use crate::output::{self, Draft};
+use crate::failure::{Failure, OfFile};
+use crate::output;
 
 /// How rows are written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -104,29 +105,19 @@ impl Out {
             }
             return Ok(Out::Standard(buffered()));
         };
-        let own = program.canonicalize();
-        if own.is_ok_and(|own| path.canonicalize().is_ok_and(|path| path == own)) {
+        if chordal_files::is_regular(path) && chordal_files::is_same(program, path) {
             return Err(Failure::wrong(
                 format!("{} is the program", path.display()),
                 "give the output another name",
             ));
         }
-        let draft = || {
-            if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
-                std::fs::create_dir_all(parent)?;
-            }
-            output::draft(path)
-        };
-        let draft = draft().map_err(|error| trouble(Some(path), error))?;
-        Ok(Out::File(draft, path.to_path_buf()))
+        Ok(Out::File(output::draft(path)?, path.to_path_buf()))
     }
 
     /// Puts a file in its place.
     pub fn put(self) -> Result<(), Failure> {
         match self {
-            Out::File(draft, path) => {
-                output::put(draft, &path).map_err(|error| trouble(Some(&path), error))
-            }
+            Out::File(draft, path) => output::put(draft, &path),
             Out::Standard(mut out) => Ok(out.flush()?),
         }
     }
@@ -135,14 +126,14 @@ impl Out {
 impl Write for Out {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
-            Out::File(out, _) => out.write(bytes),
+            Out::File(out, path) => out.write(bytes).map_err(|error| of_file(path, error)),
             Out::Standard(out) => out.write(bytes),
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
         match self {
-            Out::File(out, _) => out.flush(),
+            Out::File(out, path) => out.flush().map_err(|error| of_file(path, error)),
             Out::Standard(out) => out.flush(),
         }
     }
@@ -151,9 +142,17 @@ impl Write for Out {
 /// What could not be written, by the name that the user gave.
 pub fn trouble(path: Option<&Path>, error: io::Error) -> Failure {
     match path {
-        Some(path) => Failure::write(path.to_string_lossy(), &error),
-        None => Failure::Out(error),
+        Some(path) => of_file(path, error).into(),
+        None => error.into(),
     }
+}
+
+/// An error that knows its file, however it is handed on: it is not that of standard output.
+fn of_file(path: &Path, error: io::Error) -> io::Error {
+    if error.get_ref().is_some_and(|inner| inner.is::<OfFile>()) {
+        return error;
+    }
+    io::Error::new(error.kind(), OfFile { file: path.to_string_lossy().into_owned(), error })
 }
 
 /// Standard output of a run that streams. A run cannot be stopped from within, and what

@@ -1,15 +1,14 @@
 //! Files that `run` writes: what goes where, and whole or not at all.
 
 use std::collections::BTreeSet;
-use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use chordal::stock::StockLeft;
 use chordal::{Command, CommandKind, Job, PathCommand, Report, Segment, Watch};
 use chordal_export::{Canon, CommandCsv, CommandJsonLines, Dxf, Plot, PlotOptions};
-use chordal_load::Input;
-use tempfile::NamedTempFile;
+use chordal_files::Draft;
+use chordal_load::{Input, ledger};
 
 use crate::failure::Failure;
 
@@ -109,20 +108,21 @@ fn names(inputs: &[Input]) -> Vec<String> {
     names
 }
 
-/// No output takes the place of a program or of another output.
+/// No output takes the place of a program or of another output: said before any of them is run.
 fn keep_inputs(plan: &[Vec<Target>], inputs: &[Input]) -> Result<(), Failure> {
+    let place = |path: &Path| chordal_files::place_of(path).unwrap_or_else(|_| path.to_path_buf());
     let programs: BTreeSet<PathBuf> =
-        inputs.iter().filter_map(|input| input.path.as_ref()?.canonicalize().ok()).collect();
+        inputs.iter().filter_map(|input| input.path.as_deref()).map(place).collect();
     let mut seen = BTreeSet::new();
-    for target in plan.iter().flatten() {
-        let name = target.path.display();
-        if target.path.canonicalize().is_ok_and(|path| programs.contains(&path)) {
+    for target in plan.iter().flatten().filter(|target| chordal_files::is_regular(&target.path)) {
+        let (name, own) = (target.path.display(), place(&target.path));
+        if programs.contains(&own) {
             return Err(Failure::wrong(
                 format!("{name} is one of the programs to run"),
                 "give the output another name",
             ));
         }
-        if !seen.insert(&target.path) {
+        if !seen.insert(own) {
             return Err(Failure::wrong(
                 format!("{name} would be written twice"),
                 "give each output a different name",
@@ -132,40 +132,46 @@ fn keep_inputs(plan: &[Vec<Target>], inputs: &[Input]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A file under a passing name in the same folder, so that renaming it puts the whole content
-/// in place at once. Dropped unfinished, it is gone.
-pub type Draft = BufWriter<NamedTempFile>;
-
-pub fn draft(path: &Path) -> io::Result<Draft> {
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".chordal-");
-    // As any new file, not the private mode of temporary ones.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    Ok(BufWriter::with_capacity(1 << 16, builder.tempfile_in(folder)?))
+/// Begins a file that is read by nothing of this command and is no other output of it.
+pub fn draft(path: &Path) -> Result<Draft, Failure> {
+    may_be_written(path)?;
+    Draft::open(path).map_err(|error| failure(path, &error))
 }
 
-pub fn put(draft: Draft, path: &Path) -> io::Result<()> {
-    let file = draft.into_inner().map_err(io::IntoInnerError::into_error)?;
-    file.persist(path)?;
-    Ok(())
+/// Puts a file in its place.
+pub fn put(draft: Draft, path: &Path) -> Result<(), Failure> {
+    // What was read in the meantime counts, too: meshes are read when the stock is made.
+    not_an_input(path)?;
+    draft.put().map_err(|error| failure(path, &error))
 }
 
 /// Writes a file whole or not at all.
 pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), Failure> {
-    let write = || {
-        if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
-            fs::create_dir_all(parent)?;
-        }
-        let mut out = draft(path)?;
-        out.write_all(content)?;
-        put(out, path)
-    };
-    write().map_err(|error| failure(path, &error))
+    let mut out = draft(path)?;
+    out.write_all(content).map_err(|error| failure(path, &error))?;
+    put(out, path)
+}
+
+/// Refuses a file that this command reads, and one that it writes already.
+pub fn may_be_written(path: &Path) -> Result<(), Failure> {
+    not_an_input(path)?;
+    if chordal_files::is_regular(path) && !ledger::note_output(path) {
+        return Err(Failure::wrong(
+            format!("{} would be written twice", path.display()),
+            "give each output a different name",
+        ));
+    }
+    Ok(())
+}
+
+fn not_an_input(path: &Path) -> Result<(), Failure> {
+    if chordal_files::is_regular(path) && ledger::is_input(path) {
+        return Err(Failure::wrong(
+            format!("{} is read by this command: it is not written over", path.display()),
+            "give the output another name",
+        ));
+    }
+    Ok(())
 }
 
 enum Writer<'a> {
@@ -190,7 +196,7 @@ impl<'a> Outputs<'a> {
     pub fn open(targets: &[Target], job: &'a Job<'a>) -> Result<Outputs<'a>, Failure> {
         let mut outputs = Outputs { writers: Vec::new(), plot: None, failed: None };
         for Target { path, format } in targets {
-            let writer = open(path, *format, job).map_err(|error| failure(path, &error))?;
+            let writer = open(path, *format, job)?;
             if matches!(writer, Writer::Picture(..)) {
                 outputs.plot.get_or_insert_with(|| Plot::picture(job));
             }
@@ -240,26 +246,26 @@ impl<'a> Outputs<'a> {
                 Writer::Printed(out) => Ok(out),
                 Writer::Picture(out, format) => draw(out, format, plot.as_ref(), options),
             };
-            done.and_then(|draft| put(draft, &path)).map_err(|error| failure(&path, &error))?;
+            put(done.map_err(|error| failure(&path, &error))?, &path)?;
             written.push(path);
         }
         Ok(written)
     }
 }
 
-fn open<'a>(path: &Path, format: Format, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
-    if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
-        fs::create_dir_all(parent)?;
-    }
+fn open<'a>(path: &Path, format: Format, job: &'a Job<'a>) -> Result<Writer<'a>, Failure> {
     let out = draft(path)?;
-    Ok(match format {
-        Format::Svg | Format::Png => Writer::Picture(out, format),
-        Format::Dxf => Writer::Dxf(Dxf::new(out, job)?),
-        Format::Csv => Writer::Csv(Box::new(CommandCsv::new(out, job)?)),
-        Format::Jsonl => Writer::Jsonl(CommandJsonLines::new(out, job)?),
-        Format::Canon => Writer::Canon(Canon::new(out, job)?),
-        Format::Txt => Writer::Printed(out),
-    })
+    let writer = || {
+        Ok(match format {
+            Format::Svg | Format::Png => Writer::Picture(out, format),
+            Format::Dxf => Writer::Dxf(Dxf::new(out, job)?),
+            Format::Csv => Writer::Csv(Box::new(CommandCsv::new(out, job)?)),
+            Format::Jsonl => Writer::Jsonl(CommandJsonLines::new(out, job)?),
+            Format::Canon => Writer::Canon(Canon::new(out, job)?),
+            Format::Txt => Writer::Printed(out),
+        })
+    };
+    writer().map_err(|error| failure(path, &error))
 }
 
 fn draw(

@@ -1,8 +1,8 @@
 //! What commands on stock share: the files that a setup names, and the format of the answer.
 
-use std::fs;
+use std::path::Path;
 
-use chordal_load::reason;
+use chordal_load::{Files, reason};
 use clap::ValueEnum;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -17,5 +17,5 @@ pub enum Format {
 
 /// The files that a setup names.
 pub fn files(name: &str) -> Result<Vec<u8>, String> {
-    fs::read(name).map_err(|error| reason(&error))
+    Files::Disk.bytes(Path::new(name)).map_err(|error| reason(&error))
 }

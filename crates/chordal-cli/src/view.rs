@@ -8,7 +8,7 @@ use chordal::Machine;
 use chordal::machine::builtin_names;
 use chordal_compare::Options;
 use chordal_editor::Program;
-use chordal_load::{Given, Input, LoadError, Loader, Text, reason};
+use chordal_load::{Files, Given, Input, LoadError, Loader, Text, reason};
 use chordal_server::{Against, MachineChoice, Programs, Refusal, ServeError, Server, save};
 use chordal_view::{ChosenMachine, builtin_machines, refusal};
 
@@ -216,7 +216,8 @@ impl Programs for Shown {
     fn read(&self) -> Result<Vec<u8>, Refusal> {
         match (&self.held, &self.input.path) {
             (Some(held), _) => Ok(held.clone()),
-            (None, Some(path)) => std::fs::read(path)
+            (None, Some(path)) => Files::Disk
+                .bytes(path)
                 .map_err(|error| refusal(&LoadError::read(path.to_string_lossy(), &error))),
             (None, None) => Ok(Vec::new()),
         }
@@ -252,7 +253,7 @@ impl Programs for Shown {
     }
 
     fn named_file(&self, name: &str) -> Result<Vec<u8>, String> {
-        std::fs::read(name).map_err(|error| reason(&error))
+        Files::Disk.bytes(Path::new(name)).map_err(|error| reason(&error))
     }
 
     fn against(&self) -> Option<Arc<Against>> {

@@ -303,6 +303,28 @@ fn a_killed_run_goes_on_where_it_was() {
     assert_eq!(left, ["results.parquet"]);
 }
 
+#[test]
+fn two_runs_of_one_table_at_once_both_end_well() {
+    let folder = archive();
+    folder.run(&check(&["--jobs", "1"])).ends(1);
+    let whole = folder.bytes("results.parquet");
+    for _ in 0..3 {
+        fs::remove_file(folder.path("results.parquet")).unwrap();
+        let start = || {
+            let mut command = folder.command(&check(&["--jobs", "2"]));
+            command.stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap()
+        };
+        for run in [start(), start(), start()] {
+            let done = run.wait_with_output().unwrap();
+            let said = String::from_utf8_lossy(&done.stderr).into_owned();
+            assert_eq!(done.status.code(), Some(1), "{said}");
+        }
+        assert!(folder.bytes("results.parquet") == whole, "the table is another");
+        let left = folder.names().into_iter().filter(|name| !name.starts_with("in/"));
+        assert_eq!(left.collect::<Vec<_>>(), ["results.parquet"]);
+    }
+}
+
 /// A journal whose run used other settings, and one of a file that has changed, do not count.
 #[test]
 fn what_has_changed_is_done_again() {

@@ -1,7 +1,7 @@
 //! A text under its name, and the lines and columns in it.
 
 use std::borrow::Cow;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// Every this many lines the line index keeps one offset: a gigabyte of short lines
 /// then costs about six megabytes of index, and a look-up counts at most this many.
@@ -14,6 +14,8 @@ pub struct Source<'a> {
     name: String,
     text: Cow<'a, [u8]>,
     marks: OnceLock<Vec<u32>>,
+    /// The place that was counted last: the next is mostly a little further on, perhaps in a line without an end.
+    counted: Mutex<Option<(u32, LineColumn)>>,
 }
 
 /// A place as people count it.
@@ -28,7 +30,8 @@ pub struct LineColumn {
 impl<'a> Source<'a> {
     /// A text under a name that messages show.
     pub fn new(name: impl Into<String>, text: impl Into<Cow<'a, [u8]>>) -> Source<'a> {
-        Source { name: name.into(), text: text.into(), marks: OnceLock::new() }
+        let (name, text) = (name.into(), text.into());
+        Source { name, text, marks: OnceLock::new(), counted: Mutex::new(None) }
     }
 
     /// The name that messages show.
@@ -94,10 +97,32 @@ impl<'a> Source<'a> {
 
     /// Line and column of a byte.
     pub fn line_column(&self, offset: u32) -> LineColumn {
+        let mut counted = self.counted.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(place) = counted.and_then(|last| self.counted_on(last, offset)) {
+            *counted = Some((offset, place));
+            return place;
+        }
         let line = self.line_of(offset);
         let start = self.line_start(line) as usize;
         let head = &self.text[start..(offset as usize).clamp(start, self.text.len())];
-        LineColumn { line, column: String::from_utf8_lossy(head).chars().count() as u32 + 1 }
+        let Ok(text) = std::str::from_utf8(head) else {
+            let column = String::from_utf8_lossy(head).chars().count() as u32 + 1;
+            return LineColumn { line, column };
+        };
+        let place = LineColumn { line, column: text.chars().count() as u32 + 1 };
+        *counted = (offset as usize <= self.text.len()).then_some((offset, place));
+        place
+    }
+
+    /// A place further on in the line of one that is known.
+    fn counted_on(&self, (from, place): (u32, LineColumn), offset: u32) -> Option<LineColumn> {
+        let between = self.text.get(from as usize..offset as usize)?;
+        // Behind a line end the same offset may count as the end of a line or as the begin of the next.
+        if memchr::memchr2(b'\n', b'\r', between).is_some() {
+            return None;
+        }
+        let more = std::str::from_utf8(between).ok()?.chars().count() as u32;
+        Some(LineColumn { column: place.column + more, ..place })
     }
 }
 
@@ -154,6 +179,22 @@ mod tests {
         for line in [1, 511, 512, 513, 1024, 4999, 5000] {
             assert_eq!(source.line_text(line), format!("N{line}").as_bytes());
             assert_eq!(source.line_of(source.line_start(line)), line);
+        }
+    }
+
+    #[test]
+    fn places_do_not_depend_on_what_was_asked_before() {
+        let odd = b"a\xc3\x98\xff b\r\n\xe2\x82 X\n\r\rc\rG1 \xe2\x82\xac X1 Y2\n\nend".as_slice();
+        let ends = odd.len() as u32 + 3;
+        let fresh = |offset| Source::new("t", odd).line_column(offset);
+        let asked = Source::new("t", odd);
+        let mut at = 7;
+        for _ in 0..2000 {
+            at = (at * 31 + 17) % 1009;
+            let from = at % ends;
+            for offset in [from, from + 1, from + 3, from] {
+                assert_eq!(asked.line_column(offset), fresh(offset), "{offset}");
+            }
         }
     }
 

@@ -5,12 +5,17 @@ pub use chordal::control::{Class, Token};
 
 use crate::Program;
 
+/// Bytes of a block whose words have colours, at most: nobody writes a longer one, and no editor shows its colours.
+const LONGEST_COLOURED: u32 = 20_000;
+
 impl Program {
     /// The tokens of the lines from `from` up to, not including, `to`, in the order of the text.
     pub fn tokens(&self, from: u32, to: u32) -> Vec<Token> {
         let mut tokens = Vec::new();
         self.blocks(from, to, |block| {
-            block_tokens(self.text(), self.lexicon(), block, &mut tokens);
+            if block.range.len() <= LONGEST_COLOURED {
+                block_tokens(self.text(), self.lexicon(), block, &mut tokens);
+            }
         });
         tokens
     }

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use chordal::control::WorkNaming;
-use chordal::geometry::{Arc, Curve, Line, ParamCurve, Placement, Vec3};
+use chordal::geometry::{Arc, Chords, Curve, Line, ParamCurve, Placement, Vec3};
 use chordal::path::{NotNamed, UnrelatedZero};
 use chordal::{Job, Segment, SegmentKind};
 
@@ -12,6 +12,8 @@ use crate::number::push_finite;
 
 /// How far the polylines of helices, spirals and splines leave the curve, mm.
 const TOLERANCE_MM: f64 = 0.001;
+/// Corners of one polyline at most: a curve that would need more is drawn less exactly, and a comment says how.
+const MOST_CORNERS: u64 = 100_000;
 /// What counts as flat, as no length and as a whole turn, mm and rad.
 const NOTHING: f64 = 1e-9;
 /// AutoCAD's colours of tools: blue, red, green, magenta, cyan, orange, olive.
@@ -47,6 +49,8 @@ pub struct Dxf<W> {
     not_named: NotNamed,
     unrelated_zeros: Vec<UnrelatedZero>,
     naming: WorkNaming,
+    /// How far the polylines leave their curves at most, mm.
+    tolerance_mm: f64,
 }
 
 impl<W: Write> Dxf<W> {
@@ -62,6 +66,7 @@ impl<W: Write> Dxf<W> {
             not_named: NotNamed::NONE,
             unrelated_zeros: Vec::new(),
             naming: job.control().table.work_names,
+            tolerance_mm: TOLERANCE_MM,
         })
     }
 
@@ -98,6 +103,13 @@ impl<W: Write> Dxf<W> {
         for said in not_named_texts(self.not_named).into_iter().chain(left_out) {
             // A comment.
             self.group(999, &said);
+        }
+        if self.tolerance_mm > TOLERANCE_MM {
+            let within = self.tolerance_mm;
+            self.group(
+                999,
+                &format!("curves of more than {MOST_CORNERS} corners are within {within:.3} mm"),
+            );
         }
         self.flush_text()?;
         self.out.write_all(FOOT.as_bytes())?;
@@ -147,9 +159,7 @@ impl<W: Write> Dxf<W> {
     }
 
     fn polyline(&mut self, segment: &Segment, curve: &Curve) -> io::Result<()> {
-        let chords = curve
-            .chords(TOLERANCE_MM, Placement::Inscribed)
-            .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
+        let chords = self.chords_of(curve)?;
         self.entity("POLYLINE", segment);
         self.group(66, "1");
         self.point(0, Vec3::ZERO);
@@ -162,6 +172,23 @@ impl<W: Write> Dxf<W> {
         }
         self.entity("SEQEND", segment);
         Ok(())
+    }
+
+    /// The chords of a curve, no more than a polyline may have.
+    fn chords_of(&mut self, curve: &Curve) -> io::Result<Chords> {
+        let mut tolerance_mm = TOLERANCE_MM;
+        loop {
+            let chords = curve
+                .chords(tolerance_mm, Placement::Inscribed)
+                .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
+            let more = chords.chord_count() as f64 / MOST_CORNERS as f64;
+            if more <= 1.0 {
+                self.tolerance_mm = self.tolerance_mm.max(tolerance_mm);
+                return Ok(chords);
+            }
+            // A chord leaves its curve by the square of its length.
+            tolerance_mm *= 1.1 * more * more;
+        }
     }
 
     /// The head of an entity: its layer, colour and line type.

@@ -160,3 +160,27 @@ fn a_program_with_two_tools() {
         assert!(svg.contains(text), "{text} is missing");
     }
 }
+
+/// Setpoints of a program of days are further apart, so that their number has an end.
+#[test]
+fn a_program_of_days_has_no_more_setpoints_than_one_of_hours() {
+    let usual = MotionPlot::period_s(0.0);
+    assert_eq!(MotionPlot::period_s(3600.0), usual);
+    for days in [1.0, 3.5, 400.0] {
+        let time_s = days * 86_400.0;
+        let count = time_s / MotionPlot::period_s(time_s);
+        assert!(count <= 20_000_001.0 && MotionPlot::period_s(time_s) > usual, "{days}: {count}");
+    }
+    // The whole of it is drawn all the same.
+    let mut plot = MotionPlot::new(&limits(), false).lasting(5.0 * 86_400.0);
+    let sources = Sources::default();
+    let tag = StepSource::tag_of(0, 1);
+    plot.step(Step::Stretch(&side([0.0, 0.0], [1.0, 0.0], 50.0, tag)), &sources);
+    plot.step(Step::Wait { seconds: 5.0 * 86_400.0, tag }, &sources);
+    plot.finish();
+    let svg = plot.svg(&options());
+    assert!(
+        svg.contains("120 h") || svg.contains("5 d") || svg.contains("120"),
+        "no axis of five days"
+    );
+}

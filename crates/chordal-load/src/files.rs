@@ -6,6 +6,8 @@ use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
+use crate::disk;
+
 /// Where programs, machine files and subprograms are looked for.
 #[derive(Clone, Debug, Default)]
 pub enum Files {
@@ -29,7 +31,7 @@ impl Files {
     /// A file that is not there or cannot be read.
     pub fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
         match self {
-            Files::Disk => fs::read(path),
+            Files::Disk => disk::bytes(path),
             Files::Given(files) => found(files, path).map(<[u8]>::to_vec),
         }
     }
@@ -53,14 +55,11 @@ impl Files {
     }
 
     /// A text file; the byte order mark that some editors write is not part of the text.
-    pub(crate) fn text(&self, path: &Path) -> io::Result<String> {
-        let text = match self {
-            Files::Disk => fs::read_to_string(path)?,
-            Files::Given(files) => {
-                let bytes = found(files, path)?.to_vec();
-                String::from_utf8(bytes).map_err(|_| not_utf8())?
-            }
-        };
+    ///
+    /// # Errors
+    /// A file that is not there, cannot be read or is no UTF-8.
+    pub fn text(&self, path: &Path) -> io::Result<String> {
+        let text = String::from_utf8(self.bytes(path)?).map_err(|_| not_utf8())?;
         Ok(text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text))
     }
 

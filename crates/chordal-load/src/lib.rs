@@ -28,10 +28,12 @@
 
 mod assumed;
 mod chosen;
+mod disk;
 mod error;
 mod files;
 mod head;
 mod input;
+pub mod ledger;
 mod loaded;
 mod loader;
 pub mod machine;

@@ -9,15 +9,13 @@ use std::path::Path;
 use chordal::syntax::decode;
 use memmap2::Mmap;
 
+use crate::disk::{self, LARGEST, too_large};
 use crate::error::LoadError;
 use crate::files::{Files, found};
 use crate::input::Input;
 
 /// Files below this size are read: a mapping costs more than copying them.
 const MAP_FROM: u64 = 1 << 20;
-
-/// Places in a text are 32-bit numbers.
-const LARGEST: u64 = u32::MAX as u64;
 
 /// A text in memory or mapped.
 enum Bytes {
@@ -61,7 +59,7 @@ impl Text {
             (Some(path), Files::Given(files)) => {
                 found(files, path).map(|bytes| Bytes::Owned(bytes.to_vec()))
             }
-            (None, _) => read_all(io::stdin().lock()),
+            (None, _) => disk::stream(io::stdin().lock()).map(Bytes::Owned),
         };
         let bytes = bytes.map_err(|error| LoadError::read(&*name, &error))?;
         Text::new(name, bytes)
@@ -128,26 +126,16 @@ impl Text {
 }
 
 fn open(path: &Path) -> io::Result<Bytes> {
-    let mut file = File::open(path)?;
-    let about = file.metadata()?;
-    if about.is_file() && about.len() > LARGEST {
-        return Err(too_large());
+    let (mut file, about) = disk::open(path)?;
+    if !about.is_file() {
+        return disk::stream(file).map(Bytes::Owned);
     }
-    if about.is_file() && about.len() >= MAP_FROM {
+    if about.len() >= MAP_FROM {
         return map(&file).map(Bytes::Mapped);
     }
-    read_all(&mut file)
-}
-
-/// Pipes and devices say no size: they are read up to the limit.
-fn read_all(reader: impl Read) -> io::Result<Bytes> {
     let mut bytes = Vec::new();
-    reader.take(LARGEST + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > LARGEST { Err(too_large()) } else { Ok(Bytes::Owned(bytes)) }
-}
-
-fn too_large() -> io::Error {
-    io::Error::other("it is larger than 4 GiB; split the program")
+    file.read_to_end(&mut bytes)?;
+    Ok(Bytes::Owned(bytes))
 }
 
 /// Maps a file, so that a gigabyte is not copied before its first block is read.

@@ -9,6 +9,7 @@ use chordal::machine::{VariableDump, read_variable_dump};
 use chordal::{Code, Diagnostic, Machine, Span};
 
 use crate::files::Files;
+use crate::ledger;
 
 /// A larger file is none of variables, bytes.
 const LARGEST: u64 = 8 << 20;
@@ -32,6 +33,9 @@ impl Variables {
         let read = found.into_iter().filter_map(|(_, path)| {
             let bytes = files.head(&path, LARGEST + 1).ok()?;
             let dump = (bytes.len() as u64 <= LARGEST).then(|| read_variable_dump(&bytes))??;
+            if matches!(files, Files::Disk) {
+                ledger::note_input(&path);
+            }
             Some((path, dump))
         });
         Variables(read.collect())

@@ -19,12 +19,14 @@ pub struct Document {
     text: Vec<u8>,
     /// The newest run, and the version that ran.
     pub ran: Option<(i32, Arc<Ran>)>,
+    /// The version whose run was broken off by a failure of ours.
+    pub failed: Option<i32>,
 }
 
 impl Document {
     /// A text without a machine yet.
     pub fn new(version: i32, text: Vec<u8>) -> Document {
-        Document { version, program: None, text, ran: None }
+        Document { version, program: None, text, ran: None, failed: None }
     }
 
     /// The text.
@@ -38,7 +40,7 @@ impl Document {
             self.text = self.text().to_vec();
         }
         self.program = program.map(Arc::new);
-        self.ran = None;
+        (self.ran, self.failed) = (None, None);
     }
 
     /// Makes the editor's changes, one after the other.
@@ -59,6 +61,11 @@ impl Document {
             Some(program) => self.program = Some(Arc::new(program.with_text(text))),
             None => self.text = text,
         }
+    }
+
+    /// A run of the text is still to come.
+    pub fn is_running(&self) -> bool {
+        self.program.is_some() && self.current().is_none() && self.failed != Some(self.version)
     }
 
     /// The newest run, if nothing has changed since.

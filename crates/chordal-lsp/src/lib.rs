@@ -29,6 +29,7 @@
 #![forbid(unsafe_code)]
 
 mod actions;
+mod caught;
 mod convert;
 mod document;
 mod features;

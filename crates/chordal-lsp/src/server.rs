@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 
 use crate::Opener;
 use crate::actions::{self, FIX_ALL, RENUMBER, actions, edit_of};
+use crate::caught::caught;
 use crate::convert::{diagnostic, lines, semantic_tokens, symbols, text_edits, token_types};
 use crate::document::Document;
 use crate::features;
@@ -27,9 +28,6 @@ pub enum ServeError {
     /// The editor spoke out of turn, or went away.
     #[error("the editor did not follow the protocol: {0}")]
     Protocol(#[from] lsp_server::ProtocolError),
-    /// What the editor said of itself cannot be read.
-    #[error("the editor's first message cannot be read: {0}")]
-    Initialize(#[from] serde_json::Error),
     /// Nobody listens.
     #[error("the connection to the editor was closed")]
     Gone,
@@ -41,9 +39,10 @@ pub enum ServeError {
 /// An editor that does not keep to the protocol.
 pub fn serve(connection: &Connection, opener: &dyn Opener) -> Result<(), ServeError> {
     let (id, params) = connection.initialize_start()?;
-    let params: InitializeParams = serde_json::from_value(params)?;
-    connection.initialize_finish(id, about())?;
-    let settings = params.initialization_options.unwrap_or_default();
+    // Nothing else of the first message is used: what an editor says wrongly there is no reason to refuse it. Nor is
+    // `initialized` waited for; some editors ask before it.
+    let settings = params.get("initializationOptions").cloned().unwrap_or_default();
+    connection.sender.send(Response::new_ok(id, about()).into()).map_err(|_| ServeError::Gone)?;
     let mut server =
         Server::new(connection.sender.clone(), Box::new(opener), Worker::start(), &settings);
     server.run(connection)
@@ -112,6 +111,11 @@ pub(crate) struct Server<'a> {
     machine: Option<String>,
 }
 
+/// Bytes of a text whose words are all told at once, at most: the answer has ten times as many.
+const LARGEST_COLOURED: usize = 4 << 20;
+/// Lines whose words are told at once, at most: more than a screen shows.
+const MOST_COLOURED: u32 = 50_000;
+
 /// What a request asks of a document.
 type Answer = Result<Value, ResponseError>;
 
@@ -151,7 +155,14 @@ impl<'a> Server<'a> {
                 let response = self.answer(request);
                 self.send(response.into());
             }
-            Message::Notification(notification) => self.notice(notification),
+            Message::Notification(notification) => {
+                if let Err(message) = caught(|| self.notice(notification)) {
+                    self.notify::<notification::ShowMessage>(ShowMessageParams {
+                        typ: MessageType::ERROR,
+                        message,
+                    });
+                }
+            }
             Message::Response(_) => {}
         }
     }
@@ -308,6 +319,16 @@ impl<'a> Server<'a> {
                 let told = problems.iter().map(|problem| diagnostic(&program, &uri, problem));
                 self.publish(uri.clone(), told.collect(), Some(version));
             }
+            Found::Failed(why) => {
+                document.failed = Some(version);
+                let (uri, told) =
+                    (uri.clone(), Diagnostic::new_simple(Range::default(), why.clone()));
+                self.publish(uri, vec![told], Some(version));
+                for request in self.waiting_for(&key) {
+                    let code = ErrorCode::InternalError as i32;
+                    self.send(Response::new_err(request.id, code, why.clone()).into());
+                }
+            }
             Found::Ran(ran) => {
                 document.ran = Some((version, ran));
                 // Hints are asked for again when there is something new to show.
@@ -331,7 +352,7 @@ impl<'a> Server<'a> {
         );
         asks && document_of(request)
             .and_then(|uri| self.documents.get(uri))
-            .is_some_and(|(_, document)| document.program.is_some() && document.current().is_none())
+            .is_some_and(|(_, document)| document.is_running())
     }
 
     /// The questions about a document that wait, which they do no longer.
@@ -356,8 +377,16 @@ impl<'a> Server<'a> {
         self.notify::<notification::PublishDiagnostics>(params);
     }
 
-    fn answer(&mut self, Request { id, method, params }: Request) -> Response {
-        let answer = match method.as_str() {
+    fn answer(&self, Request { id, method, params }: Request) -> Response {
+        let answer = caught(|| self.answer_of(&method, params));
+        match answer.unwrap_or_else(|why| Err(failed(ErrorCode::InternalError, why))) {
+            Ok(result) => Response::new_ok(id, result),
+            Err(error) => Response::new_err(id, error.code, error.message),
+        }
+    }
+
+    fn answer_of(&self, method: &str, params: Value) -> Answer {
+        match method {
             request::HoverRequest::METHOD => self.hover(params),
             request::Completion::METHOD => self.completion(params),
             request::DocumentSymbolRequest::METHOD => self.outline(params),
@@ -373,10 +402,6 @@ impl<'a> Server<'a> {
             request::SemanticTokensFullRequest::METHOD => self.tokens(params),
             request::SemanticTokensRangeRequest::METHOD => self.range_tokens(params),
             other => Err(failed(ErrorCode::MethodNotFound, format!("there is no {other}"))),
-        };
-        match answer {
-            Ok(result) => Response::new_ok(id, result),
-            Err(error) => Response::new_err(id, error.code, error.message),
         }
     }
 
@@ -493,13 +518,17 @@ impl<'a> Server<'a> {
 
     fn tokens(&self, params: Value) -> Answer {
         let SemanticTokensParams { text_document, .. } = parse(params)?;
+        // Of a long text editors ask for what they show, once they hear that all of it is not to be had.
+        if self.document(&text_document.uri)?.text().len() > LARGEST_COLOURED {
+            return told(Value::Null);
+        }
         self.tokens_of(&text_document.uri, 1, u32::MAX)
     }
 
     fn range_tokens(&self, params: Value) -> Answer {
         let SemanticTokensRangeParams { text_document, range, .. } = parse(params)?;
         let (from, to) = lines(range);
-        self.tokens_of(&text_document.uri, from, to)
+        self.tokens_of(&text_document.uri, from, to.min(from.saturating_add(MOST_COLOURED)))
     }
 
     fn tokens_of(&self, uri: &Uri, from: u32, to: u32) -> Answer {

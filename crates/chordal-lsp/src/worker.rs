@@ -8,6 +8,8 @@ use chordal::Diagnostic;
 use chordal_editor::{Checked, Program, Ran};
 use crossbeam_channel::{Receiver, Sender, unbounded};
 
+use crate::caught::caught;
+
 /// A program to run.
 #[derive(Debug)]
 pub struct Task {
@@ -37,6 +39,8 @@ pub enum Found {
     Problems(Vec<Diagnostic>),
     /// What the lines did, too.
     Ran(Arc<Ran>),
+    /// Nothing: Chordal itself failed, and why.
+    Failed(String),
 }
 
 /// The thread, by its two ends. It ends when the tasks do.
@@ -99,9 +103,10 @@ impl Bench {
         let Some((uri, version, program)) = self.due.pop() else { return Some(()) };
         // Whoever types on wants the problems of the next text first.
         let todo = self.todo.clone();
-        match program.ran_unless(Arc::new(move || !todo.is_empty())) {
-            Some(ran) => self.send(uri, version, Found::Ran(Arc::new(ran))),
-            None => {
+        match caught(|| program.ran_unless(Arc::new(move || !todo.is_empty()))) {
+            Ok(Some(ran)) => self.send(uri, version, Found::Ran(Arc::new(ran))),
+            Err(why) => self.send(uri, version, Found::Failed(why)),
+            Ok(None) => {
                 self.due.push((uri, version, program));
                 Some(())
             }
@@ -115,9 +120,16 @@ impl Bench {
             return Some(());
         };
         let before = self.checked.entry(uri.clone()).or_default();
-        let problems = program.check(before).diagnostics;
-        self.due.push((uri.clone(), version, program));
-        self.send(uri, version, Found::Problems(problems))
+        match caught(|| program.check(before).diagnostics) {
+            Ok(problems) => {
+                self.due.push((uri.clone(), version, program));
+                self.send(uri, version, Found::Problems(problems))
+            }
+            Err(why) => {
+                self.checked.remove(&uri);
+                self.send(uri, version, Found::Failed(why))
+            }
+        }
     }
 
     fn send(&self, uri: String, version: i32, found: Found) -> Option<()> {

@@ -3,9 +3,10 @@
 #![allow(clippy::disallowed_methods, reason = "the client stands on the other side of a thread")]
 
 use std::path::Path;
+use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 
-use chordal::Machine;
+use chordal::{Machine, ShopAnswer, ShopCall};
 use chordal_editor::Setup;
 use chordal_lsp::{Opener, serve};
 use lsp_server::{Connection, Message, Notification, Request, RequestId};
@@ -15,13 +16,28 @@ use serde_json::{Value, json};
 struct Typical;
 
 impl Opener for Typical {
-    fn open(&self, _: Option<&Path>, _: &[u8], machine: Option<&str>) -> Result<Setup, String> {
+    fn open(&self, _: Option<&Path>, text: &[u8], machine: Option<&str>) -> Result<Setup, String> {
         let machine = Machine::from_builtin(machine.unwrap_or("haas-vf2"))
             .map_err(|_| "there is no such machine".to_string())?;
         let why = Some("taken for a Haas".to_string());
         let beside = vec![("/shop/O77.nc".to_string(), b"%\n(BESIDE)\nO77\nM99\n".to_vec())];
-        Ok(Setup { why, beside, ..Setup::of(machine) })
+        let mut setup = Setup { why, beside, ..Setup::of(machine) };
+        if text.windows(FAILS.len()).any(|word| word == FAILS.as_bytes()) {
+            setup.options.shop_codes = Some(Arc::new(fails));
+        }
+        assert!(!text.starts_with(OPENING_FAILS), "a made-up failure");
+        Ok(setup)
     }
+}
+
+/// A run of this code is a failure of ours: it panics.
+const FAILS: &str = "M777";
+/// So does opening a text that begins so.
+const OPENING_FAILS: &[u8] = b"(OPENING FAILS)";
+
+fn fails(call: &ShopCall<'_>) -> ShopAnswer {
+    assert_ne!(call.code.to_string(), FAILS, "a made-up failure");
+    ShopAnswer::NotMine
 }
 
 /// An editor, by its end of the connection.
@@ -453,5 +469,50 @@ fn problems_of_a_long_text_are_those_of_a_whole_check() {
     let fifth = editor.problems(5);
     assert_eq!(arc(&fifth), 9_004);
     assert!(fourth != fifth);
+    editor.end();
+}
+
+#[test]
+fn a_failure_of_ours_ends_one_run_and_not_the_server() {
+    let mut editor = Editor::start(json!({}));
+    editor.open(&format!("G20 G90\n{FAILS}\nG1 X1. F20.\nM30\n"));
+    let told = editor.problems(1);
+    let message = told[0]["message"].as_str().unwrap();
+    assert!(message.starts_with("Chordal failed: ") && message.contains("a made-up failure"));
+    // What is active there, a run would say: the question has its answer even so.
+    let refused = editor.of("hover", place(2, 1)).expect_err("no state");
+    assert!(refused.starts_with("Chordal failed: "), "{refused}");
+    editor.of("documentSymbol", json!({})).expect("an outline");
+    // What asks for a run is not left waiting.
+    let at = json!({ "range": range((0, 0), (4, 0)) });
+    editor.of("inlayHint", at).expect_err("no run");
+    editor.change(2, range((1, 0), (2, 0)), "");
+    let next = editor.problems(2);
+    assert!(!next.is_empty() && next.iter().all(|told| !told.to_string().contains("failed")));
+    editor.end();
+}
+
+#[test]
+fn a_text_that_fails_to_open_leaves_the_others() {
+    let mut editor = Editor::start(json!({}));
+    editor.open(std::str::from_utf8(OPENING_FAILS).unwrap());
+    editor.wait("window/showMessage", |told| told["message"].to_string().contains("made-up"));
+    editor.open("G20 G90\nG1 X1. F20.\nM30\n");
+    editor.problems(1);
+    editor.of("hover", place(1, 1)).expect("a hover");
+    editor.end();
+}
+
+#[test]
+fn a_first_message_with_odd_words_is_no_reason_to_end() {
+    let (server, connection) = Connection::memory();
+    let server = thread::spawn(move || serve(&server, &Typical).expect("it goes on"));
+    let odd = json!({ "capabilities": 7, "rootUri": [], "initializationOptions": "none" });
+    let mut editor =
+        Editor { connection, server, next: 0, notices: Vec::new(), capabilities: Value::Null };
+    editor.ask("initialize", odd).expect("an answer");
+    // Before `initialized`, which some editors send late.
+    editor.open("G20 G90\nG1 X1. F20.\nM30\n");
+    editor.of("hover", place(1, 1)).expect("a hover");
     editor.end();
 }

@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue};
 use crate::error::{MachineError, Source};
 use crate::files::beside;
 use crate::machine::Machine;
-use crate::quantity::{Dimension, QuantityError, parse_quantity};
+use crate::quantity::{Dimension, QuantityError, machine_quantity};
 use crate::schema::{self, Keys, ROWS, Row, Sign, Slot, rows};
 use crate::suggest;
 use crate::value::{Setting, SettingValue};
@@ -424,7 +424,7 @@ impl Value<'_> {
         let rotary = self.at.keys.axis.is_some_and(|axis| axis.is_rotary());
         let dimension = if rotary { dimension.of_rotary() } else { dimension };
         let result = match value.get_ref() {
-            DeValue::String(text) => parse_quantity(text, dimension),
+            DeValue::String(text) => machine_quantity(text, dimension),
             DeValue::Integer(number) => {
                 Err(QuantityError::NoUnit { text: number.to_string(), dimension })
             }

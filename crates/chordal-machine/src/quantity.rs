@@ -298,6 +298,9 @@ fn find_unit(name: &str) -> Option<&'static Unit> {
     UNITS.iter().find(|unit| unit.names.iter().any(|own| own.eq_ignore_ascii_case(name)))
 }
 
+/// No machine has larger values, mm, rad and s: sums and products of a few are still numbers.
+const LARGEST: f64 = 1e30;
+
 /// Reads a quantity (`"0.5 in"`, `"25 m/min"`, `"2000 mm/s^2"`) into the unit of its dimension
 /// ([`Dimension::inside`]). The digits are converted exactly and rounded once.
 pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
@@ -333,12 +336,21 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityE
     Ok(value)
 }
 
+/// The same of a machine: one without measure is refused.
+pub(crate) fn machine_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+    let value = parse_quantity(text, dimension)?;
+    if value.abs() > LARGEST {
+        return Err(QuantityError::OutOfRange { text: text.trim().to_string(), dimension });
+    }
+    Ok(value)
+}
+
 /// A decimal number in inches or millimetres, exactly, in millimetres.
 pub(crate) fn length_of_bare(text: &str, millimetres: bool) -> Option<f64> {
     let (number, rest) = Decimal::read(text)?;
     let (digits, exponent) = if millimetres { ("1", 0) } else { ("254", -1) };
     let value = number.times(Factor { digits, exponent, denominator: 1 });
-    (rest.is_empty() && value.is_finite()).then_some(value)
+    (rest.is_empty() && value.abs() <= LARGEST).then_some(value)
 }
 
 /// What a unit measures, over which power of time, and its factor.

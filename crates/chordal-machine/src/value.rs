@@ -1,7 +1,7 @@
 //! The control's own settings, raw: what they mean is the control's business.
 
 use crate::error::Location;
-use crate::quantity::{Dimension, QuantityError, parse_quantity};
+use crate::quantity::{Dimension, QuantityError, machine_quantity};
 
 /// A setting's value as written.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +25,7 @@ impl SettingValue {
     /// The value as a quantity, in the crate's unit of that dimension.
     pub fn as_quantity(&self, dimension: Dimension) -> Result<f64, QuantityError> {
         let bare = match self {
-            SettingValue::Text(text) => return parse_quantity(text, dimension),
+            SettingValue::Text(text) => return machine_quantity(text, dimension),
             SettingValue::Integer(number) => number.to_string(),
             SettingValue::Float(number) => number.to_string(),
             SettingValue::Bool(flag) => {

@@ -252,8 +252,23 @@ fn written_machines_read_back() {
     there_and_back(&odd);
 }
 
+/// Machine files hold no larger lengths than 1e30 mm.
 fn number() -> impl Strategy<Value = f64> {
-    prop_oneof![any::<i32>().prop_map(f64::from), -1e6..1e6, -1e-6..1e-6, -1e300..1e300]
+    prop_oneof![any::<i32>().prop_map(f64::from), -1e6..1e6, -1e-6..1e-6, -1e30..1e30]
+}
+
+#[test]
+fn values_without_measure_are_refused() {
+    let set = |assignment: &str| machine("control = \"fadal\"").set(assignment).map_err(|_| ());
+    for (key, unit) in
+        [("home.X", "mm"), ("axes.X.max_velocity", "in/min"), ("axes.A.max_jerk", "deg/s^3")]
+    {
+        for value in ["1e308", "1e999", "9e200", "1e32"] {
+            assert_eq!(set(&format!("{key}=\"{value} {unit}\"")), Err(()), "{key} {value}");
+        }
+        assert_eq!(set(&format!("{key}=\"1e25 {unit}\"")), Ok(()), "{key}");
+    }
+    assert_eq!(set("home.X=\"-1e308 mm\""), Err(()));
 }
 
 proptest! {

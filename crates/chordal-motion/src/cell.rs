@@ -185,15 +185,23 @@ impl Bounds {
                 acceleration = acceleration.min(1.0 / share);
             }
         }
-        let mut jerk = f64::INFINITY;
-        let normal = 3.0 * k * v * acceleration + twist * v * v * v;
-        for axis in 0..axes {
-            let c = turn[axis];
-            let used = 3.0 * x2[axis] * v * acceleration + x3[axis] * v * v * v;
-            let left = limits.jerk[axis] - used + x1[axis] * along;
-            jerk = jerk.min(largest(c, normal, x1[axis], left) - along);
+        let jerk_left = |acceleration: f64| {
+            let normal = 3.0 * k * v * acceleration + twist * v * v * v;
+            (0..axes).fold(f64::INFINITY, |jerk, axis| {
+                let c = turn[axis];
+                let used = 3.0 * x2[axis] * v * acceleration + x3[axis] * v * v * v;
+                let left = limits.jerk[axis] - used + x1[axis] * along;
+                jerk.min(largest(c, normal, x1[axis], left) - along)
+            })
+        };
+        // Where a curve twists hard, what turning takes adds up to more than was kept for it: then
+        // less of the acceleration may be used. Without any there is jerk left, by the largest speed.
+        let mut jerk = jerk_left(acceleration);
+        while jerk <= 0.0 && acceleration > 0.0 {
+            acceleration *= 0.5;
+            jerk = jerk_left(acceleration);
         }
-        Effort { acceleration, jerk }
+        Effort { acceleration, jerk: jerk.max(0.0) }
     }
 }
 

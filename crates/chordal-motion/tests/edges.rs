@@ -203,6 +203,42 @@ fn feeds_from_a_nanometre_a_second_to_beyond_light() {
     assert!((time_s / 1e6 - 1.0).abs() < 1e-3, "{time_s}");
 }
 
+#[test]
+fn both_levels_plan_crawls() {
+    let turn = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0]];
+    for speed in [1e-3, 1e-6, 1e-9, 1e-15, 1e-100] {
+        for corner in [WITHIN, Corner::Exact] {
+            let at_speed = |motion: Move| Move { speed, ..motion };
+            let row: Vec<Move> = lines(&turn, corner).into_iter().map(at_speed).collect();
+            let circle = vec![at_speed(arc(1.0, 3.0, corner)), at_speed(arc(2.0, 1.0, corner))];
+            for moves in [&row[..], &row[..1], &circle[..1]] {
+                for level in [Level::Fast, Level::Best] {
+                    let time_s = time_of(&plan(moves, machine(), level));
+                    let length: f64 = moves.iter().map(Move::length).sum();
+                    let due = length / speed;
+                    assert!((time_s / due - 1.0).abs() < 0.05, "{level:?}: {time_s} s for {due}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn limits_without_measure_have_a_plan() {
+    let usual = (200.0, 2000.0, 1e5);
+    let row = lines(&[[0.0; 3], [10.0, 0.0, 0.0], [10.0, 10.0, 0.0], [0.0; 3]], WITHIN);
+    for size in [1e-6, 1e-27, 1e-300, 5e-324, 1e27, 1e300] {
+        for x in [(size, usual.1, usual.2), (usual.0, size, usual.2), (usual.0, usual.1, size)] {
+            let mut axes = [usual; AXES];
+            axes[0] = x;
+            for level in [Level::Fast, Level::Best] {
+                let time_s = time_of(&plan(&row, limits_of(axes), level));
+                assert!(time_s > 0.0, "{x:?}, {level:?}: {time_s}");
+            }
+        }
+    }
+}
+
 /// A move on the spot in which rotary axes turn.
 fn turn(at: [f64; 3], from: [f64; 3], to: [f64; 3], corner: Corner) -> Move {
     Move { rotary_from: from, rotary_to: to, speed: 1.0, ..line(at, at, corner) }

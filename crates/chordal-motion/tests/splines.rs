@@ -3,7 +3,7 @@
 mod support;
 
 use chordal_geometry::{Curve, EvenPart, ParamCurve, Spline, Vec3};
-use chordal_motion::{Corner, Level, Move, Use, largest_use};
+use chordal_motion::{Corner, Level, Limits, Move, Use, largest_use};
 use support::random::{Dice, random_limits};
 use support::{cut, line, plan, samples, time_of};
 
@@ -42,6 +42,40 @@ fn random_spline(dice: &mut Dice) -> Spline {
     }
     let weights = (0..count).map(|_| dice.even(0.4, 3.0)).collect();
     Spline::uniform(order, points, weights).unwrap()
+}
+
+#[test]
+fn weights_and_places_far_from_each_other_have_a_plan() {
+    let mut dice = Dice(11);
+    let limits = random_limits(&mut dice);
+    for weight in [1e7, 1e11, 1e30, 1e-7, 1e-10, 1e-30] {
+        for at in 0..4 {
+            let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [2.0, 0.0]];
+            let points = corners.iter().map(|[x, y]| Vec3::new(*x, *y, 0.0)).collect();
+            let mut weights = vec![1.0; 4];
+            weights[at] = weight;
+            let spline = Spline::uniform(3, points, weights).unwrap();
+            planned(&spline, limits);
+        }
+        let points = [0.0, weight.min(1e9), 1.0].map(|x| Vec3::new(x, x.min(1.0), 0.0));
+        planned(&Spline::uniform(3, points.to_vec(), vec![1.0; 3]).unwrap(), limits);
+    }
+}
+
+/// It takes no less than its length at its speed.
+fn planned(spline: &Spline, limits: Limits) {
+    const SPEED: f64 = 16.0;
+    for corner in [Corner::Exact, Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 }] {
+        let moves = moves_of(spline, SPEED, corner);
+        let length: f64 = moves.iter().map(Move::length).sum();
+        for level in [Level::Fast, Level::Best] {
+            let time_s = time_of(&plan(&moves, limits, level));
+            assert!(
+                time_s.is_finite() && time_s >= 0.9 * length / SPEED,
+                "{time_s} s for {length} mm {spline:?} {corner:?}"
+            );
+        }
+    }
 }
 
 #[test]

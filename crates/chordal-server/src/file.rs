@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::time::SystemTime;
 
+use chordal_files::Draft;
 use chordal_view::Refusal;
 
 /// What a look at a file gives for nothing.
@@ -33,24 +34,15 @@ pub fn save(path: &Path, bytes: &[u8]) -> Result<(), Refusal> {
     })
 }
 
-/// Writes a file next to it and puts it in its place, with the permissions of the one before. A link
-/// stays a link.
-///
-/// # Errors
-/// Those of the file system; the file is then as before.
+/// Writes a file whole or not at all. What was there is on the disk until the new text is.
 fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let mut file = tempfile::Builder::new()
-        .prefix(".chordal-")
-        .tempfile_in(folder.unwrap_or(Path::new(".")))?;
-    file.write_all(bytes)?;
-    if let Ok(about) = fs::metadata(&path) {
-        file.as_file().set_permissions(about.permissions())?;
+    let mut draft = Draft::open(path)?;
+    draft.write_all(bytes)?;
+    draft.flush()?;
+    if chordal_files::is_regular(path) {
+        draft.file().sync_all()?;
     }
-    file.as_file().sync_all()?;
-    file.persist(&path)?;
-    Ok(())
+    draft.put()
 }
 
 #[cfg(test)]
@@ -67,6 +59,6 @@ mod tests {
         assert_eq!(fs::read(&path).unwrap(), b"new text");
         assert_ne!(Stamp::of(&path), before);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
-        assert!(write(&folder.path().join("none/part.nc"), b"x").is_err());
+        assert!(write(folder.path(), b"x").is_err());
     }
 }

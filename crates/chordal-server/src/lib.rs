@@ -3,7 +3,7 @@
 //! A thin shell around [`chordal_view`]. The page is built beforehand (`web/`, embedded from `page/`) and never
 //! reads a program: it is told what the library finds. One file per concern: `guard` refuses whom the page
 //! is not for, `page` has the files, `live` is the one connection of a page and `outbox` the way to it, `session` has
-//! the threads that answer and work, `file` is the program on disk.
+//! the threads that answer and work, `idle` closes connections that say nothing, `file` is the program on disk.
 //!
 //! ```
 //! let server = chordal_server::Server::listen(0).unwrap();
@@ -21,6 +21,7 @@
 
 mod file;
 mod guard;
+mod idle;
 mod live;
 mod outbox;
 mod page;
@@ -29,6 +30,7 @@ mod session;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
+use std::time::Duration;
 
 pub use chordal_view::{Against, MachineChoice, Programs, Refusal};
 pub use file::save;
@@ -59,7 +61,12 @@ pub struct Server {
     listener: TcpListener,
     address: SocketAddr,
     token: Token,
+    idle: Duration,
 }
+
+/// So long a connection may say nothing. A page is asked in between whether it is still there, and its browser
+/// answers by itself.
+const IDLE: Duration = Duration::from_secs(120);
 
 impl Server {
     /// Listens on loopback; port 0 takes any that is free. The token is 192 random bits.
@@ -71,12 +78,19 @@ impl Server {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(failed)?;
         listener.set_nonblocking(true).map_err(failed)?;
         let address = listener.local_addr().map_err(failed)?;
-        Ok(Server { listener, address, token: Token::random().map_err(ServeError::Random)? })
+        let token = Token::random().map_err(ServeError::Random)?;
+        Ok(Server { listener, address, token, idle: IDLE })
     }
 
     /// The address of the page, token and all.
     pub fn url(&self) -> String {
         format!("http://{}/{}/", self.address, self.token.text())
+    }
+
+    /// Closes connections that say nothing for so long; two minutes where nothing else is said.
+    #[must_use]
+    pub fn closing_after(self, idle: Duration) -> Server {
+        Server { idle, ..self }
     }
 
     /// Answers until the process ends.
@@ -87,8 +101,8 @@ impl Server {
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
         runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(self.listener)?;
-            let app = page::router(self.token, self.address.port(), programs);
-            axum::serve(listener, app).await
+            let app = page::router(self.token, self.address.port(), programs, self.idle);
+            axum::serve(idle::Closing { listener, after: self.idle }, app).await
         })?;
         Ok(())
     }

@@ -21,8 +21,11 @@ const WAITING: usize = 16;
 /// How long a long text waits for the first lines of the path.
 const HOLD: Duration = Duration::from_secs(1);
 
+/// A page is asked so often, in the time that its connection may be idle, whether it is still there.
+const LOOKS: u32 = 4;
+
 /// Talks with a page until it goes.
-pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>) {
+pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>, idle: Duration) {
     let (soon, mut outgoing) = mpsc::channel(WAITING);
     let (later, mut outgoing_later) = mpsc::channel(1);
     let session = match Session::begin(programs, Outbox::new(Channels { soon, later })) {
@@ -35,6 +38,7 @@ pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>) {
     };
     let mut is_drawn = false;
     let mut hold = pin!(tokio::time::sleep(HOLD));
+    let mut look = tokio::time::interval(idle / LOOKS);
     loop {
         tokio::select! {
             message = socket.recv() => {
@@ -71,6 +75,12 @@ pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>) {
                 }
             }
             () = &mut hold, if !hold.is_elapsed() => {}
+            _ = look.tick() => {
+                // Whoever does not answer is idle, and its connection ends.
+                if socket.send(Message::Ping(Default::default())).await.is_err() {
+                    break;
+                }
+            }
         }
     }
     session.end();

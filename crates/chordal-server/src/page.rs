@@ -1,6 +1,7 @@
 //! The files of the page, and the routes.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use axum::Router;
 use axum::extract::{Path, Request, State, WebSocketUpgrade};
@@ -36,12 +37,13 @@ pub struct Site {
     hosts: Hosts,
     programs: Arc<dyn Programs>,
     room: Arc<Semaphore>,
+    idle: Duration,
 }
 
 /// The routes after their guard.
-pub fn router(token: Token, port: u16, programs: Arc<dyn Programs>) -> Router {
+pub fn router(token: Token, port: u16, programs: Arc<dyn Programs>, idle: Duration) -> Router {
     let room = Arc::new(Semaphore::new(MOST_PAGES));
-    let site = Site { token, hosts: Hosts::of(port), programs, room };
+    let site = Site { token, hosts: Hosts::of(port), programs, room, idle };
     Router::new()
         .route("/{token}/", get(index))
         .route("/{token}/live", get(connect))
@@ -111,7 +113,7 @@ async fn connect(State(site): State<Site>, upgrade: WebSocketUpgrade) -> Respons
         .max_message_size(live::LARGEST_MESSAGE)
         .max_frame_size(live::LARGEST_MESSAGE)
         .on_upgrade(move |socket| async move {
-            live::talk(socket, site.programs).await;
+            live::talk(socket, site.programs, site.idle).await;
             drop(place);
         })
 }

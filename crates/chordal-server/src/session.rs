@@ -96,7 +96,8 @@ fn spawn(
 ) -> std::io::Result<()> {
     let view = view.clone();
     thread::Builder::new().name(name.into()).spawn(move || {
-        // A defect of ours must not leave a page that waits forever without a word.
+        // What one question or one run fails on is caught where it is answered. Should a thread end even so, the
+        // page must not wait forever without a word.
         if catch_unwind(AssertUnwindSafe(|| work(&view))).is_err() {
             view.out().refuse(
                 0,
@@ -111,17 +112,35 @@ fn spawn(
 fn answer_all(view: &View, asked: &Receiver<Request>, queues: &Queues) {
     let mut want = |work| queues.put(work);
     // The run first: its picture is made while the text goes over.
-    if view.begin(&mut want) {
-        view.send_text();
+    let begun = caught(|| {
+        if view.begin(&mut want) {
+            view.send_text();
+        }
+    });
+    if let Err(why) = begun {
+        view.failed_to_answer(0, &why);
     }
     while let Ok(request) = asked.recv() {
-        view.answer(request, &mut want);
+        let id = request.id;
+        if let Err(why) = caught(|| view.answer(request, &mut want)) {
+            view.failed_to_answer(id, &why);
+        }
     }
+}
+
+/// A failure of ours ends one answer, not the view: the words of the panic.
+fn caught(work: impl FnOnce()) -> Result<(), String> {
+    catch_unwind(AssertUnwindSafe(work)).map_err(|told| {
+        let words = told.downcast_ref::<String>().map(String::as_str);
+        words.or_else(|| told.downcast_ref::<&str>().copied()).unwrap_or("a panic").to_string()
+    })
 }
 
 fn work_all(view: &View, queue: &Receiver<Work>, mut want: impl FnMut(Work)) {
     while let Some(work) = newest(queue) {
-        view.work(work, &mut want);
+        if let Err(why) = caught(|| view.work(work, &mut want)) {
+            view.failed(work, &why);
+        }
     }
 }
 

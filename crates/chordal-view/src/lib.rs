@@ -8,7 +8,7 @@
 //! `document` is the text as it is edited; `run` and `times` make columns of a path and of its time,
 //! `stream` and `frame` pack them, `other` compares it with another program, `stock` and `turned` cut
 //! the stock with it, `words` asks what an editor asks; `reading`
-//! says as what a program may be read; `handed` is a view that works for another one.
+//! says as what a program may be read; `failed` what is told where Chordal itself failed; `handed` is a view that works for another one.
 
 #![forbid(unsafe_code)]
 
@@ -18,6 +18,7 @@ mod columns;
 mod content;
 mod document;
 mod engagement;
+mod failed;
 mod frame;
 mod handed;
 mod modal;

@@ -71,7 +71,11 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-export", &["chordal", "chordal-calc", "chordal-compare", "chordal-rewrite"]),
     ("chordal-report", &["chordal", "chordal-export"]),
     ("chordal-load", &["chordal"]),
-    ("chordal-archive", &["chordal", "chordal-compare", "chordal-export", "chordal-load"]),
+    ("chordal-files", &[]),
+    (
+        "chordal-archive",
+        &["chordal", "chordal-compare", "chordal-export", "chordal-files", "chordal-load"],
+    ),
     ("chordal-compare", &["chordal"]),
     ("chordal-rewrite", &["chordal", "chordal-compare", "chordal-editor"]),
     ("chordal-editor", &["chordal"]),
@@ -81,7 +85,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
         &["chordal", "chordal-compare", "chordal-editor", "chordal-export", "chordal-load"],
     ),
     // Apart from the view for its tests alone.
-    ("chordal-server", &["chordal-view", "chordal", "chordal-compare", "chordal-editor"]),
+    (
+        "chordal-server",
+        &["chordal-files", "chordal-view", "chordal", "chordal-compare", "chordal-editor"],
+    ),
     ("chordal-memory", &[]),
     ("chordal-page", &["chordal-editor", "chordal-load", "chordal-memory", "chordal-view"]),
     (
@@ -93,6 +100,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-compare",
             "chordal-editor",
             "chordal-export",
+            "chordal-files",
             "chordal-load",
             "chordal-report",
             "chordal-archive",

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use chordal::Job;
 use chordal::motion::{MotionOptions, PlanSink, Sources, Step};
 use chordal::time::Timed;
+use chordal_export::numbers::short;
 use chordal_export::{MotionPlot, PlotOptions};
 
 use crate::failure::Failure;
@@ -49,7 +50,16 @@ impl Picture {
         inch: bool,
         plot: &PlotOptions,
     ) -> Result<(), Failure> {
-        let mut drawing = Drawing(MotionPlot::new(&timed.motion.limits.cut, inch));
+        let time_s = timed.time.total_s();
+        let drawing = MotionPlot::new(&timed.motion.limits.cut, inch).lasting(time_s);
+        let period_s = MotionPlot::period_s(time_s);
+        let usual = MotionPlot::period_s(0.0);
+        let mut plot = plot.clone();
+        if period_s > usual {
+            // Said, because what lies between two setpoints is not drawn.
+            plot.subtitle += &format!(" · a setpoint every {} ms", short(1000.0 * period_s, 1));
+        }
+        let (plot, mut drawing) = (&plot, Drawing(drawing));
         job.plan(options, &mut drawing).map_err(|error| wrong_limit(&error))?;
         drawing.0.finish();
         let picture = if self.png {

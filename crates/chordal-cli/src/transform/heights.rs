@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use chordal::Job;
+use chordal_load::Files;
 use chordal_rewrite::{HeightMap, MapError, Refusal, Transformed, Warp, Warped, warp};
 use clap::ValueEnum;
 
@@ -52,7 +53,7 @@ pub(super) struct Bent {
 impl Bent {
     pub(super) fn read(path: &Path, args: &MapArgs, units: Units) -> Result<Bent, Failure> {
         let map_units = args.heights_units.map_or(units, |unit| Units::of(unit == Unit::Inch));
-        let bytes = std::fs::read(path).map_err(|error| {
+        let bytes = Files::Disk.bytes(path).map_err(|error| {
             Failure::wrong(format!("{}: {error}", path.display()), "name a file that can be read")
         })?;
         let map =

@@ -164,15 +164,21 @@ impl Grid {
     fn lay_as(&mut self, run: &Run<'_>, ends: [Ends; 2], coarse: f64) -> bool {
         self.first_cuts(run, ends);
         self.fill(run, ends);
+        // A run so short that it has one cell has no law here, and is not laid further.
+        if self.cells.len() < 2 {
+            return true;
+        }
         for _ in 0..ROUNDS {
             self.find_bound(ends);
             if !self.cut_long(run, ends, coarse) {
-                break;
+                return self.cells.len() <= MOST_CELLS;
             }
             if self.cuts.len() > MOST_CELLS {
                 return false;
             }
         }
+        // What was cut last has its bound, too.
+        self.find_bound(ends);
         self.cells.len() <= MOST_CELLS
     }
 

@@ -29,6 +29,10 @@ impl Effort {
     #[inline]
     pub fn time(self, change: f64) -> f64 {
         let Effort { acceleration: a, jerk: j } = self;
+        // No change takes no time, even where nothing may be used for it.
+        if change <= 0.0 {
+            return 0.0;
+        }
         if change * j <= a * a { 2.0 * (change / j).sqrt() } else { change / a + a / j }
     }
 
@@ -327,7 +331,8 @@ pub fn peak(
     let quick = ways(low, Aim::Quick);
     let (aim, shortest) =
         if quick <= length { (Aim::Quick, quick) } else { (Aim::Short, ways(low, Aim::Short)) };
-    if shortest > slack {
+    // A way that is no number is longer than every length.
+    if shortest > slack || shortest.is_nan() {
         return None;
     }
     if shortest >= length {
@@ -364,10 +369,12 @@ fn highest(
             break;
         }
         let share = value_below / (value_below - value_above);
+        // Values without measure say nothing of where the zero lies.
+        let share = if share.is_nan() { 0.5 } else { share };
         let margin = (0.25 * SAME * above).min(gap / 4.0);
-        let middle = (below + gap * share).clamp(below + margin, above - margin);
+        let middle = (below + gap * share).max(below + margin).min(above - margin);
         let new = value(middle);
-        if new > 0.0 {
+        if new > 0.0 || new.is_nan() {
             if stays > 0 {
                 value_below *= less(new, value_above);
             }

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::Duration;
 
-use chordal::Machine;
+use chordal::{Machine, ShopAnswer, ShopCall};
 use chordal_compare::Options;
 use chordal_editor::{Program, Setup};
 use chordal_server::{Against, MachineChoice, Programs, Refusal, Server, save};
@@ -49,6 +49,14 @@ impl Shown {
     }
 }
 
+/// A run of this code is a failure of ours: it panics.
+pub const FAILS: &str = "M777";
+
+fn fails(call: &ShopCall<'_>) -> ShopAnswer {
+    assert_ne!(call.code.to_string(), FAILS, "a made-up failure");
+    ShopAnswer::NotMine
+}
+
 impl Programs for Shown {
     fn path(&self) -> Option<PathBuf> {
         self.path.clone()
@@ -81,7 +89,10 @@ impl Programs for Shown {
             help: errors[0].help.clone(),
         })?;
         let beside = vec![("O77.nc".to_string(), b"(BESIDE)\nO77\nM99\n".to_vec())];
-        let setup = Setup { beside, ..Setup::of(machine) };
+        let mut setup = Setup { beside, ..Setup::of(machine) };
+        if text.windows(FAILS.len()).any(|word| word == FAILS.as_bytes()) {
+            setup.options.shop_codes = Some(Arc::new(fails));
+        }
         Ok(Program::set_up("part.nc", text, setup).expect("settings that the control knows"))
     }
 
@@ -101,7 +112,10 @@ pub struct Site {
 }
 
 pub fn serve(shown: Shown) -> Site {
-    let server = Server::listen(0).unwrap();
+    serve_by(Server::listen(0).unwrap(), shown)
+}
+
+pub fn serve_by(server: Server, shown: Shown) -> Site {
     let url = server.url();
     let rest = url.strip_prefix("http://127.0.0.1:").unwrap();
     let (port, token) = rest.split_once('/').unwrap();

@@ -5,6 +5,8 @@
 
 mod against;
 mod common;
+mod failures;
+mod idle;
 mod live;
 mod security;
 mod stock;

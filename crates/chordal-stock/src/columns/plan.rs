@@ -95,14 +95,31 @@ impl Task<'_> {
         let asked = |asked: &[u32]| asked.binary_search(&(self.first + number)).is_ok();
         !self.bodies.is_empty() && self.asked.is_none_or(asked)
     }
+
+    /// The heights of the tip between which it may take something away: above it is over the stock, and below all
+    /// of its edges are under it.
+    fn heights(&self, grid: &Grid) -> [f64; 2] {
+        let cutters = self.cutter.into_iter().chain(self.may);
+        let tops = cutters.map(|cutter| {
+            cutter.edges().iter().map(|ring| ring.height_at(ring.to)).fold(0.0, f64::max)
+        });
+        let bounds = grid.bounds();
+        [bounds.min.z - tops.fold(0.0, f64::max), bounds.max.z]
+    }
 }
 
 impl Plan {
     pub(crate) fn new(grid: &Grid, options: &Options, task: &Task<'_>) -> Plan {
         let mut splitter = Splitter::new(options.chord_share * grid.resolution());
+        let heights = task.heights(grid);
         for (number, path) in task.moves.iter().enumerate() {
             let divided = task.cutter.is_some() && task.asks(number as u32);
-            splitter.add(number as u32, path, if divided { task.drop } else { f64::INFINITY });
+            splitter.add(
+                number as u32,
+                path,
+                if divided { task.drop } else { f64::INFINITY },
+                heights,
+            );
         }
         let mut pieces = splitter.finish();
         for n in 1..pieces.len() {

@@ -1,6 +1,6 @@
 //! Moves as straight pieces, each with how far the path may lie from it, and how the next one goes on.
 
-use chordal_geometry::{Curve, ParamCurve, Vec3};
+use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
 
 use super::Move;
 
@@ -99,11 +99,20 @@ impl Splitter {
 
     /// Adds the pieces of a move, each of at most `drop` mm of height where the move only rises or falls; of any
     /// height if that is not above zero.
-    pub fn add(&mut self, number: u32, path: &Move, drop: f64) {
+    ///
+    /// `heights`: the least and the largest height of the tip between which a plunge may find another stock at each
+    /// piece. Above and below nothing changes, so that what is left of a plunge is one piece.
+    pub fn add(&mut self, number: u32, path: &Move, drop: f64, heights: [f64; 2]) {
         let curve = &path.curve;
         let length = curve.length();
         if !(length.is_finite() && curve.start().is_finite() && curve.end().is_finite()) {
             self.end_run();
+            return;
+        }
+        if let Curve::Line(line) = curve
+            && libm::hypot(line.end.x - line.start.x, line.end.y - line.start.y) <= VERTICAL
+        {
+            self.plunge(line, number, path.tag, drop, heights);
             return;
         }
         let curvature = match curve {
@@ -124,6 +133,23 @@ impl Splitter {
             self.straight(from, to, off, number, path.tag);
             from = to;
         }
+    }
+
+    /// A move along Z.
+    fn plunge(&mut self, line: &Line, number: u32, tag: u32, drop: f64, [low, high]: [f64; 2]) {
+        let [from, to] = [line.start.z, line.end.z].map(|z| z.max(low).min(high));
+        let falls = if drop > 0.0 { (to - from).abs() / drop } else { 0.0 };
+        let count = falls.ceil().clamp(1.0, MOST_PIECES) as u64;
+        let stops = (0..=count).map(|k| from + (to - from) * (k as f64 / count as f64));
+        let mut at = line.start;
+        for z in stops {
+            if (z - at.z) * (line.end.z - z) > 0.0 {
+                let next = Vec3::new(line.start.x, line.start.y, z);
+                self.straight(at, next, 0.0, number, tag);
+                at = next;
+            }
+        }
+        self.straight(at, line.end, 0.0, number, tag);
     }
 
     fn straight(&mut self, from: Vec3, to: Vec3, off: f64, number: u32, tag: u32) {
@@ -173,5 +199,33 @@ impl Splitter {
             next: None,
         });
         self.open = Some((to, tag));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The lower ends of the pieces of a plunge between two heights, in steps of a millimetre, with stock from -10 to 0.
+    fn lower_ends(from: f64, to: f64) -> Vec<f64> {
+        let at = |z: f64| Vec3::new(3.0, 4.0, z);
+        let line = Line { start: at(from), end: at(to) };
+        let mut splitter = Splitter::new(0.1);
+        splitter.add(0, &Move { curve: Curve::Line(line), tag: 0 }, 1.0, [-10.0, 0.0]);
+        splitter.finish().iter().map(|piece| piece.start.z).collect()
+    }
+
+    #[test]
+    fn a_plunge_is_divided_where_it_meets_stock() {
+        let inside: Vec<f64> = (1..=10).map(|mm| -f64::from(mm)).collect();
+        let down = lower_ends(50.0, -1e6);
+        assert_eq!(down, [&[0.0], &inside[..], &[-1e6]].concat());
+        let up: Vec<f64> = lower_ends(-1e6, 50.0);
+        let rising: Vec<f64> = (1..=10).rev().map(|mm| -f64::from(mm)).collect();
+        assert_eq!(up, [&[-1e6], &rising[..], &[0.0]].concat());
+        assert_eq!(lower_ends(-2.5, -4.0), [-3.25, -4.0]);
+        assert_eq!(lower_ends(90.0, 5.0), [5.0]);
+        assert_eq!(lower_ends(-20.0, -30.0), [-30.0]);
+        assert_eq!(lower_ends(7.0, 7.0), [7.0]);
     }
 }

@@ -1,5 +1,7 @@
 //! The time of a program with everything that is asked along with it.
 
+use chordal_diagnostics::Code;
+
 use super::run::Unwatched;
 use super::{Alternative, ChordCost, Effort, LeastReport, Timed};
 use crate::job::Job;
@@ -93,6 +95,9 @@ impl Job<'_> {
             Again::IfShort => options.level == Level::Fast && timed.time.moves <= MOST_UNASKED,
             Again::Always => true,
         };
+        // What is stopped by its budget has no time of its own, and none that could be another.
+        let is_stopped = report.diagnostics.iter().any(|told| told.code == Code::BudgetReached);
+        let again = again && !is_stopped;
         let (what_if, chords) = if again && timed.time.moves > 0 {
             (
                 self.what_if(options, &self.changes())?,

@@ -12,8 +12,8 @@ use super::{PlotError, PlotOptions, render};
 
 /// Time between the setpoints that a picture is made of, s.
 const PERIOD_S: f64 = 0.0005;
-/// Setpoints beyond which a picture ends: more than four days.
-const MOST_SAMPLES: u64 = 1 << 30;
+/// Setpoints of which a picture is made at most. Those of what takes longer are further apart.
+const MOST_SAMPLES: u64 = 20_000_000;
 /// Tool changes that are marked.
 const MOST_TOOLS: usize = 500;
 /// Slower than this there is no direction of travel, mm/s.
@@ -31,7 +31,7 @@ const VALUES: usize = 15;
 /// limits of the axes, and speed along the path.
 ///
 /// It holds extremes only, in intervals that grow with the program, so that it takes the same
-/// room for any length and loses no peak.
+/// room for any length and loses no peak of a setpoint.
 #[derive(Debug)]
 pub struct MotionPlot {
     limits: Limits,
@@ -61,8 +61,21 @@ impl MotionPlot {
             direction: [0.0; 3],
             tool: 0,
             tools: Vec::new(),
-            sampler: Some(Sampler::new(PERIOD_S).at_most(MOST_SAMPLES)),
+            sampler: Some(Sampler::new(PERIOD_S).at_most(2 * MOST_SAMPLES)),
         }
+    }
+
+    /// The time between its setpoints where a program takes so long, s: a picture of days must not take hours.
+    pub fn period_s(time_s: f64) -> f64 {
+        PERIOD_S.max(time_s / MOST_SAMPLES as f64)
+    }
+
+    /// The same drawing of a program that takes so long, s.
+    #[must_use]
+    pub fn lasting(self, time_s: f64) -> MotionPlot {
+        let period_s = MotionPlot::period_s(time_s);
+        let sampler = Sampler::new(period_s).at_most(2 * MOST_SAMPLES);
+        MotionPlot { time: Buckets::new(period_s), sampler: Some(sampler), ..self }
     }
 
     /// Numbers the axes in inches, or in millimetres: after a run, `Summary::inch` says what

@@ -7,7 +7,7 @@ use chordal_syntax::{
 };
 
 use super::super::{EndReason, Flow, Interpreter};
-use super::Loop;
+use super::{Loop, LoopEnds};
 use crate::macros::evaluate::Purpose;
 
 /// DO and END by their numbers stay in a list of this many at most.
@@ -148,33 +148,40 @@ impl<'a> Interpreter<'a> {
         self.report_once(Diagnostic::new(code, self.span(range), message).help(help));
     }
 
-    /// Where the block behind the END of a loop begins. The text is searched once.
+    /// Where the block behind the END of a loop begins. The text is searched once, however many loops there are.
     fn loop_end(&mut self, head: TextPosition, number: u32) -> Option<TextPosition> {
-        self.look_at(self.program);
-        let key = (self.file, head.offset);
-        if let Some(known) = self.macros.loop_ends.get(&key) {
-            return *known;
-        }
-        let lexicon = self.control.table.lexicon;
         let mut reader = self.reader_of(self.program);
-        reader.seek(head);
+        let ends = self.macros.loop_ends.entry((self.file, self.program)).or_default();
+        // A jump back may lead to a loop before all that was searched.
+        if ends.from.is_none_or(|from| head.offset < from) {
+            *ends = LoopEnds { from: Some(head.offset), next: Some(head), found: Vec::new() };
+        }
+        let behind = ends.found.partition_point(|(at, ..)| *at <= head.offset);
+        let known = ends.found[behind..].iter().find(|(_, own, _)| *own == number);
+        if let Some((.., end)) = known {
+            return Some(*end);
+        }
+        reader.seek(ends.next?);
+        let lexicon = self.control.table.lexicon;
         let mut block = Block::new();
         let mut parser = ExpressionParser::new(reader.text(), self.file, lexicon.grammar);
-        let mut found = None;
-        // The first block is the loop's own.
-        reader.read(&mut block);
-        while found.is_none() && reader.read(&mut block) {
+        while reader.read(&mut block) {
             let BlockKind::Macro(range) = block.kind else { continue };
             parser.start(reader.text(), self.file, range);
             if !parser.take_text("END") {
                 continue;
             }
             parser.start(reader.text(), self.file, range);
-            if parse_statement(&mut parser) == Statement::End(number) {
-                found = Some(reader.position());
+            if let Statement::End(own) = parse_statement(&mut parser) {
+                let end = reader.position();
+                ends.found.push((range.start, own, end));
+                ends.next = Some(end);
+                if own == number && range.start > head.offset {
+                    return Some(end);
+                }
             }
         }
-        self.macros.loop_ends.insert(key, found);
-        found
+        ends.next = None;
+        None
     }
 }

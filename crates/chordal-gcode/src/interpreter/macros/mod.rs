@@ -49,6 +49,17 @@ enum ConditionOf {
     Loop,
 }
 
+/// The ENDs of a text between two places.
+#[derive(Debug, Default)]
+struct LoopEnds {
+    /// From here on they were looked for; `None`: not yet.
+    from: Option<u32>,
+    /// Here the search goes on; `None`: at the end.
+    next: Option<TextPosition>,
+    /// Where each begins, its number, and where the block behind it begins; in order.
+    found: Vec<(u32, u32, TextPosition)>,
+}
+
 /// What a run keeps for its macro statements.
 pub(super) struct MacroState<'a> {
     /// Reads statements and expressions; taken out while its steps are carried out.
@@ -60,8 +71,8 @@ pub(super) struct MacroState<'a> {
     pub(super) kept: BTreeMap<u32, f64>,
     /// Loops that run in this program, outermost first.
     pub(super) loops: Vec<Loop>,
-    /// Where the END of a loop is, by file and beginning of the loop.
-    loop_ends: HashMap<(FileId, u32), Option<TextPosition>>,
+    /// The ENDs of each program of each file, as far as they were looked for.
+    loop_ends: HashMap<(FileId, usize), LoopEnds>,
     /// Places of which a problem was told: a loop would tell it again and again.
     told: BTreeSet<(FileId, u32, Code)>,
     /// A macro statement was carried out: what comes is no longer the text alone.

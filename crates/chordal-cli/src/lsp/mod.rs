@@ -1,5 +1,7 @@
 //! The language server, for editors.
 
+mod wire;
+
 use std::path::Path;
 
 use chordal_ask::setup_of;
@@ -44,10 +46,12 @@ impl Opener for Files {
 
 pub fn run(args: Args) -> Result<Verdict, Failure> {
     let Args { stdio: _, common } = args;
-    let (connection, threads) = lsp_server::Connection::stdio();
+    let (connection, writer) = wire::connect();
     let served = serve(&connection, &Files { request: common.request() });
     drop(connection);
-    threads.join()?;
+    if let Ok(written) = writer.join() {
+        written?;
+    }
     served.map_err(|error| Failure::Use { message: error.to_string(), help: None })?;
     Ok(Verdict::Clean)
 }

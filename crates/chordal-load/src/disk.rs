@@ -1,0 +1,76 @@
+//! Reading from the disk, where a name may lead to anything: a pipe that nobody writes into, a device without an end.
+
+use std::fs::{File, Metadata};
+use std::io::{self, Read};
+use std::path::Path;
+
+use crate::ledger;
+
+/// Places in a text are 32-bit numbers.
+pub(crate) const LARGEST: u64 = u32::MAX as u64;
+
+/// Pipes and devices say no size and are held in memory: they are read up to this.
+const LARGEST_STREAM: u64 = 1 << 29;
+
+/// Opens a file that is read from here on, and says what it is.
+pub(crate) fn open(path: &Path) -> io::Result<(File, Metadata)> {
+    let file = opened(path)?;
+    let about = file.metadata()?;
+    if about.is_file() && about.len() > LARGEST {
+        return Err(too_large());
+    }
+    ledger::note_input(path);
+    Ok((file, about))
+}
+
+/// The bytes of a file.
+pub(crate) fn bytes(path: &Path) -> io::Result<Vec<u8>> {
+    let (mut file, about) = open(path)?;
+    if !about.is_file() {
+        return stream(file);
+    }
+    let mut bytes = Vec::with_capacity(usize::try_from(about.len()).unwrap_or_default());
+    file.read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// What comes out of a pipe or a device, up to a limit.
+pub(crate) fn stream(reader: impl Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    reader.take(LARGEST_STREAM + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LARGEST_STREAM { Err(endless()) } else { Ok(bytes) }
+}
+
+pub(crate) fn too_large() -> io::Error {
+    io::Error::other("it is larger than 4 GiB; split the program")
+}
+
+fn endless() -> io::Error {
+    let mebibytes = LARGEST_STREAM >> 20;
+    io::Error::other(format!(
+        "it is a pipe or a device and gives more than {mebibytes} MiB; write it into a file"
+    ))
+}
+
+#[cfg(not(unix))]
+fn opened(path: &Path) -> io::Result<File> {
+    File::open(path)
+}
+
+/// Opening a pipe waits for who writes into it: not for ever.
+#[cfg(unix)]
+fn opened(path: &Path) -> io::Result<File> {
+    use std::os::unix::fs::FileTypeExt;
+    use std::sync::mpsc::channel;
+    use std::time::Duration;
+
+    const PATIENCE: Duration = Duration::from_secs(5);
+    if !path.metadata().is_ok_and(|about| about.file_type().is_fifo()) {
+        return File::open(path);
+    }
+    let (send, opened) = channel();
+    let path = path.to_path_buf();
+    std::thread::spawn(move || send.send(File::open(path)));
+    let late = |_| io::Error::other("it is a pipe, and nobody writes into it");
+    opened.recv_timeout(PATIENCE).map_err(late)?
+}
