@@ -210,8 +210,8 @@ fn both_levels_plan_crawls() {
         for corner in [WITHIN, Corner::Exact] {
             let at_speed = |motion: Move| Move { speed, ..motion };
             let row: Vec<Move> = lines(&turn, corner).into_iter().map(at_speed).collect();
-            let circle = vec![at_speed(arc(1.0, 3.0, corner)), at_speed(arc(2.0, 1.0, corner))];
-            for moves in [&row[..], &row[..1], &circle[..1]] {
+            let circle = [at_speed(arc(1.0, 3.0, corner))];
+            for moves in [&row[..], &row[..1], &circle] {
                 for level in [Level::Fast, Level::Best] {
                     let time_s = time_of(&plan(moves, machine(), level));
                     let length: f64 = moves.iter().map(Move::length).sum();
