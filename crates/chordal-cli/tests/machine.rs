@@ -125,7 +125,7 @@ fn a_folders_machine_counts_below_it() {
     folder.run(&["run", "arch/deep/part.nc"]).says(&["assumed"]);
 }
 
-const DUMP: &str = "Grbl 1.1h ['$' for help]\n$0=10\n$11=0.020\n$12=0.002\n$100=40.000\n\
+const DUMP: &str = "Grbl 1.1h ['$' for help]\n$0=10\n$11=0.020\n$12=0.002\n$32=1\n$100=40.000\n\
     $101=40.000 (y, step/mm)\n$102=188.976\n$110=5000.000\n$111=5000.000\n$112=1200.000\n\
     $120=400.000\n$121=400.000\n$122=120.000\n$130=425.000\n$131=465.000\n$132=80.000\n$N0=G54\nok\n";
 
@@ -133,7 +133,7 @@ const DUMP: &str = "Grbl 1.1h ['$' for help]\n$0=10\n$11=0.020\n$12=0.002\n$100=
 fn what_a_firmware_prints_becomes_a_machine_and_is_printed_again() {
     let folder = Folder::new();
     folder.write("dump.txt", DUMP);
-    let is_kept = |line: &&str| line.starts_with("$1");
+    let is_kept = |line: &&str| line.starts_with("$1") || line.starts_with("$32");
     let kept: Vec<&str> = DUMP.lines().filter(is_kept).collect();
     let kept = kept.join("\n").replace(" (y, step/mm)", "") + "\n";
     let printed = folder.run(&["machines", "--settings", "dump.txt", "--dump"]).ends(0);

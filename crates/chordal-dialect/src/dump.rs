@@ -145,7 +145,16 @@ pub fn write(machine: &Machine) -> Option<String> {
     let mut text = String::new();
     for row in rows {
         if let Some(value) = row.value(machine, &control) {
-            let _ = writeln!(text, "${}={}", row.number, number(value));
+            let value = match row.meaning {
+                DumpMeaning::LaserMode => value.to_string(),
+                DumpMeaning::JunctionDeviation
+                | DumpMeaning::ArcTolerance
+                | DumpMeaning::Steps(_)
+                | DumpMeaning::Velocity(_)
+                | DumpMeaning::Acceleration(_)
+                | DumpMeaning::Travel(_) => number(value),
+            };
+            let _ = writeln!(text, "${}={value}", row.number);
         }
     }
     Some(text)

@@ -25,6 +25,7 @@ mod expression;
 mod lexicon;
 mod line_statement;
 mod oword;
+mod program_name;
 mod programs;
 mod reader;
 mod statement;
@@ -38,6 +39,7 @@ pub use expression::{
 pub use lexicon::{Lexicon, ParenthesisComment, Semicolon};
 pub use line_statement::{LineStatement, PrintItem, parse_line_statement};
 pub use oword::{FlowWord, OLabel, OWord, parse_o_word};
-pub use programs::{ProgramHead, find_programs, is_program_name, scan_program_name};
+pub use program_name::{is_program_name, scan_program_name};
+pub use programs::{ProgramHead, find_programs};
 pub use reader::{BlockReader, Position};
 pub use statement::{Branch, Output, Statement, Target, parse_statement};

@@ -13,7 +13,7 @@ use crate::alignment::is_alignment_number;
 use crate::block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
 use crate::decimal::{self, Decimal};
 use crate::lexicon::{Lexicon, ParenthesisComment, Semicolon};
-use crate::programs::scan_program_name;
+use crate::program_name::scan_program_name;
 
 /// A place between two blocks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
