@@ -13,7 +13,6 @@ use crate::alignment::is_alignment_number;
 use crate::block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
 use crate::decimal::{self, Decimal};
 use crate::lexicon::{Lexicon, ParenthesisComment, Semicolon};
-use crate::program_name::scan_program_name;
 
 /// A place between two blocks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -223,20 +222,6 @@ impl<'a> BlockReader<'a> {
             _ => self.unexpected(block),
         }
         true
-    }
-
-    /// `<NAME>`: the head of a program where nothing but N stands before it, and behind a call what P says elsewhere.
-    #[cold]
-    fn program_name(&mut self, block: &mut Block) {
-        let Some((number, length)) = scan_program_name(&self.text[self.at..self.end]) else {
-            return self.unexpected(block);
-        };
-        let is_head = block.words.iter().all(|word| word.letter == b'N');
-        let letter = if is_head { b'O' } else { b'P' };
-        let range = TextRange::new(self.at as u32, (self.at + length) as u32);
-        self.at += length;
-        let value = Value::Number(Decimal::integer(i64::from(number)));
-        block.push(Word { letter, register: None, comma: false, value, range });
     }
 
     /// `$2` and `!2L1`: the mark with the digits, letters and marks that follow it.

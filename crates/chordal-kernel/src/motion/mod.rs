@@ -7,6 +7,7 @@ mod rotary_feed;
 mod spiral;
 mod spline;
 mod thread;
+mod vanishing_circle;
 
 use chordal_command::{
     ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, RapidPath,

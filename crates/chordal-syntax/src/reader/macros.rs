@@ -1,6 +1,7 @@
 //! Expressions and statements of macro languages within a block: where they begin and end.
 
 use super::*;
+use crate::program_name::scan_program_name;
 
 impl BlockReader<'_> {
     /// The letter O at `self.at` begins flow control: a number, a name or a bracket, and then
@@ -33,6 +34,20 @@ impl BlockReader<'_> {
             }
         }
         line[at..].iter().find(|b| !blank(b)).is_some_and(u8::is_ascii_alphabetic)
+    }
+
+    /// `<NAME>`: the head of a program where nothing but N stands before it, and behind a call what P says elsewhere.
+    #[cold]
+    pub(super) fn program_name(&mut self, block: &mut Block) {
+        let Some((number, length)) = scan_program_name(&self.text[self.at..self.end]) else {
+            return self.unexpected(block);
+        };
+        let is_head = block.words.iter().all(|word| word.letter == b'N');
+        let letter = if is_head { b'O' } else { b'P' };
+        let range = TextRange::new(self.at as u32, (self.at + length) as u32);
+        self.at += length;
+        let value = Value::Number(Decimal::integer(i64::from(number)));
+        block.push(Word { letter, register: None, comma: false, value, range });
     }
 
     /// The number of an N word with a statement or the head of a program right after it:
