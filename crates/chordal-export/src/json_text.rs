@@ -2,8 +2,8 @@
 
 use serde_json::{Number, Value};
 
-/// So many figures are right in whatever is computed here; a double has up to seventeen.
-const FIGURES: usize = 12;
+/// So many figures outlive the rounding of a few sums; a double has up to seventeen.
+const FIGURES: usize = 14;
 
 /// Data as JSON text over several lines, with an end of line: `60.0` where sums have made 60.00000000000001.
 pub fn pretty_json(mut data: Value) -> String {

@@ -65,7 +65,7 @@ pub fn text(report: &Report, sources: &SourceMap, color: bool, detail: Detail) -
     }
     out.push_str(&closing(&report.counts));
     if let Some((file, line)) = report.not_verified_line(sources) {
-        out.push_str(&not_verified(file, line));
+        out.push_str(&not_verified(file, line, report.path_lost_from.is_some()));
     }
     out
 }
@@ -226,9 +226,13 @@ fn suggestion<'f>(fix: &'f Fix, excerpts: &'f Excerpts, sources: &SourceMap) -> 
     }
 }
 
-/// Said after the problems, lest what else is said of the path be believed.
-fn not_verified(file: &str, line: u32) -> String {
-    format!("not verified from line {line} of {} on: the path after it is not known\n", clean(file))
+/// Said after the problems, lest what else is said of the path, or of its time alone, be believed.
+fn not_verified(file: &str, line: u32, is_path_lost: bool) -> String {
+    let what = if is_path_lost { "path" } else { "time" };
+    format!(
+        "not verified from line {line} of {} on: the {what} after it is not known\n",
+        clean(file)
+    )
 }
 
 /// `2 errors, 1 warning`.

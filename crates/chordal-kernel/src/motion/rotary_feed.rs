@@ -58,7 +58,10 @@ impl Kernel<'_> {
                 ),
             )
             .label("counted in degrees per minute, and beside X, Y and Z not at all")
-            .help(format!("give it: --set 'settings.{}=\"50 mm\"'", self.rules.rotary_feed.diameter_names[ordinal])),
+            .help(format!(
+                "give it: --set 'settings.\"{}\"=\"50 mm\"'",
+                self.rules.rotary_feed.diameter_names[ordinal]
+            )),
         );
     }
 }
