@@ -179,6 +179,10 @@ impl Interpreter<'_> {
         let mut block = Block::new();
         let depth = self.frames.len();
         while self.reader.position().offset < contour.end.offset && self.reader.read(&mut block) {
+            // Behind a statement, or before blanks, the reader stands before the line that ends the contour.
+            if block.range.start >= contour.end.offset {
+                break;
+            }
             if !self.kernel.count_repeated() {
                 break;
             }
