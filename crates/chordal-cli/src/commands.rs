@@ -79,6 +79,7 @@ impl out::Format for Format {
     }
 }
 
+#[allow(clippy::large_enum_variant, reason = "there is one of it in a run")]
 enum Writer<'a> {
     Rows(CommandRows<'a>),
     Canon(Canon<'a, Out>),
