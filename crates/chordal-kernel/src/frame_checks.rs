@@ -89,7 +89,7 @@ impl Kernel<'_> {
             Units::Inch => self.rules.increment_digits_inch,
             Units::Millimetre => self.rules.increment_digits_mm,
         };
-        let unit = if self.state.units == Units::Inch { 25.4 } else { 1.0 };
+        let unit = self.state.units.mm();
         let largest = most * unit / 10f64.powi(i32::from(digits));
         let Some((from, to)) = command.kind.motion().map(|motion| (motion.from, motion.to)) else {
             return;

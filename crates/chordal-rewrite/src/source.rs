@@ -311,7 +311,7 @@ pub(crate) fn is_setup(cycle: TurnCycle, block: &Block, control: &Control) -> bo
 pub(crate) fn digits_of_arcs(control: &Control, units: Units, usual: u8) -> u8 {
     const ROUNDED: f64 = 2.2;
     let arc = &control.parameters.rules.arc;
-    let unit = if units == Units::Inch { 25.4 } else { 1.0 };
+    let unit = units.mm();
     let is_enough = |digits: &u8| {
         ROUNDED * unit * 0.1f64.powi(i32::from(*digits)) <= arc.radius_error_tolerance_mm
     };

@@ -34,7 +34,7 @@ pub fn connect() -> (Connection, JoinHandle<io::Result<()>>) {
     thread::spawn(move || {
         let mut input = io::stdin().lock();
         while let Some(message) = next(&mut input, &mut io::stdout()) {
-            let is_exit = matches!(&message, Message::Notification(told) if told.method == "exit");
+            let is_exit = matches!(&message, Message::Notification(notification) if notification.method == "exit");
             if sender.send(message).is_err() || is_exit {
                 return;
             }
@@ -67,7 +67,7 @@ fn next(input: &mut impl BufRead, out: &mut impl Write) -> Option<Message> {
     }
 }
 
-/// Nothing can be told where that cannot be written.
+/// There is nobody to report to where that cannot be written.
 fn refuse(out: &mut impl Write, id: &Value, code: ErrorCode, message: &str) {
     let error = json!({ "code": code as i32, "message": message });
     let text = json!({ "jsonrpc": "2.0", "id": id, "error": error }).to_string();
@@ -137,16 +137,16 @@ mod tests {
         while let Some(message) = next(&mut input, &mut out) {
             match message {
                 Message::Request(request) => methods.push(request.method),
-                Message::Notification(told) => methods.push(told.method),
+                Message::Notification(notification) => methods.push(notification.method),
                 Message::Response(_) => methods.push(String::new()),
             }
         }
         let mut refused = Vec::new();
         let mut out = out.as_slice();
         while let Ok(Came::Body(body)) = came(&mut out) {
-            let told: Value = serde_json::from_slice(&body).unwrap();
-            let code = told["error"]["code"].as_i64().unwrap();
-            refused.push((told["id"].clone(), code));
+            let answer: Value = serde_json::from_slice(&body).unwrap();
+            let code = answer["error"]["code"].as_i64().unwrap();
+            refused.push((answer["id"].clone(), code));
         }
         (methods, refused)
     }

@@ -185,15 +185,8 @@ impl Interpreter<'_> {
         let Some(number) = self.literal(word) else {
             return char::from(word.letter).to_string();
         };
-        let unit = if LENGTHS.has(word.letter) { self.unit_mm() } else { 1.0 };
+        let unit = if LENGTHS.has(word.letter) { self.unit() } else { 1.0 };
         format!("{}{}", char::from(word.letter), number.to_f64() * unit)
-    }
-
-    fn unit_mm(&self) -> f64 {
-        match self.kernel.state.units {
-            chordal_command::Units::Inch => 25.4,
-            chordal_command::Units::Millimetre => 1.0,
-        }
     }
 }
 

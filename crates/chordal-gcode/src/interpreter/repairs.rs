@@ -15,7 +15,7 @@ use super::arc::center_letters;
 use super::literals::AXIS_OF;
 
 /// Most changes that are named.
-const MOST: usize = 3;
+const MAX_REPAIRS: usize = 3;
 
 /// The block before begins within so many bytes, and within so many lines.
 const LOOK_BACK: usize = 400;
@@ -162,7 +162,7 @@ impl Interpreter<'_> {
             simpler.then(a.error.total_cmp(&b.error)).then(a.replacement.cmp(&b.replacement))
         });
         found.dedup_by(|a, b| a.word.range == b.word.range && a.replacement == b.replacement);
-        found.truncate(MOST);
+        found.truncate(MAX_REPAIRS);
         found
     }
 

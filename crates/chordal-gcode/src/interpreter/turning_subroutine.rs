@@ -63,8 +63,8 @@ impl Interpreter<'_> {
         }
         let Some(contour) = self.contour_of_subroutine(block, at) else { return };
         let start = self.start_of_subroutine(block);
-        let depth = self.length_of(block, b'I').unwrap_or_else(|| self.scale_one());
-        let retract = self.length_of(block, b'R').unwrap_or_else(|| self.scale_one() / 2.0);
+        let depth = self.length_of(block, b'I').unwrap_or_else(|| self.unit());
+        let retract = self.length_of(block, b'R').unwrap_or_else(|| self.unit() / 2.0);
         let left = self.length_of(block, b'D').unwrap_or(0.0);
         for (letter, value) in [(b'I', depth), (b'R', retract)] {
             if value <= 0.0 {
@@ -81,14 +81,6 @@ impl Interpreter<'_> {
         let words = DescentWords { along_x, start, left, depth, retract, pockets };
         let done = self.kernel.rough_descent(&self.at(block), &words, &contour);
         self.report_descent(block, at, done);
-    }
-
-    /// One unit of the program, mm.
-    fn scale_one(&self) -> f64 {
-        match self.kernel.state.units {
-            chordal_command::Units::Inch => 25.4,
-            chordal_command::Units::Millimetre => 1.0,
-        }
     }
 
     /// Where the cycle begins: X (a radius) and Z of its block, else where the tool is.

@@ -1,7 +1,6 @@
 //! Roughing that goes down the contour itself (LinuxCNC G71, G72): it follows a falling piece to the next level, cuts along the
 //! level, and where the contour rises again follows it up to the next pocket.
 
-use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic};
 
 use crate::kernel::Kernel;
@@ -57,14 +56,6 @@ struct Descent {
 }
 
 impl Kernel<'_> {
-    /// The unit of the program, mm.
-    fn unit_mm(&self) -> f64 {
-        match self.state.units {
-            Units::Inch => 25.4,
-            Units::Millimetre => 1.0,
-        }
-    }
-
     /// Roughs down to a contour, and ends with it.
     pub fn rough_descent(
         &mut self,
@@ -75,7 +66,7 @@ impl Kernel<'_> {
         let (view, mut pieces) = seen(words.along_x, words.start, contour)?;
         // From the far side the contour is reached across its first point.
         pieces[0].from[0] = pieces[0].from[0].max(pieces[0].to[0]);
-        let unit = self.unit_mm();
+        let unit = self.state.units.mm();
         if let Some(back) = pieces.iter().skip(1).find(|piece| !piece.goes_on(unit)) {
             return Err(DescentFault::TurnsBack(back.origin));
         }
@@ -111,7 +102,7 @@ impl Kernel<'_> {
         distances: &[f64],
         contour: &[Edge],
     ) -> Result<(), DescentFault> {
-        let unit = self.unit_mm();
+        let unit = self.state.units.mm();
         let beside = beside(start, contour);
         let along_z = contour.iter().enumerate().all(|(index, edge)| {
             let from = if index == 0 { beside } else { edge.from };

@@ -80,7 +80,7 @@ impl Tap {
         style: Style,
         length: impl Fn(f64) -> String,
     ) -> Option<Vec<String>> {
-        let unit = if units == Units::Inch { 25.4 } else { 1.0 };
+        let unit = units.mm();
         let rpm = self.feed.spindle_rev_per_s * 60.0;
         let per_minute = match self.feed.mode {
             FeedMode::PerRevolution => self.feed.value * rpm / unit,

@@ -406,10 +406,7 @@ impl Head<'_, '_> {
             return Ok(format!("{letter}{}", plain(value.to_degrees(), MOST_DECIMALS, style)));
         }
         let value = if axis == 0 { value * self.before.x_factor } else { value };
-        let unit = match modal.units {
-            Units::Inch => 25.4,
-            Units::Millimetre => 1.0,
-        };
+        let unit = modal.units.mm();
         let off = |count: usize| {
             let power = 10f64.powi(count as i32);
             ((value / unit * power).round() / power * unit - value).abs()

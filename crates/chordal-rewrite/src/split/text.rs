@@ -1,7 +1,7 @@
 //! The parts as texts.
 
 use chordal::control::{Action, AfterCode, MotionCode, ReadingCode};
-use chordal::control::{FeedMode, Modal, SpindleState, Units};
+use chordal::control::{FeedMode, Modal, SpindleState};
 use chordal::diagnostics::TextRange;
 use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::{Block, Word};
@@ -329,10 +329,7 @@ impl<'w, 'a> Writer<'w, 'a> {
         if axis > 2 {
             return format!("{letter}{}", plain(value.to_degrees(), MOST_DECIMALS, style));
         }
-        let unit = match modal.units {
-            Units::Inch => 25.4,
-            Units::Millimetre => 1.0,
-        };
+        let unit = modal.units.mm();
         let least = digits(self.control, modal.units);
         let off = |count: usize| {
             let power = 10f64.powi(count as i32);
@@ -349,10 +346,7 @@ impl<'w, 'a> Writer<'w, 'a> {
 
 /// F as it is in force; nothing where each block says its own.
 pub(crate) fn feed_word(modal: &Modal, style: Style) -> Option<String> {
-    let unit = match modal.units {
-        Units::Inch => 25.4,
-        Units::Millimetre => 1.0,
-    };
+    let unit = modal.units.mm();
     let value = match modal.feed_mode {
         FeedMode::PerTime => modal.feed? * 60.0 / unit,
         FeedMode::PerRevolution => modal.feed? / unit,

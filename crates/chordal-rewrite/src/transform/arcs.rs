@@ -242,7 +242,7 @@ impl<'a> Arcs<'a> {
         let units = run.context.units;
         let written = |mm: f64| -> (String, f64) {
             let number = self.writer.length(mm, units, None, 0);
-            let value = number.parse::<f64>().unwrap_or(0.0) * super::number::unit_mm(units);
+            let value = number.parse::<f64>().unwrap_or(0.0) * units.mm();
             (number, value)
         };
         let mut at = points[0].to_array();

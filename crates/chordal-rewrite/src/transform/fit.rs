@@ -14,7 +14,6 @@ use super::Outcome;
 use super::arcs::center_words;
 use super::edit::{Edit, Refusal};
 use super::lines::Words;
-use super::number::unit_mm;
 use super::record::Record;
 use super::roles::actions;
 use super::rows::{Cut, rows};
@@ -34,7 +33,7 @@ pub(super) fn fit(job: &Job, tolerance: f64, feed_tolerance: f64) -> Result<Outc
     let (mut rows_of, mut rough) = (HashMap::new(), 0);
     rows(&writer, &record, LEAST, feed_tolerance, |row, behind| {
         let units = row[0].run.context.units;
-        let step = unit_mm(units) * 0.1f64.powi(i32::from(writer.style.digits(units)));
+        let step = units.mm() * 0.1f64.powi(i32::from(writer.style.digits(units)));
         let left = tolerance - ROUNDING * step;
         if left < step {
             rough += row.len();
@@ -201,7 +200,7 @@ impl Typist<'_> {
     fn axes(&mut self, to: Vec3, always: [bool; 3], words: &mut Words) {
         for (axis, target) in to.to_array().into_iter().enumerate() {
             let number = self.writer.length(target, self.units, None, 0);
-            let value = number.parse::<f64>().unwrap_or(target) * unit_mm(self.units);
+            let value = number.parse::<f64>().unwrap_or(target) * self.units.mm();
             if always[axis] || (value - self.at[axis]).abs() > 1e-9 {
                 words.push(format!("{}{number}", char::from(b"XYZ"[axis])));
                 self.at[axis] = value;

@@ -130,11 +130,3 @@ fn kept(control: &Control, units: Units) -> u8 {
         _ => control.parameters.kept_decimals(units),
     }
 }
-
-/// One unit of a length word, mm.
-pub(super) fn unit_mm(units: Units) -> f64 {
-    match units {
-        Units::Inch => 25.4,
-        Units::Millimetre => 1.0,
-    }
-}

@@ -8,7 +8,6 @@ use chordal::{Control, Job};
 
 use super::Outcome;
 use super::edit::{Edit, Refusal};
-use super::number::unit_mm;
 use super::rates::{Rate, scaled};
 use super::record::{Context, Record};
 use super::roles::{Role, actions, roles};
@@ -122,7 +121,7 @@ fn lengths(
             Role::Feed | Role::TapFeed | Role::Lead
                 if context.feed_mode != FeedMode::InverseTime =>
             {
-                let factor = unit_mm(context.units) / unit_mm(to);
+                let factor = context.units.mm() / to.mm();
                 scaled(writer, block, word, factor, Rate::Feed([context.units, to]))?
             }
             Role::Doubtful => {

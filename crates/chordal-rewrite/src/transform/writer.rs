@@ -7,7 +7,7 @@ use chordal::syntax::{Block, Decimal, Value, Word};
 use chordal::{Control, Job};
 
 use super::edit::{Refusal, with_number};
-use super::number::{Style, unit_mm};
+use super::number::Style;
 
 /// Writes words of one text.
 pub(super) struct Writer<'a> {
@@ -50,7 +50,7 @@ impl<'a> Writer<'a> {
                 return format!("{}", whole.round() as i64);
             }
         }
-        let unit = unit_mm(units);
+        let unit = units.mm();
         // Who writes a zero at the end writes as many decimals everywhere.
         let padded = |old: &Decimal| old.has_point && old.mantissa % 10 == 0;
         let least = old.filter(padded).map_or(0, |old| old.scale.min(kept));
@@ -77,12 +77,12 @@ impl<'a> Writer<'a> {
         match word.value {
             Value::Number(number) => {
                 let mm = self.length_mm(units.0, number) * factor + plus;
-                let more = if plus == 0.0 { 0 } else { decimals(plus / unit_mm(units.1)) };
+                let more = if plus == 0.0 { 0 } else { decimals(plus / units.1.mm()) };
                 Ok(with_number(self.text, word, &self.length(mm, units.1, Some(number), more)))
             }
             Value::Expression(range) => {
-                let factor = factor * unit_mm(units.0) / unit_mm(units.1);
-                let plus = plus / unit_mm(units.1);
+                let factor = factor * units.0.mm() / units.1.mm();
+                let plus = plus / units.1.mm();
                 let old = String::from_utf8_lossy(range.slice(self.text)).trim().to_string();
                 let head = String::from_utf8_lossy(
                     chordal::diagnostics::TextRange::new(word.range.start, range.start)

@@ -1,6 +1,6 @@
 //! System variables: positions, offsets, modal codes, alarms.
 
-use chordal_command::{AxisMask, Units, WorkName};
+use chordal_command::{AxisMask, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_dialect::macros::{OFFSET_STEP, System, TURN_PLACE};
 use chordal_dialect::{Control, OffsetMemory};
@@ -67,10 +67,7 @@ fn stored_place(control: &Control, axis: usize, written: f64) -> f64 {
 
 /// mm in one unit of the machine, as the tables of its control count.
 fn machine_unit(control: &Control) -> f64 {
-    match control.parameters.rules.units {
-        Units::Inch => 25.4,
-        Units::Millimetre => 1.0,
-    }
+    control.parameters.rules.units.mm()
 }
 
 /// So many tool offsets have old numbers.
@@ -264,11 +261,8 @@ impl Interpreter<'_> {
     }
 
     /// mm in one unit of the program.
-    pub(super) fn unit(&self) -> f64 {
-        match self.kernel.state.units {
-            Units::Inch => 25.4,
-            Units::Millimetre => 1.0,
-        }
+    pub(in super::super) fn unit(&self) -> f64 {
+        self.kernel.state.units.mm()
     }
 
     /// A coordinate as a variable shows it.

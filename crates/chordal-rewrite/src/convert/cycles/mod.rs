@@ -7,7 +7,7 @@ mod pecks;
 use chordal::CommandKind;
 use chordal::control::table::DwellWord;
 use chordal::control::{Action, AfterCode, ModeCode, OnceCode};
-use chordal::control::{Control, DefinitionFires, IncrementalLevels, TapFeed, Units};
+use chordal::control::{Control, DefinitionFires, IncrementalLevels, TapFeed};
 
 use chordal::geometry::Plane;
 
@@ -312,7 +312,7 @@ fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
         _ => None,
     });
     let Some(cut) = cut else { return Err(Expand("a tap without a hole in its block".into())) };
-    let unit = if run.after.units == Units::Inch { 25.4 } else { 1.0 };
+    let unit = run.after.units.mm();
     let speed = cut.spindle_rev_per_s * 60.0;
     let per_minute = match cut.mode {
         chordal::control::FeedMode::PerRevolution => cut.value * speed / unit,

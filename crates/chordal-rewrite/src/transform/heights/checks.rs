@@ -6,7 +6,6 @@ use chordal::geometry::Plane;
 use chordal::syntax::{Block, Word};
 
 use super::super::edit::{Refusal, line_end};
-use super::super::number::unit_mm;
 use super::super::record::{Did, Run, Runs};
 use super::super::roles::actions;
 use super::super::writer::Writer;
@@ -127,7 +126,7 @@ pub(super) fn inside(
     way: &PlanePath,
 ) -> Result<(), Refusal> {
     let most = way.extremes().into_iter().map(|at| map.outside(at)).fold(0.0, f64::max);
-    let unit = unit_mm(run.context.units);
+    let unit = run.context.units.mm();
     let name = if unit == 1.0 { "mm" } else { "in" };
     let reason = (most > 1e-6).then(|| {
         (

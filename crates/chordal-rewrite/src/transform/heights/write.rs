@@ -16,7 +16,6 @@ use super::super::arcs::center_words;
 use super::super::edit::{Edit, Refusal, line_end, replace_words, with_number};
 use super::super::fit::center;
 use super::super::lines::{Words, newline};
-use super::super::number::unit_mm;
 use super::super::record::{Did, Record, Run, Runs};
 use super::super::roles::{Role, actions, roles};
 use super::super::writer::Writer;
@@ -157,7 +156,7 @@ impl Bender<'_> {
     fn number(&self, run: &Run, mm: f64) -> (String, f64) {
         let units = run.context.units;
         let number = self.writer.length(mm, units, None, 0);
-        let value = number.parse::<f64>().unwrap_or(f64::NAN) * unit_mm(units);
+        let value = number.parse::<f64>().unwrap_or(f64::NAN) * units.mm();
         (number, value)
     }
 
@@ -205,14 +204,14 @@ impl Bender<'_> {
         if !self.warp.clamp {
             checks::inside(&self.writer, self.map, block, run, &way)?;
         }
-        let step = unit_mm(run.context.units)
+        let step = run.context.units.mm()
             * 0.1f64.powi(i32::from(self.writer.style.digits(run.context.units)));
         // On a slope a place that is rounded aside has another height as well.
         let [low, high] = way.bounds();
         let rounded = ROUNDING * step * (1.0 + self.map.steepest(low, high));
         let left = self.warp.tolerance_mm - rounded;
         if left < step {
-            let unit = unit_mm(run.context.units);
+            let unit = run.context.units.mm();
             let what = format!(
                 "the numbers of the program are rounded to {}, which takes up {:.4} of the tolerance of {:.4}",
                 step / unit,

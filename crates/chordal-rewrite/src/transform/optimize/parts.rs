@@ -10,7 +10,6 @@ use chordal::syntax::{Block, BlockKind, BlockReader, Value};
 use super::super::arcs::center_words;
 use super::super::edit::{Edit, with_number};
 use super::super::lines::{Words, newline, tail};
-use super::super::number::unit_mm;
 use super::super::record::{Did, Record, Run};
 use super::super::roles::actions;
 use super::super::writer::Writer;
@@ -180,7 +179,7 @@ impl<'a> Parts<'a> {
     /// The last digit of the program, mm.
     fn increment(&self, run: &Run) -> f64 {
         let units = run.context.units;
-        unit_mm(units) / 10f64.powi(i32::from(self.writer.style.digits(units)))
+        units.mm() / 10f64.powi(i32::from(self.writer.style.digits(units)))
     }
 
     /// The edits that write a block in parts.

@@ -8,7 +8,6 @@ use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockKind, BlockReader, Value, Word};
 
 use super::super::edit::{Edit, Refusal, with_number};
-use super::super::number::unit_mm;
 use super::super::writer::Writer;
 use super::visits::{Visit, Visits};
 
@@ -193,7 +192,7 @@ fn refusal(writer: &Writer, visit: &Visit, place: Option<&Place>, what: &str) ->
 
 /// A feed in mm/s as F counts it: by minute, in the program's units.
 fn per_minute(feed: f64, units: Units) -> f64 {
-    feed * 60.0 / unit_mm(units)
+    feed * 60.0 / units.mm()
 }
 
 fn is_same(a: f64, b: f64) -> bool {
