@@ -1,13 +1,13 @@
-//! Files beside a program, of any text: machine and setup files with what they name, tool tables, printed settings,
+//! FileAccess beside a program, of any text: machine and setup files with what they name, tool tables, printed settings,
 //! variables. An answer or a refusal, never a crash; and what was read runs.
 
 #![no_main]
 
 use std::path::PathBuf;
 
-use chordal::machine::{Dimension, Machine, parse_quantity};
+use chordal::machine::{QuantityDimension, Machine, parse_quantity};
 use chordal::stock::StockOptions;
-use chordal_load::{Files, Given, Input, Loader, Request, Text};
+use chordal_load::{FileAccess, RequestedMachine, ProgramInput, Loader, Request, ProgramText};
 use libfuzzer_sys::fuzz_target;
 
 const PROGRAM: &[u8] = b"%\nO1\nG21 G90 G54\nT1 M6\nG43 H1 G0 X0 Y0 Z5.\nS900 M3\nG1 Z-1. F100.\n\
@@ -22,7 +22,7 @@ fuzz_target!(|input: (u8, &[u8])| {
     let base = ["haas-vf2", "fanuc-lathe", "linuxcnc-mill", "grbl", "fadal-4020"][usize::from(choice >> 3) % 5];
     let program = if base == "fanuc-lathe" { LATHE } else { PROGRAM };
     let mut request = Request { max_blocks: Some(2_000), ..Request::default() };
-    let on = |name: &str| Some(Given::Name(name.to_string()));
+    let on = |name: &str| Some(RequestedMachine::Name(name.to_string()));
     let mut files = Vec::new();
     let above = |keys: &str| format!("{keys} = \"{base}\"\n").into_bytes();
     match choice % 8 {
@@ -61,18 +61,18 @@ fuzz_target!(|input: (u8, &[u8])| {
         }
         _ => files.extend([named("chordal.toml"), named("O2.nc")]),
     }
-    let given = Files::given(files.clone());
+    let given = FileAccess::given(files.clone());
     request.files = given.clone();
     if let Ok(text) = std::str::from_utf8(bytes) {
         let mut machine = Machine::from_builtin(base).expect("a built-in machine");
         for line in text.lines() {
             let _ = machine.set(line);
-            let _ = parse_quantity(line, Dimension::Length);
+            let _ = parse_quantity(line, QuantityDimension::Length);
         }
     }
     let Ok(mut loader) = Loader::new(request) else { return };
-    let input = Input { path: Some("part.nc".into()), root: None };
-    let text = Text::of("part.nc", program.to_vec()).expect("a short text");
+    let input = ProgramInput { path: Some("part.nc".into()), root: None };
+    let text = ProgramText::of("part.nc", program.to_vec()).expect("a short text");
     let Ok(loaded) = loader.load_text(text, &input) else { return };
     let Ok(job) = loaded.job() else { return };
     let report = job.report();

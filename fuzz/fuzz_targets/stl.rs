@@ -6,7 +6,7 @@
 use chordal_geometry::Vec3;
 use chordal_stock::mesh::write::write_stl;
 use chordal_stock::mesh::{LengthUnit, StlOptions, read_stl};
-use chordal_stock::shape::{Body, Frustum, Grid, Shape};
+use chordal_stock::shape::{RoundBody, Frustum, CellGrid, SolidShape};
 use libfuzzer_sys::fuzz_target;
 
 /// Small bodies, so that all of it is quick.
@@ -34,11 +34,11 @@ fuzz_target!(|input: (u8, &[u8])| {
     if let (Ok(again), true) = (again, edges.are_closed()) {
         assert!(again.mesh.triangles().is_empty() || again.mesh.edges().are_closed());
     }
-    let Ok(shape) = Shape::surface(stl.mesh) else { return };
+    let Ok(shape) = SolidShape::surface(stl.mesh) else { return };
     let size = bounds.size();
     let cell = size.x.max(size.y).max(1e-3) / 7.0;
     let origin = [bounds.min.x - 0.3 * cell, bounds.min.y - 0.4 * cell];
-    let grid = Grid { origin, cell, columns: 9, rows: 9, grow: 0.0 };
+    let grid = CellGrid { origin, cell, columns: 9, rows: 9, grow: 0.0 };
     if let Ok(cells) = shape.cells(&grid) {
         let height = |from: usize| {
             let spans = |at: usize| {
@@ -55,7 +55,7 @@ fuzz_target!(|input: (u8, &[u8])| {
         assert!(height(1) <= height(0));
     }
     let part = Frustum { from: 0.0, to: 20.0, lower: 1.0, upper: 3.0 };
-    let body = Body::new(vec![part]).expect("a cone");
+    let body = RoundBody::new(vec![part]).expect("a cone");
     let tip = bounds.max + Vec3::new(1.0, -2.0, 0.5);
     let found = shape.distance(&body, tip, 1e-6);
     assert!(found.lower <= found.upper && found.upper.is_finite());

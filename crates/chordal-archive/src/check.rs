@@ -7,12 +7,12 @@ use chordal::control::EndReason;
 use chordal::diagnostics::{Diagnostic, FileId, line_ends};
 use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::motion::{LimitError, MotionOptions};
-use chordal::stock::{Amount, StockLeft, StockOptions, TileJob};
-use chordal::{Job, Machine, Report, RunOptions, Source, SourceMap, TextProgram, Watch};
+use chordal::stock::{StockLeft, StockOptions, TileJob, VolumeInterval};
+use chordal::{Job, Machine, Report, RunOptions, RunWatch, Source, SourceMap, TextProgram};
 use chordal_export::sha256_hex;
 
 use crate::columns::ARCHIVE_COLUMNS;
-use crate::row::{FileRecord, Problem, Ran, RanStock, Row};
+use crate::row::{ArchiveRow, ArchivedProblem, FileRecord, RanStock, RunTotals};
 
 /// Most problems of a program whose text is kept; all are counted.
 const MOST_PROBLEMS: usize = 20;
@@ -28,7 +28,7 @@ const MOVES_OF_A_LINE: u64 = 4;
 
 /// A file with everything that its run depends on.
 #[derive(Clone, Debug)]
-pub struct Prepared {
+pub struct PreparedFile {
     /// Names and texts: the program's, as a control reads it, then those of its subprograms.
     pub texts: Vec<(String, Vec<u8>)>,
     /// What it is run on.
@@ -42,7 +42,7 @@ pub struct Prepared {
 }
 
 /// Where files come from and what they are run on. Errors are a line for people.
-pub trait Loader {
+pub trait FileLoader {
     /// The name alone says that the file is no program, so that it is not even read.
     fn is_other_by_name(&self, path: &Path) -> bool;
 
@@ -59,7 +59,7 @@ pub trait Loader {
     ///
     /// # Errors
     /// A machine file or an assignment that is wrong.
-    fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<Prepared, String>;
+    fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<PreparedFile, String>;
 
     /// A file that the setup of a machine names: a mesh.
     ///
@@ -72,7 +72,7 @@ pub trait Loader {
 
 /// What is asked of every program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
+pub struct ArchiveOptions {
     /// Plans the motion, for times with acceleration and jerk.
     pub plan: bool,
     /// Cuts the stock of the setup of each program.
@@ -81,7 +81,7 @@ pub struct Options {
 
 /// What the rows of a file depend on, as a digest: version of Chordal and of the columns, options,
 /// machine, the file and the files of its subprograms.
-pub fn file_key(file_sha256: &str, prepared: &Prepared, options: Options) -> String {
+pub fn file_key(file_sha256: &str, prepared: &PreparedFile, options: ArchiveOptions) -> String {
     let budget = prepared.options.max_repeated_blocks;
     let mut about = format!(
         "{ARCHIVE_COLUMNS}\n{}\n{}\n{budget}\n{file_sha256}\n{}\n",
@@ -107,41 +107,41 @@ pub fn file_key(file_sha256: &str, prepared: &Prepared, options: Options) -> Str
 ///
 /// Nothing that a file holds ends this: what cannot be read or run is a row that says so.
 pub fn check_file(
-    loader: &mut impl Loader,
+    loader: &mut impl FileLoader,
     path: &Path,
-    options: Options,
+    options: ArchiveOptions,
     is_known: impl FnOnce(&str) -> bool,
 ) -> Option<FileRecord> {
     match gather(loader, path, options) {
-        Gathered::Program { key, about, prepared } => {
+        ClassifiedFile::Program { key, about, prepared } => {
             let is_new = !is_known(&key);
             is_new.then(|| FileRecord { rows: rows(&prepared, options), ..about.record(key) })
         }
-        Gathered::Other(record) => (!is_known(&record.key)).then_some(record),
+        ClassifiedFile::Other(record) => (!is_known(&record.key)).then_some(record),
     }
 }
 
 /// Size and digest of a file.
-struct About {
+struct FileDigest {
     bytes: u64,
     sha256: String,
 }
 
-impl About {
+impl FileDigest {
     fn record(self, key: String) -> FileRecord {
         FileRecord { key, file_bytes: self.bytes, file_sha256: Some(self.sha256), rows: Vec::new() }
     }
 }
 
 /// A file before anything is run.
-enum Gathered {
-    Program { key: String, about: About, prepared: Box<Prepared> },
+enum ClassifiedFile {
+    Program { key: String, about: FileDigest, prepared: Box<PreparedFile> },
     Other(FileRecord),
 }
 
-fn gather(loader: &mut impl Loader, path: &Path, options: Options) -> Gathered {
+fn gather(loader: &mut impl FileLoader, path: &Path, options: ArchiveOptions) -> ClassifiedFile {
     if loader.is_other_by_name(path) {
-        return Gathered::Other(other(
+        return ClassifiedFile::Other(other(
             None,
             "other",
             "skipped",
@@ -152,13 +152,13 @@ fn gather(loader: &mut impl Loader, path: &Path, options: Options) -> Gathered {
         Ok(bytes) => bytes,
         Err(message) => {
             let key = sha256_hex(format!("unreadable\n{message}").as_bytes());
-            return Gathered::Other(FileRecord::unreadable(key, message));
+            return ClassifiedFile::Other(FileRecord::unreadable(key, message));
         }
     };
-    let about = About { bytes: bytes.len() as u64, sha256: sha256_hex(&bytes) };
+    let about = FileDigest { bytes: bytes.len() as u64, sha256: sha256_hex(&bytes) };
     let sample = &bytes[..bytes.len().min(1 << 16)];
     if bytes.iter().all(|byte| byte.is_ascii_whitespace() || matches!(byte, 0 | b'%')) {
-        return Gathered::Other(other(
+        return ClassifiedFile::Other(other(
             Some(about),
             "empty",
             "failed",
@@ -167,11 +167,11 @@ fn gather(loader: &mut impl Loader, path: &Path, options: Options) -> Gathered {
     }
     if chordal::syntax::decode(sample).binary {
         let message = "the file holds binary data, not an NC program";
-        return Gathered::Other(other(Some(about), "binary", "failed", message));
+        return ClassifiedFile::Other(other(Some(about), "binary", "failed", message));
     }
     if !loader.may_be_program(sample) {
         let message = "no line of the file begins like a block";
-        return Gathered::Other(other(Some(about), "other", "skipped", message));
+        return ClassifiedFile::Other(other(Some(about), "other", "skipped", message));
     }
     let prepare = || {
         let mut prepared = loader.prepare(path, bytes)?;
@@ -183,12 +183,12 @@ fn gather(loader: &mut impl Loader, path: &Path, options: Options) -> Gathered {
         Ok(prepared)
     };
     match guarded(prepare) {
-        Ok(prepared) => Gathered::Program {
+        Ok(prepared) => ClassifiedFile::Program {
             key: file_key(&about.sha256, &prepared, options),
             about,
             prepared: Box::new(prepared),
         },
-        Err(message) => Gathered::Other(other(Some(about), "program", "failed", &message)),
+        Err(message) => ClassifiedFile::Other(other(Some(about), "program", "failed", &message)),
     }
 }
 
@@ -203,14 +203,14 @@ fn meshes(machine: &Machine) -> Vec<String> {
 }
 
 /// A file of which no program is run.
-fn other(about: Option<About>, kind: &str, status: &str, message: &str) -> FileRecord {
-    let about = about.unwrap_or(About { bytes: 0, sha256: String::new() });
+fn other(about: Option<FileDigest>, kind: &str, status: &str, message: &str) -> FileRecord {
+    let about = about.unwrap_or(FileDigest { bytes: 0, sha256: String::new() });
     let described = format!("{ARCHIVE_COLUMNS}\n{kind}\n{}\n{message}", about.sha256);
-    let row = Row {
+    let row = ArchiveRow {
         kind: kind.into(),
         status: status.into(),
         message: Some(message.into()),
-        ..Row::default()
+        ..ArchiveRow::default()
     };
     let mut record = about.record(sha256_hex(described.as_bytes()));
     record.file_sha256 = record.file_sha256.filter(|digest| !digest.is_empty());
@@ -219,7 +219,7 @@ fn other(about: Option<About>, kind: &str, status: &str, message: &str) -> FileR
 }
 
 /// A row for each program of a file.
-fn rows(prepared: &Prepared, options: Options) -> Vec<Row> {
+fn rows(prepared: &PreparedFile, options: ArchiveOptions) -> Vec<ArchiveRow> {
     let whole = TextProgram {
         head: chordal::syntax::find_programs(b"", &chordal::syntax::Lexicon::FANUC_STYLE)[0],
         is_main: true,
@@ -246,11 +246,16 @@ fn rows(prepared: &Prepared, options: Options) -> Vec<Row> {
 }
 
 /// The row of a program; without a place, of all that the file runs.
-fn one(prepared: &Prepared, program: &TextProgram, place: Option<usize>, options: Options) -> Row {
+fn one(
+    prepared: &PreparedFile,
+    program: &TextProgram,
+    place: Option<usize>,
+    options: ArchiveOptions,
+) -> ArchiveRow {
     if !program.is_main {
         let message = "run where it is called".to_string();
         let row = described(prepared, program, place.unwrap_or(0));
-        return Row {
+        return ArchiveRow {
             kind: "subprogram".into(),
             status: "called".into(),
             message: Some(message),
@@ -267,26 +272,31 @@ fn one(prepared: &Prepared, program: &TextProgram, place: Option<usize>, options
                 _ => "ok",
             };
             let row = described(prepared, program, place.unwrap_or(0));
-            Row { status: status.into(), message, ran: Some(ran), ..row }
+            ArchiveRow { status: status.into(), message, ran: Some(ran), ..row }
         }
         Err(message) => failed(prepared, program, place.unwrap_or(0), message),
     }
 }
 
-fn failed(prepared: &Prepared, program: &TextProgram, place: usize, message: String) -> Row {
+fn failed(
+    prepared: &PreparedFile,
+    program: &TextProgram,
+    place: usize,
+    message: String,
+) -> ArchiveRow {
     let row = described(prepared, program, place);
-    Row { status: "failed".into(), message: Some(message), ..row }
+    ArchiveRow { status: "failed".into(), message: Some(message), ..row }
 }
 
 /// What is known of a program without running it.
-fn described(prepared: &Prepared, program: &TextProgram, place: usize) -> Row {
+fn described(prepared: &PreparedFile, program: &TextProgram, place: usize) -> ArchiveRow {
     let text = &prepared.texts[0].1;
     let head = program.head;
     let start = head.start.offset as usize;
     // The program that stands for the whole file has an empty range.
     let end = if head.end == 0 { text.len() } else { head.end as usize };
     let own = text.get(start..end).unwrap_or_default();
-    Row {
+    ArchiveRow {
         kind: "program".into(),
         program: head.number,
         place: place as u32,
@@ -297,7 +307,7 @@ fn described(prepared: &Prepared, program: &TextProgram, place: usize) -> Row {
         control: Some(prepared.machine.control.as_str().into()),
         machine: Some(prepared.machine.name.clone()),
         chosen: Some(prepared.chosen.clone()),
-        ..Row::default()
+        ..ArchiveRow::default()
     }
 }
 
@@ -316,7 +326,7 @@ pub(crate) fn guarded<T>(question: impl FnOnce() -> Result<T, String>) -> Result
     })
 }
 
-pub(crate) fn job(prepared: &Prepared) -> Result<Job<'_>, String> {
+pub(crate) fn job(prepared: &PreparedFile) -> Result<Job<'_>, String> {
     let mut sources = SourceMap::new();
     for (name, text) in &prepared.texts {
         sources.add(Source::new(name.as_str(), text.as_slice()));
@@ -326,16 +336,16 @@ pub(crate) fn job(prepared: &Prepared) -> Result<Job<'_>, String> {
 }
 
 /// Sees nothing of a run.
-struct Unwatched;
+struct NoStockProgress;
 
-impl Watch for Unwatched {}
+impl RunWatch for NoStockProgress {}
 
 /// What a run comes to, and why it was not planned, where it should have been.
 fn run(
-    prepared: &Prepared,
+    prepared: &PreparedFile,
     place: Option<usize>,
-    options: Options,
-) -> Result<(Ran, Option<String>), String> {
+    options: ArchiveOptions,
+) -> Result<(RunTotals, Option<String>), String> {
     let mut job = job(prepared)?;
     if let Some(place) = place {
         job = job.program_at(place);
@@ -350,7 +360,7 @@ fn run(
             let counts = found.report().counts;
             (ran.codes, ran.problems) = problems(&job, found.report());
             ran.counts = [counts.errors, counts.warnings, counts.notes];
-            let bounds = |amount: Amount| [amount.least, amount.most];
+            let bounds = |amount: VolumeInterval| [amount.least, amount.most];
             let [removed, left] = found.volumes_mm3();
             ran.stock = Some(RanStock {
                 verdict: found.verdict().as_str().into(),
@@ -366,7 +376,7 @@ fn run(
 }
 
 /// What a program leaves of the stock of its setup.
-fn cut(job: &Job<'_>, prepared: &Prepared) -> Result<StockLeft, String> {
+fn cut(job: &Job<'_>, prepared: &PreparedFile) -> Result<StockLeft, String> {
     let files = |name: &str| {
         let own = prepared.meshes.iter().find(|(known, _)| known == name);
         own.map_or_else(|| Err(format!("there is no file {name}")), |(_, mesh)| mesh.clone())
@@ -378,10 +388,10 @@ fn cut(job: &Job<'_>, prepared: &Prepared) -> Result<StockLeft, String> {
 
 fn run_job(
     job: &Job<'_>,
-    prepared: &Prepared,
-    options: Options,
-) -> Result<(Ran, Option<String>), String> {
-    let ((report, timed), _) = run_planned(job, prepared, options.plan, || Unwatched);
+    prepared: &PreparedFile,
+    options: ArchiveOptions,
+) -> Result<(RunTotals, Option<String>), String> {
+    let ((report, timed), _) = run_planned(job, prepared, options.plan, || NoStockProgress);
     Ok(match timed {
         Ok(planned) => (ran(job, &report, planned), None),
         Err(error) => (ran(job, &report, None), Some(format!("no time: {error}"))),
@@ -390,16 +400,16 @@ fn run_job(
 
 /// A run and its cutting, rapid and other time, s, or why it has none. Without a time are a program
 /// whose budget was used up and one that is not to be planned.
-pub(crate) type Planned = (Report, Result<Option<[f64; 3]>, LimitError>);
+pub(crate) type PlannedRun = (Report, Result<Option<[f64; 3]>, LimitError>);
 
 /// Runs a job and plans its motion if that is asked. What saw the run that counts comes with it: a
 /// program of very many moves is run once more when it is known to end.
-pub(crate) fn run_planned<W: Watch>(
+pub(crate) fn run_planned<W: RunWatch>(
     job: &Job<'_>,
-    prepared: &Prepared,
+    prepared: &PreparedFile,
     plan: bool,
     watch: impl Fn() -> W,
-) -> (Planned, W) {
+) -> (PlannedRun, W) {
     let mut seen = watch();
     if !plan {
         return ((job.report_watched(&mut seen), Ok(None)), seen);
@@ -420,7 +430,7 @@ pub(crate) fn run_planned<W: Watch>(
     ((report, parts), seen)
 }
 
-fn ran(job: &Job<'_>, report: &Report, planned: Option<[f64; 3]>) -> Ran {
+fn ran(job: &Job<'_>, report: &Report, planned: Option<[f64; 3]>) -> RunTotals {
     let summary = &report.summary;
     let mut travel = [None; AXES];
     for axis in &summary.axes {
@@ -432,7 +442,7 @@ fn ran(job: &Job<'_>, report: &Report, planned: Option<[f64; 3]>) -> Ran {
     }
     let counts = report.counts;
     let (codes, problems) = problems(job, report);
-    Ran {
+    RunTotals {
         end: end_word(report).into(),
         inch: summary.inch,
         blocks: report.outcomes.iter().map(|outcome| outcome.blocks).sum(),
@@ -466,7 +476,7 @@ fn end_word(report: &Report) -> &'static str {
 }
 
 /// The codes and the first problems, gravest first and then by place.
-fn problems(job: &Job<'_>, report: &Report) -> (Vec<String>, Vec<Problem>) {
+fn problems(job: &Job<'_>, report: &Report) -> (Vec<String>, Vec<ArchivedProblem>) {
     let mut by_weight: Vec<&Diagnostic> = report.diagnostics.iter().collect();
     by_weight.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.severity));
     let mut codes: Vec<String> = Vec::new();
@@ -481,8 +491,8 @@ fn problems(job: &Job<'_>, report: &Report) -> (Vec<String>, Vec<Problem>) {
 }
 
 /// A diagnostic as a row has it.
-pub(crate) fn problem(job: &Job<'_>, diagnostic: &Diagnostic) -> Problem {
-    Problem {
+pub(crate) fn problem(job: &Job<'_>, diagnostic: &Diagnostic) -> ArchivedProblem {
+    ArchivedProblem {
         severity: diagnostic.severity.word().into(),
         code: diagnostic.code.info().id.into(),
         line: line_of(job, diagnostic),

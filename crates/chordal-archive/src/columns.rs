@@ -10,16 +10,16 @@ use arrow_array::builder::{
 };
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{ArrowError, DataType, Field, Fields, Schema, SchemaRef};
-use chordal_export::columns::Rows;
+use chordal_export::columns::RowBatcher;
 
-use crate::row::{FileRecord, Ran, Row};
+use crate::row::{ArchiveRow, FileRecord, RunTotals};
 
 /// Name and version of the columns.
 pub const ARCHIVE_COLUMNS: &str = "chordal.archive-columns/1";
 
 /// What a column holds. Every one may have gaps but `Always`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Holds {
+enum ColumnType {
     TextAlways,
     Text,
     CountAlways,
@@ -31,8 +31,8 @@ enum Holds {
     Problems,
 }
 
-const COLUMNS: &[(&str, Holds, &str, &str)] = {
-    use Holds::*;
+const COLUMNS: &[(&str, ColumnType, &str, &str)] = {
+    use ColumnType::*;
     &[
         ("path", TextAlways, "", "the file, with the name of the folder that was given"),
         (
@@ -122,42 +122,42 @@ fn problem_fields() -> Fields {
     ])
 }
 
-impl Holds {
+impl ColumnType {
     fn data_type(self) -> DataType {
         let list = |item| DataType::List(Arc::new(Field::new("item", item, true)));
         match self {
-            Holds::TextAlways | Holds::Text => DataType::Utf8,
-            Holds::CountAlways | Holds::Count => DataType::UInt64,
-            Holds::Number => DataType::Float64,
-            Holds::Flag => DataType::Boolean,
-            Holds::Numbers => list(DataType::UInt32),
-            Holds::Words => list(DataType::Utf8),
-            Holds::Problems => list(DataType::Struct(problem_fields())),
+            ColumnType::TextAlways | ColumnType::Text => DataType::Utf8,
+            ColumnType::CountAlways | ColumnType::Count => DataType::UInt64,
+            ColumnType::Number => DataType::Float64,
+            ColumnType::Flag => DataType::Boolean,
+            ColumnType::Numbers => list(DataType::UInt32),
+            ColumnType::Words => list(DataType::Utf8),
+            ColumnType::Problems => list(DataType::Struct(problem_fields())),
         }
     }
 
     fn has_gaps(self) -> bool {
-        !matches!(self, Holds::TextAlways | Holds::CountAlways)
+        !matches!(self, ColumnType::TextAlways | ColumnType::CountAlways)
     }
 
     fn word(self) -> &'static str {
         match self {
-            Holds::TextAlways => "utf8",
-            Holds::Text => "utf8, or a gap",
-            Holds::CountAlways => "uint64",
-            Holds::Count => "uint64, or a gap",
-            Holds::Number => "float64, or a gap",
-            Holds::Flag => "bool, or a gap",
-            Holds::Numbers => "list of uint32, or a gap",
-            Holds::Words => "list of utf8, or a gap",
-            Holds::Problems => "list of {severity, code, line, message}, or a gap",
+            ColumnType::TextAlways => "utf8",
+            ColumnType::Text => "utf8, or a gap",
+            ColumnType::CountAlways => "uint64",
+            ColumnType::Count => "uint64, or a gap",
+            ColumnType::Number => "float64, or a gap",
+            ColumnType::Flag => "bool, or a gap",
+            ColumnType::Numbers => "list of uint32, or a gap",
+            ColumnType::Words => "list of utf8, or a gap",
+            ColumnType::Problems => "list of {severity, code, line, message}, or a gap",
         }
     }
 }
 
 /// The columns, with their units.
 fn schema() -> SchemaRef {
-    let field = |(name, holds, unit, _): &(&str, Holds, &str, &str)| {
+    let field = |(name, holds, unit, _): &(&str, ColumnType, &str, &str)| {
         let field = Field::new(*name, holds.data_type(), holds.has_gaps());
         match *unit {
             "" => field,
@@ -185,7 +185,7 @@ pub fn archive_reference() -> String {
 }
 
 /// Texts of which the columns are known to hold the type.
-enum Cells {
+enum ColumnBuffer {
     Text(StringBuilder),
     Count(UInt64Builder),
     Number(Float64Builder),
@@ -195,31 +195,33 @@ enum Cells {
     Problems(Box<ListBuilder<StructBuilder>>),
 }
 
-impl Cells {
-    fn of(holds: Holds) -> Cells {
+impl ColumnBuffer {
+    fn of(holds: ColumnType) -> ColumnBuffer {
         match holds {
-            Holds::TextAlways | Holds::Text => Cells::Text(StringBuilder::new()),
-            Holds::CountAlways | Holds::Count => Cells::Count(UInt64Builder::new()),
-            Holds::Number => Cells::Number(Float64Builder::new()),
-            Holds::Flag => Cells::Flag(BooleanBuilder::new()),
-            Holds::Numbers => Cells::Numbers(ListBuilder::new(UInt32Builder::new())),
-            Holds::Words => Cells::Words(ListBuilder::new(StringBuilder::new())),
-            Holds::Problems => {
+            ColumnType::TextAlways | ColumnType::Text => ColumnBuffer::Text(StringBuilder::new()),
+            ColumnType::CountAlways | ColumnType::Count => {
+                ColumnBuffer::Count(UInt64Builder::new())
+            }
+            ColumnType::Number => ColumnBuffer::Number(Float64Builder::new()),
+            ColumnType::Flag => ColumnBuffer::Flag(BooleanBuilder::new()),
+            ColumnType::Numbers => ColumnBuffer::Numbers(ListBuilder::new(UInt32Builder::new())),
+            ColumnType::Words => ColumnBuffer::Words(ListBuilder::new(StringBuilder::new())),
+            ColumnType::Problems => {
                 let item = StructBuilder::from_fields(problem_fields(), 0);
-                Cells::Problems(Box::new(ListBuilder::new(item)))
+                ColumnBuffer::Problems(Box::new(ListBuilder::new(item)))
             }
         }
     }
 
     fn finish(&mut self) -> ArrayRef {
         match self {
-            Cells::Text(cells) => Arc::new(cells.finish()),
-            Cells::Count(cells) => Arc::new(cells.finish()),
-            Cells::Number(cells) => Arc::new(cells.finish()),
-            Cells::Flag(cells) => Arc::new(cells.finish()),
-            Cells::Numbers(cells) => Arc::new(cells.finish()),
-            Cells::Words(cells) => Arc::new(cells.finish()),
-            Cells::Problems(cells) => Arc::new(cells.finish()),
+            ColumnBuffer::Text(cells) => Arc::new(cells.finish()),
+            ColumnBuffer::Count(cells) => Arc::new(cells.finish()),
+            ColumnBuffer::Number(cells) => Arc::new(cells.finish()),
+            ColumnBuffer::Flag(cells) => Arc::new(cells.finish()),
+            ColumnBuffer::Numbers(cells) => Arc::new(cells.finish()),
+            ColumnBuffer::Words(cells) => Arc::new(cells.finish()),
+            ColumnBuffer::Problems(cells) => Arc::new(cells.finish()),
         }
     }
 }
@@ -227,28 +229,28 @@ impl Cells {
 /// Gathers rows.
 pub(crate) struct ArchiveColumns {
     schema: SchemaRef,
-    cells: Vec<Cells>,
+    cells: Vec<ColumnBuffer>,
     rows: usize,
 }
 
 /// What a row says in a column.
-enum Said<'a> {
+enum RowValue<'a> {
     Text(Option<&'a str>),
     Count(Option<u64>),
     Number(Option<f64>),
     Flag(Option<bool>),
     Tools(Option<&'a [u32]>),
     Codes(Option<&'a [String]>),
-    Problems(Option<&'a Ran>),
+    Problems(Option<&'a RunTotals>),
 }
 
 impl ArchiveColumns {
     pub fn new() -> ArchiveColumns {
-        let cells = COLUMNS.iter().map(|(_, holds, ..)| Cells::of(*holds)).collect();
+        let cells = COLUMNS.iter().map(|(_, holds, ..)| ColumnBuffer::of(*holds)).collect();
         ArchiveColumns { schema: schema(), cells, rows: 0 }
     }
 
-    pub fn push(&mut self, path: &str, file: &FileRecord, row: &Row) {
+    pub fn push(&mut self, path: &str, file: &FileRecord, row: &ArchiveRow) {
         for ((name, ..), cells) in COLUMNS.iter().zip(&mut self.cells) {
             put(cells, said(name, path, file, row));
         }
@@ -256,7 +258,7 @@ impl ArchiveColumns {
     }
 }
 
-impl Rows for ArchiveColumns {
+impl RowBatcher for ArchiveColumns {
     fn rows(&self) -> usize {
         self.rows
     }
@@ -267,39 +269,44 @@ impl Rows for ArchiveColumns {
 
     fn take(&mut self) -> Result<RecordBatch, ArrowError> {
         self.rows = 0;
-        let cells = self.cells.iter_mut().map(Cells::finish).collect();
+        let cells = self.cells.iter_mut().map(ColumnBuffer::finish).collect();
         RecordBatch::try_new(self.schema.clone(), cells)
     }
 }
 
-fn said<'a>(column: &str, path: &'a str, file: &'a FileRecord, row: &'a Row) -> Said<'a> {
+fn said<'a>(
+    column: &str,
+    path: &'a str,
+    file: &'a FileRecord,
+    row: &'a ArchiveRow,
+) -> RowValue<'a> {
     let ran = row.ran.as_ref();
     let stock = ran.and_then(|ran| ran.stock.as_ref());
-    let count = |of: fn(&Ran) -> u64| Said::Count(ran.map(of));
-    let number = |of: &dyn Fn(&Ran) -> Option<f64>| Said::Number(ran.and_then(of));
-    let text = |text: &'a Option<String>| Said::Text(text.as_deref());
+    let count = |of: fn(&RunTotals) -> u64| RowValue::Count(ran.map(of));
+    let number = |of: &dyn Fn(&RunTotals) -> Option<f64>| RowValue::Number(ran.and_then(of));
+    let text = |text: &'a Option<String>| RowValue::Text(text.as_deref());
     match column {
-        "path" => Said::Text(Some(path)),
-        "kind" => Said::Text(Some(&row.kind)),
-        "status" => Said::Text(Some(&row.status)),
+        "path" => RowValue::Text(Some(path)),
+        "kind" => RowValue::Text(Some(&row.kind)),
+        "status" => RowValue::Text(Some(&row.status)),
         "message" => text(&row.message),
-        "program" => Said::Count(row.program.map(u64::from)),
-        "place" => Said::Count(Some(row.place.into())),
-        "line" => Said::Count(Some(row.line.into())),
-        "lines" => Said::Count(Some(row.lines)),
-        "bytes" => Said::Count(Some(row.bytes)),
+        "program" => RowValue::Count(row.program.map(u64::from)),
+        "place" => RowValue::Count(Some(row.place.into())),
+        "line" => RowValue::Count(Some(row.line.into())),
+        "lines" => RowValue::Count(Some(row.lines)),
+        "bytes" => RowValue::Count(Some(row.bytes)),
         "sha256" => text(&row.sha256),
-        "file_bytes" => Said::Count(Some(file.file_bytes)),
+        "file_bytes" => RowValue::Count(Some(file.file_bytes)),
         "file_sha256" => text(&file.file_sha256),
         "control" => text(&row.control),
         "machine" => text(&row.machine),
         "chosen" => text(&row.chosen),
-        "end" => Said::Text(ran.map(|ran| ran.end.as_str())),
-        "inch" => Said::Flag(ran.map(|ran| ran.inch)),
+        "end" => RowValue::Text(ran.map(|ran| ran.end.as_str())),
+        "inch" => RowValue::Flag(ran.map(|ran| ran.inch)),
         "blocks" => count(|ran| ran.blocks),
         "cuts" => count(|ran| ran.cuts),
         "rapids" => count(|ran| ran.rapids),
-        "tools" => Said::Tools(ran.map(|ran| ran.tools.as_slice())),
+        "tools" => RowValue::Tools(ran.map(|ran| ran.tools.as_slice())),
         "cut_length_mm" => number(&|ran| Some(ran.cut_length_mm)),
         "rapid_length_mm" => number(&|ran| Some(ran.rapid_length_mm)),
         "at_feed_s" => number(&|ran| Some(ran.at_feed_s)),
@@ -307,18 +314,18 @@ fn said<'a>(column: &str, path: &'a str, file: &'a FileRecord, row: &'a Row) -> 
         "cutting_s" => number(&|ran| ran.planned.map(|times| times[0])),
         "rapid_s" => number(&|ran| ran.planned.map(|times| times[1])),
         "other_s" => number(&|ran| ran.planned.map(|times| times[2])),
-        "stock_verdict" => Said::Text(stock.map(|stock| stock.verdict.as_str())),
-        "stock_problems" => Said::Count(stock.map(|stock| stock.problems)),
-        "removed_least_mm3" => Said::Number(stock.map(|stock| stock.removed_mm3[0])),
-        "removed_most_mm3" => Said::Number(stock.map(|stock| stock.removed_mm3[1])),
-        "left_least_mm3" => Said::Number(stock.map(|stock| stock.left_mm3[0])),
-        "left_most_mm3" => Said::Number(stock.map(|stock| stock.left_mm3[1])),
-        "columns_mm" => Said::Number(stock.and_then(|stock| stock.resolution_mm)),
+        "stock_verdict" => RowValue::Text(stock.map(|stock| stock.verdict.as_str())),
+        "stock_problems" => RowValue::Count(stock.map(|stock| stock.problems)),
+        "removed_least_mm3" => RowValue::Number(stock.map(|stock| stock.removed_mm3[0])),
+        "removed_most_mm3" => RowValue::Number(stock.map(|stock| stock.removed_mm3[1])),
+        "left_least_mm3" => RowValue::Number(stock.map(|stock| stock.left_mm3[0])),
+        "left_most_mm3" => RowValue::Number(stock.map(|stock| stock.left_mm3[1])),
+        "columns_mm" => RowValue::Number(stock.and_then(|stock| stock.resolution_mm)),
         "errors" => count(|ran| ran.counts[0]),
         "warnings" => count(|ran| ran.counts[1]),
         "notes" => count(|ran| ran.counts[2]),
-        "codes" => Said::Codes(ran.map(|ran| ran.codes.as_slice())),
-        "problems" => Said::Problems(ran),
+        "codes" => RowValue::Codes(ran.map(|ran| ran.codes.as_slice())),
+        "problems" => RowValue::Problems(ran),
         // `x_min_mm` and the like.
         travel => {
             let axis = travel.chars().next().and_then(|letter| "xyzabc".find(letter)).unwrap_or(0);
@@ -328,28 +335,28 @@ fn said<'a>(column: &str, path: &'a str, file: &'a FileRecord, row: &'a Row) -> 
     }
 }
 
-fn put(cells: &mut Cells, said: Said) {
+fn put(cells: &mut ColumnBuffer, said: RowValue) {
     match (cells, said) {
-        (Cells::Text(cells), Said::Text(text)) => cells.append_option(text),
-        (Cells::Count(cells), Said::Count(count)) => cells.append_option(count),
-        (Cells::Number(cells), Said::Number(number)) => {
+        (ColumnBuffer::Text(cells), RowValue::Text(text)) => cells.append_option(text),
+        (ColumnBuffer::Count(cells), RowValue::Count(count)) => cells.append_option(count),
+        (ColumnBuffer::Number(cells), RowValue::Number(number)) => {
             cells.append_option(number.filter(|number| number.is_finite()));
         }
-        (Cells::Flag(cells), Said::Flag(flag)) => cells.append_option(flag),
-        (Cells::Numbers(cells), Said::Tools(tools)) => {
+        (ColumnBuffer::Flag(cells), RowValue::Flag(flag)) => cells.append_option(flag),
+        (ColumnBuffer::Numbers(cells), RowValue::Tools(tools)) => {
             let tools = tools.map(|tools| tools.iter().copied().map(Some));
             cells.append_option(tools);
         }
-        (Cells::Words(cells), Said::Codes(codes)) => {
+        (ColumnBuffer::Words(cells), RowValue::Codes(codes)) => {
             cells.append_option(codes.map(|codes| codes.iter().map(Some)));
         }
-        (Cells::Problems(cells), Said::Problems(ran)) => put_problems(cells, ran),
+        (ColumnBuffer::Problems(cells), RowValue::Problems(ran)) => put_problems(cells, ran),
         // The tests fill every column: a column and what is said in it are of one kind.
         _ => unreachable!("a column holds what the table of columns says"),
     }
 }
 
-fn put_problems(cells: &mut ListBuilder<StructBuilder>, ran: Option<&Ran>) {
+fn put_problems(cells: &mut ListBuilder<StructBuilder>, ran: Option<&RunTotals>) {
     for problem in ran.iter().flat_map(|ran| &ran.problems) {
         let row = cells.values();
         let texts = [(0, &problem.severity), (1, &problem.code), (3, &problem.message)];

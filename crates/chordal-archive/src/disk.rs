@@ -4,15 +4,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use chordal::control::Control;
-use chordal_load::{Chosen, Input, LoadError, Request, Text, has_other_ending, looks_like_program};
+use chordal_load::{
+    LoadError, MachineReason, ProgramInput, ProgramText, Request, has_other_ending,
+    looks_like_program,
+};
 
-use crate::check::{Loader, Prepared};
+use crate::check::{FileLoader, PreparedFile};
 
 /// Files are read into memory, not mapped: one that is shortened meanwhile must not end the run.
 const LARGEST: u64 = u32::MAX as u64;
 
 /// The files of a disk, each loaded with its own machine and subprograms.
-pub struct Disk {
+pub struct DiskFiles {
     loader: chordal_load::Loader,
     /// The folders of the archive: `chordal.toml` counts up to there.
     roots: Vec<PathBuf>,
@@ -20,21 +23,21 @@ pub struct Disk {
     renamed: Option<(String, String)>,
 }
 
-impl Disk {
+impl DiskFiles {
     /// A loader of files in folders. Nobody is asked about codes of a shop's own.
     ///
     /// # Errors
     /// A machine that cannot be used.
-    pub fn new(request: Request, roots: &[PathBuf]) -> Result<Disk, LoadError> {
+    pub fn new(request: Request, roots: &[PathBuf]) -> Result<DiskFiles, LoadError> {
         let loader = chordal_load::Loader::new(Request { shop_codes: None, ..request })?;
-        Ok(Disk { loader, roots: roots.to_vec(), renamed: None })
+        Ok(DiskFiles { loader, roots: roots.to_vec(), renamed: None })
     }
 
     /// The same, and paths that begin in one way are reported as if they began in another: files that
     /// were brought from elsewhere are named by where they come from.
-    pub fn renamed(self, from: String, to: String) -> Disk {
+    pub fn renamed(self, from: String, to: String) -> DiskFiles {
         let renamed = (!from.is_empty()).then_some((from, to));
-        Disk { renamed, ..self }
+        DiskFiles { renamed, ..self }
     }
 
     fn told(&self, text: String) -> String {
@@ -45,19 +48,19 @@ impl Disk {
     }
 
     /// The same for another worker.
-    pub fn again(&self) -> Disk {
+    pub fn again(&self) -> DiskFiles {
         let (roots, renamed) = (self.roots.clone(), self.renamed.clone());
-        Disk { loader: self.loader.again(), roots, renamed }
+        DiskFiles { loader: self.loader.again(), roots, renamed }
     }
 
-    fn input(&self, path: &Path) -> Input {
+    fn input(&self, path: &Path) -> ProgramInput {
         let above = self.roots.iter().filter(|root| root.is_dir() && path.starts_with(root));
         let root = above.max_by_key(|root| root.as_os_str().len()).cloned();
-        Input { path: Some(path.to_path_buf()), root }
+        ProgramInput { path: Some(path.to_path_buf()), root }
     }
 }
 
-impl Loader for Disk {
+impl FileLoader for DiskFiles {
     fn is_other_by_name(&self, path: &Path) -> bool {
         has_other_ending(path)
     }
@@ -80,22 +83,22 @@ impl Loader for Disk {
         looks_like_program(bytes)
     }
 
-    fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<Prepared, String> {
+    fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<PreparedFile, String> {
         let input = self.input(path);
-        let text = Text::of(&input.name(), bytes).map_err(|failure| failure.to_string())?;
+        let text = ProgramText::of(&input.name(), bytes).map_err(|failure| failure.to_string())?;
         let loaded = self.loader.load_text(text, &input);
         let loaded = loaded.map_err(|failure| self.told(told(&failure)))?;
         let (control, _) = Control::of(loaded.machine());
         let chosen = match &loaded.chosen {
-            Chosen::Given => "given".into(),
-            Chosen::Folder(file) => self.told(file.to_string_lossy().into_owned()),
+            MachineReason::Given => "given".into(),
+            MachineReason::Folder(file) => self.told(file.to_string_lossy().into_owned()),
             other => other.why(control.table.title).unwrap_or_default(),
         };
         let (mut texts, machine, options) = loaded.into_parts();
         for (name, _) in &mut texts {
             *name = self.told(std::mem::take(name));
         }
-        Ok(Prepared { texts, machine, chosen, options, meshes: Vec::new() })
+        Ok(PreparedFile { texts, machine, chosen, options, meshes: Vec::new() })
     }
 
     fn named_file(&mut self, name: &str) -> Result<Vec<u8>, String> {

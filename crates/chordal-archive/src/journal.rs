@@ -19,7 +19,7 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use chordal_export::columns::{ColumnFile, ColumnFormat};
-use chordal_files::Draft;
+use chordal_files::FileDraft;
 
 use crate::columns::ArchiveColumns;
 use crate::error::ArchiveError;
@@ -33,7 +33,7 @@ const SYNCED_EVERY: Duration = Duration::from_secs(5);
 
 /// Where a record stands.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct RecordLocation {
     shard: u32,
     offset: u64,
     /// What the record was made of, shortened: enough to see that it is another's.
@@ -42,12 +42,12 @@ struct Place {
 
 /// The journal of one table.
 #[derive(Debug)]
-pub struct Journal {
+pub struct TableJournal {
     out: PathBuf,
     folder: PathBuf,
     /// Files of the archive in their order, as the table names them.
     names: Vec<String>,
-    places: Mutex<Vec<Option<Place>>>,
+    places: Mutex<Vec<Option<RecordLocation>>>,
     next_shard: Mutex<u32>,
     /// The shards that this run knows, open to be read: another run may take their names away.
     readers: Mutex<HashMap<u32, File>>,
@@ -55,7 +55,7 @@ pub struct Journal {
 
 /// A shard that a worker writes.
 #[derive(Debug)]
-pub struct Shard {
+pub struct JournalShard {
     file: File,
     path: PathBuf,
     number: u32,
@@ -63,7 +63,7 @@ pub struct Shard {
     synced: Instant,
 }
 
-impl Shard {
+impl JournalShard {
     /// Adds a record and says where it stands.
     fn append(&mut self, bytes: &[u8]) -> io::Result<u64> {
         let place = self.offset;
@@ -93,7 +93,7 @@ pub fn record_of(name: &str, record: &FileRecord) -> Vec<u8> {
     bytes
 }
 
-impl Journal {
+impl TableJournal {
     /// The folder next to a table that holds its journal.
     pub fn folder_of(out: &Path) -> PathBuf {
         let mut name = out.file_name().map_or_else(OsString::new, OsString::from);
@@ -106,8 +106,8 @@ impl Journal {
     ///
     /// # Errors
     /// A folder that cannot be made or read.
-    pub fn open(out: &Path, names: Vec<String>) -> Result<Journal, ArchiveError> {
-        let folder = Journal::folder_of(out);
+    pub fn open(out: &Path, names: Vec<String>) -> Result<TableJournal, ArchiveError> {
+        let folder = TableJournal::folder_of(out);
         fs::create_dir_all(&folder).map_err(ArchiveError::write(&folder))?;
         let mut shards = shards(&folder).map_err(ArchiveError::write(&folder))?;
         shards.sort_unstable();
@@ -121,13 +121,14 @@ impl Journal {
             let Ok(file) = File::open(shard_path(&folder, shard)) else { continue };
             let _ = each_record(&file, |offset, name, record| {
                 if let Some(index) = order.get(name) {
-                    places[*index] = Some(Place { shard, offset, key: short(&record.key) });
+                    places[*index] =
+                        Some(RecordLocation { shard, offset, key: short(&record.key) });
                 }
             });
             readers.insert(shard, file);
         }
         drop(order);
-        Ok(Journal {
+        Ok(TableJournal {
             out: out.to_path_buf(),
             folder,
             names,
@@ -162,7 +163,7 @@ impl Journal {
     ///
     /// # Errors
     /// A file that cannot be made.
-    pub fn shard(&self) -> Result<Shard, ArchiveError> {
+    pub fn shard(&self) -> Result<JournalShard, ArchiveError> {
         let mut next = self.next_shard.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         loop {
             let number = *next;
@@ -173,7 +174,13 @@ impl Journal {
                 Ok(file) => {
                     let reader = File::open(&path).map_err(ArchiveError::write(&path))?;
                     self.readers().insert(number, reader);
-                    return Ok(Shard { file, path, number, offset: 0, synced: Instant::now() });
+                    return Ok(JournalShard {
+                        file,
+                        path,
+                        number,
+                        offset: 0,
+                        synced: Instant::now(),
+                    });
                 }
                 // A run of the same table at the same time has this number, or has just taken the folder away.
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
@@ -190,7 +197,12 @@ impl Journal {
     ///
     /// # Errors
     /// A full or broken disk, and a record that is none.
-    pub fn put(&self, shard: &mut Shard, index: usize, bytes: &[u8]) -> Result<(), ArchiveError> {
+    pub fn put(
+        &self,
+        shard: &mut JournalShard,
+        index: usize,
+        bytes: &[u8],
+    ) -> Result<(), ArchiveError> {
         let Some(name) = self.names.get(index) else {
             return Err(self.missing(index));
         };
@@ -199,7 +211,7 @@ impl Journal {
             _ => return Err(self.missing(index)),
         };
         let offset = shard.append(bytes).map_err(ArchiveError::write(&shard.path))?;
-        self.places()[index] = Some(Place { shard: shard.number, offset, key });
+        self.places()[index] = Some(RecordLocation { shard: shard.number, offset, key });
         Ok(())
     }
 
@@ -227,7 +239,7 @@ impl Journal {
 
     fn write_table(&self, mut see: impl FnMut(&str, &FileRecord)) -> Result<(), ArchiveError> {
         let failed = ArchiveError::write(&self.out);
-        let draft = Draft::open(&self.out).map_err(&failed)?;
+        let draft = FileDraft::open(&self.out).map_err(&failed)?;
         let columns = ArchiveColumns::new();
         let table = ColumnFile::new(draft, ColumnFormat::Parquet, columns);
         let mut table = table.map_err(&failed)?;
@@ -259,7 +271,7 @@ impl Journal {
     fn read(
         &self,
         readers: &mut HashMap<u32, File>,
-        place: Place,
+        place: RecordLocation,
     ) -> io::Result<Option<(String, FileRecord)>> {
         let Some(file) = readers.get_mut(&place.shard) else { return Ok(None) };
         file.seek(SeekFrom::Start(place.offset))?;
@@ -274,7 +286,7 @@ impl Journal {
         Ok(whole(&bytes))
     }
 
-    fn places(&self) -> std::sync::MutexGuard<'_, Vec<Option<Place>>> {
+    fn places(&self) -> std::sync::MutexGuard<'_, Vec<Option<RecordLocation>>> {
         self.places.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 

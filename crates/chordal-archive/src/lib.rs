@@ -1,9 +1,9 @@
 //! Whole archives: every program of a folder tree checked into one table, and two archives compared.
 //!
-//! The unit of work is a file: [`check_file`] makes its rows of its bytes and what a [`Loader`]
-//! says about it ([`Disk`] for files), and of nothing else, so that the rows are the same wherever
-//! and in whatever order the files are done. What is done stands in a [`Journal`];
-//! [`Journal::finish`] brings all of it into one Parquet file in the order of paths. [`check_all`]
+//! The unit of work is a file: [`check_file`] makes its rows of its bytes and what a [`FileLoader`]
+//! says about it ([`DiskFiles`] for files), and of nothing else, so that the rows are the same wherever
+//! and in whatever order the files are done. What is done stands in a [`TableJournal`];
+//! [`TableJournal::finish`] brings all of it into one Parquet file in the order of paths. [`check_all`]
 //! does the rest with the threads of one machine; who has several machines hands files to
 //! [`check_file`] and records to the journal.
 //!
@@ -11,12 +11,12 @@
 //! use std::path::Path;
 //!
 //! use chordal::Machine;
-//! use chordal_archive::{Loader, Options, Prepared, check_file};
+//! use chordal_archive::{FileLoader, ArchiveOptions, PreparedFile, check_file};
 //!
 //! /// Every file is the same program.
 //! struct Memory;
 //!
-//! impl Loader for Memory {
+//! impl FileLoader for Memory {
 //!     fn is_other_by_name(&self, _: &Path) -> bool {
 //!         false
 //!     }
@@ -26,8 +26,8 @@
 //!     fn may_be_program(&self, _: &[u8]) -> bool {
 //!         true
 //!     }
-//!     fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<Prepared, String> {
-//!         Ok(Prepared {
+//!     fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<PreparedFile, String> {
+//!         Ok(PreparedFile {
 //!             texts: vec![(path.display().to_string(), bytes)],
 //!             machine: Machine::from_builtin("haas-vf2").map_err(|_| "no machine")?,
 //!             chosen: "haas-vf2".into(),
@@ -37,7 +37,7 @@
 //!     }
 //! }
 //!
-//! let record = check_file(&mut Memory, Path::new("part.nc"), Options { plan: true, stock: false }, |_| false);
+//! let record = check_file(&mut Memory, Path::new("part.nc"), ArchiveOptions { plan: true, stock: false }, |_| false);
 //! assert_eq!(record.unwrap().rows.len(), 1);
 //! ```
 
@@ -58,11 +58,11 @@ mod row;
 mod run;
 mod walk;
 
-pub use check::{Loader, Options, Prepared, check_file, file_key};
+pub use check::{ArchiveOptions, FileLoader, PreparedFile, check_file, file_key};
 pub use columns::{ARCHIVE_COLUMNS, archive_reference};
-pub use disk::Disk;
+pub use disk::DiskFiles;
 pub use error::ArchiveError;
-pub use journal::{Journal, Shard, record_of};
-pub use row::{FileRecord, Problem, Row};
-pub use run::{Done, Progress, check_all};
-pub use walk::{Entry, walk};
+pub use journal::{JournalShard, TableJournal, record_of};
+pub use row::{ArchiveRow, ArchivedProblem, FileRecord};
+pub use run::{ArchiveProgress, ArchiveTotals, check_all};
+pub use walk::{ArchiveEntry, walk};

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// A problem of a program.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Problem {
+pub struct ArchivedProblem {
     /// `error`, `warning` or `note`.
     pub severity: String,
     /// The registered code, as `CH401`.
@@ -18,7 +18,7 @@ pub struct Problem {
 
 /// What a run of a program came to. Lengths are mm, times s.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Ran {
+pub struct RunTotals {
     /// How it ended.
     pub end: String,
     /// The units of its last block are inches.
@@ -49,7 +49,7 @@ pub struct Ran {
     /// The codes that occurred, gravest first.
     pub codes: Vec<String>,
     /// The first problems, gravest first.
-    pub problems: Vec<Problem>,
+    pub problems: Vec<ArchivedProblem>,
 }
 
 /// What a program leaves of its stock: volumes are between two bounds, mm³.
@@ -69,7 +69,7 @@ pub struct RanStock {
 
 /// A row of the table: a program, or a file that holds none.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Row {
+pub struct ArchiveRow {
     /// What it is: see the reference of the columns.
     pub kind: String,
     /// How it fared.
@@ -95,7 +95,7 @@ pub struct Row {
     /// Why this machine.
     pub chosen: Option<String>,
     /// What the run came to.
-    pub ran: Option<Ran>,
+    pub ran: Option<RunTotals>,
 }
 
 /// Everything about a file.
@@ -108,17 +108,17 @@ pub struct FileRecord {
     /// SHA-256 of the file, as `sha256sum` prints it.
     pub file_sha256: Option<String>,
     /// Its rows.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ArchiveRow>,
 }
 
 impl FileRecord {
     /// A file that could not be read.
     pub fn unreadable(key: String, message: String) -> FileRecord {
-        let row = Row {
+        let row = ArchiveRow {
             kind: "unreadable".into(),
             status: "failed".into(),
             message: Some(message),
-            ..Row::default()
+            ..ArchiveRow::default()
         };
         FileRecord { key, file_bytes: 0, file_sha256: None, rows: vec![row] }
     }

@@ -4,24 +4,24 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use crate::check::{Loader, Options, check_file};
+use crate::check::{ArchiveOptions, FileLoader, check_file};
 use crate::error::ArchiveError;
-use crate::journal::{Journal, record_of};
+use crate::journal::{TableJournal, record_of};
 use crate::row::FileRecord;
-use crate::walk::Entry;
+use crate::walk::ArchiveEntry;
 
 /// Stack of a thread, as large as that of the process itself usually is.
 const STACK: usize = 8 << 20;
 
 /// Hears how far it is; from several threads.
-pub trait Progress: Sync {
+pub trait ArchiveProgress: Sync {
     /// A file is done; `anew` unless an earlier run did it. Bytes are those of the file.
     fn file(&self, bytes: u64, anew: bool);
 }
 
 /// What an archive comes to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Done {
+pub struct ArchiveTotals {
     /// Files that got a row.
     pub files: u64,
     /// Rows.
@@ -42,7 +42,7 @@ pub struct Done {
     pub resumed: u64,
 }
 
-impl Done {
+impl ArchiveTotals {
     /// Counts a file.
     pub fn add(&mut self, record: &FileRecord) {
         self.files += 1;
@@ -70,16 +70,16 @@ impl Done {
 ///
 /// # Errors
 /// Where the journal or the table cannot be written. What is done stays done.
-pub fn check_all<L: Loader>(
-    entries: &[Entry],
+pub fn check_all<L: FileLoader>(
+    entries: &[ArchiveEntry],
     out: &Path,
     jobs: usize,
-    options: Options,
+    options: ArchiveOptions,
     loader: impl Fn() -> L + Sync,
-    progress: &dyn Progress,
-) -> Result<Done, ArchiveError> {
+    progress: &dyn ArchiveProgress,
+) -> Result<ArchiveTotals, ArchiveError> {
     let names = entries.iter().map(|entry| entry.path.to_string_lossy().into_owned()).collect();
-    let journal = Journal::open(out, names)?;
+    let journal = TableJournal::open(out, names)?;
     let resumed = AtomicUsize::new(0);
     let next = AtomicUsize::new(0);
     let stop = AtomicBool::new(false);
@@ -116,7 +116,7 @@ pub fn check_all<L: Loader>(
     if let Some(error) = failure {
         return Err(error);
     }
-    let mut done = Done::default();
+    let mut done = ArchiveTotals::default();
     journal.finish(|_, record| done.add(record))?;
     done.resumed = resumed.into_inner() as u64;
     Ok(done)
@@ -137,9 +137,9 @@ pub(crate) fn with_jobs(jobs: usize, work: impl Fn() + Sync) {
 }
 
 fn done(
-    loader: &mut impl Loader,
-    entry: &Entry,
-    options: Options,
+    loader: &mut impl FileLoader,
+    entry: &ArchiveEntry,
+    options: ArchiveOptions,
     is_known: impl FnOnce(&str) -> bool,
 ) -> Option<FileRecord> {
     match &entry.failure {

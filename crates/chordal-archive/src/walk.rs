@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Something of an archive that gets a row.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Entry {
+pub struct ArchiveEntry {
     /// The file, under the name of the folder that was given; or a folder that cannot be read.
     pub path: PathBuf,
     /// Why a folder cannot be read.
@@ -15,7 +15,7 @@ pub struct Entry {
 /// All files of folder trees, and files that are named themselves, in the order of the bytes of
 /// their paths, each once. Names that begin with a point and links to folders are skipped, and
 /// so is what `leave_out` names.
-pub fn walk(arguments: &[PathBuf], leave_out: &[PathBuf]) -> Vec<Entry> {
+pub fn walk(arguments: &[PathBuf], leave_out: &[PathBuf]) -> Vec<ArchiveEntry> {
     let left_out: Vec<PathBuf> =
         leave_out.iter().filter_map(|path| fs::canonicalize(path).ok()).collect();
     let mut entries = Vec::new();
@@ -23,7 +23,7 @@ pub fn walk(arguments: &[PathBuf], leave_out: &[PathBuf]) -> Vec<Entry> {
         if argument.is_dir() {
             search(argument.clone(), &left_out, &mut entries);
         } else {
-            entries.push(Entry { path: argument.clone(), failure: None });
+            entries.push(ArchiveEntry { path: argument.clone(), failure: None });
         }
     }
     entries.sort_by(|a, b| bytes(&a.path).cmp(bytes(&b.path)));
@@ -35,7 +35,7 @@ fn bytes(path: &Path) -> &[u8] {
     path.as_os_str().as_encoded_bytes()
 }
 
-fn search(folder: PathBuf, left_out: &[PathBuf], entries: &mut Vec<Entry>) {
+fn search(folder: PathBuf, left_out: &[PathBuf], entries: &mut Vec<ArchiveEntry>) {
     // A list instead of calls: a tree may be deep.
     let mut folders = vec![folder];
     while let Some(folder) = folders.pop() {
@@ -43,7 +43,7 @@ fn search(folder: PathBuf, left_out: &[PathBuf], entries: &mut Vec<Entry>) {
             Ok(listed) => listed,
             Err(error) => {
                 let failure = Some(format!("cannot read the folder: {error}"));
-                entries.push(Entry { path: folder, failure });
+                entries.push(ArchiveEntry { path: folder, failure });
                 continue;
             }
         };
@@ -59,7 +59,7 @@ fn search(folder: PathBuf, left_out: &[PathBuf], entries: &mut Vec<Entry>) {
             if kind.is_dir() {
                 folders.push(path);
             } else if kind.is_file() || (kind.is_symlink() && is_file_or_lost(&path)) {
-                entries.push(Entry { path, failure: None });
+                entries.push(ArchiveEntry { path, failure: None });
             }
         }
     }

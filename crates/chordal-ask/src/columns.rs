@@ -5,13 +5,13 @@ use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int8Type, Int16Type, UInt32Type};
 use arrow_array::{Array, RecordBatch, StringArray};
 use arrow_schema::DataType;
-use chordal_export::columns::Rows;
+use chordal_export::columns::RowBatcher;
 use serde_json::{Map, Value, json};
 
 use crate::answer::{Answer, Failure};
 
 /// Rows as an answer; `about` is what stands next to them.
-pub fn table(rows: &mut impl Rows, mut about: Value) -> Result<Answer, Failure> {
+pub fn table(rows: &mut impl RowBatcher, mut about: Value) -> Result<Answer, Failure> {
     let batch = rows.take().map_err(|error| Failure::plain(error.to_string(), None))?;
     let mut parts = Parts(Vec::new());
     let schema = batch.schema();

@@ -17,7 +17,7 @@ mod words;
 
 pub use answer::{Answer, Failure};
 pub use ask::ask;
-pub use chordal_load::Files;
+pub use chordal_load::FileAccess;
 pub use columns::inline;
 pub use loading::setup_of;
 pub use request::{Program, ProgramOptions, Request, options};

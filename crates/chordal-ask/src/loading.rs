@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use chordal::Machine;
-use chordal_editor::Setup;
-use chordal_load::{Files, Given, Input, Loaded, Loader, Text, machine, unsaved};
+use chordal_editor::EditorSetup;
+use chordal_load::{
+    FileAccess, Loaded, Loader, ProgramInput, ProgramText, RequestedMachine, machine, unsaved,
+};
 
 use crate::answer::Failure;
 use crate::request::{Program, Request};
@@ -12,7 +14,7 @@ use crate::request::{Program, Request};
 /// A request whose files are in their place.
 pub struct Asked {
     pub ask: String,
-    pub files: Files,
+    pub files: FileAccess,
     pub options: serde_json::Value,
     programs: std::vec::IntoIter<Program>,
 }
@@ -35,7 +37,7 @@ impl Asked {
         };
         let name = options.name.unwrap_or_else(|| "program".into());
         let request = chordal_load::Request {
-            machine: options.machine.map(Given::Name),
+            machine: options.machine.map(RequestedMachine::Name),
             files: self.files.clone(),
             set: options.set,
             tools: options.tools.map(PathBuf::from),
@@ -46,9 +48,9 @@ impl Asked {
             ..chordal_load::Request::default()
         };
         let mut loader = Loader::new(request)?;
-        let input = Input { path: Some(PathBuf::from(&name)), root: None };
+        let input = ProgramInput { path: Some(PathBuf::from(&name)), root: None };
         match text {
-            Some(text) => Ok(loader.load_text(Text::of(&name, text)?, &input)?),
+            Some(text) => Ok(loader.load_text(ProgramText::of(&name, text)?, &input)?),
             None => Ok(loader.load(&input)?),
         }
     }
@@ -74,9 +76,9 @@ pub fn setup_of(
     text: &[u8],
     machine: Option<&str>,
     mut request: chordal_load::Request,
-) -> Result<Setup, String> {
+) -> Result<EditorSetup, String> {
     if let Some(name) = machine {
-        request.machine = Some(Given::Name(name.to_string()));
+        request.machine = Some(RequestedMachine::Name(name.to_string()));
     }
     let loaded = unsaved(path, text.to_vec(), &request);
     let loaded = loaded.map_err(|failure| failure.to_string())?;
@@ -84,5 +86,5 @@ pub fn setup_of(
     let (mut texts, machine, options) = loaded.into_parts();
     // The first is the text itself.
     let beside = texts.split_off(1);
-    Ok(Setup { machine, why, readings, options, program, beside })
+    Ok(EditorSetup { machine, why, readings, options, program, beside })
 }

@@ -7,7 +7,8 @@ use chordal::time::{Again, TimeQuestion};
 use chordal::{Job, Report};
 use chordal_export::columns::{CommandColumns, PathColumns, SampleColumns};
 use chordal_export::{
-    Canon, CommandCsv, CommandJsonLines, SampleFormat, SampleHead, SampleWriter, report, time_json,
+    CanonWriter, CommandCsv, CommandJsonLines, SampleFormat, SampleHead, SampleWriter, report,
+    time_json,
 };
 use chordal_load::Loaded;
 use serde_json::{Value, json};
@@ -40,7 +41,7 @@ pub fn commands(asked: &mut Asked) -> Result<Answer, Failure> {
             text(done.and_then(|()| out.finish()))
         }
         Format::Canon => {
-            let mut out = Canon::new(Vec::new(), &job).map_err(broken)?;
+            let mut out = CanonWriter::new(Vec::new(), &job).map_err(broken)?;
             let mut done = Ok(());
             job.report_of_commands(|command| keep(&mut done, || out.command(command)));
             text(done.and_then(|()| out.finish()))

@@ -2,11 +2,13 @@
 
 use chordal::motion::MotionOptions;
 use chordal::time::most_summarized;
-use chordal::{EVERY_PLACE, KEPT_PER_CODE, Watch};
-use chordal_compare::{Category, Options as Comparing, compare};
-use chordal_export::report::{self, Detail, Gitlab, RunOf, Sarif, files_json, summary_json};
+use chordal::{EVERY_PLACE, KEPT_PER_CODE, RunWatch};
+use chordal_compare::{Category, ComparisonOptions as Comparing, compare};
+use chordal_export::report::{
+    self, GitlabReport, ReportDetail, RunOf, SarifReport, files_json, summary_json,
+};
 use chordal_export::{comparison_json, comparison_names, comparison_text, conversion_json};
-use chordal_rewrite::convert::{Options as Converting, convert};
+use chordal_rewrite::convert::{ConversionOptions as Converting, convert};
 
 use crate::answer::{Answer, Failure};
 use crate::loading::Asked;
@@ -15,7 +17,7 @@ use crate::options::{CompareOptions, ConvertOptions, Format, OnlyFormat};
 /// Sees nothing of a run.
 struct Unwatched;
 
-impl Watch for Unwatched {}
+impl RunWatch for Unwatched {}
 
 pub fn check(asked: &mut Asked) -> Result<Answer, Failure> {
     let OnlyFormat { format } = asked.options()?;
@@ -27,15 +29,15 @@ pub fn check(asked: &mut Asked) -> Result<Answer, Failure> {
     Ok(Answer::text(match format {
         Format::Object => object(),
         Format::Json => files_json("chordal.check/1", &[object()]),
-        Format::Text => report::text(&found, job.sources(), false, Detail::default()),
+        Format::Text => report::text(&found, job.sources(), false, ReportDetail::default()),
         Format::Github => report::github(&found, job.sources()),
         Format::Sarif => {
-            let mut sarif = Sarif::new();
+            let mut sarif = SarifReport::new();
             sarif.add(&found, job.sources());
             sarif.finish()
         }
         Format::Gitlab => {
-            let mut gitlab = Gitlab::new();
+            let mut gitlab = GitlabReport::new();
             gitlab.add(&found, job.sources());
             gitlab.finish()
         }

@@ -1,6 +1,6 @@
 //! A request: what is asked, of which programs.
 
-use chordal_load::Files;
+use chordal_load::FileAccess;
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -13,7 +13,7 @@ pub struct Request {
     /// The programs: one of most questions, two of a comparison, none of some.
     pub programs: Vec<Program>,
     /// Where subprograms, machine files and tool tables are looked for.
-    pub files: Files,
+    pub files: FileAccess,
     /// What else is said, as the question takes it.
     pub options: Value,
 }

@@ -3,8 +3,8 @@
 use chordal::Machine;
 use chordal::control::Control;
 use chordal::machine::builtin_names;
-use chordal_editor::explain::{Unexplained, explain};
-use chordal_editor::meaning::View;
+use chordal_editor::explain::{UnknownTerm, explain};
+use chordal_editor::meaning::ControlView;
 use chordal_load::machine::own_file;
 use serde_json::{Value, json};
 
@@ -15,12 +15,12 @@ use crate::options::{ExplainOptions, MachineOptions, Nothing};
 pub fn explained(asked: &mut Asked) -> Result<Answer, Failure> {
     let ExplainOptions { word, machine } = asked.options()?;
     let views = match machine {
-        Some(name) => vec![View::of(&Control::of(&asked.machine(&name)?).0)],
-        None => View::all(),
+        Some(name) => vec![ControlView::of(&Control::of(&asked.machine(&name)?).0)],
+        None => ControlView::all(),
     };
     match explain(&word, &views) {
         Ok(text) => Ok(Answer::text(text)),
-        Err(Unexplained { message, help }) => Err(Failure::plain(message, help)),
+        Err(UnknownTerm { message, help }) => Err(Failure::plain(message, help)),
     }
 }
 

@@ -2,12 +2,12 @@
 
 use chordal_geometry::Vec2;
 
-use crate::corner::{Side, cutter};
+use crate::corner::{TravelSide, cutter};
 use crate::error::{CalcError, bounded};
-use crate::figure::{Figure, Style};
+use crate::figure::{Figure, LineStyle};
 use crate::math::{PI, atan2, cos, sin};
-use crate::numbers::{Units, degrees, factor};
-use crate::worked::{Kind, Worked};
+use crate::numbers::{AnswerUnit, degrees, factor};
+use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// Two arcs that cross, and a cutter that touches both.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,11 +21,11 @@ pub struct ArcArc {
     /// The second arc's centre from the first's, mm.
     pub apart: [f64; 2],
     /// Which crossing: seen from the first centre towards the second.
-    pub side: Side,
+    pub side: TravelSide,
 }
 
 /// The crossing of two circles along and across the line of their centres.
-struct Crossing {
+struct CircleCrossing {
     along: f64,
     across: f64,
 }
@@ -35,7 +35,7 @@ struct Crossing {
 ///
 /// # Errors
 /// When the arcs do not cross, or the cutter cannot touch both.
-pub fn arc_with_arc(ask: &ArcArc, units: Units) -> Result<Worked, CalcError> {
+pub fn arc_with_arc(ask: &ArcArc, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     let ArcArc { cutter_radius: cr, radii, inside, apart, side } = *ask;
     bounded(&[cr, radii[0], radii[1], apart[0], apart[1]], &[], units)?;
     cutter(cr, units)?;
@@ -64,20 +64,20 @@ pub fn arc_with_arc(ask: &ArcArc, units: Units) -> Result<Worked, CalcError> {
         cross(radii, distance).ok_or_else(|| apart_error("the arcs", radii, distance, units))?;
     let center = cross(offset, distance)
         .ok_or_else(|| apart_error("the paths of the cutter's centre", offset, distance, units))?;
-    let turned = if side == Side::Left { 1.0 } else { -1.0 };
+    let turned = if side == TravelSide::Left { 1.0 } else { -1.0 };
     let angle = atan2(apart[1], apart[0]);
     let (du, dv) = (center.along - corner.along, turned * (center.across - corner.across));
     let (dx, dy) = (du * cos(angle) - dv * sin(angle), du * sin(angle) + dv * cos(angle));
 
-    let mut worked = Worked::new("Corner of two arcs", units);
+    let mut worked = WorkedCalculation::new("Corner of two arcs", units);
     let n = |value: f64| units.number(value);
-    let length = Kind::Length;
+    let length = QuantityKind::Length;
     worked.given("CR", "cutter radius", length, cr);
     worked.given("R1", "radius of the first arc", length, radii[0]);
     worked.given("R2", "radius of the second arc", length, radii[1]);
     worked.given("D", "distance between the centres", length, distance);
-    worked.given("φ", "direction from the first to the second", Kind::Angle, angle);
-    let mut circle = |marks: [&str; 2], names: [&str; 2], radii: [f64; 2], at: &Crossing| {
+    worked.given("φ", "direction from the first to the second", QuantityKind::Angle, angle);
+    let mut circle = |marks: [&str; 2], names: [&str; 2], radii: [f64; 2], at: &CircleCrossing| {
         let [a, h] = marks;
         let (r1, r2, d) = (n(radii[0]), n(radii[1]), n(distance));
         let [n1, n2] = names;
@@ -103,7 +103,7 @@ pub fn arc_with_arc(ask: &ArcArc, units: Units) -> Result<Worked, CalcError> {
         |index: usize| format!("(R{} {} CR)", index + 1, if inside[index] { "−" } else { "+" });
     circle(["a'", "h'"], [&name(0), &name(1)], offset, &center);
     let (u, v, phi) = (factor(n(du)), factor(n(dv)), degrees(angle));
-    let (u_way, v_way) = ("a' − a", if side == Side::Left { "h' − h" } else { "h − h'" });
+    let (u_way, v_way) = ("a' − a", if side == TravelSide::Left { "h' − h" } else { "h − h'" });
     worked.way(
         "u",
         "along the centres, corner to cutter",
@@ -112,7 +112,8 @@ pub fn arc_with_arc(ask: &ArcArc, units: Units) -> Result<Worked, CalcError> {
         u_way,
         format!("{} − {}", n(center.along), factor(n(corner.along))),
     );
-    let (first, second) = if side == Side::Left { (&center, &corner) } else { (&corner, &center) };
+    let (first, second) =
+        if side == TravelSide::Left { (&center, &corner) } else { (&corner, &center) };
     worked.way(
         "v",
         "left of them, corner to cutter",
@@ -139,7 +140,7 @@ pub fn arc_with_arc(ask: &ArcArc, units: Units) -> Result<Worked, CalcError> {
         "u·sin φ + v·cos φ",
         text,
     );
-    let place = |at: &Crossing| {
+    let place = |at: &CircleCrossing| {
         let (a, h) = (at.along, turned * at.across);
         Vec2::new(a * cos(angle) - h * sin(angle), a * sin(angle) + h * cos(angle))
     };
@@ -147,15 +148,15 @@ pub fn arc_with_arc(ask: &ArcArc, units: Units) -> Result<Worked, CalcError> {
     Ok(worked)
 }
 
-fn cross(radii: [f64; 2], distance: f64) -> Option<Crossing> {
+fn cross(radii: [f64; 2], distance: f64) -> Option<CircleCrossing> {
     let [first, second] = radii;
     let along = ((first - second) * (first + second) + distance * distance) / (2.0 * distance);
     let square = (first - along) * (first + along);
     (first > 0.0 && second > 0.0 && square >= 0.0)
-        .then(|| Crossing { along, across: square.sqrt() })
+        .then(|| CircleCrossing { along, across: square.sqrt() })
 }
 
-fn apart_error(what: &str, radii: [f64; 2], distance: f64, units: Units) -> CalcError {
+fn apart_error(what: &str, radii: [f64; 2], distance: f64, units: AnswerUnit) -> CalcError {
     let [first, second] = radii;
     CalcError::new(
         format!(
@@ -173,7 +174,7 @@ fn apart_error(what: &str, radii: [f64; 2], distance: f64, units: Units) -> Calc
 }
 
 /// The arcs near the corner, the cutter, and both distances.
-fn draw(ask: &ArcArc, corner: Vec2, center: Vec2, offset: [f64; 2], units: Units) -> Figure {
+fn draw(ask: &ArcArc, corner: Vec2, center: Vec2, offset: [f64; 2], units: AnswerUnit) -> Figure {
     let cr = ask.cutter_radius;
     let middles = [Vec2::ZERO, Vec2::new(ask.apart[0], ask.apart[1])];
     let mut figure = Figure::default();
@@ -188,7 +189,7 @@ fn draw(ask: &ArcArc, corner: Vec2, center: Vec2, offset: [f64; 2], units: Units
             if ccw == toward { 1.0 } else { -1.0 }
         };
         for (at, radius, style) in
-            [(corner, ask.radii[index], Style::Part), (center, offset[index], Style::Path)]
+            [(corner, ask.radii[index], LineStyle::Part), (center, offset[index], LineStyle::Path)]
         {
             let from = at - middle;
             let sweep = way(at) * (arm / radius).min(0.8 * PI);
@@ -196,9 +197,9 @@ fn draw(ask: &ArcArc, corner: Vec2, center: Vec2, offset: [f64; 2], units: Units
         }
         let from = center - middle;
         let touch = middle + from * (ask.radii[index] / from.length().max(1e-300));
-        figure.line(center, touch, Style::Helper);
+        figure.line(center, touch, LineStyle::Helper);
     }
-    figure.circle(center, cr, Style::Cutter);
+    figure.circle(center, cr, LineStyle::Cutter);
     figure.point(corner, "P");
     figure.point(center, "C");
     let step = center - corner;
@@ -217,7 +218,7 @@ fn draw(ask: &ArcArc, corner: Vec2, center: Vec2, offset: [f64; 2], units: Units
         let far = from.length();
         let direction = from * (1.0 / far.max(1e-300));
         let reach = far.min(1.8 * cr);
-        figure.line(corner, corner + direction * reach, Style::Helper);
+        figure.line(corner, corner + direction * reach, LineStyle::Helper);
         figure.text(
             corner + direction * reach,
             format!("R{} {}", index + 1, units.number(ask.radii[index])),

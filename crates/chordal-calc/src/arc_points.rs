@@ -1,12 +1,12 @@
 //! Centre and end of an arc from its radius and angles.
 
-use chordal_geometry::{Direction, Vec2};
+use chordal_geometry::{TurnDirection, Vec2};
 
 use crate::error::{CalcError, bounded};
-use crate::figure::{Figure, Style};
+use crate::figure::{Figure, LineStyle};
 use crate::math::{FRAC_PI_2, TAU, turn, unit};
-use crate::numbers::{Units, degrees, factor};
-use crate::worked::{Kind, Worked};
+use crate::numbers::{AnswerUnit, degrees, factor};
+use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// An arc as drawings give it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,14 +20,14 @@ pub struct ArcPoints {
     /// Direction from the centre to its end, rad.
     pub to: f64,
     /// Its sense: G3 or G2.
-    pub direction: Direction,
+    pub direction: TurnDirection,
 }
 
 /// Centre, end, I and J of an arc.
 ///
 /// # Errors
 /// When the radius is none.
-pub fn arc_points(ask: &ArcPoints, units: Units) -> Result<Worked, CalcError> {
+pub fn arc_points(ask: &ArcPoints, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     let ArcPoints { start, radius, from, to, direction } = *ask;
     bounded(&[start.a, start.b, radius], &[from, to], units)?;
     if !(radius > 0.0 && radius.is_finite()) {
@@ -36,20 +36,20 @@ pub fn arc_points(ask: &ArcPoints, units: Units) -> Result<Worked, CalcError> {
             "give a radius above zero",
         ));
     }
-    let ccw = direction == Direction::Ccw;
+    let ccw = direction == TurnDirection::Ccw;
     let open = if ccw { turn(to - from) } else { turn(from - to) };
     // Ends on one ray are a full turn, as controls take it with I and J.
     let sweep = if open < 1e-12 { TAU } else { open };
     let center = start - unit(from) * radius;
     let end = center + unit(to) * radius;
     let (i, j) = (center.a - start.a, center.b - start.b);
-    let mut worked = Worked::new("Arc from radius and angles", units);
-    let length = Kind::Length;
+    let mut worked = WorkedCalculation::new("Arc from radius and angles", units);
+    let length = QuantityKind::Length;
     worked.given("XS", "start", length, start.a);
     worked.given("YS", "start", length, start.b);
     worked.given("R", "radius", length, radius);
-    worked.given("a", "direction from the centre to the start", Kind::Angle, from);
-    worked.given("b", "direction from the centre to the end", Kind::Angle, to);
+    worked.given("a", "direction from the centre to the start", QuantityKind::Angle, from);
+    worked.given("b", "direction from the centre to the end", QuantityKind::Angle, to);
     let n = |value: f64| units.number(value);
     let (r, ta, tb) = (n(radius), degrees(from), degrees(to));
     let rows = [
@@ -83,7 +83,7 @@ pub fn arc_points(ask: &ArcPoints, units: Units) -> Result<Worked, CalcError> {
     worked.result(
         "s",
         "angle travelled",
-        Kind::Angle,
+        QuantityKind::Angle,
         sweep,
         &format!("{formula}, within a turn"),
         filled,
@@ -115,13 +115,13 @@ pub fn arc_points(ask: &ArcPoints, units: Units) -> Result<Worked, CalcError> {
     Ok(worked)
 }
 
-fn draw(ask: &ArcPoints, center: Vec2, end: Vec2, sweep: f64, units: Units) -> Figure {
+fn draw(ask: &ArcPoints, center: Vec2, end: Vec2, sweep: f64, units: AnswerUnit) -> Figure {
     let ArcPoints { start, radius, from, to, .. } = *ask;
     let mut figure = Figure::default();
-    figure.line(center, center + Vec2::new(1.25 * radius, 0.0), Style::Helper);
-    figure.line(center, start, Style::Helper);
-    figure.line(center, end, Style::Helper);
-    figure.arc(center, radius, from, sweep, Style::Path);
+    figure.line(center, center + Vec2::new(1.25 * radius, 0.0), LineStyle::Helper);
+    figure.line(center, start, LineStyle::Helper);
+    figure.line(center, end, LineStyle::Helper);
+    figure.arc(center, radius, from, sweep, LineStyle::Path);
     let middle = from + sweep * 0.5;
     figure.arrow(center + unit(middle) * radius, middle + FRAC_PI_2.copysign(sweep));
     let place =

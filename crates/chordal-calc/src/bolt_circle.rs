@@ -3,10 +3,10 @@
 use chordal_geometry::Vec2;
 
 use crate::error::{CalcError, bounded};
-use crate::figure::{Figure, Style};
+use crate::figure::{Figure, LineStyle};
 use crate::math::{TAU, sin, unit};
-use crate::numbers::{Units, degrees};
-use crate::worked::{Kind, Worked};
+use crate::numbers::{AnswerUnit, degrees};
+use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// Holes at even steps on a circle or a part of one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,7 @@ const MOST: u32 = 360;
 ///
 /// # Errors
 /// When the circle has no size, or the number of holes is none.
-pub fn bolt_circle(ask: &BoltCircle, units: Units) -> Result<Worked, CalcError> {
+pub fn bolt_circle(ask: &BoltCircle, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     let BoltCircle { center, diameter, holes, start, sweep } = *ask;
     bounded(&[diameter, center.a, center.b], &[start, sweep], units)?;
     if diameter <= 0.0 || holes == 0 || holes > MOST {
@@ -48,17 +48,17 @@ pub fn bolt_circle(ask: &BoltCircle, units: Units) -> Result<Worked, CalcError> 
     let whole = (sweep.abs() - TAU).abs() < 1e-9;
     let gaps = if whole { holes } else { (holes - 1).max(1) };
     let step = sweep / f64::from(gaps);
-    let mut worked = Worked::new("Holes on a circle", units);
-    worked.given("D", "diameter of the circle", Kind::Length, diameter);
-    worked.given("Xc", "X of the centre", Kind::Length, center.a);
-    worked.given("Yc", "Y of the centre", Kind::Length, center.b);
-    worked.given("N", "holes", Kind::Number, f64::from(holes));
-    worked.given("a", "direction of the first hole", Kind::Angle, start);
-    worked.given("s", "angle over all", Kind::Angle, sweep);
+    let mut worked = WorkedCalculation::new("Holes on a circle", units);
+    worked.given("D", "diameter of the circle", QuantityKind::Length, diameter);
+    worked.given("Xc", "X of the centre", QuantityKind::Length, center.a);
+    worked.given("Yc", "Y of the centre", QuantityKind::Length, center.b);
+    worked.given("N", "holes", QuantityKind::Number, f64::from(holes));
+    worked.given("a", "direction of the first hole", QuantityKind::Angle, start);
+    worked.given("s", "angle over all", QuantityKind::Angle, sweep);
     let (d, x, y) = (units.number(diameter), units.number(center.a), units.number(center.b));
     let (s, a) = (degrees(sweep), degrees(start));
     let formula = if whole { "s/N" } else { "s/(N − 1)" };
-    worked.way("w", "from hole to hole", Kind::Angle, step, formula, format!("{s}/{gaps}"));
+    worked.way("w", "from hole to hole", QuantityKind::Angle, step, formula, format!("{s}/{gaps}"));
     let radius = diameter / 2.0;
     for hole in 0..holes {
         let at = center + unit(start + f64::from(hole) * step) * radius;
@@ -67,7 +67,7 @@ pub fn bolt_circle(ask: &BoltCircle, units: Units) -> Result<Worked, CalcError> 
             worked.result(
                 &format!("{axis}{number}"),
                 &format!("hole {number}"),
-                Kind::Length,
+                QuantityKind::Length,
                 value,
                 &format!("{axis}c + D/2·{ratio}(a + {hole}·w)"),
                 format!("{from} + {d}/2·{ratio}({a} + {hole}·{})", degrees(step)),
@@ -77,23 +77,23 @@ pub fn bolt_circle(ask: &BoltCircle, units: Units) -> Result<Worked, CalcError> 
     if holes > 1 {
         let apart = diameter * sin(step.abs() / 2.0);
         let filled = format!("{d}·sin({}/2)", degrees(step.abs()));
-        worked.result("c", "between neighbours", Kind::Length, apart, "D·sin(w/2)", filled);
+        worked.result("c", "between neighbours", QuantityKind::Length, apart, "D·sin(w/2)", filled);
     }
     worked.figure = draw(ask, step, units);
     Ok(worked)
 }
 
-fn draw(ask: &BoltCircle, step: f64, units: Units) -> Figure {
+fn draw(ask: &BoltCircle, step: f64, units: AnswerUnit) -> Figure {
     let mut figure = Figure::default();
     let radius = ask.diameter / 2.0;
-    figure.circle(ask.center, radius, Style::Helper);
+    figure.circle(ask.center, radius, LineStyle::Helper);
     figure.point(ask.center, "");
     for hole in 0..ask.holes {
         let at = ask.center + unit(ask.start + f64::from(hole) * step) * radius;
-        figure.circle(at, radius * 0.06, Style::Part);
+        figure.circle(at, radius * 0.06, LineStyle::Part);
         figure.point(at, &(hole + 1).to_string());
     }
-    figure.line(ask.center, ask.center + unit(ask.start) * radius, Style::Helper);
+    figure.line(ask.center, ask.center + unit(ask.start) * radius, LineStyle::Helper);
     figure.text(ask.center, format!("D {}", units.number(ask.diameter)));
     figure
 }

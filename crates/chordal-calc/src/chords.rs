@@ -3,10 +3,10 @@
 use chordal_geometry::Vec2;
 
 use crate::error::{CalcError, bounded};
-use crate::figure::{Figure, Style};
+use crate::figure::{Figure, LineStyle};
 use crate::math::{FRAC_PI_2, TAU, acos, cos, sin, unit};
-use crate::numbers::{Units, degrees, trimmed};
-use crate::worked::{Kind, Worked};
+use crate::numbers::{AnswerUnit, degrees, trimmed};
+use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// An arc to be cut into chords with their ends on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +26,7 @@ const DRAWN: f64 = 12.0;
 ///
 /// # Errors
 /// When the tolerance is not between nothing and the radius.
-pub fn chord_count(ask: &ChordCount, units: Units) -> Result<Worked, CalcError> {
+pub fn chord_count(ask: &ChordCount, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     let ChordCount { radius, tolerance, sweep } = *ask;
     bounded(&[radius, tolerance], &[sweep], units)?;
     if !(radius > 0.0 && radius.is_finite()) {
@@ -65,16 +65,16 @@ pub fn chord_count(ask: &ChordCount, units: Units) -> Result<Worked, CalcError> 
         ));
     }
     let half = sweep / count / 2.0;
-    let mut worked = Worked::new("Chords of an arc", units);
-    let length = Kind::Length;
+    let mut worked = WorkedCalculation::new("Chords of an arc", units);
+    let length = QuantityKind::Length;
     worked.given("R", "radius", length, radius);
     worked.given("e", "tolerance", length, tolerance);
-    worked.given("s", "angle of the arc", Kind::Angle, sweep);
+    worked.given("s", "angle of the arc", QuantityKind::Angle, sweep);
     let (r, e, s) = (units.number(radius), units.number(tolerance), degrees(sweep));
     worked.way(
         "α",
         "largest angle of a chord",
-        Kind::Angle,
+        QuantityKind::Angle,
         step,
         "2·acos(1 − e/R)",
         format!("2·acos(1 − {e}/{r})"),
@@ -82,7 +82,7 @@ pub fn chord_count(ask: &ChordCount, units: Units) -> Result<Worked, CalcError> 
     worked.result(
         "N",
         "chords",
-        Kind::Number,
+        QuantityKind::Number,
         count,
         "s/α, rounded up",
         format!("{s}/{}", degrees(step)),
@@ -114,22 +114,22 @@ pub fn chord_count(ask: &ChordCount, units: Units) -> Result<Worked, CalcError> 
     Ok(worked)
 }
 
-fn draw(radius: f64, sweep: f64, count: f64, units: Units, tolerance: f64) -> Figure {
+fn draw(radius: f64, sweep: f64, count: f64, units: AnswerUnit, tolerance: f64) -> Figure {
     let mut figure = Figure::default();
     let shown = count.min(DRAWN);
     let start = FRAC_PI_2 - sweep / 2.0;
-    figure.arc(Vec2::ZERO, radius, start, sweep, Style::Part);
+    figure.arc(Vec2::ZERO, radius, start, sweep, LineStyle::Part);
     let corner = |index: f64| unit(start + sweep * index / shown) * radius;
     for index in 0..shown as u32 {
         let (from, to) = (corner(f64::from(index)), corner(f64::from(index) + 1.0));
-        figure.line(from, to, Style::Path);
+        figure.line(from, to, LineStyle::Path);
         figure.point(from, "");
     }
     figure.point(corner(shown), "");
     let index = (shown / 2.0).floor();
     let (from, to) = (corner(index), corner(index + 1.0));
-    figure.line(Vec2::ZERO, from, Style::Helper);
-    figure.line(Vec2::ZERO, to, Style::Helper);
+    figure.line(Vec2::ZERO, from, LineStyle::Helper);
+    figure.line(Vec2::ZERO, to, LineStyle::Helper);
     figure.point(Vec2::ZERO, "");
     let first = start + sweep * index / shown;
     figure.angle(

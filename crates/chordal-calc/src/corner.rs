@@ -3,14 +3,14 @@
 use chordal_geometry::Vec2;
 
 use crate::error::{CalcError, bounded};
-use crate::figure::{Figure, Style};
+use crate::figure::{Figure, LineStyle};
 use crate::math::{FRAC_PI_2, PI, TAU, cos, sin, tan, turn, unit};
-use crate::numbers::{Units, degrees, factor};
-use crate::worked::{Kind, Worked};
+use crate::numbers::{AnswerUnit, degrees, factor};
+use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// An axis of the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
+pub enum PlaneAxis {
     /// The first.
     X,
     /// The second.
@@ -19,7 +19,7 @@ pub enum Axis {
 
 /// On which side of a corner the cutter is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bend {
+pub enum CornerSide {
     /// The corner points at the cutter: it goes around.
     Outside,
     /// The cutter is in the corner.
@@ -28,7 +28,7 @@ pub enum Bend {
 
 /// On which side of its travel the cutter is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum TravelSide {
     /// Left, as with G41.
     Left,
     /// Right, as with G42.
@@ -43,9 +43,9 @@ pub struct LineAxis {
     /// Angle by which the travel bends, rad: that of the slanted line to the axis.
     pub angle: f64,
     /// The axis of the other line.
-    pub axis: Axis,
+    pub axis: PlaneAxis,
     /// Where the cutter is.
-    pub bend: Bend,
+    pub bend: CornerSide,
     /// How far the slanted line goes across the axis, mm: its end is then reported as well.
     pub rise: Option<f64>,
 }
@@ -60,11 +60,11 @@ pub struct TwoLines {
     /// Direction of travel on the second line, rad.
     pub b: f64,
     /// Side of the cutter.
-    pub side: Side,
+    pub side: TravelSide,
 }
 
 /// A radius is above nothing.
-pub(crate) fn cutter(radius: f64, units: Units) -> Result<(), CalcError> {
+pub(crate) fn cutter(radius: f64, units: AnswerUnit) -> Result<(), CalcError> {
     if radius > 0.0 && radius.is_finite() {
         return Ok(());
     }
@@ -79,7 +79,7 @@ pub(crate) fn cutter(radius: f64, units: Units) -> Result<(), CalcError> {
 ///
 /// # Errors
 /// When the angle is not between 0° and 180°, or the cutter is none.
-pub fn corner_with_axis(ask: &LineAxis, units: Units) -> Result<Worked, CalcError> {
+pub fn corner_with_axis(ask: &LineAxis, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     let LineAxis { cutter_radius, angle, axis, bend, rise } = *ask;
     bounded(&[cutter_radius, rise.unwrap_or(0.0)], &[angle], units)?;
     cutter(cutter_radius, units)?;
@@ -91,17 +91,17 @@ pub fn corner_with_axis(ask: &LineAxis, units: Units) -> Result<Worked, CalcErro
     }
     let along = cutter_radius * tan(angle / 2.0);
     let (on, across) = match axis {
-        Axis::X => ("X", "Y"),
-        Axis::Y => ("Y", "X"),
+        PlaneAxis::X => ("X", "Y"),
+        PlaneAxis::Y => ("Y", "X"),
     };
-    let mut worked = Worked::new(format!("Corner of a line with the {on} axis"), units);
-    worked.given("CR", "cutter radius", Kind::Length, cutter_radius);
-    worked.given("θ", &format!("angle of the line to the {on} axis"), Kind::Angle, angle);
+    let mut worked = WorkedCalculation::new(format!("Corner of a line with the {on} axis"), units);
+    worked.given("CR", "cutter radius", QuantityKind::Length, cutter_radius);
+    worked.given("θ", &format!("angle of the line to the {on} axis"), QuantityKind::Angle, angle);
     let (cr, theta) = (units.number(cutter_radius), degrees(angle));
     worked.result(
         &format!("Δ{on}"),
         &format!("from the corner, along {on}"),
-        Kind::Length,
+        QuantityKind::Length,
         along,
         "CR·tan(θ/2)",
         format!("{cr}·tan({theta}/2)"),
@@ -109,12 +109,12 @@ pub fn corner_with_axis(ask: &LineAxis, units: Units) -> Result<Worked, CalcErro
     worked.result(
         &format!("Δ{across}"),
         &format!("from the corner, along {across}"),
-        Kind::Length,
+        QuantityKind::Length,
         cutter_radius,
         "CR",
         cr,
     );
-    let outside = bend == Bend::Outside;
+    let outside = bend == CornerSide::Outside;
     if let Some(rise) = rise {
         end_of_slope(&mut worked, on, rise, along, ask, units)?;
     }
@@ -124,34 +124,34 @@ pub fn corner_with_axis(ask: &LineAxis, units: Units) -> Result<Worked, CalcErro
         "Inside corner: the centre turns before the end of the axis line by this much."
     });
     let (a, b) = match axis {
-        Axis::X => (angle, 0.0),
-        Axis::Y => (FRAC_PI_2, FRAC_PI_2 - angle),
+        PlaneAxis::X => (angle, 0.0),
+        PlaneAxis::Y => (FRAC_PI_2, FRAC_PI_2 - angle),
     };
-    let side = if outside { Side::Left } else { Side::Right };
+    let side = if outside { TravelSide::Left } else { TravelSide::Right };
     let names = match axis {
-        Axis::X => {
+        PlaneAxis::X => {
             (format!("ΔX {}", units.number(along)), format!("CR {}", units.number(cutter_radius)))
         }
-        Axis::Y => {
+        PlaneAxis::Y => {
             (format!("CR {}", units.number(cutter_radius)), format!("ΔY {}", units.number(along)))
         }
     };
     worked.figure = draw(a, b, side, cutter_radius, names);
-    let start = if axis == Axis::X { 0.0 } else { FRAC_PI_2 - angle };
+    let start = if axis == PlaneAxis::X { 0.0 } else { FRAC_PI_2 - angle };
     // Where the first line would go on.
-    worked.figure.line(Vec2::ZERO, unit(a) * (1.8 * cutter_radius), Style::Helper);
+    worked.figure.line(Vec2::ZERO, unit(a) * (1.8 * cutter_radius), LineStyle::Helper);
     worked.figure.angle(Vec2::ZERO, 1.6 * cutter_radius, start, angle, format!("θ {theta}"));
     Ok(worked)
 }
 
 /// Where the slanted line ends, and the cutter's centre there: the point P of the lecture.
 fn end_of_slope(
-    worked: &mut Worked,
+    worked: &mut WorkedCalculation,
     on: &str,
     rise: f64,
     along: f64,
     ask: &LineAxis,
-    units: Units,
+    units: AnswerUnit,
 ) -> Result<(), CalcError> {
     if !(rise > 0.0 && rise.is_finite()) {
         return Err(CalcError::new(
@@ -159,24 +159,24 @@ fn end_of_slope(
             "give the distance that the slanted line goes across the axis, above zero",
         ));
     }
-    worked.given("h", "distance that the line goes across the axis", Kind::Length, rise);
+    worked.given("h", "distance that the line goes across the axis", QuantityKind::Length, rise);
     let run = rise / tan(ask.angle);
     worked.way(
         "b",
         &format!("the corner P, along {on} from the start of the line"),
-        Kind::Length,
+        QuantityKind::Length,
         run,
         "h/tan(θ)",
         format!("{}/tan({})", units.number(rise), degrees(ask.angle)),
     );
     let (place, formula, sign) = match ask.bend {
-        Bend::Outside => (run - along, format!("b − Δ{on}"), "−"),
-        Bend::Inside => (run + along, format!("b + Δ{on}"), "+"),
+        CornerSide::Outside => (run - along, format!("b − Δ{on}"), "−"),
+        CornerSide::Inside => (run + along, format!("b + Δ{on}"), "+"),
     };
     worked.result(
         on,
         "the cutter's centre, from the start of the line",
-        Kind::Length,
+        QuantityKind::Length,
         place,
         &formula,
         format!("{} {sign} {}", units.number(run), units.number(along)),
@@ -189,7 +189,7 @@ fn end_of_slope(
 ///
 /// # Errors
 /// When the second line goes back along the first, or the cutter is none.
-pub fn corner_of_lines(ask: &TwoLines, units: Units) -> Result<Worked, CalcError> {
+pub fn corner_of_lines(ask: &TwoLines, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     let TwoLines { cutter_radius, a, side, .. } = *ask;
     bounded(&[cutter_radius], &[a, ask.b], units)?;
     cutter(cutter_radius, units)?;
@@ -209,30 +209,30 @@ pub fn corner_of_lines(ask: &TwoLines, units: Units) -> Result<Worked, CalcError
     let (half, middle) = ((a - b) / 2.0, (a + b) / 2.0);
     let (dx, dy) =
         (cutter_radius * sin(middle) / cos(half), cutter_radius * cos(middle) / cos(half));
-    let mut worked = Worked::new("Corner of two lines", units);
-    worked.given("CR", "cutter radius", Kind::Length, cutter_radius);
-    worked.given("a", "direction of the first line, from X", Kind::Angle, a);
-    worked.given("b", "direction of the second line, from X", Kind::Angle, b);
+    let mut worked = WorkedCalculation::new("Corner of two lines", units);
+    worked.given("CR", "cutter radius", QuantityKind::Length, cutter_radius);
+    worked.given("a", "direction of the first line, from X", QuantityKind::Angle, a);
+    worked.given("b", "direction of the second line, from X", QuantityKind::Angle, b);
     let (cr, ta, tb) = (units.number(cutter_radius), degrees(a), factor(degrees(b)));
     for (symbol, name, value) in [("ΔX", "sin", dx), ("ΔY", "cos", dy)] {
         worked.result(
             symbol,
             &format!("from the corner, along {}", &symbol["Δ".len()..]),
-            Kind::Length,
+            QuantityKind::Length,
             value,
             &format!("CR·{name}((a+b)/2)/cos((a−b)/2)"),
             format!("{cr}·{name}(({ta}+{tb})/2)/cos(({ta}−{tb})/2)"),
         );
     }
     let (x, y) = match side {
-        Side::Left => (-dx, dy),
-        Side::Right => (dx, -dy),
+        TravelSide::Left => (-dx, dy),
+        TravelSide::Right => (dx, -dy),
     };
     let turns_left = bend > 0.0;
-    let outside = turns_left != (side == Side::Left);
+    let outside = turns_left != (side == TravelSide::Left);
     worked.note(format!(
         "Cutter {} of the travel, {} corner: its centre is at X {} Y {} from the corner.",
-        if side == Side::Left { "left" } else { "right" },
+        if side == TravelSide::Left { "left" } else { "right" },
         if bend.abs() < 1e-12 {
             "no"
         } else if outside {
@@ -248,7 +248,7 @@ pub fn corner_of_lines(ask: &TwoLines, units: Units) -> Result<Worked, CalcError
     worked.figure = draw(a, b, side, cutter_radius, names);
     let reach = 1.9 * cutter_radius;
     let figure = &mut worked.figure;
-    figure.line(Vec2::ZERO, Vec2::new(reach * 1.1, 0.0), Style::Helper);
+    figure.line(Vec2::ZERO, Vec2::new(reach * 1.1, 0.0), LineStyle::Helper);
     let back = turn(a) > 1e-9;
     if back {
         figure.angle(Vec2::ZERO, reach * 0.62, 0.0, PI - turn(PI - a), format!("a {ta}"));
@@ -258,33 +258,33 @@ pub fn corner_of_lines(ask: &TwoLines, units: Units) -> Result<Worked, CalcError
     }
     if back {
         // Where the first line would go on.
-        figure.line(Vec2::ZERO, unit(a) * (reach * 0.75), Style::Helper);
+        figure.line(Vec2::ZERO, unit(a) * (reach * 0.75), LineStyle::Helper);
     }
     Ok(worked)
 }
 
-pub(crate) fn signed(value: f64, units: Units) -> String {
+pub(crate) fn signed(value: f64, units: AnswerUnit) -> String {
     let text = units.number(value);
     if text.starts_with('-') || text == "0" { text } else { format!("+{text}") }
 }
 
 /// Both lines, the cutter in the corner P = 0, its way and the two distances.
-fn draw(a: f64, b: f64, side: Side, cr: f64, (width, height): (String, String)) -> Figure {
+fn draw(a: f64, b: f64, side: TravelSide, cr: f64, (width, height): (String, String)) -> Figure {
     let (first, second) = (unit(a), unit(b));
     let (mine, other) = (first.turned_left(), second.turned_left());
-    let sign = if side == Side::Left { 1.0 } else { -1.0 };
+    let sign = if side == TravelSide::Left { 1.0 } else { -1.0 };
     let center = (mine + other) * (sign * cr / (1.0 + mine.dot(other)));
     let arm = (3.2 * cr).max(center.length() * 1.3 + 1.2 * cr);
     let mut figure = Figure::default();
-    figure.line(first * -arm, Vec2::ZERO, Style::Part);
-    figure.line(Vec2::ZERO, second * arm, Style::Part);
-    figure.line(center - first * arm, center, Style::Path);
-    figure.line(center, center + second * arm, Style::Path);
+    figure.line(first * -arm, Vec2::ZERO, LineStyle::Part);
+    figure.line(Vec2::ZERO, second * arm, LineStyle::Part);
+    figure.line(center - first * arm, center, LineStyle::Path);
+    figure.line(center, center + second * arm, LineStyle::Path);
     figure.arrow(center - first * (arm * 0.55), a);
     figure.arrow(center + second * (arm * 0.75), b);
-    figure.circle(center, cr, Style::Cutter);
+    figure.circle(center, cr, LineStyle::Cutter);
     for normal in [mine, other] {
-        figure.line(center, center - normal * (sign * cr), Style::Helper);
+        figure.line(center, center - normal * (sign * cr), LineStyle::Helper);
     }
     figure.point(Vec2::ZERO, "P");
     figure.point(center, "C");

@@ -2,8 +2,8 @@
 
 use crate::error::{CalcError, bounded};
 use crate::math::{PI, sqrt};
-use crate::numbers::{Units, trimmed};
-use crate::worked::{Kind, Worked};
+use crate::numbers::{AnswerUnit, trimmed};
+use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// How fast the edge goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub enum ToolFeed {
 
 /// A cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cutting {
+pub struct CuttingData {
     /// Diameter of the tool, mm.
     pub diameter: f64,
     /// How fast the edge goes.
@@ -42,14 +42,14 @@ pub struct Cutting {
 ///
 /// # Errors
 /// When a number is none of a cut.
-pub fn cutting(ask: &Cutting, units: Units) -> Result<Worked, CalcError> {
+pub fn cutting(ask: &CuttingData, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     check(ask, units)?;
-    let mut worked = Worked::new("Speed and feed of a cut", units);
+    let mut worked = WorkedCalculation::new("Speed and feed of a cut", units);
     let diameter = units.number(ask.diameter);
-    worked.given("D", "diameter of the tool", Kind::Length, ask.diameter);
+    worked.given("D", "diameter of the tool", QuantityKind::Length, ask.diameter);
     let rpm = speed(&mut worked, ask, units, &diameter);
     if let Some((feed, teeth)) = ask.feed {
-        worked.given("z", "teeth", Kind::Number, f64::from(teeth));
+        worked.given("z", "teeth", QuantityKind::Number, f64::from(teeth));
         let (per_tooth, per_second) = feeds(&mut worked, feed, teeth, rpm, units);
         chip(&mut worked, ask, per_tooth, units);
         removal(&mut worked, ask, per_second, units);
@@ -57,7 +57,7 @@ pub fn cutting(ask: &Cutting, units: Units) -> Result<Worked, CalcError> {
     Ok(worked)
 }
 
-fn check(ask: &Cutting, units: Units) -> Result<(), CalcError> {
+fn check(ask: &CuttingData, units: AnswerUnit) -> Result<(), CalcError> {
     let (tooth, teeth) = match ask.feed {
         Some((ToolFeed::PerTooth(length), teeth)) => (Some(length), teeth),
         Some((ToolFeed::PerTime(_), teeth)) => (None, teeth),
@@ -94,22 +94,27 @@ fn check(ask: &Cutting, units: Units) -> Result<(), CalcError> {
 }
 
 /// The spindle's speed, rpm, and the other of the two.
-fn speed(worked: &mut Worked, ask: &Cutting, units: Units, diameter: &str) -> f64 {
+fn speed(
+    worked: &mut WorkedCalculation,
+    ask: &CuttingData,
+    units: AnswerUnit,
+    diameter: &str,
+) -> f64 {
     let circumference = PI * ask.diameter;
     // Cutting speeds are in m/min and ft/min, diameters in mm and in.
     let (factor, inverse) = match units {
-        Units::Inch => ("12·", "/12"),
-        Units::Millimetre => ("1000·", "/1000"),
+        AnswerUnit::Inch => ("12·", "/12"),
+        AnswerUnit::Millimetre => ("1000·", "/1000"),
     };
     match ask.speed {
         EdgeSpeed::Surface(surface) => {
-            worked.given("v", "cutting speed", Kind::Surface, surface);
+            worked.given("v", "cutting speed", QuantityKind::Surface, surface);
             let rpm = surface * 60.0 / circumference;
-            let shown = trimmed(Kind::Surface.shown(surface, units), 3);
+            let shown = trimmed(QuantityKind::Surface.shown(surface, units), 3);
             worked.result(
                 "n",
                 "speed of the spindle",
-                Kind::Spindle,
+                QuantityKind::Spindle,
                 rpm,
                 &format!("{factor}v/(π·D)"),
                 format!("{factor}{shown}/(π·{diameter})"),
@@ -117,11 +122,11 @@ fn speed(worked: &mut Worked, ask: &Cutting, units: Units, diameter: &str) -> f6
             rpm
         }
         EdgeSpeed::Spindle(rpm) => {
-            worked.given("n", "speed of the spindle", Kind::Spindle, rpm);
+            worked.given("n", "speed of the spindle", QuantityKind::Spindle, rpm);
             worked.result(
                 "v",
                 "cutting speed",
-                Kind::Surface,
+                QuantityKind::Surface,
                 rpm / 60.0 * circumference,
                 &format!("π·D·n{inverse}"),
                 format!("π·{diameter}·{}{inverse}", trimmed(rpm, 1)),
@@ -132,32 +137,38 @@ fn speed(worked: &mut Worked, ask: &Cutting, units: Units, diameter: &str) -> f6
 }
 
 /// Feed of a tooth, mm, and of the tool, mm/s.
-fn feeds(worked: &mut Worked, feed: ToolFeed, teeth: u32, rpm: f64, units: Units) -> (f64, f64) {
+fn feeds(
+    worked: &mut WorkedCalculation,
+    feed: ToolFeed,
+    teeth: u32,
+    rpm: f64,
+    units: AnswerUnit,
+) -> (f64, f64) {
     let each = f64::from(teeth);
     let turns = trimmed(rpm, 1);
     match feed {
         ToolFeed::PerTooth(tooth) => {
-            worked.given("fz", "feed of a tooth", Kind::Length, tooth);
+            worked.given("fz", "feed of a tooth", QuantityKind::Length, tooth);
             let per_second = tooth * each * rpm / 60.0;
             let filled = format!("{}·{teeth}·{turns}", units.number(tooth));
-            worked.result("F", "feed", Kind::Feed, per_second, "fz·z·n", filled);
+            worked.result("F", "feed", QuantityKind::Feed, per_second, "fz·z·n", filled);
             (tooth, per_second)
         }
         ToolFeed::PerTime(per_second) => {
-            worked.given("F", "feed", Kind::Feed, per_second);
+            worked.given("F", "feed", QuantityKind::Feed, per_second);
             let tooth = per_second * 60.0 / (each * rpm);
-            let shown = trimmed(Kind::Feed.shown(per_second, units), 3);
+            let shown = trimmed(QuantityKind::Feed.shown(per_second, units), 3);
             let filled = format!("{shown}/({teeth}·{turns})");
-            worked.result("fz", "feed of a tooth", Kind::Length, tooth, "F/(z·n)", filled);
+            worked.result("fz", "feed of a tooth", QuantityKind::Length, tooth, "F/(z·n)", filled);
             (tooth, per_second)
         }
     }
 }
 
 /// A narrow cut makes the chip thinner than the feed of a tooth.
-fn chip(worked: &mut Worked, ask: &Cutting, tooth: f64, units: Units) {
+fn chip(worked: &mut WorkedCalculation, ask: &CuttingData, tooth: f64, units: AnswerUnit) {
     let Some(width) = ask.width else { return };
-    worked.given("ae", "width of the cut", Kind::Length, width);
+    worked.given("ae", "width of the cut", QuantityKind::Length, width);
     if width >= ask.diameter / 2.0 {
         return;
     }
@@ -166,7 +177,7 @@ fn chip(worked: &mut Worked, ask: &Cutting, tooth: f64, units: Units) {
     worked.result(
         "h",
         "thickest chip",
-        Kind::Length,
+        QuantityKind::Length,
         2.0 * tooth * sqrt(ratio * (1.0 - ratio)),
         "2·fz·√(ae/D·(1 − ae/D))",
         format!("2·{t}·√({w}/{d}·(1 − {w}/{d}))"),
@@ -174,18 +185,18 @@ fn chip(worked: &mut Worked, ask: &Cutting, tooth: f64, units: Units) {
     worked.note("The chip is thinner than fz, because the cut is narrower than half the tool.");
 }
 
-fn removal(worked: &mut Worked, ask: &Cutting, per_second: f64, units: Units) {
+fn removal(worked: &mut WorkedCalculation, ask: &CuttingData, per_second: f64, units: AnswerUnit) {
     let (Some(depth), Some(width)) = (ask.depth, ask.width) else { return };
-    worked.given("ap", "depth of the cut", Kind::Length, depth);
-    let feed = trimmed(Kind::Feed.shown(per_second, units), 3);
+    worked.given("ap", "depth of the cut", QuantityKind::Length, depth);
+    let feed = trimmed(QuantityKind::Feed.shown(per_second, units), 3);
     let (formula, end) = match units {
-        Units::Inch => ("ap·ae·F", ""),
-        Units::Millimetre => ("ap·ae·F/1000", "/1000"),
+        AnswerUnit::Inch => ("ap·ae·F", ""),
+        AnswerUnit::Millimetre => ("ap·ae·F/1000", "/1000"),
     };
     worked.result(
         "Q",
         "removed in a minute",
-        Kind::Removal,
+        QuantityKind::Removal,
         depth * width * per_second,
         formula,
         format!("{}·{}·{feed}{end}", units.number(depth), units.number(width)),

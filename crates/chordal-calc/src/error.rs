@@ -1,6 +1,6 @@
 //! Numbers that no drawing has, and what is said of them.
 
-use crate::numbers::Units;
+use crate::numbers::AnswerUnit;
 
 /// Numbers that contradict each other.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -26,7 +26,7 @@ const MOST_ANGLE: f64 = 1e4;
 
 /// Refuses lengths, mm, and angles, rad, that no drawing has: what is computed from the others is
 /// then finite.
-pub(crate) fn bounded(lengths: &[f64], angles: &[f64], units: Units) -> Result<(), CalcError> {
+pub(crate) fn bounded(lengths: &[f64], angles: &[f64], units: AnswerUnit) -> Result<(), CalcError> {
     for length in lengths {
         if *length != 0.0 && !LENGTHS.contains(&length.abs()) {
             let size = length / units.mm();

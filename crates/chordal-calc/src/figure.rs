@@ -4,7 +4,7 @@ use chordal_geometry::Vec2;
 
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Style {
+pub enum LineStyle {
     /// The contour of the part.
     Part,
     /// The way of the cutter's centre.
@@ -17,7 +17,7 @@ pub enum Style {
 
 /// One thing in a figure; coordinates in mm, X to the right and Y up, angles in rad.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Mark {
+pub enum FigureElement {
     /// A line.
     Line {
         /// Its start.
@@ -25,7 +25,7 @@ pub enum Mark {
         /// Its end.
         to: Vec2,
         /// How it is drawn.
-        style: Style,
+        style: LineStyle,
     },
     /// A part of a circle.
     Arc {
@@ -38,7 +38,7 @@ pub enum Mark {
         /// Angle travelled, positive counter-clockwise.
         sweep: f64,
         /// How it is drawn.
-        style: Style,
+        style: LineStyle,
     },
     /// A point with its name; without one it is only a dot.
     Point {
@@ -94,32 +94,39 @@ pub enum Mark {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     /// What is in it, in the order of drawing.
-    pub marks: Vec<Mark>,
+    pub marks: Vec<FigureElement>,
 }
 
 impl Figure {
-    pub(crate) fn line(&mut self, from: Vec2, to: Vec2, style: Style) {
-        self.marks.push(Mark::Line { from, to, style });
+    pub(crate) fn line(&mut self, from: Vec2, to: Vec2, style: LineStyle) {
+        self.marks.push(FigureElement::Line { from, to, style });
     }
 
-    pub(crate) fn circle(&mut self, center: Vec2, radius: f64, style: Style) {
+    pub(crate) fn circle(&mut self, center: Vec2, radius: f64, style: LineStyle) {
         self.arc(center, radius, 0.0, std::f64::consts::TAU, style);
     }
 
-    pub(crate) fn arc(&mut self, center: Vec2, radius: f64, start: f64, sweep: f64, style: Style) {
-        self.marks.push(Mark::Arc { center, radius, start, sweep, style });
+    pub(crate) fn arc(
+        &mut self,
+        center: Vec2,
+        radius: f64,
+        start: f64,
+        sweep: f64,
+        style: LineStyle,
+    ) {
+        self.marks.push(FigureElement::Arc { center, radius, start, sweep, style });
     }
 
     pub(crate) fn point(&mut self, at: Vec2, label: &str) {
-        self.marks.push(Mark::Point { at, label: label.into() });
+        self.marks.push(FigureElement::Point { at, label: label.into() });
     }
 
     pub(crate) fn arrow(&mut self, at: Vec2, direction: f64) {
-        self.marks.push(Mark::Arrow { at, direction });
+        self.marks.push(FigureElement::Arrow { at, direction });
     }
 
     pub(crate) fn text(&mut self, at: Vec2, text: impl Into<String>) {
-        self.marks.push(Mark::Text { at, text: text.into() });
+        self.marks.push(FigureElement::Text { at, text: text.into() });
     }
 
     pub(crate) fn angle(
@@ -130,18 +137,30 @@ impl Figure {
         sweep: f64,
         text: impl Into<String>,
     ) {
-        self.marks.push(Mark::Angle { vertex, radius, start, sweep, text: text.into() });
+        self.marks.push(FigureElement::Angle { vertex, radius, start, sweep, text: text.into() });
     }
 
     /// A dimension along X, at the height of `y`.
     pub(crate) fn width(&mut self, from: Vec2, to: Vec2, y: f64, text: impl Into<String>) {
         let through = Vec2::new(from.a, y);
-        self.marks.push(Mark::Dimension { from, to, direction: 0.0, through, text: text.into() });
+        self.marks.push(FigureElement::Dimension {
+            from,
+            to,
+            direction: 0.0,
+            through,
+            text: text.into(),
+        });
     }
 
     /// A dimension along Y, at `x`.
     pub(crate) fn height(&mut self, from: Vec2, to: Vec2, x: f64, text: impl Into<String>) {
         let (through, direction) = (Vec2::new(x, from.b), std::f64::consts::FRAC_PI_2);
-        self.marks.push(Mark::Dimension { from, to, direction, through, text: text.into() });
+        self.marks.push(FigureElement::Dimension {
+            from,
+            to,
+            direction,
+            through,
+            text: text.into(),
+        });
     }
 }

@@ -4,10 +4,10 @@ use chordal_geometry::Vec2;
 
 use crate::corner::cutter;
 use crate::error::{CalcError, bounded};
-use crate::figure::{Figure, Style};
+use crate::figure::{Figure, LineStyle};
 use crate::math::{PI, atan2};
-use crate::numbers::Units;
-use crate::worked::{Kind, Worked};
+use crate::numbers::AnswerUnit;
+use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// A line along X that meets an arc, and a cutter that touches both.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +31,7 @@ pub struct LineArc {
 ///
 /// # Errors
 /// When line and arc do not meet, or the cutter cannot touch both.
-pub fn line_with_arc(ask: &LineArc, units: Units) -> Result<Worked, CalcError> {
+pub fn line_with_arc(ask: &LineArc, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     let LineArc { cutter_radius, radius, height, inside, toward, corner } = *ask;
     bounded(&[cutter_radius, radius, height, corner.unwrap_or(0.0)], &[], units)?;
     cutter(cutter_radius, units)?;
@@ -51,21 +51,26 @@ pub fn line_with_arc(ask: &LineArc, units: Units) -> Result<Worked, CalcError> {
             "use a smaller cutter, or check on which sides it is",
         ));
     }
-    let mut worked = Worked::new("Corner of a line with an arc", units);
-    worked.given("CR", "cutter radius", Kind::Length, cutter_radius);
-    worked.given("R", "radius of the arc", Kind::Length, radius);
-    worked.given("Δj", "line from the arc's centre", Kind::Length, height);
+    let mut worked = WorkedCalculation::new("Corner of a line with an arc", units);
+    worked.given("CR", "cutter radius", QuantityKind::Length, cutter_radius);
+    worked.given("R", "radius of the arc", QuantityKind::Length, radius);
+    worked.given("Δj", "line from the arc's centre", QuantityKind::Length, height);
     let n = |value: f64| units.number(value);
     let along = match corner {
         Some(along) => {
-            worked.given("Δi", "corner from the arc's centre, by the drawing", Kind::Length, along);
+            worked.given(
+                "Δi",
+                "corner from the arc's centre, by the drawing",
+                QuantityKind::Length,
+                along,
+            );
             along
         }
         None => {
             let along = ((radius - height) * (radius + height)).sqrt();
             let filled = format!("√({}² − {}²)", n(radius), n(height));
             let meaning = "corner from the arc's centre, along the line";
-            worked.way("Δi", meaning, Kind::Length, along, "√(R² − Δj²)", filled);
+            worked.way("Δi", meaning, QuantityKind::Length, along, "√(R² − Δj²)", filled);
             along
         }
     };
@@ -73,7 +78,7 @@ pub fn line_with_arc(ask: &LineArc, units: Units) -> Result<Worked, CalcError> {
     worked.result(
         "ΔX",
         "from the corner to the cutter's centre, along the line",
-        Kind::Length,
+        QuantityKind::Length,
         along - center,
         &format!("Δi − √((R {arc_sign} CR)² − (Δj {line_sign} CR)²)"),
         format!(
@@ -85,7 +90,14 @@ pub fn line_with_arc(ask: &LineArc, units: Units) -> Result<Worked, CalcError> {
             n(cutter_radius)
         ),
     );
-    worked.result("ΔY", "off the line", Kind::Length, cutter_radius, "CR", n(cutter_radius));
+    worked.result(
+        "ΔY",
+        "off the line",
+        QuantityKind::Length,
+        cutter_radius,
+        "CR",
+        n(cutter_radius),
+    );
     worked.note(if along - center >= 0.0 {
         "The cutter's centre is this much nearer to the arc's centre than the corner is."
     } else {
@@ -95,7 +107,7 @@ pub fn line_with_arc(ask: &LineArc, units: Units) -> Result<Worked, CalcError> {
     Ok(worked)
 }
 
-fn check(ask: &LineArc, units: Units) -> Result<(), CalcError> {
+fn check(ask: &LineArc, units: AnswerUnit) -> Result<(), CalcError> {
     let LineArc { cutter_radius, radius, height, inside, corner, .. } = *ask;
     if !(radius > 0.0 && radius.is_finite() && height >= 0.0 && height.is_finite()) {
         return Err(CalcError::new(
@@ -134,7 +146,7 @@ fn check(ask: &LineArc, units: Units) -> Result<(), CalcError> {
 }
 
 /// The arc's centre at 0, the line below it, the corner to the right.
-fn draw(ask: &LineArc, along: f64, center: f64, line: f64, units: Units) -> Figure {
+fn draw(ask: &LineArc, along: f64, center: f64, line: f64, units: AnswerUnit) -> Figure {
     let cr = ask.cutter_radius;
     let corner = Vec2::new(along, -ask.height);
     let center = Vec2::new(center, -line);
@@ -143,18 +155,18 @@ fn draw(ask: &LineArc, along: f64, center: f64, line: f64, units: Units) -> Figu
     // The part of the line and of the arc that the cutter can touch.
     let way = if ask.inside { -1.0 } else { 1.0 };
     let up = if ask.toward { 1.0 } else { -1.0 };
-    figure.line(corner, corner + Vec2::new(way * arm, 0.0), Style::Part);
-    let arc_part = |figure: &mut Figure, at: Vec2, radius: f64, style: Style| {
+    figure.line(corner, corner + Vec2::new(way * arm, 0.0), LineStyle::Part);
+    let arc_part = |figure: &mut Figure, at: Vec2, radius: f64, style: LineStyle| {
         let start = atan2(at.b, at.a);
         let sweep = (arm / radius).min(0.6 * PI);
         figure.arc(Vec2::ZERO, radius, start, up * sweep, style);
     };
-    arc_part(&mut figure, corner, ask.radius, Style::Part);
-    figure.line(center, center + Vec2::new(way * arm, 0.0), Style::Path);
+    arc_part(&mut figure, corner, ask.radius, LineStyle::Part);
+    figure.line(center, center + Vec2::new(way * arm, 0.0), LineStyle::Path);
     let offset = if ask.inside { ask.radius - cr } else { ask.radius + cr };
-    arc_part(&mut figure, center, offset, Style::Path);
-    figure.circle(center, cr, Style::Cutter);
-    figure.line(Vec2::ZERO, corner, Style::Helper);
+    arc_part(&mut figure, center, offset, LineStyle::Path);
+    figure.circle(center, cr, LineStyle::Cutter);
+    figure.line(Vec2::ZERO, corner, LineStyle::Helper);
     figure.point(corner, "P");
     figure.point(center, "C");
     figure.point(Vec2::ZERO, "arc centre");

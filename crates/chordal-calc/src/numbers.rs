@@ -2,43 +2,43 @@
 
 /// The unit in which lengths are reported.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Units {
+pub enum AnswerUnit {
     /// Inches, five decimals.
     Inch,
     /// Millimetres, four decimals.
     Millimetre,
 }
 
-impl Units {
+impl AnswerUnit {
     /// Millimetres of one unit.
     pub const fn mm(self) -> f64 {
         match self {
-            Units::Inch => 25.4,
-            Units::Millimetre => 1.0,
+            AnswerUnit::Inch => 25.4,
+            AnswerUnit::Millimetre => 1.0,
         }
     }
 
     /// `in` or `mm`.
     pub const fn name(self) -> &'static str {
         match self {
-            Units::Inch => "in",
-            Units::Millimetre => "mm",
+            AnswerUnit::Inch => "in",
+            AnswerUnit::Millimetre => "mm",
         }
     }
 
     /// Decimals of a length in a text.
     pub const fn decimals(self) -> usize {
         match self {
-            Units::Inch => 5,
-            Units::Millimetre => 4,
+            AnswerUnit::Inch => 5,
+            AnswerUnit::Millimetre => 4,
         }
     }
 
     /// Decimals of a coordinate word in a program: the least increment of a common machine.
     pub const fn word_decimals(self) -> usize {
         match self {
-            Units::Inch => 4,
-            Units::Millimetre => 3,
+            AnswerUnit::Inch => 4,
+            AnswerUnit::Millimetre => 3,
         }
     }
 
@@ -85,13 +85,13 @@ mod tests {
 
     #[test]
     fn numbers_are_short_and_exact() {
-        assert_eq!(Units::Inch.length(25.4), "1 in");
-        assert_eq!(Units::Inch.number(6.35), "0.25");
-        assert_eq!(Units::Millimetre.length(-0.00001), "0 mm");
+        assert_eq!(AnswerUnit::Inch.length(25.4), "1 in");
+        assert_eq!(AnswerUnit::Inch.number(6.35), "0.25");
+        assert_eq!(AnswerUnit::Millimetre.length(-0.00001), "0 mm");
         assert_eq!(degrees(std::f64::consts::FRAC_PI_6), "30°");
         assert_eq!(trimmed(100.0, 0), "100");
         // An eighth of an eighth of an inch is 0.015625.
-        assert_eq!(Units::Inch.number(25.4 / 64.0), "0.01563");
+        assert_eq!(AnswerUnit::Inch.number(25.4 / 64.0), "0.01563");
         assert_eq!(trimmed(-0.015625, 5), "-0.01563");
         assert_eq!(trimmed(2.5, 0), "3");
     }

@@ -1,15 +1,15 @@
 //! The drill before a tap.
 
 use crate::error::CalcError;
-use crate::numbers::{Units, trimmed};
-use crate::thread::Thread;
-use crate::worked::{Kind, Worked};
+use crate::numbers::{AnswerUnit, trimmed};
+use crate::thread::ThreadSize;
+use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// A hole to be tapped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TapDrill {
     /// The thread, of the 60° profile.
-    pub thread: Thread,
+    pub thread: ThreadSize,
     /// How much of the full profile is asked for; 1 is all.
     pub share: f64,
     /// The tap presses the thread instead of cutting it.
@@ -25,7 +25,7 @@ const FORMED: f64 = 0.68;
 ///
 /// # Errors
 /// When nothing is left of the hole, or the share is none.
-pub fn tap_drill(ask: &TapDrill, units: Units) -> Result<Worked, CalcError> {
+pub fn tap_drill(ask: &TapDrill, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     let TapDrill { thread, share, forming } = *ask;
     thread.check(units)?;
     if !(share > 0.0 && share <= 1.0) {
@@ -45,15 +45,15 @@ pub fn tap_drill(ask: &TapDrill, units: Units) -> Result<Worked, CalcError> {
             "check diameter and pitch",
         ));
     }
-    let mut worked = Worked::new("Hole for a tap", units);
-    worked.given("D", "nominal diameter", Kind::Length, thread.major);
-    worked.given("P", "pitch", Kind::Length, thread.pitch);
-    worked.given("e", "share of the full profile", Kind::Number, share);
+    let mut worked = WorkedCalculation::new("Hole for a tap", units);
+    worked.given("D", "nominal diameter", QuantityKind::Length, thread.major);
+    worked.given("P", "pitch", QuantityKind::Length, thread.pitch);
+    worked.given("e", "share of the full profile", QuantityKind::Number, share);
     let (d, p, e) = (units.number(thread.major), units.number(thread.pitch), trimmed(share, 4));
     worked.result(
         "B",
         "diameter of the hole",
-        Kind::Length,
+        QuantityKind::Length,
         hole,
         &format!("D − {factor}·P·e"),
         format!("{d} − {factor}·{p}·{e}"),

@@ -1,11 +1,11 @@
 //! A calculation as it would stand on paper.
 
 use crate::figure::Figure;
-use crate::numbers::{Units, degrees, trimmed};
+use crate::numbers::{AnswerUnit, degrees, trimmed};
 
 /// What a number measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum QuantityKind {
     /// A length, mm.
     Length,
     /// An angle, rad.
@@ -22,39 +22,39 @@ pub enum Kind {
     Removal,
 }
 
-impl Kind {
+impl QuantityKind {
     /// A value in the unit that is shown.
-    pub fn shown(self, value: f64, units: Units) -> f64 {
+    pub fn shown(self, value: f64, units: AnswerUnit) -> f64 {
         let mm = units.mm();
         match self {
-            Kind::Length => value / mm,
-            Kind::Angle => value.to_degrees(),
-            Kind::Number | Kind::Spindle => value,
-            Kind::Feed => value * 60.0 / mm,
-            Kind::Surface => match units {
-                Units::Inch => value * 60.0 / (12.0 * mm),
-                Units::Millimetre => value * 60.0 / 1000.0,
+            QuantityKind::Length => value / mm,
+            QuantityKind::Angle => value.to_degrees(),
+            QuantityKind::Number | QuantityKind::Spindle => value,
+            QuantityKind::Feed => value * 60.0 / mm,
+            QuantityKind::Surface => match units {
+                AnswerUnit::Inch => value * 60.0 / (12.0 * mm),
+                AnswerUnit::Millimetre => value * 60.0 / 1000.0,
             },
-            Kind::Removal => match units {
-                Units::Inch => value * 60.0 / (mm * mm * mm),
-                Units::Millimetre => value * 60.0 / 1000.0,
+            QuantityKind::Removal => match units {
+                AnswerUnit::Inch => value * 60.0 / (mm * mm * mm),
+                AnswerUnit::Millimetre => value * 60.0 / 1000.0,
             },
         }
     }
 
     /// The name of that unit; a number has none.
-    pub const fn unit(self, units: Units) -> Option<&'static str> {
+    pub const fn unit(self, units: AnswerUnit) -> Option<&'static str> {
         Some(match (self, units) {
-            (Kind::Length, _) => units.name(),
-            (Kind::Angle, _) => "deg",
-            (Kind::Number, _) => return None,
-            (Kind::Spindle, _) => "rpm",
-            (Kind::Feed, Units::Inch) => "in/min",
-            (Kind::Feed, Units::Millimetre) => "mm/min",
-            (Kind::Surface, Units::Inch) => "ft/min",
-            (Kind::Surface, Units::Millimetre) => "m/min",
-            (Kind::Removal, Units::Inch) => "in\u{b3}/min",
-            (Kind::Removal, Units::Millimetre) => "cm\u{b3}/min",
+            (QuantityKind::Length, _) => units.name(),
+            (QuantityKind::Angle, _) => "deg",
+            (QuantityKind::Number, _) => return None,
+            (QuantityKind::Spindle, _) => "rpm",
+            (QuantityKind::Feed, AnswerUnit::Inch) => "in/min",
+            (QuantityKind::Feed, AnswerUnit::Millimetre) => "mm/min",
+            (QuantityKind::Surface, AnswerUnit::Inch) => "ft/min",
+            (QuantityKind::Surface, AnswerUnit::Millimetre) => "m/min",
+            (QuantityKind::Removal, AnswerUnit::Inch) => "in\u{b3}/min",
+            (QuantityKind::Removal, AnswerUnit::Millimetre) => "cm\u{b3}/min",
         })
     }
 }
@@ -69,17 +69,20 @@ pub struct Quantity {
     /// mm, rad, or as its kind says.
     pub value: f64,
     /// What it measures.
-    pub kind: Kind,
+    pub kind: QuantityKind,
 }
 
 impl Quantity {
     /// The number with its unit.
-    pub fn text(&self, units: Units) -> String {
+    pub fn text(&self, units: AnswerUnit) -> String {
         match self.kind {
-            Kind::Length => units.length(self.value),
-            Kind::Angle => degrees(self.value),
-            Kind::Number => trimmed(self.value, 6),
-            Kind::Spindle | Kind::Feed | Kind::Surface | Kind::Removal => {
+            QuantityKind::Length => units.length(self.value),
+            QuantityKind::Angle => degrees(self.value),
+            QuantityKind::Number => trimmed(self.value, 6),
+            QuantityKind::Spindle
+            | QuantityKind::Feed
+            | QuantityKind::Surface
+            | QuantityKind::Removal => {
                 let number = trimmed(self.kind.shown(self.value, units), 3);
                 format!("{number} {}", self.kind.unit(units).unwrap_or_default())
             }
@@ -89,7 +92,7 @@ impl Quantity {
 
 /// One line of a calculation.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Step {
+pub struct CalculationStep {
     /// What comes out.
     pub quantity: Quantity,
     /// The formula: `CR·tan(θ/2)`.
@@ -102,24 +105,24 @@ pub struct Step {
 
 /// A calculation with its figure.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Worked {
+pub struct WorkedCalculation {
     /// What was calculated.
     pub title: String,
     /// The unit of its texts.
-    pub units: Units,
+    pub units: AnswerUnit,
     /// What was given.
     pub given: Vec<Quantity>,
     /// The way and the results, in order.
-    pub steps: Vec<Step>,
+    pub steps: Vec<CalculationStep>,
     /// What to know in addition to the numbers.
     pub notes: Vec<String>,
     /// The drawing.
     pub figure: Figure,
 }
 
-impl Worked {
-    pub(crate) fn new(title: impl Into<String>, units: Units) -> Worked {
-        Worked {
+impl WorkedCalculation {
+    pub(crate) fn new(title: impl Into<String>, units: AnswerUnit) -> WorkedCalculation {
+        WorkedCalculation {
             title: title.into(),
             units,
             given: Vec::new(),
@@ -135,11 +138,11 @@ impl Worked {
     }
 
     /// The step that gives this symbol.
-    pub fn step(&self, symbol: &str) -> Option<&Step> {
+    pub fn step(&self, symbol: &str) -> Option<&CalculationStep> {
         self.steps.iter().find(|step| step.quantity.symbol == symbol)
     }
 
-    pub(crate) fn given(&mut self, symbol: &str, meaning: &str, kind: Kind, value: f64) {
+    pub(crate) fn given(&mut self, symbol: &str, meaning: &str, kind: QuantityKind, value: f64) {
         self.given.push(quantity(symbol, meaning, kind, value));
     }
 
@@ -148,13 +151,18 @@ impl Worked {
         &mut self,
         symbol: &str,
         meaning: &str,
-        kind: Kind,
+        kind: QuantityKind,
         value: f64,
         formula: &str,
         filled: String,
     ) {
         let quantity = quantity(symbol, meaning, kind, value);
-        self.steps.push(Step { quantity, formula: formula.into(), filled, result: false });
+        self.steps.push(CalculationStep {
+            quantity,
+            formula: formula.into(),
+            filled,
+            result: false,
+        });
     }
 
     /// A number that was asked for.
@@ -162,13 +170,18 @@ impl Worked {
         &mut self,
         symbol: &str,
         meaning: &str,
-        kind: Kind,
+        kind: QuantityKind,
         value: f64,
         formula: &str,
         filled: String,
     ) {
         let quantity = quantity(symbol, meaning, kind, value);
-        self.steps.push(Step { quantity, formula: formula.into(), filled, result: true });
+        self.steps.push(CalculationStep {
+            quantity,
+            formula: formula.into(),
+            filled,
+            result: true,
+        });
     }
 
     pub(crate) fn note(&mut self, text: impl Into<String>) {
@@ -176,7 +189,7 @@ impl Worked {
     }
 }
 
-fn quantity(symbol: &str, meaning: &str, kind: Kind, value: f64) -> Quantity {
+fn quantity(symbol: &str, meaning: &str, kind: QuantityKind, value: f64) -> Quantity {
     // A zero has no sign on paper.
     Quantity { symbol: symbol.into(), meaning: meaning.into(), value: value + 0.0, kind }
 }

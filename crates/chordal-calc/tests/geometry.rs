@@ -3,11 +3,11 @@
 use std::f64::consts::{PI, TAU};
 
 use chordal_calc::{
-    ArcArc, ArcPoints, ChordCount, LineArc, Side, TwoLines, Units, arc_points, arc_with_arc,
-    chord_count, corner_of_lines, line_with_arc,
+    AnswerUnit, ArcArc, ArcPoints, ChordCount, LineArc, TravelSide, TwoLines, arc_points,
+    arc_with_arc, chord_count, corner_of_lines, line_with_arc,
 };
 use chordal_geometry::{
-    Circle2, Direction, Frame, ParamCurve, Placement, Plane, Vec2, Vec3, circle_circle,
+    Circle2, Frame, ParamCurve, Placement, Plane, TurnDirection, Vec2, Vec3, circle_circle,
 };
 use proptest::prelude::*;
 
@@ -19,8 +19,8 @@ proptest! {
     /// At a corner of lines the centre is CR to the left of both.
     #[test]
     fn lines_are_touched(cr in 0.5f64..20.0, a in -3.0f64..3.0, bend in -2.9f64..2.9) {
-        let ask = TwoLines { cutter_radius: cr, a, b: a + bend, side: Side::Left };
-        let worked = corner_of_lines(&ask, Units::Millimetre).unwrap();
+        let ask = TwoLines { cutter_radius: cr, a, b: a + bend, side: TravelSide::Left };
+        let worked = corner_of_lines(&ask, AnswerUnit::Millimetre).unwrap();
         let center = Vec2::new(-worked.value("ΔX").unwrap(), worked.value("ΔY").unwrap());
         prop_assert!((distance_to_line(center, a) - cr).abs() < 1e-9 * (1.0 + center.length()));
         prop_assert!((distance_to_line(center, a + bend) - cr).abs() < 1e-9 * (1.0 + center.length()));
@@ -37,7 +37,7 @@ proptest! {
     ) {
         let height = share * radius;
         let ask = LineArc { cutter_radius: cr, radius, height, inside, toward, corner: None };
-        if let Ok(worked) = line_with_arc(&ask, Units::Millimetre) {
+        if let Ok(worked) = line_with_arc(&ask, AnswerUnit::Millimetre) {
             let corner = (radius * radius - height * height).sqrt();
             let up = if toward { cr } else { -cr };
             let center = Vec2::new(corner - worked.value("ΔX").unwrap(), up - height);
@@ -60,9 +60,9 @@ proptest! {
         let low = (r1 - r2).abs();
         let far = low + share * (r1 + r2 - low);
         let second = Vec2::new(far * angle.cos(), far * angle.sin());
-        let side = if left { Side::Left } else { Side::Right };
+        let side = if left { TravelSide::Left } else { TravelSide::Right };
         let ask = ArcArc { cutter_radius: cr, radii: [r1, r2], inside, apart: [second.a, second.b], side };
-        if let Ok(worked) = arc_with_arc(&ask, Units::Millimetre) {
+        if let Ok(worked) = arc_with_arc(&ask, AnswerUnit::Millimetre) {
             let circle = |center, radius| Circle2 { center, radius };
             let meet: Vec<Vec2> =
                 circle_circle(circle(Vec2::ZERO, r1), circle(second, r2), 0.0).points().collect();
@@ -80,7 +80,7 @@ proptest! {
     #[test]
     fn chords_are_those_of_the_curve(radius in 1.0f64..500.0, share in 1e-5f64..0.2, sweep in 0.1f64..TAU) {
         let tolerance = radius * share;
-        let worked = chord_count(&ChordCount { radius, tolerance, sweep }, Units::Millimetre).unwrap();
+        let worked = chord_count(&ChordCount { radius, tolerance, sweep }, AnswerUnit::Millimetre).unwrap();
         let arc = chordal_geometry::Arc::new(Plane::Xy.frame(), radius, sweep, 0.0);
         let chords = arc.chords(tolerance, Placement::Inscribed).unwrap().chord_count();
         prop_assert_eq!(worked.value("N").unwrap() as u64, chords);
@@ -91,8 +91,9 @@ proptest! {
 #[test]
 fn an_arc_ends_where_the_curve_does() {
     let start = Vec2::new(12.0, -3.0);
-    let ask = ArcPoints { start, radius: 10.0, from: 0.0, to: 1.25 * PI, direction: Direction::Cw };
-    let worked = arc_points(&ask, Units::Millimetre).unwrap();
+    let ask =
+        ArcPoints { start, radius: 10.0, from: 0.0, to: 1.25 * PI, direction: TurnDirection::Cw };
+    let worked = arc_points(&ask, AnswerUnit::Millimetre).unwrap();
     let frame = Frame { origin: Vec3::new(2.0, -3.0, 0.0), ..Plane::Xy.frame() };
     let curve = chordal_geometry::Arc::new(frame, 10.0, -0.75 * PI, 0.0);
     assert!((worked.value("XE").unwrap() - curve.end.x).abs() < 1e-9);

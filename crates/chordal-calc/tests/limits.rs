@@ -1,15 +1,15 @@
 //! Limits of the classes of fit, against the tables of ASME B1.1 and ISO 965-2.
 
-use chordal_calc::{Designation, Units, Worked, named_thread};
+use chordal_calc::{AnswerUnit, ThreadDesignation, WorkedCalculation, named_thread};
 
-fn thread(name: &str) -> Worked {
-    let read = Designation::read(name).unwrap_or_else(|error| panic!("{name}: {error}"));
+fn thread(name: &str) -> WorkedCalculation {
+    let read = ThreadDesignation::read(name).unwrap_or_else(|error| panic!("{name}: {error}"));
     named_thread(&read, 1, read.units).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
 /// Each symbol has this value, to the last digit of the table.
 #[track_caller]
-fn has(name: &str, unit: Units, limits: &[(&str, f64)]) {
+fn has(name: &str, unit: AnswerUnit, limits: &[(&str, f64)]) {
     let worked = thread(name);
     for (symbol, expected) in limits {
         let value = worked.value(symbol).unwrap_or_else(|| panic!("{name} has no {symbol}"));
@@ -22,14 +22,14 @@ fn has(name: &str, unit: Units, limits: &[(&str, f64)]) {
 #[track_caller]
 fn outside(name: &str, [dmax, dmin, d2max, d2min]: [f64; 4]) {
     let limits = [("dmax", dmax), ("dmin", dmin), ("d2max", d2max), ("d2min", d2min)];
-    has(name, Units::Inch, &limits);
+    has(name, AnswerUnit::Inch, &limits);
 }
 
 /// Minor and pitch diameter inside, least and most of each.
 #[track_caller]
 fn inside(name: &str, [least, most, pitch_least, pitch_most]: [f64; 4]) {
     let limits = [("D1min", least), ("D1max", most), ("D2min", pitch_least), ("D2max", pitch_most)];
-    has(name, Units::Inch, &limits);
+    has(name, AnswerUnit::Inch, &limits);
 }
 
 /// The table of ASME B1.1, outside threads.
@@ -39,10 +39,10 @@ fn unified_outside() {
     outside("1-64 UNC-2A", [0.0724, 0.0686, 0.0623, 0.0603]);
     outside("1-72 UNF-3A", [0.0730, 0.0695, 0.0640, 0.0626]);
     outside("2-56 UNC-2A", [0.0854, 0.0813, 0.0738, 0.0717]);
-    has("4-40 UNC-2A", Units::Inch, &[("es", 0.0008), ("dmax", 0.1112), ("dmin", 0.1061)]);
-    has("5-44 UNF-2A", Units::Inch, &[("es", 0.0007), ("dmax", 0.1243), ("dmin", 0.1195)]);
-    has("8-32 UNC-2A", Units::Inch, &[("es", 0.0009), ("dmax", 0.1631), ("dmin", 0.1571)]);
-    has("12-28 UNF-2A", Units::Inch, &[("es", 0.0010), ("dmax", 0.2150), ("dmin", 0.2085)]);
+    has("4-40 UNC-2A", AnswerUnit::Inch, &[("es", 0.0008), ("dmax", 0.1112), ("dmin", 0.1061)]);
+    has("5-44 UNF-2A", AnswerUnit::Inch, &[("es", 0.0007), ("dmax", 0.1243), ("dmin", 0.1195)]);
+    has("8-32 UNC-2A", AnswerUnit::Inch, &[("es", 0.0009), ("dmax", 0.1631), ("dmin", 0.1571)]);
+    has("12-28 UNF-2A", AnswerUnit::Inch, &[("es", 0.0010), ("dmax", 0.2150), ("dmin", 0.2085)]);
     outside("10-24 UNC-2A", [0.1890, 0.1818, 0.1619, 0.1586]);
     outside("1/4-20 UNC-1A", [0.2489, 0.2367, 0.2164, 0.2108]);
     outside("1/4-20 UNC-2A", [0.2489, 0.2408, 0.2164, 0.2127]);
@@ -61,9 +61,9 @@ fn unified_outside() {
     outside("1 1/16-28 UN-2A", [1.0613, 1.0548, 1.0381, 1.0341]);
     outside("1 1/16-28 UN-3A", [1.0625, 1.0560, 1.0393, 1.0363]);
     // Round root of UNR threads, the column of its own in the table.
-    has("0-80 UNF-2A", Units::Inch, &[("d3max", 0.0446)]);
-    has("15/16-12 UN-2A", Units::Inch, &[("d3max", 0.8366)]);
-    has("15/16-12 UN-3A", Units::Inch, &[("d3max", 0.8383)]);
+    has("0-80 UNF-2A", AnswerUnit::Inch, &[("d3max", 0.0446)]);
+    has("15/16-12 UN-2A", AnswerUnit::Inch, &[("d3max", 0.8366)]);
+    has("15/16-12 UN-3A", AnswerUnit::Inch, &[("d3max", 0.8383)]);
 }
 
 /// The table of ASME B1.1, inside threads.
@@ -162,7 +162,7 @@ fn no_class_no_limits() {
 fn metric_outside() {
     let outside = |name: &str, [dmax, dmin, d2max, d2min]: [f64; 4]| {
         let limits = [("dmax", dmax), ("dmin", dmin), ("d2max", d2max), ("d2min", d2min)];
-        has(name, Units::Millimetre, &limits);
+        has(name, AnswerUnit::Millimetre, &limits);
     };
     outside("M1.6-6g", [1.581, 1.496, 1.354, 1.291]);
     outside("M3x0.5-6g", [2.980, 2.874, 2.655, 2.580]);
@@ -176,8 +176,8 @@ fn metric_outside() {
     outside("M10x1.5-6g", [9.968, 9.732, 8.994, 8.862]);
     outside("M10x0.75-6g", [9.978, 9.838, 9.491, 9.391]);
     outside("M20x2.5-6g", [19.958, 19.623, 18.334, 18.164]);
-    has("M10x1.5-6g", Units::Millimetre, &[("d3min", 7.938)]);
-    has("M8x1-4g6g", Units::Millimetre, &[("d3min", 6.637)]);
+    has("M10x1.5-6g", AnswerUnit::Millimetre, &[("d3min", 7.938)]);
+    has("M8x1-4g6g", AnswerUnit::Millimetre, &[("d3min", 6.637)]);
 }
 
 /// ISO 965-2, inside threads of 6H; and 6G, that lies higher by the deviation of table 1.
@@ -186,7 +186,7 @@ fn metric_inside() {
     let inside = |name: &str, [least, most, pitch_least, pitch_most]: [f64; 4]| {
         let limits =
             [("D1min", least), ("D1max", most), ("D2min", pitch_least), ("D2max", pitch_most)];
-        has(name, Units::Millimetre, &limits);
+        has(name, AnswerUnit::Millimetre, &limits);
     };
     inside("M3-6H", [2.459, 2.599, 2.675, 2.775]);
     inside("M6x1-6H", [4.917, 5.153, 5.350, 5.500]);
@@ -201,7 +201,7 @@ fn metric_inside() {
 #[test]
 fn metric_limits_that_the_standard_lacks() {
     let refused = |name: &str, texts: &[&str]| {
-        let read = Designation::read(name).unwrap();
+        let read = ThreadDesignation::read(name).unwrap();
         let error = named_thread(&read, 1, read.units).unwrap_err();
         for text in texts {
             assert!(error.message.contains(text), "{name}: {error}");

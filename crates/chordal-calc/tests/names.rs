@@ -1,14 +1,16 @@
 //! Names of threads as people write them.
 
-use chordal_calc::{Class, Designation, Form, Hand, Where, named_thread};
+use chordal_calc::{
+    FitClass, ThreadDesignation, ThreadForm, ThreadHand, ThreadLocation, named_thread,
+};
 
-fn read(name: &str) -> Designation {
-    Designation::read(name).unwrap_or_else(|error| panic!("{name}: {error}; {}", error.help))
+fn read(name: &str) -> ThreadDesignation {
+    ThreadDesignation::read(name).unwrap_or_else(|error| panic!("{name}: {error}; {}", error.help))
 }
 
 #[track_caller]
 fn refused(name: &str, texts: &[&str]) {
-    let error = Designation::read(name).expect_err(name);
+    let error = ThreadDesignation::read(name).expect_err(name);
     let whole = format!("{}; {}", error.message, error.help);
     for text in texts {
         assert!(whole.contains(text), "{name}: {whole}");
@@ -49,7 +51,7 @@ fn inch_threads() {
         ("1-14 TPI", 1.0, 14.0),
     ] {
         let thread = read(name);
-        assert_eq!(thread.form, Form::Unified, "{name}");
+        assert_eq!(thread.form, ThreadForm::Unified, "{name}");
         assert!((thread.major / 25.4 - diameter).abs() < 1e-12, "{name}: {}", thread.major / 25.4);
         assert!((25.4 / thread.pitch - tpi).abs() < 1e-9, "{name}: {}", 25.4 / thread.pitch);
     }
@@ -75,7 +77,7 @@ fn metric_threads() {
         let thread = read(name);
         assert_eq!(
             (thread.form, thread.major, thread.pitch),
-            (Form::Metric, diameter, pitch),
+            (ThreadForm::Metric, diameter, pitch),
             "{name}"
         );
     }
@@ -87,20 +89,20 @@ fn metric_threads() {
 #[test]
 fn pipe_threads() {
     for (name, form, diameter_mm, tpi) in [
-        ("1/8-27 NPT", Form::Npt, 0.405 * 25.4, 27.0),
-        ("1/8 NPT", Form::Npt, 0.405 * 25.4, 27.0),
-        ("npt 1/2", Form::Npt, 0.84 * 25.4, 14.0),
-        ("1-11 1/2 NPT", Form::Npt, 1.315 * 25.4, 11.5),
-        ("1 1/2-11.5 NPT", Form::Npt, 1.9 * 25.4, 11.5),
-        ("3/4\" NPTF", Form::Nptf, 1.05 * 25.4, 14.0),
-        ("G 1/2", Form::G, 20.955, 14.0),
-        ("g1/2", Form::G, 20.955, 14.0),
-        ("G1/2A", Form::G, 20.955, 14.0),
-        ("G 1 1/4 B", Form::G, 41.91, 11.0),
-        ("1/2 BSPP", Form::G, 20.955, 14.0),
-        ("R 1/2", Form::R, 20.955, 14.0),
-        ("1/2-14 BSPT", Form::R, 20.955, 14.0),
-        ("Rc 3/8", Form::R, 16.662, 19.0),
+        ("1/8-27 NPT", ThreadForm::Npt, 0.405 * 25.4, 27.0),
+        ("1/8 NPT", ThreadForm::Npt, 0.405 * 25.4, 27.0),
+        ("npt 1/2", ThreadForm::Npt, 0.84 * 25.4, 14.0),
+        ("1-11 1/2 NPT", ThreadForm::Npt, 1.315 * 25.4, 11.5),
+        ("1 1/2-11.5 NPT", ThreadForm::Npt, 1.9 * 25.4, 11.5),
+        ("3/4\" NPTF", ThreadForm::Nptf, 1.05 * 25.4, 14.0),
+        ("G 1/2", ThreadForm::G, 20.955, 14.0),
+        ("g1/2", ThreadForm::G, 20.955, 14.0),
+        ("G1/2A", ThreadForm::G, 20.955, 14.0),
+        ("G 1 1/4 B", ThreadForm::G, 41.91, 11.0),
+        ("1/2 BSPP", ThreadForm::G, 20.955, 14.0),
+        ("R 1/2", ThreadForm::R, 20.955, 14.0),
+        ("1/2-14 BSPT", ThreadForm::R, 20.955, 14.0),
+        ("Rc 3/8", ThreadForm::R, 16.662, 19.0),
     ] {
         let thread = read(name);
         assert_eq!(thread.form, form, "{name}");
@@ -116,11 +118,11 @@ fn pipe_threads() {
 
 #[test]
 fn classes_are_read_or_refused() {
-    let unified = |grade, place| Class::Unified { grade, place };
-    assert_eq!(read("1/4-20 2a").classes, [unified(2, Where::Outside)]);
+    let unified = |grade, place| FitClass::Unified { grade, place };
+    assert_eq!(read("1/4-20 2a").classes, [unified(2, ThreadLocation::Outside)]);
     assert_eq!(
         read("1/4-20 UNC-3B/3A").classes,
-        [unified(3, Where::Outside), unified(3, Where::Inside)]
+        [unified(3, ThreadLocation::Outside), unified(3, ThreadLocation::Inside)]
     );
     assert_eq!(read("M10-6H/6g").classes.len(), 2);
     for name in ["M10-6g", "M10-6H", "M10-4h", "M10-5H", "M10-7H", "M10-6e", "M10-8g", "M10-4g6g"] {
@@ -156,9 +158,9 @@ fn a_lost_case_is_said() {
 
 #[test]
 fn hands() {
-    assert_eq!(read("0.5-13 UNC 2A LH").hand, Some(Hand::Left));
-    assert_eq!(read("M10 lh").hand, Some(Hand::Left));
-    assert_eq!(read("M10 RH").hand, Some(Hand::Right));
+    assert_eq!(read("0.5-13 UNC 2A LH").hand, Some(ThreadHand::Left));
+    assert_eq!(read("M10 lh").hand, Some(ThreadHand::Left));
+    assert_eq!(read("M10 RH").hand, Some(ThreadHand::Right));
     assert_eq!(read("M10").hand, None);
     refused("M10 LH RH", &["left and right"]);
 }

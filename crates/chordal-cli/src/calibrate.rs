@@ -7,11 +7,11 @@ use chordal::Machine;
 use chordal::machine::{Axis, builtin};
 use chordal::motion::{LimitError, MotionOptions, WaitKind};
 use chordal::time::{Factors, Fit, Parameter, Prediction, Untold, fit};
-use chordal_load::{Files, Loaded};
+use chordal_load::{FileAccess, Loaded};
 
-use crate::failure::{Failure, Verdict};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::numbers::{counted, duration, fixed, short};
-use crate::options::Common;
+use crate::options::CommonArgs;
 use crate::output::write_whole;
 use crate::programs::load_one;
 use crate::summary::plain_table;
@@ -43,18 +43,18 @@ pub struct Args {
     output: Option<PathBuf>,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 /// A program and its time on the machine.
-struct Measurement {
+struct CycleTimeMeasurement {
     loaded: Loaded,
     seconds: f64,
 }
 
-pub fn run(args: &Args) -> Result<Verdict, Failure> {
+pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     let Some(name) = &args.common.machine else {
-        return Err(Failure::wrong(
+        return Err(CommandFailure::wrong(
             "no machine is given",
             "give it with --machine: the fit starts from its limits",
         ));
@@ -76,17 +76,17 @@ pub fn run(args: &Args) -> Result<Verdict, Failure> {
         write_whole(output, file.as_bytes())?;
         say(&format!("\nwritten to {}\n", output.display()))?;
     }
-    Ok(Verdict::Clean)
+    Ok(ExitVerdict::Clean)
 }
 
 /// The fitted file inherits the machine's and cannot take its place.
-fn keep_machine(name: &str, output: &Path) -> Result<(), Failure> {
+fn keep_machine(name: &str, output: &Path) -> Result<(), CommandFailure> {
     let same = |a: &Path, b: &Path| match (a.canonicalize(), b.canonicalize()) {
         (Ok(a), Ok(b)) => a == b,
         _ => false,
     };
     if builtin(name).is_none() && same(Path::new(name), output) {
-        return Err(Failure::wrong(
+        return Err(CommandFailure::wrong(
             format!("{} is the machine file that is fitted", output.display()),
             "give the output another name: the output inherits this file",
         ));
@@ -94,10 +94,11 @@ fn keep_machine(name: &str, output: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-fn read(args: &Args) -> Result<Vec<Measurement>, Failure> {
+fn read(args: &Args) -> Result<Vec<CycleTimeMeasurement>, CommandFailure> {
     let path = &args.measured;
     let name = path.to_string_lossy();
-    let text = Files::Disk.text(path).map_err(|error| Failure::read(name.as_ref(), &error))?;
+    let text =
+        FileAccess::Disk.text(path).map_err(|error| CommandFailure::read(name.as_ref(), &error))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut measurements = Vec::new();
     for (index, row) in text.trim_start_matches('\u{feff}').lines().enumerate() {
@@ -110,12 +111,12 @@ fn read(args: &Args) -> Result<Vec<Measurement>, Failure> {
         match seconds(time) {
             Some(seconds) => {
                 let loaded = load_one(&folder.join(file), &args.common)?;
-                measurements.push(Measurement { loaded, seconds });
+                measurements.push(CycleTimeMeasurement { loaded, seconds });
             }
             // Names of columns.
             None if measurements.is_empty() && !time.contains(|c: char| c.is_ascii_digit()) => {}
             None => {
-                return Err(Failure::wrong(
+                return Err(CommandFailure::wrong(
                     format!("{name}, line {}: `{time}` is not a time", index + 1),
                     "a row is `program,time`, the time in seconds or as 12:34 or 1:02:03",
                 ));
@@ -123,7 +124,7 @@ fn read(args: &Args) -> Result<Vec<Measurement>, Failure> {
         }
     }
     if measurements.is_empty() {
-        return Err(Failure::wrong(
+        return Err(CommandFailure::wrong(
             format!("{name} holds no measured time"),
             "a row is `program,time`, such as `part.nc,754.2`",
         ));
@@ -151,7 +152,11 @@ fn seconds(text: &str) -> Option<f64> {
 }
 
 /// Fits; what a program takes with some factors is planned once.
-fn fit_to(measurements: &[Measurement], machine: &Machine, start: Factors) -> Result<Fit, Failure> {
+fn fit_to(
+    measurements: &[CycleTimeMeasurement],
+    machine: &Machine,
+    start: Factors,
+) -> Result<Fit, CommandFailure> {
     let measured: Vec<f64> = measurements.iter().map(|program| program.seconds).collect();
     let mut known: BTreeMap<(usize, u64, u64), Prediction> = BTreeMap::new();
     let mut failed = None;
@@ -167,7 +172,11 @@ fn fit_to(measurements: &[Measurement], machine: &Machine, start: Factors) -> Re
     failed.map_or(Ok(fitted), Err)
 }
 
-fn predict(loaded: &Loaded, machine: &Machine, factors: &Factors) -> Result<Prediction, Failure> {
+fn predict(
+    loaded: &Loaded,
+    machine: &Machine,
+    factors: &Factors,
+) -> Result<Prediction, CommandFailure> {
     let changed = factors.on(machine).map_err(|error| wrong_limit(&error))?;
     let timed = loaded.job_on(changed)?.time(&MotionOptions::default());
     let time = timed.map_err(|error| wrong_limit(&error))?.time;
@@ -179,7 +188,12 @@ fn predict(loaded: &Loaded, machine: &Machine, factors: &Factors) -> Result<Pred
     })
 }
 
-fn text(measurements: &[Measurement], machine: &Machine, start: Factors, fitted: &Fit) -> String {
+fn text(
+    measurements: &[CycleTimeMeasurement],
+    machine: &Machine,
+    start: Factors,
+    fitted: &Fit,
+) -> String {
     let programs = counted(measurements.len() as u64, "program", "programs");
     let mut text = format!("{programs} measured on {} ({})\n\n", machine.title, machine.name);
     let mut numbers = plain_table(&["", "machine file", "fitted"], 1);

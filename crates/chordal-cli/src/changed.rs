@@ -6,20 +6,23 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use chordal_load::Input;
+use chordal_load::ProgramInput;
 
-use crate::failure::Failure;
+use crate::failure::CommandFailure;
 
 /// The inputs whose files changed since a commit, or since it and the present commit parted: those
 /// of the working tree, new ones that git does not ignore among them. Deleted files are none.
-pub fn only_changed(inputs: Vec<Input>, commit: &str) -> Result<Vec<Input>, Failure> {
+pub fn only_changed(
+    inputs: Vec<ProgramInput>,
+    commit: &str,
+) -> Result<Vec<ProgramInput>, CommandFailure> {
     let mut roots: BTreeSet<PathBuf> = BTreeSet::new();
     let mut changed: BTreeSet<PathBuf> = BTreeSet::new();
     let mut kept = Vec::new();
     for input in inputs {
         let Some(path) = &input.path else {
             let help = "name files or folders of a git repository";
-            return Err(Failure::wrong("--changed-since cannot take standard input", help));
+            return Err(CommandFailure::wrong("--changed-since cannot take standard input", help));
         };
         // What cannot be read is reported when it is to be run.
         let Ok(path) = path.canonicalize() else {
@@ -39,10 +42,10 @@ pub fn only_changed(inputs: Vec<Input>, commit: &str) -> Result<Vec<Input>, Fail
 }
 
 /// The top folder of the repository that a folder is in.
-fn top(folder: &Path) -> Result<PathBuf, Failure> {
+fn top(folder: &Path) -> Result<PathBuf, CommandFailure> {
     let told = git(folder, ["rev-parse", "--show-toplevel"])?.ok_or_else(|| {
         let message = format!("{} is not in a git repository", folder.display());
-        Failure::wrong(message, "--changed-since asks git what changed")
+        CommandFailure::wrong(message, "--changed-since asks git what changed")
     })?;
     let told = told.strip_suffix(b"\n").unwrap_or(&told);
     let top = path(told);
@@ -50,12 +53,15 @@ fn top(folder: &Path) -> Result<PathBuf, Failure> {
 }
 
 /// The files of a repository that changed.
-fn changes(root: &Path, commit: &str) -> Result<Vec<PathBuf>, Failure> {
+fn changes(root: &Path, commit: &str) -> Result<Vec<PathBuf>, CommandFailure> {
     let asked = format!("{commit}^{{commit}}");
     let known = git(root, ["rev-parse", "--verify", "--quiet", "--end-of-options", &asked])?;
     let known = known.and_then(|hash| String::from_utf8(hash).ok()).ok_or_else(|| {
         let message = format!("there is no commit `{commit}` in {}", root.display());
-        Failure::wrong(message, "a workflow has to check out the whole history: fetch-depth: 0")
+        CommandFailure::wrong(
+            message,
+            "a workflow has to check out the whole history: fetch-depth: 0",
+        )
     })?;
     let known = known.trim();
     let base = git(root, ["merge-base", known, "HEAD"])?;
@@ -68,21 +74,21 @@ fn changes(root: &Path, commit: &str) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// What git lists, each name ended by a zero.
-fn listed<const N: usize>(root: &Path, words: [&str; N]) -> Result<Vec<PathBuf>, Failure> {
+fn listed<const N: usize>(root: &Path, words: [&str; N]) -> Result<Vec<PathBuf>, CommandFailure> {
     let told = git(root, words)?.ok_or_else(|| {
         let message = format!("git {} failed in {}", words[0], root.display());
-        Failure::wrong(message, "run it there to see why")
+        CommandFailure::wrong(message, "run it there to see why")
     })?;
     let names = told.split(|byte| *byte == 0).filter(|name| !name.is_empty());
     Ok(names.map(|name| root.join(path(name))).collect())
 }
 
 /// What git prints; nothing where it says no.
-fn git<const N: usize>(folder: &Path, words: [&str; N]) -> Result<Option<Vec<u8>>, Failure> {
+fn git<const N: usize>(folder: &Path, words: [&str; N]) -> Result<Option<Vec<u8>>, CommandFailure> {
     let run = Command::new("git").arg("-C").arg(folder).args(words).output();
     let done = run.map_err(|error: io::Error| {
         let message = format!("git cannot be started: {error}");
-        Failure::wrong(message, "--changed-since asks git what changed; install git")
+        CommandFailure::wrong(message, "--changed-since asks git what changed; install git")
     })?;
     Ok(done.status.success().then_some(done.stdout))
 }

@@ -4,17 +4,17 @@ use std::path::PathBuf;
 
 use chordal::stock::StockOptions;
 use chordal::{EVERY_PLACE, Report, Severity};
-use chordal_export::report::{self, Gitlab, Sarif};
+use chordal_export::report::{self, GitlabReport, SarifReport};
 use chordal_load::Loaded;
 use clap::ValueEnum;
 
-use crate::failure::{Failure, Verdict};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::numbers::{counted, grouped};
-use crate::options::{Common, Showing, length};
-use crate::programs::Programs;
+use crate::options::{CommonArgs, ProblemDisplay, length};
+use crate::programs::ProgramList;
 use crate::readings;
 use crate::stock;
-use crate::terminal::{BOLD, Terminal, style};
+use crate::terminal::{BOLD, TerminalSupport, style};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -40,11 +40,11 @@ pub struct Args {
 
     /// Format of the problems
     #[arg(long, value_enum, default_value = "text")]
-    format: Format,
+    format: CheckFormat,
 
     /// The lowest severity that makes the exit code 1
     #[arg(long, value_enum, default_value = "warning", value_name = "SEVERITY")]
-    fail_on: FailOn,
+    fail_on: FailSeverity,
 
     /// Cuts the stock of the setup with each program as well, and reports what rapids, shank and holder touch;
     /// what is not proved makes the exit code 1
@@ -66,14 +66,14 @@ pub struct Args {
     changed_since: Option<String>,
 
     #[command(flatten)]
-    showing: Showing,
+    showing: ProblemDisplay,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
+enum CheckFormat {
     /// Text for the reader: the lines with the words underlined
     Text,
     /// One JSON object for all files
@@ -87,26 +87,26 @@ enum Format {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum FailOn {
+enum FailSeverity {
     Error,
     Warning,
     Note,
     Never,
 }
 
-impl FailOn {
-    fn verdict(self, worst: Option<Severity>) -> Verdict {
+impl FailSeverity {
+    fn verdict(self, worst: Option<Severity>) -> ExitVerdict {
         let limit = match self {
-            FailOn::Error => Severity::Error,
-            FailOn::Warning => Severity::Warning,
-            FailOn::Note => Severity::Note,
-            FailOn::Never => return Verdict::Clean,
+            FailSeverity::Error => Severity::Error,
+            FailSeverity::Warning => Severity::Warning,
+            FailSeverity::Note => Severity::Note,
+            FailSeverity::Never => return ExitVerdict::Clean,
         };
-        if worst >= Some(limit) { Verdict::Problems } else { Verdict::Clean }
+        if worst >= Some(limit) { ExitVerdict::Problems } else { ExitVerdict::Clean }
     }
 }
 
-pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     let Args {
         files,
         format,
@@ -120,13 +120,13 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     } = args;
     common.set_up(setup.as_deref());
     let options = StockOptions { resolution_mm: resolution, ..StockOptions::default() };
-    let kept = if format == Format::Json { EVERY_PLACE } else { showing.kept() };
-    let programs = Programs::changed(&files, &common, terminal, changed_since.as_deref())?;
+    let kept = if format == CheckFormat::Json { EVERY_PLACE } else { showing.kept() };
+    let programs = ProgramList::changed(&files, &common, terminal, changed_since.as_deref())?;
     let called = programs.called();
-    let mut totals = Totals::default();
+    let mut totals = CheckTotals::default();
     let mut objects = Vec::new();
-    let (mut sarif, mut gitlab) = (Sarif::new(), Gitlab::new());
-    let mut handle = |programs: &Programs, loaded: &Loaded| {
+    let (mut sarif, mut gitlab) = (SarifReport::new(), GitlabReport::new());
+    let mut handle = |programs: &ProgramList, loaded: &Loaded| {
         let job = loaded.job()?;
         let (report, is_proved) = if stock {
             let found = stock::left(&job, &options, setup.as_deref())?;
@@ -136,7 +136,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         };
         totals.add(&report);
         match format {
-            Format::Text => {
+            CheckFormat::Text => {
                 let problems = report.worst().is_some();
                 if problems {
                     programs.say(&readings::head(loaded))?;
@@ -149,37 +149,43 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
                     programs.say(&report::text(&report, job.sources(), terminal.out, detail))?;
                 }
             }
-            Format::Github => programs.say(&report::github(&report, job.sources()))?,
-            Format::Json => {
+            CheckFormat::Github => programs.say(&report::github(&report, job.sources()))?,
+            CheckFormat::Json => {
                 let reading = loaded.reading();
                 objects.push(report::json(&report, job.sources(), loaded.name(), &reading));
             }
-            Format::Sarif => sarif.add(&report, job.sources()),
-            Format::Gitlab => gitlab.add(&report, job.sources()),
+            CheckFormat::Sarif => sarif.add(&report, job.sources()),
+            CheckFormat::Gitlab => gitlab.add(&report, job.sources()),
         }
         let verdict = fail_on.verdict(report.worst());
-        Ok(if is_proved || fail_on == FailOn::Never { verdict } else { Verdict::Problems })
+        Ok(if is_proved || fail_on == FailSeverity::Never {
+            verdict
+        } else {
+            ExitVerdict::Problems
+        })
     };
     let verdict = programs.each(|programs, _, loaded| handle(programs, loaded))?;
     totals.called = called;
     match format {
-        Format::Text => match &changed_since {
-            Some(commit) if totals.files == 0 && verdict == Verdict::Clean => {
+        CheckFormat::Text => match &changed_since {
+            Some(commit) if totals.files == 0 && verdict == ExitVerdict::Clean => {
                 terminal.tell(&format!("no program has changed since {commit}\n"));
             }
             _ => terminal.tell(&totals.text(terminal)),
         },
-        Format::Json => crate::terminal::say(&report::files_json("chordal.check/1", &objects))?,
-        Format::Sarif => crate::terminal::say(&sarif.finish())?,
-        Format::Gitlab => crate::terminal::say(&gitlab.finish())?,
-        Format::Github => {}
+        CheckFormat::Json => {
+            crate::terminal::say(&report::files_json("chordal.check/1", &objects))?
+        }
+        CheckFormat::Sarif => crate::terminal::say(&sarif.finish())?,
+        CheckFormat::Gitlab => crate::terminal::say(&gitlab.finish())?,
+        CheckFormat::Github => {}
     }
     Ok(verdict)
 }
 
 /// All files together.
 #[derive(Default)]
-struct Totals {
+struct CheckTotals {
     files: u64,
     with_problems: u64,
     errors: u64,
@@ -189,7 +195,7 @@ struct Totals {
     called: u64,
 }
 
-impl Totals {
+impl CheckTotals {
     fn add(&mut self, report: &Report) {
         self.files += 1;
         self.with_problems += u64::from(report.worst() >= Some(Severity::Warning));
@@ -200,7 +206,7 @@ impl Totals {
 
     /// The last line, `2 errors, 1 warning in 1 of 12 programs`; a single program with problems
     /// has reported its own.
-    fn text(&self, terminal: Terminal) -> String {
+    fn text(&self, terminal: TerminalSupport) -> String {
         let counts: Vec<String> = [
             (self.errors, "error", "errors"),
             (self.warnings, "warning", "warnings"),

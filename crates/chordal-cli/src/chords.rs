@@ -11,11 +11,11 @@ use chordal_export::columns::{ChordColumns, ColumnFile};
 use chordal_export::{left_out_texts, not_named_texts};
 use clap::ValueEnum;
 
-use crate::failure::{Failure, Verdict};
-use crate::options::{Common, length};
-use crate::out::{Format, Out, RowFormat, keep};
-use crate::rows::Output;
-use crate::terminal::Terminal;
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::{CommonArgs, length};
+use crate::out::{FileFormat, RowFormat, RowOutput, keep};
+use crate::rows::RowTarget;
+use crate::terminal::TerminalSupport;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -41,7 +41,7 @@ pub struct Args {
 
     /// Where the ends of the chords are
     #[arg(long, value_enum, default_value = "inscribed")]
-    placement: Lie,
+    placement: ChordPlacement,
 
     /// The segments that the control itself cuts arcs into (GRBL: $12)
     #[arg(long, conflicts_with_all = ["tolerance", "placement"])]
@@ -56,58 +56,63 @@ pub struct Args {
     format: Option<RowFormat>,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Lie {
+enum ChordPlacement {
     /// On the curve
     Inscribed,
     /// Outside it by the tolerance, their middles inside by the same
     Balanced,
 }
 
-impl Lie {
+impl ChordPlacement {
     fn inside(self) -> Placement {
         match self {
-            Lie::Inscribed => Placement::Inscribed,
-            Lie::Balanced => Placement::Balanced,
+            ChordPlacement::Inscribed => Placement::Inscribed,
+            ChordPlacement::Balanced => Placement::Balanced,
         }
     }
 }
 
-enum Writer<'a> {
-    Text(ChordWriter<Out>),
-    Columns(Box<ColumnFile<Out, ChordColumns<'a>>>),
+enum ChordRows<'a> {
+    Text(ChordWriter<RowOutput>),
+    Columns(Box<ColumnFile<RowOutput, ChordColumns<'a>>>),
 }
 
-impl<'a> Writer<'a> {
-    fn new(out: Out, format: RowFormat, args: &Args, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
+impl<'a> ChordRows<'a> {
+    fn new(
+        out: RowOutput,
+        format: RowFormat,
+        args: &Args,
+        job: &'a Job<'a>,
+    ) -> io::Result<ChordRows<'a>> {
         let own = job.own_chords().filter(|_| args.as_control);
         let (tolerance, placement) = own.unwrap_or((args.tolerance, args.placement.inside()));
         if let Some(format) = format.columns() {
             let rows = ChordColumns::new(job, tolerance, placement);
             let file = ColumnFile::new(out, format, rows)?;
-            return Ok(Writer::Columns(Box::new(file)));
+            return Ok(ChordRows::Columns(Box::new(file)));
         }
         let text = match format {
             RowFormat::Jsonl => ChordWriter::jsonl(out, tolerance, placement),
             _ => ChordWriter::csv(out, tolerance, placement),
         };
-        text.map(Writer::Text)
+        text.map(ChordRows::Text)
     }
 
     fn segment(&mut self, segment: &Segment) -> io::Result<()> {
         match self {
-            Writer::Text(out) => out.segment(segment),
-            Writer::Columns(out) => out.segment(segment),
+            ChordRows::Text(out) => out.segment(segment),
+            ChordRows::Columns(out) => out.segment(segment),
         }
     }
 
-    fn finish(self) -> io::Result<Out> {
+    fn finish(self) -> io::Result<RowOutput> {
         match self {
-            Writer::Text(out) => out.finish(),
-            Writer::Columns(out) => out.finish(),
+            ChordRows::Text(out) => out.finish(),
+            ChordRows::Columns(out) => out.finish(),
         }
     }
 }
@@ -121,20 +126,20 @@ fn unknown_in(segment: &Segment) -> AxisMask {
     AxisMask::LINEAR.without(from.and(to).or(segment.not_named.all()))
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let output = Output::of(args.output.as_deref(), args.format, RowFormat::Csv, "chords")?;
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
+    let output = RowTarget::of(args.output.as_deref(), args.format, RowFormat::Csv, "chords")?;
     let goes = |job: &Job| {
         if !args.as_control || job.own_chords().is_some() {
             return Ok(());
         }
         let title = job.control().table.title;
         let message = format!("{title} is not known to cut arcs into segments");
-        Err(Failure::wrong(message, "say --tolerance instead of --as-control"))
+        Err(CommandFailure::wrong(message, "say --tolerance instead of --as-control"))
     };
     let mut remarks = Vec::new();
     let verdict =
         output.write_if(&args.file, &args.common, terminal, goes, |job, out, format| {
-            let mut writer = Writer::new(out, format, args, job)?;
+            let mut writer = ChordRows::new(out, format, args, job)?;
             let mut done = Ok(());
             let mut blank = AxisMask::NONE;
             let report = job.report_with(|_, segments| {

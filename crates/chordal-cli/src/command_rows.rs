@@ -6,19 +6,19 @@ use chordal::{Command, Job, PathCommand};
 use chordal_export::columns::{ColumnFile, CommandColumns};
 use chordal_export::{CommandCsv, CommandJsonLines};
 
-use crate::out::{Format, Out, RowFormat};
+use crate::out::{FileFormat, RowFormat, RowOutput};
 
 /// Writes rows of commands.
 pub enum CommandRows<'a> {
-    Jsonl(Box<CommandJsonLines<'a, Out>>),
-    Csv(Box<CommandCsv<Out>>),
-    Columns(Box<ColumnFile<Out, CommandColumns<'a>>>),
+    Jsonl(Box<CommandJsonLines<'a, RowOutput>>),
+    Csv(Box<CommandCsv<RowOutput>>),
+    Columns(Box<ColumnFile<RowOutput, CommandColumns<'a>>>),
 }
 
 impl<'a> CommandRows<'a> {
     /// Rows of the commands of a job, or of those of the tool centre.
     pub fn new(
-        out: Out,
+        out: RowOutput,
         format: RowFormat,
         job: &'a Job<'a>,
         of_path: bool,
@@ -56,7 +56,7 @@ impl<'a> CommandRows<'a> {
     }
 
     /// The output, with all rows in it.
-    pub fn finish(self) -> io::Result<Out> {
+    pub fn finish(self) -> io::Result<RowOutput> {
         match self {
             CommandRows::Jsonl(out) => out.finish(),
             CommandRows::Csv(out) => out.finish(),

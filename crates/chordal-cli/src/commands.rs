@@ -4,16 +4,16 @@ use std::io;
 use std::path::PathBuf;
 
 use chordal::{Command, Job};
-use chordal_export::Canon;
+use chordal_export::CanonWriter;
 use chordal_export::columns::ColumnFormat;
 use clap::ValueEnum;
 
 use crate::command_rows::CommandRows;
-use crate::failure::{Failure, Verdict};
-use crate::options::Common;
-use crate::out::{self, Out, RowFormat, keep};
-use crate::rows::Output;
-use crate::terminal::Terminal;
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::CommonArgs;
+use crate::out::{self, RowFormat, RowOutput, keep};
+use crate::rows::RowTarget;
+use crate::terminal::TerminalSupport;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -40,14 +40,14 @@ pub struct Args {
 
     /// Format of the commands if no file extension gives it; JSON lines on standard output
     #[arg(long, value_enum)]
-    format: Option<Format>,
+    format: Option<CommandFormat>,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
+enum CommandFormat {
     /// JSON lines: a header, then one object per command
     Jsonl,
     /// LinuxCNC's canonical text
@@ -60,58 +60,63 @@ enum Format {
     Arrow,
 }
 
-impl Format {
+impl CommandFormat {
     /// The format that a path has, too; `None` for canonical text.
     fn rows(self) -> Option<RowFormat> {
         match self {
-            Format::Jsonl => Some(RowFormat::Jsonl),
-            Format::Canon => None,
-            Format::Csv => Some(RowFormat::Csv),
-            Format::Parquet => Some(RowFormat::Parquet),
-            Format::Arrow => Some(RowFormat::Arrow),
+            CommandFormat::Jsonl => Some(RowFormat::Jsonl),
+            CommandFormat::Canon => None,
+            CommandFormat::Csv => Some(RowFormat::Csv),
+            CommandFormat::Parquet => Some(RowFormat::Parquet),
+            CommandFormat::Arrow => Some(RowFormat::Arrow),
         }
     }
 }
 
-impl out::Format for Format {
+impl out::FileFormat for CommandFormat {
     fn columns(self) -> Option<ColumnFormat> {
-        self.rows().and_then(out::Format::columns)
+        self.rows().and_then(out::FileFormat::columns)
     }
 }
 
 #[allow(clippy::large_enum_variant, reason = "there is one of it in a run")]
-enum Writer<'a> {
+enum CommandRowWriter<'a> {
     Rows(CommandRows<'a>),
-    Canon(Canon<'a, Out>),
+    Canon(CanonWriter<'a, RowOutput>),
 }
 
-impl<'a> Writer<'a> {
-    fn new(out: Out, format: Format, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
+impl<'a> CommandRowWriter<'a> {
+    fn new(
+        out: RowOutput,
+        format: CommandFormat,
+        job: &'a Job<'a>,
+    ) -> io::Result<CommandRowWriter<'a>> {
         match format.rows() {
-            Some(format) => CommandRows::new(out, format, job, false).map(Writer::Rows),
-            None => Canon::new(out, job).map(Writer::Canon),
+            Some(format) => CommandRows::new(out, format, job, false).map(CommandRowWriter::Rows),
+            None => CanonWriter::new(out, job).map(CommandRowWriter::Canon),
         }
     }
 
     fn command(&mut self, command: &Command) -> io::Result<()> {
         match self {
-            Writer::Rows(out) => out.command(command),
-            Writer::Canon(out) => out.command(command),
+            CommandRowWriter::Rows(out) => out.command(command),
+            CommandRowWriter::Canon(out) => out.command(command),
         }
     }
 
-    fn finish(self) -> io::Result<Out> {
+    fn finish(self) -> io::Result<RowOutput> {
         match self {
-            Writer::Rows(out) => out.finish(),
-            Writer::Canon(out) => out.finish(),
+            CommandRowWriter::Rows(out) => out.finish(),
+            CommandRowWriter::Canon(out) => out.finish(),
         }
     }
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let output = Output::of(args.output.as_deref(), args.format, Format::Jsonl, "commands")?;
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
+    let output =
+        RowTarget::of(args.output.as_deref(), args.format, CommandFormat::Jsonl, "commands")?;
     output.write(&args.file, &args.common, terminal, |job, out, format| {
-        let mut writer = Writer::new(out, format, job)?;
+        let mut writer = CommandRowWriter::new(out, format, job)?;
         let mut done = Ok(());
         let report = job.report_of_commands(|command| keep(&mut done, || writer.command(command)));
         done?;

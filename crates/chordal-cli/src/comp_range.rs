@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use chordal::ContourRange;
 use chordal_export::{contour_ranges_json, contour_ranges_text};
 
-use crate::failure::{Failure, Verdict};
-use crate::options::{AnswerFormat, Common};
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::{AnswerFormat, CommonArgs};
 use crate::programs::load_one;
 
 const EXAMPLES: &str = "\
@@ -32,10 +32,10 @@ pub struct Args {
     format: AnswerFormat,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
-pub fn run(args: &Args) -> Result<Verdict, Failure> {
+pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     let found = job.contour_ranges();
@@ -45,5 +45,5 @@ pub fn run(args: &Args) -> Result<Verdict, Failure> {
     };
     anstream::print!("{text}");
     let outside = found.ranges.iter().any(|range: &ContourRange| !range.fits());
-    Ok(if outside { Verdict::Problems } else { Verdict::Clean })
+    Ok(if outside { ExitVerdict::Problems } else { ExitVerdict::Clean })
 }

@@ -3,18 +3,18 @@
 use std::path::{Path, PathBuf};
 
 use chordal::Job;
-use chordal::machine::Dimension;
-use chordal_compare::{Category, Options, Verdict as Answer, compare};
+use chordal::machine::QuantityDimension;
+use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict as Answer, compare};
 use chordal_export::{
     Plot, PlotOptions, comparison_headline, comparison_json, comparison_names, comparison_text,
 };
 
-use crate::failure::{Failure, Verdict};
-use crate::numbers::Units;
-use crate::options::{AnswerFormat, Common, quantity};
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::numbers::SummaryUnits;
+use crate::options::{AnswerFormat, CommonArgs, quantity};
 use crate::output::write_whole;
 use crate::programs::{load_one, recognized};
-use crate::terminal::{Terminal, say};
+use crate::terminal::{TerminalSupport, say};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -72,7 +72,7 @@ pub struct Args {
     format: AnswerFormat,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 fn category(text: &str) -> Result<Category, String> {
@@ -85,13 +85,13 @@ fn category(text: &str) -> Result<Category, String> {
 /// A length of zero or more with its unit, or in mm without.
 pub fn length_mm(text: &str) -> Result<f64, String> {
     let bare = text.trim().parse().map_err(|_| ());
-    let mm: f64 = bare.or_else(|()| quantity(text, Dimension::Length))?;
+    let mm: f64 = bare.or_else(|()| quantity(text, QuantityDimension::Length))?;
     if mm >= 0.0 && mm.is_finite() { Ok(mm) } else { Err("write a length of zero or more".into()) }
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     let Some([a, b]) = sides(&args.a, args.b.as_ref(), &args.machines, &args.common)? else {
-        return Err(Failure::wrong(
+        return Err(CommandFailure::wrong(
             "there is one program and nothing to compare it with",
             "name another program, or another machine with --as",
         ));
@@ -102,18 +102,18 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     for loaded in [&a, &b] {
         terminal.tell(&recognized(loaded));
     }
-    let options = Options {
+    let options = ComparisonOptions {
         tolerance_mm: args.tolerance,
         feed_tolerance: args.feed_tolerance,
         speed_tolerance: args.feed_tolerance,
         time_tolerance: args.time_tolerance,
         ignored: args.ignore.clone(),
-        ..Options::default()
+        ..ComparisonOptions::default()
     };
     let found = compare(jobs[0], jobs[1], &options);
     let names = comparison_names([a.name(), b.name()], jobs);
     if let Some(path) = &args.output {
-        let units = Units::of(found.reports[0].summary.inch);
+        let units = SummaryUnits::of(found.reports[0].summary.inch);
         let about = comparison_headline(&found, units, args.tolerance);
         picture(path, jobs, names.clone(), &about)?;
     }
@@ -129,9 +129,9 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         AnswerFormat::Json => say(&comparison_json(&found, jobs, args.tolerance))?,
     }
     Ok(if matches!(found.verdict, Answer::Different | Answer::NotVerified) {
-        Verdict::Problems
+        ExitVerdict::Problems
     } else {
-        Verdict::Clean
+        ExitVerdict::Clean
     })
 }
 
@@ -141,13 +141,13 @@ pub fn picture(
     jobs: [&Job; 2],
     names: [String; 2],
     subtitle: &str,
-) -> Result<(), Failure> {
+) -> Result<(), CommandFailure> {
     let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
     let is_png = match ending.as_deref().and_then(|ending| ending.to_str()) {
         Some("svg") => false,
         Some("png") => true,
         _ => {
-            return Err(Failure::wrong(
+            return Err(CommandFailure::wrong(
                 format!("the extension of {} is not a picture format", path.display()),
                 "the extensions are .svg and .png",
             ));
@@ -163,7 +163,7 @@ pub fn picture(
         false => plot.svg(&options).into_bytes(),
         true => plot
             .png(&options)
-            .map_err(|error| Failure::wrong(error.to_string(), "write an .svg"))?,
+            .map_err(|error| CommandFailure::wrong(error.to_string(), "write an .svg"))?,
     };
     write_whole(path, &content)
 }
@@ -173,23 +173,24 @@ pub fn sides<'a>(
     a: &'a PathBuf,
     b: Option<&'a PathBuf>,
     machines: &[String],
-    common: &Common,
-) -> Result<Option<[(&'a PathBuf, Common); 2]>, Failure> {
+    common: &CommonArgs,
+) -> Result<Option<[(&'a PathBuf, CommonArgs); 2]>, CommandFailure> {
     let on = |machine: Option<&String>| {
         let machine = machine.or(common.machine.as_ref()).cloned();
-        Common { machine, ..common.clone() }
+        CommonArgs { machine, ..common.clone() }
     };
     match (b, machines) {
         (Some(b), [] | [_, _]) => Ok(Some([(a, on(machines.first())), (b, on(machines.get(1)))])),
         (None, [first, second]) => Ok(Some([(a, on(Some(first))), (a, on(Some(second)))])),
         (None, [second]) => Ok(Some([(a, on(None)), (a, on(Some(second)))])),
         (None, []) => Ok(None),
-        (Some(_), [_]) => Err(Failure::wrong(
+        (Some(_), [_]) => Err(CommandFailure::wrong(
             "--as is given once for two programs",
             "give it twice, in the order of the programs, or give --machine for both",
         )),
-        (_, [_, _, _, ..]) => {
-            Err(Failure::wrong("--as is given more than twice", "give it once for each program"))
-        }
+        (_, [_, _, _, ..]) => Err(CommandFailure::wrong(
+            "--as is given more than twice",
+            "give it once for each program",
+        )),
     }
 }

@@ -2,7 +2,7 @@
 
 use clap_complete::Shell;
 
-use crate::failure::{Failure, Verdict};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::terminal::say;
 
 const EXAMPLES: &str = "\
@@ -21,9 +21,9 @@ pub struct Args {
 }
 
 /// Into memory first: the generator would panic on a closed pipe.
-pub fn run(args: &Args) -> Result<Verdict, Failure> {
+pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut crate::command(), "chordal", &mut script);
     say(&String::from_utf8_lossy(&script))?;
-    Ok(Verdict::Clean)
+    Ok(ExitVerdict::Clean)
 }

@@ -5,20 +5,20 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use chordal::Job;
-use chordal_compare::{Category, Options as Comparing};
+use chordal_compare::{Category, ComparisonOptions as Comparing};
 use chordal_export::{comparison_headline, conversion_json, difference_text, length_text};
 use chordal_load::machine;
-use chordal_rewrite::convert::{Conversion, Options, convert};
+use chordal_rewrite::convert::{Conversion, ConversionOptions, convert};
 use chordal_rewrite::{Certificate, Change};
 
 use crate::compare::{length_mm, picture};
-use crate::failure::{Failure, Verdict};
-use crate::numbers::{Units, counted};
-use crate::options::{AnswerFormat, Common};
-use crate::out::{Out, trouble};
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::numbers::{SummaryUnits, counted};
+use crate::options::{AnswerFormat, CommonArgs};
+use crate::out::{RowOutput, trouble};
 use crate::programs::{load_one, recognized};
-use crate::terminal::{Terminal, say};
-use crate::view::{self, Made};
+use crate::terminal::{TerminalSupport, say};
+use crate::view::{self, GeneratedProgram};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -87,15 +87,15 @@ pub struct Args {
     format: AnswerFormat,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     let target = machine::named(&args.to)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     terminal.tell(&recognized(&loaded));
-    let options = Options {
+    let options = ConversionOptions {
         tolerance_mm: args.tolerance,
         digits: args.digits.map(usize::from),
         despite_errors: args.despite_errors,
@@ -115,7 +115,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     if let (Some(path), Some(new), Some(certificate)) =
         (&args.picture, found.job("new"), &found.certificate)
     {
-        let units = Units::of(certificate.comparison.reports[0].summary.inch);
+        let units = SummaryUnits::of(certificate.comparison.reports[0].summary.inch);
         let about = comparison_headline(&certificate.comparison, units, certificate.tolerance_mm);
         let names = [job.machine().name.clone(), found.machine.name.clone()];
         picture(path, [&job, &new], names, &about)?;
@@ -132,7 +132,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         say(&found.text)?;
     }
     if args.view && !found.text.is_empty() {
-        let made = Made {
+        let made = GeneratedProgram {
             how: "converted",
             file: output.filter(|_| may_write && !streams),
             text: found.text.clone().into_bytes(),
@@ -147,22 +147,22 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         };
         view::beside(&args.file, loaded.text(), &args.common, made, terminal)?;
     }
-    Ok(if found.holds() { Verdict::Clean } else { Verdict::Problems })
+    Ok(if found.holds() { ExitVerdict::Clean } else { ExitVerdict::Problems })
 }
 
-fn write(path: &Path, program: &Path, text: &str) -> Result<(), Failure> {
-    let mut out = Out::open(Some(path), program, Plain::Text)?;
+fn write(path: &Path, program: &Path, text: &str) -> Result<(), CommandFailure> {
+    let mut out = RowOutput::open(Some(path), program, ProgramTextFormat::Text)?;
     out.write_all(text.as_bytes()).map_err(|error| trouble(Some(path), error))?;
     out.put()
 }
 
 /// Text, whatever the name's ending.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Plain {
+enum ProgramTextFormat {
     Text,
 }
 
-impl crate::out::Format for Plain {
+impl crate::out::FileFormat for ProgramTextFormat {
     fn columns(self) -> Option<chordal_export::columns::ColumnFormat> {
         None
     }
@@ -174,7 +174,7 @@ fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -
     let changes = counted(found.changes.len() as u64, "change", "changes");
     let refused = counted(found.refusals.len() as u64, "block", "blocks");
     let within = found.certificate.as_ref().is_some_and(|certificate| {
-        certificate.comparison.verdict == chordal_compare::Verdict::Within
+        certificate.comparison.verdict == chordal_compare::ComparisonVerdict::Within
     });
     let but = match (found.pecks.is_empty(), found.passes.is_empty()) {
         (true, true) => "",
@@ -208,7 +208,7 @@ fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -
     }
     if let Some(certificate) = &found.certificate {
         text += &proof(found, certificate, job);
-        let units = Units::of(certificate.comparison.reports[0].summary.inch);
+        let units = SummaryUnits::of(certificate.comparison.reports[0].summary.inch);
         text += &crate::pecks::text(&found.pecks, [from, to], units);
         text += &crate::passes::text(&found.passes, [from, to], units);
     }
@@ -263,7 +263,7 @@ fn shown(change: &Change, at: &[u32]) -> String {
 fn proof(found: &Conversion, certificate: &Certificate, job: &Job) -> String {
     let Some(new) = found.job("the new program") else { return String::new() };
     let comparison = &certificate.comparison;
-    let units = Units::of(comparison.reports[0].summary.inch);
+    let units = SummaryUnits::of(comparison.reports[0].summary.inch);
     let mut text =
         format!("\nproof: {}", comparison_headline(comparison, units, certificate.tolerance_mm));
     let names = ["old", "new"];

@@ -5,57 +5,58 @@ use std::path::{Path, PathBuf};
 use chordal::Job;
 use chordal::stock::{EngagementOptions, EngagementReport};
 use chordal_export::columns::{ColumnFile, ColumnFormat, CutColumns, cuts_csv};
-use chordal_export::report::{self, Detail};
+use chordal_export::report::{self, ReportDetail};
 use chordal_export::{engagement_json, engagement_text};
 use chordal_load::Loaded;
 
-use crate::failure::{Failure, Verdict};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::options::AnswerFormat;
 use crate::output::write_whole;
 use crate::programs::recognized;
 use crate::setup_files;
 use crate::stock_failure::failure_of;
-use crate::terminal::{Terminal, say};
+use crate::terminal::{TerminalSupport, say};
 
 /// A file of moves.
 #[derive(Clone, Copy)]
-enum Form {
+enum EngagementFormat {
     Columns(ColumnFormat),
     Csv,
     Json,
 }
 
-fn form(path: &Path) -> Result<Form, Failure> {
+fn form(path: &Path) -> Result<EngagementFormat, CommandFailure> {
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     Ok(match ending.as_str() {
-        "parquet" => Form::Columns(ColumnFormat::Parquet),
-        "arrow" => Form::Columns(ColumnFormat::Arrow),
-        "csv" => Form::Csv,
-        "json" => Form::Json,
+        "parquet" => EngagementFormat::Columns(ColumnFormat::Parquet),
+        "arrow" => EngagementFormat::Columns(ColumnFormat::Arrow),
+        "csv" => EngagementFormat::Csv,
+        "json" => EngagementFormat::Json,
         _ => {
             let message = format!("the extension of {} is not a format of moves", path.display());
             let help = "with --engagement the extensions are .parquet, .arrow, .csv, .json";
-            return Err(Failure::wrong(message, help));
+            return Err(CommandFailure::wrong(message, help));
         }
     })
 }
 
 /// What is asked for in addition to the run.
-pub struct Answer<'a> {
+pub struct EngagementOutput<'a> {
     pub output: &'a [PathBuf],
     pub format: AnswerFormat,
-    pub detail: Detail,
+    pub detail: ReportDetail,
     /// The setup file.
     pub setup: Option<&'a Path>,
 }
 
 pub fn run(
-    args: &Answer<'_>,
+    args: &EngagementOutput<'_>,
     options: &EngagementOptions,
     loaded: &Loaded,
-    terminal: Terminal,
-) -> Result<Verdict, Failure> {
-    let forms: Vec<Form> = args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
+    terminal: TerminalSupport,
+) -> Result<ExitVerdict, CommandFailure> {
+    let forms: Vec<EngagementFormat> =
+        args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
     let job = loaded.job()?;
     let found = job
         .engagement(options, &setup_files::files)
@@ -75,10 +76,10 @@ pub fn run(
         AnswerFormat::Json => say(&engagement_json(&found, loaded.name(), false))?,
     }
     let is_fine = found.problems.is_empty() && found.is_whole && found.report.counts.errors == 0;
-    Ok(if is_fine { Verdict::Clean } else { Verdict::Problems })
+    Ok(if is_fine { ExitVerdict::Clean } else { ExitVerdict::Problems })
 }
 
-fn written(paths: &[PathBuf]) -> Result<(), Failure> {
+fn written(paths: &[PathBuf]) -> Result<(), CommandFailure> {
     for path in paths {
         say(&format!("written: {}\n", path.display()))?;
     }
@@ -88,17 +89,17 @@ fn written(paths: &[PathBuf]) -> Result<(), Failure> {
 fn content(
     found: &EngagementReport,
     job: &Job<'_>,
-    form: Form,
+    form: EngagementFormat,
     name: &str,
-) -> Result<Vec<u8>, Failure> {
+) -> Result<Vec<u8>, CommandFailure> {
     Ok(match form {
-        Form::Json => engagement_json(found, name, true).into_bytes(),
-        Form::Csv => {
+        EngagementFormat::Json => engagement_json(found, name, true).into_bytes(),
+        EngagementFormat::Csv => {
             let mut text = Vec::new();
             cuts_csv(&mut text, job, &found.moves)?;
             text
         }
-        Form::Columns(format) => {
+        EngagementFormat::Columns(format) => {
             let mut file = ColumnFile::new(Vec::new(), format, CutColumns::new(job))?;
             for each in &found.moves {
                 file.put(|rows| rows.cut(each))?;

@@ -1,11 +1,11 @@
 //! `chordal explain`: what a diagnostic, a code, a letter, a setting or an alarm means.
 
 use chordal::control::Control;
-use chordal_editor::explain::{Unexplained, explain};
-use chordal_editor::meaning::View;
+use chordal_editor::explain::{UnknownTerm, explain};
+use chordal_editor::meaning::ControlView;
 use chordal_load::machine;
 
-use crate::failure::{Failure, Verdict};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::terminal::say;
 
 const EXAMPLES: &str = "\
@@ -33,13 +33,13 @@ pub struct Args {
     machine: Option<String>,
 }
 
-pub fn run(args: &Args) -> Result<Verdict, Failure> {
+pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     let views = match &args.machine {
-        Some(name) => vec![View::of(&Control::of(&machine::named(name)?).0)],
-        None => View::all(),
+        Some(name) => vec![ControlView::of(&Control::of(&machine::named(name)?).0)],
+        None => ControlView::all(),
     };
     match explain(&args.words.join(" "), &views) {
-        Ok(text) => say(&text).map(|()| Verdict::Clean),
-        Err(Unexplained { message, help }) => Err(Failure::Use { message, help }),
+        Ok(text) => say(&text).map(|()| ExitVerdict::Clean),
+        Err(UnknownTerm { message, help }) => Err(CommandFailure::Use { message, help }),
     }
 }

@@ -6,7 +6,7 @@ use chordal_load::{LoadError, reason};
 
 /// How a command ended, from good to bad: its exit code.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum Verdict {
+pub enum ExitVerdict {
     /// Nothing to complain of.
     Clean,
     /// Problems in a program.
@@ -17,7 +17,7 @@ pub enum Verdict {
 
 /// Why something could not be done at all. Problems of programs are diagnostics, not this.
 #[derive(Debug, thiserror::Error)]
-pub enum Failure {
+pub enum CommandFailure {
     /// A program or a machine could not be loaded, or another file not be read.
     #[error(transparent)]
     Load(#[from] LoadError),
@@ -52,39 +52,39 @@ pub struct OfFile {
     pub error: io::Error,
 }
 
-impl From<io::Error> for Failure {
+impl From<io::Error> for CommandFailure {
     /// What knows its file is of that file, all else of standard output.
-    fn from(error: io::Error) -> Failure {
+    fn from(error: io::Error) -> CommandFailure {
         match error.get_ref().and_then(|inner| inner.downcast_ref::<OfFile>()) {
-            Some(OfFile { file, error }) => Failure::write(file.as_str(), error),
-            None => Failure::Out(error),
+            Some(OfFile { file, error }) => CommandFailure::write(file.as_str(), error),
+            None => CommandFailure::Out(error),
         }
     }
 }
 
-impl Failure {
+impl CommandFailure {
     /// A file that could not be read.
-    pub fn read(file: impl Into<String>, error: &io::Error) -> Failure {
+    pub fn read(file: impl Into<String>, error: &io::Error) -> CommandFailure {
         LoadError::read(file, error).into()
     }
 
     /// A file that could not be written.
-    pub fn write(file: impl Into<String>, error: &io::Error) -> Failure {
-        Failure::Write { file: file.into(), reason: reason(error) }
+    pub fn write(file: impl Into<String>, error: &io::Error) -> CommandFailure {
+        CommandFailure::Write { file: file.into(), reason: reason(error) }
     }
 
     /// A wrong use and what to do instead.
-    pub fn wrong(message: impl Into<String>, help: impl Into<String>) -> Failure {
-        Failure::Use { message: message.into(), help: Some(help.into()) }
+    pub fn wrong(message: impl Into<String>, help: impl Into<String>) -> CommandFailure {
+        CommandFailure::Use { message: message.into(), help: Some(help.into()) }
     }
 
     /// Whoever read our output has enough of it: nothing to report.
     pub fn is_closed_pipe(&self) -> bool {
-        matches!(self, Failure::Out(error) if error.kind() == io::ErrorKind::BrokenPipe)
+        matches!(self, CommandFailure::Out(error) if error.kind() == io::ErrorKind::BrokenPipe)
     }
 
     /// What the process ends with.
-    pub fn verdict(&self) -> Verdict {
-        if self.is_closed_pipe() { Verdict::Clean } else { Verdict::Trouble }
+    pub fn verdict(&self) -> ExitVerdict {
+        if self.is_closed_pipe() { ExitVerdict::Clean } else { ExitVerdict::Trouble }
     }
 }

@@ -66,8 +66,8 @@ use std::ffi::OsString;
 use chordal_export::numbers;
 use clap::{ColorChoice, Parser, Subcommand};
 
-use crate::failure::{Failure, Verdict};
-use crate::terminal::Terminal;
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::terminal::TerminalSupport;
 
 const ABOUT: &str = "Runs CNC programs exactly as their control would";
 
@@ -107,7 +107,7 @@ Exit code: 0 clean, 1 problems in the program, 2 wrong use or a file that cannot
 #[command(propagate_version = true, subcommand_required = true, arg_required_else_help = true)]
 struct Cli {
     #[command(subcommand)]
-    command: Command,
+    command: CliCommand,
 
     /// When to use colours; auto: on a terminal, unless NO_COLOR is set
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
@@ -116,7 +116,7 @@ struct Cli {
 }
 
 #[derive(Subcommand)]
-enum Command {
+enum CliCommand {
     Run(run::Args),
     View(view::Args),
     Time(time::Args),
@@ -145,35 +145,35 @@ enum Command {
     Completions(completions::Args),
 }
 
-impl Command {
-    fn carry_out(self, terminal: Terminal) -> Result<Verdict, Failure> {
+impl CliCommand {
+    fn carry_out(self, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
         match self {
-            Command::Run(args) => run::run(args, terminal),
-            Command::View(args) => view::run(args, terminal),
-            Command::Time(args) => time::run(&args, terminal),
-            Command::Report(mut args) => report::run(&mut args, terminal),
-            Command::Calibrate(args) => calibrate::run(&args),
-            Command::Check(args) => check::run(args, terminal),
-            Command::Archive(args) => archive::run(&args, terminal),
-            Command::Compare(args) => compare::run(&args, terminal),
-            Command::Diff(args) => archive::diff::run(&args, terminal),
-            Command::Convert(args) => convert::run(&args, terminal),
-            Command::Transform(args) => transform::run(&args, terminal),
-            Command::Restart(mut args) => restart::run(&mut args, terminal),
-            Command::Optimize(mut args) => optimize::run(&mut args, terminal),
-            Command::Commands(args) => commands::run(&args, terminal),
-            Command::Path(args) => path::run(&args, terminal),
-            Command::Stock(args) => stock::run(*args, terminal),
-            Command::CompRange(args) => comp_range::run(&args),
-            Command::Chords(args) => chords::run(&args, terminal),
-            Command::Sample(args) => sample::run(&args, terminal),
-            Command::Calc(args) => calc::run(&args),
-            Command::Explain(args) => explain::run(&args),
-            Command::Machines(args) => machines::run(&args),
-            Command::Lsp(args) => lsp::run(args),
-            Command::Serve(args) => serve::run(&args),
-            Command::Stream(args) => stream::run(&args, terminal),
-            Command::Completions(args) => completions::run(&args),
+            CliCommand::Run(args) => run::run(args, terminal),
+            CliCommand::View(args) => view::run(args, terminal),
+            CliCommand::Time(args) => time::run(&args, terminal),
+            CliCommand::Report(mut args) => report::run(&mut args, terminal),
+            CliCommand::Calibrate(args) => calibrate::run(&args),
+            CliCommand::Check(args) => check::run(args, terminal),
+            CliCommand::Archive(args) => archive::run(&args, terminal),
+            CliCommand::Compare(args) => compare::run(&args, terminal),
+            CliCommand::Diff(args) => archive::diff::run(&args, terminal),
+            CliCommand::Convert(args) => convert::run(&args, terminal),
+            CliCommand::Transform(args) => transform::run(&args, terminal),
+            CliCommand::Restart(mut args) => restart::run(&mut args, terminal),
+            CliCommand::Optimize(mut args) => optimize::run(&mut args, terminal),
+            CliCommand::Commands(args) => commands::run(&args, terminal),
+            CliCommand::Path(args) => path::run(&args, terminal),
+            CliCommand::Stock(args) => stock::run(*args, terminal),
+            CliCommand::CompRange(args) => comp_range::run(&args),
+            CliCommand::Chords(args) => chords::run(&args, terminal),
+            CliCommand::Sample(args) => sample::run(&args, terminal),
+            CliCommand::Calc(args) => calc::run(&args),
+            CliCommand::Explain(args) => explain::run(&args),
+            CliCommand::Machines(args) => machines::run(&args),
+            CliCommand::Lsp(args) => lsp::run(args),
+            CliCommand::Serve(args) => serve::run(&args),
+            CliCommand::Stream(args) => stream::run(&args, terminal),
+            CliCommand::Completions(args) => completions::run(&args),
         }
     }
 }
@@ -195,7 +195,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
     };
     chordal_load::ledger::begin();
-    let terminal = Terminal::new(cli.color);
+    let terminal = TerminalSupport::new(cli.color);
     let verdict = cli.command.carry_out(terminal).unwrap_or_else(|failure| {
         terminal.failure(&failure);
         failure.verdict()

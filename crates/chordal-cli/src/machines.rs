@@ -8,7 +8,7 @@ use chordal::machine::{Axis, builtin_names, schema_reference};
 use chordal_load::machine;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width};
 
-use crate::failure::{Failure, Verdict};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::numbers::short;
 use crate::summary::plain_table;
 use crate::terminal::say;
@@ -49,7 +49,7 @@ pub struct Args {
     schema: bool,
 }
 
-pub fn run(args: &Args) -> Result<Verdict, Failure> {
+pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     let text = match args.machine()? {
         _ if args.schema => schema_reference(),
         None if args.toml || args.dump => return Err(no_machine()),
@@ -59,12 +59,12 @@ pub fn run(args: &Args) -> Result<Verdict, Failure> {
         Some(machine) => one(&machine),
     };
     say(&text)?;
-    Ok(Verdict::Clean)
+    Ok(ExitVerdict::Clean)
 }
 
 impl Args {
     /// The machine that is named, or the one that a dump is of.
-    fn machine(&self) -> Result<Option<Machine>, Failure> {
+    fn machine(&self) -> Result<Option<Machine>, CommandFailure> {
         let named = self.name.as_deref().map(machine::named).transpose()?;
         let Some(dump) = &self.settings else { return Ok(named) };
         let mut machine = named.unwrap_or_else(|| machine::typical(machine::dumped()));
@@ -74,16 +74,16 @@ impl Args {
 }
 
 /// What its firmware prints for `$$`.
-fn dumped(machine: &Machine) -> Result<String, Failure> {
+fn dumped(machine: &Machine) -> Result<String, CommandFailure> {
     dump::write(machine).ok_or_else(|| {
         let title = table(machine.control).title;
         let message = format!("{title} is no control that prints its settings for `$$`");
-        Failure::wrong(message, "name a machine of GRBL, or print this one with --toml")
+        CommandFailure::wrong(message, "name a machine of GRBL, or print this one with --toml")
     })
 }
 
-fn no_machine() -> Failure {
-    Failure::wrong("no machine is named", "name one, or give --settings dump.txt")
+fn no_machine() -> CommandFailure {
+    CommandFailure::wrong("no machine is named", "name one, or give --settings dump.txt")
 }
 
 fn list() -> String {

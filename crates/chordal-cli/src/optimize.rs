@@ -3,19 +3,19 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use chordal::machine::Dimension;
+use chordal::machine::QuantityDimension;
 use chordal::motion::MotionOptions;
 use chordal::stock::{EngagementOptions, StockOptions};
 use chordal_export::{optimized_json, optimized_text};
 use chordal_rewrite::{ChipLimit, OptimizeError, OptimizeOptions, optimize};
 
-use crate::failure::{Failure, Verdict};
-use crate::options::{AnswerFormat, Common, quantity};
-use crate::out::{Out, Plain, trouble};
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::{AnswerFormat, CommonArgs, quantity};
+use crate::out::{NcTextFormat, RowOutput, trouble};
 use crate::programs::{load_one, recognized};
 use crate::setup_files;
 use crate::stock_failure::failure_of;
-use crate::terminal::{Terminal, say};
+use crate::terminal::{TerminalSupport, say};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -72,11 +72,11 @@ pub struct Args {
     format: AnswerFormat,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 fn length(text: &str) -> Result<f64, String> {
-    match quantity(text, Dimension::Length)? {
+    match quantity(text, QuantityDimension::Length)? {
         mm if mm > 0.0 => Ok(mm),
         _ => Err("the length must be above zero".to_string()),
     }
@@ -98,7 +98,7 @@ fn times(text: &str) -> Result<f64, String> {
     }
 }
 
-pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     args.common.set_up(args.setup.as_deref());
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
@@ -123,7 +123,7 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let path = args.output.as_deref();
     if path.is_some() {
         let out_path = path.filter(|_| !streams);
-        let mut out = Out::open(out_path, &args.file, Plain::Nc)?;
+        let mut out = RowOutput::open(out_path, &args.file, NcTextFormat::Nc)?;
         out.write_all(&done.text).map_err(|error| trouble(out_path, error))?;
         out.put()?;
     }
@@ -145,7 +145,7 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
     } else {
         say(&answer)?
     }
-    Ok(Verdict::Clean)
+    Ok(ExitVerdict::Clean)
 }
 
 /// Says why nothing is written.
@@ -153,12 +153,12 @@ fn refused(
     error: OptimizeError,
     args: &Args,
     name: &str,
-    terminal: Terminal,
-) -> Result<Verdict, Failure> {
+    terminal: TerminalSupport,
+) -> Result<ExitVerdict, CommandFailure> {
     let text = match error {
         OptimizeError::Stock(error) => return Err(failure_of(error, args.setup.as_deref())),
         OptimizeError::Limits(error) => {
-            return Err(Failure::wrong(error.to_string(), "correct it in the machine file"));
+            return Err(CommandFailure::wrong(error.to_string(), "correct it in the machine file"));
         }
         OptimizeError::Refused(refusal) => {
             let words = match refusal.text.as_str() {
@@ -181,5 +181,5 @@ fn refused(
     } else {
         say(&text)?
     }
-    Ok(Verdict::Problems)
+    Ok(ExitVerdict::Problems)
 }

@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use chordal::machine::{Dimension, QuantityError, parse_quantity};
+use chordal::machine::{QuantityDimension, QuantityError, parse_quantity};
 use chordal::syntax::scan_program_name;
 use chordal::{EVERY_PLACE, KEPT_PER_CODE};
-use chordal_export::report::Detail;
-use chordal_load::{BlockDelete, Given, Request};
+use chordal_export::report::ReportDetail;
+use chordal_load::{BlockDeleteSwitch, Request, RequestedMachine};
 use clap::ValueEnum;
 
 /// Formats of an answer that has no other form.
@@ -28,18 +28,18 @@ pub enum BlockDeleteName {
 }
 
 /// What the request says of block delete.
-pub fn block_delete_of(name: Option<BlockDeleteName>) -> BlockDelete {
+pub fn block_delete_of(name: Option<BlockDeleteName>) -> BlockDeleteSwitch {
     match name {
-        None => BlockDelete::AsMachine,
-        Some(BlockDeleteName::On) => BlockDelete::On,
-        Some(BlockDeleteName::Both) => BlockDelete::Both,
+        None => BlockDeleteSwitch::AsMachine,
+        Some(BlockDeleteName::On) => BlockDeleteSwitch::On,
+        Some(BlockDeleteName::Both) => BlockDeleteSwitch::Both,
     }
 }
 
 /// What all commands that run a program share.
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Machine")]
-pub struct Common {
+pub struct CommonArgs {
     /// The machine: a built-in name (see `chordal machines`) or a machine file
     ///
     /// Without it, `chordal.toml` in the program's folder decides, or else the control is
@@ -75,7 +75,7 @@ pub struct Common {
     pub max_blocks: Option<u64>,
 }
 
-impl Common {
+impl CommonArgs {
     /// Takes the machine from a setup file, which names it.
     pub fn set_up(&mut self, setup: Option<&Path>) {
         if let Some(setup) = setup {
@@ -86,7 +86,7 @@ impl Common {
     /// What the arguments say, for loading.
     pub fn request(&self) -> Request {
         Request {
-            machine: self.machine.clone().map(Given::Name),
+            machine: self.machine.clone().map(RequestedMachine::Name),
             set: self.set.clone(),
             settings: self.settings.clone(),
             tools: self.tools.clone(),
@@ -101,7 +101,7 @@ impl Common {
 /// How much is shown of the problems.
 #[derive(clap::Args, Clone, Copy, Debug)]
 #[command(next_help_heading = "Problems")]
-pub struct Showing {
+pub struct ProblemDisplay {
     /// Shows so many places of each code in full; without it as many as fit a screen
     #[arg(long, value_name = "N", conflicts_with_all = ["quiet", "verbose"])]
     max: Option<usize>,
@@ -115,14 +115,14 @@ pub struct Showing {
     verbose: bool,
 }
 
-impl Showing {
+impl ProblemDisplay {
     /// For the text of a report.
-    pub fn detail(self) -> Detail {
+    pub fn detail(self) -> ReportDetail {
         match (self.quiet, self.verbose, self.max) {
-            (true, ..) => Detail::Lines,
-            (_, true, _) => Detail::All,
-            (.., Some(most)) => Detail::Places(most),
-            _ => Detail::default(),
+            (true, ..) => ReportDetail::Lines,
+            (_, true, _) => ReportDetail::All,
+            (.., Some(most)) => ReportDetail::Places(most),
+            _ => ReportDetail::default(),
         }
     }
 
@@ -142,13 +142,13 @@ fn program_number(text: &str) -> Result<u32, String> {
 }
 
 /// A quantity with its unit, in that of its dimension; what is wrong with it in words.
-pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+pub fn quantity(text: &str, dimension: QuantityDimension) -> Result<f64, String> {
     parse_quantity(text, dimension).map_err(|error| wrong_quantity(&error))
 }
 
 /// A length above zero with its unit, mm.
 pub fn length(text: &str) -> Result<f64, String> {
-    match quantity(text, Dimension::Length)? {
+    match quantity(text, QuantityDimension::Length)? {
         mm if mm > 0.0 => Ok(mm),
         _ => Err("the length must be above zero".to_string()),
     }

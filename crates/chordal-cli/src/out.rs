@@ -4,10 +4,10 @@ use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 use std::path::{Path, PathBuf};
 
 use chordal_export::columns::ColumnFormat;
-use chordal_files::Draft;
+use chordal_files::FileDraft;
 use clap::ValueEnum;
 
-use crate::failure::{Failure, OfFile};
+use crate::failure::{CommandFailure, OfFile};
 use crate::output;
 
 /// How rows are written.
@@ -24,12 +24,12 @@ pub enum RowFormat {
 }
 
 /// A format that the ending of a file's name can ask for: its name is the ending.
-pub trait Format: ValueEnum + Copy + PartialEq {
+pub trait FileFormat: ValueEnum + Copy + PartialEq {
     /// The format of columns that this is, if it is one.
     fn columns(self) -> Option<ColumnFormat>;
 }
 
-impl Format for RowFormat {
+impl FileFormat for RowFormat {
     fn columns(self) -> Option<ColumnFormat> {
         match self {
             RowFormat::Csv | RowFormat::Jsonl => None,
@@ -41,11 +41,11 @@ impl Format for RowFormat {
 
 /// Text has one format.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Plain {
+pub enum NcTextFormat {
     Nc,
 }
 
-impl Format for Plain {
+impl FileFormat for NcTextFormat {
     fn columns(self) -> Option<ColumnFormat> {
         None
     }
@@ -53,18 +53,18 @@ impl Format for Plain {
 
 /// The format that is asked for: by `--format`, by the ending, or else the one of standard
 /// output. `rows` says what is written, for messages.
-pub fn format_of<F: Format>(
+pub fn format_of<F: FileFormat>(
     said: Option<F>,
     path: Option<&Path>,
     streamed: F,
     rows: &str,
-) -> Result<F, Failure> {
+) -> Result<F, CommandFailure> {
     let Some(path) = path else { return Ok(said.unwrap_or(streamed)) };
     let name = path.display();
     let ending = path.extension().map(|ending| ending.to_string_lossy().into_owned());
     let meant = ending.and_then(|ending| F::from_str(&ending, true).ok());
     match (said, meant) {
-        (Some(said), Some(meant)) if said != meant => Err(Failure::wrong(
+        (Some(said), Some(meant)) if said != meant => Err(CommandFailure::wrong(
             format!("--format says {}, but the extension of {name} is another format", word(said)),
             format!("leave --format out, or use the extension .{}", word(said)),
         )),
@@ -72,7 +72,7 @@ pub fn format_of<F: Format>(
         (None, None) => {
             let endings: Vec<String> =
                 F::value_variants().iter().map(|format| format!(".{}", word(*format))).collect();
-            Err(Failure::wrong(
+            Err(CommandFailure::wrong(
                 format!("the extension of {name} is not a format of {rows}"),
                 format!("the extensions are {}; or give --format", endings.join(", ")),
             ))
@@ -85,62 +85,66 @@ fn word<F: ValueEnum>(format: F) -> String {
 }
 
 /// Where rows go.
-pub enum Out {
+pub enum RowOutput {
     /// A file under a passing name, and the name that it gets.
-    File(Draft, PathBuf),
+    File(FileDraft, PathBuf),
     /// Standard output.
-    Standard(Buffered),
+    Standard(BufferedStdout),
 }
 
-impl Out {
+impl RowOutput {
     /// Opens the output before a long run. No program is written over, and a terminal is
     /// given no columns.
-    pub fn open(path: Option<&Path>, program: &Path, format: impl Format) -> Result<Out, Failure> {
+    pub fn open(
+        path: Option<&Path>,
+        program: &Path,
+        format: impl FileFormat,
+    ) -> Result<RowOutput, CommandFailure> {
         let Some(path) = path else {
             if format.columns().is_some() && io::stdout().is_terminal() {
-                return Err(Failure::wrong(
+                return Err(CommandFailure::wrong(
                     "a terminal cannot show this format",
                     "write a file with -o, or pipe the output into another program",
                 ));
             }
-            return Ok(Out::Standard(buffered()));
+            return Ok(RowOutput::Standard(buffered()));
         };
         if chordal_files::is_regular(path) && chordal_files::is_same(program, path) {
-            return Err(Failure::wrong(
+            return Err(CommandFailure::wrong(
                 format!("{} is the program", path.display()),
                 "give the output another name",
             ));
         }
-        Ok(Out::File(output::draft(path)?, path.to_path_buf()))
+        Ok(RowOutput::File(output::draft(path)?, path.to_path_buf()))
     }
 
     /// Puts a file in its place.
-    pub fn put(self) -> Result<(), Failure> {
+    pub fn put(self) -> Result<(), CommandFailure> {
         match self {
-            Out::File(draft, path) => output::put(draft, &path),
-            Out::Standard(mut out) => Ok(out.flush()?),
+            RowOutput::File(draft, path) => output::put(draft, &path),
+            RowOutput::Standard(mut out) => Ok(out.flush()?),
         }
     }
 }
 
-impl Write for Out {
+impl Write for RowOutput {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
-            Out::File(out, path) => out.write(bytes).map_err(|error| of_file(path, error)),
-            Out::Standard(out) => out.write(bytes),
+            RowOutput::File(out, path) => out.write(bytes).map_err(|error| of_file(path, error)),
+            RowOutput::Standard(out) => out.write(bytes),
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
         match self {
-            Out::File(out, path) => out.flush().map_err(|error| of_file(path, error)),
-            Out::Standard(out) => out.flush(),
+            RowOutput::File(out, path) => out.flush().map_err(|error| of_file(path, error)),
+            RowOutput::Standard(out) => out.flush(),
         }
     }
 }
 
 /// What could not be written, by the name that the user gave.
-pub fn trouble(path: Option<&Path>, error: io::Error) -> Failure {
+pub fn trouble(path: Option<&Path>, error: io::Error) -> CommandFailure {
     match path {
         Some(path) => of_file(path, error).into(),
         None => error.into(),
@@ -158,9 +162,9 @@ fn of_file(path: &Path, error: io::Error) -> io::Error {
 /// Standard output of a run that streams. A run cannot be stopped from within, and what
 /// streams has nothing to clean up: when nobody reads any more (`| head`) the process ends
 /// here, quietly, however the writers above would wrap the error.
-pub struct Stream(Stdout);
+pub struct StdoutStream(Stdout);
 
-impl Write for Stream {
+impl Write for StdoutStream {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.0.write(bytes).inspect_err(end_if_closed)
     }
@@ -177,10 +181,10 @@ fn end_if_closed(error: &io::Error) {
 }
 
 /// Standard output for many small writes.
-pub type Buffered = BufWriter<Stream>;
+pub type BufferedStdout = BufWriter<StdoutStream>;
 
-fn buffered() -> Buffered {
-    BufWriter::with_capacity(1 << 16, Stream(io::stdout()))
+fn buffered() -> BufferedStdout {
+    BufWriter::with_capacity(1 << 16, StdoutStream(io::stdout()))
 }
 
 /// Another failure of the output, as a full disk, is for the end of the run: the first counts.

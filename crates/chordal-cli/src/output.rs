@@ -5,16 +5,16 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use chordal::stock::StockLeft;
-use chordal::{Command, CommandKind, Job, PathCommand, Report, Segment, Watch};
-use chordal_export::{Canon, CommandCsv, CommandJsonLines, Dxf, Plot, PlotOptions};
-use chordal_files::Draft;
-use chordal_load::{Input, ledger};
+use chordal::{Command, CommandKind, Job, PathCommand, Report, RunWatch, Segment};
+use chordal_export::{CanonWriter, CommandCsv, CommandJsonLines, DxfWriter, Plot, PlotOptions};
+use chordal_files::FileDraft;
+use chordal_load::{ProgramInput, ledger};
 
-use crate::failure::Failure;
+use crate::failure::CommandFailure;
 
 /// What the ending of an output's name asks for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Format {
+pub enum OutputFormat {
     Svg,
     Png,
     Dxf,
@@ -25,42 +25,45 @@ pub enum Format {
     Txt,
 }
 
-impl Format {
-    const ALL: [(&str, Format); 7] = [
-        ("svg", Format::Svg),
-        ("png", Format::Png),
-        ("dxf", Format::Dxf),
-        ("csv", Format::Csv),
-        ("jsonl", Format::Jsonl),
-        ("canon", Format::Canon),
-        ("txt", Format::Txt),
+impl OutputFormat {
+    const ALL: [(&str, OutputFormat); 7] = [
+        ("svg", OutputFormat::Svg),
+        ("png", OutputFormat::Png),
+        ("dxf", OutputFormat::Dxf),
+        ("csv", OutputFormat::Csv),
+        ("jsonl", OutputFormat::Jsonl),
+        ("canon", OutputFormat::Canon),
+        ("txt", OutputFormat::Txt),
     ];
 
-    fn of(path: &Path) -> Result<Format, Failure> {
+    fn of(path: &Path) -> Result<OutputFormat, CommandFailure> {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-        let found = Format::ALL.iter().find(|(own, _)| Some(*own) == ending.as_deref());
+        let found = OutputFormat::ALL.iter().find(|(own, _)| Some(*own) == ending.as_deref());
         found.map(|(_, format)| *format).ok_or_else(|| {
             let endings: Vec<String> =
-                Format::ALL.iter().map(|(own, _)| format!(".{own}")).collect();
+                OutputFormat::ALL.iter().map(|(own, _)| format!(".{own}")).collect();
             let message = match ending {
                 Some(ending) => format!("there is no output format .{ending} ({})", path.display()),
                 None => format!("the extension of {} is not a known format", path.display()),
             };
-            Failure::wrong(message, format!("the extensions are {}", endings.join(", ")))
+            CommandFailure::wrong(message, format!("the extensions are {}", endings.join(", ")))
         })
     }
 }
 
 /// A file to write.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Target {
+pub struct OutputTarget {
     path: PathBuf,
-    format: Format,
+    format: OutputFormat,
 }
 
 /// What is written for each input. `DIR/` is a picture of each program in a folder, `DIR/*.dxf`
 /// a file of each by its name; a plain name is one program's.
-pub fn plan(patterns: &[PathBuf], inputs: &[Input]) -> Result<Vec<Vec<Target>>, Failure> {
+pub fn plan(
+    patterns: &[PathBuf],
+    inputs: &[ProgramInput],
+) -> Result<Vec<Vec<OutputTarget>>, CommandFailure> {
     let names = names(inputs);
     let mut plan = vec![Vec::new(); inputs.len()];
     for pattern in patterns {
@@ -70,18 +73,18 @@ pub fn plan(patterns: &[PathBuf], inputs: &[Input]) -> Result<Vec<Vec<Target>>, 
         } else {
             pattern.clone()
         };
-        let format = Format::of(&pattern)?;
+        let format = OutputFormat::of(&pattern)?;
         let file = pattern.file_name().map(|name| name.to_string_lossy().into_owned());
         let file = file.unwrap_or_default();
         if !file.contains('*') && inputs.len() > 1 {
-            return Err(Failure::wrong(
+            return Err(CommandFailure::wrong(
                 format!("{text} is one file, and there are {} programs", inputs.len()),
                 format!("write -o 'DIR/*.{}': a file for each program", ending(&pattern)),
             ));
         }
         for (targets, name) in plan.iter_mut().zip(&names) {
             let path = pattern.with_file_name(file.replacen('*', name, 1));
-            targets.push(Target { path, format });
+            targets.push(OutputTarget { path, format });
         }
     }
     keep_inputs(&plan, inputs)?;
@@ -93,7 +96,7 @@ fn ending(path: &Path) -> String {
 }
 
 /// The name that stands for each input: without its ending, unless two would be the same.
-fn names(inputs: &[Input]) -> Vec<String> {
+fn names(inputs: &[ProgramInput]) -> Vec<String> {
     let text = |path: PathBuf| path.to_string_lossy().into_owned();
     let mut names: Vec<String> =
         inputs.iter().map(|input| text(input.below_root().with_extension(""))).collect();
@@ -109,7 +112,7 @@ fn names(inputs: &[Input]) -> Vec<String> {
 }
 
 /// No output takes the place of a program or of another output: said before any of them is run.
-fn keep_inputs(plan: &[Vec<Target>], inputs: &[Input]) -> Result<(), Failure> {
+fn keep_inputs(plan: &[Vec<OutputTarget>], inputs: &[ProgramInput]) -> Result<(), CommandFailure> {
     let place = |path: &Path| chordal_files::place_of(path).unwrap_or_else(|_| path.to_path_buf());
     let programs: BTreeSet<PathBuf> =
         inputs.iter().filter_map(|input| input.path.as_deref()).map(place).collect();
@@ -117,13 +120,13 @@ fn keep_inputs(plan: &[Vec<Target>], inputs: &[Input]) -> Result<(), Failure> {
     for target in plan.iter().flatten().filter(|target| chordal_files::is_regular(&target.path)) {
         let (name, own) = (target.path.display(), place(&target.path));
         if programs.contains(&own) {
-            return Err(Failure::wrong(
+            return Err(CommandFailure::wrong(
                 format!("{name} is one of the programs to run"),
                 "give the output another name",
             ));
         }
         if !seen.insert(own) {
-            return Err(Failure::wrong(
+            return Err(CommandFailure::wrong(
                 format!("{name} would be written twice"),
                 "give each output a different name",
             ));
@@ -133,30 +136,30 @@ fn keep_inputs(plan: &[Vec<Target>], inputs: &[Input]) -> Result<(), Failure> {
 }
 
 /// Begins a file that is read by nothing of this command and is no other output of it.
-pub fn draft(path: &Path) -> Result<Draft, Failure> {
+pub fn draft(path: &Path) -> Result<FileDraft, CommandFailure> {
     may_be_written(path)?;
-    Draft::open(path).map_err(|error| failure(path, &error))
+    FileDraft::open(path).map_err(|error| failure(path, &error))
 }
 
 /// Puts a file in its place.
-pub fn put(draft: Draft, path: &Path) -> Result<(), Failure> {
+pub fn put(draft: FileDraft, path: &Path) -> Result<(), CommandFailure> {
     // What was read in the meantime counts, too: meshes are read when the stock is made.
     not_an_input(path)?;
     draft.put().map_err(|error| failure(path, &error))
 }
 
 /// Writes a file whole or not at all.
-pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), Failure> {
+pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), CommandFailure> {
     let mut out = draft(path)?;
     out.write_all(content).map_err(|error| failure(path, &error))?;
     put(out, path)
 }
 
 /// Refuses a file that this command reads, and one that it writes already.
-pub fn may_be_written(path: &Path) -> Result<(), Failure> {
+pub fn may_be_written(path: &Path) -> Result<(), CommandFailure> {
     not_an_input(path)?;
     if chordal_files::is_regular(path) && !ledger::note_output(path) {
-        return Err(Failure::wrong(
+        return Err(CommandFailure::wrong(
             format!("{} would be written twice", path.display()),
             "give each output a different name",
         ));
@@ -164,9 +167,9 @@ pub fn may_be_written(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-fn not_an_input(path: &Path) -> Result<(), Failure> {
+fn not_an_input(path: &Path) -> Result<(), CommandFailure> {
     if chordal_files::is_regular(path) && ledger::is_input(path) {
-        return Err(Failure::wrong(
+        return Err(CommandFailure::wrong(
             format!("{} is read by this command: it is not written over", path.display()),
             "give the output another name",
         ));
@@ -174,30 +177,33 @@ fn not_an_input(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-enum Writer<'a> {
-    Dxf(Dxf<Draft>),
-    Csv(Box<CommandCsv<Draft>>),
-    Jsonl(CommandJsonLines<'a, Draft>),
-    Canon(Canon<'a, Draft>),
-    Printed(Draft),
+enum OutputWriter<'a> {
+    Dxf(DxfWriter<FileDraft>),
+    Csv(Box<CommandCsv<FileDraft>>),
+    Jsonl(CommandJsonLines<'a, FileDraft>),
+    Canon(CanonWriter<'a, FileDraft>),
+    Printed(FileDraft),
     /// A picture, drawn when the whole path is known.
-    Picture(Draft, Format),
+    Picture(FileDraft, OutputFormat),
 }
 
 /// The outputs of one run, while it goes on.
-pub struct Outputs<'a> {
-    writers: Vec<(PathBuf, Writer<'a>)>,
+pub struct RunOutputs<'a> {
+    writers: Vec<(PathBuf, OutputWriter<'a>)>,
     plot: Option<Plot>,
-    failed: Option<Failure>,
+    failed: Option<CommandFailure>,
 }
 
-impl<'a> Outputs<'a> {
+impl<'a> RunOutputs<'a> {
     /// Opens them, so that a place where nothing can be written is reported before a long run.
-    pub fn open(targets: &[Target], job: &'a Job<'a>) -> Result<Outputs<'a>, Failure> {
-        let mut outputs = Outputs { writers: Vec::new(), plot: None, failed: None };
-        for Target { path, format } in targets {
+    pub fn open(
+        targets: &[OutputTarget],
+        job: &'a Job<'a>,
+    ) -> Result<RunOutputs<'a>, CommandFailure> {
+        let mut outputs = RunOutputs { writers: Vec::new(), plot: None, failed: None };
+        for OutputTarget { path, format } in targets {
             let writer = open(path, *format, job)?;
-            if matches!(writer, Writer::Picture(..)) {
+            if matches!(writer, OutputWriter::Picture(..)) {
                 outputs.plot.get_or_insert_with(|| Plot::picture(job));
             }
             outputs.writers.push((path.clone(), writer));
@@ -205,7 +211,7 @@ impl<'a> Outputs<'a> {
         Ok(outputs)
     }
 
-    fn take(&mut self, mut write: impl FnMut(&mut Writer) -> io::Result<()>) {
+    fn take(&mut self, mut write: impl FnMut(&mut OutputWriter) -> io::Result<()>) {
         if self.failed.is_some() {
             return;
         }
@@ -223,7 +229,7 @@ impl<'a> Outputs<'a> {
         report: &Report,
         stock: Option<&StockLeft>,
         options: &PlotOptions,
-    ) -> Result<Vec<PathBuf>, Failure> {
+    ) -> Result<Vec<PathBuf>, CommandFailure> {
         if let Some(failure) = self.failed {
             return Err(failure);
         }
@@ -239,12 +245,12 @@ impl<'a> Outputs<'a> {
         let mut written = Vec::new();
         for (path, writer) in self.writers {
             let done = match writer {
-                Writer::Csv(out) => out.finish(),
-                Writer::Jsonl(out) => out.finish(),
-                Writer::Canon(out) => out.finish(),
-                Writer::Dxf(out) => out.finish(),
-                Writer::Printed(out) => Ok(out),
-                Writer::Picture(out, format) => draw(out, format, plot.as_ref(), options),
+                OutputWriter::Csv(out) => out.finish(),
+                OutputWriter::Jsonl(out) => out.finish(),
+                OutputWriter::Canon(out) => out.finish(),
+                OutputWriter::Dxf(out) => out.finish(),
+                OutputWriter::Printed(out) => Ok(out),
+                OutputWriter::Picture(out, format) => draw(out, format, plot.as_ref(), options),
             };
             put(done.map_err(|error| failure(&path, &error))?, &path)?;
             written.push(path);
@@ -253,59 +259,63 @@ impl<'a> Outputs<'a> {
     }
 }
 
-fn open<'a>(path: &Path, format: Format, job: &'a Job<'a>) -> Result<Writer<'a>, Failure> {
+fn open<'a>(
+    path: &Path,
+    format: OutputFormat,
+    job: &'a Job<'a>,
+) -> Result<OutputWriter<'a>, CommandFailure> {
     let out = draft(path)?;
     let writer = || {
         Ok(match format {
-            Format::Svg | Format::Png => Writer::Picture(out, format),
-            Format::Dxf => Writer::Dxf(Dxf::new(out, job)?),
-            Format::Csv => Writer::Csv(Box::new(CommandCsv::new(out, job)?)),
-            Format::Jsonl => Writer::Jsonl(CommandJsonLines::new(out, job)?),
-            Format::Canon => Writer::Canon(Canon::new(out, job)?),
-            Format::Txt => Writer::Printed(out),
+            OutputFormat::Svg | OutputFormat::Png => OutputWriter::Picture(out, format),
+            OutputFormat::Dxf => OutputWriter::Dxf(DxfWriter::new(out, job)?),
+            OutputFormat::Csv => OutputWriter::Csv(Box::new(CommandCsv::new(out, job)?)),
+            OutputFormat::Jsonl => OutputWriter::Jsonl(CommandJsonLines::new(out, job)?),
+            OutputFormat::Canon => OutputWriter::Canon(CanonWriter::new(out, job)?),
+            OutputFormat::Txt => OutputWriter::Printed(out),
         })
     };
     writer().map_err(|error| failure(path, &error))
 }
 
 fn draw(
-    mut out: Draft,
-    format: Format,
+    mut out: FileDraft,
+    format: OutputFormat,
     plot: Option<&Plot>,
     options: &PlotOptions,
-) -> io::Result<Draft> {
+) -> io::Result<FileDraft> {
     if let Some(plot) = plot {
         match format {
-            Format::Png => out.write_all(&plot.png(options).map_err(io::Error::other)?)?,
+            OutputFormat::Png => out.write_all(&plot.png(options).map_err(io::Error::other)?)?,
             _ => out.write_all(plot.svg(options).as_bytes())?,
         }
     }
     Ok(out)
 }
 
-fn failure(path: &Path, error: &io::Error) -> Failure {
-    Failure::write(path.to_string_lossy(), error)
+fn failure(path: &Path, error: &io::Error) -> CommandFailure {
+    CommandFailure::write(path.to_string_lossy(), error)
 }
 
 /// The writers of commands see the program as written, pictures see the tool centre. After a
 /// failure nothing more is taken.
-impl Watch for Outputs<'_> {
+impl RunWatch for RunOutputs<'_> {
     fn programmed(&mut self, command: &Command) {
         self.take(|writer| match writer {
-            Writer::Csv(out) => out.command(command),
-            Writer::Jsonl(out) => out.command(command),
-            Writer::Canon(out) => out.command(command),
-            Writer::Printed(out) => match &command.kind {
+            OutputWriter::Csv(out) => out.command(command),
+            OutputWriter::Jsonl(out) => out.command(command),
+            OutputWriter::Canon(out) => out.command(command),
+            OutputWriter::Printed(out) => match &command.kind {
                 CommandKind::Output { text } => writeln!(out, "{text}"),
                 _ => Ok(()),
             },
-            Writer::Dxf(_) | Writer::Picture(..) => Ok(()),
+            OutputWriter::Dxf(_) | OutputWriter::Picture(..) => Ok(()),
         });
     }
 
     fn path(&mut self, _: PathCommand<'_>, segments: &[Segment]) {
         self.take(|writer| match writer {
-            Writer::Dxf(out) => segments.iter().try_for_each(|segment| out.segment(segment)),
+            OutputWriter::Dxf(out) => segments.iter().try_for_each(|segment| out.segment(segment)),
             _ => Ok(()),
         });
         if let Some(plot) = &mut self.plot {
@@ -318,11 +328,11 @@ impl Watch for Outputs<'_> {
 mod tests {
     use super::*;
 
-    fn input(path: &str, root: Option<&str>) -> Input {
-        Input { path: Some(path.into()), root: root.map(PathBuf::from) }
+    fn input(path: &str, root: Option<&str>) -> ProgramInput {
+        ProgramInput { path: Some(path.into()), root: root.map(PathBuf::from) }
     }
 
-    fn paths(plan: &[Vec<Target>]) -> Vec<String> {
+    fn paths(plan: &[Vec<OutputTarget>]) -> Vec<String> {
         plan.iter().flatten().map(|target| target.path.display().to_string()).collect()
     }
 

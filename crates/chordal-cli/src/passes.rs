@@ -3,10 +3,10 @@
 use chordal_export::length_text;
 use chordal_rewrite::convert::{PassChange, PassReading};
 
-use crate::numbers::{Units, counted};
+use crate::numbers::{SummaryUnits, counted};
 
 /// Three lines for each cycle.
-pub fn text(changes: &[PassChange], machines: [&String; 2], units: Units) -> String {
+pub fn text(changes: &[PassChange], machines: [&String; 2], units: SummaryUnits) -> String {
     if changes.is_empty() {
         return String::new();
     }
@@ -23,7 +23,7 @@ pub fn text(changes: &[PassChange], machines: [&String; 2], units: Units) -> Str
     text + "  --exact-cycles writes these cycles out as moves\n"
 }
 
-fn said(reading: &PassReading, units: Units) -> String {
+fn said(reading: &PassReading, units: SummaryUnits) -> String {
     let length = |mm: f64| length_text(mm, units);
     let cuts = counted(reading.cuts as u64, "cut", "cuts");
     let step = reading

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use crate::command_rows::CommandRows;
-use crate::failure::{Failure, Verdict};
-use crate::options::Common;
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::CommonArgs;
 use crate::out::{RowFormat, keep};
-use crate::rows::Output;
-use crate::terminal::Terminal;
+use crate::rows::RowTarget;
+use crate::terminal::TerminalSupport;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -39,11 +39,11 @@ pub struct Args {
     format: Option<RowFormat>,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let output = Output::of(args.output.as_deref(), args.format, RowFormat::Jsonl, "a path")?;
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
+    let output = RowTarget::of(args.output.as_deref(), args.format, RowFormat::Jsonl, "a path")?;
     output.write(&args.file, &args.common, terminal, |job, out, format| {
         let mut writer = CommandRows::new(out, format, job, true)?;
         let mut done = Ok(());

@@ -3,10 +3,10 @@
 use chordal_export::length_text;
 use chordal_rewrite::convert::{PeckChange, PeckReading};
 
-use crate::numbers::{Units, counted};
+use crate::numbers::{SummaryUnits, counted};
 
 /// A line for each kind of difference.
-pub fn text(changes: &[PeckChange], machines: [&String; 2], units: Units) -> String {
+pub fn text(changes: &[PeckChange], machines: [&String; 2], units: SummaryUnits) -> String {
     if changes.is_empty() {
         return String::new();
     }
@@ -38,11 +38,11 @@ pub fn text(changes: &[PeckChange], machines: [&String; 2], units: Units) -> Str
     text + "  --exact-cycles writes these cycles out as moves\n"
 }
 
-fn said(change: &PeckChange, units: Units) -> [String; 2] {
+fn said(change: &PeckChange, units: SummaryUnits) -> [String; 2] {
     change.readings.each_ref().map(|reading| reading_text(reading, units))
 }
 
-fn reading_text(reading: &PeckReading, units: Units) -> String {
+fn reading_text(reading: &PeckReading, units: SummaryUnits) -> String {
     let length = |mm: f64| length_text(mm, units);
     let step = length(reading.largest_step_mm);
     let mut text = match reading.pecks {

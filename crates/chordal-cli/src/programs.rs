@@ -4,25 +4,25 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use chordal_load::{Input, LoadError, Loaded, Loader, find, without_called};
+use chordal_load::{LoadError, Loaded, Loader, ProgramInput, find, without_called};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::changed::only_changed;
-use crate::failure::{Failure, Verdict};
-use crate::options::Common;
-use crate::terminal::{Terminal, say};
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::CommonArgs;
+use crate::terminal::{TerminalSupport, say};
 
 /// Loads the one program of a command that takes one.
-pub fn load_one(file: &PathBuf, common: &Common) -> Result<Loaded, Failure> {
+pub fn load_one(file: &PathBuf, common: &CommonArgs) -> Result<Loaded, CommandFailure> {
     if file.is_dir() {
-        return Err(Failure::wrong(
+        return Err(CommandFailure::wrong(
             format!("{} is a folder", file.display()),
             "this command takes one program; `run` and `check` also take folders, `diff` compares two of them",
         ));
     }
     let (inputs, _) = find(std::slice::from_ref(file));
     let Some(input) = inputs.first() else {
-        return Err(Failure::Use { message: "there is no program".into(), help: None });
+        return Err(CommandFailure::Use { message: "there is no program".into(), help: None });
     };
     Ok(Loader::new(common.request())?.load(input)?)
 }
@@ -35,34 +35,34 @@ pub fn recognized(loaded: &Loaded) -> String {
 }
 
 /// The programs of a command that takes several.
-pub struct Programs {
-    terminal: Terminal,
+pub struct ProgramList {
+    terminal: TerminalSupport,
     loader: Loader,
-    inputs: Vec<Input>,
+    inputs: Vec<ProgramInput>,
     called: u64,
     bar: ProgressBar,
     told: BTreeSet<String>,
-    verdict: Verdict,
+    verdict: ExitVerdict,
 }
 
-impl Programs {
+impl ProgramList {
     /// Finds the inputs and reads the machine, if the command line names one.
     pub fn new(
         files: &[PathBuf],
-        common: &Common,
-        terminal: Terminal,
-    ) -> Result<Programs, Failure> {
-        Programs::changed(files, common, terminal, None)
+        common: &CommonArgs,
+        terminal: TerminalSupport,
+    ) -> Result<ProgramList, CommandFailure> {
+        ProgramList::changed(files, common, terminal, None)
     }
 
     /// The same with those inputs alone whose files changed since a commit. A file of subprograms
     /// counts as a program where the one that calls it has not changed.
     pub fn changed(
         files: &[PathBuf],
-        common: &Common,
-        terminal: Terminal,
+        common: &CommonArgs,
+        terminal: TerminalSupport,
         since: Option<&str>,
-    ) -> Result<Programs, Failure> {
+    ) -> Result<ProgramList, CommandFailure> {
         let loader = Loader::new(common.request())?;
         let (mut inputs, failures) = find(files);
         if let Some(commit) = since {
@@ -72,14 +72,14 @@ impl Programs {
         let inputs = without_called(inputs);
         let called = (found - inputs.len()) as u64;
         let bar = progress(inputs.len());
-        let (told, verdict) = (BTreeSet::new(), Verdict::Clean);
-        let mut programs = Programs { terminal, loader, inputs, called, bar, told, verdict };
+        let (told, verdict) = (BTreeSet::new(), ExitVerdict::Clean);
+        let mut programs = ProgramList { terminal, loader, inputs, called, bar, told, verdict };
         failures.into_iter().for_each(|failure| programs.tell(failure));
         Ok(programs)
     }
 
     /// The inputs.
-    pub fn inputs(&self) -> &[Input] {
+    pub fn inputs(&self) -> &[ProgramInput] {
         &self.inputs
     }
 
@@ -92,8 +92,8 @@ impl Programs {
     /// Only a failure of the handler ends it all.
     pub fn each(
         mut self,
-        mut handle: impl FnMut(&Programs, usize, &Loaded) -> Result<Verdict, Failure>,
-    ) -> Result<Verdict, Failure> {
+        mut handle: impl FnMut(&ProgramList, usize, &Loaded) -> Result<ExitVerdict, CommandFailure>,
+    ) -> Result<ExitVerdict, CommandFailure> {
         for index in 0..self.inputs.len() {
             let input = &self.inputs[index];
             self.bar.set_message(input.name().into_owned());
@@ -112,14 +112,14 @@ impl Programs {
     }
 
     /// Writes to standard output, above the progress bar.
-    pub fn say(&self, text: &str) -> Result<(), Failure> {
+    pub fn say(&self, text: &str) -> Result<(), CommandFailure> {
         self.bar.suspend(|| say(text))
     }
 
     /// Reports a failure, but the same one only once: a wrong `chordal.toml` counts for every
     /// file of its folder.
     fn tell(&mut self, failure: LoadError) {
-        let failure = Failure::from(failure);
+        let failure = CommandFailure::from(failure);
         self.verdict = self.verdict.max(failure.verdict());
         let text = self.terminal.failure_text(&failure);
         if !self.told.contains(&text) {

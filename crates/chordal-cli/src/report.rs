@@ -5,16 +5,16 @@ use std::path::PathBuf;
 
 use chordal::stock::{StockLeft, StockOptions};
 use chordal_export::columns::ColumnFormat;
-use chordal_report::{About, gather, html, json};
+use chordal_report::{ReportContext, gather, html, json};
 use clap::ValueEnum;
 
-use crate::failure::{Failure, Verdict};
-use crate::options::Common;
-use crate::out::{self, Out, format_of, trouble};
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::CommonArgs;
+use crate::out::{self, RowOutput, format_of, trouble};
 use crate::programs::load_one;
 use crate::rows::tell;
 use crate::stock;
-use crate::terminal::Terminal;
+use crate::terminal::TerminalSupport;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -43,7 +43,7 @@ pub struct Args {
 
     /// Format of the report if no file extension gives it; a page on standard output
     #[arg(long, value_enum)]
-    format: Option<Format>,
+    format: Option<ReportFormat>,
 
     /// A date, or any text, to print at the top
     #[arg(long, value_name = "TEXT")]
@@ -55,11 +55,11 @@ pub struct Args {
     setup: Option<PathBuf>,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
+enum ReportFormat {
     /// One HTML page with everything in it
     #[value(alias = "htm")]
     Html,
@@ -67,17 +67,17 @@ enum Format {
     Json,
 }
 
-impl out::Format for Format {
+impl out::FileFormat for ReportFormat {
     fn columns(self) -> Option<ColumnFormat> {
         None
     }
 }
 
-pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     args.common.set_up(args.setup.as_deref());
     let path = args.output.as_deref();
-    let format = format_of(args.format, path, Format::Html, "reports")?;
-    let mut out = Out::open(path, &args.file, format)?;
+    let format = format_of(args.format, path, ReportFormat::Html, "reports")?;
+    let mut out = RowOutput::open(path, &args.file, format)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     let recognized = loaded.why();
@@ -85,7 +85,7 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
         Some(setup) => Some(stock::left(&job, &StockOptions::default(), Some(setup))?),
         None => None,
     };
-    let about = About {
+    let about = ReportContext {
         file: loaded.name(),
         program: loaded.program,
         recognized: recognized.as_deref(),
@@ -94,11 +94,11 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
     };
     let gathered = gather(&job, &about);
     let text = match format {
-        Format::Html => html(&gathered.document),
-        Format::Json => json(&gathered.document),
+        ReportFormat::Html => html(&gathered.document),
+        ReportFormat::Json => json(&gathered.document),
     };
     out.write_all(text.as_bytes()).map_err(|error| trouble(path, error))?;
     out.put()?;
     let verdict = tell(&gathered.report, &loaded, &job, terminal);
-    Ok(if stock.as_ref().is_none_or(StockLeft::is_clean) { verdict } else { Verdict::Problems })
+    Ok(if stock.as_ref().is_none_or(StockLeft::is_clean) { verdict } else { ExitVerdict::Problems })
 }

@@ -5,17 +5,17 @@ use std::path::{Path, PathBuf};
 
 use chordal::stock::WayIn;
 use chordal_export::restart_json;
-use chordal_rewrite::Refusal;
-use chordal_rewrite::restart::{Restart, UnrepeatedCode, blocked, restart, way_in};
+use chordal_rewrite::TransformRefusal;
+use chordal_rewrite::restart::{RestartProgram, UnrepeatedCode, blocked, restart, way_in};
 
-use crate::failure::{Failure, Verdict};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::numbers::counted;
-use crate::options::{AnswerFormat, Common};
-use crate::out::{Out, Plain, trouble};
+use crate::options::{AnswerFormat, CommonArgs};
+use crate::out::{NcTextFormat, RowOutput, trouble};
 use crate::programs::{load_one, recognized};
 use crate::setup_files::files;
 use crate::stock_failure::failure_of;
-use crate::terminal::{Terminal, say};
+use crate::terminal::{TerminalSupport, say};
 
 /// How many codes that are not repeated an answer names.
 const SHOWN_CODES: usize = 12;
@@ -58,10 +58,10 @@ pub struct Args {
     format: AnswerFormat,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
-pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     args.common.set_up(args.setup.as_deref());
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
@@ -73,10 +73,11 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
         way =
             way_in(&job, done, &files).map_err(|error| failure_of(error, args.setup.as_deref()))?;
     }
-    let is_blocked = |done: Restart| match way.as_ref().and_then(|way| blocked(&job, &done, way)) {
-        Some(refused) => Err(refused),
-        None => Ok(done),
-    };
+    let is_blocked =
+        |done: RestartProgram| match way.as_ref().and_then(|way| blocked(&job, &done, way)) {
+            Some(refused) => Err(refused),
+            None => Ok(done),
+        };
     let done = match done.and_then(is_blocked) {
         Ok(done) => done,
         Err(refused) => {
@@ -89,13 +90,13 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
             } else {
                 say(&answer)?
             }
-            return Ok(Verdict::Problems);
+            return Ok(ExitVerdict::Problems);
         }
     };
     let path = args.output.as_deref();
     if path.is_some() {
         let out_path = path.filter(|_| !streams);
-        let mut out = Out::open(out_path, &args.file, Plain::Nc)?;
+        let mut out = RowOutput::open(out_path, &args.file, NcTextFormat::Nc)?;
         out.write_all(&done.text).map_err(|error| trouble(out_path, error))?;
         out.put()?;
     }
@@ -111,15 +112,15 @@ pub fn run(args: &mut Args, terminal: Terminal) -> Result<Verdict, Failure> {
     } else {
         say(&answer)?
     }
-    Ok(Verdict::Clean)
+    Ok(ExitVerdict::Clean)
 }
 
-fn refused_text(refusal: &Refusal, name: &str) -> String {
+fn refused_text(refusal: &TransformRefusal, name: &str) -> String {
     let words = match refusal.text.as_str() {
         "" => String::new(),
         words => format!("  | {words}\n"),
     };
-    let Refusal { line, what, help, .. } = refusal;
+    let TransformRefusal { line, what, help, .. } = refusal;
     format!("refused: {name}:{line}: {what}\n{words}  {help}\nnothing is written\n")
 }
 
@@ -138,7 +139,7 @@ fn not_repeated(codes: &[UnrepeatedCode]) -> String {
     )
 }
 
-fn text(done: &Restart, way: Option<&WayIn>, path: Option<&Path>) -> String {
+fn text(done: &RestartProgram, way: Option<&WayIn>, path: Option<&Path>) -> String {
     let mut text = format!("begins at line {}\n", done.line);
     for line in &done.head {
         text += &format!("  + {line}\n");

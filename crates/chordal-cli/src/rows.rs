@@ -5,22 +5,22 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use chordal::{Job, Report, Severity};
-use chordal_export::report::{self, Detail};
+use chordal_export::report::{self, ReportDetail};
 use chordal_load::Loaded;
 
-use crate::failure::{Failure, Verdict};
-use crate::options::Common;
-use crate::out::{Format, Out, format_of, trouble};
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::CommonArgs;
+use crate::out::{FileFormat, RowOutput, format_of, trouble};
 use crate::programs::{load_one, recognized};
-use crate::terminal::Terminal;
+use crate::terminal::TerminalSupport;
 
 /// Where rows go and how they are written.
-pub struct Output<'p, F> {
+pub struct RowTarget<'p, F> {
     path: Option<&'p Path>,
     format: F,
 }
 
-impl<'p, F: Format> Output<'p, F> {
+impl<'p, F: FileFormat> RowTarget<'p, F> {
     /// As the command line says; `streamed` is the format of standard output, `rows` says what is
     /// written, for messages.
     pub fn of(
@@ -28,8 +28,8 @@ impl<'p, F: Format> Output<'p, F> {
         said: Option<F>,
         streamed: F,
         rows: &str,
-    ) -> Result<Output<'p, F>, Failure> {
-        Ok(Output { path, format: format_of(said, path, streamed, rows)? })
+    ) -> Result<RowTarget<'p, F>, CommandFailure> {
+        Ok(RowTarget { path, format: format_of(said, path, streamed, rows)? })
     }
 
     /// Runs a program and writes its rows. The output is opened before the program is read, and
@@ -37,10 +37,10 @@ impl<'p, F: Format> Output<'p, F> {
     pub fn write(
         &self,
         program: &PathBuf,
-        common: &Common,
-        terminal: Terminal,
-        rows: impl FnOnce(&Job<'_>, Out, F) -> io::Result<(Report, Out)>,
-    ) -> Result<Verdict, Failure> {
+        common: &CommonArgs,
+        terminal: TerminalSupport,
+        rows: impl FnOnce(&Job<'_>, RowOutput, F) -> io::Result<(Report, RowOutput)>,
+    ) -> Result<ExitVerdict, CommandFailure> {
         self.write_if(program, common, terminal, |_| Ok(()), rows)
     }
 
@@ -48,12 +48,12 @@ impl<'p, F: Format> Output<'p, F> {
     pub fn write_if(
         &self,
         program: &PathBuf,
-        common: &Common,
-        terminal: Terminal,
-        goes: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
-        rows: impl FnOnce(&Job<'_>, Out, F) -> io::Result<(Report, Out)>,
-    ) -> Result<Verdict, Failure> {
-        let out = Out::open(self.path, program, self.format)?;
+        common: &CommonArgs,
+        terminal: TerminalSupport,
+        goes: impl FnOnce(&Job<'_>) -> Result<(), CommandFailure>,
+        rows: impl FnOnce(&Job<'_>, RowOutput, F) -> io::Result<(Report, RowOutput)>,
+    ) -> Result<ExitVerdict, CommandFailure> {
+        let out = RowOutput::open(self.path, program, self.format)?;
         let loaded = load_one(program, common)?;
         let job = loaded.job()?;
         goes(&job)?;
@@ -65,8 +65,8 @@ impl<'p, F: Format> Output<'p, F> {
 }
 
 /// What was recognized, and the problems, on standard error, where they are in nobody's way.
-pub fn tell(report: &Report, loaded: &Loaded, job: &Job, terminal: Terminal) -> Verdict {
+pub fn tell(report: &Report, loaded: &Loaded, job: &Job, terminal: TerminalSupport) -> ExitVerdict {
     terminal.tell(&recognized(loaded));
-    terminal.tell(&report::text(report, job.sources(), terminal.err, Detail::default()));
-    if report.worst() == Some(Severity::Error) { Verdict::Problems } else { Verdict::Clean }
+    terminal.tell(&report::text(report, job.sources(), terminal.err, ReportDetail::default()));
+    if report.worst() == Some(Severity::Error) { ExitVerdict::Problems } else { ExitVerdict::Clean }
 }

@@ -10,13 +10,13 @@ use chordal_export::{PlotOptions, report, stock_left_text};
 use chordal_load::Loaded;
 use clap::ValueEnum;
 
-use crate::failure::{Failure, Verdict};
-use crate::options::{Common, Showing};
-use crate::output::{self, Outputs};
-use crate::programs::Programs;
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::{CommonArgs, ProblemDisplay};
+use crate::output::{self, RunOutputs};
+use crate::programs::ProgramList;
 use crate::stock;
 use crate::summary;
-use crate::terminal::{BOLD, Terminal, say, style};
+use crate::terminal::{BOLD, TerminalSupport, say, style};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -53,7 +53,7 @@ pub struct Args {
 
     /// Format of the summary and the problems
     #[arg(long, value_enum, default_value = "text")]
-    format: Format,
+    format: RunFormat,
 
     /// The machine, the stock and the tools: cuts the stock as well, draws what is left of it in pictures, and
     /// reports what rapids, shank and holder touch; what is not proved makes the exit code 1
@@ -61,23 +61,23 @@ pub struct Args {
     setup: Option<PathBuf>,
 
     #[command(flatten)]
-    showing: Showing,
+    showing: ProblemDisplay,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
+enum RunFormat {
     /// Text for the reader
     Text,
     /// One JSON object for all files
     Json,
 }
 
-pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     args.common.set_up(args.setup.as_deref());
-    let programs = Programs::new(&args.files, &args.common, terminal)?;
+    let programs = ProgramList::new(&args.files, &args.common, terminal)?;
     let plan = output::plan(&args.outputs, programs.inputs())?;
     let mut objects = Vec::new();
     let mut first = true;
@@ -85,13 +85,13 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         let job = loaded.job()?;
         let done = carry_out(loaded, &job, args.setup.as_deref(), &plan[index])?;
         match args.format {
-            Format::Text => {
+            RunFormat::Text => {
                 programs.say(if first { "" } else { "\n" })?;
                 programs.say(&text(loaded, &job, &done, args.showing, terminal))?;
                 first = false;
             }
-            Format::Json => {
-                let Done { report, timed, stock, .. } = &done;
+            RunFormat::Json => {
+                let FinishedRun { report, timed, stock, .. } = &done;
                 let reading = loaded.reading();
                 let run = report::RunOf { report, timed: timed.as_ref(), stock: stock.as_ref() };
                 let object = report::summary_json(&run, &job, loaded.name(), &reading);
@@ -100,16 +100,16 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         }
         let failed = done.report.worst() == Some(Severity::Error)
             || !done.stock.as_ref().is_none_or(StockLeft::is_clean);
-        Ok(if failed { Verdict::Problems } else { Verdict::Clean })
+        Ok(if failed { ExitVerdict::Problems } else { ExitVerdict::Clean })
     })?;
-    if args.format == Format::Json {
+    if args.format == RunFormat::Json {
         say(&report::files_json("chordal.run/1", &objects))?;
     }
     Ok(verdict)
 }
 
 /// What a run came to, and the files it wrote.
-struct Done {
+struct FinishedRun {
     /// With the problems of the stock.
     report: Report,
     timed: Option<Timed>,
@@ -121,9 +121,9 @@ fn carry_out(
     loaded: &Loaded,
     job: &Job,
     setup: Option<&Path>,
-    targets: &[output::Target],
-) -> Result<Done, Failure> {
-    let mut outputs = Outputs::open(targets, job)?;
+    targets: &[output::OutputTarget],
+) -> Result<FinishedRun, CommandFailure> {
+    let mut outputs = RunOutputs::open(targets, job)?;
     let most = most_summarized(loaded.size());
     let (report, timed) = job.report_timed(&MotionOptions::default(), most, &mut outputs);
     // Limits nothing can be planned with are reported by `chordal time`.
@@ -145,11 +145,17 @@ fn carry_out(
             found.take_times(&timed.time.tools);
         }
     }
-    Ok(Done { report, timed, stock, written })
+    Ok(FinishedRun { report, timed, stock, written })
 }
 
-fn text(loaded: &Loaded, job: &Job, done: &Done, showing: Showing, terminal: Terminal) -> String {
-    let Done { report, timed, stock, written } = done;
+fn text(
+    loaded: &Loaded,
+    job: &Job,
+    done: &FinishedRun,
+    showing: ProblemDisplay,
+    terminal: TerminalSupport,
+) -> String {
+    let FinishedRun { report, timed, stock, written } = done;
     let mut text = summary::text(loaded, job, report, timed.as_ref(), terminal.out);
     if let Some(found) = stock {
         text.push('\n');

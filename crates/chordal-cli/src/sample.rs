@@ -3,19 +3,19 @@
 use std::path::PathBuf;
 
 use chordal::control::AxisMask;
-use chordal::machine::Dimension;
+use chordal::machine::QuantityDimension;
 use chordal::motion::{Level, MotionOptions, Sampled, Sampling, SamplingError};
 use chordal::{Job, Report, Severity};
-use chordal_export::report::{self, Detail};
+use chordal_export::report::{self, ReportDetail};
 use chordal_export::{SampleFormat, SampleHead, SampleWriter, not_named_texts};
 use clap::ValueEnum;
 
-use crate::failure::{Failure, Verdict};
-use crate::numbers::{Units, counted, duration, grouped, short};
-use crate::options::{Common, quantity};
-use crate::out::{Out, RowFormat, format_of, keep, trouble};
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::numbers::{SummaryUnits, counted, duration, grouped, short};
+use crate::options::{CommonArgs, quantity};
+use crate::out::{RowFormat, RowOutput, format_of, keep, trouble};
 use crate::programs::{load_one, recognized};
-use crate::terminal::{BOLD, Terminal, style};
+use crate::terminal::{BOLD, TerminalSupport, style};
 use crate::time::wrong_limit;
 
 const EXAMPLES: &str = "\
@@ -55,29 +55,29 @@ pub struct Args {
 
     /// Effort of the planner
     #[arg(long, value_enum, default_value = "fast")]
-    level: Effort,
+    level: PlanningQuality,
 
     /// Largest number of setpoints
     #[arg(long, value_name = "N", default_value_t = 100_000_000)]
     max_samples: u64,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Effort {
+enum PlanningQuality {
     /// In one pass
     Fast,
     /// By optimization
     Best,
 }
 
-impl Effort {
+impl PlanningQuality {
     fn of(self) -> Level {
         match self {
-            Effort::Fast => Level::Fast,
-            Effort::Best => Level::Best,
+            PlanningQuality::Fast => Level::Fast,
+            PlanningQuality::Best => Level::Best,
         }
     }
 }
@@ -96,8 +96,8 @@ pub fn period(text: &str) -> Result<f64, String> {
     let micro =
         ["us", "\u{b5}s", "\u{3bc}s"].iter().find_map(|unit| text.trim().strip_suffix(unit));
     let seconds = match micro {
-        Some(number) => quantity(&format!("{number} ms"), Dimension::Time)? / 1e3,
-        None => quantity(text, Dimension::Time)?,
+        Some(number) => quantity(&format!("{number} ms"), QuantityDimension::Time)? / 1e3,
+        None => quantity(text, QuantityDimension::Time)?,
     };
     if seconds > 0.0 { Ok(seconds) } else { Err("a period must be above zero".to_string()) }
 }
@@ -105,10 +105,10 @@ pub fn period(text: &str) -> Result<f64, String> {
 /// A time that differs by less is the same to a reader.
 const NOTICED: f64 = 1e-4;
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     let path = args.output.as_deref();
     let format = format_of(args.format, path, RowFormat::Csv, "setpoints")?;
-    let out = Out::open(path, &args.file, format)?;
+    let out = RowOutput::open(path, &args.file, format)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     let report = job.report();
@@ -126,8 +126,8 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     writer.finish().map_err(told)?.put()?;
 
     terminal.tell(&recognized(&loaded));
-    terminal.tell(&report::text(&report, job.sources(), terminal.err, Detail::default()));
-    let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
+    terminal.tell(&report::text(&report, job.sources(), terminal.err, ReportDetail::default()));
+    let units = if report.summary.inch { SummaryUnits::Inch } else { SummaryUnits::Millimetre };
     let bent = sampled.motion.bent_rapids > 0;
     let machine_s = if bent { machine_time(&job, args.level) } else { None };
     let columns = head.axes();
@@ -144,15 +144,15 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     Ok(verdict(&report))
 }
 
-pub fn verdict(report: &Report) -> Verdict {
-    if report.worst() == Some(Severity::Error) { Verdict::Problems } else { Verdict::Clean }
+pub fn verdict(report: &Report) -> ExitVerdict {
+    if report.worst() == Some(Severity::Error) { ExitVerdict::Problems } else { ExitVerdict::Clean }
 }
 
 /// Why there are no setpoints, of which there are to be `most` with `period_s` between them.
-pub fn failure(error: &SamplingError, most: u64, period_s: f64) -> Failure {
+pub fn failure(error: &SamplingError, most: u64, period_s: f64) -> CommandFailure {
     match error {
         SamplingError::Limit(error) => wrong_limit(error),
-        SamplingError::TooMany(seconds) => Failure::wrong(
+        SamplingError::TooMany(seconds) => CommandFailure::wrong(
             format!(
                 "more than {} setpoints: the run takes at least {}, with a setpoint every {}",
                 grouped(most),
@@ -166,7 +166,7 @@ pub fn failure(error: &SamplingError, most: u64, period_s: f64) -> Failure {
 
 /// The time of the machine. The setpoints take longer: they bend where an axis of a dog-leg rapid arrives,
 /// and slow down there, while the machine's axes do not wait for each other.
-fn machine_time(job: &Job, level: Effort) -> Option<f64> {
+fn machine_time(job: &Job, level: PlanningQuality) -> Option<f64> {
     let options = MotionOptions { level: level.of(), ..MotionOptions::default() };
     job.time(&options).ok().map(|timed| timed.time.total_s())
 }
@@ -175,7 +175,7 @@ fn summary(
     sampled: &Sampled,
     machine_s: Option<f64>,
     period_s: f64,
-    units: Units,
+    units: SummaryUnits,
     not_named: &[String],
     columns: AxisMask,
     colors: bool,
@@ -203,7 +203,7 @@ fn summary(
     for text in not_named {
         row("zero", text);
     }
-    if units == Units::Inch {
+    if units == SummaryUnits::Inch {
         row("units", "mm and degrees in the rows, though the program is in inch");
     }
     let (chord_mm, line) = *chord;
@@ -229,13 +229,13 @@ fn summary(
 }
 
 /// How far the period cuts corners: with the digits that count.
-fn chord_text(mm: f64, line: u32, units: Units) -> String {
+fn chord_text(mm: f64, line: u32, units: SummaryUnits) -> String {
     if mm == 0.0 {
         return "none: there are only straight moves".to_string();
     }
     let (value, unit) = match units {
-        Units::Inch => (mm / 25.4, "in"),
-        Units::Millimetre => (mm, "mm"),
+        SummaryUnits::Inch => (mm / 25.4, "in"),
+        SummaryUnits::Millimetre => (mm, "mm"),
     };
     let decimals = (2.0 - value.log10().floor()).clamp(0.0, 12.0) as usize;
     format!("at most {} {unit}, on line {line}", short(value, decimals))
@@ -277,7 +277,7 @@ mod tests {
 
     #[test]
     fn a_chord_has_its_line() {
-        assert_eq!(chord_text(2e-3, 7, Units::Millimetre), "at most 0.002 mm, on line 7");
+        assert_eq!(chord_text(2e-3, 7, SummaryUnits::Millimetre), "at most 0.002 mm, on line 7");
     }
 
     #[test]

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use chordal_load::{Files, reason};
+use chordal_load::{FileAccess, reason};
 use clap::ValueEnum;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-pub enum Format {
+pub enum SetupProblemFormat {
     /// Text for the reader
     Text,
     /// One JSON object
@@ -17,5 +17,5 @@ pub enum Format {
 
 /// The files that a setup names.
 pub fn files(name: &str) -> Result<Vec<u8>, String> {
-    Files::Disk.bytes(Path::new(name)).map_err(|error| reason(&error))
+    FileAccess::Disk.bytes(Path::new(name)).map_err(|error| reason(&error))
 }

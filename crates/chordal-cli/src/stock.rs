@@ -5,18 +5,18 @@ use std::path::{Path, PathBuf};
 use chordal::Job;
 use chordal::motion::MotionOptions;
 use chordal::stock::{EngagementOptions, StockLeft, StockOptions, StockReport, StockVerdict};
-use chordal_export::report::{self, Sarif};
+use chordal_export::report::{self, SarifReport};
 use chordal_export::{MeshFormat, MeshSurface, stock_json, stock_mesh, stock_png, stock_text};
 use clap::ArgAction;
 
 use crate::engagement;
-use crate::failure::{Failure, Verdict};
-use crate::options::{AnswerFormat, Common, Showing, length};
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::{AnswerFormat, CommonArgs, ProblemDisplay, length};
 use crate::output::write_whole;
 use crate::programs::{load_one, recognized};
-use crate::setup_files::{Format, files};
+use crate::setup_files::{SetupProblemFormat, files};
 use crate::stock_failure::failure_of;
-use crate::terminal::{Terminal, say};
+use crate::terminal::{TerminalSupport, say};
 use crate::tiles::on_threads;
 use crate::turned;
 
@@ -98,32 +98,35 @@ pub struct Args {
 
     /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
-    format: Format,
+    format: SetupProblemFormat,
 
     #[command(flatten)]
-    showing: Showing,
+    showing: ProblemDisplay,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 /// What a file of the stock holds.
 #[derive(Clone, Copy)]
-enum Form {
+enum StockFormat {
     Mesh(MeshFormat),
     Picture,
 }
 
-fn form(path: &Path) -> Result<Form, Failure> {
+fn form(path: &Path) -> Result<StockFormat, CommandFailure> {
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     Ok(match ending.as_str() {
-        "stl" => Form::Mesh(MeshFormat::Stl),
-        "3mf" => Form::Mesh(MeshFormat::ThreeMf),
-        "glb" => Form::Mesh(MeshFormat::Glb),
-        "png" => Form::Picture,
+        "stl" => StockFormat::Mesh(MeshFormat::Stl),
+        "3mf" => StockFormat::Mesh(MeshFormat::ThreeMf),
+        "glb" => StockFormat::Mesh(MeshFormat::Glb),
+        "png" => StockFormat::Picture,
         _ => {
             let message = format!("the extension of {} is not a known format", path.display());
-            return Err(Failure::wrong(message, "the extensions are .stl, .3mf, .glb, .png"));
+            return Err(CommandFailure::wrong(
+                message,
+                "the extensions are .stl, .3mf, .glb, .png",
+            ));
         }
     })
 }
@@ -133,11 +136,11 @@ pub fn left(
     job: &Job<'_>,
     options: &StockOptions,
     setup: Option<&Path>,
-) -> Result<StockLeft, Failure> {
+) -> Result<StockLeft, CommandFailure> {
     job.stock_left(options, &files, &on_threads).map_err(|error| failure_of(error, setup))
 }
 
-pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     args.common.set_up(args.setup.as_deref());
     let options = StockOptions {
         resolution_mm: args.resolution,
@@ -148,7 +151,7 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     if job.turns() {
-        let answer = turned::Answer {
+        let answer = turned::TurnedOutput {
             output: &args.output,
             format: args.format,
             detail: args.showing.detail(),
@@ -162,17 +165,17 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     if args.engagement {
         let options = EngagementOptions { stock: options, max_chip_mm: args.chip };
         let format = match args.format {
-            Format::Text => AnswerFormat::Text,
-            Format::Json => AnswerFormat::Json,
-            Format::Sarif => {
+            SetupProblemFormat::Text => AnswerFormat::Text,
+            SetupProblemFormat::Json => AnswerFormat::Json,
+            SetupProblemFormat::Sarif => {
                 let message = "--engagement has no SARIF";
-                return Err(Failure::wrong(
+                return Err(CommandFailure::wrong(
                     message,
                     "write --format json, or leave --engagement out",
                 ));
             }
         };
-        let answer = engagement::Answer {
+        let answer = engagement::EngagementOutput {
             output: &args.output,
             format,
             detail: args.showing.detail(),
@@ -180,7 +183,8 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         };
         return engagement::run(&answer, &options, &loaded, terminal);
     }
-    let forms: Vec<Form> = args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
+    let forms: Vec<StockFormat> =
+        args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
     let mut found = job
         .stock_by(&options, &files, &on_threads)
         .map_err(|error| failure_of(error, args.setup.as_deref()))?;
@@ -192,7 +196,7 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         write_whole(path, &content(&found, form, args.smooth, path)?)?;
     }
     match args.format {
-        Format::Text => {
+        SetupProblemFormat::Text => {
             terminal.tell(&recognized(&loaded));
             if found.report.worst().is_some() {
                 let detail = args.showing.detail();
@@ -203,30 +207,34 @@ pub fn run(mut args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
                 say(&format!("written: {}\n", path.display()))?;
             }
         }
-        Format::Json => say(&stock_json(&found, loaded.name()))?,
-        Format::Sarif => {
-            let mut sarif = Sarif::new();
+        SetupProblemFormat::Json => say(&stock_json(&found, loaded.name()))?,
+        SetupProblemFormat::Sarif => {
+            let mut sarif = SarifReport::new();
             sarif.add(&found.report, job.sources());
             say(&sarif.finish())?;
         }
     }
-    Ok(if found.verdict == StockVerdict::Clean { Verdict::Clean } else { Verdict::Problems })
+    Ok(if found.verdict == StockVerdict::Clean {
+        ExitVerdict::Clean
+    } else {
+        ExitVerdict::Problems
+    })
 }
 
 fn content(
     found: &StockReport,
-    form: Form,
+    form: StockFormat,
     smooth: Option<f64>,
     path: &Path,
-) -> Result<Vec<u8>, Failure> {
+) -> Result<Vec<u8>, CommandFailure> {
     let help = match smooth {
         Some(_) => "use another resolution, or leave --smooth out",
         None => "use a larger resolution",
     };
-    let wrong = |message: String| Failure::wrong(message, help);
+    let wrong = |message: String| CommandFailure::wrong(message, help);
     match form {
-        Form::Picture => stock_png(found).map_err(|error| wrong(error.to_string())),
-        Form::Mesh(format) => {
+        StockFormat::Picture => stock_png(found).map_err(|error| wrong(error.to_string())),
+        StockFormat::Mesh(format) => {
             let name = path.file_stem().unwrap_or_default().to_string_lossy();
             let steps = MeshSurface::Steps(0.1 * found.resolution_mm);
             let surface = smooth.map_or(steps, MeshSurface::Smooth);

@@ -5,10 +5,10 @@ use std::path::Path;
 use chordal::stock::StockRunError;
 use chordal_load::LoadError;
 
-use crate::failure::Failure;
+use crate::failure::CommandFailure;
 
 /// What is wrong with a setup, drawn where it was written; `setup`: the setup file.
-pub fn failure_of(error: StockRunError, setup: Option<&Path>) -> Failure {
+pub fn failure_of(error: StockRunError, setup: Option<&Path>) -> CommandFailure {
     match error {
         StockRunError::Setup(setup) => match setup.location {
             Some(at) => LoadError::Machine(vec![chordal::machine::MachineError {
@@ -19,19 +19,22 @@ pub fn failure_of(error: StockRunError, setup: Option<&Path>) -> Failure {
                 text: at.text,
             }])
             .into(),
-            None => Failure::wrong(setup.message, setup.help),
+            None => CommandFailure::wrong(setup.message, setup.help),
         },
-        StockRunError::NoStock => Failure::wrong("there is no stock to cut", where_to_write(setup)),
-        StockRunError::StockNotPlaced(_) => {
-            Failure::wrong(error.to_string(), where_to_write(setup))
+        StockRunError::NoStock => {
+            CommandFailure::wrong("there is no stock to cut", where_to_write(setup))
         }
-        StockRunError::Turns => Failure::wrong(
+        StockRunError::StockNotPlaced(_) => {
+            CommandFailure::wrong(error.to_string(), where_to_write(setup))
+        }
+        StockRunError::Turns => CommandFailure::wrong(
             error.to_string(),
             "run `chordal stock` on it: this command answers for mills",
         ),
-        other => {
-            Failure::wrong(other.to_string(), "choose a larger --resolution, or more --memory")
-        }
+        other => CommandFailure::wrong(
+            other.to_string(),
+            "choose a larger --resolution, or more --memory",
+        ),
     }
 }
 

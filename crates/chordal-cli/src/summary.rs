@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use chordal::control::{EndReason, Library, Recognition, Strength};
+use chordal::control::{EndReason, EvidenceStrength, Library, Recognition};
 use chordal::diagnostics::FileId;
 use chordal::machine::ToolShape;
 use chordal::motion::MotionReport;
@@ -10,11 +10,11 @@ use chordal::time::Timed;
 use chordal::tool_comments::{KnownTool, known_tools};
 use chordal::{AxisTravel, Diagnostic, Job, Report, Severity, Summary, ToolUse};
 use chordal_export::{GIVE_OFFSETS, left_out_texts};
-use chordal_load::{Chosen, Loaded};
+use chordal_load::{Loaded, MachineReason};
 use chordal_report::title;
 use comfy_table::{CellAlignment, Table};
 
-use crate::numbers::{Units, counted, duration, fixed, grouped, short};
+use crate::numbers::{SummaryUnits, counted, duration, fixed, grouped, short};
 use crate::sheet::Sheet;
 use crate::terminal::BOLD_RED;
 
@@ -37,7 +37,7 @@ pub fn text(
     timed: Option<&Timed>,
     color: bool,
 ) -> String {
-    let units = Units::of(report.summary.inch);
+    let units = SummaryUnits::of(report.summary.inch);
     let mut sheet = Sheet::new(loaded.name(), None, color);
     programs(&mut sheet, job, loaded.program);
     machine(&mut sheet, job, &loaded.chosen);
@@ -126,7 +126,7 @@ fn programs(sheet: &mut Sheet, job: &Job, program: Option<u32>) {
     sheet.rows("calls", &list(&others));
 }
 
-fn machine(sheet: &mut Sheet, job: &Job, chosen: &Chosen) {
+fn machine(sheet: &mut Sheet, job: &Job, chosen: &MachineReason) {
     let (machine, table) = (job.machine(), job.control().table);
     let known = if machine.title == machine.name {
         machine.name.clone()
@@ -134,26 +134,26 @@ fn machine(sheet: &mut Sheet, job: &Job, chosen: &Chosen) {
         format!("{} ({})", machine.title, machine.name)
     };
     match chosen {
-        Chosen::Given => {
+        MachineReason::Given => {
             sheet.row("control", table.title);
             sheet.row("machine", &known);
         }
-        Chosen::Folder(file) => {
+        MachineReason::Folder(file) => {
             sheet.row("control", table.title);
             sheet.row("machine", &format!("{known}, from {}", file.display()));
         }
-        Chosen::Ending => {
+        MachineReason::Ending => {
             sheet.row("control", &format!("{}, because of the file extension", table.title));
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
-        Chosen::Recognized(found, _) if found.strength() == Strength::Assumed => {
+        MachineReason::Recognized(found, _) if found.strength() == EvidenceStrength::Assumed => {
             sheet.row(
                 "control",
                 &format!("{}, assumed: nothing in the text says which control", table.title),
             );
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
-        Chosen::Recognized(found, _) => recognized(sheet, found, table.title, &known),
+        MachineReason::Recognized(found, _) => recognized(sheet, found, table.title, &known),
     }
 }
 
@@ -162,8 +162,10 @@ fn recognized(sheet: &mut Sheet, found: &Recognition, title: &str, machine: &str
     let chosen = found.chosen();
     let title = if chosen.not_read { chosen.title } else { title };
     let sure = match found.strength() {
-        Strength::Weak => "probable",
-        Strength::Sure | Strength::Likely | Strength::Assumed => "recognized",
+        EvidenceStrength::Weak => "probable",
+        EvidenceStrength::Sure | EvidenceStrength::Likely | EvidenceStrength::Assumed => {
+            "recognized"
+        }
     };
     sheet.row("control", &format!("{title}, {sure}:"));
     let signs: Vec<_> = found.evidence().collect();
@@ -255,7 +257,12 @@ fn by_comment(tools: &[ToolUse], known: &BTreeMap<u32, KnownTool>) -> String {
 }
 
 /// `T5 end mill` by the machine file, else `T5 flat 0.5 in` by a comment.
-fn said_name(number: u32, job: &Job, units: Units, known: &BTreeMap<u32, KnownTool>) -> String {
+fn said_name(
+    number: u32,
+    job: &Job,
+    units: SummaryUnits,
+    known: &BTreeMap<u32, KnownTool>,
+) -> String {
     let name = tool_name(number, job);
     let Some(KnownTool { tool, comment: Some(_) }) = known.get(&number) else { return name };
     let named = job.machine().tools.get(&number).is_some_and(|tool| tool.label().is_some());
@@ -266,7 +273,12 @@ fn said_name(number: u32, job: &Job, units: Units, known: &BTreeMap<u32, KnownTo
     parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
-fn tools(tools: &[ToolUse], units: Units, job: &Job, known: &BTreeMap<u32, KnownTool>) -> Table {
+fn tools(
+    tools: &[ToolUse],
+    units: SummaryUnits,
+    job: &Job,
+    known: &BTreeMap<u32, KnownTool>,
+) -> Table {
     let (feed, cuts) =
         (format!("feed {}", units.feed_unit()), format!("cuts {}", units.length_unit()));
     let mut table = plain_table(&["tool", "lines", &feed, "rpm", &cuts, "time"], 2);
@@ -327,7 +339,7 @@ fn speeds(speeds: &[f64]) -> String {
     }
 }
 
-fn axes(axes: &[AxisTravel], units: Units) -> Table {
+fn axes(axes: &[AxisTravel], units: SummaryUnits) -> Table {
     let mut table = plain_table(&["axis", "from", "to", "cuts from", "to", ""], 1);
     if let Some(column) = table.column_mut(5) {
         column.set_cell_alignment(CellAlignment::Left);

@@ -6,50 +6,50 @@ use std::io::{self, Write};
 use anstream::{AutoStream, ColorChoice};
 use chordal_load::LoadError;
 
-use crate::failure::Failure;
+use crate::failure::CommandFailure;
 
 /// What the two output streams can show.
 #[derive(Clone, Copy, Debug)]
-pub struct Terminal {
+pub struct TerminalSupport {
     /// Colours on standard output.
     pub out: bool,
     /// Colours on standard error.
     pub err: bool,
 }
 
-impl Terminal {
+impl TerminalSupport {
     /// Colours as the user wishes; without a wish on terminals only, and never under
     /// `NO_COLOR`.
-    pub fn new(wish: clap::ColorChoice) -> Terminal {
+    pub fn new(wish: clap::ColorChoice) -> TerminalSupport {
         match wish {
             clap::ColorChoice::Always => ColorChoice::Always,
             clap::ColorChoice::Never => ColorChoice::Never,
             clap::ColorChoice::Auto => ColorChoice::Auto,
         }
         .write_global();
-        Terminal {
+        TerminalSupport {
             out: AutoStream::choice(&io::stdout()) != ColorChoice::Never,
             err: AutoStream::choice(&io::stderr()) != ColorChoice::Never,
         }
     }
 
     /// Says why something could not be done, on standard error.
-    pub fn failure(self, failure: &Failure) {
+    pub fn failure(self, failure: &CommandFailure) {
         if !failure.is_closed_pipe() {
             self.tell(&self.failure_text(failure));
         }
     }
 
     /// A failure as text.
-    pub fn failure_text(self, failure: &Failure) -> String {
+    pub fn failure_text(self, failure: &CommandFailure) -> String {
         let error = style(self.err, BOLD_RED, "error:");
         match failure {
-            Failure::Load(LoadError::Machine(errors)) => errors
+            CommandFailure::Load(LoadError::Machine(errors)) => errors
                 .iter()
                 .map(|error| chordal_export::machine_error_text(error, self.err))
                 .collect(),
-            Failure::Use { message, help: Some(help) }
-            | Failure::Load(LoadError::Request { message, help: Some(help) }) => {
+            CommandFailure::Use { message, help: Some(help) }
+            | CommandFailure::Load(LoadError::Request { message, help: Some(help) }) => {
                 format!("{error} {message}\n{} {help}\n", style(self.err, BOLD, "help:"))
             }
             other => format!("{error} {other}\n"),
@@ -63,7 +63,7 @@ impl Terminal {
 }
 
 /// Writes to standard output. (`print!` would panic when the reader has gone.)
-pub fn say(text: &str) -> Result<(), Failure> {
+pub fn say(text: &str) -> Result<(), CommandFailure> {
     let mut out = anstream::stdout().lock();
     out.write_all(text.as_bytes())?;
     Ok(out.flush()?)

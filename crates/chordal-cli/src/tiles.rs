@@ -5,10 +5,10 @@ use std::panic::resume_unwind;
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use chordal::stock::{Found, TileJob};
+use chordal::stock::{JobResult, TileJob};
 
 /// Cuts tiles on as many threads as there are processors; what is found is in the order of the tiles.
-pub fn on_threads(tiles: Vec<TileJob<'_>>) -> Vec<Found> {
+pub fn on_threads(tiles: Vec<TileJob<'_>>) -> Vec<JobResult> {
     let threads = thread::available_parallelism().map_or(1, NonZero::get).min(tiles.len());
     if threads <= 1 {
         return tiles.into_iter().map(TileJob::run).collect();
@@ -22,7 +22,7 @@ pub fn on_threads(tiles: Vec<TileJob<'_>>) -> Vec<Found> {
             found.push((number, tile.run()));
         }
     };
-    let mut found: Vec<(usize, Found)> = thread::scope(|scope| {
+    let mut found: Vec<(usize, JobResult)> = thread::scope(|scope| {
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
         let join = |worker: thread::ScopedJoinHandle<'_, _>| {
             worker.join().unwrap_or_else(|panic| resume_unwind(panic))

@@ -6,23 +6,23 @@ use chordal::Job;
 use chordal::motion::MotionOptions;
 use chordal::stock::{StockVerdict, TurnedOptions, TurnedReport};
 use chordal_export::columns::{ColumnFile, ColumnFormat, CutColumns, cuts_csv};
-use chordal_export::report::{self, Detail, Sarif};
+use chordal_export::report::{self, ReportDetail, SarifReport};
 use chordal_export::{
     MeshFormat, PlotOptions, section_dxf, section_png, section_svg, turned_json, turned_mesh,
     turned_text, turning_json, turning_text,
 };
 use chordal_load::Loaded;
 
-use crate::failure::{Failure, Verdict};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::output::write_whole;
 use crate::programs::recognized;
-use crate::setup_files::{Format, files};
+use crate::setup_files::{SetupProblemFormat, files};
 use crate::stock_failure::failure_of;
-use crate::terminal::{Terminal, say};
+use crate::terminal::{TerminalSupport, say};
 
 /// What a file holds.
 #[derive(Clone, Copy)]
-enum Form {
+enum TurnedFormat {
     Svg,
     Png,
     Dxf,
@@ -32,19 +32,19 @@ enum Form {
     Json,
 }
 
-fn form(path: &Path, engagement: bool) -> Result<Form, Failure> {
+fn form(path: &Path, engagement: bool) -> Result<TurnedFormat, CommandFailure> {
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     let found = match (ending.as_str(), engagement) {
-        ("svg", false) => Form::Svg,
-        ("png", false) => Form::Png,
-        ("dxf", false) => Form::Dxf,
-        ("stl", false) => Form::Mesh(MeshFormat::Stl),
-        ("3mf", false) => Form::Mesh(MeshFormat::ThreeMf),
-        ("glb", false) => Form::Mesh(MeshFormat::Glb),
-        ("parquet", true) => Form::Columns(ColumnFormat::Parquet),
-        ("arrow", true) => Form::Columns(ColumnFormat::Arrow),
-        ("csv", true) => Form::Csv,
-        ("json", true) => Form::Json,
+        ("svg", false) => TurnedFormat::Svg,
+        ("png", false) => TurnedFormat::Png,
+        ("dxf", false) => TurnedFormat::Dxf,
+        ("stl", false) => TurnedFormat::Mesh(MeshFormat::Stl),
+        ("3mf", false) => TurnedFormat::Mesh(MeshFormat::ThreeMf),
+        ("glb", false) => TurnedFormat::Mesh(MeshFormat::Glb),
+        ("parquet", true) => TurnedFormat::Columns(ColumnFormat::Parquet),
+        ("arrow", true) => TurnedFormat::Columns(ColumnFormat::Arrow),
+        ("csv", true) => TurnedFormat::Csv,
+        ("json", true) => TurnedFormat::Json,
         _ => {
             let message = format!("the extension of {} is not a known format", path.display());
             let help = if engagement {
@@ -52,17 +52,17 @@ fn form(path: &Path, engagement: bool) -> Result<Form, Failure> {
             } else {
                 "of a lathe the extensions are .svg, .png, .dxf, .stl, .3mf, .glb"
             };
-            return Err(Failure::wrong(message, help));
+            return Err(CommandFailure::wrong(message, help));
         }
     };
     Ok(found)
 }
 
 /// What is asked for in addition to the run.
-pub struct Answer<'a> {
+pub struct TurnedOutput<'a> {
     pub output: &'a [PathBuf],
-    pub format: Format,
-    pub detail: Detail,
+    pub format: SetupProblemFormat,
+    pub detail: ReportDetail,
     /// How hard each cut is.
     pub engagement: bool,
     pub tolerance_mm: f64,
@@ -73,12 +73,12 @@ pub struct Answer<'a> {
 }
 
 pub fn run(
-    args: &Answer<'_>,
+    args: &TurnedOutput<'_>,
     loaded: &Loaded,
     job: &Job<'_>,
-    terminal: Terminal,
-) -> Result<Verdict, Failure> {
-    let forms: Vec<Form> =
+    terminal: TerminalSupport,
+) -> Result<ExitVerdict, CommandFailure> {
+    let forms: Vec<TurnedFormat> =
         args.output.iter().map(|path| form(path, args.engagement)).collect::<Result<_, _>>()?;
     let options = TurnedOptions { tolerance_mm: args.tolerance_mm, replay: false };
     let found = job.turned_stock(&options, &files);
@@ -91,7 +91,7 @@ pub fn run(
         write_whole(path, &content(&found, job, form, loaded.name(), path)?)?;
     }
     match args.format {
-        Format::Text => {
+        SetupProblemFormat::Text => {
             terminal.tell(&recognized(loaded));
             if found.report.worst().is_some() {
                 say(&report::text(&found.report, job.sources(), terminal.out, args.detail))?;
@@ -109,46 +109,50 @@ pub fn run(
                 )?;
             }
         }
-        Format::Json if args.engagement => say(&turning_json(&found, loaded.name()))?,
-        Format::Json => say(&turned_json(&found, loaded.name()))?,
-        Format::Sarif => {
-            let mut sarif = Sarif::new();
+        SetupProblemFormat::Json if args.engagement => say(&turning_json(&found, loaded.name()))?,
+        SetupProblemFormat::Json => say(&turned_json(&found, loaded.name()))?,
+        SetupProblemFormat::Sarif => {
+            let mut sarif = SarifReport::new();
             sarif.add(&found.report, job.sources());
             say(&sarif.finish())?;
         }
     }
-    Ok(if found.verdict == StockVerdict::Clean { Verdict::Clean } else { Verdict::Problems })
+    Ok(if found.verdict == StockVerdict::Clean {
+        ExitVerdict::Clean
+    } else {
+        ExitVerdict::Problems
+    })
 }
 
 fn content(
     found: &TurnedReport,
     job: &Job<'_>,
-    form: Form,
+    form: TurnedFormat,
     name: &str,
     path: &Path,
-) -> Result<Vec<u8>, Failure> {
+) -> Result<Vec<u8>, CommandFailure> {
     let options = || PlotOptions {
         title: name.to_string(),
         subtitle: subtitle(found),
         ..PlotOptions::default()
     };
     Ok(match form {
-        Form::Svg => section_svg(found, &options()).into_bytes(),
-        Form::Png => section_png(found, &options())
-            .map_err(|error| Failure::wrong(error.to_string(), "write an .svg"))?,
-        Form::Dxf => section_dxf(found),
-        Form::Mesh(format) => {
+        TurnedFormat::Svg => section_svg(found, &options()).into_bytes(),
+        TurnedFormat::Png => section_png(found, &options())
+            .map_err(|error| CommandFailure::wrong(error.to_string(), "write an .svg"))?,
+        TurnedFormat::Dxf => section_dxf(found),
+        TurnedFormat::Mesh(format) => {
             let own = path.file_stem().unwrap_or_default().to_string_lossy();
             turned_mesh(found, format, &own)
-                .map_err(|error| Failure::wrong(error.to_string(), "write a .dxf"))?
+                .map_err(|error| CommandFailure::wrong(error.to_string(), "write a .dxf"))?
         }
-        Form::Json => turning_json(found, name).into_bytes(),
-        Form::Csv => {
+        TurnedFormat::Json => turning_json(found, name).into_bytes(),
+        TurnedFormat::Csv => {
             let mut text = Vec::new();
             cuts_csv(&mut text, job, &found.moves)?;
             text
         }
-        Form::Columns(format) => {
+        TurnedFormat::Columns(format) => {
             let mut file = ColumnFile::new(Vec::new(), format, CutColumns::new(job))?;
             for each in &found.moves {
                 file.put(|rows| rows.cut(each))?;

@@ -6,17 +6,19 @@ use std::sync::Arc;
 
 use chordal::Machine;
 use chordal::machine::builtin_names;
-use chordal_compare::Options;
-use chordal_editor::Program;
-use chordal_load::{Files, Given, Input, LoadError, Loader, Text, reason};
+use chordal_compare::ComparisonOptions;
+use chordal_editor::EditorProgram;
+use chordal_load::{
+    FileAccess, LoadError, Loader, ProgramInput, ProgramText, RequestedMachine, reason,
+};
 use chordal_server::{Against, MachineChoice, Programs, Refusal, ServeError, Server, save};
 use chordal_view::{ChosenMachine, builtin_machines, refusal};
 
 use crate::compare::{length_mm, sides};
-use crate::failure::{Failure, Verdict};
-use crate::options::Common;
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::CommonArgs;
 use crate::programs::load_one;
-use crate::terminal::{Terminal, say};
+use crate::terminal::{TerminalSupport, say};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -63,32 +65,40 @@ pub struct Args {
     port: u16,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
-pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     let Args { file, setup, against, machines, tolerance, no_browser, port, mut common } = args;
     common.set_up(setup.as_deref());
     let program = match sides(&file, against.as_ref(), &machines, &common)? {
-        None => Shown::new(&file, &common)?,
+        None => ShownProgram::new(&file, &common)?,
         Some([_, (other, _)])
             if against.is_some() && [&file, other].iter().all(|it| is_stdin(it)) =>
         {
-            return Err(Failure::wrong(
+            return Err(CommandFailure::wrong(
                 "both programs are standard input",
                 "give a file name for one of the two",
             ));
         }
         Some([(a, on_a), (b, on_b)]) => {
-            let options = Options { tolerance_mm: tolerance, ..Options::default() };
-            let other =
-                if against.is_some() { Shown::new(b, &on_b)? } else { Shown::named(b, &on_b)? };
+            let options =
+                ComparisonOptions { tolerance_mm: tolerance, ..ComparisonOptions::default() };
+            let other = if against.is_some() {
+                ShownProgram::new(b, &on_b)?
+            } else {
+                ShownProgram::named(b, &on_b)?
+            };
             let own_text = against.is_none();
-            Shown::new(a, &on_a)?.against(Against { programs: Arc::new(other), own_text, options })
+            ShownProgram::new(a, &on_a)?.against(Against {
+                programs: Arc::new(other),
+                own_text,
+                options,
+            })
         }
     };
     serve(program, !no_browser, port, terminal)?;
-    Ok(Verdict::Clean)
+    Ok(ExitVerdict::Clean)
 }
 
 fn is_stdin(file: &Path) -> bool {
@@ -96,7 +106,7 @@ fn is_stdin(file: &Path) -> bool {
 }
 
 /// What a command made of a program.
-pub struct Made<'a> {
+pub struct GeneratedProgram<'a> {
     /// How, in a word before the program's name.
     pub how: &'a str,
     /// The file that it was written to; it is looked at as any.
@@ -106,22 +116,22 @@ pub struct Made<'a> {
     /// What it runs on.
     pub machine: Machine,
     /// What counts as a difference.
-    pub options: Options,
+    pub options: ComparisonOptions,
 }
 
 /// Shows a program, and next to it what was made of it, until the process ends.
 pub fn beside(
     file: &Path,
     text: &[u8],
-    common: &Common,
-    made: Made<'_>,
-    terminal: Terminal,
-) -> Result<(), Failure> {
-    let mut old = Shown::named(file, common)?;
+    common: &CommonArgs,
+    made: GeneratedProgram<'_>,
+    terminal: TerminalSupport,
+) -> Result<(), CommandFailure> {
+    let mut old = ShownProgram::named(file, common)?;
     if is_stdin(file) {
         old.held = Some(text.to_vec());
     }
-    let mut new = Shown::named(made.file.unwrap_or(file), common)?;
+    let mut new = ShownProgram::named(made.file.unwrap_or(file), common)?;
     new.loader = new.loader.on_exactly(made.machine);
     if made.file.is_none() {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
@@ -133,7 +143,12 @@ pub fn beside(
 }
 
 /// Shows a program until the process ends.
-fn serve(program: Shown, opens: bool, port: u16, terminal: Terminal) -> Result<(), Failure> {
+fn serve(
+    program: ShownProgram,
+    opens: bool,
+    port: u16,
+    terminal: TerminalSupport,
+) -> Result<(), CommandFailure> {
     let server = Server::listen(port).map_err(failed)?;
     let url = server.url();
     say(&format!("{url}\n"))?;
@@ -143,15 +158,15 @@ fn serve(program: Shown, opens: bool, port: u16, terminal: Terminal) -> Result<(
     server.serve(Arc::new(program)).map_err(failed)
 }
 
-fn failed(error: ServeError) -> Failure {
+fn failed(error: ServeError) -> CommandFailure {
     let help = matches!(error, ServeError::Listen { .. })
         .then(|| "leave --port out to use any free port".to_string());
-    Failure::Use { message: error.to_string(), help }
+    CommandFailure::Use { message: error.to_string(), help }
 }
 
 /// The program of the command line, with what the command line says of it.
-struct Shown {
-    input: Input,
+struct ShownProgram {
+    input: ProgramInput,
     /// What standard input held, or what has no file yet; a file is read anew each time.
     held: Option<Vec<u8>>,
     /// The name for people, where it is not that of the file.
@@ -160,37 +175,38 @@ struct Shown {
     against: Option<Arc<Against>>,
 }
 
-impl Shown {
+impl ShownProgram {
     /// Reads the program once, so that what is wrong is reported before a browser opens.
-    fn new(file: &Path, common: &Common) -> Result<Shown, Failure> {
+    fn new(file: &Path, common: &CommonArgs) -> Result<ShownProgram, CommandFailure> {
         if is_stdin(file) {
-            let shown = Shown::named(file, common)?;
-            let held = Some(Text::read(&shown.input)?.bytes().to_vec());
-            return Ok(Shown { held, ..shown });
+            let shown = ShownProgram::named(file, common)?;
+            let held = Some(ProgramText::read(&shown.input)?.bytes().to_vec());
+            return Ok(ShownProgram { held, ..shown });
         }
         if file.is_dir() {
             return Err(load_one(&file.to_path_buf(), common).err().unwrap_or_else(|| {
-                Failure::wrong(format!("{} is a folder", file.display()), "give one program")
+                CommandFailure::wrong(format!("{} is a folder", file.display()), "give one program")
             }));
         }
-        std::fs::File::open(file).map_err(|error| Failure::read(file.to_string_lossy(), &error))?;
-        Shown::named(file, common)
+        std::fs::File::open(file)
+            .map_err(|error| CommandFailure::read(file.to_string_lossy(), &error))?;
+        ShownProgram::named(file, common)
     }
 
     /// A program whose text comes from elsewhere.
-    fn named(file: &Path, common: &Common) -> Result<Shown, Failure> {
+    fn named(file: &Path, common: &CommonArgs) -> Result<ShownProgram, CommandFailure> {
         let loader = Loader::new(common.request())?;
         let path = (!is_stdin(file)).then(|| file.to_path_buf());
-        let input = Input { path, root: None };
-        Ok(Shown { input, held: None, title: None, loader, against: None })
+        let input = ProgramInput { path, root: None };
+        Ok(ShownProgram { input, held: None, title: None, loader, against: None })
     }
 
-    fn against(self, against: Against) -> Shown {
-        Shown { against: Some(Arc::new(against)), ..self }
+    fn against(self, against: Against) -> ShownProgram {
+        ShownProgram { against: Some(Arc::new(against)), ..self }
     }
 }
 
-impl Shown {
+impl ShownProgram {
     /// Where the machine is named: a file of the program's own folder without the folder.
     fn named_in(&self, file: &Path) -> String {
         let folder = self.input.path.as_deref().and_then(|path| path.canonicalize().ok());
@@ -204,7 +220,7 @@ impl Shown {
     }
 }
 
-impl Programs for Shown {
+impl Programs for ShownProgram {
     fn path(&self) -> Option<PathBuf> {
         self.input.path.clone().filter(|_| self.held.is_none())
     }
@@ -216,14 +232,14 @@ impl Programs for Shown {
     fn read(&self) -> Result<Vec<u8>, Refusal> {
         match (&self.held, &self.input.path) {
             (Some(held), _) => Ok(held.clone()),
-            (None, Some(path)) => Files::Disk
+            (None, Some(path)) => FileAccess::Disk
                 .bytes(path)
                 .map_err(|error| refusal(&LoadError::read(path.to_string_lossy(), &error))),
             (None, None) => Ok(Vec::new()),
         }
     }
 
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<EditorProgram, Refusal> {
         let loader = match machine.map(ChosenMachine::of) {
             // The page may choose from what it was offered, and name no file.
             Some(chosen) if !builtin_names().contains(&chosen.name) => {
@@ -234,9 +250,9 @@ impl Programs for Shown {
                     ),
                 });
             }
-            Some(chosen) => {
-                self.loader.on(Given::Name(chosen.name.to_string()), chosen.assignments())
-            }
+            Some(chosen) => self
+                .loader
+                .on(RequestedMachine::Name(chosen.name.to_string()), chosen.assignments()),
             None => Ok(self.loader.again()),
         };
         let loader = loader.map_err(|error| refusal(&error))?;
@@ -253,7 +269,7 @@ impl Programs for Shown {
     }
 
     fn named_file(&self, name: &str) -> Result<Vec<u8>, String> {
-        Files::Disk.bytes(Path::new(name)).map_err(|error| reason(&error))
+        FileAccess::Disk.bytes(Path::new(name)).map_err(|error| reason(&error))
     }
 
     fn against(&self) -> Option<Arc<Against>> {

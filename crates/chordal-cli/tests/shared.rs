@@ -12,12 +12,12 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_archive::diff::{DiffOptions, Status, compare_files};
-use chordal_archive::{Loader, Prepared};
-use chordal_compare::{Category, Command, Options, Verdict, compare};
+use chordal_archive::diff::{DiffOptions, FileStatus, compare_files};
+use chordal_archive::{FileLoader, PreparedFile};
+use chordal_compare::{Category, ComparingCommand, ComparisonOptions, ComparisonVerdict, compare};
 use chordal_rewrite::convert::{self, convert};
 use chordal_rewrite::restart::{prove_head, restart};
-use chordal_rewrite::{Step, transform};
+use chordal_rewrite::{TransformStep, transform};
 
 use plant::{KINDS, Kind};
 use program::{Dice, program};
@@ -42,7 +42,7 @@ fn job(text: &str, machine: &Machine) -> Job<'static> {
 /// Two texts in the place of files.
 struct Texts<'m>([String; 2], &'m Machine);
 
-impl Loader for Texts<'_> {
+impl FileLoader for Texts<'_> {
     fn is_other_by_name(&self, _: &Path) -> bool {
         false
     }
@@ -52,8 +52,8 @@ impl Loader for Texts<'_> {
     fn may_be_program(&self, _: &[u8]) -> bool {
         true
     }
-    fn prepare(&mut self, _: &Path, bytes: Vec<u8>) -> Result<Prepared, String> {
-        Ok(Prepared {
+    fn prepare(&mut self, _: &Path, bytes: Vec<u8>) -> Result<PreparedFile, String> {
+        Ok(PreparedFile {
             texts: vec![("part.nc".into(), bytes)],
             machine: self.1.clone(),
             chosen: "this one".into(),
@@ -70,26 +70,26 @@ struct Count([u32; 3]);
 /// The table of what was seen.
 #[derive(Default)]
 struct Tally {
-    counts: BTreeMap<(Command, usize), Count>,
+    counts: BTreeMap<(ComparingCommand, usize), Count>,
     missed: Vec<String>,
     false_alarms: Vec<String>,
     /// Programs that a command takes as they are.
-    proved: BTreeMap<Command, u32>,
+    proved: BTreeMap<ComparingCommand, u32>,
 }
 
 /// Of these only a part is ignored, and none of what is planted.
-const PARTLY: &[(Category, Command)] = &[
-    (Category::Code, Command::Convert),
-    (Category::Code, Command::Restart),
-    (Category::Variable, Command::Restart),
+const PARTLY: &[(Category, ComparingCommand)] = &[
+    (Category::Code, ComparingCommand::Convert),
+    (Category::Code, ComparingCommand::Restart),
+    (Category::Variable, ComparingCommand::Restart),
 ];
 
-fn is_ignored(category: Category, command: Command) -> bool {
+fn is_ignored(category: Category, command: ComparingCommand) -> bool {
     category.ignored_by(command).is_some() && !PARTLY.contains(&(category, command))
 }
 
 impl Tally {
-    fn note(&mut self, command: Command, kind: usize, seen: bool, texts: [&str; 2]) {
+    fn note(&mut self, command: ComparingCommand, kind: usize, seen: bool, texts: [&str; 2]) {
         let count = self.counts.entry((command, kind)).or_default();
         let kind = &KINDS[kind];
         if seen {
@@ -108,7 +108,12 @@ impl Tally {
         }
     }
 
-    fn unchanged(&mut self, command: Command, is_same: bool, told: impl FnOnce() -> String) {
+    fn unchanged(
+        &mut self,
+        command: ComparingCommand,
+        is_same: bool,
+        told: impl FnOnce() -> String,
+    ) {
         *self.proved.entry(command).or_default() += 1;
         if !is_same {
             self.false_alarms.push(format!("{}: {}", command.word(), told()));
@@ -136,11 +141,17 @@ fn each(text: &str, dice: &mut Dice, mut ask: impl FnMut(usize, &Kind, String)) 
 
 fn by_compare(text: &str, machine: &Machine, dice: &mut Dice, tally: &mut Tally) {
     let old = job(text, machine);
-    let verdict = |new: &str| compare(&old, &job(new, machine), &Options::default()).verdict;
-    let is_same = verdict(text) != Verdict::Different;
-    tally.unchanged(Command::Compare, is_same, || text.to_string());
+    let verdict =
+        |new: &str| compare(&old, &job(new, machine), &ComparisonOptions::default()).verdict;
+    let is_same = verdict(text) != ComparisonVerdict::Different;
+    tally.unchanged(ComparingCommand::Compare, is_same, || text.to_string());
     each(text, dice, |index, _, new| {
-        tally.note(Command::Compare, index, verdict(&new) == Verdict::Different, [text, &new]);
+        tally.note(
+            ComparingCommand::Compare,
+            index,
+            verdict(&new) == ComparisonVerdict::Different,
+            [text, &new],
+        );
     });
 }
 
@@ -151,17 +162,18 @@ fn by_diff(text: &str, machine: &Machine, dice: &mut Dice, tally: &mut Tally) {
         compare_files(&mut texts, Path::new("old"), Path::new("new"), options).status
     };
     let remark = format!("(A REMARK)\n{text}");
-    let is_same = matches!(status(&remark), Status::Text | Status::NotVerified);
-    tally.unchanged(Command::Diff, is_same, || text.to_string());
+    let is_same = matches!(status(&remark), FileStatus::Text | FileStatus::NotVerified);
+    tally.unchanged(ComparingCommand::Diff, is_same, || text.to_string());
     each(text, dice, |index, _, new| {
-        let seen = !matches!(status(&new), Status::Same | Status::Text | Status::NotVerified);
-        tally.note(Command::Diff, index, seen, [text, &new]);
+        let seen =
+            !matches!(status(&new), FileStatus::Same | FileStatus::Text | FileStatus::NotVerified);
+        tally.note(ComparingCommand::Diff, index, seen, [text, &new]);
     });
 }
 
 fn by_convert(text: &str, from: &Machine, to: &Machine, dice: &mut Dice, tally: &mut Tally) {
     let old = job(text, from);
-    let options = convert::Options { exact_cycles: true, ..Default::default() };
+    let options = convert::ConversionOptions { exact_cycles: true, ..Default::default() };
     let found = convert(&old, to, &options);
     if !found.holds() {
         return;
@@ -170,20 +182,22 @@ fn by_convert(text: &str, from: &Machine, to: &Machine, dice: &mut Dice, tally: 
         convert::prove_text(&old, &found, text.to_string(), &options)
             .is_some_and(|certificate| certificate.holds())
     };
-    tally.unchanged(Command::Convert, holds(&found.text), || format!("{text}\n=>\n{}", found.text));
+    tally.unchanged(ComparingCommand::Convert, holds(&found.text), || {
+        format!("{text}\n=>\n{}", found.text)
+    });
     each(&found.text, dice, |index, _, new| {
-        tally.note(Command::Convert, index, !holds(&new), [&found.text, &new]);
+        tally.note(ComparingCommand::Convert, index, !holds(&new), [&found.text, &new]);
     });
 }
 
 fn by_transform(text: &str, machine: &Machine, dice: &mut Dice, tally: &mut Tally) {
     let old = job(text, machine);
     let steps = [
-        Step::Shift([5.0, -3.0, 0.0]),
-        Step::MirrorX,
-        Step::Scale(2.0),
-        Step::Units(chordal::control::Units::Inch),
-        Step::Rates { feed: 0.5, speed: 0.75 },
+        TransformStep::Shift([5.0, -3.0, 0.0]),
+        TransformStep::MirrorX,
+        TransformStep::Scale(2.0),
+        TransformStep::Units(chordal::control::Units::Inch),
+        TransformStep::Rates { feed: 0.5, speed: 0.75 },
     ];
     let step = &steps[dice.below(steps.len())];
     let Ok(found) = transform(&old, std::slice::from_ref(step)) else { return };
@@ -192,9 +206,11 @@ fn by_transform(text: &str, machine: &Machine, dice: &mut Dice, tally: &mut Tall
     }
     let new = String::from_utf8_lossy(&found.text).into_owned();
     let holds = |text: &str| found.prove(&old, text.as_bytes().to_vec()).holds();
-    tally.unchanged(Command::Transform, holds(&new), || format!("{step:?}\n{text}\n=>\n{new}"));
+    tally.unchanged(ComparingCommand::Transform, holds(&new), || {
+        format!("{step:?}\n{text}\n=>\n{new}")
+    });
     each(&new, dice, |index, _, changed| {
-        tally.note(Command::Transform, index, !holds(&changed), [&new, &changed]);
+        tally.note(ComparingCommand::Transform, index, !holds(&changed), [&new, &changed]);
     });
 }
 
@@ -206,9 +222,11 @@ fn by_restart(text: &str, machine: &Machine, dice: &mut Dice, tally: &mut Tally)
         let Ok(found) = restart(&old, line) else { continue };
         let new = String::from_utf8_lossy(&found.text).into_owned();
         let proves = |text: &str| prove_head(&old, line, text.as_bytes()).is_ok();
-        tally.unchanged(Command::Restart, proves(&new), || format!("{line}\n{text}\n=>\n{new}"));
+        tally.unchanged(ComparingCommand::Restart, proves(&new), || {
+            format!("{line}\n{text}\n=>\n{new}")
+        });
         each(&new, dice, |index, _, changed| {
-            tally.note(Command::Restart, index, !proves(&changed), [&new, &changed]);
+            tally.note(ComparingCommand::Restart, index, !proves(&changed), [&new, &changed]);
         });
         return;
     }
@@ -233,7 +251,7 @@ fn planted_differences_are_seen_or_ignored_by_intent() {
         by_transform(&known, &machine, &mut dice, &mut tally);
         by_restart(&known, &machine, &mut dice, &mut tally);
     }
-    for command in Command::ALL {
+    for command in ComparingCommand::ALL {
         let of = |at: usize| -> u32 {
             let own = tally.counts.iter().filter(|((by, _), _)| *by == command);
             own.map(|(_, count)| count.0[at]).sum()

@@ -6,7 +6,10 @@ use std::f64::consts::TAU;
 use chordal::geometry::{Arc, Curve, ParamCurve, Vec3};
 use chordal::machine::ControlName;
 use chordal::{Job, Machine, Report, Segment, SegmentKind, Severity, Source, SourceMap};
-use chordal_calc::{Cut, Cutter, Hand, Ramp, Thread, ThreadMill, Units, Where, thread_mill};
+use chordal_calc::{
+    AnswerUnit, MillingDirection, RampSweep, ThreadHand, ThreadLocation, ThreadMill,
+    ThreadMillCutter, ThreadSize, thread_mill,
+};
 
 /// A machine of each control.
 const MACHINES: [(ControlName, &str); 5] = [
@@ -39,27 +42,27 @@ fn run_with(text: &str, machine: &str, set: Option<&str>) -> (Report, Vec<Segmen
 fn all() -> Vec<ThreadMill> {
     let sizes = [
         // 1.5-8 with a tool of .75, M30x2 with 16, and small and fine ones.
-        (Units::Inch, 38.1, 25.4 / 8.0, 19.05, 12.7),
-        (Units::Millimetre, 30.0, 2.0, 16.0, 24.0),
-        (Units::Inch, 25.4 * 0.3125, 25.4 / 18.0, 25.4 * 0.235, 25.4 * 0.4),
-        (Units::Millimetre, 6.0, 1.0, 4.5, 9.3),
-        (Units::Inch, 25.4 * 0.25, 25.4 / 20.0, 25.4 * 0.18, 25.4 * 0.3333),
-        (Units::Millimetre, 100.0, 6.0, 40.0, 51.7),
-        (Units::Millimetre, 12.0, 1.75, 9.511, 20.0001),
-        (Units::Inch, 101.6, 25.4 / 4.0, 38.1, 60.0),
-        (Units::Millimetre, 3.0, 0.5, 2.33, 4.0),
-        (Units::Inch, 27.0, 25.4 / 13.0, 20.0, 11.1),
+        (AnswerUnit::Inch, 38.1, 25.4 / 8.0, 19.05, 12.7),
+        (AnswerUnit::Millimetre, 30.0, 2.0, 16.0, 24.0),
+        (AnswerUnit::Inch, 25.4 * 0.3125, 25.4 / 18.0, 25.4 * 0.235, 25.4 * 0.4),
+        (AnswerUnit::Millimetre, 6.0, 1.0, 4.5, 9.3),
+        (AnswerUnit::Inch, 25.4 * 0.25, 25.4 / 20.0, 25.4 * 0.18, 25.4 * 0.3333),
+        (AnswerUnit::Millimetre, 100.0, 6.0, 40.0, 51.7),
+        (AnswerUnit::Millimetre, 12.0, 1.75, 9.511, 20.0001),
+        (AnswerUnit::Inch, 101.6, 25.4 / 4.0, 38.1, 60.0),
+        (AnswerUnit::Millimetre, 3.0, 0.5, 2.33, 4.0),
+        (AnswerUnit::Inch, 27.0, 25.4 / 13.0, 20.0, 11.1),
     ];
     let mut asks = Vec::new();
     for (units, major, pitch, tool_diameter, depth) in sizes {
         for (control, _) in MACHINES {
-            for place in [Where::Inside, Where::Outside] {
-                for hand in [Hand::Right, Hand::Left] {
-                    for cutter in [Cutter::Hob, Cutter::Single] {
-                        for cut in [Cut::Climb, Cut::Conventional] {
-                            for ramp in [None, Some(Ramp::Eighth), Some(Ramp::Quarter)] {
+            for place in [ThreadLocation::Inside, ThreadLocation::Outside] {
+                for hand in [ThreadHand::Right, ThreadHand::Left] {
+                    for cutter in [ThreadMillCutter::Hob, ThreadMillCutter::Single] {
+                        for cut in [MillingDirection::Climb, MillingDirection::Conventional] {
+                            for ramp in [None, Some(RampSweep::Eighth), Some(RampSweep::Quarter)] {
                                 asks.push(ThreadMill {
-                                    thread: Thread { major, pitch, starts: 1 },
+                                    thread: ThreadSize { major, pitch, starts: 1 },
                                     place,
                                     hand,
                                     cutter,
@@ -135,7 +138,7 @@ fn judge(ask: &ThreadMill, text: &str, report: &Report, path: &[Segment]) {
     );
     let step = ask.units.mm() / 10f64.powi(ask.units.word_decimals() as i32);
     let Measured { turns, arc_in, arc_out } = measure(path);
-    let inside = ask.place == Where::Inside;
+    let inside = ask.place == ThreadLocation::Inside;
     let sign = if inside { 1.0 } else { -1.0 };
     let (pitch, tool) = (ask.thread.pitch, ask.tool_diameter);
     // UN and ISO: 5/4 H off the major diameter inside, 17/12 H outside.
@@ -149,10 +152,10 @@ fn judge(ask: &ThreadMill, text: &str, report: &Report, path: &[Segment]) {
         near("diameter", 2.0 * (arc.radius + sign * tool / 2.0), cut, 1.01 * step, text);
         near("pitch", arc.rise.abs(), pitch, 1.01 * step, text);
         let right = arc.sweep * arc.w.z * arc.rise > 0.0;
-        assert_eq!(right, ask.hand == Hand::Right, "hand\n{text}");
+        assert_eq!(right, ask.hand == ThreadHand::Right, "hand\n{text}");
         // With M3 the tool climbs counter-clockwise in a hole and clockwise on a boss.
         let ccw = arc.sweep * arc.w.z > 0.0;
-        assert_eq!(ccw, inside == (ask.cut == Cut::Climb), "sense\n{text}");
+        assert_eq!(ccw, inside == (ask.cut == MillingDirection::Climb), "sense\n{text}");
     }
     // F of the centre moves the points of the teeth at the feed asked for, along the helix or along
     // its circle, as the control takes F.
@@ -175,8 +178,8 @@ fn judge(ask: &ThreadMill, text: &str, report: &Report, path: &[Segment]) {
     near("bottom", bottom, -ask.depth, 0.51 * step, text);
     near("height", top - bottom, turns.len() as f64 * pitch, 1.01 * step, text);
     match ask.cutter {
-        Cutter::Hob => assert_eq!(turns.len(), 1, "{text}"),
-        Cutter::Single => {
+        ThreadMillCutter::Hob => assert_eq!(turns.len(), 1, "{text}"),
+        ThreadMillCutter::Single => {
             assert!(top >= pitch - step, "the thread runs out above the part\n{text}");
             assert!(top <= 2.0 * pitch + step, "no turn too many\n{text}");
         }
@@ -205,7 +208,7 @@ fn leaves_the_thread_whole(
     text: &str,
 ) {
     let tool = ask.tool_diameter / 2.0;
-    let inside = ask.place == Where::Inside;
+    let inside = ask.place == ThreadLocation::Inside;
     let mut up_or_down = 0;
     for segment in path.iter().filter(|segment| segment.known) {
         for index in 0..=64 {
@@ -252,7 +255,8 @@ fn every_thread_on_every_control() {
             }
             Err(error) => {
                 // In a narrow hole only the arc from the axis is free.
-                let eighth = ask.ramp == Some(Ramp::Eighth) && ask.place == Where::Inside;
+                let eighth =
+                    ask.ramp == Some(RampSweep::Eighth) && ask.place == ThreadLocation::Inside;
                 assert!(eighth && error.message.contains("1/8"), "{error}");
                 refused += 1;
             }
@@ -275,12 +279,12 @@ fn the_judge_sees_what_is_wrong() {
         let judged = std::panic::catch_unwind(|| judge(&other, "", &report, &path));
         assert!(judged.is_err());
     };
-    wrong(|ask| ask.hand = Hand::Left);
+    wrong(|ask| ask.hand = ThreadHand::Left);
     wrong(|ask| ask.thread.major += 0.01);
     wrong(|ask| ask.thread.pitch += 0.01);
     wrong(|ask| ask.depth += 0.01);
-    wrong(|ask| ask.place = Where::Outside);
-    wrong(|ask| ask.cut = Cut::Conventional);
+    wrong(|ask| ask.place = ThreadLocation::Outside);
+    wrong(|ask| ask.cut = MillingDirection::Conventional);
     let kinked = text.replace("J0. Z-0.5 ", "J0. Z-0.52 ");
     assert_ne!(kinked, text);
     let (report, path) = run(&kinked, "haas-vf2");
@@ -303,7 +307,7 @@ fn compensation_has_a_straight_way_in_and_out() {
             Err(error) => panic!("{error}"),
         };
         compensated += 1;
-        let side = if ask.cut == Cut::Climb { "G41 " } else { "G42 " };
+        let side = if ask.cut == MillingDirection::Climb { "G41 " } else { "G42 " };
         let on = text.lines().find(|line| line.starts_with(side)).expect("a way in");
         assert!(on.contains("X") && on.contains("Y") && !on.contains('I'), "{on}");
         assert!(text.lines().any(|line| line.starts_with("G40 G") && !line.contains('I')));
@@ -324,7 +328,7 @@ fn compensation_has_a_straight_way_in_and_out() {
             arcs.next_back().expect("a turn")
         };
         // A worn tool goes nearer to the thread: inside out, outside in.
-        let outward = if ask.place == Where::Inside { -1.0 } else { 1.0 };
+        let outward = if ask.place == ThreadLocation::Inside { -1.0 } else { 1.0 };
         for radius in [0.1, -0.1] {
             let set = format!("tools.7.diameter={} mm", 2.0 * radius);
             let (report, worn) = run_with(&text, machine, Some(&set));

@@ -7,7 +7,7 @@ use chordal_geometry::{Plane, Spline};
 
 use crate::axes::{AxisMask, Position};
 use crate::effect::Effect;
-use crate::mode::{Coolant, Overrides, PathMode, Side, SpindleState};
+use crate::mode::{CompensationSide, Coolant, Overrides, PathMode, SpindleState};
 use crate::motion::{ArcShape, Feed, FeedMode, Move, RapidPath};
 use crate::origin::Origin;
 use crate::surface::RotarySurface;
@@ -97,7 +97,7 @@ pub enum CommandKind {
     /// Compensation goes on or off.
     Compensation {
         /// The side.
-        side: Side,
+        side: CompensationSide,
         /// Number of the offset.
         number: Option<u32>,
         /// Radius of the offset, mm, where the table has one; negative for the other side.

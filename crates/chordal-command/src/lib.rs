@@ -35,7 +35,7 @@ mod work_zero;
 pub use axes::{AxisMask, Position};
 pub use command::{Command, CommandKind};
 pub use effect::Effect;
-pub use mode::{Coolant, Overrides, PathMode, Side, SpindleState};
+pub use mode::{CompensationSide, Coolant, Overrides, PathMode, SpindleState};
 pub use motion::{
     ArcShape, Feed, FeedAlong, FeedMode, Move, RapidPath, RotaryLength, SurfaceSpeed,
 };

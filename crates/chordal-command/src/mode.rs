@@ -26,7 +26,7 @@ pub struct Coolant {
 
 /// Cutter radius compensation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Side {
+pub enum CompensationSide {
     /// G40.
     Off,
     /// G41.

@@ -1,6 +1,6 @@
 //! Which block a command comes from, and the calls it was reached through.
 
-use chordal_diagnostics::{Shift, Span};
+use chordal_diagnostics::{Span, TextShift};
 
 /// Which chain of calls a block was reached through; 0 is the main program.
 /// [`CallPaths`] resolves it.
@@ -22,7 +22,7 @@ pub struct Origin {
 
 impl Origin {
     /// The same in a text that has changed elsewhere; `None` where the block went.
-    pub fn shifted(&self, shift: &Shift) -> Option<Origin> {
+    pub fn shifted(&self, shift: &TextShift) -> Option<Origin> {
         let mut moved = Origin { span: shift.span(self.span)?, ..*self };
         if moved.span != self.span {
             moved.line = shift.place(self.span.range.start, self.line)?.1;
@@ -55,7 +55,7 @@ impl CallPaths {
     }
 
     /// Makes them the chains of a text that has changed elsewhere; `None` where a call went.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         for (_, block) in &mut self.paths {
             *block = shift.span(*block)?;
         }

@@ -6,11 +6,11 @@ use chordal::geometry::{Curve, ParamCurve, Vec3};
 use chordal::machine::PerAxis;
 use imara_diff::{Algorithm, Diff, InternedInput, Interner, Token as InternedToken};
 
-use crate::course::{Course, Event, MoveKind, Moved, Step};
+use crate::course::{ComparedMove, ComparedMoveKind, ComparedRun, RunEvent, RunStep};
 
 /// A stretch of both runs.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Region {
+pub(crate) enum AlignedRegion {
     /// Step for step the same, as far as the grid shows.
     Matched(Range<usize>, Range<usize>),
     /// A rapid of both, each with its bends.
@@ -22,7 +22,7 @@ pub(crate) enum Region {
 /// What is the same on both sides is the same here. Places are rounded to a grid, so that rounding
 /// does not keep moves from finding each other; how far apart they are is measured afterwards.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-enum Token {
+enum AlignmentToken {
     Line {
         ends: PerAxis<i64>,
         turn: PerAxis<i64>,
@@ -54,15 +54,15 @@ enum Token {
 
 /// Which steps of two runs belong together.
 #[derive(Debug, Default)]
-pub(crate) struct Alignment {
+pub(crate) struct StepAlignment {
     /// Regions in order; together they hold every step once.
-    pub(crate) regions: Vec<Region>,
+    pub(crate) regions: Vec<AlignedRegion>,
     /// Moves of the gaps that both runs make, at another time: as many steps on both sides, each the same.
     pub(crate) moved: Vec<[Vec<usize>; 2]>,
 }
 
 /// Puts together what does the same; places are rounded to the grid.
-pub(crate) fn align(a: &Course, b: &Course, grid_mm: f64) -> Alignment {
+pub(crate) fn align(a: &ComparedRun, b: &ComparedRun, grid_mm: f64) -> StepAlignment {
     let (before, after) = (Vec::new(), Vec::new());
     let interner = Interner::new(a.steps.len() + b.steps.len());
     let mut input = InternedInput { before, after, interner };
@@ -72,29 +72,33 @@ pub(crate) fn align(a: &Course, b: &Course, grid_mm: f64) -> Alignment {
     let mut regions = Vec::new();
     for (is_matched, before, after) in stretches(&diff, [a.steps.len(), b.steps.len()]) {
         regions.push(if is_matched {
-            Region::Matched(before, after)
+            AlignedRegion::Matched(before, after)
         } else {
-            Region::Gap(before, after)
+            AlignedRegion::Gap(before, after)
         });
     }
     let moved = moved([a, b], &input, &regions);
-    Alignment { regions, moved }
+    StepAlignment { regions, moved }
 }
 
 /// Puts the steps of both together one by one, where both make as many of the same kinds in the same
 /// order; moves from or to places that are not known are left out. Nothing where they do not.
-pub(crate) fn in_step(a: &Course, b: &Course, with_unknown: bool) -> Option<Alignment> {
+pub(crate) fn in_step(
+    a: &ComparedRun,
+    b: &ComparedRun,
+    with_unknown: bool,
+) -> Option<StepAlignment> {
     // The steps of a rapid are one.
-    let groups = |course: &Course| -> Vec<Range<usize>> {
+    let groups = |course: &ComparedRun| -> Vec<Range<usize>> {
         let mut groups: Vec<Range<usize>> = Vec::new();
         for (at, step) in course.steps.iter().enumerate() {
-            if let Step::Move(moved) = step {
+            if let RunStep::Move(moved) = step {
                 if !moved.known {
                     continue;
                 }
                 let before = groups.last_mut().filter(|group| group.end == at);
                 if let Some(group) = before
-                    && moved.kind != MoveKind::Cut
+                    && moved.kind != ComparedMoveKind::Cut
                     && course.moved(at - 1).is_some_and(|last| last.command == moved.command)
                 {
                     group.end = at + 1;
@@ -108,10 +112,10 @@ pub(crate) fn in_step(a: &Course, b: &Course, with_unknown: bool) -> Option<Alig
     let (of_a, of_b) = (groups(a), groups(b));
     let is_alike =
         |(at, to): (&Range<usize>, &Range<usize>)| match (&a.steps[at.start], &b.steps[to.start]) {
-            (Step::Move(one), Step::Move(other)) => {
-                (one.kind == MoveKind::Cut) == (other.kind == MoveKind::Cut)
+            (RunStep::Move(one), RunStep::Move(other)) => {
+                (one.kind == ComparedMoveKind::Cut) == (other.kind == ComparedMoveKind::Cut)
             }
-            (Step::Event { what: one, .. }, Step::Event { what: other, .. }) => {
+            (RunStep::Event { what: one, .. }, RunStep::Event { what: other, .. }) => {
                 std::mem::discriminant(one) == std::mem::discriminant(other)
             }
             _ => false,
@@ -120,10 +124,10 @@ pub(crate) fn in_step(a: &Course, b: &Course, with_unknown: bool) -> Option<Alig
         return None;
     }
     let regions = of_a.into_iter().zip(of_b).map(|(at, to)| {
-        let is_rapid = a.moved(at.start).is_some_and(|moved| moved.kind != MoveKind::Cut);
-        if is_rapid { Region::Rapid(at, to) } else { Region::Matched(at, to) }
+        let is_rapid = a.moved(at.start).is_some_and(|moved| moved.kind != ComparedMoveKind::Cut);
+        if is_rapid { AlignedRegion::Rapid(at, to) } else { AlignedRegion::Matched(at, to) }
     });
-    let mut regions: Vec<Region> = regions.collect();
+    let mut regions: Vec<AlignedRegion> = regions.collect();
     // Of a move from a place that is not known all is compared but the path, at its first step.
     let unknown = [a, b].map(|course| {
         let moves = (0..course.steps.len()).filter_map(|at| Some((at, course.moved(at)?)));
@@ -136,9 +140,9 @@ pub(crate) fn in_step(a: &Course, b: &Course, with_unknown: bool) -> Option<Alig
     });
     if with_unknown && unknown[0].len() == unknown[1].len() {
         let pairs = unknown[0].iter().zip(&unknown[1]);
-        regions.extend(pairs.map(|(at, to)| Region::Matched(*at..at + 1, *to..to + 1)));
+        regions.extend(pairs.map(|(at, to)| AlignedRegion::Matched(*at..at + 1, *to..to + 1)));
     }
-    Some(Alignment { regions, moved: Vec::new() })
+    Some(StepAlignment { regions, moved: Vec::new() })
 }
 
 /// What is the same and what is not, in order.
@@ -161,14 +165,14 @@ fn stretches(diff: &Diff, ends: [usize; 2]) -> Vec<(bool, Range<usize>, Range<us
 
 /// What one run lacks in a gap and has in another: found by leaving out all that matched.
 fn moved(
-    courses: [&Course; 2],
-    input: &InternedInput<Token>,
-    regions: &[Region],
+    courses: [&ComparedRun; 2],
+    input: &InternedInput<AlignmentToken>,
+    regions: &[AlignedRegion],
 ) -> Vec<[Vec<usize>; 2]> {
     let left = [0, 1].map(|side: usize| -> Vec<usize> {
         let gaps = regions.iter().filter_map(|region| match region {
-            Region::Gap(a, b) => Some([a, b][side].clone()),
-            Region::Matched(..) | Region::Rapid(..) => None,
+            AlignedRegion::Gap(a, b) => Some([a, b][side].clone()),
+            AlignedRegion::Matched(..) | AlignedRegion::Rapid(..) => None,
         });
         let is_known = |at: &usize| courses[side].moved(*at).is_some_and(|moved| moved.known);
         gaps.flatten().filter(is_known).collect()
@@ -188,38 +192,38 @@ fn moved(
     // A rapid alone may be the same by chance: to one retract plane, to one tool change.
     let has_cut = |[moves, _]: &[Vec<usize>; 2]| {
         let mut moves = moves.iter().filter_map(|at| courses[0].moved(*at));
-        moves.any(|moved| moved.kind == MoveKind::Cut)
+        moves.any(|moved| moved.kind == ComparedMoveKind::Cut)
     };
     same.filter(has_cut).collect()
 }
 
-fn token(course: &Course, step: &Step, grid_mm: f64) -> Token {
+fn token(course: &ComparedRun, step: &RunStep, grid_mm: f64) -> AlignmentToken {
     match step {
-        Step::Move(moved) => move_token(course, moved, grid_mm),
-        Step::Event { what, .. } => match what {
-            Event::Tool(_) => Token::Tool,
-            Event::Dwell(_) => Token::Dwell,
-            Event::Stop { .. } => Token::Stop,
-            Event::Probed { .. } => Token::Probed,
-            Event::Output(text) => Token::Output(text.clone()),
-            Event::ReadyTool(_) => Token::ReadyTool,
-            Event::Code(words) => Token::Code(words.clone()),
-            Event::Written { name, .. } => Token::Written(name.clone()),
-            Event::Variable { number, .. } => Token::Variable(*number),
-            Event::Message(_) => Token::Message,
-            Event::Alarm { .. } => Token::Alarm,
-            Event::Deletable(_) => Token::Deletable,
+        RunStep::Move(moved) => move_token(course, moved, grid_mm),
+        RunStep::Event { what, .. } => match what {
+            RunEvent::Tool(_) => AlignmentToken::Tool,
+            RunEvent::Dwell(_) => AlignmentToken::Dwell,
+            RunEvent::Stop { .. } => AlignmentToken::Stop,
+            RunEvent::Probed { .. } => AlignmentToken::Probed,
+            RunEvent::Output(text) => AlignmentToken::Output(text.clone()),
+            RunEvent::ReadyTool(_) => AlignmentToken::ReadyTool,
+            RunEvent::Code(words) => AlignmentToken::Code(words.clone()),
+            RunEvent::Written { name, .. } => AlignmentToken::Written(name.clone()),
+            RunEvent::Variable { number, .. } => AlignmentToken::Variable(*number),
+            RunEvent::Message(_) => AlignmentToken::Message,
+            RunEvent::Alarm { .. } => AlignmentToken::Alarm,
+            RunEvent::Deletable(_) => AlignmentToken::Deletable,
         },
     }
 }
 
-fn move_token(course: &Course, moved: &Moved, grid_mm: f64) -> Token {
+fn move_token(course: &ComparedRun, moved: &ComparedMove, grid_mm: f64) -> AlignmentToken {
     // Rounding saturates: a place that is no number is at zero, one beyond all bounds at the bound.
     let grid = |value: f64| (value / grid_mm).round() as i64;
     let place = |place: Vec3| place.to_array().map(grid);
     if !moved.known {
         let way = place(moved.curve.end() - moved.curve.start());
-        return Token::Unknown { rapid: moved.kind != MoveKind::Cut, way };
+        return AlignmentToken::Unknown { rapid: moved.kind != ComparedMoveKind::Cut, way };
     }
     let (start, end) = (place(moved.curve.start()), place(moved.curve.end()));
     let ends = [start[0], start[1], start[2], end[0], end[1], end[2]];
@@ -228,10 +232,10 @@ fn move_token(course: &Course, moved: &Moved, grid_mm: f64) -> Token {
     let [from, to] = course.turn(moved).map(|turn| turn.map(angle));
     let turn = [from[0], from[1], from[2], to[0], to[1], to[2]];
     match moved.curve {
-        Curve::Line(_) => Token::Line { ends, turn },
+        Curve::Line(_) => AlignmentToken::Line { ends, turn },
         curve => {
             let middle = place(curve.point_at(moved.length_mm / 2.0));
-            Token::Curve { ends, middle, length: grid(moved.length_mm), turn }
+            AlignmentToken::Curve { ends, middle, length: grid(moved.length_mm), turn }
         }
     }
 }

@@ -7,16 +7,16 @@ const MOST_ASKED: usize = 1 << 16;
 
 /// A stretch of a curve, by the way from its start, mm.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stretch<'a> {
+pub(crate) struct CurveRange<'a> {
     pub(crate) curve: &'a Curve,
     pub(crate) from: f64,
     pub(crate) to: f64,
 }
 
-impl<'a> Stretch<'a> {
+impl<'a> CurveRange<'a> {
     /// All of a curve, which is so long, mm.
-    pub(crate) fn whole(curve: &'a Curve, length_mm: f64) -> Stretch<'a> {
-        Stretch { curve, from: 0.0, to: length_mm }
+    pub(crate) fn whole(curve: &'a Curve, length_mm: f64) -> CurveRange<'a> {
+        CurveRange { curve, from: 0.0, to: length_mm }
     }
 
     fn at(&self, fraction: f64) -> Vec3 {
@@ -46,7 +46,7 @@ impl<'a> Stretch<'a> {
 /// the difference D of the places, as a function of the fraction of the way, leaves the straight line
 /// between two of its places by at most Δ²/8·max|D''| (the remainder of linear interpolation), and a
 /// norm is largest at an end of a straight line; intervals are halved, the widest first.
-pub(crate) fn bound(a: Stretch<'_>, b: Stretch<'_>, precision_mm: f64) -> f64 {
+pub(crate) fn bound(a: CurveRange<'_>, b: CurveRange<'_>, precision_mm: f64) -> f64 {
     let ends = (a.at(0.0) - b.at(0.0)).length().max((a.at(1.0) - b.at(1.0)).length());
     if let (Curve::Line(_), Curve::Line(_)) = (a.curve, b.curve) {
         return ends;
@@ -57,8 +57,9 @@ pub(crate) fn bound(a: Stretch<'_>, b: Stretch<'_>, precision_mm: f64) -> f64 {
     // The ends as given need not lie where the rest of the curve leads (radii that differ a
     // little): ends against ends, the curve proper against the other.
     let curves = (formal(a.curve), formal(b.curve));
-    let (a, b) = (Stretch { curve: &curves.0, ..a }, Stretch { curve: &curves.1, ..b });
-    let by_numbers = Turning::of(&a).zip(Turning::of(&b)).and_then(|(a, b)| a.bound(&b));
+    let (a, b) = (CurveRange { curve: &curves.0, ..a }, CurveRange { curve: &curves.1, ..b });
+    let by_numbers =
+        RotatingCurve::of(&a).zip(RotatingCurve::of(&b)).and_then(|(a, b)| a.bound(&b));
     match by_numbers {
         Some(numbers) if numbers <= precision_mm => ends.max(numbers),
         Some(numbers) => ends.max(numbers.min(by_halving(a, b, precision_mm))),
@@ -68,12 +69,13 @@ pub(crate) fn bound(a: Stretch<'_>, b: Stretch<'_>, precision_mm: f64) -> f64 {
 
 /// Of two whole spans of splines with like weights: they are as far apart as their control points at most where
 /// both go by their parameter. Nothing for others.
-fn of_splines(a: &Stretch<'_>, b: &Stretch<'_>) -> Option<f64> {
+fn of_splines(a: &CurveRange<'_>, b: &CurveRange<'_>) -> Option<f64> {
     let (Curve::Spline(one), Curve::Spline(two)) = (a.curve, b.curve) else { return None };
     if one == two && (a.from, a.to) == (b.from, b.to) {
         return Some(0.0);
     }
-    let whole = |stretch: &Stretch<'_>| stretch.from == 0.0 && stretch.to == stretch.curve.length();
+    let whole =
+        |stretch: &CurveRange<'_>| stretch.from == 0.0 && stretch.to == stretch.curve.length();
     let alike = one.weights() == two.weights() && whole(a) && whole(b);
     let pairs = one.points().iter().zip(two.points());
     alike.then(|| pairs.fold(0.0, |far: f64, (p, q)| far.max((*p - *q).length())))
@@ -103,7 +105,7 @@ fn frame(origin: Vec3, u: Vec3, w: Vec3) -> Frame {
     Frame { origin, u, v: w.cross(u), w }
 }
 
-fn by_halving(a: Stretch<'_>, b: Stretch<'_>, precision_mm: f64) -> f64 {
+fn by_halving(a: CurveRange<'_>, b: CurveRange<'_>, precision_mm: f64) -> f64 {
     let bend = a.bend() + b.bend();
     let apart = |fraction: f64| (a.at(fraction) - b.at(fraction)).length();
     let ends = [apart(0.0), apart(1.0)];
@@ -142,7 +144,7 @@ fn by_halving(a: Stretch<'_>, b: Stretch<'_>, precision_mm: f64) -> f64 {
 
 /// An arc or a spiral by numbers: place = axis + radius·(turned u) + height·w, all linear in the
 /// angle travelled.
-struct Turning {
+struct RotatingCurve {
     center: Vec3,
     u: Vec3,
     w: Vec3,
@@ -151,8 +153,8 @@ struct Turning {
     heights: [f64; 2],
 }
 
-impl Turning {
-    fn of(stretch: &Stretch<'_>) -> Option<Turning> {
+impl RotatingCurve {
+    fn of(stretch: &CurveRange<'_>) -> Option<RotatingCurve> {
         let (center, u, w, radii, sweep, rise, angles) = match stretch.curve {
             Curve::Line(_) | Curve::Spline(_) => return None,
             Curve::Arc(arc) => {
@@ -171,11 +173,11 @@ impl Turning {
         let fractions = angles.map(|angle| angle / sweep);
         let radii = fractions.map(|at| radii[0] + (radii[1] - radii[0]) * at);
         let heights = fractions.map(|at| rise * at);
-        Some(Turning { center, u, w, angles, radii, heights })
+        Some(RotatingCurve { center, u, w, angles, radii, heights })
     }
 
     /// The largest distance when both turn evenly; nothing where the axes are not parallel.
-    fn bound(&self, other: &Turning) -> Option<f64> {
+    fn bound(&self, other: &RotatingCurve) -> Option<f64> {
         let along = self.w.dot(other.w);
         if (self.w.cross(other.w)).length() > 1e-15 {
             return None;

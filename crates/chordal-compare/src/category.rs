@@ -72,7 +72,7 @@ pub enum Category {
 
 /// Who holds two programs against each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Command {
+pub enum ComparingCommand {
     /// `chordal diff`: whole folders.
     Diff,
     /// `chordal compare`.
@@ -85,19 +85,24 @@ pub enum Command {
     Restart,
 }
 
-impl Command {
+impl ComparingCommand {
     /// All of them.
-    pub const ALL: [Command; 5] =
-        [Command::Diff, Command::Compare, Command::Convert, Command::Transform, Command::Restart];
+    pub const ALL: [ComparingCommand; 5] = [
+        ComparingCommand::Diff,
+        ComparingCommand::Compare,
+        ComparingCommand::Convert,
+        ComparingCommand::Transform,
+        ComparingCommand::Restart,
+    ];
 
     /// Its name.
     pub fn word(self) -> &'static str {
         match self {
-            Command::Diff => "diff",
-            Command::Compare => "compare",
-            Command::Convert => "convert",
-            Command::Transform => "transform",
-            Command::Restart => "restart",
+            ComparingCommand::Diff => "diff",
+            ComparingCommand::Compare => "compare",
+            ComparingCommand::Convert => "convert",
+            ComparingCommand::Transform => "transform",
+            ComparingCommand::Restart => "restart",
         }
     }
 }
@@ -268,42 +273,43 @@ impl Category {
     }
 
     /// Why a command does not compare this, or only in part; nothing where it compares all of it.
-    pub fn ignored_by(self, command: Command) -> Option<&'static str> {
+    pub fn ignored_by(self, command: ComparingCommand) -> Option<&'static str> {
         match (self, command) {
-            (Category::ReadyTool, Command::Compare | Command::Convert | Command::Transform) => {
-                Some("a tool that is made ready moves nothing: programs name it sooner or later")
-            }
-            (Category::RapidPath, Command::Convert) => {
+            (
+                Category::ReadyTool,
+                ComparingCommand::Compare | ComparingCommand::Convert | ComparingCommand::Transform,
+            ) => Some("a tool that is made ready moves nothing: programs name it sooner or later"),
+            (Category::RapidPath, ComparingCommand::Convert) => {
                 Some("whether rapids are straight is the machine's")
             }
-            (Category::PathMode | Category::Overrides, Command::Convert) => {
+            (Category::PathMode | Category::Overrides, ComparingCommand::Convert) => {
                 Some("each control has its own codes for corners and overrides")
             }
-            (Category::Code, Command::Convert) => {
+            (Category::Code, ComparingCommand::Convert) => {
                 Some("codes that the new control does not have are left out, and listed as changes")
             }
-            (Category::Alarm | Category::Message, Command::Convert) => {
+            (Category::Alarm | Category::Message, ComparingCommand::Convert) => {
                 Some("statements and remarks are written as the new control has them")
             }
-            (Category::Value, Command::Convert) => Some(
+            (Category::Value, ComparingCommand::Convert) => Some(
                 "variables have other names; a program that depends on one is not proved anyway",
             ),
-            (Category::NotRun, Command::Convert) => {
+            (Category::NotRun, ComparingCommand::Convert) => {
                 Some("compared between two programs of one control alone")
             }
-            (Category::Variable, Command::Convert) => {
+            (Category::Variable, ComparingCommand::Convert) => {
                 Some("variables are named as the new control names them")
             }
-            (Category::Unknown, Command::Transform) => {
+            (Category::Unknown, ComparingCommand::Transform) => {
                 Some("a way from a place that is not known is not known, moved or not")
             }
-            (Category::RapidPath, Command::Transform) => {
+            (Category::RapidPath, ComparingCommand::Transform) => {
                 Some("dog-legs of a program that is turned or mirrored bend elsewhere")
             }
-            (Category::Variable, Command::Restart) => {
+            (Category::Variable, ComparingCommand::Restart) => {
                 Some("the head sets none; those that were set before the line are named")
             }
-            (Category::Code, Command::Restart) => {
+            (Category::Code, ComparingCommand::Restart) => {
                 Some("those before the line are not in the head, and are named")
             }
             _ => None,
@@ -316,7 +322,7 @@ pub fn shared_reference() -> String {
     let mut page = String::from("| item | what | not compared, or only in part |\n|---|---|---|\n");
     for item in Category::ALL {
         let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
-        for command in Command::ALL {
+        for command in ComparingCommand::ALL {
             let Some(why) = item.ignored_by(command) else { continue };
             match reasons.iter_mut().find(|(reason, _)| *reason == why) {
                 Some((_, commands)) => commands.push(command.word()),

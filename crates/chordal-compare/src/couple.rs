@@ -2,11 +2,11 @@
 
 use chordal::geometry::{Curve, Line, ParamCurve, Vec3};
 
-use crate::bound::{Stretch, bound};
+use crate::bound::{CurveRange, bound};
 
 /// A stretch of each path, walked evenly from end to end.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Couple {
+pub(crate) struct PathCoupling {
     /// The moves of the two paths, by their place in what was given; the nearest one where a path
     /// waits at its end.
     pub(crate) moves: [usize; 2],
@@ -19,10 +19,10 @@ pub(crate) struct Couple {
 /// All of both moves.
 const WHOLE: [[f64; 2]; 2] = [[0.0, 1.0]; 2];
 
-impl Couple {
+impl PathCoupling {
     /// Two moves from beginning to end.
-    pub(crate) fn whole(moves: [usize; 2], apart_mm: f64) -> Couple {
-        Couple { moves, apart_mm, parts: WHOLE }
+    pub(crate) fn whole(moves: [usize; 2], apart_mm: f64) -> PathCoupling {
+        PathCoupling { moves, apart_mm, parts: WHOLE }
     }
 
     /// Both go along a whole move.
@@ -32,7 +32,7 @@ impl Couple {
 }
 
 /// A path and how far it was walked.
-struct Walker<'a> {
+struct PathWalker<'a> {
     curves: &'a [&'a Curve],
     /// Where the path is when it has no curves.
     rest: Curve,
@@ -41,11 +41,17 @@ struct Walker<'a> {
     way: f64,
 }
 
-impl<'a> Walker<'a> {
-    fn new(curves: &'a [&'a Curve], rest: Vec3) -> Walker<'a> {
+impl<'a> PathWalker<'a> {
+    fn new(curves: &'a [&'a Curve], rest: Vec3) -> PathWalker<'a> {
         let rest = curves.last().map_or(rest, |curve| curve.end());
         let lengths = curves.iter().map(|curve| curve.length()).collect();
-        Walker { curves, rest: Line { start: rest, end: rest }.into(), lengths, at: 0, way: 0.0 }
+        PathWalker {
+            curves,
+            rest: Line { start: rest, end: rest }.into(),
+            lengths,
+            at: 0,
+            way: 0.0,
+        }
     }
 
     fn is_done(&self) -> bool {
@@ -64,8 +70,8 @@ impl<'a> Walker<'a> {
         self.curve().end()
     }
 
-    fn stretch(&self, to: f64) -> Stretch<'_> {
-        Stretch { curve: self.curve(), from: self.way, to }
+    fn stretch(&self, to: f64) -> CurveRange<'_> {
+        CurveRange { curve: self.curve(), from: self.way, to }
     }
 
     /// The way to the place of the rest of this curve that is nearest, and its distance.
@@ -113,15 +119,15 @@ pub(crate) fn couple(
     rest: [Vec3; 2],
     precision_mm: f64,
     tolerance_mm: f64,
-) -> Vec<Couple> {
-    let mut walkers = [Walker::new(a, rest[0]), Walker::new(b, rest[1])];
+) -> Vec<PathCoupling> {
+    let mut walkers = [PathWalker::new(a, rest[0]), PathWalker::new(b, rest[1])];
     let mut couples = Vec::with_capacity(a.len().max(b.len()));
     while !(walkers[0].is_done() && walkers[1].is_done()) {
         let to = together(&walkers, tolerance_mm, precision_mm);
         let moves = [walkers[0].index(), walkers[1].index()];
         let parts = [0, 1].map(|at| walkers[at].part(to[at]));
         let apart_mm = bound(walkers[0].stretch(to[0]), walkers[1].stretch(to[1]), precision_mm);
-        couples.push(Couple { moves, apart_mm, parts });
+        couples.push(PathCoupling { moves, apart_mm, parts });
         for (walker, to) in walkers.iter_mut().zip(to) {
             if !walker.is_done() {
                 walker.walk(to);
@@ -132,26 +138,31 @@ pub(crate) fn couple(
 }
 
 /// Walks two paths move by move; nothing where they are not made of as many moves of the same kinds.
-pub(crate) fn move_by_move(a: &[&Curve], b: &[&Curve], precision_mm: f64) -> Option<Vec<Couple>> {
+pub(crate) fn move_by_move(
+    a: &[&Curve],
+    b: &[&Curve],
+    precision_mm: f64,
+) -> Option<Vec<PathCoupling>> {
     let is_alike =
         |(a, b): (&&Curve, &&Curve)| std::mem::discriminant(*a) == std::mem::discriminant(*b);
     if a.len() != b.len() || !a.iter().zip(b).all(is_alike) {
         return None;
     }
-    let whole = |curve| Stretch::whole(curve, ParamCurve::length(curve));
+    let whole = |curve| CurveRange::whole(curve, ParamCurve::length(curve));
     let pairs = a.iter().zip(b).enumerate();
-    let couples = pairs
-        .map(|(at, (a, b))| Couple::whole([at, at], bound(whole(*a), whole(*b), precision_mm)));
+    let couples = pairs.map(|(at, (a, b))| {
+        PathCoupling::whole([at, at], bound(whole(*a), whole(*b), precision_mm))
+    });
     Some(couples.collect())
 }
 
 /// The largest distance of a walk, mm.
-pub(crate) fn most(couples: &[Couple]) -> f64 {
+pub(crate) fn most(couples: &[PathCoupling]) -> f64 {
     couples.iter().map(|couple| couple.apart_mm).fold(0.0, f64::max)
 }
 
 /// How far both go next; at least one to the end of its curve.
-fn together(walkers: &[Walker<'_>; 2], tolerance_mm: f64, precision_mm: f64) -> [f64; 2] {
+fn together(walkers: &[PathWalker<'_>; 2], tolerance_mm: f64, precision_mm: f64) -> [f64; 2] {
     let [a, b] = walkers;
     let ends = [a.length(), b.length()];
     if a.is_done() || b.is_done() {
@@ -188,7 +199,7 @@ fn together(walkers: &[Walker<'_>; 2], tolerance_mm: f64, precision_mm: f64) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use chordal::geometry::{Direction, Plane, arc_from_center};
+    use chordal::geometry::{Plane, TurnDirection, arc_from_center};
 
     fn line(a: [f64; 2], b: [f64; 2]) -> Curve {
         let place = |p: [f64; 2]| Vec3::new(p[0], p[1], 0.0);
@@ -207,7 +218,7 @@ mod tests {
     fn quarter(from: [f64; 2], to: [f64; 2]) -> Curve {
         let place = |p: [f64; 2]| Vec3::new(p[0], p[1], 0.0);
         let center = (0.0, 0.0);
-        arc_from_center(Plane::Xy, place(from), place(to), center, Direction::Ccw, 0, 0.1).curve
+        arc_from_center(Plane::Xy, place(from), place(to), center, TurnDirection::Ccw, 0, 0.1).curve
     }
 
     #[test]
@@ -260,7 +271,8 @@ mod tests {
         let radius = (length * length / 4.0 + sagitta * sagitta) / (2.0 * sagitta);
         let center = (length / 2.0, sagitta - radius);
         let end = Vec3::new(length, 0.0, 0.0);
-        let arc = arc_from_center(Plane::Xy, Vec3::ZERO, end, center, Direction::Cw, 0, 0.1).curve;
+        let arc =
+            arc_from_center(Plane::Xy, Vec3::ZERO, end, center, TurnDirection::Cw, 0, 0.1).curve;
         let b = [arc, line([length, 0.0], [4.0, 0.0])];
         let a = chain(&[[0.0, 0.0], [2.0, 0.0], [4.0, 0.0]]);
         let (a, b): (Vec<&Curve>, Vec<&Curve>) = (a.iter().collect(), b.iter().collect());

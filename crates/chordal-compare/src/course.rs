@@ -1,24 +1,24 @@
 //! What a program does, in order.
 
 use chordal::control::{
-    Command, CommandKind, Coolant, EndReason, FeedMode, Origin, Overrides, PathMode, Position,
-    RapidPath, RotarySurface, Side, SpindleState,
+    Command, CommandKind, CompensationSide, Coolant, EndReason, FeedMode, Origin, Overrides,
+    PathMode, Position, RapidPath, RotarySurface, SpindleState,
 };
 use chordal::geometry::{Curve, ParamCurve};
 use chordal::path::PathBuilder;
-use chordal::{Effect, Job, PathCommand, Report, Segment, SourceMap, Watch};
+use chordal::{Effect, Job, PathCommand, Report, RunWatch, Segment, SourceMap};
 
-use crate::Mapping;
-use crate::Options;
+use crate::ComparisonOptions;
+use crate::RunMapping;
 use crate::category::Category;
 use crate::machine_places::MachinePlaces;
 
 /// A run: its moves, each with the state that it is made in, and what happens between them.
 #[derive(Debug)]
-pub(crate) struct Course {
-    pub(crate) steps: Vec<Step>,
+pub(crate) struct ComparedRun {
+    pub(crate) steps: Vec<RunStep>,
     /// States, by the numbers that moves have.
-    pub(crate) states: Vec<State>,
+    pub(crate) states: Vec<MoveState>,
     /// Rotary axes A B C at both ends of a move, rad, by the numbers that moves have.
     pub(crate) turns: Vec<[[f64; 3]; 2]>,
     pub(crate) report: Report,
@@ -26,30 +26,30 @@ pub(crate) struct Course {
 
 #[derive(Clone, Debug, PartialEq)]
 #[allow(clippy::large_enum_variant, reason = "most steps are moves")]
-pub(crate) enum Step {
-    Move(Moved),
-    Event { what: Event, origin: Origin, deletable: Option<Deletable> },
+pub(crate) enum RunStep {
+    Move(ComparedMove),
+    Event { what: RunEvent, origin: Origin, deletable: Option<BlockDeleteUse> },
 }
 
-impl Step {
+impl RunStep {
     pub(crate) fn origin(&self) -> &Origin {
         match self {
-            Step::Move(moved) => &moved.origin,
-            Step::Event { origin, .. } => origin,
+            RunStep::Move(moved) => &moved.origin,
+            RunStep::Event { origin, .. } => origin,
         }
     }
 }
 
 /// A move of the tool centre in the frame of the run.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Moved {
+pub(crate) struct ComparedMove {
     pub(crate) curve: Curve,
     pub(crate) length_mm: f64,
     /// Both ends are known relative to the part.
     pub(crate) known: bool,
-    pub(crate) kind: MoveKind,
+    pub(crate) kind: ComparedMoveKind,
     /// The feed of a cut; nothing for rapids and before any F.
-    pub(crate) feed: Option<Speed>,
+    pub(crate) feed: Option<CutSpeed>,
     /// F counts by revolutions.
     pub(crate) per_revolution: bool,
     pub(crate) turn: u32,
@@ -61,7 +61,7 @@ pub(crate) struct Moved {
 
 /// How a move goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum MoveKind {
+pub(crate) enum ComparedMoveKind {
     Cut,
     Rapid,
     /// A rapid on which each axis goes at its own speed, so that it is no straight line.
@@ -70,7 +70,7 @@ pub(crate) enum MoveKind {
 
 /// How fast a cut is, so that it does not matter how the program counts it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Speed {
+pub(crate) enum CutSpeed {
     /// Of the path, mm/s.
     Path(f64),
     /// Of a move of rotary axes alone, 1/s: one over its time.
@@ -81,7 +81,7 @@ pub(crate) enum Speed {
 
 /// What holds while a move is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct State {
+pub(crate) struct MoveState {
     pub(crate) spindle: SpindleState,
     pub(crate) rpm: f64,
     pub(crate) coolant: Coolant,
@@ -90,26 +90,26 @@ pub(crate) struct State {
     pub(crate) own_length: Option<Position>,
     pub(crate) radius_offset: Option<u32>,
     /// The side of compensation, where the path does not show it.
-    pub(crate) side: Side,
+    pub(crate) side: CompensationSide,
     pub(crate) work_offset: u32,
     pub(crate) path_mode: PathMode,
     pub(crate) overrides: Overrides,
     /// The surface on which two coordinates lie.
     pub(crate) surface: Option<RotarySurface>,
     /// A switch leaves out the block.
-    pub(crate) deletable: Option<Deletable>,
+    pub(crate) deletable: Option<BlockDeleteUse>,
 }
 
 /// A switch of the panel leaves a block out, or a part of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Deletable {
+pub(crate) struct BlockDeleteUse {
     pub(crate) switch: u8,
     pub(crate) partly: bool,
 }
 
 /// What happens between moves.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Event {
+pub(crate) enum RunEvent {
     Tool(u32),
     ReadyTool(u32),
     Code(String),
@@ -127,7 +127,7 @@ pub(crate) enum Event {
         text: String,
     },
     /// A block that may be left out, and that neither moves nor makes anything else happen here.
-    Deletable(Deletable),
+    Deletable(BlockDeleteUse),
     Dwell(f64),
     Stop {
         optional: bool,
@@ -138,24 +138,26 @@ pub(crate) enum Event {
     Output(String),
 }
 
-impl Course {
+impl ComparedRun {
     pub(crate) fn of(
         job: &Job,
-        options: &Options,
+        options: &ComparisonOptions,
         machine_places: Option<MachinePlaces>,
-    ) -> Course {
+    ) -> ComparedRun {
         let assume_known = options.assume_known;
-        let mut gather = Gather { machine_places, assume_known, ..Gather::new(job, options) };
+        let mut gather =
+            RunRecorder { machine_places, assume_known, ..RunRecorder::new(job, options) };
         let report = if options.programmed {
             let builder = job.path_builder();
-            let mut contour = Programmed { gather: &mut gather, builder, segments: Vec::new() };
+            let mut contour =
+                ProgrammedPathSink { gather: &mut gather, builder, segments: Vec::new() };
             job.report_watched(&mut contour)
         } else {
             job.report_watched(&mut gather)
         };
         gather.end_deletable();
-        let Gather { steps, states, turns, .. } = gather;
-        Course { steps, states, turns, report }
+        let RunRecorder { steps, states, turns, .. } = gather;
+        ComparedRun { steps, states, turns, report }
     }
 
     /// The run was given up before its end.
@@ -164,10 +166,10 @@ impl Course {
     }
 
     /// Moves everything, and changes feeds and speeds.
-    pub(crate) fn map(&mut self, mapping: &Mapping) {
+    pub(crate) fn map(&mut self, mapping: &RunMapping) {
         let scale = mapping.path.scale_factor();
         for step in &mut self.steps {
-            let Step::Move(moved) = step else { continue };
+            let RunStep::Move(moved) = step else { continue };
             moved.curve = moved.curve.transformed(&mapping.path);
             moved.length_mm *= scale;
             let state = &self.states[moved.state as usize];
@@ -179,9 +181,9 @@ impl Course {
                 (false, false) => mapping.feed,
             };
             moved.feed = moved.feed.map(|speed| match speed {
-                Speed::Path(speed) => Speed::Path(speed * feed),
-                Speed::Turn(speed) => Speed::Turn(speed * feed),
-                Speed::PerRevolution(feed) => Speed::PerRevolution(feed * mapping.feed),
+                CutSpeed::Path(speed) => CutSpeed::Path(speed * feed),
+                CutSpeed::Turn(speed) => CutSpeed::Turn(speed * feed),
+                CutSpeed::PerRevolution(feed) => CutSpeed::PerRevolution(feed * mapping.feed),
             });
         }
         for state in &mut self.states {
@@ -192,8 +194,10 @@ impl Course {
     /// The length of the cuts whose ends are known, mm.
     pub(crate) fn cut_mm(&self) -> f64 {
         let cuts = self.steps.iter().map(|step| match step {
-            Step::Move(moved) if moved.known && moved.kind == MoveKind::Cut => moved.length_mm,
-            Step::Move(_) | Step::Event { .. } => 0.0,
+            RunStep::Move(moved) if moved.known && moved.kind == ComparedMoveKind::Cut => {
+                moved.length_mm
+            }
+            RunStep::Move(_) | RunStep::Event { .. } => 0.0,
         });
         cuts.sum()
     }
@@ -201,8 +205,8 @@ impl Course {
     /// The lowest feed of a cut, mm/s.
     pub(crate) fn slowest(&self) -> Option<f64> {
         let feeds = self.steps.iter().filter_map(|step| match step {
-            Step::Move(Moved { feed: Some(Speed::Path(speed)), .. }) => Some(*speed),
-            Step::Move(_) | Step::Event { .. } => None,
+            RunStep::Move(ComparedMove { feed: Some(CutSpeed::Path(speed)), .. }) => Some(*speed),
+            RunStep::Move(_) | RunStep::Event { .. } => None,
         });
         feeds.min_by(f64::total_cmp)
     }
@@ -211,35 +215,35 @@ impl Course {
     pub(crate) fn cutting_s(&self) -> f64 {
         let times = self.steps.iter().map(|step| match step {
             // Where a move from an unknown place begins is not known, nor how long it is.
-            Step::Move(moved) if !moved.known => 0.0,
-            Step::Move(moved) => match moved.feed {
-                Some(Speed::Path(speed)) => moved.length_mm / speed,
-                Some(Speed::Turn(speed)) => 1.0 / speed,
-                Some(Speed::PerRevolution(_)) | None => 0.0,
+            RunStep::Move(moved) if !moved.known => 0.0,
+            RunStep::Move(moved) => match moved.feed {
+                Some(CutSpeed::Path(speed)) => moved.length_mm / speed,
+                Some(CutSpeed::Turn(speed)) => 1.0 / speed,
+                Some(CutSpeed::PerRevolution(_)) | None => 0.0,
             },
-            Step::Event { what: Event::Dwell(seconds), .. } => *seconds,
-            Step::Event { .. } => 0.0,
+            RunStep::Event { what: RunEvent::Dwell(seconds), .. } => *seconds,
+            RunStep::Event { .. } => 0.0,
         });
         times.sum()
     }
 
     pub(crate) fn move_count(&self) -> u64 {
-        self.steps.iter().filter(|step| matches!(step, Step::Move(_))).count() as u64
+        self.steps.iter().filter(|step| matches!(step, RunStep::Move(_))).count() as u64
     }
 
     /// The move at a step.
-    pub(crate) fn moved(&self, step: usize) -> Option<&Moved> {
+    pub(crate) fn moved(&self, step: usize) -> Option<&ComparedMove> {
         match self.steps.get(step)? {
-            Step::Move(moved) => Some(moved),
-            Step::Event { .. } => None,
+            RunStep::Move(moved) => Some(moved),
+            RunStep::Event { .. } => None,
         }
     }
 
-    pub(crate) fn state(&self, moved: &Moved) -> &State {
+    pub(crate) fn state(&self, moved: &ComparedMove) -> &MoveState {
         &self.states[moved.state as usize]
     }
 
-    pub(crate) fn turn(&self, moved: &Moved) -> &[[f64; 3]; 2] {
+    pub(crate) fn turn(&self, moved: &ComparedMove) -> &[[f64; 3]; 2] {
         &self.turns[moved.turn as usize]
     }
 }
@@ -252,34 +256,34 @@ pub(crate) fn was_interrupted(report: &Report) -> bool {
 /// Arcs of more turns stay whole.
 const MOST_TURNS: f64 = 1e5;
 
-struct Gather<'j> {
+struct RunRecorder<'j> {
     sources: &'j SourceMap<'j>,
     ignored: &'j [Category],
     ready_tools: bool,
     programmed: bool,
     in_step: bool,
     /// The block that a switch leaves out, and whether a step of it has come.
-    deletable: Option<(Origin, Deletable, bool)>,
-    steps: Vec<Step>,
-    states: Vec<State>,
+    deletable: Option<(Origin, BlockDeleteUse, bool)>,
+    steps: Vec<RunStep>,
+    states: Vec<MoveState>,
     turns: Vec<[[f64; 3]; 2]>,
-    now: State,
+    now: MoveState,
     machine_places: Option<MachinePlaces>,
     commands: u32,
     /// Every place is taken as it is counted.
     assume_known: bool,
 }
 
-impl<'j> Gather<'j> {
-    fn new(job: &'j Job, options: &'j Options) -> Gather<'j> {
-        let now = State {
+impl<'j> RunRecorder<'j> {
+    fn new(job: &'j Job, options: &'j ComparisonOptions) -> RunRecorder<'j> {
+        let now = MoveState {
             spindle: SpindleState::Off,
             rpm: 0.0,
             coolant: Coolant::default(),
             length_offset: None,
             own_length: None,
             radius_offset: None,
-            side: Side::Off,
+            side: CompensationSide::Off,
             // Which offset holds before the program names one is the control's business: its first.
             work_offset: 1,
             path_mode: PathMode::Continuous { tolerance_mm: None, joined: false },
@@ -287,7 +291,7 @@ impl<'j> Gather<'j> {
             surface: None,
             deletable: None,
         };
-        Gather {
+        RunRecorder {
             sources: job.sources(),
             ignored: &options.ignored,
             ready_tools: options.ready_tools,
@@ -312,7 +316,7 @@ impl<'j> Gather<'j> {
     }
 
     /// An arc of several turns passes its own places again and again: it is held turn by turn.
-    fn push(&mut self, moved: Moved) {
+    fn push(&mut self, moved: ComparedMove) {
         let turns = match moved.curve {
             Curve::Arc(arc)
                 if self.turns[moved.turn as usize][0] == self.turns[moved.turn as usize][1] =>
@@ -322,7 +326,7 @@ impl<'j> Gather<'j> {
             _ => 1.0,
         };
         if !(turns > 1.0 + 1e-9 && turns < MOST_TURNS) {
-            self.steps.push(Step::Move(moved));
+            self.steps.push(RunStep::Move(moved));
             return;
         }
         let turn_mm = moved.length_mm / turns;
@@ -330,8 +334,8 @@ impl<'j> Gather<'j> {
         for turn in 1..=(turns - 1e-9).ceil() as u32 {
             let to = (turn_mm * f64::from(turn)).min(moved.length_mm);
             let curve = moved.curve.subsegment(from, to);
-            let piece = Moved { curve, length_mm: to - from, ..moved.clone() };
-            self.steps.push(Step::Move(piece));
+            let piece = ComparedMove { curve, length_mm: to - from, ..moved.clone() };
+            self.steps.push(RunStep::Move(piece));
             from = to;
         }
     }
@@ -344,8 +348,8 @@ impl<'j> Gather<'j> {
         self.turns.len() as u32 - 1
     }
 
-    fn event(&mut self, command: &Command, what: Event) {
-        if matches!(what, Event::ReadyTool(_)) && !self.ready_tools {
+    fn event(&mut self, command: &Command, what: RunEvent) {
+        if matches!(what, RunEvent::ReadyTool(_)) && !self.ready_tools {
             return;
         }
         // An event of one run alone would keep others from finding each other.
@@ -353,11 +357,11 @@ impl<'j> Gather<'j> {
             return;
         }
         let deletable = self.deletable_of(&command.origin);
-        self.steps.push(Step::Event { what, origin: command.origin, deletable });
+        self.steps.push(RunStep::Event { what, origin: command.origin, deletable });
     }
 
     /// What leaves out the block of a step.
-    fn deletable_of(&mut self, origin: &Origin) -> Option<Deletable> {
+    fn deletable_of(&mut self, origin: &Origin) -> Option<BlockDeleteUse> {
         let (of, deletable, is_shown) = self.deletable.as_mut()?;
         if (of.span, of.call) != (origin.span, origin.call) {
             return None;
@@ -369,29 +373,29 @@ impl<'j> Gather<'j> {
     /// The block that may be left out is over: one of which no step came is an event of its own.
     fn end_deletable(&mut self) {
         if let Some((origin, deletable, false)) = self.deletable.take() {
-            let what = Event::Deletable(deletable);
-            self.steps.push(Step::Event { what, origin, deletable: None });
+            let what = RunEvent::Deletable(deletable);
+            self.steps.push(RunStep::Event { what, origin, deletable: None });
         }
     }
 
     fn effect(&mut self, command: &Command, effect: &Effect) {
         match effect {
-            Effect::Code(words) => self.event(command, Event::Code(words.clone())),
+            Effect::Code(words) => self.event(command, RunEvent::Code(words.clone())),
             Effect::Written { name, values } => {
                 let (name, values) = (name.clone(), values.clone());
-                self.event(command, Event::Written { name, values });
+                self.event(command, RunEvent::Written { name, values });
             }
             Effect::Variable { number, value } => {
                 let (number, value) = (*number, *value);
-                self.event(command, Event::Variable { number, value });
+                self.event(command, RunEvent::Variable { number, value });
             }
             Effect::Alarm { number, text } => {
                 let (number, text) = (*number, text.clone());
-                self.event(command, Event::Alarm { number, text });
+                self.event(command, RunEvent::Alarm { number, text });
             }
             Effect::Deletable { switch, partly } => {
                 self.end_deletable();
-                let deletable = Deletable { switch: *switch, partly: *partly };
+                let deletable = BlockDeleteUse { switch: *switch, partly: *partly };
                 self.deletable = Some((command.origin, deletable, false));
             }
         }
@@ -399,7 +403,7 @@ impl<'j> Gather<'j> {
 
     fn command(&mut self, command: &Command) {
         use CommandKind as Kind;
-        let of_block = |(origin, ..): &(Origin, Deletable, bool)| {
+        let of_block = |(origin, ..): &(Origin, BlockDeleteUse, bool)| {
             (origin.span, origin.call) == (command.origin.span, command.origin.call)
         };
         if self.deletable.as_ref().is_some_and(|deletable| !of_block(deletable)) {
@@ -407,19 +411,19 @@ impl<'j> Gather<'j> {
         }
         match &command.kind {
             Kind::Effect(effect) => self.effect(command, effect),
-            Kind::ToolSelect { number } => self.event(command, Event::ReadyTool(*number)),
-            Kind::ToolNumber { number } => self.event(command, Event::Tool(*number)),
+            Kind::ToolSelect { number } => self.event(command, RunEvent::ReadyTool(*number)),
+            Kind::ToolNumber { number } => self.event(command, RunEvent::Tool(*number)),
             Kind::Message(range) => {
                 let words = self.sources.words(range.in_file(command.origin.span.file));
-                self.event(command, Event::Message(words.trim().to_string()));
+                self.event(command, RunEvent::Message(words.trim().to_string()));
             }
-            Kind::Tool { number } => self.event(command, Event::Tool(*number)),
+            Kind::Tool { number } => self.event(command, RunEvent::Tool(*number)),
             Kind::Dwell { seconds, .. } if *seconds > 0.0 => {
-                self.event(command, Event::Dwell(*seconds));
+                self.event(command, RunEvent::Dwell(*seconds));
             }
-            Kind::Stop { optional } => self.event(command, Event::Stop { optional: *optional }),
-            Kind::Probed { hit } => self.event(command, Event::Probed { hit: *hit }),
-            Kind::Output { text } => self.event(command, Event::Output(text.clone())),
+            Kind::Stop { optional } => self.event(command, RunEvent::Stop { optional: *optional }),
+            Kind::Probed { hit } => self.event(command, RunEvent::Probed { hit: *hit }),
+            Kind::Output { text } => self.event(command, RunEvent::Output(text.clone())),
             Kind::Spindle { state, rpm } => {
                 self.now.spindle = *state;
                 // A spindle that stands has no speed, whatever S says for later.
@@ -428,8 +432,9 @@ impl<'j> Gather<'j> {
             }
             Kind::Coolant(coolant) => self.now.coolant = *coolant,
             Kind::Compensation { side, number, .. } => {
-                self.now.side = if self.programmed { *side } else { Side::Off };
-                self.now.radius_offset = if *side == Side::Off { None } else { *number };
+                self.now.side = if self.programmed { *side } else { CompensationSide::Off };
+                self.now.radius_offset =
+                    if *side == CompensationSide::Off { None } else { *number };
             }
             Kind::ToolLength { number, offset, .. } => {
                 self.now.length_offset = *number;
@@ -458,20 +463,20 @@ impl<'j> Gather<'j> {
     }
 }
 
-impl Watch for Gather<'_> {
+impl RunWatch for RunRecorder<'_> {
     fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
         self.take(path.command, segments);
     }
 }
 
 /// The path before cutter compensation.
-struct Programmed<'g, 'j, 'm> {
-    gather: &'g mut Gather<'j>,
+struct ProgrammedPathSink<'g, 'j, 'm> {
+    gather: &'g mut RunRecorder<'j>,
     builder: PathBuilder<'m>,
     segments: Vec<Segment>,
 }
 
-impl Watch for Programmed<'_, '_, '_> {
+impl RunWatch for ProgrammedPathSink<'_, '_, '_> {
     fn programmed(&mut self, command: &Command) {
         self.segments.clear();
         self.builder.command(command, |segment| self.segments.push(*segment));
@@ -479,7 +484,7 @@ impl Watch for Programmed<'_, '_, '_> {
     }
 }
 
-impl Gather<'_> {
+impl RunRecorder<'_> {
     fn take(&mut self, command: &Command, segments: &[Segment]) {
         self.command(command);
         self.commands += 1;
@@ -495,7 +500,7 @@ impl Gather<'_> {
                 continue;
             }
             self.now.deletable = self.deletable_of(&segment.origin);
-            let moved = Moved {
+            let moved = ComparedMove {
                 curve: segment.curve,
                 length_mm: segment.length_mm,
                 known: (segment.known || self.assume_known) && !is_of_machine,
@@ -512,27 +517,27 @@ impl Gather<'_> {
     }
 }
 
-fn kind(command: &Command) -> MoveKind {
+fn kind(command: &Command) -> ComparedMoveKind {
     match &command.kind {
         CommandKind::Rapid { path: RapidPath::DogLeg, motion } => {
             // Along a single axis both are the same line.
             let moving = (0..3).filter(|axis| motion.from[*axis] != motion.to[*axis]).count();
-            if moving > 1 { MoveKind::DogLeg } else { MoveKind::Rapid }
+            if moving > 1 { ComparedMoveKind::DogLeg } else { ComparedMoveKind::Rapid }
         }
-        CommandKind::Rapid { .. } => MoveKind::Rapid,
-        _ => MoveKind::Cut,
+        CommandKind::Rapid { .. } => ComparedMoveKind::Rapid,
+        _ => ComparedMoveKind::Cut,
     }
 }
 
 /// The feed as speed, from the time that the segment takes without acceleration.
-fn speed(command: &Command, segment: &Segment) -> Option<Speed> {
+fn speed(command: &Command, segment: &Segment) -> Option<CutSpeed> {
     let feed = command.kind.feed()?;
     if !(segment.duration_s > 0.0 && segment.duration_s.is_finite()) {
         let is_unknown = feed.mode != FeedMode::PerRevolution || !feed.value.is_finite();
-        return if is_unknown { None } else { Some(Speed::PerRevolution(feed.value)) };
+        return if is_unknown { None } else { Some(CutSpeed::PerRevolution(feed.value)) };
     }
     if segment.length_mm > 0.0 {
-        return Some(Speed::Path(segment.length_mm / segment.duration_s));
+        return Some(CutSpeed::Path(segment.length_mm / segment.duration_s));
     }
-    Some(Speed::Turn(1.0 / segment.duration_s))
+    Some(CutSpeed::Turn(1.0 / segment.duration_s))
 }

@@ -7,7 +7,7 @@ use crate::category::Category;
 
 /// What one of the two has.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
+pub enum DifferenceValue {
     /// Nothing of the kind.
     Nothing,
     /// A number: of a tool, of an offset.
@@ -36,35 +36,35 @@ pub enum Value {
 
 /// A block of one of the two programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct BlockLocation {
     /// The block, in the sources of its job.
     pub span: Span,
     /// Its line, from 1.
     pub line: u32,
 }
 
-impl From<&Origin> for Place {
-    fn from(origin: &Origin) -> Place {
-        Place { span: origin.span, line: origin.line }
+impl From<&Origin> for BlockLocation {
+    fn from(origin: &Origin) -> BlockLocation {
+        BlockLocation { span: origin.span, line: origin.line }
     }
 }
 
 /// The first and the last block of a stretch, in the order in which they are run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Blocks {
+pub struct BlockRange {
     /// Where it begins.
-    pub first: Place,
+    pub first: BlockLocation,
     /// Where it ends.
-    pub last: Place,
+    pub last: BlockLocation,
 }
 
 impl Difference {
     /// A difference made once, of which no more is known yet.
     pub(crate) fn new(
         category: Category,
-        blocks: [Option<Blocks>; 2],
+        blocks: [Option<BlockRange>; 2],
         steps: [u64; 2],
-        values: Option<[Value; 2]>,
+        values: Option<[DifferenceValue; 2]>,
     ) -> Difference {
         Difference {
             category,
@@ -79,12 +79,16 @@ impl Difference {
     }
 
     /// A difference of one block and another.
-    pub(crate) fn at(category: Category, at: [Place; 2], values: Option<[Value; 2]>) -> Difference {
-        Difference::new(category, at.map(|place| Some(Blocks::at(place))), [1; 2], values)
+    pub(crate) fn at(
+        category: Category,
+        at: [BlockLocation; 2],
+        values: Option<[DifferenceValue; 2]>,
+    ) -> Difference {
+        Difference::new(category, at.map(|place| Some(BlockRange::at(place))), [1; 2], values)
     }
 
     /// Goes on to the next blocks.
-    pub(crate) fn extend(&mut self, at: [Place; 2]) {
+    pub(crate) fn extend(&mut self, at: [BlockLocation; 2]) {
         for ((blocks, place), steps) in self.blocks.iter_mut().zip(at).zip(&mut self.steps) {
             if let Some(blocks) = blocks
                 && blocks.last != place
@@ -118,9 +122,9 @@ pub(crate) fn in_order(differences: &mut Vec<Difference>) {
     differences.dedup_by(|next, before| before.again(next));
 }
 
-impl Blocks {
-    pub(crate) fn at(place: Place) -> Blocks {
-        Blocks { first: place, last: place }
+impl BlockRange {
+    pub(crate) fn at(place: BlockLocation) -> BlockRange {
+        BlockRange { first: place, last: place }
     }
 
     /// The smallest and largest line of its two ends; the line of the first alone where they are in
@@ -139,13 +143,13 @@ pub struct Difference {
     /// In what.
     pub category: Category,
     /// Where in each of the two; where only one has it, the other says after which block it lacks.
-    pub blocks: [Option<Blocks>; 2],
+    pub blocks: [Option<BlockRange>; 2],
     /// How many moves, or other steps, it holds in each.
     pub steps: [u64; 2],
     /// How often, where a loop or a subprogram makes the same difference again.
     pub times: u64,
     /// What each has, where that is one value.
-    pub values: Option<[Value; 2]>,
+    pub values: Option<[DifferenceValue; 2]>,
     /// The two paths are nowhere further apart here, mm.
     pub distance_mm: Option<f64>,
     /// A place on each of the two paths where they are about furthest apart here, in the frame of the

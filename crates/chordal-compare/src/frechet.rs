@@ -45,7 +45,7 @@ fn within(place: Vec3, from: Vec3, to: Vec3, distance: f64) -> Option<(f64, f64)
     (from <= to).then_some((from, to))
 }
 
-type Free = Option<(f64, f64)>;
+type FreeInterval = Option<(f64, f64)>;
 
 /// Whether the end of the free-space diagram can be reached from its beginning going up and right.
 ///
@@ -62,7 +62,7 @@ fn reachable(a: &[Vec3], b: &[Vec3], distance: f64) -> bool {
         return chain.iter().all(|place| is_near(point, *place));
     }
     // Along the lower edge one can only go as long as it is free without a gap.
-    let mut below: Vec<Free> = vec![None; n];
+    let mut below: Vec<FreeInterval> = vec![None; n];
     let mut is_open = true;
     for i in 0..n {
         let free = within(b[0], a[i], a[i + 1], distance);
@@ -91,7 +91,7 @@ fn reachable(a: &[Vec3], b: &[Vec3], distance: f64) -> bool {
 }
 
 /// What can be reached of an edge from the edge across the corner and from the one opposite.
-fn onward(edge: Free, across: Free, opposite: Free) -> Free {
+fn onward(edge: FreeInterval, across: FreeInterval, opposite: FreeInterval) -> FreeInterval {
     let (from, to) = edge?;
     if across.is_some() {
         return Some((from, to));

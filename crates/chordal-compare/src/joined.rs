@@ -3,17 +3,17 @@
 use std::collections::HashMap;
 
 use chordal::control::{CallPath, Origin};
-use chordal::diagnostics::{Counts, FileId, Span, TextRange};
+use chordal::diagnostics::{FileId, SeverityCounts, Span, TextRange};
 use chordal::geometry::{ParamCurve, Vec3};
 use chordal::{Diagnostic, Job, Report, Severity, Summary};
 
 use crate::category::Category;
-use crate::course::{Course, Event, MoveKind, Moved, Step};
-use crate::{Comparison, Options, SAME_MM, conclude};
+use crate::course::{ComparedMove, ComparedMoveKind, ComparedRun, RunEvent, RunStep};
+use crate::{Comparison, ComparisonOptions, SAME_MM, conclude};
 
 /// A text that a part has from the whole, byte for byte.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Kept {
+pub struct RetainedText {
     /// Where it stands in the part.
     pub part: TextRange,
     /// Where it begins in the whole.
@@ -22,7 +22,7 @@ pub struct Kept {
     pub lines: [u32; 2],
 }
 
-impl Kept {
+impl RetainedText {
     /// A block of the part as one of the whole.
     fn origin(&self, origin: &Origin) -> Option<Origin> {
         let span = self.span(origin.span)?;
@@ -42,17 +42,17 @@ impl Kept {
 
 /// One of the programs that are run one after the other.
 #[derive(Debug)]
-pub struct Part<'j, 't> {
+pub struct JoinedPart<'j, 't> {
     /// Its text and machine.
     pub job: &'j Job<'t>,
     /// The blocks of the main program that it carries out.
-    pub body: Kept,
+    pub body: RetainedText,
     /// What else its text has from the whole: subprograms. The rest is put in to begin and to end it.
-    pub beside: Vec<Kept>,
+    pub beside: Vec<RetainedText>,
 }
 
-impl Part<'_, '_> {
-    fn kept(&self) -> impl Iterator<Item = &Kept> {
+impl JoinedPart<'_, '_> {
+    fn kept(&self) -> impl Iterator<Item = &RetainedText> {
         self.beside.iter().chain([&self.body])
     }
 }
@@ -63,26 +63,30 @@ impl Part<'_, '_> {
 /// the spindle, if it is the one that was there. Where a part then comes from another place than the whole,
 /// so are the rapids before its first cut, as far as they are others. Places of the differences
 /// are those of the whole.
-pub fn compare_joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
-    let options = Options { in_step: true, ..options.clone() };
+pub fn compare_joined(
+    whole: &Job,
+    parts: &[JoinedPart],
+    options: &ComparisonOptions,
+) -> Comparison {
+    let options = ComparisonOptions { in_step: true, ..options.clone() };
     let found = joined(whole, parts, &options);
     // All begin at the same place.
     let nothing_known = found.max_distance_mm.is_none() && found.moves != [0, 0];
     if nothing_known && !options.assume_known {
-        return joined(whole, parts, &Options { assume_known: true, ..options });
+        return joined(whole, parts, &ComparisonOptions { assume_known: true, ..options });
     }
     found
 }
 
-fn joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
+fn joined(whole: &Job, parts: &[JoinedPart], options: &ComparisonOptions) -> Comparison {
     // What each part says once the whole says once: the texts are the same.
     let mut options = options.clone();
     options.ignored.extend([Category::Value, Category::NotRun, Category::Variable]);
     let options = &options;
-    let mut a = Course::of(whole, options, None);
+    let mut a = ComparedRun::of(whole, options, None);
     let begins = begins(&a, parts);
     let mut b =
-        Course { steps: Vec::new(), states: Vec::new(), turns: Vec::new(), report: empty() };
+        ComparedRun { steps: Vec::new(), states: Vec::new(), turns: Vec::new(), report: empty() };
     for (part, of_a) in parts.iter().zip(begins) {
         let of_b = b.steps.len();
         join(&mut b, part, options);
@@ -94,7 +98,7 @@ fn joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
 }
 
 /// The steps of the whole at which its parts begin: after the last one that a block before them makes.
-fn begins(whole: &Course, parts: &[Part]) -> Vec<usize> {
+fn begins(whole: &ComparedRun, parts: &[JoinedPart]) -> Vec<usize> {
     let calls = whole.report.outcomes.first().map(|outcome| &outcome.calls);
     let mut callers: HashMap<CallPath, u32> = HashMap::new();
     let mut begins = vec![0; parts.len()];
@@ -122,7 +126,7 @@ fn empty() -> Report {
         summary: Summary::default(),
         diagnostics: Vec::new(),
         dropped: Vec::new(),
-        counts: Counts::default(),
+        counts: SeverityCounts::default(),
         not_verified_from: None,
         path_lost_from: None,
         other_sides: Default::default(),
@@ -132,8 +136,8 @@ fn empty() -> Report {
 }
 
 /// Puts the run of a part after those before it.
-fn join(joined: &mut Course, part: &Part, options: &Options) {
-    let run = Course::of(part.job, options, None);
+fn join(joined: &mut ComparedRun, part: &JoinedPart, options: &ComparisonOptions) {
+    let run = ComparedRun::of(part.job, options, None);
     let (states, turns) = (joined.states.len() as u32, joined.turns.len() as u32);
     joined.states.extend(run.states);
     joined.turns.extend(run.turns);
@@ -143,41 +147,42 @@ fn join(joined: &mut Course, part: &Part, options: &Options) {
         let is_own = kept.is_none() && origin.span.file == FileId(0);
         let origin = kept.unwrap_or(origin);
         match step {
-            Step::Move(moved) if is_own && moved.kind != MoveKind::Cut => {}
-            Step::Move(mut moved) => {
+            RunStep::Move(moved) if is_own && moved.kind != ComparedMoveKind::Cut => {}
+            RunStep::Move(mut moved) => {
                 moved.state += states;
                 moved.turn += turns;
-                joined.steps.push(Step::Move(Moved { origin, ..moved }));
+                joined.steps.push(RunStep::Move(ComparedMove { origin, ..moved }));
             }
-            Step::Event { what: Event::Tool(number), .. }
+            RunStep::Event { what: RunEvent::Tool(number), .. }
                 if is_own && tool(joined) == Some(number) => {}
             // The head says again what was said before.
-            Step::Event {
-                what: what @ (Event::Code(_) | Event::Written { .. } | Event::Variable { .. }),
+            RunStep::Event {
+                what:
+                    what @ (RunEvent::Code(_) | RunEvent::Written { .. } | RunEvent::Variable { .. }),
                 ..
             } if is_own && has_event(joined, &what) => {}
-            Step::Event { what, deletable, .. } => {
-                joined.steps.push(Step::Event { what, origin, deletable });
+            RunStep::Event { what, deletable, .. } => {
+                joined.steps.push(RunStep::Event { what, origin, deletable });
             }
         }
     }
     join_reports(&mut joined.report, run.report, part);
 }
 
-fn has_event(course: &Course, event: &Event) -> bool {
-    let is_it = |step: &Step| matches!(step, Step::Event { what, .. } if what == event);
+fn has_event(course: &ComparedRun, event: &RunEvent) -> bool {
+    let is_it = |step: &RunStep| matches!(step, RunStep::Event { what, .. } if what == event);
     course.steps.iter().any(is_it)
 }
 
 /// The tool in the spindle after the last step.
-fn tool(course: &Course) -> Option<u32> {
+fn tool(course: &ComparedRun) -> Option<u32> {
     course.steps.iter().rev().find_map(|step| match step {
-        Step::Event { what: Event::Tool(number), .. } => Some(*number),
+        RunStep::Event { what: RunEvent::Tool(number), .. } => Some(*number),
         _ => None,
     })
 }
 
-fn join_reports(joined: &mut Report, report: Report, part: &Part) {
+fn join_reports(joined: &mut Report, report: Report, part: &JoinedPart) {
     let errors = report.diagnostics.into_iter().filter(|one| one.severity == Severity::Error);
     joined.diagnostics.extend(errors.map(|mut one: Diagnostic| {
         let span = part.kept().find_map(|kept| kept.span(one.primary.span));
@@ -193,14 +198,14 @@ fn join_reports(joined: &mut Report, report: Report, part: &Part) {
 
 /// The last of the moves before the first cut that both do not make alike is where the part comes from
 /// elsewhere: that one and those before it are left out, where the cut begins at one place.
-fn arrive(courses: [&mut Course; 2], begins: [usize; 2], tolerance_mm: f64) {
+fn arrive(courses: [&mut ComparedRun; 2], begins: [usize; 2], tolerance_mm: f64) {
     let [a, b] = courses;
     let (Some(one), Some(other)) = (approach(a, begins[0]), approach(b, begins[1])) else { return };
     let apart = |a: Vec3, b: Vec3| (a - b).length() > tolerance_mm;
     if apart(one.cut_from, other.cut_from) {
         return;
     }
-    let ends = |course: &Course, at: usize| {
+    let ends = |course: &ComparedRun, at: usize| {
         course.moved(at).map(|moved| [moved.curve.start(), moved.curve.end()])
     };
     let is_alike = |(at, of): &(&usize, &usize)| {
@@ -210,7 +215,7 @@ fn arrive(courses: [&mut Course; 2], begins: [usize; 2], tolerance_mm: f64) {
     let alike = one.rapids.iter().rev().zip(other.rapids.iter().rev()).take_while(is_alike).count();
     for (course, rapids) in [(a, one.rapids), (b, other.rapids)] {
         for at in &rapids[..rapids.len() - alike] {
-            if let Some(Step::Move(moved)) = course.steps.get_mut(*at) {
+            if let Some(RunStep::Move(moved)) = course.steps.get_mut(*at) {
                 moved.known = false;
             }
         }
@@ -218,18 +223,18 @@ fn arrive(courses: [&mut Course; 2], begins: [usize; 2], tolerance_mm: f64) {
 }
 
 /// The rapids before a cut, by their steps.
-struct Approach {
+struct CutApproach {
     cut_from: Vec3,
     rapids: Vec<usize>,
 }
 
 /// The way to the first cut from a step on.
-fn approach(course: &Course, from: usize) -> Option<Approach> {
+fn approach(course: &ComparedRun, from: usize) -> Option<CutApproach> {
     let mut rapids = Vec::new();
     for at in from..course.steps.len() {
         let Some(moved) = course.moved(at) else { continue };
-        if moved.kind == MoveKind::Cut {
-            return Some(Approach { cut_from: moved.curve.start(), rapids });
+        if moved.kind == ComparedMoveKind::Cut {
+            return Some(CutApproach { cut_from: moved.curve.start(), rapids });
         }
         rapids.push(at);
     }

@@ -8,11 +8,11 @@
 //! frame of the run (the program coordinates of the first cut), rapids and cuts in the order in which
 //! they are made: two who walk the paths from beginning to end without going back are never further
 //! apart than this. It is exact for straight lines and for equal arcs and spirals, else found within
-//! [`Options::precision_mm`].
+//! [`ComparisonOptions::precision_mm`].
 //!
 //! ```
 //! use chordal::{Job, Machine, Source, SourceMap};
-//! use chordal_compare::{Options, Verdict, compare};
+//! use chordal_compare::{ComparisonOptions, ComparisonVerdict, compare};
 //!
 //! let job = |text: &'static [u8]| {
 //!     let mut sources = SourceMap::new();
@@ -21,7 +21,7 @@
 //! };
 //! let whole = job(b"G21 G90 S900 M3\nG0 X0 Y0 Z5.\nG1 X10. F100.\nM30\n");
 //! let cut_in_two = job(b"G21 G90 S900 M3\nG0 X0 Y0 Z5.\nG1 X4. F100.\nX10.\nM30\n");
-//! assert_eq!(compare(&whole, &cut_in_two, &Options::default()).verdict, Verdict::Same);
+//! assert_eq!(compare(&whole, &cut_in_two, &ComparisonOptions::default()).verdict, ComparisonVerdict::Same);
 //! ```
 
 #![forbid(unsafe_code)]
@@ -48,11 +48,11 @@ use std::collections::BTreeSet;
 use chordal::geometry::Transform;
 use chordal::{Job, Machine, Report};
 
-pub use category::{Category, Command, shared_reference};
-pub use difference::{Blocks, Difference, Place, Value};
-pub use joined::{Kept, Part, compare_joined};
-pub use passes::{FreePasses, LastPass, Passes};
-pub use pecks::Pecks;
+pub use category::{Category, ComparingCommand, shared_reference};
+pub use difference::{BlockLocation, BlockRange, Difference, DifferenceValue};
+pub use joined::{JoinedPart, RetainedText, compare_joined};
+pub use passes::{CyclePasses, FreePasses, LastPass};
+pub use pecks::HolePecks;
 pub use values::are_same_values;
 
 /// Places nearer than this are the same, mm. Doubles leave up to a hundredth of it when a centre is
@@ -61,7 +61,7 @@ pub const SAME_MM: f64 = 1e-9;
 
 /// How two runs are compared with each other.
 #[derive(Clone, Debug)]
-pub struct Options {
+pub struct ComparisonOptions {
     /// Paths may be this far apart, mm.
     pub tolerance_mm: f64,
     /// Feeds may differ by this part of them.
@@ -102,9 +102,9 @@ pub struct Options {
     pub free_passes: [FreePasses; 2],
 }
 
-impl Default for Options {
-    fn default() -> Options {
-        Options {
+impl Default for ComparisonOptions {
+    fn default() -> ComparisonOptions {
+        ComparisonOptions {
             tolerance_mm: 0.0,
             feed_tolerance: 1e-6,
             speed_tolerance: 1e-6,
@@ -127,7 +127,7 @@ impl Default for Options {
 
 /// What is to become of a run, so that another one may be the same.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mapping {
+pub struct RunMapping {
     /// Where the path goes, in the frame of the run. Places of the machine stay: where it stands at the
     /// start and where G28 and G53 go; moves from and to them are not compared with each other.
     pub path: Transform,
@@ -137,16 +137,16 @@ pub struct Mapping {
     pub speed: f64,
 }
 
-impl Default for Mapping {
-    fn default() -> Mapping {
-        Mapping { path: Transform::identity(), feed: 1.0, speed: 1.0 }
+impl Default for RunMapping {
+    fn default() -> RunMapping {
+        RunMapping { path: Transform::identity(), feed: 1.0, speed: 1.0 }
     }
 }
 
 /// The answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Verdict {
+pub enum ComparisonVerdict {
     /// The same motion, and everything else the same.
     Same,
     /// The paths are apart, but nowhere by more than the tolerance; everything else is the same.
@@ -162,12 +162,12 @@ pub enum Verdict {
 #[derive(Debug)]
 pub struct Comparison {
     /// The answer.
-    pub verdict: Verdict,
+    pub verdict: ComparisonVerdict,
     /// The paths are nowhere further apart than this, mm; nothing where one of the two has no moves that
     /// the other's could be compared with.
     pub max_distance_mm: Option<f64>,
     /// The blocks where they are furthest apart.
-    pub farthest: Option<[Place; 2]>,
+    pub farthest: Option<[BlockLocation; 2]>,
     /// A place on each path, about there, in the frame of the run, mm: where to look, not a measure.
     pub farthest_at_mm: Option<[[f64; 3]; 2]>,
     /// The differences, in the order of the first program; paths within the tolerance are none.
@@ -177,9 +177,9 @@ pub struct Comparison {
     /// How many moves each has.
     pub moves: [u64; 2],
     /// Holes that the two drill in other steps, where they may.
-    pub pecks: Vec<[Pecks; 2]>,
+    pub pecks: Vec<[HolePecks; 2]>,
     /// Cycles of lathes that the two cut in other passes, where they may.
-    pub passes: Vec<[Passes; 2]>,
+    pub passes: Vec<[CyclePasses; 2]>,
     /// What the runs themselves found.
     pub reports: [Report; 2],
 }
@@ -187,14 +187,14 @@ pub struct Comparison {
 /// Runs both and holds them against each other. A run that [`Job::interrupt`] ends leaves the comparison
 /// without a word, as its report says. Where no place of either is known relative to the part,
 /// and their machines have the same tables, both are taken to begin at the same place.
-pub fn compare(a: &Job, b: &Job, options: &Options) -> Comparison {
-    let mapping = Mapping::default();
+pub fn compare(a: &Job, b: &Job, options: &ComparisonOptions) -> Comparison {
+    let mapping = RunMapping::default();
     let found = compare_mapped(a, b, options, &mapping);
     let was_interrupted = found.reports.iter().any(course::was_interrupted);
     let nothing_known =
         found.max_distance_mm.is_none() && found.moves != [0, 0] && !was_interrupted;
     if nothing_known && !options.assume_known && have_same_places(a.machine(), b.machine()) {
-        let options = Options { assume_known: true, ..options.clone() };
+        let options = ComparisonOptions { assume_known: true, ..options.clone() };
         return compare_mapped(a, b, &options, &mapping);
     }
     found
@@ -207,42 +207,47 @@ fn have_same_places(a: &Machine, b: &Machine) -> bool {
 }
 
 /// Holds what the first does, moved and at other feeds and speeds, against the second.
-pub fn compare_mapped(a: &Job, b: &Job, options: &Options, mapping: &Mapping) -> Comparison {
+pub fn compare_mapped(
+    a: &Job,
+    b: &Job,
+    options: &ComparisonOptions,
+    mapping: &RunMapping,
+) -> Comparison {
     let jobs = [a, b];
     let is_moved = mapping.path != Transform::identity();
     let [mut a, mut b] = jobs.map(|job| {
         let places = is_moved.then(|| machine_places::MachinePlaces::of(job));
-        course::Course::of(job, options, places)
+        course::ComparedRun::of(job, options, places)
     });
-    if *mapping != Mapping::default() {
+    if *mapping != RunMapping::default() {
         a.map(mapping);
     }
     let [lines_a, lines_b] = &options.free_pecks;
     let holes = [pecks::join(&mut a, lines_a), pecks::join(&mut b, lines_b)];
     let [lines_a, lines_b] = &options.free_passes;
     let cycles = [passes::join(&mut a, lines_a), passes::join(&mut b, lines_b)];
-    conclude(jobs, a, b, &Apart { holes, cycles }, options)
+    conclude(jobs, a, b, &AllowedDifferences { holes, cycles }, options)
 }
 
 /// What two runs may do otherwise.
 #[derive(Default)]
-struct Apart {
-    holes: [Vec<Pecks>; 2],
-    cycles: [Vec<Passes>; 2],
+struct AllowedDifferences {
+    holes: [Vec<HolePecks>; 2],
+    cycles: [Vec<CyclePasses>; 2],
 }
 
 /// Walks along two runs.
 fn conclude(
     jobs: [&Job; 2],
-    a: course::Course,
-    b: course::Course,
-    apart: &Apart,
-    options: &Options,
+    a: course::ComparedRun,
+    b: course::ComparedRun,
+    apart: &AllowedDifferences,
+    options: &ComparisonOptions,
 ) -> Comparison {
-    if [&a, &b].into_iter().any(course::Course::was_interrupted) {
+    if [&a, &b].into_iter().any(course::ComparedRun::was_interrupted) {
         return interrupted([a, b]);
     }
-    let mut walk = walk::Walk::new(&a, &b, options);
+    let mut walk = walk::AlignmentWalker::new(&a, &b, options);
     // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
     // what rounding may do.
     let grid_mm = (options.tolerance_mm / 2.0).max(1e-6);
@@ -267,11 +272,11 @@ fn conclude(
     let verified = a.report.verified() && b.report.verified();
     let has_path = found.max_distance_mm.is_some_and(|distance| distance > SAME_MM);
     let verdict = match (found.differences.is_empty(), has_path) {
-        (true, _) if !verified => Verdict::NotVerified,
-        (true, false) => Verdict::Same,
+        (true, _) if !verified => ComparisonVerdict::NotVerified,
+        (true, false) => ComparisonVerdict::Same,
         // Paths further apart than the tolerance are among the differences, unless they do not count.
-        (true, true) => Verdict::Within,
-        (false, _) => Verdict::Different,
+        (true, true) => ComparisonVerdict::Within,
+        (false, _) => ComparisonVerdict::Different,
     };
     let dropped = found.differences.len().saturating_sub(options.kept) as u64;
     found.differences.truncate(options.kept);
@@ -282,7 +287,7 @@ fn conclude(
         farthest_at_mm: found.farthest_at_mm,
         differences: found.differences,
         dropped,
-        moves: [&a, &b].map(course::Course::move_count),
+        moves: [&a, &b].map(course::ComparedRun::move_count),
         pecks,
         passes,
         reports: [a.report, b.report],
@@ -291,9 +296,9 @@ fn conclude(
 
 /// The time of cuts and dwells, where nothing else shows why it differs.
 fn times_apart(
-    courses: [&course::Course; 2],
-    found: &walk::Found,
-    options: &Options,
+    courses: [&course::ComparedRun; 2],
+    found: &walk::ComparisonFindings,
+    options: &ComparisonOptions,
 ) -> Option<Difference> {
     let shows = |difference: &Difference| {
         matches!(
@@ -307,38 +312,39 @@ fn times_apart(
                 | Category::Dwell
         )
     };
-    let times = courses.map(course::Course::cutting_s);
+    let times = courses.map(course::ComparedRun::cutting_s);
     let apart = (times[0] - times[1]).abs();
     let most = times[0].max(times[1]);
     // A path within the tolerance may be longer, and takes longer then: at the lowest feed the longest.
-    let lengths = courses.map(course::Course::cut_mm);
+    let lengths = courses.map(course::ComparedRun::cut_mm);
     let slowest =
-        courses.into_iter().filter_map(course::Course::slowest).fold(f64::INFINITY, f64::min);
+        courses.into_iter().filter_map(course::ComparedRun::slowest).fold(f64::INFINITY, f64::min);
     let longer_s = (lengths[0] - lengths[1]).abs() / slowest;
     let part = options.time_tolerance.max(options.feed_tolerance);
     if apart <= part * most + longer_s || found.differences.iter().any(shows) {
         return None;
     }
     let ends = courses.map(|course| {
-        let place = |step: Option<&course::Step>| step.map(|step| Place::from(step.origin()));
+        let place =
+            |step: Option<&course::RunStep>| step.map(|step| BlockLocation::from(step.origin()));
         let (first, last) = (place(course.steps.first()), place(course.steps.last()));
-        first.zip(last).map(|(first, last)| Blocks { first, last })
+        first.zip(last).map(|(first, last)| BlockRange { first, last })
     });
     let steps = courses.map(|course| course.steps.len() as u64);
-    let values = Some(times.map(Value::Seconds));
+    let values = Some(times.map(DifferenceValue::Seconds));
     Some(Difference::new(Category::Time, ends, steps, values))
 }
 
 /// Nothing can be said of a run that was given up.
-fn interrupted(courses: [course::Course; 2]) -> Comparison {
+fn interrupted(courses: [course::ComparedRun; 2]) -> Comparison {
     Comparison {
-        verdict: Verdict::Different,
+        verdict: ComparisonVerdict::Different,
         max_distance_mm: None,
         farthest: None,
         farthest_at_mm: None,
         differences: Vec::new(),
         dropped: 0,
-        moves: courses.each_ref().map(course::Course::move_count),
+        moves: courses.each_ref().map(course::ComparedRun::move_count),
         pecks: Vec::new(),
         passes: Vec::new(),
         reports: courses.map(|course| course.report),

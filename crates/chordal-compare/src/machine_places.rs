@@ -10,7 +10,7 @@ use chordal::syntax::{Block, BlockReader};
 
 /// Which of X, Y and Z a block names, and whether it sends them to places of the machine.
 #[derive(Clone, Copy, Debug, Default)]
-struct Names {
+struct NamedAxes {
     axes: [bool; 3],
     is_machine: bool,
 }
@@ -18,7 +18,7 @@ struct Names {
 /// Follows which axes stand at places of the machine.
 #[derive(Debug)]
 pub(crate) struct MachinePlaces {
-    names: HashMap<(u32, u32), Names>,
+    names: HashMap<(u32, u32), NamedAxes>,
     at_machine: [bool; 3],
     /// Axes that the machine has.
     exists: [bool; 3],
@@ -47,7 +47,7 @@ impl MachinePlaces {
     }
 }
 
-fn names(job: &Job) -> HashMap<(u32, u32), Names> {
+fn names(job: &Job) -> HashMap<(u32, u32), NamedAxes> {
     let control = job.control();
     let mut names = HashMap::new();
     for (file, source) in job.sources().iter() {
@@ -70,7 +70,7 @@ fn names(job: &Job) -> HashMap<(u32, u32), Names> {
                     )
                 })
             });
-            names.insert((file.0, block.range.start), Names { axes, is_machine });
+            names.insert((file.0, block.range.start), NamedAxes { axes, is_machine });
         }
     }
     names

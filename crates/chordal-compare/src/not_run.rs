@@ -8,15 +8,15 @@ use chordal::syntax::{Block, BlockKind, BlockReader};
 use chordal::{BlockDeleteRuns, Code, Command, Diagnostic, Job, Report, Span};
 
 use crate::category::Category;
-use crate::difference::{Blocks, Difference, Place, Value};
-use crate::walk::Found;
+use crate::difference::{BlockLocation, BlockRange, Difference, DifferenceValue};
+use crate::walk::ComparisonFindings;
 
 /// Adds the first block that differs among those that one of two runs on one control has not come to.
 pub(crate) fn compare(
     jobs: [&Job; 2],
     reports: [&Report; 2],
     sides_apart: bool,
-    found: &mut Found,
+    found: &mut ComparisonFindings,
 ) {
     let is_assumed =
         |report: &Report| report.diagnostics.iter().any(|one| one.code == Code::AssumedBranch);
@@ -28,29 +28,29 @@ pub(crate) fn compare(
     if !reports.into_iter().any(is_assumed) || titles[0] != titles[1] {
         return;
     }
-    let left = [0, 1].map(|side: usize| Left::of(jobs[side], reports[side], sides_apart));
+    let left = [0, 1].map(|side: usize| SkippedBlock::of(jobs[side], reports[side], sides_apart));
     let common = left[0].len().min(left[1].len());
     let first = (0..common).find(|at| left[0][*at].words != left[1][*at].words);
     let Some(at) = first.or((left[0].len() != left[1].len()).then_some(common)) else { return };
     let only = left.each_ref().map(|left| left.get(at));
-    let blocks = only.map(|left| left.map(|left| Blocks::at(left.place)));
+    let blocks = only.map(|left| left.map(|left| BlockRange::at(left.place)));
     let values = only.map(|left| match left {
-        None => Value::Nothing,
-        Some(left) => Value::Text(left.words.clone()),
+        None => DifferenceValue::Nothing,
+        Some(left) => DifferenceValue::Text(left.words.clone()),
     });
     let counts = left.map(|left| (left.len() - common.min(at)) as u64);
     found.differences.push(Difference::new(Category::NotRun, blocks, counts, Some(values)));
 }
 
 /// A block that was not run, or whose condition was not decided.
-struct Left {
+struct SkippedBlock {
     words: String,
-    place: Place,
+    place: BlockLocation,
 }
 
-impl Left {
-    fn of(job: &Job, report: &Report, sides_apart: bool) -> Vec<Left> {
-        let mut ran = Ran::default();
+impl SkippedBlock {
+    fn of(job: &Job, report: &Report, sides_apart: bool) -> Vec<SkippedBlock> {
+        let mut ran = ExecutedBlocks::default();
         job.run(&mut ran);
         if sides_apart {
             let as_needed = BlockDeleteRuns::WhereItDecides;
@@ -83,7 +83,10 @@ impl Left {
                 let words = words(source.text(), &block);
                 if !words.is_empty() {
                     let span = Span { file, range: block.range };
-                    left.push(Left { words, place: Place { span, line: block.line } });
+                    left.push(SkippedBlock {
+                        words,
+                        place: BlockLocation { span, line: block.line },
+                    });
                 }
             }
         }
@@ -106,17 +109,17 @@ fn words(text: &[u8], block: &Block) -> String {
 
 /// The blocks that a run has carried out.
 #[derive(Default)]
-struct Ran {
+struct ExecutedBlocks {
     blocks: BTreeSet<(FileId, u32)>,
 }
 
-impl Sink for Ran {
+impl Sink for ExecutedBlocks {
     fn command(&mut self, _: &Command) {}
 
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for Ran {
+impl RunSink for ExecutedBlocks {
     fn wants_blocks(&self) -> bool {
         true
     }

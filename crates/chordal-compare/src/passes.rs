@@ -10,8 +10,8 @@ use std::collections::BTreeMap;
 use chordal::geometry::{Curve, Line, ParamCurve, Vec3};
 
 use crate::category::Category;
-use crate::course::{Course, MoveKind, Moved, Step};
-use crate::difference::{Blocks, Difference, Place};
+use crate::course::{ComparedMove, ComparedMoveKind, ComparedRun, RunStep};
+use crate::difference::{BlockLocation, BlockRange, Difference};
 
 /// What of a cycle stays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,9 +32,9 @@ const SAME_MM: f64 = 1e-6;
 
 /// The passes of one cycle.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Passes {
+pub struct CyclePasses {
     /// The block.
-    pub place: Place,
+    pub place: BlockLocation,
     /// How many cuts it makes, one after a rapid or the cycle's start to the next rapid.
     pub count: usize,
     /// Where each move of them ends, in the frame of the run, mm.
@@ -45,8 +45,8 @@ pub struct Passes {
     pub largest_step_mm: Option<f64>,
 }
 
-impl Passes {
-    fn has_same_cuts(&self, other: &Passes, tolerance_mm: f64) -> bool {
+impl CyclePasses {
+    fn has_same_cuts(&self, other: &CyclePasses, tolerance_mm: f64) -> bool {
         let near = |one: &[f64; 3], other: &[f64; 3]| {
             let off = Vec3::from_array(*one).distance(Vec3::from_array(*other));
             off <= tolerance_mm.max(SAME_MM)
@@ -59,10 +59,10 @@ impl Passes {
 
 /// The cycles of two runs that are cut in other passes. Cycles that do not belong together are a difference of the paths.
 pub(crate) fn compare(
-    cycles: &[Vec<Passes>; 2],
+    cycles: &[Vec<CyclePasses>; 2],
     tolerance_mm: f64,
     differences: &mut Vec<Difference>,
-) -> Vec<[Passes; 2]> {
+) -> Vec<[CyclePasses; 2]> {
     let mut others = Vec::new();
     for at in 0..cycles[0].len().max(cycles[1].len()) {
         let [one, other] = cycles.each_ref().map(|cycles| cycles.get(at));
@@ -73,7 +73,7 @@ pub(crate) fn compare(
                 }
             }
             _ => {
-                let blocks = [one, other].map(|own| own.map(|own| Blocks::at(own.place)));
+                let blocks = [one, other].map(|own| own.map(|own| BlockRange::at(own.place)));
                 let steps = blocks.map(|at| u64::from(at.is_some()));
                 differences.push(Difference::new(Category::Path, blocks, steps, None));
                 break;
@@ -84,7 +84,7 @@ pub(crate) fn compare(
 }
 
 /// Leaves the last pass of the cycles of these lines, and says what the passes were.
-pub(crate) fn join(course: &mut Course, lines: &FreePasses) -> Vec<Passes> {
+pub(crate) fn join(course: &mut ComparedRun, lines: &FreePasses) -> Vec<CyclePasses> {
     let mut found = Vec::new();
     if lines.is_empty() {
         return found;
@@ -93,7 +93,7 @@ pub(crate) fn join(course: &mut Course, lines: &FreePasses) -> Vec<Passes> {
     let mut at = 0;
     while at < old.len() {
         let end = end_of_cycle(&old, at, lines);
-        let moves: Vec<&Moved> = old[at..end].iter().filter_map(moved).collect();
+        let moves: Vec<&ComparedMove> = old[at..end].iter().filter_map(moved).collect();
         let last =
             moves.first().and_then(|first| last_pass(&moves, *lines.get(&first.origin.line)?));
         let Some(last) = last else {
@@ -102,24 +102,25 @@ pub(crate) fn join(course: &mut Course, lines: &FreePasses) -> Vec<Passes> {
             continue;
         };
         found.push(passes(&moves));
-        course.steps.extend(last.into_iter().map(Step::Move));
+        course.steps.extend(last.into_iter().map(RunStep::Move));
         at = end;
     }
     found
 }
 
-fn moved(step: &Step) -> Option<&Moved> {
+fn moved(step: &RunStep) -> Option<&ComparedMove> {
     match step {
-        Step::Move(moved) => Some(moved),
-        Step::Event { .. } => None,
+        RunStep::Move(moved) => Some(moved),
+        RunStep::Event { .. } => None,
     }
 }
 
 /// After the last step of the cycle that begins at a step; the step itself where none does.
-fn end_of_cycle(steps: &[Step], at: usize, lines: &FreePasses) -> usize {
-    let is_first = |moved: &Moved| moved.origin.cycle && lines.contains_key(&moved.origin.line);
+fn end_of_cycle(steps: &[RunStep], at: usize, lines: &FreePasses) -> usize {
+    let is_first =
+        |moved: &ComparedMove| moved.origin.cycle && lines.contains_key(&moved.origin.line);
     let Some(first) = moved(&steps[at]).filter(|moved| is_first(moved)) else { return at };
-    let is_own = |step: &Step| {
+    let is_own = |step: &RunStep| {
         moved(step).is_some_and(|moved| {
             let line = moved.origin.line;
             moved.origin.cycle && (line == first.origin.line || !lines.contains_key(&line))
@@ -129,19 +130,20 @@ fn end_of_cycle(steps: &[Step], at: usize, lines: &FreePasses) -> usize {
 }
 
 /// The moves that stay, with rapids from the cycle's start and to its end.
-fn last_pass(moves: &[&Moved], kind: LastPass) -> Option<Vec<Moved>> {
+fn last_pass(moves: &[&ComparedMove], kind: LastPass) -> Option<Vec<ComparedMove>> {
     let (first, last) = (moves.first()?, moves.last()?);
     let line = first.origin.line;
-    let kept: Vec<Moved> = match kind {
+    let kept: Vec<ComparedMove> = match kind {
         LastPass::Contour => {
             let end = moves.iter().rposition(|moved| moved.origin.line != line)? + 1;
-            let own = |moved: &&&Moved| moved.origin.line != line;
+            let own = |moved: &&&ComparedMove| moved.origin.line != line;
             let count = moves[..end].iter().rev().take_while(own).count();
             moves[end - count..end].iter().map(|moved| (*moved).clone()).collect()
         }
         LastPass::Cut => {
-            let end = moves.iter().rposition(|moved| moved.kind == MoveKind::Cut)? + 1;
-            let cuts = moves[..end].iter().rev().take_while(|moved| moved.kind == MoveKind::Cut);
+            let end = moves.iter().rposition(|moved| moved.kind == ComparedMoveKind::Cut)? + 1;
+            let cuts =
+                moves[..end].iter().rev().take_while(|moved| moved.kind == ComparedMoveKind::Cut);
             let count = cuts.count();
             moves[end - count..end].iter().map(|moved| (*moved).clone()).collect()
         }
@@ -163,12 +165,12 @@ fn last_pass(moves: &[&Moved], kind: LastPass) -> Option<Vec<Moved>> {
 }
 
 /// A rapid between two places, in the state of a move.
-fn rapid(from: Vec3, to: Vec3, like: &Moved) -> Option<Moved> {
+fn rapid(from: Vec3, to: Vec3, like: &ComparedMove) -> Option<ComparedMove> {
     let length_mm = from.distance(to);
-    (length_mm > SAME_MM).then(|| Moved {
+    (length_mm > SAME_MM).then(|| ComparedMove {
         curve: Curve::Line(Line { start: from, end: to }),
         length_mm,
-        kind: MoveKind::Rapid,
+        kind: ComparedMoveKind::Rapid,
         feed: None,
         per_revolution: false,
         ..like.clone()
@@ -176,9 +178,9 @@ fn rapid(from: Vec3, to: Vec3, like: &Moved) -> Option<Moved> {
 }
 
 /// One cut to the bottom of each plunge; nothing where the cuts are no plunges along one direction.
-fn plunges(moves: &[&Moved]) -> Option<Vec<Moved>> {
-    let mut found: Vec<Moved> = Vec::new();
-    for own in moves.iter().filter(|moved| moved.kind == MoveKind::Cut) {
+fn plunges(moves: &[&ComparedMove]) -> Option<Vec<ComparedMove>> {
+    let mut found: Vec<ComparedMove> = Vec::new();
+    for own in moves.iter().filter(|moved| moved.kind == ComparedMoveKind::Cut) {
         let Curve::Line(line) = own.curve else { return None };
         let along = (line.end - line.start).normalized()?;
         let deeper = found.last_mut().and_then(|plunge| match plunge.curve {
@@ -203,7 +205,7 @@ fn plunges(moves: &[&Moved]) -> Option<Vec<Moved>> {
 }
 
 /// No cut goes beyond what stays, seen from where the cycle begins.
-fn stays_within(moves: &[&Moved], kept: &[Moved], from: Vec3) -> bool {
+fn stays_within(moves: &[&ComparedMove], kept: &[ComparedMove], from: Vec3) -> bool {
     let boxes = || kept.iter().map(|own| own.curve.bounds());
     let from = from.to_array();
     let sides: [(f64, f64); 3] = std::array::from_fn(|axis| {
@@ -215,7 +217,7 @@ fn stays_within(moves: &[&Moved], kept: &[Moved], from: Vec3) -> bool {
             false => (f64::NEG_INFINITY, high),
         }
     });
-    moves.iter().filter(|moved| moved.kind == MoveKind::Cut).all(|moved| {
+    moves.iter().filter(|moved| moved.kind == ComparedMoveKind::Cut).all(|moved| {
         let own = moved.curve.bounds();
         (0..3).all(|axis| {
             own.min.to_array()[axis] >= sides[axis].0 - SAME_MM
@@ -225,16 +227,16 @@ fn stays_within(moves: &[&Moved], kept: &[Moved], from: Vec3) -> bool {
 }
 
 /// What the passes of a cycle were.
-fn passes(moves: &[&Moved]) -> Passes {
+fn passes(moves: &[&ComparedMove]) -> CyclePasses {
     let mut count = 0;
-    let mut before = MoveKind::Rapid;
+    let mut before = ComparedMoveKind::Rapid;
     let mut length_mm = 0.0;
     let mut ends_mm = Vec::new();
     let mut levels: [Vec<f64>; 2] = Default::default();
     let mut along = [0.0; 2];
     for own in moves {
-        if own.kind == MoveKind::Cut {
-            count += usize::from(before != MoveKind::Cut);
+        if own.kind == ComparedMoveKind::Cut {
+            count += usize::from(before != ComparedMoveKind::Cut);
             length_mm += own.length_mm;
             ends_mm.push(own.curve.end().to_array());
             if let Curve::Line(line) = own.curve {
@@ -259,6 +261,6 @@ fn passes(moves: &[&Moved]) -> Passes {
     levels.sort_by(f64::total_cmp);
     let steps = levels.windows(2).map(|pair| pair[1] - pair[0]);
     let largest = steps.filter(|step| *step > SAME_MM).reduce(f64::max);
-    let place = Place::from(&moves[0].origin);
-    Passes { place, count, ends_mm, length_mm, largest_step_mm: largest }
+    let place = BlockLocation::from(&moves[0].origin);
+    CyclePasses { place, count, ends_mm, length_mm, largest_step_mm: largest }
 }

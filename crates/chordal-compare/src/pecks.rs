@@ -11,17 +11,17 @@ use chordal::geometry::{Curve, Line, Vec3};
 
 use crate::SAME_MM;
 use crate::category::Category;
-use crate::course::{Course, MoveKind, Moved, Speed, Step};
-use crate::difference::{Blocks, Difference, Place};
+use crate::course::{ComparedMove, ComparedMoveKind, ComparedRun, CutSpeed, RunStep};
+use crate::difference::{BlockLocation, BlockRange, Difference};
 
 /// Steps closer to each other than this, mm, are the same: what two texts leave by rounding.
 const SAME_STEP_MM: f64 = 1e-6;
 
 /// The steps in which one hole is drilled.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pecks {
+pub struct HolePecks {
     /// The block.
-    pub place: Place,
+    pub place: BlockLocation,
     /// Where the first cut begins (R), in the frame of the run, mm.
     pub from_mm: [f64; 3],
     /// The bottom.
@@ -34,10 +34,10 @@ pub struct Pecks {
     pub again_mm: Vec<f64>,
 }
 
-impl Pecks {
-    fn of(moved: &Moved, line: Line) -> Pecks {
-        Pecks {
-            place: Place::from(&moved.origin),
+impl HolePecks {
+    fn of(moved: &ComparedMove, line: Line) -> HolePecks {
+        HolePecks {
+            place: BlockLocation::from(&moved.origin),
             from_mm: line.start.to_array(),
             to_mm: line.end.to_array(),
             depths_mm: vec![moved.length_mm],
@@ -64,14 +64,14 @@ impl Pecks {
     }
 
     /// The same hole, whatever its steps.
-    fn is_hole(&self, other: &Pecks, tolerance_mm: f64) -> bool {
+    fn is_hole(&self, other: &HolePecks, tolerance_mm: f64) -> bool {
         let is_near = |one: [f64; 3], other: [f64; 3]| {
             Vec3::from_array(one).distance(Vec3::from_array(other)) <= tolerance_mm
         };
         is_near(self.from_mm, other.from_mm) && is_near(self.to_mm, other.to_mm)
     }
 
-    fn has_same_steps(&self, other: &Pecks) -> bool {
+    fn has_same_steps(&self, other: &HolePecks) -> bool {
         let is_same = |one: &[f64], other: &[f64]| {
             one.len() == other.len()
                 && one.iter().zip(other).all(|(one, other)| (one - other).abs() <= SAME_STEP_MM)
@@ -85,10 +85,10 @@ impl Pecks {
 /// The holes of two runs that are drilled in other steps. Holes that do not belong together are a
 /// difference of the paths.
 pub(crate) fn compare(
-    holes: &[Vec<Pecks>; 2],
+    holes: &[Vec<HolePecks>; 2],
     tolerance_mm: f64,
     differences: &mut Vec<Difference>,
-) -> Vec<[Pecks; 2]> {
+) -> Vec<[HolePecks; 2]> {
     let tolerance_mm = tolerance_mm.max(SAME_STEP_MM);
     let mut others = Vec::new();
     for at in 0..holes[0].len().max(holes[1].len()) {
@@ -100,7 +100,7 @@ pub(crate) fn compare(
                 }
             }
             _ => {
-                let blocks = [one, other].map(|hole| hole.map(|hole| Blocks::at(hole.place)));
+                let blocks = [one, other].map(|hole| hole.map(|hole| BlockRange::at(hole.place)));
                 let steps = blocks.map(|at| u64::from(at.is_some()));
                 differences.push(Difference::new(Category::Path, blocks, steps, None));
                 break;
@@ -111,7 +111,7 @@ pub(crate) fn compare(
 }
 
 /// Joins the steps of the holes that canned cycles of these lines drill, and says what they were.
-pub(crate) fn join(course: &mut Course, lines: &BTreeSet<u32>) -> Vec<Pecks> {
+pub(crate) fn join(course: &mut ComparedRun, lines: &BTreeSet<u32>) -> Vec<HolePecks> {
     let mut holes = Vec::new();
     if lines.is_empty() {
         return holes;
@@ -120,7 +120,7 @@ pub(crate) fn join(course: &mut Course, lines: &BTreeSet<u32>) -> Vec<Pecks> {
     let mut at = 0;
     while at < old.len() {
         let found = match &old[at] {
-            Step::Move(moved) if lines.contains(&moved.origin.line) => hole(&old, at, moved),
+            RunStep::Move(moved) if lines.contains(&moved.origin.line) => hole(&old, at, moved),
             _ => None,
         };
         let Some((pecks, joined, next)) = found else {
@@ -128,7 +128,7 @@ pub(crate) fn join(course: &mut Course, lines: &BTreeSet<u32>) -> Vec<Pecks> {
             at += 1;
             continue;
         };
-        course.steps.push(Step::Move(joined));
+        course.steps.push(RunStep::Move(joined));
         holes.push(pecks);
         at = next;
     }
@@ -136,8 +136,12 @@ pub(crate) fn join(course: &mut Course, lines: &BTreeSet<u32>) -> Vec<Pecks> {
 }
 
 /// The hole whose first cut is a step, that cut down to its bottom, and the step after it.
-fn hole(steps: &[Step], at: usize, first: &Moved) -> Option<(Pecks, Moved, usize)> {
-    let is_cut = first.origin.cycle && first.kind == MoveKind::Cut && first.length_mm > 0.0;
+fn hole(
+    steps: &[RunStep],
+    at: usize,
+    first: &ComparedMove,
+) -> Option<(HolePecks, ComparedMove, usize)> {
+    let is_cut = first.origin.cycle && first.kind == ComparedMoveKind::Cut && first.length_mm > 0.0;
     let line = line_of(first).filter(|_| is_cut)?;
     let down = (line.end - line.start).normalized()?;
     let depth = |point: Vec3| {
@@ -145,7 +149,7 @@ fn hole(steps: &[Step], at: usize, first: &Moved) -> Option<(Pecks, Moved, usize
         let aside = (point - line.start - down * depth).length();
         (aside <= SAME_MM).then_some(depth)
     };
-    let mut pecks = Pecks::of(first, line);
+    let mut pecks = HolePecks::of(first, line);
     let mut bottom = line.end;
     let mut next = at + 1;
     while let Some((again, cut, after)) = step(steps, next, first) {
@@ -167,23 +171,23 @@ fn hole(steps: &[Step], at: usize, first: &Moved) -> Option<(Pecks, Moved, usize
     pecks.to_mm = bottom.to_array();
     let curve = Curve::Line(Line { start: line.start, end: bottom });
     let length_mm = line.start.distance(bottom);
-    Some((pecks, Moved { curve, length_mm, ..first.clone() }, next))
+    Some((pecks, ComparedMove { curve, length_mm, ..first.clone() }, next))
 }
 
 /// Rapids and the cut after them, in the same block and in the same state as the first cut: the ends of the
 /// rapids, the cut, and the step after it.
-fn step(steps: &[Step], from: usize, first: &Moved) -> Option<(Vec<Vec3>, Line, usize)> {
+fn step(steps: &[RunStep], from: usize, first: &ComparedMove) -> Option<(Vec<Vec3>, Line, usize)> {
     let mut ends = Vec::new();
     for (at, step) in steps.iter().enumerate().skip(from) {
-        let Step::Move(moved) = step else { return None };
+        let RunStep::Move(moved) = step else { return None };
         let is_of_hole = moved.origin.cycle
             && moved.origin.span == first.origin.span
             && moved.origin.call == first.origin.call
             && (moved.state, moved.turn, moved.known) == (first.state, first.turn, first.known);
         let line = line_of(moved).filter(|_| is_of_hole)?;
         match moved.kind {
-            MoveKind::Rapid => ends.push(line.end),
-            MoveKind::Cut if !ends.is_empty() && is_feed(moved.feed, first.feed) => {
+            ComparedMoveKind::Rapid => ends.push(line.end),
+            ComparedMoveKind::Cut if !ends.is_empty() && is_feed(moved.feed, first.feed) => {
                 return Some((ends, line, at + 1));
             }
             _ => return None,
@@ -192,7 +196,7 @@ fn step(steps: &[Step], from: usize, first: &Moved) -> Option<(Vec<Vec3>, Line, 
     None
 }
 
-fn line_of(moved: &Moved) -> Option<Line> {
+fn line_of(moved: &ComparedMove) -> Option<Line> {
     match moved.curve {
         Curve::Line(line) => Some(line),
         _ => None,
@@ -200,9 +204,9 @@ fn line_of(moved: &Moved) -> Option<Line> {
 }
 
 /// Feeds come from lengths and times: the same F differs by what rounding leaves.
-fn is_feed(one: Option<Speed>, other: Option<Speed>) -> bool {
+fn is_feed(one: Option<CutSpeed>, other: Option<CutSpeed>) -> bool {
     match (one, other) {
-        (Some(Speed::Path(one)), Some(Speed::Path(other))) => {
+        (Some(CutSpeed::Path(one)), Some(CutSpeed::Path(other))) => {
             (one - other).abs() <= 1e-9 * one.abs().max(other.abs())
         }
         (one, other) => one == other,

@@ -5,11 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use chordal::{Code, Diagnostic, Job, Report, Severity};
 
 use crate::category::Category;
-use crate::difference::{Blocks, Difference, Place, Value};
-use crate::walk::Found;
+use crate::difference::{BlockLocation, BlockRange, Difference, DifferenceValue};
+use crate::walk::ComparisonFindings;
 
 /// Adds the errors by code that occur in one run more often than in the other.
-pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Found) {
+pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut ComparisonFindings) {
     let errors = reports.map(errors);
     let codes: BTreeSet<&str> = errors.iter().flat_map(BTreeMap::keys).copied().collect();
     for code in codes {
@@ -19,8 +19,8 @@ pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Found)
             continue;
         }
         let values = of.map(|of| {
-            of.map_or(Value::Nothing, |(_, first)| {
-                Value::Text(format!("{code}: {}", first.message))
+            of.map_or(DifferenceValue::Nothing, |(_, first)| {
+                DifferenceValue::Text(format!("{code}: {}", first.message))
             })
         });
         let blocks = [0, 1].map(|side: usize| place(jobs[side], of[side]?.1));
@@ -43,7 +43,11 @@ fn errors(report: &Report) -> BTreeMap<&'static str, (u64, &Diagnostic)> {
 }
 
 /// Adds the values that one run reads and does not know, and the other does not read.
-pub(crate) fn compare_values(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Found) {
+pub(crate) fn compare_values(
+    jobs: [&Job; 2],
+    reports: [&Report; 2],
+    found: &mut ComparisonFindings,
+) {
     let said = reports.map(|report| {
         let mut said: BTreeMap<&str, Vec<&Diagnostic>> = BTreeMap::new();
         for diagnostic in &report.diagnostics {
@@ -62,8 +66,8 @@ pub(crate) fn compare_values(jobs: [&Job; 2], reports: [&Report; 2], found: &mut
         let counts = of.map(|of| of.len() as u64);
         let blocks = [0, 1].map(|side: usize| place(jobs[side], of[side].first()?));
         let values = of.map(|of| match of {
-            [] => Value::Nothing,
-            _ => Value::Text(message.to_string()),
+            [] => DifferenceValue::Nothing,
+            _ => DifferenceValue::Text(message.to_string()),
         });
         found.differences.push(Difference::new(Category::Value, blocks, counts, Some(values)));
     }
@@ -81,8 +85,8 @@ const VALUES: &[Code] = &[
 ];
 
 /// Where a diagnostic stands.
-fn place(job: &Job, diagnostic: &Diagnostic) -> Option<Blocks> {
+fn place(job: &Job, diagnostic: &Diagnostic) -> Option<BlockRange> {
     let span = diagnostic.primary.span;
     let line = job.sources().get(span.file)?.line_of(span.range.start);
-    Some(Blocks::at(Place { span, line }))
+    Some(BlockRange::at(BlockLocation { span, line }))
 }

@@ -4,20 +4,23 @@ use std::ops::Range;
 
 use imara_diff::{Algorithm, Diff, InternedInput};
 
-use chordal::control::{Position, RotarySurface, Side, SurfaceShape, number_text};
+use chordal::control::{CompensationSide, Position, RotarySurface, SurfaceShape, number_text};
 
-use crate::Options;
+use crate::ComparisonOptions;
 use crate::category::Category;
-use crate::course::{Course, Deletable, Event, MoveKind, Moved, Speed, State, Step};
-use crate::difference::{Blocks, Difference, Place, Value};
+use crate::course::{
+    BlockDeleteUse, ComparedMove, ComparedMoveKind, ComparedRun, CutSpeed, MoveState, RunEvent,
+    RunStep,
+};
+use crate::difference::{BlockLocation, BlockRange, Difference, DifferenceValue};
 use crate::values::are_same_values;
 
 /// Dwells that differ by this part are the same: no control counts as finely.
 const SAME_DWELL: f64 = 1e-5;
 
 /// Gathers differences; those of one kind that follow each other are one.
-pub(crate) struct Steps<'a> {
-    courses: [&'a Course; 2],
+pub(crate) struct DifferenceCollector<'a> {
+    courses: [&'a ComparedRun; 2],
     feed_tolerance: f64,
     speed_tolerance: f64,
     rotary_tolerance: f64,
@@ -26,9 +29,12 @@ pub(crate) struct Steps<'a> {
     done: Vec<Difference>,
 }
 
-impl<'a> Steps<'a> {
-    pub(crate) fn new(courses: [&'a Course; 2], options: &Options) -> Steps<'a> {
-        Steps {
+impl<'a> DifferenceCollector<'a> {
+    pub(crate) fn new(
+        courses: [&'a ComparedRun; 2],
+        options: &ComparisonOptions,
+    ) -> DifferenceCollector<'a> {
+        DifferenceCollector {
             courses,
             feed_tolerance: options.feed_tolerance,
             speed_tolerance: options.speed_tolerance,
@@ -46,7 +52,12 @@ impl<'a> Steps<'a> {
     }
 
     /// What holds at two moves that belong together.
-    fn note(&mut self, category: Category, values: Option<[Value; 2]>, at: [Place; 2]) {
+    fn note(
+        &mut self,
+        category: Category,
+        values: Option<[DifferenceValue; 2]>,
+        at: [BlockLocation; 2],
+    ) {
         let open = &mut self.open[category as usize];
         let Some(values) = values else {
             self.done.extend(open.take());
@@ -62,17 +73,17 @@ impl<'a> Steps<'a> {
     }
 
     /// The state, the way and the feed of two moves that belong together.
-    pub(crate) fn moves(&mut self, one: &Moved, other: &Moved) {
-        let at = [Place::from(&one.origin), Place::from(&other.origin)];
+    pub(crate) fn moves(&mut self, one: &ComparedMove, other: &ComparedMove) {
+        let at = [BlockLocation::from(&one.origin), BlockLocation::from(&other.origin)];
         let both = (one.kind, other.kind);
-        let is_cut = |kind: MoveKind| kind == MoveKind::Cut;
+        let is_cut = |kind: ComparedMoveKind| kind == ComparedMoveKind::Cut;
         let rapid = (is_cut(both.0) != is_cut(both.1)).then(|| [word(both.0), word(both.1)]);
         // How many axes move from a place that is not known is not known either.
         let is_known = one.known && other.known;
         let is_path = rapid.is_none() && is_known && both.0 != both.1;
         self.note(Category::Rapid, rapid, at);
         self.note(Category::RapidPath, is_path.then(|| [word(both.0), word(both.1)]), at);
-        if both == (MoveKind::Cut, MoveKind::Cut) {
+        if both == (ComparedMoveKind::Cut, ComparedMoveKind::Cut) {
             let feed = (!self.is_feed_same(one.feed, other.feed))
                 .then(|| [feed_value(one.feed), feed_value(other.feed)]);
             self.note(Category::Feed, feed, at);
@@ -86,25 +97,25 @@ impl<'a> Steps<'a> {
     }
 
     /// Two rapids between the same places that bend elsewhere.
-    pub(crate) fn bend(&mut self, one: &Moved, other: &Moved) {
-        let at = [Place::from(&one.origin), Place::from(&other.origin)];
+    pub(crate) fn bend(&mut self, one: &ComparedMove, other: &ComparedMove) {
+        let at = [BlockLocation::from(&one.origin), BlockLocation::from(&other.origin)];
         let values = Some([word(one.kind), word(other.kind)]);
         self.done.push(Difference::at(Category::RapidPath, at, values));
     }
 
-    fn is_feed_same(&self, a: Option<Speed>, b: Option<Speed>) -> bool {
+    fn is_feed_same(&self, a: Option<CutSpeed>, b: Option<CutSpeed>) -> bool {
         let is_near = |a: f64, b: f64| is_part(a, b, self.feed_tolerance);
         match (a, b) {
             (None, None) => true,
-            (Some(Speed::Path(a)), Some(Speed::Path(b)))
-            | (Some(Speed::Turn(a)), Some(Speed::Turn(b)))
-            | (Some(Speed::PerRevolution(a)), Some(Speed::PerRevolution(b))) => is_near(a, b),
+            (Some(CutSpeed::Path(a)), Some(CutSpeed::Path(b)))
+            | (Some(CutSpeed::Turn(a)), Some(CutSpeed::Turn(b)))
+            | (Some(CutSpeed::PerRevolution(a)), Some(CutSpeed::PerRevolution(b))) => is_near(a, b),
             _ => false,
         }
     }
 
     /// The rotary axes at both ends of what is walked together.
-    pub(crate) fn rotary(&mut self, moves: [&Moved; 2], parts: [[f64; 2]; 2]) {
+    pub(crate) fn rotary(&mut self, moves: [&ComparedMove; 2], parts: [[f64; 2]; 2]) {
         let [one, other] = moves;
         if one.turn == 0 && other.turn == 0 {
             return;
@@ -121,8 +132,8 @@ impl<'a> Steps<'a> {
             a.iter().zip(b).any(|(a, b)| (a - b).abs() > most || (a - b).is_nan())
         };
         let off = [at_end(1), at_end(0)].into_iter().find(is_off);
-        let values = off.map(|both| both.map(Value::Rotary));
-        self.note(Category::Rotary, values, moves.map(|moved| Place::from(&moved.origin)));
+        let values = off.map(|both| both.map(DifferenceValue::Rotary));
+        self.note(Category::Rotary, values, moves.map(|moved| BlockLocation::from(&moved.origin)));
     }
 
     /// Two events of one kind.
@@ -133,13 +144,15 @@ impl<'a> Steps<'a> {
             return;
         };
         let is_same = match (one, other) {
-            (Event::Dwell(a), Event::Dwell(b)) => is_part(*a, *b, SAME_DWELL),
-            (Event::Written { name: a, values: x }, Event::Written { name: b, values: y }) => {
-                a == b && are_same_values(x, y)
-            }
-            (Event::Variable { number: a, value: x }, Event::Variable { number: b, value: y }) => {
-                a == b && are_same_values(&[*x], &[*y])
-            }
+            (RunEvent::Dwell(a), RunEvent::Dwell(b)) => is_part(*a, *b, SAME_DWELL),
+            (
+                RunEvent::Written { name: a, values: x },
+                RunEvent::Written { name: b, values: y },
+            ) => a == b && are_same_values(x, y),
+            (
+                RunEvent::Variable { number: a, value: x },
+                RunEvent::Variable { number: b, value: y },
+            ) => a == b && are_same_values(&[*x], &[*y]),
             _ => one == other,
         };
         let marks = [0, 1].map(|side: usize| deletable(self.courses[side], at[side]));
@@ -194,7 +207,7 @@ impl<'a> Steps<'a> {
         let only = [at];
         steps[side] = &only;
         let mut difference = lacking(self.courses, ranges, steps, category(what));
-        let mut values = [Value::Nothing, Value::Nothing];
+        let mut values = [DifferenceValue::Nothing, DifferenceValue::Nothing];
         values[side] = event_value(what);
         difference.values = Some(values);
         self.done.push(difference);
@@ -204,46 +217,47 @@ impl<'a> Steps<'a> {
 /// A difference of steps that are not the same number on both sides. Where a side has none, its block is
 /// the one before the gap.
 pub(crate) fn lacking(
-    courses: [&Course; 2],
+    courses: [&ComparedRun; 2],
     ranges: &[Range<usize>; 2],
     steps: [&[usize]; 2],
     category: Category,
 ) -> Difference {
     let blocks = [0, 1].map(|side: usize| {
-        let place = |at: usize| courses[side].steps.get(at).map(|step| Place::from(step.origin()));
+        let place =
+            |at: usize| courses[side].steps.get(at).map(|step| BlockLocation::from(step.origin()));
         match steps[side] {
-            [] => place(ranges[side].start.saturating_sub(1)).map(Blocks::at),
+            [] => place(ranges[side].start.saturating_sub(1)).map(BlockRange::at),
             [first, .., last] => {
-                place(*first).zip(place(*last)).map(|(first, last)| Blocks { first, last })
+                place(*first).zip(place(*last)).map(|(first, last)| BlockRange { first, last })
             }
-            [only] => place(*only).map(Blocks::at),
+            [only] => place(*only).map(BlockRange::at),
         }
     });
     let steps = steps.map(|steps| steps.len() as u64);
     Difference::new(category, blocks, steps, None)
 }
 
-fn event(course: &Course, at: usize) -> Option<(&Event, Place)> {
+fn event(course: &ComparedRun, at: usize) -> Option<(&RunEvent, BlockLocation)> {
     match course.steps.get(at)? {
-        Step::Event { what, origin, .. } => Some((what, Place::from(origin))),
-        Step::Move(_) => None,
+        RunStep::Event { what, origin, .. } => Some((what, BlockLocation::from(origin))),
+        RunStep::Move(_) => None,
     }
 }
 
-fn deletable(course: &Course, at: usize) -> Option<Deletable> {
+fn deletable(course: &ComparedRun, at: usize) -> Option<BlockDeleteUse> {
     match course.steps.get(at)? {
-        Step::Event { deletable, .. } => *deletable,
-        Step::Move(_) => None,
+        RunStep::Event { deletable, .. } => *deletable,
+        RunStep::Move(_) => None,
     }
 }
 
-fn deletable_value(deletable: Option<Deletable>) -> Value {
-    deletable.map_or(Value::Nothing, |deletable| {
+fn deletable_value(deletable: Option<BlockDeleteUse>) -> DifferenceValue {
+    deletable.map_or(DifferenceValue::Nothing, |deletable| {
         let mark = match deletable.switch {
             1 => "/".to_string(),
             switch => format!("/{switch}"),
         };
-        Value::Text(if deletable.partly { format!("{mark} in the block") } else { mark })
+        DifferenceValue::Text(if deletable.partly { format!("{mark} in the block") } else { mark })
     })
 }
 
@@ -252,78 +266,82 @@ fn written_text(name: &str, values: &[Option<f64>]) -> String {
     format!("{name} = {}", if values.is_empty() { "nothing".into() } else { values.join(", ") })
 }
 
-fn category(event: &Event) -> Category {
+fn category(event: &RunEvent) -> Category {
     match event {
-        Event::Tool(_) => Category::Tool,
-        Event::Dwell(_) => Category::Dwell,
-        Event::Stop { .. } => Category::Stop,
-        Event::Probed { .. } => Category::Probe,
-        Event::Output(_) => Category::Output,
-        Event::ReadyTool(_) => Category::ReadyTool,
-        Event::Code(_) => Category::Code,
-        Event::Written { .. } => Category::Written,
-        Event::Variable { .. } => Category::Variable,
-        Event::Message(_) => Category::Message,
-        Event::Alarm { .. } => Category::Alarm,
-        Event::Deletable(_) => Category::BlockDelete,
+        RunEvent::Tool(_) => Category::Tool,
+        RunEvent::Dwell(_) => Category::Dwell,
+        RunEvent::Stop { .. } => Category::Stop,
+        RunEvent::Probed { .. } => Category::Probe,
+        RunEvent::Output(_) => Category::Output,
+        RunEvent::ReadyTool(_) => Category::ReadyTool,
+        RunEvent::Code(_) => Category::Code,
+        RunEvent::Written { .. } => Category::Written,
+        RunEvent::Variable { .. } => Category::Variable,
+        RunEvent::Message(_) => Category::Message,
+        RunEvent::Alarm { .. } => Category::Alarm,
+        RunEvent::Deletable(_) => Category::BlockDelete,
     }
 }
 
 /// What events of one category are told apart by: another code is not the same code with another word.
-fn name(event: &Event) -> &str {
+fn name(event: &RunEvent) -> &str {
     match event {
-        Event::Code(words) => words.split(' ').next().unwrap_or_default(),
-        Event::Written { name, .. } => name,
+        RunEvent::Code(words) => words.split(' ').next().unwrap_or_default(),
+        RunEvent::Written { name, .. } => name,
         // Each is known by its number, which is in its token.
-        Event::Variable { .. }
-        | Event::Tool(_)
-        | Event::ReadyTool(_)
-        | Event::Dwell(_)
-        | Event::Stop { .. }
-        | Event::Probed { .. }
-        | Event::Output(_)
-        | Event::Message(_)
-        | Event::Alarm { .. }
-        | Event::Deletable(_) => "",
+        RunEvent::Variable { .. }
+        | RunEvent::Tool(_)
+        | RunEvent::ReadyTool(_)
+        | RunEvent::Dwell(_)
+        | RunEvent::Stop { .. }
+        | RunEvent::Probed { .. }
+        | RunEvent::Output(_)
+        | RunEvent::Message(_)
+        | RunEvent::Alarm { .. }
+        | RunEvent::Deletable(_) => "",
     }
 }
 
-fn event_value(event: &Event) -> Value {
+fn event_value(event: &RunEvent) -> DifferenceValue {
     match event {
-        Event::Tool(number) => Value::Number(*number),
-        Event::Dwell(seconds) => Value::Seconds(*seconds),
-        Event::Stop { optional: true } => Value::Text("optional stop".into()),
-        Event::Stop { optional: false } => Value::Text("stop".into()),
-        Event::Probed { hit: true } => Value::Text("touched".into()),
-        Event::Probed { hit: false } => Value::Text("not touched".into()),
-        Event::Output(text) | Event::Code(text) | Event::Message(text) => Value::Text(text.clone()),
-        Event::ReadyTool(number) => Value::Number(*number),
-        Event::Written { name, values } => Value::Text(written_text(name, values)),
-        Event::Variable { number, value } => {
-            Value::Text(written_text(&format!("#{number}"), &[*value]))
+        RunEvent::Tool(number) => DifferenceValue::Number(*number),
+        RunEvent::Dwell(seconds) => DifferenceValue::Seconds(*seconds),
+        RunEvent::Stop { optional: true } => DifferenceValue::Text("optional stop".into()),
+        RunEvent::Stop { optional: false } => DifferenceValue::Text("stop".into()),
+        RunEvent::Probed { hit: true } => DifferenceValue::Text("touched".into()),
+        RunEvent::Probed { hit: false } => DifferenceValue::Text("not touched".into()),
+        RunEvent::Output(text) | RunEvent::Code(text) | RunEvent::Message(text) => {
+            DifferenceValue::Text(text.clone())
         }
-        Event::Alarm { number, text } => Value::Text(format!("{number} {text}").trim().into()),
-        Event::Deletable(mark) => deletable_value(Some(*mark)),
+        RunEvent::ReadyTool(number) => DifferenceValue::Number(*number),
+        RunEvent::Written { name, values } => DifferenceValue::Text(written_text(name, values)),
+        RunEvent::Variable { number, value } => {
+            DifferenceValue::Text(written_text(&format!("#{number}"), &[*value]))
+        }
+        RunEvent::Alarm { number, text } => {
+            DifferenceValue::Text(format!("{number} {text}").trim().into())
+        }
+        RunEvent::Deletable(mark) => deletable_value(Some(*mark)),
     }
 }
 
-fn word(kind: MoveKind) -> Value {
-    Value::Text(
+fn word(kind: ComparedMoveKind) -> DifferenceValue {
+    DifferenceValue::Text(
         match kind {
-            MoveKind::Cut => "cut",
-            MoveKind::Rapid => "rapid",
-            MoveKind::DogLeg => "dog-leg rapid",
+            ComparedMoveKind::Cut => "cut",
+            ComparedMoveKind::Rapid => "rapid",
+            ComparedMoveKind::DogLeg => "dog-leg rapid",
         }
         .into(),
     )
 }
 
-fn feed_value(feed: Option<Speed>) -> Value {
+fn feed_value(feed: Option<CutSpeed>) -> DifferenceValue {
     match feed {
-        None => Value::Nothing,
-        Some(Speed::Path(speed)) => Value::Feed(speed),
-        Some(Speed::Turn(speed)) => Value::Turn(speed),
-        Some(Speed::PerRevolution(feed)) => Value::FeedPerRevolution(feed),
+        None => DifferenceValue::Nothing,
+        Some(CutSpeed::Path(speed)) => DifferenceValue::Feed(speed),
+        Some(CutSpeed::Turn(speed)) => DifferenceValue::Turn(speed),
+        Some(CutSpeed::PerRevolution(feed)) => DifferenceValue::FeedPerRevolution(feed),
     }
 }
 
@@ -355,16 +373,16 @@ fn is_same_surface(a: Option<RotarySurface>, b: Option<RotarySurface>) -> bool {
     }
 }
 
-fn side_value(side: Side) -> Value {
+fn side_value(side: CompensationSide) -> DifferenceValue {
     match side {
-        Side::Off => Value::Nothing,
-        Side::Left => Value::Text("left of the contour".into()),
-        Side::Right => Value::Text("right of the contour".into()),
+        CompensationSide::Off => DifferenceValue::Nothing,
+        CompensationSide::Left => DifferenceValue::Text("left of the contour".into()),
+        CompensationSide::Right => DifferenceValue::Text("right of the contour".into()),
     }
 }
 
-fn surface_value(surface: Option<RotarySurface>) -> Value {
-    Value::Text(match surface.map(|surface| surface.shape) {
+fn surface_value(surface: Option<RotarySurface>) -> DifferenceValue {
+    DifferenceValue::Text(match surface.map(|surface| surface.shape) {
         None => "the axes themselves".into(),
         Some(SurfaceShape::Face { zero, .. }) => {
             format!("on the face from {} degrees", number_text(zero.to_degrees(), 3))
@@ -392,15 +410,21 @@ fn own_length_text(values: &Position) -> String {
 }
 
 /// What differs of two states; nothing for each category that is the same.
-fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Value; 2]>); 9] {
-    let number = |number: Option<u32>| number.map_or(Value::Nothing, Value::Number);
-    let length = |state: &State| match state.own_length {
-        Some(values) => Value::Text(own_length_text(&values)),
+fn differences(
+    a: &MoveState,
+    b: &MoveState,
+    tolerance: f64,
+) -> [(Category, Option<[DifferenceValue; 2]>); 9] {
+    let number =
+        |number: Option<u32>| number.map_or(DifferenceValue::Nothing, DifferenceValue::Number);
+    let length = |state: &MoveState| match state.own_length {
+        Some(values) => DifferenceValue::Text(own_length_text(&values)),
         None => number(state.length_offset),
     };
     let is_spindle_same = a.spindle == b.spindle && is_part(a.rpm, b.rpm, tolerance);
-    let spindle = [Value::Spindle(a.spindle, a.rpm), Value::Spindle(b.spindle, b.rpm)];
-    let of = |is_other: bool, values: [Value; 2]| is_other.then_some(values);
+    let spindle =
+        [DifferenceValue::Spindle(a.spindle, a.rpm), DifferenceValue::Spindle(b.spindle, b.rpm)];
+    let of = |is_other: bool, values: [DifferenceValue; 2]| is_other.then_some(values);
     [
         (Category::Spindle, of(!is_spindle_same, spindle)),
         (
@@ -424,25 +448,28 @@ fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Valu
             Category::WorkOffset,
             of(
                 a.work_offset != b.work_offset,
-                [Value::Number(a.work_offset), Value::Number(b.work_offset)],
+                [DifferenceValue::Number(a.work_offset), DifferenceValue::Number(b.work_offset)],
             ),
         ),
         (
             Category::Coolant,
-            of(a.coolant != b.coolant, [Value::Coolant(a.coolant), Value::Coolant(b.coolant)]),
+            of(
+                a.coolant != b.coolant,
+                [DifferenceValue::Coolant(a.coolant), DifferenceValue::Coolant(b.coolant)],
+            ),
         ),
         (
             Category::PathMode,
             of(
                 a.path_mode != b.path_mode,
-                [Value::PathMode(a.path_mode), Value::PathMode(b.path_mode)],
+                [DifferenceValue::PathMode(a.path_mode), DifferenceValue::PathMode(b.path_mode)],
             ),
         ),
         (
             Category::Overrides,
             of(
                 a.overrides != b.overrides,
-                [Value::Overrides(a.overrides), Value::Overrides(b.overrides)],
+                [DifferenceValue::Overrides(a.overrides), DifferenceValue::Overrides(b.overrides)],
             ),
         ),
         (

@@ -5,27 +5,32 @@ use std::ops::Range;
 
 use chordal::geometry::{Curve, ParamCurve, Placement, Vec3};
 
-use crate::align::{Alignment, Region};
-use crate::bound::{Stretch, bound};
+use crate::align::{AlignedRegion, StepAlignment};
+use crate::bound::{CurveRange, bound};
 use crate::category::Category;
-use crate::couple::{Couple, couple, most, move_by_move};
-use crate::course::{Course, Moved, Step};
-use crate::difference::{Difference, Place, in_order};
+use crate::couple::{PathCoupling, couple, most, move_by_move};
+use crate::course::{ComparedMove, ComparedRun, RunStep};
+use crate::difference::{BlockLocation, Difference, in_order};
 use crate::frechet::{MOST_CELLS, frechet};
-use crate::steps::{Steps, lacking};
-use crate::{Options, SAME_MM};
+use crate::steps::{DifferenceCollector, lacking};
+use crate::{ComparisonOptions, SAME_MM};
 
 /// What a walk has found.
 #[derive(Debug, Default)]
-pub(crate) struct Found {
+pub(crate) struct ComparisonFindings {
     pub(crate) differences: Vec<Difference>,
     pub(crate) max_distance_mm: Option<f64>,
-    pub(crate) farthest: Option<[Place; 2]>,
+    pub(crate) farthest: Option<[BlockLocation; 2]>,
     pub(crate) farthest_at_mm: Option<[[f64; 3]; 2]>,
 }
 
-impl Found {
-    fn distance(&mut self, apart_mm: f64, at: [Place; 2], spot: impl FnOnce() -> [Vec3; 2]) {
+impl ComparisonFindings {
+    fn distance(
+        &mut self,
+        apart_mm: f64,
+        at: [BlockLocation; 2],
+        spot: impl FnOnce() -> [Vec3; 2],
+    ) {
         if self.max_distance_mm.is_none_or(|most| apart_mm > most || apart_mm.is_nan()) {
             self.max_distance_mm = Some(apart_mm);
             let is_apart = apart_mm > SAME_MM;
@@ -35,39 +40,43 @@ impl Found {
     }
 }
 
-pub(crate) struct Walk<'a> {
-    courses: [&'a Course; 2],
-    options: &'a Options,
-    steps: Steps<'a>,
-    found: Found,
+pub(crate) struct AlignmentWalker<'a> {
+    courses: [&'a ComparedRun; 2],
+    options: &'a ComparisonOptions,
+    steps: DifferenceCollector<'a>,
+    found: ComparisonFindings,
     /// A stretch of the path that is too far apart, not yet at its end.
     open: Option<Difference>,
     /// Moves that the other run makes at another time.
     elsewhere: [HashSet<usize>; 2],
 }
 
-impl<'a> Walk<'a> {
-    pub(crate) fn new(a: &'a Course, b: &'a Course, options: &'a Options) -> Walk<'a> {
-        let steps = Steps::new([a, b], options);
-        let found = Found::default();
+impl<'a> AlignmentWalker<'a> {
+    pub(crate) fn new(
+        a: &'a ComparedRun,
+        b: &'a ComparedRun,
+        options: &'a ComparisonOptions,
+    ) -> AlignmentWalker<'a> {
+        let steps = DifferenceCollector::new([a, b], options);
+        let found = ComparisonFindings::default();
         let elsewhere = Default::default();
-        Walk { courses: [a, b], options, steps, found, open: None, elsewhere }
+        AlignmentWalker { courses: [a, b], options, steps, found, open: None, elsewhere }
     }
 
     /// Goes along both.
-    pub(crate) fn along(&mut self, alignment: &Alignment) {
+    pub(crate) fn along(&mut self, alignment: &StepAlignment) {
         for moved in &alignment.moved {
             self.moved(moved);
         }
         for region in &alignment.regions {
             match region {
-                Region::Matched(a, b) => {
+                AlignedRegion::Matched(a, b) => {
                     for (a, b) in a.clone().zip(b.clone()) {
                         self.matched(a, b);
                     }
                 }
-                Region::Rapid(a, b) => self.rapid([a.clone(), b.clone()]),
-                Region::Gap(a, b) => self.gap([a.clone(), b.clone()]),
+                AlignedRegion::Rapid(a, b) => self.rapid([a.clone(), b.clone()]),
+                AlignedRegion::Gap(a, b) => self.gap([a.clone(), b.clone()]),
             }
         }
     }
@@ -87,7 +96,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Ends the walk.
-    pub(crate) fn finish(mut self) -> Found {
+    pub(crate) fn finish(mut self) -> ComparisonFindings {
         self.close();
         self.found.differences.append(&mut self.steps.finish());
         in_order(&mut self.found.differences);
@@ -97,16 +106,17 @@ impl<'a> Walk<'a> {
     fn matched(&mut self, a: usize, b: usize) {
         let [course_a, course_b] = self.courses;
         match (&course_a.steps[a], &course_b.steps[b]) {
-            (Step::Move(one), Step::Move(other)) => {
+            (RunStep::Move(one), RunStep::Move(other)) => {
                 if one.known && other.known {
-                    let whole = |moved: &'a Moved| Stretch::whole(&moved.curve, moved.length_mm);
+                    let whole =
+                        |moved: &'a ComparedMove| CurveRange::whole(&moved.curve, moved.length_mm);
                     let apart_mm = bound(whole(one), whole(other), self.precision());
-                    self.pair(&Couple::whole([a, b], apart_mm));
+                    self.pair(&PathCoupling::whole([a, b], apart_mm));
                 } else {
                     self.steps.moves(one, other);
                 }
             }
-            (Step::Event { .. }, Step::Event { .. }) => self.steps.events([a, b]),
+            (RunStep::Event { .. }, RunStep::Event { .. }) => self.steps.events([a, b]),
             _ => {}
         }
     }
@@ -115,7 +125,7 @@ impl<'a> Walk<'a> {
     fn rapid(&mut self, ranges: [Range<usize>; 2]) {
         let moves = [0, 1].map(|side: usize| {
             let course = self.courses[side];
-            ranges[side].clone().filter_map(|at| course.moved(at)).collect::<Vec<&Moved>>()
+            ranges[side].clone().filter_map(|at| course.moved(at)).collect::<Vec<&ComparedMove>>()
         });
         let [(Some(a), Some(a_end)), (Some(b), Some(b_end))] =
             moves.each_ref().map(|moves| (moves.first(), moves.last()))
@@ -134,7 +144,7 @@ impl<'a> Walk<'a> {
             self.steps.moves(a, b);
             self.steps.bend(a, b);
             let spots = [starts, [a_end.curve.end(), b_end.curve.end()]];
-            let at = [a, b].map(|moved| Place::from(&moved.origin));
+            let at = [a, b].map(|moved| BlockLocation::from(&moved.origin));
             self.found.distance(between, at, || widest(spots, between));
             return;
         }
@@ -155,20 +165,20 @@ impl<'a> Walk<'a> {
     }
 
     /// Two moves, or parts of them, that are walked together.
-    fn pair(&mut self, couple: &Couple) {
+    fn pair(&mut self, couple: &PathCoupling) {
         let [a, b] = couple.moves;
         let (Some(one), Some(other)) = (self.courses[0].moved(a), self.courses[1].moved(b)) else {
             return;
         };
         // Where one of the two ends a little before the other, what comes next only begins.
-        let walked = |moved: &Moved, [from, to]: [f64; 2]| moved.length_mm * (to - from);
+        let walked = |moved: &ComparedMove, [from, to]: [f64; 2]| moved.length_mm * (to - from);
         let is_whole = couple.is_whole();
         let [of_one, of_other] = couple.parts;
         if is_whole || walked(one, of_one).max(walked(other, of_other)) > self.threshold() {
             self.steps.moves(one, other);
         }
         self.steps.rotary([one, other], couple.parts);
-        let at = [Place::from(&one.origin), Place::from(&other.origin)];
+        let at = [BlockLocation::from(&one.origin), BlockLocation::from(&other.origin)];
         let spot = || widest(spots([one, other], couple.parts), couple.apart_mm);
         self.found.distance(couple.apart_mm, at, spot);
         // What is no number is too far.
@@ -183,7 +193,7 @@ impl<'a> Walk<'a> {
     /// The path is too far apart here, as it may have been just before.
     fn extend(
         &mut self,
-        at: [Place; 2],
+        at: [BlockLocation; 2],
         apart_mm: f64,
         spot: impl FnOnce() -> [Vec3; 2],
         shift: Option<[f64; 3]>,
@@ -258,7 +268,7 @@ impl<'a> Walk<'a> {
 
     /// Move by move, which is how a person reads two programs, unless another way to walk shows that the
     /// paths are much nearer.
-    fn couples(&self, curves: &[Vec<&Curve>; 2]) -> Vec<Couple> {
+    fn couples(&self, curves: &[Vec<&Curve>; 2]) -> Vec<PathCoupling> {
         let [a, b] = curves;
         let by_moves = move_by_move(a, b, self.precision());
         let threshold = self.threshold();
@@ -282,7 +292,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Where the simple walk stays too far apart, the best walk along chords may not.
-    fn tighten(&self, curves: &[Vec<&Curve>; 2], couples: &mut [Couple]) {
+    fn tighten(&self, curves: &[Vec<&Curve>; 2], couples: &mut [PathCoupling]) {
         let most = most(couples);
         let precision = self.precision();
         if most <= self.threshold() || !most.is_finite() {
@@ -350,7 +360,7 @@ impl<'a> Walk<'a> {
 }
 
 /// Places of two moves, or of parts of them, that are passed at the same time when both are walked evenly.
-fn spots(moves: [&Moved; 2], parts: [[f64; 2]; 2]) -> impl Iterator<Item = [Vec3; 2]> {
+fn spots(moves: [&ComparedMove; 2], parts: [[f64; 2]; 2]) -> impl Iterator<Item = [Vec3; 2]> {
     (0..=8).map(move |eighth| {
         let share = f64::from(eighth) / 8.0;
         [0, 1].map(|side: usize| {

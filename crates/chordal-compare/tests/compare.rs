@@ -1,7 +1,9 @@
 //! Programs compared with each other: what makes a difference and what makes none.
 
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_compare::{Category, Comparison, Options, Value, Verdict, compare};
+use chordal_compare::{
+    Category, Comparison, ComparisonOptions, ComparisonVerdict, DifferenceValue, compare,
+};
 
 fn job<'a>(name: &str, machine: &str, text: &'a str) -> Job<'a> {
     let mut sources = SourceMap::new();
@@ -9,12 +11,12 @@ fn job<'a>(name: &str, machine: &str, text: &'a str) -> Job<'a> {
     Job::new(sources, Machine::from_builtin(machine).unwrap()).unwrap()
 }
 
-fn held(a: &str, b: &str, options: &Options) -> Comparison {
+fn held(a: &str, b: &str, options: &ComparisonOptions) -> Comparison {
     compare(&job("a.nc", "haas-vf2", a), &job("b.nc", "haas-vf2", b), options)
 }
 
 fn plain(a: &str, b: &str) -> Comparison {
-    held(a, b, &Options::default())
+    held(a, b, &ComparisonOptions::default())
 }
 
 fn lines(found: &Comparison, at: usize) -> [(u32, u32); 2] {
@@ -22,7 +24,7 @@ fn lines(found: &Comparison, at: usize) -> [(u32, u32); 2] {
 }
 
 fn only(found: &Comparison, category: Category) -> &chordal_compare::Difference {
-    assert_eq!(found.verdict, Verdict::Different);
+    assert_eq!(found.verdict, ComparisonVerdict::Different);
     let categories: Vec<_> = found.differences.iter().map(|one| one.category).collect();
     assert_eq!(categories, [category], "{:#?}", found.differences);
     &found.differences[0]
@@ -75,7 +77,7 @@ M99
 #[test]
 fn a_program_is_the_same_as_itself() {
     let found = plain(PART, PART);
-    assert_eq!(found.verdict, Verdict::Same);
+    assert_eq!(found.verdict, ComparisonVerdict::Same);
     assert_eq!(found.max_distance_mm, Some(0.0));
     assert_eq!(found.moves[0], found.moves[1]);
     assert!(found.farthest.is_none());
@@ -84,7 +86,7 @@ fn a_program_is_the_same_as_itself() {
 #[test]
 fn other_words_for_the_same_motion() {
     let found = plain(PART, OTHERWISE);
-    assert_eq!(found.verdict, Verdict::Same, "{:#?}", found.differences);
+    assert_eq!(found.verdict, ComparisonVerdict::Same, "{:#?}", found.differences);
     assert!(found.max_distance_mm.unwrap() < 1e-9);
     // 7 lines and an arc against lines in two, an arc in two.
     assert!(found.moves[1] > found.moves[0]);
@@ -95,7 +97,7 @@ fn inches_are_millimetres() {
     let mm = "G21 G90\nG0 X0 Y0 Z5.08\nG1 Z0 F254.\nX25.4\nG2 X50.8 Y25.4 I0 J25.4\nG1 X0\nM30\n";
     let inch = "G20 G90\nG0 X0 Y0 Z.2\nG1 Z0 F10.\nX1.\nG2 X2. Y1. I0 J1.\nG1 X0\nM30\n";
     let found = plain(mm, inch);
-    assert_eq!(found.verdict, Verdict::Same, "{:#?}", found.differences);
+    assert_eq!(found.verdict, ComparisonVerdict::Same, "{:#?}", found.differences);
 }
 
 #[test]
@@ -130,13 +132,13 @@ fn a_corner_moved_by_a_quarter() {
 #[test]
 fn within_the_tolerance() {
     let other = PART.replace("G1 Y30.", "G1 Y30.002");
-    let options = Options { tolerance_mm: 0.005, ..Options::default() };
+    let options = ComparisonOptions { tolerance_mm: 0.005, ..ComparisonOptions::default() };
     let found = held(PART, &other, &options);
-    assert_eq!(found.verdict, Verdict::Within);
+    assert_eq!(found.verdict, ComparisonVerdict::Within);
     assert!((found.max_distance_mm.unwrap() - 0.002).abs() < 1e-9);
     assert_eq!(found.farthest.map(|at| at.map(|place| place.line)), Some([10, 10]));
-    let options = Options { tolerance_mm: 0.001, ..Options::default() };
-    assert_eq!(held(PART, &other, &options).verdict, Verdict::Different);
+    let options = ComparisonOptions { tolerance_mm: 0.001, ..ComparisonOptions::default() };
+    assert_eq!(held(PART, &other, &options).verdict, ComparisonVerdict::Different);
 }
 
 #[test]
@@ -170,13 +172,13 @@ fn an_arc_and_its_chords() {
     chords += "M30\n";
     // Each chord leaves the arc by r(1 − cos(π/80)) = 7.709 µm.
     let sagitta = 10.0 * (1.0 - (std::f64::consts::PI / 80.0).cos());
-    let options = Options { tolerance_mm: 0.01, ..Options::default() };
+    let options = ComparisonOptions { tolerance_mm: 0.01, ..ComparisonOptions::default() };
     let found = held(arc, &chords, &options);
-    assert_eq!(found.verdict, Verdict::Within, "{:#?}", found.differences);
+    assert_eq!(found.verdict, ComparisonVerdict::Within, "{:#?}", found.differences);
     let most = found.max_distance_mm.unwrap();
     assert!(most >= sagitta - 1e-6 && most < sagitta * 1.02, "{most} against {sagitta}");
-    let options = Options { tolerance_mm: 0.007, ..Options::default() };
-    assert_eq!(held(arc, &chords, &options).verdict, Verdict::Different);
+    let options = ComparisonOptions { tolerance_mm: 0.007, ..ComparisonOptions::default() };
+    assert_eq!(held(arc, &chords, &options).verdict, ComparisonVerdict::Different);
 }
 
 #[test]
@@ -184,7 +186,9 @@ fn a_feed() {
     let found = plain(PART, &PART.replace("F600.", "F650."));
     let one = only(&found, Category::Feed);
     assert_eq!(found.max_distance_mm, Some(0.0));
-    let Some([Value::Feed(a), Value::Feed(b)]) = one.values.clone() else { panic!("{one:?}") };
+    let Some([DifferenceValue::Feed(a), DifferenceValue::Feed(b)]) = one.values.clone() else {
+        panic!("{one:?}")
+    };
     assert!((a - 10.0).abs() < 1e-9 && (b - 650.0 / 60.0).abs() < 1e-9);
     assert_eq!(lines(&found, 0), [(8, 12), (8, 12)]);
     assert_eq!(one.steps, [5, 5]);
@@ -204,7 +208,7 @@ fn a_spindle_a_tool_an_offset_a_coolant() {
         ("G1 Y30.", "G0 Y30.", Category::Rapid),
     ] {
         let found = plain(PART, &PART.replacen(from, to, 1));
-        assert_eq!(found.verdict, Verdict::Different, "{from} {to}");
+        assert_eq!(found.verdict, ComparisonVerdict::Different, "{from} {to}");
         let categories: Vec<_> = found.differences.iter().map(|one| one.category).collect();
         assert!(categories.contains(&category), "{from} {to}: {:#?}", found.differences);
         assert_eq!(found.max_distance_mm, Some(0.0), "{from} {to}");
@@ -232,7 +236,7 @@ fn two_pockets_in_another_order() {
     let a = program([&one, &two, &three]);
     let b = program([&one, &three, &two]);
     let found = plain(&a, &b);
-    assert_eq!(found.verdict, Verdict::Different);
+    assert_eq!(found.verdict, ComparisonVerdict::Different);
     assert!(found.max_distance_mm.unwrap() > 1.0);
     assert!(found.differences.iter().any(|one| one.category == Category::Order));
 }
@@ -248,9 +252,9 @@ fn an_error_that_only_one_has() {
 #[test]
 fn nothing_against_something() {
     let found = plain("", PART);
-    assert_eq!(found.verdict, Verdict::Different);
+    assert_eq!(found.verdict, ComparisonVerdict::Different);
     let found = plain("", "");
-    assert_eq!(found.verdict, Verdict::Same);
+    assert_eq!(found.verdict, ComparisonVerdict::Same);
     assert_eq!(found.max_distance_mm, None);
 }
 
@@ -258,7 +262,7 @@ fn nothing_against_something() {
 #[test]
 fn one_program_on_two_machines() {
     let text = "G20 G90\nG0 X0 Y0 Z.1\nG1 Z-.1 F10.\nX1.\nG3 X2. Y1. I0 J1.\nM2\n";
-    let options = Options::default();
+    let options = ComparisonOptions::default();
     let found = compare(&job("a", "fanuc-6m", text), &job("a", "haas-vf2", text), &options);
     assert!(found.max_distance_mm.unwrap() < 1e-9, "{:#?}", found.differences);
 }
@@ -271,8 +275,8 @@ fn turns_of_a_helix_in_pieces() {
     let turns =
         format!("{head}G3 Z-2. I-10.\nG3 Z-4. I-10.\nG3 Z-6. I-10.\nG3 I-10.\nG3 I-10.\nM30\n");
     let jobs = [&whole, &turns].map(|text| job("a.nc", "mitsubishi-m700", text));
-    let found = compare(&jobs[0], &jobs[1], &Options::default());
-    assert_eq!(found.verdict, Verdict::Same, "{:#?}", found.differences);
+    let found = compare(&jobs[0], &jobs[1], &ComparisonOptions::default());
+    assert_eq!(found.verdict, ComparisonVerdict::Same, "{:#?}", found.differences);
 }
 
 /// A rapid of two legs that rounding makes one of: the legs are walked together, not a leg with a cut.
@@ -281,9 +285,9 @@ fn rounding_makes_no_difference_within_the_tolerance() {
     let head = "G21 G90 S100 M3\nG0 X0 Y0 Z2.\n";
     let a = format!("{head}G0 X10. Y10.\nG1 Z-3. F100.\nG0 Z2.\nM30\n");
     let b = format!("{head}G0 X10. Y10.001\nG1 Z-3. F100.\nG0 Z2.\nM30\n");
-    let within = Options { tolerance_mm: 0.002, ..Options::default() };
+    let within = ComparisonOptions { tolerance_mm: 0.002, ..ComparisonOptions::default() };
     let found = held(&a, &b, &within);
-    assert_eq!(found.verdict, Verdict::Within, "{:#?}", found.differences);
+    assert_eq!(found.verdict, ComparisonVerdict::Within, "{:#?}", found.differences);
     assert!(found.max_distance_mm.unwrap() <= 0.0011);
 }
 
@@ -299,15 +303,15 @@ fn contours_as_programmed() {
         sources.add(Source::new("a.nc", text.as_bytes()));
         Job::new(sources, machine).unwrap()
     });
-    let center = compare(&jobs[0], &jobs[1], &Options::default());
+    let center = compare(&jobs[0], &jobs[1], &ComparisonOptions::default());
     assert!(center.max_distance_mm.unwrap() > 1.0, "an arc on one, two lines on the other");
-    let programmed = Options {
+    let programmed = ComparisonOptions {
         programmed: true,
         ignored: vec![Category::PathMode, Category::RapidPath],
-        ..Options::default()
+        ..ComparisonOptions::default()
     };
     let contour = compare(&jobs[0], &jobs[1], &programmed);
-    assert_eq!(contour.verdict, Verdict::Same, "{:#?}", contour.differences);
+    assert_eq!(contour.verdict, ComparisonVerdict::Same, "{:#?}", contour.differences);
 }
 
 /// Without a place that is known, both begin at the same one.
@@ -344,25 +348,25 @@ fn a_run_that_is_given_up_has_nothing_to_tell() {
     let other = long.replace("X1.", "X2.");
     let [a, b] = [&long, &other].map(|text| job("a.nc", "haas-vf2", text));
     let b = b.interrupt(std::sync::Arc::new(|| true));
-    let found = compare(&a, &b, &Options::default());
+    let found = compare(&a, &b, &ComparisonOptions::default());
     assert_eq!((found.max_distance_mm, found.differences.len()), (None, 0));
 }
 
 #[test]
 fn splines_as_far_apart_as_their_control_points_and_their_chords() {
-    let on = |a: &str, b: &str, options: &Options| {
+    let on = |a: &str, b: &str, options: &ComparisonOptions| {
         compare(&job("a.nc", "linuxcnc-mill", a), &job("b.nc", "linuxcnc-mill", b), options)
     };
     let text = "G21 G90 G17 S900 M3 F600\nG0 X0 Y0 Z0\nG5 I0 J30 P0 Q-30 X10 Y10\nM2\n";
-    let plain = Options::default();
-    assert_eq!(on(text, text, &plain).verdict, Verdict::Same);
+    let plain = ComparisonOptions::default();
+    assert_eq!(on(text, text, &plain).verdict, ComparisonVerdict::Same);
     // The same curve as a NURBS of order 4.
     let nurbs = text
         .replace("G5 I0 J30 P0 Q-30 X10 Y10", "G5.2 X0 Y30 P1 L4\nX10 Y-20 P1\nX10 Y10 P1\nG5.3");
-    assert_eq!(on(text, &nurbs, &plain).verdict, Verdict::Same);
+    assert_eq!(on(text, &nurbs, &plain).verdict, ComparisonVerdict::Same);
     let moved = text.replace("J30", "J31");
     let found = on(text, &moved, &plain);
-    assert_eq!(found.verdict, Verdict::Different);
+    assert_eq!(found.verdict, ComparisonVerdict::Different);
     // As far as the control points at most, and no nearer than the curves, 4/9 mm at t = 1/3.
     let far = found.max_distance_mm.unwrap();
     assert!(far > 0.3 && far <= 1.0, "{far}");

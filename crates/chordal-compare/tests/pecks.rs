@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_compare::{Category, Comparison, Options, Verdict, compare};
+use chordal_compare::{Category, Comparison, ComparisonOptions, ComparisonVerdict, compare};
 
 fn job(cycle: &str, settings: &[&str]) -> Job<'static> {
     let text = format!(
@@ -22,7 +22,7 @@ fn job(cycle: &str, settings: &[&str]) -> Job<'static> {
 fn compared(a: &Job, b: &Job) -> Comparison {
     let lines = BTreeSet::from([5, 6]);
     let free_pecks = [lines.clone(), lines];
-    compare(a, b, &Options { free_pecks, ..Options::default() })
+    compare(a, b, &ComparisonOptions { free_pecks, ..ComparisonOptions::default() })
 }
 
 const CYCLE: &str = "G98 G83 X10. Y0 Z-20. R2. Q6. F100.";
@@ -34,7 +34,7 @@ fn other_steps_are_the_same_hole() {
         job(&CYCLE.replace("Q6.", "Q4."), &["settings.peck_clearance=\"0.5 mm\""]),
     ];
     let found = compared(&a, &b);
-    assert_eq!(found.verdict, Verdict::Same, "{:?}", found.differences);
+    assert_eq!(found.verdict, ComparisonVerdict::Same, "{:?}", found.differences);
     assert_eq!(found.pecks.len(), 2);
     let [one, other] = &found.pecks[0];
     assert_eq!(one.depths_mm, [6.0, 12.0, 18.0, 22.0]);
@@ -48,14 +48,14 @@ fn other_steps_are_the_same_hole() {
 #[test]
 fn the_same_steps_are_not_told() {
     let found = compared(&job(CYCLE, &[]), &job(CYCLE, &[]));
-    assert_eq!((found.verdict, found.pecks.len()), (Verdict::Same, 0));
+    assert_eq!((found.verdict, found.pecks.len()), (ComparisonVerdict::Same, 0));
 }
 
 #[test]
 fn a_hole_in_one_cut_is_the_hole_of_the_pecks() {
     let [a, b] = [job(CYCLE, &[]), job(&CYCLE.replace("G83", "G81").replace("Q6. ", ""), &[])];
     let found = compared(&a, &b);
-    assert_eq!(found.verdict, Verdict::Same, "{:?}", found.differences);
+    assert_eq!(found.verdict, ComparisonVerdict::Same, "{:?}", found.differences);
     assert_eq!(found.pecks[0][1].depths_mm, [22.0]);
     assert_eq!(found.pecks[0][1].clearance_mm(), None);
 }
@@ -72,7 +72,7 @@ fn what_is_more_than_pecks_is_a_difference() {
     ] {
         let new = job(&CYCLE.replace(from, to), &[]);
         let found = compared(&old, &new);
-        assert_eq!(found.verdict, Verdict::Different, "{to}");
+        assert_eq!(found.verdict, ComparisonVerdict::Different, "{to}");
         assert!(found.differences.iter().any(|one| one.category == category), "{to}");
     }
 }
@@ -80,11 +80,14 @@ fn what_is_more_than_pecks_is_a_difference() {
 #[test]
 fn steps_of_other_lines_are_compared_move_by_move() {
     let [a, b] = [job(CYCLE, &[]), job(&CYCLE.replace("Q6.", "Q4."), &[])];
-    assert_eq!(compare(&a, &b, &Options::default()).verdict, Verdict::Different);
+    assert_eq!(
+        compare(&a, &b, &ComparisonOptions::default()).verdict,
+        ComparisonVerdict::Different
+    );
     // The second hole is drilled by line 6.
     let free_pecks = [BTreeSet::from([5]), BTreeSet::from([5])];
-    let found = compare(&a, &b, &Options { free_pecks, ..Options::default() });
-    assert_eq!(found.verdict, Verdict::Different);
+    let found = compare(&a, &b, &ComparisonOptions { free_pecks, ..ComparisonOptions::default() });
+    assert_eq!(found.verdict, ComparisonVerdict::Different);
     let lines = found.differences.iter().filter_map(|one| one.blocks[0]).map(|at| at.lines());
     assert!(lines.into_iter().all(|lines| lines == (6, 6)), "{:?}", found.differences);
 }
@@ -101,6 +104,7 @@ fn pecks_by_hand_are_compared_move_by_move() {
         Job::new(sources, machine).expect("good settings")
     });
     let lines: BTreeSet<u32> = (1..=10).collect();
-    let options = Options { free_pecks: [lines.clone(), lines], ..Options::default() };
-    assert_eq!(compare(&a, &b, &options).verdict, Verdict::Different);
+    let options =
+        ComparisonOptions { free_pecks: [lines.clone(), lines], ..ComparisonOptions::default() };
+    assert_eq!(compare(&a, &b, &options).verdict, ComparisonVerdict::Different);
 }

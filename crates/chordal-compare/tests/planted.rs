@@ -6,7 +6,7 @@
 use std::path::{Path, PathBuf};
 
 use chordal::{Job, Machine, Segment, Source, SourceMap};
-use chordal_compare::{Category, Difference, Options, Verdict, compare};
+use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, Difference, compare};
 
 /// Examples with the machine that their folder says.
 fn examples() -> Vec<(PathBuf, &'static str)> {
@@ -114,8 +114,14 @@ fn a_planted_digit_is_found() {
         let text = std::fs::read(&file).unwrap();
         let original = job(&text, machine);
         let plain = segments(&original);
-        let own = compare(&original, &original, &Options::default());
-        assert_eq!(own.verdict, Verdict::Same, "{}: {:#?}", file.display(), own.differences);
+        let own = compare(&original, &original, &ComparisonOptions::default());
+        assert_eq!(
+            own.verdict,
+            ComparisonVerdict::Same,
+            "{}: {:#?}",
+            file.display(),
+            own.differences
+        );
         for (count, at) in digits(&text).into_iter().enumerate() {
             if count % step != 0 {
                 continue;
@@ -124,7 +130,7 @@ fn a_planted_digit_is_found() {
             changed[at] = if text[at] == b'9' { b'8' } else { text[at] + 1 };
             let other = job(&changed, machine);
             let apart = apart(&plain, &segments(&other));
-            let held = compare(&original, &other, &Options::default());
+            let held = compare(&original, &other, &ComparisonOptions::default());
             planted += 1;
             let line = 1 + text[..at].iter().filter(|byte| **byte == b'\n').count() as u32;
             let name = format!("{}:{line}", file.file_name().unwrap().to_string_lossy());
@@ -133,19 +139,19 @@ fn a_planted_digit_is_found() {
                     assert_eq!(held.max_distance_mm.unwrap_or(0.0), 0.0, "{name}");
                 }
                 Some(ends) if ends > 1e-6 => {
-                    if held.verdict == Verdict::Same {
+                    if held.verdict == ComparisonVerdict::Same {
                         silent.push(name);
                         continue;
                     }
                     found += 1;
-                    assert_eq!(held.verdict, Verdict::Different, "{name}");
+                    assert_eq!(held.verdict, ComparisonVerdict::Different, "{name}");
                     // Along one line only where rapids and cuts meet, or two feeds, may have moved.
                     let is_path = |one: &Difference| one.category == Category::Path;
                     along += usize::from(!held.differences.iter().any(is_path));
                 }
                 _ => {
                     found += 1;
-                    if held.verdict == Verdict::Same {
+                    if held.verdict == ComparisonVerdict::Same {
                         silent.push(name);
                     }
                 }

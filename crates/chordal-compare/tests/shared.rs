@@ -1,7 +1,7 @@
 //! What two programs must share: a difference of every item is seen.
 
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_compare::{Category, Options, Verdict, compare};
+use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, compare};
 
 fn job(text: &str, machine: &str) -> Job<'static> {
     let mut sources = SourceMap::new();
@@ -73,10 +73,10 @@ fn a_planted_difference_of_every_item_is_seen() {
     let mut missed = Vec::new();
     for (machine, line, other, category) in PLANTED {
         let jobs = [line, other].map(|line| job(&program(line, machine), machine));
-        let found = compare(&jobs[0], &jobs[1], &Options::default());
+        let found = compare(&jobs[0], &jobs[1], &ComparisonOptions::default());
         let categories: Vec<Category> =
             found.differences.iter().map(|difference| difference.category).collect();
-        if found.verdict != Verdict::Different || !categories.contains(category) {
+        if found.verdict != ComparisonVerdict::Different || !categories.contains(category) {
             missed
                 .push(format!("{machine}: {line:?} {other:?}: {:?} {categories:?}", found.verdict));
         }
@@ -89,7 +89,7 @@ fn an_unchanged_program_has_no_difference() {
     for (machine, line, other, _) in PLANTED {
         for line in [line, other] {
             let jobs = [line, line].map(|line| job(&program(line, machine), machine));
-            let found = compare(&jobs[0], &jobs[1], &Options::default());
+            let found = compare(&jobs[0], &jobs[1], &ComparisonOptions::default());
             assert!(found.differences.is_empty(), "{machine}: {line}: {:?}", found.differences);
         }
     }
@@ -102,6 +102,9 @@ fn the_time_of_a_rotary_move_is_compared() {
     };
     for pair in [["135.", "60."], ["100.", "101."]] {
         let jobs = pair.map(rotary);
-        assert_eq!(compare(&jobs[0], &jobs[1], &Options::default()).verdict, Verdict::Different);
+        assert_eq!(
+            compare(&jobs[0], &jobs[1], &ComparisonOptions::default()).verdict,
+            ComparisonVerdict::Different
+        );
     }
 }

@@ -12,18 +12,18 @@ const MOST_BYTES: usize = 64 << 20;
 
 /// Texts that never move and never go, so that those who read them may go on.
 #[derive(Debug, Default)]
-pub(crate) struct Appended {
+pub(crate) struct AppendOnlyTexts {
     texts: boxcar::Vec<Source<'static>>,
-    index: Mutex<Index>,
+    index: Mutex<TextIndex>,
 }
 
 #[derive(Debug, Default)]
-struct Index {
+struct TextIndex {
     by_hash: HashMap<u64, Vec<usize>>,
     bytes: usize,
 }
 
-impl Appended {
+impl AppendOnlyTexts {
     /// The place of a text, which is kept once; `None` when there are too many.
     pub fn place(&self, name: &str, text: &str) -> Option<usize> {
         let mut hasher = DefaultHasher::new();

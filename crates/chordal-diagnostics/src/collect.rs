@@ -6,7 +6,7 @@ use crate::{Code, Diagnostic, Severity, Span};
 
 /// How many diagnostics of each severity there were, the uncollected ones included.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Counts {
+pub struct SeverityCounts {
     /// Errors.
     pub errors: u64,
     /// Warnings.
@@ -15,7 +15,7 @@ pub struct Counts {
     pub notes: u64,
 }
 
-impl Counts {
+impl SeverityCounts {
     /// Adds one.
     pub fn add(&mut self, severity: Severity) {
         match severity {
@@ -35,7 +35,7 @@ pub struct Collector {
     kept_per_code: BTreeMap<Code, usize>,
     dropped: BTreeMap<Code, u64>,
     told: HashSet<(Code, Span)>,
-    counts: Counts,
+    counts: SeverityCounts,
     path_lost: Option<Span>,
     time_lost: Option<Span>,
 }
@@ -49,7 +49,7 @@ impl Collector {
             kept_per_code: BTreeMap::new(),
             dropped: BTreeMap::new(),
             told: HashSet::new(),
-            counts: Counts::default(),
+            counts: SeverityCounts::default(),
             path_lost: None,
             time_lost: None,
         }
@@ -122,7 +122,7 @@ impl Collector {
     }
 
     /// All counted.
-    pub fn counts(&self) -> Counts {
+    pub fn counts(&self) -> SeverityCounts {
         self.counts
     }
 

@@ -29,11 +29,11 @@ mod source;
 mod source_map;
 mod span;
 
-pub use collect::{Collector, Counts};
+pub use collect::{Collector, SeverityCounts};
 pub use diagnostic::{Applicability, Diagnostic, Fix, Label};
 pub use registry::{Code, CodeInfo};
 pub use severity::Severity;
-pub use shift::Shift;
+pub use shift::TextShift;
 pub use source::{LineColumn, Source, line_end_length, line_ends};
 pub use source_map::SourceMap;
 pub use span::{FileId, Span, TextRange};

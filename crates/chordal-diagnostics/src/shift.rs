@@ -5,7 +5,7 @@ use crate::{Diagnostic, FileId, Span, TextRange};
 
 /// How one text became another: what stands before and after the one place where they differ.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Shift {
+pub struct TextShift {
     /// The bytes that went, in the old text.
     changed: TextRange,
     /// The same with the lines around it, whose reading the change may touch.
@@ -14,9 +14,9 @@ pub struct Shift {
     lines: i64,
 }
 
-impl Shift {
+impl TextShift {
     /// Compares two texts.
-    pub fn between(old: &[u8], new: &[u8]) -> Shift {
+    pub fn between(old: &[u8], new: &[u8]) -> TextShift {
         let before = common(old, new);
         let rest = old.len().min(new.len()) - before;
         let behind = old.len() - common_end(&old[old.len() - rest..], &new[new.len() - rest..]);
@@ -25,7 +25,7 @@ impl Shift {
         let bytes = new.len() as i64 - old.len() as i64;
         let count = |text: &[u8]| line_ends(text).count() as i64;
         let to_new = (to as i64 + bytes) as usize;
-        Shift {
+        TextShift {
             changed: TextRange::new(before as u32, behind as u32),
             touched: TextRange::new(from as u32, to as u32),
             bytes,
@@ -129,7 +129,7 @@ mod tests {
     fn words_before_stay_and_words_behind_move() {
         let old = b"N1\nN2\nN3 X1.\nN4\nN5\nN6\n";
         let new = b"N1\nN2\nN3 X1.\nG4\nX22.\nN4\nN5\nN6\n";
-        let shift = Shift::between(old, new);
+        let shift = TextShift::between(old, new);
         assert_eq!(shift.lines(), 2);
         assert_eq!(shift.range(TextRange::new(3, 5)), Some(TextRange::new(3, 5)));
         let last = TextRange::new(19, 21);
@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn words_that_went_are_nowhere() {
-        let shift = Shift::between(b"G0 X1.\nG1 Y2.\nM30\n", b"G0 X1.\nM30\n");
+        let shift = TextShift::between(b"G0 X1.\nG1 Y2.\nM30\n", b"G0 X1.\nM30\n");
         assert_eq!(shift.lines(), -1);
         let gone = shift.range(TextRange::new(10, 13));
         assert_eq!(gone, None);
@@ -151,20 +151,20 @@ mod tests {
     #[test]
     fn a_text_that_is_the_same_leaves_everything() {
         let text = b"G0 X1.\r\nM30\r\n";
-        let shift = Shift::between(text, text);
+        let shift = TextShift::between(text, text);
         assert_eq!(shift.lines(), 0);
         for at in 0..=text.len() as u32 {
             assert_eq!(shift.place(at, 1), Some((at, 1)));
         }
-        let shift = Shift::between(b"", b"G0\n");
+        let shift = TextShift::between(b"", b"G0\n");
         assert_eq!(shift.place(0, 1), Some((3, 2)), "what the end was is the end");
     }
 
     #[test]
     fn half_a_line_end_is_no_line() {
-        let shift = Shift::between(b"A\rB\rC\rD\r", b"A\r\nB\rC\rD\r");
+        let shift = TextShift::between(b"A\rB\rC\rD\r", b"A\r\nB\rC\rD\r");
         assert_eq!(shift.lines(), 0);
-        let shift = Shift::between(b"A\r\nB\r\nC\r\nD", b"A\r\nB\r\nC\r\r\nD");
+        let shift = TextShift::between(b"A\r\nB\r\nC\r\nD", b"A\r\nB\r\nC\r\r\nD");
         assert_eq!(shift.lines(), 1);
     }
 }

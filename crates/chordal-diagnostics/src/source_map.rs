@@ -2,14 +2,14 @@
 
 use std::borrow::Cow;
 
-use crate::appended::Appended;
+use crate::appended::AppendOnlyTexts;
 use crate::{FileId, Source, Span};
 
 /// The texts of a job, by [`FileId`].
 #[derive(Debug, Default)]
 pub struct SourceMap<'a> {
     sources: Vec<Source<'a>>,
-    appended: Appended,
+    appended: AppendOnlyTexts,
 }
 
 impl<'a> SourceMap<'a> {

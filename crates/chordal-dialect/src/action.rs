@@ -8,7 +8,7 @@
 //! [`BlockOrder`](crate::BlockOrder) says how.
 
 use chordal_command::Units;
-use chordal_geometry::Direction;
+use chordal_geometry::TurnDirection;
 use chordal_kernel::rules::{CycleKind, HolePattern, TurnCycle};
 use chordal_kernel::{MotionMode, SplineForm, TurnPass};
 
@@ -374,7 +374,7 @@ impl OnceCode {
 
 /// What P of a call names.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Called {
+pub enum CallTarget {
     /// A program.
     Program,
     /// A block number.
@@ -383,12 +383,12 @@ pub enum Called {
 
 impl CallCode {
     /// What P names; `None` where the code takes none.
-    pub const fn called(self) -> Option<Called> {
+    pub const fn called(self) -> Option<CallTarget> {
         match self {
             CallCode::CallProgram | CallCode::MacroCall | CallCode::ModalMacroCall { .. } => {
-                Some(Called::Program)
+                Some(CallTarget::Program)
             }
-            CallCode::CallLabel | CallCode::Return => Some(Called::Label),
+            CallCode::CallLabel | CallCode::Return => Some(CallTarget::Label),
             CallCode::SubroutineEnd => None,
         }
     }
@@ -461,10 +461,10 @@ impl From<MotionMode> for Action {
         let code = match motion {
             MotionMode::Rapid => MotionCode::Rapid,
             MotionMode::Linear => MotionCode::Linear,
-            MotionMode::Arc(Direction::Cw) => MotionCode::ArcCw,
-            MotionMode::Arc(Direction::Ccw) => MotionCode::ArcCcw,
-            MotionMode::Spiral(Direction::Cw) => MotionCode::SpiralCw,
-            MotionMode::Spiral(Direction::Ccw) => MotionCode::SpiralCcw,
+            MotionMode::Arc(TurnDirection::Cw) => MotionCode::ArcCw,
+            MotionMode::Arc(TurnDirection::Ccw) => MotionCode::ArcCcw,
+            MotionMode::Spiral(TurnDirection::Cw) => MotionCode::SpiralCw,
+            MotionMode::Spiral(TurnDirection::Ccw) => MotionCode::SpiralCcw,
             MotionMode::Thread => MotionCode::Thread,
             MotionMode::RigidTap => MotionCode::RigidTap,
             MotionMode::Spline(form) => MotionCode::Spline(form),

@@ -8,7 +8,7 @@ use chordal_syntax::{Decimal, Word};
 use crate::controls;
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
-use crate::scale::Scale;
+use crate::scale::LiteralScale;
 use crate::settings::{self, SettingError};
 use crate::table::{CodeRow, ControlTable, DwellWord, code_number};
 
@@ -129,7 +129,7 @@ impl Control {
     /// What the number 1 is in a word of length, mm: written with a point (`1.`) or without.
     pub fn length_unit_mm(&self, units: Units, has_point: bool) -> f64 {
         let one = Decimal { mantissa: 1, scale: 0, has_point, negative: false };
-        Scale::new(units, &self.parameters).length(one)
+        LiteralScale::new(units, &self.parameters).length(one)
     }
 
     /// What the control shows for problems.

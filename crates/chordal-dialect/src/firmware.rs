@@ -7,7 +7,7 @@ use chordal_syntax::Letters;
 
 /// A mistake in a block, in the order in which the firmware looks for them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Refusal {
+pub enum FirmwareError {
     /// Something that is no letter where a word begins.
     NoLetter,
     /// A letter without a number.
@@ -70,7 +70,7 @@ pub enum Refusal {
 
 /// What a slash in a line does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Slash {
+pub enum SlashMeaning {
     /// It is dropped, wherever it stands.
     Dropped,
     /// The same, but at the begin of a line it takes the line away where block delete is on.
@@ -89,7 +89,7 @@ pub struct LineRules {
     /// The firmware itself reads `%` on a line of its own as a mark; for others the sender drops it.
     pub percent_marks: bool,
     /// A slash.
-    pub slash: Slash,
+    pub slash: SlashMeaning,
     /// So many digits of a number count.
     pub digits: u32,
     /// Zeros in front are among them.
@@ -166,7 +166,7 @@ pub type NeededWords = (u8, u16, &'static str);
 #[derive(Clone, Copy, Debug)]
 pub struct RefusalRow {
     /// The mistake.
-    pub refusal: Refusal,
+    pub refusal: FirmwareError,
     /// The number of its answer `error:20`.
     pub number: u8,
     /// What is wrong, for people.
@@ -230,7 +230,7 @@ pub struct Firmware {
 
 impl Firmware {
     /// What it says of a mistake.
-    pub fn row(&self, refusal: Refusal) -> Option<&'static RefusalRow> {
+    pub fn row(&self, refusal: FirmwareError) -> Option<&'static RefusalRow> {
         self.rows.into_iter().flatten().find(|row| row.refusal == refusal)
     }
 }

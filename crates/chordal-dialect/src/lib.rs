@@ -40,21 +40,21 @@ mod vocabulary;
 mod word_rules;
 
 pub use action::{
-    Action, AfterCode, BeforeCode, CallCode, Called, LengthCode, ModeCode, MotionCode, OnceCode,
-    PathCode, ReadingCode, SurfaceCode,
+    Action, AfterCode, BeforeCode, CallCode, CallTarget, LengthCode, ModeCode, MotionCode,
+    OnceCode, PathCode, ReadingCode, SurfaceCode,
 };
 pub use block_order::{BlockOrder, BlockStep};
 pub use command_line::CommandLine;
 pub use control::{Control, FIRST_ALIAS_SUBPROGRAM, table};
 pub use controls::ALL as CONTROLS;
 pub use parameters::*;
-pub use post::Post;
-pub use scale::Scale;
+pub use post::PostTemplate;
+pub use scale::LiteralScale;
 pub use settings::{
-    COMMON as COMMON_SETTINGS, Certainty, CompensationField, CycleField, Field, PathField, Setting,
-    SettingError, TurningField, value_text,
+    COMMON as COMMON_SETTINGS, Certainty, CompensationField, CycleField, PathField, Setting,
+    SettingError, SettingField, TurningField, value_text,
 };
 pub use spatial::SpatialRules;
 pub use surface::{SurfaceRules, SurfaceWord};
-pub use table::{CodeRow, ControlTable, DataTarget, Group, code_name, code_number};
+pub use table::{CodeGroup, CodeRow, ControlTable, DataTarget, code_name, code_number};
 pub use word_rules::{WordRule, WordTest};

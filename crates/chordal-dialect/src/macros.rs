@@ -16,13 +16,13 @@ pub struct VariableRange {
     /// second name this one is.
     pub stored: u32,
     /// How long they hold what was written.
-    pub held: Held,
+    pub held: VariableRetention,
 }
 
 /// How long a common variable holds what was written. Until a program writes it, its value is not known in
 /// either case: another program may have run before.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Held {
+pub enum VariableRetention {
     /// Until the control is switched off, or reset where a parameter says so.
     UntilPowerOff,
     /// Over power-off.
@@ -31,22 +31,22 @@ pub enum Held {
 
 /// Writes a range of variables that is empty after power-on.
 pub const fn common(first: u32, last: u32) -> VariableRange {
-    VariableRange { first, last, stored: first, held: Held::UntilPowerOff }
+    VariableRange { first, last, stored: first, held: VariableRetention::UntilPowerOff }
 }
 
 /// Writes a range of variables that keep their values over power-off.
 pub const fn kept(first: u32, last: u32) -> VariableRange {
-    VariableRange { first, last, stored: first, held: Held::OverPowerOff }
+    VariableRange { first, last, stored: first, held: VariableRetention::OverPowerOff }
 }
 
 /// Writes a range that is another name for the variables from `stored` on, which are kept.
 pub const fn alias(first: u32, last: u32, stored: u32) -> VariableRange {
-    VariableRange { first, last, stored, held: Held::OverPowerOff }
+    VariableRange { first, last, stored, held: VariableRetention::OverPowerOff }
 }
 
 /// What a system variable shows.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum System {
+pub enum SystemVariable {
     /// End of the last block, work coordinates without the tool length; one per axis.
     BlockEnd,
     /// Machine coordinates.
@@ -138,7 +138,7 @@ pub struct SystemRow {
     /// The last.
     pub last: u32,
     /// What they show.
-    pub what: System,
+    pub what: SystemVariable,
     /// Numbers from one work offset to the next.
     pub step: u32,
 }
@@ -149,18 +149,18 @@ pub const OFFSET_STEP: u32 = 20;
 pub const TURN_PLACE: u32 = 9;
 
 /// Writes a row of system variables.
-pub const fn system(first: u32, last: u32, what: System) -> SystemRow {
+pub const fn system(first: u32, last: u32, what: SystemVariable) -> SystemRow {
     SystemRow { first, last, what, step: OFFSET_STEP }
 }
 
 /// Writes a row of work offsets with another distance from one to the next.
-pub const fn system_by(step: u32, first: u32, last: u32, what: System) -> SystemRow {
+pub const fn system_by(step: u32, first: u32, last: u32, what: SystemVariable) -> SystemRow {
     SystemRow { first, last, what, step }
 }
 
 /// What a variable holds that was never written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Unset {
+pub enum UnsetValue {
     /// Null.
     Null,
     /// Zero.
@@ -169,7 +169,7 @@ pub enum Unset {
 
 /// FIX and FUP.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Fix {
+pub enum RoundingRule {
     /// FIX toward zero, FUP away from it.
     TowardZero,
     /// FIX down, FUP up.
@@ -178,7 +178,7 @@ pub enum Fix {
 
 /// AND, OR and XOR.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Logic {
+pub enum LogicRule {
     /// Bit by bit on 32-bit integers; on the values of comparisons as truth values.
     Bitwise,
     /// True or false.
@@ -219,7 +219,7 @@ pub enum MacroForm {
 
 /// What stands behind THEN.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Then {
+pub enum ThenClause {
     /// One macro statement.
     Statement,
     /// Anything but GOTO, NC words too.
@@ -255,7 +255,7 @@ pub struct MacroRules {
     /// System variables in order.
     pub system: &'static [SystemRow],
     /// What a variable holds that was never written.
-    pub unset: Unset,
+    pub unset: UnsetValue,
     /// Largest distance of the number of a variable from a whole number; 0.5 rounds.
     pub index_tolerance: f64,
     /// Values of words are rounded to the least increment of their address.
@@ -265,11 +265,11 @@ pub struct MacroRules {
     /// ASIN gives 270 to 90 degrees, not -90 to 90.
     pub asin_full_circle: bool,
     /// FIX and FUP.
-    pub fix: Fix,
+    pub fix: RoundingRule,
     /// MOD is never negative; otherwise it has the sign of the dividend.
     pub modulo_positive: bool,
     /// AND, OR and XOR.
-    pub logic: Logic,
+    pub logic: LogicRule,
     /// The place of a skip move is told with the tool length in it.
     pub skip_with_length: bool,
     /// A comparison may be assigned: 1 or 0.
@@ -277,7 +277,7 @@ pub struct MacroRules {
     /// EQ and NE take values as equal that are nearer than this.
     pub equal_tolerance: f64,
     /// THEN.
-    pub then: Then,
+    pub then: ThenClause,
     /// NC words and a macro statement may stand in one block.
     pub mixed_blocks: bool,
     /// Largest number of DO.
@@ -300,7 +300,7 @@ pub struct MacroRules {
     pub output_blanks: bool,
     /// DPRNT needs POPEN before.
     pub output_needs_open: bool,
-    /// What the variables of [`System::ModalGroup`] show, group 1 first.
+    /// What the variables of [`SystemVariable::ModalGroup`] show, group 1 first.
     pub modal_groups: &'static [ModalGroup],
     /// The program that the first G code calls which a setting makes a call.
     pub g_alias_programs: u32,
@@ -320,18 +320,18 @@ impl MacroRules {
         locals: 0,
         common: &[],
         system: &[],
-        unset: Unset::Zero,
+        unset: UnsetValue::Zero,
         index_tolerance: 0.0001,
         round_words: false,
         atan_full_circle: false,
         asin_full_circle: false,
-        fix: Fix::Floor,
+        fix: RoundingRule::Floor,
         modulo_positive: true,
-        logic: Logic::Logical,
+        logic: LogicRule::Logical,
         skip_with_length: false,
         comparison_is_value: true,
         equal_tolerance: 0.0,
-        then: Then::Statement,
+        then: ThenClause::Statement,
         mixed_blocks: true,
         last_loop: 0,
         loop_depth: 0,
@@ -354,14 +354,14 @@ impl MacroRules {
         macro_b: true,
         form: MacroForm::Blocks,
         locals: 33,
-        unset: Unset::Null,
+        unset: UnsetValue::Null,
         index_tolerance: 0.5,
         round_words: true,
         atan_full_circle: true,
         asin_full_circle: true,
-        fix: Fix::TowardZero,
+        fix: RoundingRule::TowardZero,
         modulo_positive: false,
-        logic: Logic::Bitwise,
+        logic: LogicRule::Bitwise,
         skip_with_length: true,
         comparison_is_value: false,
         mixed_blocks: false,
@@ -385,7 +385,7 @@ impl MacroRules {
     }
 
     /// What a system variable shows, and its place in its row, where work offsets are [`OFFSET_STEP`] apart.
-    pub fn system_at(&self, number: u32) -> Option<(System, u32)> {
+    pub fn system_at(&self, number: u32) -> Option<(SystemVariable, u32)> {
         let index = self.system.partition_point(|row| row.last < number);
         let row = self.system.get(index).filter(|row| row.first <= number)?;
         let at = number - row.first;

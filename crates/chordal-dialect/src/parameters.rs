@@ -115,7 +115,7 @@ pub struct Parameters {
     /// Who sends the blocks goes on after one that the control refuses.
     pub goes_on_after_refusal: bool,
     /// What the build of its firmware has.
-    pub build: Build,
+    pub build: FirmwareBuild,
     /// An F of zero or below it does nothing (Marlin).
     pub zero_feed_passed_over: bool,
     /// G92 writes the active work coordinate system, and at power-on that of the machine is active (Marlin).
@@ -168,7 +168,7 @@ pub struct Parameters {
     /// ATAN and ASIN of macro programs give 0 to 360 degrees, not -180 to 180.
     pub macro_angles_full_circle: bool,
     /// Codes that call macros.
-    pub aliases: Aliases,
+    pub aliases: MacroAliases,
     /// Letters that move an axis by an increment, and the letter of the axis (`U` of `X`).
     pub increments: &'static [(u8, u8)],
     /// Words of X are radii at power-on, whatever the machine file has (LinuxCNC G8).
@@ -236,7 +236,7 @@ pub enum ToolChanger {
 /// What the build of a firmware has.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[allow(missing_docs, reason = "named as `BuildOption` is")]
-pub struct Build {
+pub struct FirmwareBuild {
     pub mist: bool,
     pub tool_table: bool,
     pub expressions: bool,
@@ -252,9 +252,9 @@ pub struct Build {
     pub coolant: bool,
 }
 
-impl Build {
+impl FirmwareBuild {
     /// What is there where a table says nothing else: options that few firmwares have are not.
-    pub const COMMON: Build = Build {
+    pub const COMMON: FirmwareBuild = FirmwareBuild {
         mist: false,
         tool_table: false,
         expressions: false,
@@ -311,7 +311,7 @@ impl Build {
 
 /// Codes that call macros, by their numbers; 0 where there is none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Aliases {
+pub struct MacroAliases {
     /// There is any.
     pub any: bool,
     /// G codes.
@@ -364,7 +364,7 @@ impl Parameters {
         end_optional: false,
         tool_change: ToolChanger::Machine,
         goes_on_after_refusal: false,
-        build: Build::COMMON,
+        build: FirmwareBuild::COMMON,
         zero_feed_passed_over: false,
         preset_writes_system: false,
         power_letter: None,
@@ -390,7 +390,7 @@ impl Parameters {
         fixed_routine_count: FixedRoutineCount::Repeat,
         bore_diameter_register: 1,
         macro_angles_full_circle: false,
-        aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
+        aliases: MacroAliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
         increments: &[],
         starts_with_radii: false,
         face_x_radius: false,

@@ -2,7 +2,7 @@
 
 /// The frame of a program. In the lines `{…}` is what the thread mill program fills in.
 #[derive(Debug)]
-pub struct Post {
+pub struct PostTemplate {
     /// What stands around a remark.
     pub remark: [&'static str; 2],
     /// Before the remarks: file mark and program number.
@@ -15,7 +15,7 @@ pub struct Post {
     pub two_digits: bool,
 }
 
-impl Post {
+impl PostTemplate {
     /// A G code as this control's people write it.
     pub fn code(&self, number: u32) -> String {
         if self.two_digits { format!("G{number:02}") } else { format!("G{number}") }

@@ -5,7 +5,7 @@
 
 /// Something in the text that speaks for a control, or against it.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Sign {
+pub enum RecognitionSign {
     /// A block of these words, with blanks between them, in any order:
     ///
     /// | term | the block has |
@@ -53,12 +53,12 @@ pub enum Sign {
     /// The same of a line that holds nothing else.
     Line(&'static [&'static str]),
     /// A form that is no pattern of words.
-    Form(Form),
+    Form(TextForm),
 }
 
 /// Forms that are no pattern of words.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Form {
+pub enum TextForm {
     /// `R0+1.`: a register word.
     Register,
     /// More comments are left open than are closed.
@@ -105,9 +105,9 @@ pub enum Form {
 
 /// A sign and how strongly it speaks.
 #[derive(Clone, Copy, Debug)]
-pub struct Evidence {
+pub struct RecognitionEvidence {
     /// What to look for.
-    pub sign: Sign,
+    pub sign: RecognitionSign,
     /// How much it says; below zero it speaks against.
     pub weight: i32,
     /// For people: `G154 chooses an extended work offset`. Of several signs with the same words one counts.
@@ -116,9 +116,9 @@ pub struct Evidence {
     pub machine: Option<&'static str>,
 }
 
-impl Evidence {
+impl RecognitionEvidence {
     /// The same for programs of this built-in machine.
-    pub const fn on(mut self, machine: &'static str) -> Evidence {
+    pub const fn on(mut self, machine: &'static str) -> RecognitionEvidence {
         self.machine = Some(machine);
         self
     }
@@ -130,14 +130,18 @@ pub struct MachineKind {
     /// It is a lathe.
     pub turns: bool,
     /// The signs that a program is for this kind at all.
-    pub signs: &'static [Evidence],
+    pub signs: &'static [RecognitionEvidence],
     /// So much they must weigh together.
     pub needed: i32,
 }
 
 /// Writes a sign.
-pub const fn evidence(sign: Sign, weight: i32, reason: &'static str) -> Evidence {
-    Evidence { sign, weight, reason, machine: None }
+pub const fn evidence(
+    sign: RecognitionSign,
+    weight: i32,
+    reason: &'static str,
+) -> RecognitionEvidence {
+    RecognitionEvidence { sign, weight, reason, machine: None }
 }
 
 /// A comment with one of these words is about the machine that the program is for.

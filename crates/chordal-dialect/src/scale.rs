@@ -7,7 +7,7 @@ use crate::parameters::{DecimalPoint, Parameters};
 
 /// How literals become millimetres: `mantissa · factor / 10^(scale + extra)`.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Scale {
+pub struct LiteralScale {
     factor: i64,
     with_point: u8,
     without_point: u8,
@@ -16,21 +16,21 @@ pub struct Scale {
     pub decimals: u8,
 }
 
-impl Scale {
+impl LiteralScale {
     /// For the units in force.
-    pub fn new(units: Units, parameters: &Parameters) -> Scale {
+    pub fn new(units: Units, parameters: &Parameters) -> LiteralScale {
         let whole = parameters.decimal_point == DecimalPoint::Calculator;
         let digits = |digits: u8| if whole { 0 } else { digits };
         let decimals = parameters.kept_decimals(units);
         match units {
-            Units::Inch => Scale {
+            Units::Inch => LiteralScale {
                 factor: 254,
                 with_point: 1,
                 without_point: 1 + digits(parameters.rules.increment_digits_inch),
                 angle_without_point: digits(3),
                 decimals,
             },
-            Units::Millimetre => Scale {
+            Units::Millimetre => LiteralScale {
                 factor: 1,
                 with_point: 0,
                 without_point: digits(parameters.rules.increment_digits_mm),

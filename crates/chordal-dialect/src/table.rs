@@ -6,22 +6,22 @@ use crate::command_line::CommandLine;
 use crate::firmware::Firmware;
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
-use crate::post::Post;
-use crate::recognition::{Evidence, MachineKind};
+use crate::post::PostTemplate;
+use crate::recognition::{MachineKind, RecognitionEvidence};
 use crate::settings::Setting;
 use crate::spatial::SpatialRules;
 use crate::surface::SurfaceRules;
 use crate::word_rules::WordRule;
 use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
-use chordal_geometry::Direction;
+use chordal_geometry::TurnDirection;
 use chordal_kernel::{Alarms, ToolValue};
 use chordal_syntax::{Block, Decimal, Letters, Lexicon};
 
 /// Codes of one group exclude each other. The numbers are Fanuc's and Haas's.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
 #[allow(missing_docs, reason = "the names are the field's own")]
-pub enum Group {
+pub enum CodeGroup {
     OneShot,
     Motion,
     Plane,
@@ -58,7 +58,7 @@ pub struct CodeRow {
     /// Ten times the number: G54.1 is 541.
     pub code: u16,
     /// Codes of one group exclude each other.
-    pub group: Group,
+    pub group: CodeGroup,
     /// What it does.
     pub action: Action,
     /// Letters beside the axes and F that it takes.
@@ -134,7 +134,7 @@ pub const ANY_WORDS: &str = "XYZABCIJKPQRLDHE";
 /// Writes a row of a code table.
 pub const fn row(
     code: u16,
-    group: Group,
+    group: CodeGroup,
     action: Action,
     words: &'static str,
     title: &'static str,
@@ -155,7 +155,7 @@ pub enum LineRepeat {
 
 /// How subroutines are written beside M98.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Subroutines {
+pub enum SubroutineForm {
     /// There are none.
     None,
     /// Sections `L100`, `L200`, … before the main program, ended by M17, the whole by M30;
@@ -173,11 +173,11 @@ pub enum FixedRoutine {
     /// The cycle in force on a circle.
     BoltCircle,
     /// Bore milling.
-    Bore(Direction),
+    Bore(TurnDirection),
     /// A rectangular pocket.
-    Rectangle(Direction),
+    Rectangle(TurnDirection),
     /// A circular pocket.
-    Circle(Direction),
+    Circle(TurnDirection),
 }
 
 /// How motion codes are modal.
@@ -275,7 +275,7 @@ pub struct ControlTable {
     /// G90 and G91 may stand in one block.
     pub line_repeat: LineRepeat,
     /// Subroutines beside M98.
-    pub subroutines: Subroutines,
+    pub subroutines: SubroutineForm,
     /// Fixed routines by the hundreds of the L word that calls them.
     pub fixed_routines: &'static [(u32, FixedRoutine)],
     /// Letters of axes that words may name.
@@ -331,9 +331,9 @@ pub struct ControlTable {
     /// How its programs are distinguished from those of other machines, where signs must show that first: lathes, GRBL.
     pub kind: Option<&'static MachineKind>,
     /// Signs by which its programs are recognized.
-    pub evidence: &'static [Evidence],
+    pub evidence: &'static [RecognitionEvidence],
     /// How it wants a program begun and ended.
-    pub post: &'static Post,
+    pub post: &'static PostTemplate,
     /// The built-in machine that a program is run on when only its control is known.
     pub default_machine: &'static str,
 }

@@ -2,7 +2,7 @@
 
 pub(crate) use chordal_command::{FeedAlong, RapidPath, WorkNaming};
 pub(crate) use chordal_diagnostics::Code;
-pub(crate) use chordal_geometry::{Direction, Plane};
+pub(crate) use chordal_geometry::{Plane, TurnDirection};
 pub(crate) use chordal_kernel::ToolValue;
 pub(crate) use chordal_kernel::rules::*;
 pub(crate) use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
@@ -12,14 +12,15 @@ pub(crate) use crate::block_order::{
 };
 pub(crate) use crate::command_line::CommandLine;
 pub(crate) use crate::firmware::{
-    BlockRules, BuildOption, DumpMeaning, DumpRow, Firmware, LineRules, Refusal, RefusalRow, Slash,
+    BlockRules, BuildOption, DumpMeaning, DumpRow, Firmware, FirmwareError, LineRules, RefusalRow,
+    SlashMeaning,
 };
 pub(crate) use crate::macros::*;
 pub(crate) use crate::parameters::*;
 pub(crate) use crate::recognition::*;
 pub(crate) use crate::settings::{
-    CORNER_ROUNDING, Certainty, CompensationField as C, CycleField, Field, FrameField, PathField,
-    RotaryFeedField, Setting, TurningField, setting, short_blocks,
+    CORNER_ROUNDING, Certainty, CompensationField as C, CycleField, FrameField, PathField,
+    RotaryFeedField, Setting, SettingField, TurningField, setting, short_blocks,
 };
 pub(crate) use crate::spatial::SpatialRules;
 pub(crate) use crate::surface::{SurfaceRules, SurfaceWord};
@@ -42,5 +43,5 @@ pub(crate) mod codes {
     pub(crate) use crate::action::PathCode;
     pub(crate) use crate::action::ReadingCode::*;
     pub(crate) use crate::action::SurfaceCode;
-    pub(crate) use crate::table::{ANY_WORDS, CodeRow, Group, row};
+    pub(crate) use crate::table::{ANY_WORDS, CodeGroup, CodeRow, row};
 }

@@ -7,15 +7,15 @@ use chordal::diagnostics::TextRange;
 
 /// The checkpoints of a run as far as it was needed.
 #[derive(Debug, Default)]
-pub(crate) struct Checkpoints(Mutex<Known>);
+pub(crate) struct RunCheckpoints(Mutex<CheckpointState>);
 
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Known {
+pub(crate) struct CheckpointState {
     /// Where the text was left off, each with what was read elsewhere in the stretch before it.
     pub checkpoints: Vec<(Arc<Checkpoint>, Option<TextRange>)>,
 }
 
-impl Known {
+impl CheckpointState {
     /// The first stretch that may carry a byte out.
     pub fn stretch_of(&self, byte: u32) -> Option<usize> {
         (0..self.checkpoints.len()).find(|&index| {
@@ -32,9 +32,9 @@ impl Known {
     }
 }
 
-impl Checkpoints {
+impl RunCheckpoints {
     /// Those that are known so far.
-    pub fn known(&self) -> MutexGuard<'_, Known> {
+    pub fn known(&self) -> MutexGuard<'_, CheckpointState> {
         // Nothing is left half done where a panic could strike.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }

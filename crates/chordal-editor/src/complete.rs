@@ -2,12 +2,12 @@
 
 use chordal::control::number_text;
 use chordal::control::table::code_name;
-use chordal::control::{Action, Called};
+use chordal::control::{Action, CallTarget};
 use chordal::syntax::Block;
 
-use crate::Program;
+use crate::EditorProgram;
 use crate::meaning::{code_text, codes, letter_text};
-use crate::names::Name;
+use crate::names::SymbolName;
 
 /// What a completion is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -37,7 +37,7 @@ pub struct Completion {
     pub kind: CompletionKind,
 }
 
-impl Program {
+impl EditorProgram {
     /// Completions at a byte, and where the text that they replace begins.
     pub fn completions(&self, offset: u32) -> (u32, Vec<Completion>) {
         let text = &self.text()[..(offset as usize).min(self.text().len())];
@@ -97,7 +97,7 @@ impl Program {
             let rows = block.words.iter().filter_map(|word| self.control().row_of(word));
             for row in rows {
                 if let Action::Call(code) = row.action {
-                    calls = code.called().map(|called| called == Called::Program).or(calls);
+                    calls = code.called().map(|called| called == CallTarget::Program).or(calls);
                 }
             }
         });
@@ -105,8 +105,8 @@ impl Program {
         let mut found: Vec<Completion> = Vec::new();
         for place in self.occurrences() {
             let (number, what) = match place.name {
-                Name::Program(number) if programs => (i64::from(number), "program"),
-                Name::Label { number, .. } if !programs => (number, "block"),
+                SymbolName::Program(number) if programs => (i64::from(number), "program"),
+                SymbolName::Label { number, .. } if !programs => (number, "block"),
                 _ => continue,
             };
             let line = self.source().line_of(place.range.start);
@@ -126,7 +126,7 @@ impl Program {
     fn variables(&self) -> Vec<Completion> {
         let mut found: Vec<Completion> = Vec::new();
         for place in self.occurrences() {
-            let Name::Variable { name, .. } = place.name else { continue };
+            let SymbolName::Variable { name, .. } = place.name else { continue };
             if found.iter().all(|other| other.text != name) && found.len() < MOST {
                 let line = self.source().line_of(place.range.start);
                 let detail = format!("first on line {line}");

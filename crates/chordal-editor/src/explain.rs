@@ -5,7 +5,7 @@ use chordal::Code;
 use chordal::control::COMMON_SETTINGS;
 
 use crate::meaning::{
-    View, alarm_text, code_name, code_of, code_text, codes, diagnostic_text, letter_text,
+    ControlView, alarm_text, code_name, code_of, code_text, codes, diagnostic_text, letter_text,
     number_text, one_letter, setting_text,
 };
 
@@ -14,7 +14,7 @@ const NEAR: u16 = 20;
 
 /// A word that nothing explains.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unexplained {
+pub struct UnknownTerm {
     /// What does not go.
     pub message: String,
     /// What does.
@@ -26,7 +26,7 @@ pub struct Unexplained {
 ///
 /// # Errors
 /// A word that none of them knows, with the nearest one.
-pub fn explain(word: &str, views: &[View]) -> Result<String, Unexplained> {
+pub fn explain(word: &str, views: &[ControlView]) -> Result<String, UnknownTerm> {
     let text = Code::find(word)
         .map(diagnostic_text)
         .or_else(|| code_of(word).and_then(|(letter, code)| code_text(letter, code, views)))
@@ -44,7 +44,7 @@ fn is_code(word: &str) -> bool {
 }
 
 /// No control knows it: the nearest one that some control knows.
-fn unknown(word: &str, views: &[View]) -> Unexplained {
+fn unknown(word: &str, views: &[ControlView]) -> UnknownTerm {
     let titles: Vec<&str> = views.iter().map(|view| view.table.title).collect();
     if is_code(word) {
         let name = word.to_uppercase();
@@ -58,11 +58,11 @@ fn unknown(word: &str, views: &[View]) -> Unexplained {
             let close = near.code.abs_diff(code) <= NEAR;
             close.then(|| format!("{} is {}", code_name(letter, near.code), near.title))
         });
-        return Unexplained { message, help: near };
+        return UnknownTerm { message, help: near };
     }
     if let Some(letter) = one_letter(word) {
         let message = format!("{} has no meaning on {}", char::from(letter), titles.join(", "));
-        return Unexplained { message, help: None };
+        return UnknownTerm { message, help: None };
     }
     let names = Code::all().flat_map(|code| [code.info().id, code.info().name]);
     let settings = views.iter().flat_map(|view| view.table.settings).chain(COMMON_SETTINGS);
@@ -80,5 +80,5 @@ fn unknown(word: &str, views: &[View]) -> Unexplained {
                 .into()
         }
     };
-    Unexplained { message, help: Some(help) }
+    UnknownTerm { message, help: Some(help) }
 }

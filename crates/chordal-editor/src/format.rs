@@ -6,15 +6,15 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 
 use chordal::control::CommandKind;
 use chordal::diagnostics::TextRange;
-use chordal::syntax::{Block, BlockKind, Value, Word};
+use chordal::syntax::{Block, BlockKind, Word, WordValue};
 use chordal::{Command, Diagnostic, Sink};
 
-use crate::Program;
-use crate::names::{Name, Role};
+use crate::EditorProgram;
+use crate::names::{NameRole, SymbolName};
 
 /// A replacement of some text.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Edit {
+pub struct FormatEdit {
     /// What goes.
     pub range: TextRange,
     /// What comes.
@@ -23,7 +23,7 @@ pub struct Edit {
 
 /// Block numbers as they are wanted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Numbering {
+pub struct NumberingOptions {
     /// Of the first block of each program.
     pub first: u32,
     /// From one to the next.
@@ -72,13 +72,13 @@ pub enum FormatError {
 /// The largest N number that all controls here read.
 const MOST_NUMBER: u32 = 99_999;
 
-impl Program {
+impl EditorProgram {
     /// One space between words and none in them, for the lines from `from` up to, not
     /// including, `to`. Comments, macro statements and what cannot be read stay.
     ///
     /// # Errors
     /// The changed text would run differently.
-    pub fn spaced(&self, from: u32, to: u32) -> Result<Vec<Edit>, FormatError> {
+    pub fn spaced(&self, from: u32, to: u32) -> Result<Vec<FormatEdit>, FormatError> {
         let mut edits = Vec::new();
         self.blocks(from, to, |block| edits.extend(self.space(block)));
         self.proved(edits)
@@ -89,18 +89,18 @@ impl Program {
     /// # Errors
     /// Jumps to computed or ambiguous numbers, numbers too large, or a text that would run
     /// differently.
-    pub fn renumbered(&self, numbering: Numbering) -> Result<Vec<Edit>, FormatError> {
+    pub fn renumbered(&self, numbering: NumberingOptions) -> Result<Vec<FormatEdit>, FormatError> {
         self.computed_jump()?;
-        let mut numbers = Numbers::new(self, numbering);
+        let mut numbers = BlockNumberer::new(self, numbering);
         self.blocks(1, u32::MAX, |block| numbers.block(block));
-        let Numbers { mut edits, new, last, .. } = numbers;
+        let BlockNumberer { mut edits, new, last, .. } = numbers;
         if last > u64::from(MOST_NUMBER) {
             return Err(FormatError::TooLarge { last, most: MOST_NUMBER });
         }
         for place in self.occurrences() {
-            let Name::Label { program, number } = place.name else { continue };
+            let SymbolName::Label { program, number } = place.name else { continue };
             let Some(targets) = new.get(&(program, number)) else { continue };
-            if place.role == Role::Definition {
+            if place.role == NameRole::Definition {
                 continue;
             }
             let [target] = targets.as_slice() else {
@@ -110,14 +110,14 @@ impl Program {
             let word = place.range.slice(self.text());
             let letter = word.first().filter(|byte| byte.is_ascii_alphabetic());
             let letter = letter.map_or(String::new(), |byte| char::from(*byte).to_string());
-            edits.push(Edit { range: place.range, text: format!("{letter}{target}") });
+            edits.push(FormatEdit { range: place.range, text: format!("{letter}{target}") });
         }
         edits.sort_by_key(|edit| edit.range.start);
         self.proved(edits)
     }
 
     /// The text after edits, which are in order and do not overlap.
-    pub fn edited(&self, edits: &[Edit]) -> Vec<u8> {
+    pub fn edited(&self, edits: &[FormatEdit]) -> Vec<u8> {
         let text = self.text();
         let mut edited = Vec::with_capacity(text.len());
         let mut at = 0;
@@ -131,12 +131,12 @@ impl Program {
     }
 
     /// The edits, if the text runs the same after them.
-    fn proved(&self, edits: Vec<Edit>) -> Result<Vec<Edit>, FormatError> {
+    fn proved(&self, edits: Vec<FormatEdit>) -> Result<Vec<FormatEdit>, FormatError> {
         if edits.is_empty() {
             return Ok(edits);
         }
         let edited = self.with_text(self.edited(&edits));
-        let (mut before, mut after) = (Trace::new(self), Trace::new(&edited));
+        let (mut before, mut after) = (RunTrace::new(self), RunTrace::new(&edited));
         self.job().run(&mut before);
         edited.job().run(&mut after);
         let pairs = before.steps.iter().zip(&after.steps);
@@ -152,7 +152,7 @@ impl Program {
         Err(FormatError::MovesDifferently { line })
     }
 
-    fn space(&self, block: &Block) -> Option<Edit> {
+    fn space(&self, block: &Block) -> Option<FormatEdit> {
         if block.kind != BlockKind::Words || !block.problems.is_empty() {
             return None;
         }
@@ -180,13 +180,13 @@ impl Program {
             line.push_str(piece);
         }
         let same = line.as_bytes() == block.range.slice(text);
-        (!same).then_some(Edit { range: block.range, text: line })
+        (!same).then_some(FormatEdit { range: block.range, text: line })
     }
 
     /// A word without blanks; an expression stays as it is written.
     fn tight(&self, word: &Word) -> String {
         let text = self.text();
-        if let Value::Expression(range) = word.value {
+        if let WordValue::Expression(range) = word.value {
             let head = TextRange::new(word.range.start, range.start);
             return without_blanks(text, head) + as_written(text, range).trim();
         }
@@ -226,21 +226,21 @@ fn without_blanks(text: &[u8], range: TextRange) -> String {
 }
 
 /// Gives numbers to the blocks of a text, program by program.
-struct Numbers<'a> {
-    program: &'a Program,
-    numbering: Numbering,
+struct BlockNumberer<'a> {
+    program: &'a EditorProgram,
+    numbering: NumberingOptions,
     index: usize,
     begun: bool,
     next: u64,
     last: u64,
-    edits: Vec<Edit>,
+    edits: Vec<FormatEdit>,
     /// The new numbers of each old one.
     new: HashMap<(usize, i64), Vec<u64>>,
 }
 
-impl<'a> Numbers<'a> {
-    fn new(program: &'a Program, numbering: Numbering) -> Numbers<'a> {
-        Numbers {
+impl<'a> BlockNumberer<'a> {
+    fn new(program: &'a EditorProgram, numbering: NumberingOptions) -> BlockNumberer<'a> {
+        BlockNumberer {
             program,
             numbering,
             index: 0,
@@ -286,21 +286,21 @@ impl<'a> Numbers<'a> {
 
     fn edit(&mut self, range: TextRange, new: String, text: &[u8]) {
         if range.slice(text) != new.as_bytes() {
-            self.edits.push(Edit { range, text: new });
+            self.edits.push(FormatEdit { range, text: new });
         }
     }
 }
 
 /// Everything that a run does, without the places in the text: a line and a digest for each.
-struct Trace<'a> {
-    program: &'a Program,
+struct RunTrace<'a> {
+    program: &'a EditorProgram,
     steps: Vec<(u32, u64)>,
     line: u32,
 }
 
-impl<'a> Trace<'a> {
-    fn new(program: &'a Program) -> Trace<'a> {
-        Trace { program, steps: Vec::new(), line: 1 }
+impl<'a> RunTrace<'a> {
+    fn new(program: &'a EditorProgram) -> RunTrace<'a> {
+        RunTrace { program, steps: Vec::new(), line: 1 }
     }
 
     fn push(&mut self, step: &str) {
@@ -310,7 +310,7 @@ impl<'a> Trace<'a> {
     }
 }
 
-impl Sink for Trace<'_> {
+impl Sink for RunTrace<'_> {
     fn command(&mut self, command: &Command) {
         self.line = command.origin.line;
         match &command.kind {
@@ -327,4 +327,4 @@ impl Sink for Trace<'_> {
     }
 }
 
-impl RunSink for Trace<'_> {}
+impl RunSink for RunTrace<'_> {}

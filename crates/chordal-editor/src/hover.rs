@@ -9,8 +9,8 @@ use chordal::machine::AXIS_NAMES;
 use chordal::syntax::{Block, Word, is_program_name};
 
 use crate::meaning::{code_brief, code_name, codes, letter_text, word_meaning};
-use crate::names::{Name, Role};
-use crate::{Program, Ran};
+use crate::names::{NameRole, SymbolName};
+use crate::{EditorProgram, RunMoves};
 
 /// Something to show at a word.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -21,10 +21,10 @@ pub struct Hover {
     pub text: String,
 }
 
-impl Program {
+impl EditorProgram {
     /// What the word at a byte of the text does on this control, and what its line did when it
     /// ran.
-    pub fn hover(&self, offset: u32, ran: Option<&Ran>) -> Option<Hover> {
+    pub fn hover(&self, offset: u32, ran: Option<&RunMoves>) -> Option<Hover> {
         let block = self.block_at(offset)?;
         let word = word_at(&block, offset);
         let (range, mut text) = match word {
@@ -92,24 +92,24 @@ impl Program {
         String::from_utf8_lossy(word.range.slice(self.text())).trim().to_string()
     }
 
-    fn name_text(&self, name: &Name) -> Option<String> {
+    fn name_text(&self, name: &SymbolName) -> Option<String> {
         let places = self.places_of(name);
         let defined: Vec<u32> = places
             .iter()
-            .filter(|place| place.role == Role::Definition)
+            .filter(|place| place.role == NameRole::Definition)
             .map(|place| self.source().line_of(place.range.start))
             .collect();
         let (what, verb) = match name {
-            Name::Program(number) if is_program_name(*number) => {
+            SymbolName::Program(number) if is_program_name(*number) => {
                 let place = places.first()?;
                 let written = place.range.slice(self.source().text());
                 (format!("Program {}", String::from_utf8_lossy(written)), "begins")
             }
-            Name::Program(number) => (format!("Program O{number}"), "begins"),
-            Name::Subroutine(label) => (format!("Subroutine o{label}"), "is made"),
-            Name::Label { number, .. } => (format!("Block N{number}"), "stands"),
-            Name::LineLabel(label) => (format!("Label :{label}"), "stands"),
-            Name::Variable { name, .. } => (format!("Variable `{name}`"), "gets a value"),
+            SymbolName::Program(number) => (format!("Program O{number}"), "begins"),
+            SymbolName::Subroutine(label) => (format!("Subroutine o{label}"), "is made"),
+            SymbolName::Label { number, .. } => (format!("Block N{number}"), "stands"),
+            SymbolName::LineLabel(label) => (format!("Label :{label}"), "stands"),
+            SymbolName::Variable { name, .. } => (format!("Variable `{name}`"), "gets a value"),
         };
         let lines = some_lines(&defined);
         let uses = places.len() - defined.len();

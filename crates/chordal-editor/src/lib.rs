@@ -6,11 +6,11 @@
 //!
 //! ```
 //! use chordal::Machine;
-//! use chordal_editor::Program;
+//! use chordal_editor::EditorProgram;
 //!
 //! let machine = Machine::from_builtin("haas-vf2").unwrap();
 //! let text = b"T1 M6 (DRILL)\nG83 Z-1. R.1 Q.2 F5.\nM30\n".to_vec();
-//! let program = Program::new("part.nc", text, machine).unwrap();
+//! let program = EditorProgram::new("part.nc", text, machine).unwrap();
 //! assert!(program.hover(15, None).unwrap().text.contains("deep drilling"));
 //! assert!(!program.outline().is_empty());
 //! ```
@@ -36,16 +36,16 @@ mod setup;
 mod state_after;
 mod tokens;
 
-pub use check::Checked;
+pub use check::PreviousCheck;
 pub use complete::{Completion, CompletionKind};
-pub use format::{Edit, FormatError, Numbering};
+pub use format::{FormatEdit, FormatError, NumberingOptions};
 pub use grammar::grammar;
 pub use hover::{Hover, diagnostic_markdown};
-pub use moves::{LineMoves, Ran};
-pub use names::{Name, Occurrence, RenameError, Renamed, Role};
-pub use other_files::Found;
-pub use outline::{Entry, EntryKind};
-pub use place::{Places, byte_of, line_and_column};
-pub use program::Program;
-pub use setup::Setup;
-pub use tokens::{Class, Token};
+pub use moves::{LineMoves, RunMoves};
+pub use names::{NameOccurrence, NameRole, RenameError, RenamedVariable, SymbolName};
+pub use other_files::OccurrenceInFile;
+pub use outline::{EntryKind, OutlineEntry};
+pub use place::{LineColumnIndex, byte_of, line_and_column};
+pub use program::EditorProgram;
+pub use setup::EditorSetup;
+pub use tokens::{Token, TokenClass};

@@ -1,12 +1,12 @@
 //! What the blocks of a text did when it ran.
 
-use chordal::control::{EndReason, Interrupt, Origin, Outcome, Units};
+use chordal::control::{EndReason, InterruptCheck, Origin, Outcome, Units};
 use chordal::diagnostics::FileId;
 use chordal::machine::{AXES, PerAxis};
 use chordal::path::PathCommand;
-use chordal::{Command, Job, Report, Segment, SegmentKind, Watch};
+use chordal::{Command, Job, Report, RunWatch, Segment, SegmentKind};
 
-use crate::Program;
+use crate::EditorProgram;
 
 /// What the moves of one line did.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,14 +27,14 @@ pub struct LineMoves {
 
 /// A run with what its lines did.
 #[derive(Debug)]
-pub struct Ran {
+pub struct RunMoves {
     /// The lines that moved, in order.
     pub lines: Vec<LineMoves>,
     /// Everything else.
     pub report: Report,
 }
 
-impl Ran {
+impl RunMoves {
     /// The units in which to speak of it.
     pub fn units(&self) -> Units {
         if self.report.summary.inch { Units::Inch } else { Units::Millimetre }
@@ -47,12 +47,12 @@ impl Ran {
     }
 }
 
-struct Lines {
+struct MovesByLine {
     /// By line; a line of length zero in `pieces` and no place did not move.
     lines: Vec<Option<LineMoves>>,
 }
 
-impl Lines {
+impl MovesByLine {
     fn at(&mut self, origin: &Origin) -> Option<&mut LineMoves> {
         if origin.span.file != FileId(0) {
             return None;
@@ -72,7 +72,7 @@ impl Lines {
     }
 }
 
-impl Watch for Lines {
+impl RunWatch for MovesByLine {
     fn programmed(&mut self, command: &Command) {
         if let Some(motion) = command.kind.motion()
             && let Some(moves) = self.at(&command.origin)
@@ -96,22 +96,22 @@ impl Watch for Lines {
     }
 }
 
-impl Program {
+impl EditorProgram {
     /// Runs the text and says what its lines did.
-    pub fn ran(&self) -> Ran {
+    pub fn ran(&self) -> RunMoves {
         self.ran_by(&self.job())
     }
 
     /// The same, unless it is given up on the way.
-    pub fn ran_unless(&self, interrupt: Interrupt) -> Option<Ran> {
+    pub fn ran_unless(&self, interrupt: InterruptCheck) -> Option<RunMoves> {
         let ran = self.ran_by(&self.job().interrupt(interrupt));
         let given_up = |outcome: &Outcome| outcome.end == EndReason::Interrupted;
         (!ran.report.outcomes.iter().any(given_up)).then_some(ran)
     }
 
-    fn ran_by(&self, job: &Job) -> Ran {
-        let mut lines = Lines { lines: Vec::new() };
+    fn ran_by(&self, job: &Job) -> RunMoves {
+        let mut lines = MovesByLine { lines: Vec::new() };
         let report = job.report_watched(&mut lines);
-        Ran { lines: lines.lines.into_iter().flatten().collect(), report }
+        RunMoves { lines: lines.lines.into_iter().flatten().collect(), report }
     }
 }

@@ -1,17 +1,17 @@
 //! Programs, labels and variables: where each is made and used, and other names for variables.
 
-use chordal::control::{Action, CallCode, Called, OnceCode};
+use chordal::control::{Action, CallCode, CallTarget, OnceCode};
 use std::collections::HashMap;
 
 use chordal::diagnostics::TextRange;
-use chordal::syntax::{Block, BlockKind, Value, Word, find_programs};
+use chordal::syntax::{Block, BlockKind, Word, WordValue, find_programs};
 
-use crate::Program;
-use chordal::control::{Mark, marks};
+use crate::EditorProgram;
+use chordal::control::{StatementMark, marks};
 
 /// A thing with a name.
 #[derive(Clone, PartialEq, Eq, Debug, Hash)]
-pub enum Name {
+pub enum SymbolName {
     /// A program by its number.
     Program(u32),
     /// A subroutine or structure of O words, by its label in lower case.
@@ -36,7 +36,7 @@ pub enum Name {
 
 /// What a place does with a name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Role {
+pub enum NameRole {
     /// Makes it, or gives it a value.
     Definition,
     /// Uses it.
@@ -45,18 +45,18 @@ pub enum Role {
 
 /// A place of a name.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Occurrence {
+pub struct NameOccurrence {
     /// The name.
-    pub name: Name,
+    pub name: SymbolName,
     /// The word.
     pub range: TextRange,
     /// What the place does.
-    pub role: Role,
+    pub role: NameRole,
 }
 
 /// Another name for a variable.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Renamed {
+pub struct RenamedVariable {
     /// The name in the control's form (`#110`, `#<depth>`).
     pub name: String,
     /// Where it goes.
@@ -95,23 +95,23 @@ pub enum RenameError {
     },
 }
 
-impl Program {
+impl EditorProgram {
     /// All places of all names, in the order of the text.
-    pub fn occurrences(&self) -> Vec<Occurrence> {
-        let mut finder = Finder::new(self);
+    pub fn occurrences(&self) -> Vec<NameOccurrence> {
+        let mut finder = NameFinder::new(self);
         self.blocks(1, u32::MAX, |block| finder.block(block));
         finder.found
     }
 
     /// The name at a byte of the text.
-    pub fn name_at(&self, offset: u32) -> Option<Occurrence> {
-        let at = |found: &Occurrence| found.range.start <= offset && offset <= found.range.end;
+    pub fn name_at(&self, offset: u32) -> Option<NameOccurrence> {
+        let at = |found: &NameOccurrence| found.range.start <= offset && offset <= found.range.end;
         // A word that ends here and one that begins here may touch: the one that begins counts.
         self.occurrences().into_iter().filter(at).max_by_key(|found| found.range.start)
     }
 
     /// Everywhere that a name stands.
-    pub fn places_of(&self, name: &Name) -> Vec<Occurrence> {
+    pub fn places_of(&self, name: &SymbolName) -> Vec<NameOccurrence> {
         let mut places = self.occurrences();
         places.retain(|found| found.name == *name);
         places
@@ -121,19 +121,19 @@ impl Program {
     ///
     /// # Errors
     /// No variable there, no name, one that is used, or variables chosen by their value.
-    pub fn rename(&self, offset: u32, new: &str) -> Result<Renamed, RenameError> {
+    pub fn rename(&self, offset: u32, new: &str) -> Result<RenamedVariable, RenameError> {
         let at = self.name_at(offset).map(|found| found.name);
-        let Some(Name::Variable { program, name: old }) = at else {
+        let Some(SymbolName::Variable { program, name: old }) = at else {
             return Err(RenameError::NoVariable);
         };
-        let kind = Kind { local: program.is_some(), locals: self.control().macros.locals };
+        let kind = VariableScope { local: program.is_some(), locals: self.control().macros.locals };
         let renamed = kind.name_like(&old, new).ok_or_else(|| RenameError::NotAName {
             new: new.into(),
             example: kind.example_of(&old),
         })?;
         if renamed != old
             && let Some(taken) = self.occurrences().iter().find(|found| {
-                matches!(&found.name, Name::Variable { name, program: other }
+                matches!(&found.name, SymbolName::Variable { name, program: other }
                     if *name == renamed && *other == program)
             })
         {
@@ -141,9 +141,9 @@ impl Program {
             return Err(RenameError::Taken { new: renamed, line });
         }
         self.computed_variable(&old)?;
-        let name = Name::Variable { program, name: old };
+        let name = SymbolName::Variable { program, name: old };
         let places = self.places_of(&name).into_iter().map(|place| place.range).collect();
-        Ok(Renamed { name: renamed, places })
+        Ok(RenamedVariable { name: renamed, places })
     }
 
     /// A number chosen by a value (`#[#1+2]`, `##3`) may be any numbered variable.
@@ -170,14 +170,14 @@ impl Program {
 }
 
 /// Which variables a variable may be called like.
-struct Kind {
+struct VariableScope {
     /// It belongs to one program.
     local: bool,
     /// Number of the last variable of a program's own.
     locals: u32,
 }
 
-impl Kind {
+impl VariableScope {
     /// The new name in the form that occurrences have, where it is one of the old one's kind.
     fn name_like(&self, old: &str, new: &str) -> Option<String> {
         let new = new.trim();
@@ -212,20 +212,20 @@ impl Kind {
 }
 
 /// Goes over the blocks and notes names.
-struct Finder<'a> {
-    program: &'a Program,
+struct NameFinder<'a> {
+    program: &'a EditorProgram,
     /// Index of the program of the text that the blocks belong to.
     index: usize,
     begun: bool,
     /// The blocks are data of the control, whose N is no block number.
     data: bool,
-    found: Vec<Occurrence>,
+    found: Vec<NameOccurrence>,
     keys: HashMap<Vec<u8>, String>,
 }
 
-impl<'a> Finder<'a> {
-    fn new(program: &'a Program) -> Finder<'a> {
-        Finder {
+impl<'a> NameFinder<'a> {
+    fn new(program: &'a EditorProgram) -> NameFinder<'a> {
+        NameFinder {
             program,
             index: 0,
             begun: false,
@@ -254,7 +254,7 @@ impl<'a> Finder<'a> {
             self.index += 1;
         }
         if let Some(number) = whole(word).and_then(|number| u32::try_from(number).ok()) {
-            self.note(Name::Program(number), word.range, Role::Definition);
+            self.note(SymbolName::Program(number), word.range, NameRole::Definition);
         }
     }
 
@@ -263,34 +263,34 @@ impl<'a> Finder<'a> {
         self.data &= block.word(b'G').is_none() && block.word(b'M').is_none();
         for word in &block.words {
             if let Some(register) = word.register {
-                let name = Name::Variable { program: None, name: format!("R{register}") };
+                let name = SymbolName::Variable { program: None, name: format!("R{register}") };
                 let range = TextRange::new(word.range.start, word.range.start + 2);
-                self.note(name, range, Role::Definition);
+                self.note(name, range, NameRole::Definition);
             }
             match word.value {
-                Value::Register { index, .. } => {
-                    let name = Name::Variable { program: None, name: format!("R{index}") };
+                WordValue::Register { index, .. } => {
+                    let name = SymbolName::Variable { program: None, name: format!("R{index}") };
                     let range = TextRange::new(word.range.end.saturating_sub(2), word.range.end);
-                    self.note(name, range, Role::Use);
+                    self.note(name, range, NameRole::Use);
                 }
-                Value::Expression(range) => self.variables(range, false),
+                WordValue::Expression(range) => self.variables(range, false),
                 _ => {}
             }
             match (word.letter, call, whole(word)) {
                 (b'N', _, Some(number)) if !self.data => {
-                    let name = Name::Label { program: self.index, number };
-                    self.note(name, word.range, Role::Definition);
+                    let name = SymbolName::Label { program: self.index, number };
+                    self.note(name, word.range, NameRole::Definition);
                 }
-                (b'P', Some(Call::Program), Some(number)) => {
+                (b'P', Some(CallName::Program), Some(number)) => {
                     if let Ok(number) = u32::try_from(number) {
-                        self.note(Name::Program(number), word.range, Role::Use);
+                        self.note(SymbolName::Program(number), word.range, NameRole::Use);
                     }
                 }
-                (b'P', Some(Call::Label), Some(number)) => {
-                    let name = Name::Label { program: self.index, number };
-                    self.note(name, word.range, Role::Use);
+                (b'P', Some(CallName::Label), Some(number)) => {
+                    let name = SymbolName::Label { program: self.index, number };
+                    self.note(name, word.range, NameRole::Use);
                 }
-                (letter, Some(Call::Program), Some(number)) => {
+                (letter, Some(CallName::Program), Some(number)) => {
                     self.start_label(block, letter, number, word.range);
                 }
                 _ => {}
@@ -313,20 +313,20 @@ impl<'a> Finder<'a> {
         let heads = find_programs(self.program.text(), self.program.lexicon());
         let place = called.map(|called| heads.iter().position(|head| head.number == Some(called)));
         if let Some(program) = place.unwrap_or(Some(self.index)) {
-            self.note(Name::Label { program, number }, range, Role::Use);
+            self.note(SymbolName::Label { program, number }, range, NameRole::Use);
         }
     }
 
     /// What P means in a block, where it names something.
-    fn call_of(&self, block: &Block) -> Option<Call> {
+    fn call_of(&self, block: &Block) -> Option<CallName> {
         let control = self.program.control();
         let rows = block.words.iter().filter_map(|word| control.row_of(word));
         rows.into_iter().find_map(|row| match row.action {
             Action::Call(code) => code.called().map(|called| match called {
-                Called::Program => Call::Program,
-                Called::Label => Call::Label,
+                CallTarget::Program => CallName::Program,
+                CallTarget::Label => CallName::Label,
             }),
-            Action::Once(code) => (code == OnceCode::GeneralPocket).then_some(Call::Program),
+            Action::Once(code) => (code == OnceCode::GeneralPocket).then_some(CallName::Program),
             Action::Reading(_)
             | Action::Before(_)
             | Action::Mode(_)
@@ -344,25 +344,30 @@ impl<'a> Finder<'a> {
     fn statement(&mut self, range: TextRange) {
         let text = self.program.text();
         let lexicon = self.program.lexicon();
-        let words: Vec<(Mark, TextRange)> = marks(text, range, lexicon).collect();
+        let words: Vec<(StatementMark, TextRange)> = marks(text, range, lexicon).collect();
         if lexicon.o_words && range.slice(text).first().is_some_and(|b| matches!(b, b'o' | b'O')) {
             self.o_word(range, &words);
         }
         self.variables(range, true);
         for pair in words.windows(2) {
-            let [(Mark::Word, jump), (mark, target)] = pair else { continue };
+            let [(StatementMark::Word, jump), (mark, target)] = pair else { continue };
             let word = jump.slice(text).to_ascii_uppercase();
-            let number = (*mark == Mark::Number).then(|| number_of(target.slice(text))).flatten();
+            let number =
+                (*mark == StatementMark::Number).then(|| number_of(target.slice(text))).flatten();
             let jumps = matches!(word.as_slice(), b"GOTO" | b"GO" | b"N");
             if let Some(number) = number.filter(|_| jumps) {
-                self.note(Name::Label { program: self.index, number }, *target, Role::Use);
+                self.note(
+                    SymbolName::Label { program: self.index, number },
+                    *target,
+                    NameRole::Use,
+                );
             }
         }
         self.line_labels(range);
     }
 
     /// `o100 sub`, `o<part> call`: a subroutine is made by `sub`.
-    fn o_word(&mut self, range: TextRange, words: &[(Mark, TextRange)]) {
+    fn o_word(&mut self, range: TextRange, words: &[(StatementMark, TextRange)]) {
         let text = range.slice(self.program.text());
         let rest = &text[1..];
         let blanks = rest.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
@@ -375,21 +380,22 @@ impl<'a> Finder<'a> {
         let Some(size) = size else { return };
         let name = String::from_utf8_lossy(&label[..size]).to_ascii_lowercase();
         let end = range.start + (1 + blanks + size) as u32;
-        let behind = words.iter().find(|(mark, word)| *mark == Mark::Word && word.start >= end);
+        let behind =
+            words.iter().find(|(mark, word)| *mark == StatementMark::Word && word.start >= end);
         let is = |flow: &[u8]| {
             behind
                 .is_some_and(|(_, word)| word.slice(self.program.text()).eq_ignore_ascii_case(flow))
         };
         let role = if is(b"CALL") || is(b"ENDSUB") || is(b"RETURN") {
-            Role::Use
+            NameRole::Use
         } else {
-            Role::Definition
+            NameRole::Definition
         };
         let (begins, ends) = (is(b"SUB"), is(b"ENDSUB"));
         if begins {
             self.index += 1;
         }
-        self.note(Name::Subroutine(name), TextRange::new(range.start, end), role);
+        self.note(SymbolName::Subroutine(name), TextRange::new(range.start, end), role);
         if ends {
             self.index += 1;
         }
@@ -409,8 +415,12 @@ impl<'a> Finder<'a> {
         let name = String::from_utf8_lossy(&text[colon + 1..colon + 1 + size]).to_ascii_uppercase();
         let start = range.start + colon as u32;
         let alone = text[1..colon].iter().all(u8::is_ascii_whitespace);
-        let role = if alone { Role::Definition } else { Role::Use };
-        self.note(Name::LineLabel(name), TextRange::new(start, start + 1 + size as u32), role);
+        let role = if alone { NameRole::Definition } else { NameRole::Use };
+        self.note(
+            SymbolName::LineLabel(name),
+            TextRange::new(start, start + 1 + size as u32),
+            role,
+        );
     }
 
     /// The variables of a range; one before `=` at the level of the statement gets a value.
@@ -418,18 +428,19 @@ impl<'a> Finder<'a> {
         let text = self.program.text();
         let lexicon = self.program.lexicon();
         for (mark, place) in marks(text, range, lexicon) {
-            if mark != Mark::Variable {
+            if mark != StatementMark::Variable {
                 continue;
             }
             let behind = &text[place.end as usize..(range.end as usize).min(text.len())];
             let next = behind.iter().find(|byte| !byte.is_ascii_whitespace());
-            let role = if assigns && next == Some(&b'=') { Role::Definition } else { Role::Use };
+            let role =
+                if assigns && next == Some(&b'=') { NameRole::Definition } else { NameRole::Use };
             let name = self.variable(place.slice(text));
             self.note(name, place, role);
         }
     }
 
-    fn variable(&mut self, text: &[u8]) -> Name {
+    fn variable(&mut self, text: &[u8]) -> SymbolName {
         let name = self.keys.entry(text.to_vec()).or_insert_with(|| key_of(text)).clone();
         let local = match name.strip_prefix("#<") {
             Some(rest) => !rest.starts_with('_'),
@@ -438,16 +449,16 @@ impl<'a> Finder<'a> {
                 .and_then(|digits| digits.parse::<u32>().ok())
                 .is_some_and(|number| (1..=self.program.control().macros.locals).contains(&number)),
         };
-        Name::Variable { program: local.then_some(self.index), name }
+        SymbolName::Variable { program: local.then_some(self.index), name }
     }
 
-    fn note(&mut self, name: Name, range: TextRange, role: Role) {
-        self.found.push(Occurrence { name, range, role });
+    fn note(&mut self, name: SymbolName, range: TextRange, role: NameRole) {
+        self.found.push(NameOccurrence { name, range, role });
     }
 }
 
 #[derive(Clone, Copy)]
-enum Call {
+enum CallName {
     Program,
     Label,
 }

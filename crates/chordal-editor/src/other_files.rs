@@ -2,36 +2,37 @@
 
 use chordal::diagnostics::FileId;
 
-use crate::{Name, Occurrence, Program, Role};
+use crate::{EditorProgram, NameOccurrence, NameRole, SymbolName};
 
 /// A place of a name in one of the texts of a program.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Found {
+pub struct OccurrenceInFile {
     /// The text, as a job numbers them: 0 is the program's own.
     pub file: FileId,
     /// The place in it.
-    pub place: Occurrence,
+    pub place: NameOccurrence,
 }
 
-impl Name {
+impl SymbolName {
     /// True for a name that means the same in every text: a program, a named subroutine, a
     /// variable of all programs.
     fn is_of_all_texts(&self) -> bool {
         match self {
-            Name::Program(_) => true,
-            Name::Subroutine(label) => label.starts_with('<'),
-            Name::Variable { program, .. } => program.is_none(),
-            Name::Label { .. } | Name::LineLabel(_) => false,
+            SymbolName::Program(_) => true,
+            SymbolName::Subroutine(label) => label.starts_with('<'),
+            SymbolName::Variable { program, .. } => program.is_none(),
+            SymbolName::Label { .. } | SymbolName::LineLabel(_) => false,
         }
     }
 }
 
-impl Program {
+impl EditorProgram {
     /// Where a name of this text is made: in this text, or else in the files of its folder.
-    pub fn definitions(&self, name: &Name) -> Vec<Found> {
-        let made = |found: &Found| found.place.role == Role::Definition;
-        let own: Vec<Found> = self.places_in(FileId(0), name).into_iter().filter(made).collect();
-        let subroutine = matches!(name, Name::Subroutine(_));
+    pub fn definitions(&self, name: &SymbolName) -> Vec<OccurrenceInFile> {
+        let made = |found: &OccurrenceInFile| found.place.role == NameRole::Definition;
+        let own: Vec<OccurrenceInFile> =
+            self.places_in(FileId(0), name).into_iter().filter(made).collect();
+        let subroutine = matches!(name, SymbolName::Subroutine(_));
         if !own.is_empty() || !(subroutine || name.is_of_all_texts()) {
             return own;
         }
@@ -39,7 +40,7 @@ impl Program {
     }
 
     /// Everywhere that a name of this text stands.
-    pub fn references(&self, name: &Name) -> Vec<Found> {
+    pub fn references(&self, name: &SymbolName) -> Vec<OccurrenceInFile> {
         let mut places = self.places_in(FileId(0), name);
         if name.is_of_all_texts() {
             places.extend(self.others().flat_map(|file| self.places_in(file, name)));
@@ -51,11 +52,11 @@ impl Program {
         (1..=self.setup().beside.len() as u32).map(FileId)
     }
 
-    fn places_in(&self, file: FileId, name: &Name) -> Vec<Found> {
+    fn places_in(&self, file: FileId, name: &SymbolName) -> Vec<OccurrenceInFile> {
         let places = match file {
             FileId(0) => self.places_of(name),
             _ => self.with_text(self.file_text(file).to_vec()).places_of(name),
         };
-        places.into_iter().map(|place| Found { file, place }).collect()
+        places.into_iter().map(|place| OccurrenceInFile { file, place }).collect()
     }
 }

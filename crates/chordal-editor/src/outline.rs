@@ -4,7 +4,7 @@ use chordal::control::{Action, BeforeCode};
 use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, BlockKind};
 
-use crate::Program;
+use crate::EditorProgram;
 
 /// What an entry of the outline is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -23,7 +23,7 @@ pub enum EntryKind {
 
 /// An entry of the outline.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Entry {
+pub struct OutlineEntry {
     /// What it is called.
     pub name: String,
     /// More about it; may be empty.
@@ -37,17 +37,17 @@ pub struct Entry {
     /// Line of the head, from 1.
     pub line: u32,
     /// What lies in it.
-    pub children: Vec<Entry>,
+    pub children: Vec<OutlineEntry>,
 }
 
 /// Labels of a text with more are a numbering of blocks and no places to go to.
 const MOST_LABELS: usize = 200;
 
-impl Program {
+impl EditorProgram {
     /// The outline: programs, in them tools, in those operations, and blocks with numbers where
     /// only some have one.
-    pub fn outline(&self) -> Vec<Entry> {
-        let mut flat: Vec<(u8, Entry)> = Vec::new();
+    pub fn outline(&self) -> Vec<OutlineEntry> {
+        let mut flat: Vec<(u8, OutlineEntry)> = Vec::new();
         let mut labels = 0;
         let (mut blocks, mut tool) = (0_usize, None);
         self.blocks(1, u32::MAX, |block| {
@@ -67,7 +67,12 @@ impl Program {
     }
 
     /// What a block begins, and how deep that lies.
-    fn entry(&self, block: &Block, first: bool, tool: &mut Option<u32>) -> Option<(u8, Entry)> {
+    fn entry(
+        &self,
+        block: &Block,
+        first: bool,
+        tool: &mut Option<u32>,
+    ) -> Option<(u8, OutlineEntry)> {
         if let BlockKind::Macro(range) = block.kind {
             return self.sub_entry(block, range);
         }
@@ -110,7 +115,7 @@ impl Program {
         Some((LABEL, self.make(block, EntryKind::Label, format!("N{label}"))))
     }
 
-    fn sub_entry(&self, block: &Block, range: TextRange) -> Option<(u8, Entry)> {
+    fn sub_entry(&self, block: &Block, range: TextRange) -> Option<(u8, OutlineEntry)> {
         let lexicon = self.lexicon();
         let text = range.slice(self.text());
         if !lexicon.o_words || !text.first().is_some_and(|byte| matches!(byte, b'o' | b'O')) {
@@ -126,9 +131,9 @@ impl Program {
         (word == "SUB").then(|| (PROGRAM, self.make(block, EntryKind::Subroutine, name)))
     }
 
-    fn make(&self, block: &Block, kind: EntryKind, name: String) -> Entry {
+    fn make(&self, block: &Block, kind: EntryKind, name: String) -> OutlineEntry {
         let detail = if block.words.is_empty() { String::new() } else { self.comment_of(block) };
-        Entry {
+        OutlineEntry {
             name,
             detail,
             kind,
@@ -155,19 +160,20 @@ const LABEL: u8 = 3;
 
 /// Puts each entry into the last one that is less deep, and lets it reach to the next that is not
 /// deeper.
-fn nested(flat: Vec<(u8, Entry)>, end: u32) -> Vec<Entry> {
-    let mut roots: Vec<Entry> = Vec::new();
-    let mut open: Vec<(u8, Entry)> = Vec::new();
-    let close = |open: &mut Vec<(u8, Entry)>, roots: &mut Vec<Entry>, depth: u8, at: u32| {
-        while open.last().is_some_and(|(other, _)| *other >= depth) {
-            let Some((_, mut entry)) = open.pop() else { return };
-            entry.range.end = at.max(entry.head.end);
-            match open.last_mut() {
-                Some((_, parent)) => parent.children.push(entry),
-                None => roots.push(entry),
+fn nested(flat: Vec<(u8, OutlineEntry)>, end: u32) -> Vec<OutlineEntry> {
+    let mut roots: Vec<OutlineEntry> = Vec::new();
+    let mut open: Vec<(u8, OutlineEntry)> = Vec::new();
+    let close =
+        |open: &mut Vec<(u8, OutlineEntry)>, roots: &mut Vec<OutlineEntry>, depth: u8, at: u32| {
+            while open.last().is_some_and(|(other, _)| *other >= depth) {
+                let Some((_, mut entry)) = open.pop() else { return };
+                entry.range.end = at.max(entry.head.end);
+                match open.last_mut() {
+                    Some((_, parent)) => parent.children.push(entry),
+                    None => roots.push(entry),
+                }
             }
-        }
-    };
+        };
     for (depth, entry) in flat {
         close(&mut open, &mut roots, depth, entry.range.start);
         open.push((depth, entry));

@@ -32,7 +32,7 @@ pub fn line_and_column(source: &Source<'_>, offset: u32) -> (u32, u32) {
 /// Lines and columns of many places of a text. Those that follow one another cost what lies between them: in a
 /// line of a megabyte, counting each from the start of the line would take minutes.
 #[derive(Clone, Debug)]
-pub struct Places<'s, 't> {
+pub struct LineColumnIndex<'s, 't> {
     source: &'s Source<'t>,
     line: u32,
     /// Where the next line begins.
@@ -42,10 +42,10 @@ pub struct Places<'s, 't> {
     column: u32,
 }
 
-impl<'s, 't> Places<'s, 't> {
+impl<'s, 't> LineColumnIndex<'s, 't> {
     /// Of a text.
-    pub fn of(source: &'s Source<'t>) -> Places<'s, 't> {
-        Places { source, line: 0, next_line: 0, offset: 0, column: 0 }
+    pub fn of(source: &'s Source<'t>) -> LineColumnIndex<'s, 't> {
+        LineColumnIndex { source, line: 0, next_line: 0, offset: 0, column: 0 }
     }
 
     /// The line (from 1) and the column (from 0, UTF-16) of a byte.
@@ -87,7 +87,7 @@ mod tests {
         assert_eq!(there(2, 2), 6);
         assert_eq!(there(2, 4), 10);
         assert_eq!(there(10, 0), source.text().len() as u32);
-        let mut places = Places::of(&source);
+        let mut places = LineColumnIndex::of(&source);
         for offset in [0, 1, 2, 3, 4, 6, 10, 11, 12, 17, 6, 4, 10, 0, 3, 17, 99] {
             let (line, column) = line_and_column(&source, offset);
             assert_eq!(there(line, column), offset.min(source.text().len() as u32));

@@ -7,19 +7,19 @@ use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockReader, Lexicon};
 use chordal::{Job, Machine, Source, SourceMap};
 
-use crate::checkpoints::Checkpoints;
-use crate::meaning::View;
-use crate::setup::{Setup, Sound};
+use crate::checkpoints::RunCheckpoints;
+use crate::meaning::ControlView;
+use crate::setup::{EditorSetup, ValidSetup};
 
 /// A text with its machine and the texts in which its subprograms may be.
 #[derive(Debug)]
-pub struct Program {
+pub struct EditorProgram {
     source: Source<'static>,
-    sound: Arc<Sound>,
-    pub(crate) checkpoints: Checkpoints,
+    sound: Arc<ValidSetup>,
+    pub(crate) checkpoints: RunCheckpoints,
 }
 
-impl Program {
+impl EditorProgram {
     /// A program on a machine.
     ///
     /// # Errors
@@ -28,8 +28,8 @@ impl Program {
         name: impl Into<String>,
         text: Vec<u8>,
         machine: Machine,
-    ) -> Result<Program, Vec<SettingError>> {
-        Program::set_up(name, text, Setup::of(machine))
+    ) -> Result<EditorProgram, Vec<SettingError>> {
+        EditorProgram::set_up(name, text, EditorSetup::of(machine))
     }
 
     /// A program with everything that it needs.
@@ -39,28 +39,32 @@ impl Program {
     pub fn set_up(
         name: impl Into<String>,
         text: Vec<u8>,
-        setup: Setup,
-    ) -> Result<Program, Vec<SettingError>> {
+        setup: EditorSetup,
+    ) -> Result<EditorProgram, Vec<SettingError>> {
         let (control, errors) = Control::of(&setup.machine);
         if !errors.is_empty() {
             return Err(errors);
         }
-        let sound = Arc::new(Sound { setup, control });
-        Ok(Program { source: Source::new(name, text), sound, checkpoints: Checkpoints::default() })
+        let sound = Arc::new(ValidSetup { setup, control });
+        Ok(EditorProgram {
+            source: Source::new(name, text),
+            sound,
+            checkpoints: RunCheckpoints::default(),
+        })
     }
 
     /// The same with another text.
-    pub fn with_text(&self, text: Vec<u8>) -> Program {
+    pub fn with_text(&self, text: Vec<u8>) -> EditorProgram {
         let source = Source::new(self.name(), text);
-        Program { source, sound: self.sound.clone(), checkpoints: Checkpoints::default() }
+        EditorProgram { source, sound: self.sound.clone(), checkpoints: RunCheckpoints::default() }
     }
 
     /// What it runs with.
-    pub fn setup(&self) -> &Setup {
+    pub fn setup(&self) -> &EditorSetup {
         &self.sound.setup
     }
 
-    pub(crate) fn sound(&self) -> &Arc<Sound> {
+    pub(crate) fn sound(&self) -> &Arc<ValidSetup> {
         &self.sound
     }
 
@@ -95,8 +99,8 @@ impl Program {
     }
 
     /// What explains words on its control.
-    pub fn view(&self) -> View {
-        View::of(self.control())
+    pub fn view(&self) -> ControlView {
+        ControlView::of(self.control())
     }
 
     /// The job, which borrows the texts. Its file 0 is this text, the others follow in order.
@@ -133,7 +137,7 @@ impl Program {
     pub fn blocks(&self, from: u32, to: u32, mut see: impl FnMut(&Block)) {
         let mut reader = BlockReader::new(self.text(), FileId(0), *self.lexicon());
         let offset = self.source.line_start(from);
-        reader.seek(chordal::syntax::Position { offset, line: from });
+        reader.seek(chordal::syntax::BlockPosition { offset, line: from });
         reader.limit(self.source.line_start(to));
         let mut block = Block::new();
         while reader.read(&mut block) {

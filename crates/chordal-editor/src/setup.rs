@@ -5,7 +5,7 @@ use chordal::{Machine, ReadingChoices};
 
 /// What a text needs to run.
 #[derive(Clone, Debug)]
-pub struct Setup {
+pub struct EditorSetup {
     /// The machine.
     pub machine: Machine,
     /// Why this one, in a line, where the user did not say it.
@@ -20,17 +20,24 @@ pub struct Setup {
     pub beside: Vec<(String, Vec<u8>)>,
 }
 
-impl Setup {
+impl EditorSetup {
     /// A machine, and nothing else.
-    pub fn of(machine: Machine) -> Setup {
+    pub fn of(machine: Machine) -> EditorSetup {
         let options = RunOptions::default();
-        Setup { machine, why: None, readings: None, options, program: None, beside: Vec::new() }
+        EditorSetup {
+            machine,
+            why: None,
+            readings: None,
+            options,
+            program: None,
+            beside: Vec::new(),
+        }
     }
 }
 
 /// A setup whose machine has only settings that its control knows.
 #[derive(Debug)]
-pub(crate) struct Sound {
-    pub setup: Setup,
+pub(crate) struct ValidSetup {
+    pub setup: EditorSetup,
     pub control: Control,
 }

@@ -6,11 +6,11 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use chordal::control::{CallPath, Checkpoint, Interrupt, Modal, Origin};
+use chordal::control::{CallPath, Checkpoint, InterruptCheck, Modal, Origin};
 use chordal::diagnostics::{FileId, TextRange};
 use chordal::{Command, Diagnostic, Sink};
 
-use crate::Program;
+use crate::EditorProgram;
 
 /// Text between two checkpoints, in bytes, or one of [`MOST_CHECKPOINTS`] parts of it.
 const APART: usize = 32 << 10;
@@ -18,7 +18,7 @@ const APART: usize = 32 << 10;
 /// About as many checkpoints at most.
 const MOST_CHECKPOINTS: usize = 256;
 
-impl Program {
+impl EditorProgram {
     /// What is active after a line when it runs for the first time; for a line that carries
     /// nothing out, after the last one before it that does.
     pub fn modal_behind(&self, line: u32) -> Option<Modal> {
@@ -31,7 +31,8 @@ impl Program {
         let byte = self.source().line_start(line);
         let stretch = known.stretch_of(byte).unwrap_or(known.checkpoints.len());
         let checkpoint = known.start(stretch);
-        let mut taking = Taking::new(line, checkpoint.map_or(0, Checkpoint::offset), self.apart());
+        let mut taking =
+            StateRecorder::new(line, checkpoint.map_or(0, Checkpoint::offset), self.apart());
         let job = self.job().interrupt(taking.interrupt());
         if !job.run_on(checkpoint, &mut taking) {
             job.run(&mut taking);
@@ -58,12 +59,12 @@ impl Program {
                 .checkpoints
                 .get(index)
                 .map_or(u32::MAX, |(checkpoint, _)| checkpoint.offset());
-            let mut nearest = Nearest { line, best: None, end };
+            let mut nearest = NearestLine { line, best: None, end };
             if job.run_on(known.start(index), &mut nearest) && nearest.best.is_some() {
                 return nearest.best;
             }
         }
-        let mut nearest = Nearest { line, best: None, end: u32::MAX };
+        let mut nearest = NearestLine { line, best: None, end: u32::MAX };
         job.run(&mut nearest);
         nearest.best
     }
@@ -74,19 +75,19 @@ impl Program {
 }
 
 /// The last line up to one that carries something out, up to a checkpoint.
-struct Nearest {
+struct NearestLine {
     line: u32,
     best: Option<u32>,
     end: u32,
 }
 
-impl Sink for Nearest {
+impl Sink for NearestLine {
     fn command(&mut self, _: &Command) {}
 
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for Nearest {
+impl RunSink for NearestLine {
     fn wants_blocks(&self) -> bool {
         true
     }
@@ -107,7 +108,7 @@ impl RunSink for Nearest {
 }
 
 /// The state after a line's first run, which ends the run; the last block of the line counts.
-struct Taking {
+struct StateRecorder {
     line: u32,
     modal: Option<(u32, CallPath, Modal)>,
     /// The line has run: what follows is no longer wanted.
@@ -117,25 +118,32 @@ struct Taking {
     checkpoints: Vec<(Arc<Checkpoint>, Option<TextRange>)>,
 }
 
-impl Taking {
-    fn new(line: u32, from: u32, apart: u32) -> Taking {
+impl StateRecorder {
+    fn new(line: u32, from: u32, apart: u32) -> StateRecorder {
         let over = Arc::new(AtomicBool::new(false));
-        Taking { line, modal: None, over, apart, next: from + apart, checkpoints: Vec::new() }
+        StateRecorder {
+            line,
+            modal: None,
+            over,
+            apart,
+            next: from + apart,
+            checkpoints: Vec::new(),
+        }
     }
 
-    fn interrupt(&self) -> Interrupt {
+    fn interrupt(&self) -> InterruptCheck {
         let over = self.over.clone();
         Arc::new(move || over.load(Ordering::Relaxed))
     }
 }
 
-impl Sink for Taking {
+impl Sink for StateRecorder {
     fn command(&mut self, _: &Command) {}
 
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for Taking {
+impl RunSink for StateRecorder {
     fn wants_blocks(&self) -> bool {
         true
     }

@@ -1,14 +1,14 @@
 //! The words of a text by what they are, for colours.
 
 use chordal::control::block_tokens;
-pub use chordal::control::{Class, Token};
+pub use chordal::control::{Token, TokenClass};
 
-use crate::Program;
+use crate::EditorProgram;
 
 /// Bytes of a block whose words have colours, at most: nobody writes a longer one, and no editor shows its colours.
 const LONGEST_COLOURED: u32 = 20_000;
 
-impl Program {
+impl EditorProgram {
     /// The tokens of the lines from `from` up to, not including, `to`, in the order of the text.
     pub fn tokens(&self, from: u32, to: u32) -> Vec<Token> {
         let mut tokens = Vec::new();

@@ -1,18 +1,21 @@
 //! What an editor gets about small programs.
 
 use chordal::Machine;
-use chordal_editor::{Class, EntryKind, FormatError, Name, Numbering, Program, RenameError, Role};
+use chordal_editor::{
+    EditorProgram, EntryKind, FormatError, NameRole, NumberingOptions, RenameError, SymbolName,
+    TokenClass,
+};
 
-fn on(machine: &str, text: &str) -> Program {
+fn on(machine: &str, text: &str) -> EditorProgram {
     let machine = Machine::from_builtin(machine).expect("a built-in machine");
-    Program::new("test.nc", text.into(), machine).expect("a program")
+    EditorProgram::new("test.nc", text.into(), machine).expect("a program")
 }
 
-fn haas(text: &str) -> Program {
+fn haas(text: &str) -> EditorProgram {
     on("haas-vf2", text)
 }
 
-fn words(program: &Program) -> Vec<(String, Class)> {
+fn words(program: &EditorProgram) -> Vec<(String, TokenClass)> {
     let text = |range: chordal::diagnostics::TextRange| {
         String::from_utf8_lossy(range.slice(program.text())).into_owned()
     };
@@ -20,7 +23,7 @@ fn words(program: &Program) -> Vec<(String, Class)> {
 }
 
 /// Where the first of some words stands.
-fn at(program: &Program, words: &str) -> u32 {
+fn at(program: &EditorProgram, words: &str) -> u32 {
     let text = String::from_utf8_lossy(program.text()).into_owned();
     text.find(words).expect("the words stand in the text") as u32
 }
@@ -29,24 +32,24 @@ fn at(program: &Program, words: &str) -> u32 {
 fn words_have_classes() {
     let program = haas("%\nO100 (PART)\n/N5 G1 X1. F20. M8\n#101=#1+SIN[2.] (A)\nG0 Z#101 T5\n");
     let expected = [
-        ("%", Class::Mark),
-        ("O100", Class::Program),
-        ("(PART)", Class::Comment),
-        ("/", Class::Mark),
-        ("N5", Class::Label),
-        ("G1", Class::GCode),
-        ("X1.", Class::Axis),
-        ("F20.", Class::Speed),
-        ("M8", Class::MCode),
-        ("#101", Class::Variable),
-        ("#1", Class::Variable),
-        ("SIN", Class::Keyword),
-        ("2.", Class::Number),
-        ("(A)", Class::Comment),
-        ("G0", Class::GCode),
-        ("Z", Class::Axis),
-        ("#101", Class::Variable),
-        ("T5", Class::Tool),
+        ("%", TokenClass::Mark),
+        ("O100", TokenClass::Program),
+        ("(PART)", TokenClass::Comment),
+        ("/", TokenClass::Mark),
+        ("N5", TokenClass::Label),
+        ("G1", TokenClass::GCode),
+        ("X1.", TokenClass::Axis),
+        ("F20.", TokenClass::Speed),
+        ("M8", TokenClass::MCode),
+        ("#101", TokenClass::Variable),
+        ("#1", TokenClass::Variable),
+        ("SIN", TokenClass::Keyword),
+        ("2.", TokenClass::Number),
+        ("(A)", TokenClass::Comment),
+        ("G0", TokenClass::GCode),
+        ("Z", TokenClass::Axis),
+        ("#101", TokenClass::Variable),
+        ("T5", TokenClass::Tool),
     ];
     let expected: Vec<_> = expected.map(|(text, class)| (text.to_string(), class)).into();
     assert_eq!(words(&program), expected);
@@ -57,10 +60,10 @@ fn fadal_macro_lines_have_classes() {
     let program = on("fadal-4020", "# V1=R2+3 ' up\n# :LOOP\nR0+1.5\nX+R3\nM30\n");
     let words = words(&program);
     let class = |text: &str| words.iter().find(|(word, _)| word == text).map(|(_, class)| *class);
-    assert_eq!(class("V1"), Some(Class::Variable));
-    assert_eq!(class("R2"), Some(Class::Variable));
-    assert_eq!(class("R0+1.5"), Some(Class::Variable));
-    assert_eq!(class("X+R3"), Some(Class::Axis));
+    assert_eq!(class("V1"), Some(TokenClass::Variable));
+    assert_eq!(class("R2"), Some(TokenClass::Variable));
+    assert_eq!(class("R0+1.5"), Some(TokenClass::Variable));
+    assert_eq!(class("X+R3"), Some(TokenClass::Axis));
 }
 
 #[test]
@@ -106,7 +109,7 @@ fn the_outline_goes_by_program_tool_and_operation() {
         "%\nO1 (PLATE)\nT1 M6 (DRILL)\n(SPOT)\nG0 X1.\n(DEEP)\nG0 X2.\nT2\nM6\n(***)\n(BORE)\nM30\nO2\nM99\n%\n",
     );
     let outline = program.outline();
-    let names = |entries: &[chordal_editor::Entry]| -> Vec<String> {
+    let names = |entries: &[chordal_editor::OutlineEntry]| -> Vec<String> {
         entries.iter().map(|entry| format!("{} {}", entry.name, entry.detail)).collect()
     };
     assert_eq!(names(&outline), ["O1 PLATE", "O2 "]);
@@ -131,13 +134,13 @@ fn names_are_made_and_used() {
         let line = |range: chordal::diagnostics::TextRange| program.source().line_of(range.start);
         places.iter().map(|place| (line(place.range), place.role)).collect::<Vec<_>>()
     };
-    assert_eq!(places(at(&program, "P1000")), [(2, Role::Use), (7, Role::Definition)]);
+    assert_eq!(places(at(&program, "P1000")), [(2, NameRole::Use), (7, NameRole::Definition)]);
     // The N10 of the other program is another one.
-    let jumps = [(3, Role::Definition), (4, Role::Use), (5, Role::Use)];
+    let jumps = [(3, NameRole::Definition), (4, NameRole::Use), (5, NameRole::Use)];
     assert_eq!(places(at(&program, "N10")), jumps);
-    assert_eq!(places(at(&program, "N10 #1")), [(8, Role::Definition), (9, Role::Use)]);
+    assert_eq!(places(at(&program, "N10 #1")), [(8, NameRole::Definition), (9, NameRole::Use)]);
     let local = program.name_at(at(&program, "#1=")).expect("a name").name;
-    assert_eq!(local, Name::Variable { program: Some(1), name: "#1".into() });
+    assert_eq!(local, SymbolName::Variable { program: Some(1), name: "#1".into() });
 }
 
 #[test]
@@ -197,9 +200,9 @@ fn spaces_are_put_between_words() {
 
 #[test]
 fn numbers_change_with_their_jumps() {
-    let numbering = Numbering { first: 10, step: 10, all: true };
+    let numbering = NumberingOptions { first: 10, step: 10, all: true };
     let program = haas("O1\nG90\nN7 G0 X1.\n#1=1\nIF[#1EQ1]GOTO 7\nM97 P9\nM30\nN9 X2.\nM99\n");
-    let text = |program: &Program| {
+    let text = |program: &EditorProgram| {
         let edits = program.renumbered(numbering)?;
         Ok::<_, FormatError>(String::from_utf8(program.edited(&edits)).expect("a text"))
     };

@@ -1,9 +1,9 @@
 //! The examples of `explain` run on their controls.
 
-use chordal::control::{Action, CycleKind, Field};
+use chordal::control::{Action, CycleKind, SettingField};
 use chordal::diagnostics::Source;
 use chordal::{Job, Machine, Severity, SourceMap};
-use chordal_editor::meaning::{View, codes, example};
+use chordal_editor::meaning::{ControlView, codes, example};
 
 /// The example after the head of a usual program, with what it may call.
 /// For a control that takes one command a line.
@@ -36,7 +36,7 @@ fn program(example: &str, spindle: &str, turns: bool, stations: bool, small: boo
 fn every_example_runs_without_an_error() {
     let mut count = 0;
     let mut wrong = Vec::new();
-    for view in View::all() {
+    for view in ControlView::all() {
         for letter in [b'G', b'M'] {
             for row in codes(view.table, letter) {
                 let Some(example) = example(letter, row, &view) else { continue };
@@ -45,7 +45,7 @@ fn every_example_runs_without_an_error() {
                 machine.set("tools.1.diameter=\"6 mm\"").unwrap();
                 // Codes that not every build of a firmware has are there.
                 for setting in view.table.settings {
-                    if matches!(setting.field, Field::Build(_)) {
+                    if matches!(setting.field, SettingField::Build(_)) {
                         machine.set(&format!("settings.\"{}\"=\"on\"", setting.name)).unwrap();
                     }
                 }

@@ -10,10 +10,10 @@ use chordal::diagnostics::{Code, FileId};
 use chordal::syntax::{Block, BlockReader};
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_editor::explain::explain;
-use chordal_editor::meaning::{View, code_name};
+use chordal_editor::meaning::{ControlView, code_name};
 
-fn view(machine: &str) -> View {
-    View::of(&Control::of(&Machine::from_builtin(machine).unwrap()).0)
+fn view(machine: &str) -> ControlView {
+    ControlView::of(&Control::of(&Machine::from_builtin(machine).unwrap()).0)
 }
 
 #[track_caller]
@@ -125,7 +125,7 @@ fn an_alarm_at_a_code_is_on_its_page() {
             let rows = block.words.iter().filter(|word| word.range == range);
             for row in rows.filter_map(|word| Some((word.letter, control.row_of(word)?))) {
                 let name = code_name(row.0, row.1.code);
-                let text = explain(&name, &[View::of(control)]).map_err(|_| ()).unwrap();
+                let text = explain(&name, &[ControlView::of(control)]).map_err(|_| ()).unwrap();
                 let told = format!("{} {name} {}", control.table.name, problem.code.id());
                 if !text.contains(problem.code.id()) {
                     missing.insert(told.clone());

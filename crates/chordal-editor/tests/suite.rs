@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use chordal::Machine;
-use chordal_editor::{Class, Numbering, Program};
+use chordal_editor::{EditorProgram, NumberingOptions, TokenClass};
 
 const MACHINES: &[(&str, &str)] = &[
     ("fadal", "fadal-4020"),
@@ -17,7 +17,7 @@ const MACHINES: &[(&str, &str)] = &[
     ("linuxcnc", "linuxcnc-mill"),
 ];
 
-fn programs() -> Vec<(PathBuf, Program)> {
+fn programs() -> Vec<(PathBuf, EditorProgram)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut programs = Vec::new();
     for (folder, machine) in MACHINES {
@@ -30,7 +30,8 @@ fn programs() -> Vec<(PathBuf, Program)> {
                     let machine = Machine::from_builtin(machine).expect("a machine");
                     let text = fs::read(&path).expect("a program");
                     let name = path.display().to_string();
-                    programs.push((path, Program::new(name, text, machine).expect("a program")));
+                    programs
+                        .push((path, EditorProgram::new(name, text, machine).expect("a program")));
                 }
             }
         }
@@ -60,7 +61,9 @@ fn every_word_has_an_answer() {
         let (mut asked, mut answered) = (0, 0);
         // Each question runs the program: a few words of each are enough.
         let mut words = program.tokens(1, u32::MAX);
-        words.retain(|token| matches!(token.class, Class::GCode | Class::Axis | Class::Speed));
+        words.retain(|token| {
+            matches!(token.class, TokenClass::GCode | TokenClass::Axis | TokenClass::Speed)
+        });
         for token in words.iter().step_by(words.len() / 7 + 1) {
             answered += usize::from(program.hover(token.range.start, Some(&ran)).is_some());
             asked += 1;
@@ -78,7 +81,7 @@ fn what_is_reformatted_runs_the_same() {
     for (path, program) in programs() {
         // A refusal is an answer; an edit is proved by the run itself, and here once more by
         // the report.
-        let numbering = Numbering { first: 10, step: 5, all: true };
+        let numbering = NumberingOptions { first: 10, step: 5, all: true };
         let edits = [program.spaced(1, u32::MAX), program.renumbered(numbering)];
         for (changed, edits) in changed.iter_mut().zip(edits) {
             let Ok(edits) = edits else { continue };

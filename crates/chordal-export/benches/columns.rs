@@ -12,7 +12,7 @@ use std::time::Duration;
 
 use arrow_array::RecordBatch;
 use chordal::{Command, Job, Machine, Source, SourceMap};
-use chordal_export::columns::{ColumnFile, ColumnFormat, CommandColumns, Rows};
+use chordal_export::columns::{ColumnFile, ColumnFormat, CommandColumns, RowBatcher};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 /// A xorshift, so that every run reads the same text.

@@ -5,15 +5,15 @@ use std::io::{self, Write};
 
 use chordal::control::SurfaceShape;
 use chordal::control::{
-    ArcShape, Coolant, Feed, FeedMode, Move, Overrides, PathMode, Position, Side, SpindleState,
-    Units, WorkName,
+    ArcShape, CompensationSide, Coolant, Feed, FeedMode, Move, Overrides, PathMode, Position,
+    SpindleState, Units, WorkName,
 };
 use chordal::diagnostics::FileId;
 use chordal::geometry::{Plane, Spline};
 use chordal::machine::PerAxis;
 use chordal::{Command, CommandKind, Job, SourceMap};
 
-use self::turn::Turn;
+use self::turn::CoordinateRotation;
 use crate::number::{push_fixed, push_integer};
 
 mod turn;
@@ -31,7 +31,7 @@ const SAME_RADIUS_MM: f64 = 1e-6;
 /// A place is as the program has it: the machine is at its sum with `SET_G92_OFFSET`, turned by `SET_XY_ROTATION`
 /// about zero, and moved by `SET_G5X_OFFSET` and `USE_TOOL_LENGTH_OFFSET`.
 #[derive(Debug)]
-pub struct Canon<'a, W> {
+pub struct CanonWriter<'a, W> {
     out: W,
     line: Vec<u8>,
     sources: &'a SourceMap<'a>,
@@ -40,10 +40,10 @@ pub struct Canon<'a, W> {
     coolant: Coolant,
     rpm: f64,
     work: Option<(WorkName, Position)>,
-    turn: Turn,
+    turn: CoordinateRotation,
 }
 
-impl<'a, W: Write> Canon<'a, W> {
+impl<'a, W: Write> CanonWriter<'a, W> {
     /// Writes the header: comments and the units.
     ///
     /// # Errors
@@ -62,7 +62,7 @@ impl<'a, W: Write> Canon<'a, W> {
             coolant: Coolant::default(),
             rpm: 0.0,
             work: None,
-            turn: Turn::default(),
+            turn: CoordinateRotation::default(),
         })
     }
 
@@ -291,7 +291,8 @@ impl<'a, W: Write> Canon<'a, W> {
         turned: f64,
     ) {
         let preset = std::array::from_fn(|axis| offset[axis] - system[axis]);
-        let before = std::mem::replace(&mut self.turn, Turn { degrees: turned, preset });
+        let before =
+            std::mem::replace(&mut self.turn, CoordinateRotation { degrees: turned, preset });
         if self.work.replace((name, *system)) != Some((name, *system)) {
             self.begin(line);
             self.line.extend_from_slice(format!("SET_G5X_OFFSET({}, ", slot(name)).as_bytes());
@@ -348,11 +349,11 @@ fn simple(kind: &CommandKind) -> Option<String> {
         CommandKind::ToolLength { offset: [x, y, z, ..], .. } => {
             format!("USE_TOOL_LENGTH_OFFSET({x:.6}, {y:.6}, {z:.6})")
         }
-        CommandKind::Compensation { side: Side::Off, .. } => {
+        CommandKind::Compensation { side: CompensationSide::Off, .. } => {
             "STOP_CUTTER_RADIUS_COMPENSATION()".into()
         }
         CommandKind::Compensation { side, radius_mm, .. } => {
-            let word = if *side == Side::Left { "LEFT" } else { "RIGHT" };
+            let word = if *side == CompensationSide::Left { "LEFT" } else { "RIGHT" };
             let radius = radius_mm.unwrap_or(0.0);
             format!("START_CUTTER_RADIUS_COMPENSATION({word}) ; radius {radius:.6}")
         }

@@ -6,7 +6,7 @@ use chordal::control::AxisMask;
 use chordal::geometry::{Chords, ParamCurve, Placement, Vec3};
 use chordal::{Segment, SegmentKind};
 
-use crate::json::Object;
+use crate::json::JsonObject;
 use crate::number::{push_finite, push_integer};
 
 /// Writes the path as chords, one row each, as CSV or as JSON lines (schema
@@ -40,7 +40,7 @@ impl<W: Write> ChordWriter<W> {
     /// Those of the output, and a tolerance that is not above zero.
     pub fn jsonl(out: W, tolerance_mm: f64, placement: Placement) -> io::Result<Self> {
         let mut writer = Self::open(out, tolerance_mm, placement, true)?;
-        let mut header = Object::open(&mut writer.row);
+        let mut header = JsonObject::open(&mut writer.row);
         header.word("schema", "chordal.chords/1");
         header.word("length_unit", "mm");
         header.number("tolerance_mm", tolerance_mm);
@@ -91,7 +91,7 @@ impl<W: Write> ChordWriter<W> {
         let kind = kind_word(segment.kind);
         let length = (to - from).length();
         if self.json {
-            let mut object = Object::open(&mut self.row);
+            let mut object = JsonObject::open(&mut self.row);
             object.integer("line", line.into());
             object.word("kind", kind);
             object.object("from", |inner| write_point(inner, from));
@@ -154,7 +154,7 @@ pub(crate) fn error_mm(chords: &Chords, placement: Placement, tolerance_mm: f64)
     }
 }
 
-fn write_point(object: &mut Object, point: Vec3) {
+fn write_point(object: &mut JsonObject, point: Vec3) {
     object.number("X", point.x);
     object.number("Y", point.y);
     object.number("Z", point.z);

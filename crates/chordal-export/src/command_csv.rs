@@ -8,7 +8,7 @@ use chordal::path::curve_of;
 use chordal::{Command, CommandKind, Job, PathCommand};
 
 use crate::motion::{
-    Written, direction_word, path_feed, plane_word, side_word, spindle_word, spline_feed,
+    PositionScale, direction_word, path_feed, plane_word, side_word, spindle_word, spline_feed,
     spline_length,
 };
 use crate::number::number;
@@ -68,7 +68,7 @@ const COMPENSATION: usize = 27;
 pub struct CommandCsv<W: Write> {
     out: csv::Writer<W>,
     axes: AxisMask,
-    written: Written,
+    written: PositionScale,
     columns: usize,
     row: [String; COLUMNS.len()],
 }
@@ -95,7 +95,7 @@ impl<W: Write> CommandCsv<W> {
         let mut out = csv::Writer::from_writer(out);
         out.write_record(&COLUMNS[..columns])?;
         let axes = job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR);
-        Ok(Self { out, axes, written: Written::of(job), columns, row: Default::default() })
+        Ok(Self { out, axes, written: PositionScale::of(job), columns, row: Default::default() })
     }
 
     /// Writes a command of the tool centre.

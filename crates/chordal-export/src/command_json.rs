@@ -11,10 +11,10 @@ use chordal::geometry::Spline;
 use chordal::machine::{AXES, AXIS_NAMES, Axis};
 use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 
-use crate::json::Object;
+use crate::json::JsonObject;
 use crate::motion::{
-    Written, curve_and_length, direction_word, feed_mode_word, path_feed, plane_word, side_word,
-    spindle_word, spline_feed, spline_length,
+    PositionScale, curve_and_length, direction_word, feed_mode_word, path_feed, plane_word,
+    side_word, spindle_word, spline_feed, spline_length,
 };
 
 /// Writes commands as JSON lines, schema `chordal.commands/1`: a header object, then one
@@ -32,7 +32,7 @@ pub struct CommandJsonLines<'a, W> {
     naming: chordal::control::WorkNaming,
     /// X, Y and Z always, and the rotary axes of the machine.
     axes: AxisMask,
-    written: Written,
+    written: PositionScale,
 }
 
 impl<'a, W: Write> CommandJsonLines<'a, W> {
@@ -47,9 +47,9 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
             sources: job.sources(),
             naming: job.control().table.work_names,
             axes: job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR),
-            written: Written::of(job),
+            written: PositionScale::of(job),
         };
-        let mut header = Object::open(&mut writer.line);
+        let mut header = JsonObject::open(&mut writer.line);
         header.word("schema", "chordal.commands/1");
         header.word("length_unit", "mm");
         header.word("angle_unit", "deg");
@@ -92,13 +92,13 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
         })
     }
 
-    fn write(&mut self, command: &Command, more: impl FnOnce(&mut Object)) -> io::Result<()> {
+    fn write(&mut self, command: &Command, more: impl FnOnce(&mut JsonObject)) -> io::Result<()> {
         if command.kind.is_effect() {
             return Ok(());
         }
-        let mut object = Object::open(&mut self.line);
+        let mut object = JsonObject::open(&mut self.line);
         write_origin(&mut object, &command.origin, self.sources);
-        let context = Context {
+        let context = CommandJsonContext {
             sources: self.sources,
             naming: self.naming,
             axes: self.axes,
@@ -128,7 +128,7 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
 }
 
 /// The block's line, and its file where that is not the program's.
-fn write_origin(object: &mut Object, origin: &Origin, sources: &SourceMap) {
+fn write_origin(object: &mut JsonObject, origin: &Origin, sources: &SourceMap) {
     if origin.span.file != FileId(0)
         && let Some(source) = sources.get(origin.span.file)
     {
@@ -137,15 +137,15 @@ fn write_origin(object: &mut Object, origin: &Origin, sources: &SourceMap) {
     object.integer("line", origin.line.into());
 }
 
-struct Context<'a> {
+struct CommandJsonContext<'a> {
     sources: &'a SourceMap<'a>,
     naming: chordal::control::WorkNaming,
     axes: AxisMask,
-    written: Written,
+    written: PositionScale,
 }
 
-impl Context<'_> {
-    fn write(&self, object: &mut Object, command: &Command) {
+impl CommandJsonContext<'_> {
+    fn write(&self, object: &mut JsonObject, command: &Command) {
         match &command.kind {
             CommandKind::Rapid { motion, path } => self.rapid(object, motion, *path),
             CommandKind::Line { motion, feed } => self.cut(object, "line", motion, None, feed),
@@ -174,7 +174,7 @@ impl Context<'_> {
         }
     }
 
-    fn rapid(&self, object: &mut Object, motion: &Move, path: RapidPath) {
+    fn rapid(&self, object: &mut JsonObject, motion: &Move, path: RapidPath) {
         object.word("kind", "rapid");
         self.ends(object, motion);
         let word = match path {
@@ -186,7 +186,7 @@ impl Context<'_> {
 
     fn cut(
         &self,
-        object: &mut Object,
+        object: &mut JsonObject,
         kind: &str,
         motion: &Move,
         shape: Option<&ArcShape>,
@@ -213,7 +213,7 @@ impl Context<'_> {
     }
 
     /// The order and the control points with their weights, as places are written.
-    fn spline(&self, object: &mut Object, motion: &Move, curve: &Spline, feed: &Feed) {
+    fn spline(&self, object: &mut JsonObject, motion: &Move, curve: &Spline, feed: &Feed) {
         object.word("kind", "spline");
         self.ends(object, motion);
         object.integer("order", curve.order() as u64);
@@ -232,7 +232,7 @@ impl Context<'_> {
         }
     }
 
-    fn ends(&self, object: &mut Object, motion: &Move) {
+    fn ends(&self, object: &mut JsonObject, motion: &Move) {
         object.object("from", |inner| self.position(inner, &motion.from));
         object.object("to", |inner| self.position(inner, &motion.to));
         // Rotary axes that stand still are reported only where a program turns them: most never do.
@@ -247,7 +247,7 @@ impl Context<'_> {
         unknown(object, "to_unknown", told.without(motion.to_known));
     }
 
-    fn position(&self, object: &mut Object, position: &Position) {
+    fn position(&self, object: &mut JsonObject, position: &Position) {
         for (axis, value) in position.iter().enumerate() {
             if self.axes.has(axis) {
                 object.number(AXIS_NAMES[axis], self.written.place(axis, *value));
@@ -255,7 +255,13 @@ impl Context<'_> {
         }
     }
 
-    fn work_offset(&self, object: &mut Object, name: WorkName, offset: &Position, known: AxisMask) {
+    fn work_offset(
+        &self,
+        object: &mut JsonObject,
+        name: WorkName,
+        offset: &Position,
+        known: AxisMask,
+    ) {
         object.word("kind", "work_offset");
         object.text("name", &name.key(self.naming));
         object.object("offset", |inner| self.position(inner, offset));
@@ -264,13 +270,13 @@ impl Context<'_> {
 }
 
 /// The axes whose value is not known relative to the part, where there are any.
-fn unknown(object: &mut Object, name: &str, axes: AxisMask) {
+fn unknown(object: &mut JsonObject, name: &str, axes: AxisMask) {
     if axes != AxisMask::NONE {
         object.letters(name, axes.iter().map(|axis| axis.letter()));
     }
 }
 
-fn write_shape(object: &mut Object, shape: &ArcShape, center: [f64; 2]) {
+fn write_shape(object: &mut JsonObject, shape: &ArcShape, center: [f64; 2]) {
     object.word("plane", plane_word(shape.plane));
     let (first, second, _) = shape.plane.axes();
     object.object("center", |inner| {
@@ -284,7 +290,7 @@ fn write_shape(object: &mut Object, shape: &ArcShape, center: [f64; 2]) {
 }
 
 /// Commands that move nothing.
-fn state(object: &mut Object, kind: &CommandKind) {
+fn state(object: &mut JsonObject, kind: &CommandKind) {
     match kind {
         CommandKind::Dwell { seconds, label } => {
             object.word("kind", "dwell");
@@ -343,7 +349,7 @@ fn state(object: &mut Object, kind: &CommandKind) {
 }
 
 /// Where two coordinates lie from here on.
-fn surface_of(object: &mut Object, surface: Option<&RotarySurface>) {
+fn surface_of(object: &mut JsonObject, surface: Option<&RotarySurface>) {
     object.word("kind", "surface");
     let Some(surface) = surface else { return object.word("surface", "none") };
     let letter = |axis: usize| Axis::ALL[axis].letter().to_string();
@@ -359,7 +365,7 @@ fn surface_of(object: &mut Object, surface: Option<&RotarySurface>) {
 }
 
 /// Commands that change what later ones mean.
-fn mode(object: &mut Object, kind: &CommandKind) {
+fn mode(object: &mut JsonObject, kind: &CommandKind) {
     match kind {
         CommandKind::Units(units) => {
             object.word("kind", "units");

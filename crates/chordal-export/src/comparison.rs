@@ -3,13 +3,13 @@
 use chordal::Job;
 use chordal::control::PathMode;
 use chordal::diagnostics::{FileId, Span};
-use chordal_compare::{Blocks, Comparison, Difference, Place, Value as Had};
+use chordal_compare::{BlockLocation, BlockRange, Comparison, Difference, DifferenceValue as Had};
 use chordal_rewrite::Certificate;
 use chordal_rewrite::convert::{Conversion, PassChange, PassReading, PeckChange, PeckReading};
 use serde_json::{Value, json};
 
 use crate::motion::spindle_word;
-use crate::numbers::{self, Units};
+use crate::numbers::{self, SummaryUnits};
 
 /// One JSON object, schema `chordal.compare/1`: lengths in mm, feeds in mm/min, angles in degrees, the
 /// first program as `a`, the second as `b`.
@@ -156,12 +156,12 @@ fn difference(one: &Difference, jobs: [&Job; 2]) -> Value {
     row
 }
 
-fn blocks(at: &Blocks, job: &Job) -> Value {
+fn blocks(at: &BlockRange, job: &Job) -> Value {
     let (from, to) = at.lines();
     in_file(json!({"lines": [from, to]}), at.first.span, job)
 }
 
-fn place(at: &Place, job: &Job) -> Value {
+fn place(at: &BlockLocation, job: &Job) -> Value {
     in_file(json!({"line": at.line}), at.span, job)
 }
 
@@ -192,7 +192,7 @@ fn value(had: &Had) -> Value {
             json!({"mode": "continuous", "tolerance_mm": tolerance_mm})
         }
         Had::PathMode(mode) => json!({"mode": path_mode(*mode)}),
-        other => json!(value_text(other, Units::Millimetre)),
+        other => json!(value_text(other, SummaryUnits::Millimetre)),
     }
 }
 
@@ -205,7 +205,7 @@ fn path_mode(mode: PathMode) -> &'static str {
 }
 
 /// What one of the two has, in words and in the units of the program.
-pub fn value_text(had: &Had, units: Units) -> String {
+pub fn value_text(had: &Had, units: SummaryUnits) -> String {
     let (unit, mm) = (units.length_unit(), units.length_mm());
     let short = |value: f64| numbers::short(value, 4);
     match had {

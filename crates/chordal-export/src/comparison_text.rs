@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use chordal::{Code, Job};
-use chordal_compare::{Comparison, Difference, Verdict};
+use chordal_compare::{Comparison, ComparisonVerdict, Difference};
 
 use crate::comparison::value_text;
-use crate::numbers::{Units, counted, grouped, short};
+use crate::numbers::{SummaryUnits, counted, grouped, short};
 
 /// Most differences that the text lists.
 const MOST_TOLD: usize = 20;
@@ -18,7 +18,7 @@ pub fn comparison_text(
     jobs: [&Job; 2],
     tolerance_mm: f64,
 ) -> String {
-    let units = Units::of(found.reports[0].summary.inch);
+    let units = SummaryUnits::of(found.reports[0].summary.inch);
     let mut text = comparison_headline(found, units, tolerance_mm);
     if let Some(at) = found.farthest {
         let [a, b] = [0, 1].map(|side: usize| format!("{}:{}", names[side], at[side].line));
@@ -54,39 +54,39 @@ pub fn comparison_text(
 }
 
 /// The answer in a line.
-pub fn comparison_headline(found: &Comparison, units: Units, tolerance_mm: f64) -> String {
+pub fn comparison_headline(found: &Comparison, units: SummaryUnits, tolerance_mm: f64) -> String {
     let total = found.differences.len() as u64 + found.dropped;
     let differences = counted(total, "difference", "differences");
     match (found.verdict, found.max_distance_mm) {
-        (Verdict::Same, None) if found.moves == [0, 0] => "same: neither moves\n".into(),
-        (Verdict::Same, None) => {
+        (ComparisonVerdict::Same, None) if found.moves == [0, 0] => "same: neither moves\n".into(),
+        (ComparisonVerdict::Same, None) => {
             "same as far as can be checked: no move lies between positions that are known \
                                  relative to the part\n"
                 .into()
         }
-        (Verdict::Same, Some(_)) => format!(
+        (ComparisonVerdict::Same, Some(_)) => format!(
             "same: {}\n",
             match found.moves {
                 [a, b] if a == b => counted(a, "move", "moves"),
                 [a, b] => format!("{a} moves in the first program, {b} in the second"),
             }
         ),
-        (Verdict::Within, most) => {
+        (ComparisonVerdict::Within, most) => {
             let most = length_text(most.unwrap_or_default(), units);
             format!(
                 "within the tolerance: the paths are at most {most} apart, {} is allowed\n",
                 length_text(tolerance_mm, units)
             )
         }
-        (Verdict::NotVerified, _) => {
+        (ComparisonVerdict::NotVerified, _) => {
             "not verified: a program does something that is not followed, and what comes after it is not known\n"
                 .into()
         }
-        (Verdict::Different, None) => format!("different: {differences}\n"),
-        (Verdict::Different, Some(most)) if most <= chordal_compare::SAME_MM => {
+        (ComparisonVerdict::Different, None) => format!("different: {differences}\n"),
+        (ComparisonVerdict::Different, Some(most)) if most <= chordal_compare::SAME_MM => {
             format!("different: {differences}; the paths are the same\n")
         }
-        (Verdict::Different, Some(most)) => {
+        (ComparisonVerdict::Different, Some(most)) => {
             format!(
                 "different: {differences}; the paths are at most {} apart\n",
                 length_text(most, units)
@@ -128,7 +128,7 @@ pub struct SideWords {
 }
 
 /// The parts of a difference that are words.
-pub fn difference_words(one: &Difference, jobs: [&Job; 2], units: Units) -> DifferenceWords {
+pub fn difference_words(one: &Difference, jobs: [&Job; 2], units: SummaryUnits) -> DifferenceWords {
     let mut head = one.category.word().to_string();
     if let Some(distance) = one.distance_mm {
         head += &format!(": at most {} apart", length_text(distance, units));
@@ -155,7 +155,7 @@ pub fn difference_text(
     one: &Difference,
     names: [&str; 2],
     jobs: [&Job; 2],
-    units: Units,
+    units: SummaryUnits,
 ) -> String {
     let DifferenceWords { head, sides } = difference_words(one, jobs, units);
     let mut text = format!("\n{head}\n");
@@ -182,7 +182,7 @@ pub fn difference_text(
 }
 
 /// To a hundredth of a micrometre: what is less is written as a power of ten.
-pub fn length_text(mm: f64, units: Units) -> String {
+pub fn length_text(mm: f64, units: SummaryUnits) -> String {
     let value = mm / units.length_mm();
     let text =
         if value == 0.0 || value.abs() >= 1e-4 { short(value, 5) } else { format!("{value:.1e}") };

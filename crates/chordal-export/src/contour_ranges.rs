@@ -1,6 +1,6 @@
 //! The offsets with which contours run, as text and as JSON.
 
-use chordal::control::{Side, Units};
+use chordal::control::{CompensationSide, Units};
 use chordal::geometry::Plane;
 use chordal::path::gouge::LimitReason;
 use chordal::{ContourRange, ContourRanges, Job, OffsetLimit};
@@ -35,11 +35,11 @@ fn rounded_down(mm: f64, units: Units) -> f64 {
     (mm / step + 1e-6).floor() * step
 }
 
-fn code(side: Side) -> &'static str {
+fn code(side: CompensationSide) -> &'static str {
     match side {
-        Side::Left => "G41",
-        Side::Right => "G42",
-        Side::Off => "G40",
+        CompensationSide::Left => "G41",
+        CompensationSide::Right => "G42",
+        CompensationSide::Off => "G40",
     }
 }
 

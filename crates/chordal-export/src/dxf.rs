@@ -43,7 +43,7 @@ const FOOT: &str = "0\nENDSEC\n0\nEOF\n";
 /// which nobody knows how it lies to the first; an axis that the program never names is at zero. A comment
 /// says each of it.
 #[derive(Debug)]
-pub struct Dxf<W> {
+pub struct DxfWriter<W> {
     out: W,
     text: Vec<u8>,
     not_named: NotNamed,
@@ -53,7 +53,7 @@ pub struct Dxf<W> {
     tolerance_mm: f64,
 }
 
-impl<W: Write> Dxf<W> {
+impl<W: Write> DxfWriter<W> {
     /// Writes the header, for the path of a job.
     ///
     /// # Errors

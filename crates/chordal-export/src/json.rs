@@ -3,16 +3,16 @@
 use crate::number::{push_integer, push_number};
 
 /// The fields of one object. Names are the program's own and need no escaping.
-pub(crate) struct Object<'o> {
+pub(crate) struct JsonObject<'o> {
     out: &'o mut Vec<u8>,
     empty: bool,
 }
 
-impl<'o> Object<'o> {
+impl<'o> JsonObject<'o> {
     /// Opens an object.
-    pub fn open(out: &'o mut Vec<u8>) -> Object<'o> {
+    pub fn open(out: &'o mut Vec<u8>) -> JsonObject<'o> {
         out.push(b'{');
-        Object { out, empty: true }
+        JsonObject { out, empty: true }
     }
 
     /// Closes it.
@@ -86,8 +86,8 @@ impl<'o> Object<'o> {
     }
 
     /// An object within the object.
-    pub fn object(&mut self, name: &str, fill: impl FnOnce(&mut Object)) {
-        let mut inner = Object::open(self.name(name));
+    pub fn object(&mut self, name: &str, fill: impl FnOnce(&mut JsonObject)) {
+        let mut inner = JsonObject::open(self.name(name));
         fill(&mut inner);
         inner.close();
     }

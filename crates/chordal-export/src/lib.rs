@@ -2,9 +2,9 @@
 //!
 //! | of | format | here |
 //! |---|---|---|
-//! | commands | JSON lines, CSV, canonical text | [`CommandJsonLines`], [`CommandCsv`], [`Canon`] |
+//! | commands | JSON lines, CSV, canonical text | [`CommandJsonLines`], [`CommandCsv`], [`CanonWriter`] |
 //! | chords | CSV, JSON lines | [`ChordWriter`] |
-//! | path | SVG, PNG, DXF | [`Plot`], [`Dxf`] |
+//! | path | SVG, PNG, DXF | [`Plot`], [`DxfWriter`] |
 //! | setpoints | CSV, JSON lines, Parquet, Arrow | [`SampleWriter`] |
 //! | commands, path, chords, setpoints | record batches of Arrow, Parquet, Arrow files | [`columns`] |
 //! | motion | SVG, PNG | [`MotionPlot`] |
@@ -25,18 +25,18 @@
 //! builds without their dependencies.
 //!
 //! ```
-//! use chordal::{Job, Machine, Reading, Source, SourceMap};
-//! use chordal_export::{Canon, report};
+//! use chordal::{Job, Machine, ProgramReading, Source, SourceMap};
+//! use chordal_export::{CanonWriter, report};
 //!
 //! let mut sources = SourceMap::new();
 //! sources.add(Source::new("part.nc", b"G21 G90 S900 M3\nG1 X10. F100.\nM30\n".as_slice()));
 //! let job = Job::new(sources, Machine::from_builtin("haas-vf2").unwrap()).unwrap();
 //!
-//! let mut canon = Canon::new(Vec::new(), &job).unwrap();
+//! let mut canon = CanonWriter::new(Vec::new(), &job).unwrap();
 //! let found = job.report_of_commands(|command| canon.command(command).unwrap());
 //! let text = String::from_utf8(canon.finish().unwrap()).unwrap();
 //! assert!(text.contains("STRAIGHT_FEED(10.000000"));
-//! let reading = Reading { machine: None, control: "haas", from: "given", recognition: None, choices: None };
+//! let reading = ProgramReading { machine: None, control: "haas", from: "given", recognition: None, choices: None };
 //! let text = report::json(&found, job.sources(), "part.nc", &reading);
 //! assert!(text.contains("chordal.diagnostics/1"));
 //! ```
@@ -72,7 +72,7 @@ mod transformed;
 #[cfg(feature = "pictures")]
 mod worked;
 
-pub use canon::Canon;
+pub use canon::CanonWriter;
 pub use chords::ChordWriter;
 pub use columns::column_reference;
 pub use command_csv::CommandCsv;
@@ -84,7 +84,7 @@ pub use comparison_text::{
 };
 pub use contour_ranges::{contour_ranges_json, contour_ranges_text};
 pub use digest::sha256_hex;
-pub use dxf::Dxf;
+pub use dxf::DxfWriter;
 pub use json_text::pretty_json;
 pub use machine_error::machine_error_text;
 pub use not_drawn::{GIVE_OFFSETS, left_out_texts, not_named_texts};

@@ -5,19 +5,19 @@ use chordal::diagnostics::FileId;
 use chordal::machine::MachineError;
 use chordal::{Source, SourceMap, Span};
 
-use crate::report::{Excerpts, Mark, renderer};
+use crate::report::{ExcerptMark, ProblemExcerpts, renderer};
 
 /// A problem of a machine file as text for people, with the words underlined and a line end.
 pub fn machine_error_text(error: &MachineError, color: bool) -> String {
     let mut sources = SourceMap::new();
     sources.add(Source::new(error.file.as_str(), error.text.as_bytes()));
     let mut group = Group::with_title(Level::ERROR.primary_title(error.message.as_str()));
-    let mark = error.span.as_ref().map(|range| Mark {
+    let mark = error.span.as_ref().map(|range| ExcerptMark {
         span: Span::new(FileId(0), range.start as u32, range.end as u32),
         text: String::new(),
         primary: true,
     });
-    let excerpts = Excerpts::new(mark.as_slice(), &sources);
+    let excerpts = ProblemExcerpts::new(mark.as_slice(), &sources);
     if error.span.is_none() {
         group = group.element(Origin::path(error.file.as_str()));
     }

@@ -1,7 +1,7 @@
 //! What the writers of commands say about a move in addition to its ends.
 
 use chordal::Job;
-use chordal::control::{ArcShape, Feed, FeedAlong, FeedMode, Move, Side, SpindleState};
+use chordal::control::{ArcShape, CompensationSide, Feed, FeedAlong, FeedMode, Move, SpindleState};
 use chordal::geometry::{Curve, ParamCurve, Plane, Spiral, Spline};
 use chordal::machine::{AXIS_LETTERS, PerAxis};
 use chordal::path::curve_of;
@@ -103,23 +103,23 @@ pub(crate) const fn spindle_word(state: SpindleState) -> &'static str {
 }
 
 /// The side of cutter compensation.
-pub(crate) const fn side_word(side: Side) -> &'static str {
+pub(crate) const fn side_word(side: CompensationSide) -> &'static str {
     match side {
-        Side::Off => "off",
-        Side::Left => "left",
-        Side::Right => "right",
+        CompensationSide::Off => "off",
+        CompensationSide::Left => "left",
+        CompensationSide::Right => "right",
     }
 }
 
 /// How places of a program are written: mm, the diameter on an axis that is programmed so, and degrees.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Written {
+pub(crate) struct PositionScale {
     factors: PerAxis<f64>,
 }
 
-impl Written {
-    pub(crate) fn of(job: &Job) -> Written {
-        Written { factors: job.machine().written_factors() }
+impl PositionScale {
+    pub(crate) fn of(job: &Job) -> PositionScale {
+        PositionScale { factors: job.machine().written_factors() }
     }
 
     /// A place of an axis.

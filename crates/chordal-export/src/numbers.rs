@@ -2,56 +2,56 @@
 
 /// The units in which a summary speaks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Units {
+pub enum SummaryUnits {
     /// Inches.
     Inch,
     /// Millimetres.
     Millimetre,
 }
 
-impl Units {
+impl SummaryUnits {
     /// Of a program, as `Summary::inch` reports them.
-    pub fn of(inch: bool) -> Units {
-        if inch { Units::Inch } else { Units::Millimetre }
+    pub fn of(inch: bool) -> SummaryUnits {
+        if inch { SummaryUnits::Inch } else { SummaryUnits::Millimetre }
     }
 
     /// Of a length.
     pub fn length_unit(self) -> &'static str {
         match self {
-            Units::Inch => "in",
-            Units::Millimetre => "mm",
+            SummaryUnits::Inch => "in",
+            SummaryUnits::Millimetre => "mm",
         }
     }
 
     /// How long that is, mm.
     pub fn length_mm(self) -> f64 {
         match self {
-            Units::Inch => 25.4,
-            Units::Millimetre => 1.0,
+            SummaryUnits::Inch => 25.4,
+            SummaryUnits::Millimetre => 1.0,
         }
     }
 
     /// Of a feed.
     pub fn feed_unit(self) -> &'static str {
         match self {
-            Units::Inch => "in/min",
-            Units::Millimetre => "mm/min",
+            SummaryUnits::Inch => "in/min",
+            SummaryUnits::Millimetre => "mm/min",
         }
     }
 
     /// A coordinate, with the digits of the control's display.
     pub fn coordinate(self, mm: f64) -> String {
         match self {
-            Units::Inch => fixed(mm / 25.4, 4),
-            Units::Millimetre => fixed(mm, 3),
+            SummaryUnits::Inch => fixed(mm / 25.4, 4),
+            SummaryUnits::Millimetre => fixed(mm, 3),
         }
     }
 
     /// A length of way, with commas between the thousands: nobody reads the last digits.
     pub fn length(self, mm: f64) -> String {
         let text = match self {
-            Units::Inch => fixed(mm / 25.4, 2),
-            Units::Millimetre => fixed(mm, 1),
+            SummaryUnits::Inch => fixed(mm / 25.4, 2),
+            SummaryUnits::Millimetre => fixed(mm, 1),
         };
         match text.split_once('.').map(|(whole, part)| (whole.parse::<u64>(), part)) {
             Some((Ok(whole), part)) => format!("{}.{part}", grouped(whole)),
@@ -62,8 +62,8 @@ impl Units {
     /// A feed, as F would say it.
     pub fn feed(self, mm_per_s: f64) -> String {
         match self {
-            Units::Inch => short(mm_per_s / 25.4 * 60.0, 2),
-            Units::Millimetre => short(mm_per_s * 60.0, 1),
+            SummaryUnits::Inch => short(mm_per_s / 25.4 * 60.0, 2),
+            SummaryUnits::Millimetre => short(mm_per_s * 60.0, 1),
         }
     }
 }
@@ -128,7 +128,7 @@ mod tests {
         assert_eq!(short(100.0, 0), "100");
         assert_eq!(grouped(1_234_567), "1,234,567");
         assert_eq!(grouped(123), "123");
-        assert_eq!(Units::Inch.feed(25.4), "60");
+        assert_eq!(SummaryUnits::Inch.feed(25.4), "60");
         assert_eq!(duration(0.0), "0 s");
         assert_eq!(duration(0.04), "under 0.1 s");
         assert_eq!(duration(12.34), "12.3 s");

@@ -1,7 +1,7 @@
 //! New feeds: words and JSON.
 
 use chordal::stock::POWER_SHARE;
-use chordal_rewrite::Optimized;
+use chordal_rewrite::OptimizedProgram;
 use serde_json::{Value, json};
 
 /// A time for people: minutes and seconds, or seconds to a tenth.
@@ -19,7 +19,7 @@ fn less(before: f64, after: f64) -> f64 {
 }
 
 /// The answer for people; `mm` says whether the program is in millimetres.
-pub fn optimized_text(done: &Optimized, mm: bool) -> String {
+pub fn optimized_text(done: &OptimizedProgram, mm: bool) -> String {
     let chip = |value: f64| {
         if mm { format!("{value:.4} mm") } else { format!("{:.5} in", value / 25.4) }
     };
@@ -86,7 +86,7 @@ pub fn optimized_text(done: &Optimized, mm: bool) -> String {
 }
 
 /// Schema `chordal.optimize/1`: mm, s.
-pub fn optimized_json(done: &Optimized, file: &str, written: Option<&str>) -> String {
+pub fn optimized_json(done: &OptimizedProgram, file: &str, written: Option<&str>) -> String {
     let chips: Vec<Value> = done
         .chips
         .iter()

@@ -49,7 +49,7 @@ impl SampleHead {
     }
 
     /// The columns of doubles.
-    pub(crate) fn columns(&self) -> Vec<Setpoint> {
+    pub(crate) fn columns(&self) -> Vec<SetpointColumn> {
         columns_of(self.axes())
     }
 
@@ -62,8 +62,8 @@ impl SampleHead {
 }
 
 /// The columns of doubles, those before `line`, for a machine with these axes.
-fn columns_of(axes: AxisMask) -> Vec<Setpoint> {
-    let mut columns = vec![Setpoint::new("time_s", "s", Value::Time)];
+fn columns_of(axes: AxisMask) -> Vec<SetpointColumn> {
+    let mut columns = vec![SetpointColumn::new("time_s", "s", SetpointValue::Time)];
     for axis in axes.iter() {
         let letter = axis.letter().to_ascii_lowercase();
         let (unit, units) = match axis.is_rotary() {
@@ -76,11 +76,11 @@ fn columns_of(axes: AxisMask) -> Vec<Setpoint> {
             format!("{letter}_acc_{unit}_per_s2"),
         ];
         for (order, (name, unit)) in names.into_iter().zip(units).enumerate() {
-            let value = Value::Axis { axis: axis as usize, order };
-            columns.push(Setpoint { name, unit, value });
+            let value = SetpointValue::Axis { axis: axis as usize, order };
+            columns.push(SetpointColumn { name, unit, value });
         }
     }
-    columns.push(Setpoint::new("speed_mm_per_s", "mm/s", Value::Speed));
+    columns.push(SetpointColumn::new("speed_mm_per_s", "mm/s", SetpointValue::Speed));
     columns
 }
 
@@ -90,11 +90,11 @@ pub(crate) fn sample_columns(
 ) -> impl Iterator<Item = (String, &'static str, String)> {
     columns_of(axes).into_iter().map(|column| {
         let meaning = match column.value {
-            Value::Time => "from the start".to_string(),
-            Value::Speed => {
+            SetpointValue::Time => "from the start".to_string(),
+            SetpointValue::Speed => {
                 "speed of the tool along X, Y and Z; NaN where it is not known".to_string()
             }
-            Value::Axis { axis, order } => {
+            SetpointValue::Axis { axis, order } => {
                 let what = ["place", "velocity", "acceleration"][order];
                 format!(
                     "{what} of {}, continuous where offsets jump; NaN where it is not known",
@@ -108,14 +108,14 @@ pub(crate) fn sample_columns(
 
 /// A column of doubles.
 #[derive(Clone, Debug)]
-pub(crate) struct Setpoint {
+pub(crate) struct SetpointColumn {
     pub name: String,
     unit: &'static str,
-    value: Value,
+    value: SetpointValue,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Value {
+enum SetpointValue {
     Time,
     /// 0 is the place, 1 the velocity, 2 the acceleration.
     Axis {
@@ -125,21 +125,21 @@ enum Value {
     Speed,
 }
 
-impl Setpoint {
-    fn new(name: &str, unit: &'static str, value: Value) -> Setpoint {
-        Setpoint { name: name.into(), unit, value }
+impl SetpointColumn {
+    fn new(name: &str, unit: &'static str, value: SetpointValue) -> SetpointColumn {
+        SetpointColumn { name: name.into(), unit, value }
     }
 
     /// Its value, in its unit.
     #[inline]
     pub(crate) fn of(&self, sample: &Sample) -> f64 {
         match self.value {
-            Value::Time => sample.time_s,
-            Value::Speed => {
+            SetpointValue::Time => sample.time_s,
+            SetpointValue::Speed => {
                 let [x, y, z, ..] = sample.velocity;
                 (x * x + y * y + z * z).sqrt()
             }
-            Value::Axis { axis, order } => {
+            SetpointValue::Axis { axis, order } => {
                 let row = match order {
                     0 => &sample.position,
                     1 => &sample.velocity,

@@ -1,6 +1,8 @@
 //! The time of a program as JSON.
 
-use chordal::control::{Certainty, Field, Origin, PathField, PathMode, Setting, ShortBlocks};
+use chordal::control::{
+    Certainty, Origin, PathField, PathMode, Setting, SettingField, ShortBlocks,
+};
 use chordal::diagnostics::{FileId, Span};
 use chordal::motion::{Level, MotionReport};
 use chordal::time::{
@@ -212,7 +214,7 @@ fn assumed(motion: &MotionReport) -> Value {
 pub fn junctions_text(job: &Job) -> Option<String> {
     let rules = job.control().parameters.rules.path.junctions?;
     let name = |field| {
-        let is_own = |setting: &&Setting| setting.field == Field::Path(field);
+        let is_own = |setting: &&Setting| setting.field == SettingField::Path(field);
         job.control().table.settings.iter().find(is_own).map_or("", |setting| setting.name)
     };
     let title = job.control().table.title;
@@ -252,7 +254,7 @@ pub fn short_blocks_text(ends: &CutEnds, job: &Job) -> Option<String> {
     if let Some(text) = junctions_text(job) {
         return Some(text);
     }
-    let field = Field::Path(PathField::ShortBlocks);
+    let field = SettingField::Path(PathField::ShortBlocks);
     let control = job.control();
     let setting = control.table.settings.iter().find(|setting| setting.field == field)?;
     let sure = match setting.certainty {

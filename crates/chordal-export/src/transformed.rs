@@ -3,8 +3,8 @@
 use chordal::Job;
 use chordal::diagnostics::FileId;
 use chordal::stock::WayIn;
-use chordal_rewrite::restart::{Refused, Restart};
-use chordal_rewrite::{Change, Refusal, Split, Transformed};
+use chordal_rewrite::restart::{RestartProgram, RestartRefusal};
+use chordal_rewrite::{Change, SplitProgram, TransformRefusal, TransformedProgram};
 use serde_json::{Value, json};
 
 use crate::comparison::certificate_value;
@@ -12,7 +12,11 @@ use crate::comparison::certificate_value;
 /// One JSON object, schema `chordal.transform/1`: what was changed and why, line by line, what is to be
 /// known beside it, and the certificate, which is a comparison of the path that is meant (`a`) with the
 /// new one (`b`). `written` is the name of the file that was written, if one was.
-pub fn transformed_json(done: &Transformed, jobs: [&Job; 2], written: Option<&str>) -> String {
+pub fn transformed_json(
+    done: &TransformedProgram,
+    jobs: [&Job; 2],
+    written: Option<&str>,
+) -> String {
     let certificate = &done.certificate;
     let before = jobs[0].sources().get(FileId(0)).map_or(0, |source| source.text().len());
     let document = json!({
@@ -43,8 +47,8 @@ fn changes(changes: &[Change]) -> Vec<Value> {
 /// in to begin with. `changed` is what was done before it was split, to the first
 /// of the jobs; its certificate is `changed`. `written` are the names of the files.
 pub fn split_json(
-    done: &Split,
-    changed: Option<&Transformed>,
+    done: &SplitProgram,
+    changed: Option<&TransformedProgram>,
     jobs: [&Job; 2],
     written: &[String],
 ) -> String {
@@ -63,7 +67,7 @@ pub fn split_json(
             "written": written.get(index),
         })
     });
-    let of_change = |changed: &Transformed| certificate_value(&changed.certificate, jobs);
+    let of_change = |changed: &TransformedProgram| certificate_value(&changed.certificate, jobs);
     let notes = changed.map(|changed| changed.notes.as_slice()).unwrap_or_default();
     let document = json!({
         "schema": "chordal.transform/1",
@@ -78,7 +82,7 @@ pub fn split_json(
 }
 
 /// A program that stays as it is, in the same schema.
-pub fn refusal_json(refusal: &Refusal, file: &str) -> String {
+pub fn refusal_json(refusal: &TransformRefusal, file: &str) -> String {
     let document = json!({
         "schema": "chordal.transform/1",
         "verdict": "refused",
@@ -94,7 +98,7 @@ pub fn refusal_json(refusal: &Refusal, file: &str) -> String {
 /// A program that begins at a line, or why it cannot: schema `chordal.restart/1`. `written` is the name of
 /// the file that was written, if one was.
 pub fn restart_json(
-    done: Result<&Restart, &Refused>,
+    done: Result<&RestartProgram, &RestartRefusal>,
     file: &str,
     written: Option<&str>,
     way: Option<&WayIn>,

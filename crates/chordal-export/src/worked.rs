@@ -1,10 +1,10 @@
 //! A calculation as text and as JSON.
 
-use chordal_calc::{Quantity, Units, Worked};
+use chordal_calc::{AnswerUnit, Quantity, WorkedCalculation};
 use serde_json::{Map, Value, json};
 
 /// A calculation as it would stand on paper: what is given, each formula with its numbers, notes.
-pub fn worked_text(worked: &Worked) -> String {
+pub fn worked_text(worked: &WorkedCalculation) -> String {
     let units = worked.units;
     let mut text = format!("{}\n\n", worked.title);
     let symbols = worked.given.iter().chain(worked.steps.iter().map(|step| &step.quantity));
@@ -49,7 +49,7 @@ pub fn worked_text(worked: &Worked) -> String {
 
 /// The same for programs: numbers in the unit that `unit` names, exact to the last digit. An NC
 /// program that belongs to it is added as `program`.
-pub fn worked_json(worked: &Worked, program: Option<&str>) -> String {
+pub fn worked_json(worked: &WorkedCalculation, program: Option<&str>) -> String {
     let units = worked.units;
     let quantity = |quantity: &Quantity| {
         let (value, unit) = value(quantity, units);
@@ -84,6 +84,6 @@ pub fn worked_json(worked: &Worked, program: Option<&str>) -> String {
     crate::pretty_json(whole)
 }
 
-fn value(quantity: &Quantity, units: Units) -> (f64, Option<&'static str>) {
+fn value(quantity: &Quantity, units: AnswerUnit) -> (f64, Option<&'static str>) {
     (quantity.kind.shown(quantity.value, units), quantity.kind.unit(units))
 }

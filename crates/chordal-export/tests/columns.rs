@@ -10,7 +10,7 @@ use arrow_array::{Array, RecordBatch};
 use chordal::geometry::Placement;
 use chordal::{Command, Job, Machine, Source, SourceMap};
 use chordal_export::columns::{
-    ChordColumns, ColumnFile, ColumnFormat, CommandColumns, PathColumns, Rows,
+    ChordColumns, ColumnFile, ColumnFormat, CommandColumns, PathColumns, RowBatcher,
 };
 
 const PART: &str = "G21 G90 G17 S900 M3\nG0 X0 Y0 Z5.\nT2 M6\nG1 Z-1. F100.\nX10.\n\

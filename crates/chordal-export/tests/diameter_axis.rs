@@ -4,7 +4,7 @@
 use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
 use chordal::{Command, Job, Machine, Source, SourceMap};
-use chordal_export::columns::{CommandColumns, PathColumns, Rows};
+use chordal_export::columns::{CommandColumns, PathColumns, RowBatcher};
 use chordal_export::{CommandCsv, CommandJsonLines};
 
 /// X 50 and 60 across, then a quarter of radius 5 about X 70 Z 0: from r 30 to r 35.

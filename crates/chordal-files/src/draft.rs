@@ -12,21 +12,21 @@ use crate::place::{folder_of, is_regular, place_of};
 /// A file under a passing name in the same folder, so that renaming it puts the whole content in place at once.
 /// Dropped unfinished, it is gone.
 #[derive(Debug)]
-pub struct Draft {
+pub struct FileDraft {
     out: BufWriter<File>,
     /// Its passing name and its place; nothing where it is written through.
-    name: Option<Passing>,
+    name: Option<TemporaryName>,
 }
 
 /// The passing name of a draft.
 #[derive(Debug)]
-struct Passing {
+struct TemporaryName {
     /// Taken when the draft is put in its place.
     path: Option<TempPath>,
     place: PathBuf,
 }
 
-impl Drop for Passing {
+impl Drop for TemporaryName {
     fn drop(&mut self) {
         if let Some(path) = self.path.take() {
             let name = path.to_path_buf();
@@ -36,16 +36,16 @@ impl Drop for Passing {
     }
 }
 
-impl Draft {
+impl FileDraft {
     /// Begins a file, with the folders that it lies in. What is no regular file is opened and written through.
     ///
     /// # Errors
     /// A place where nothing can be written: a folder, a file that may not be changed.
-    pub fn open(path: &Path) -> io::Result<Draft> {
+    pub fn open(path: &Path) -> io::Result<FileDraft> {
         let buffered = |file| BufWriter::with_capacity(1 << 16, file);
         if !is_regular(path) {
             let file = OpenOptions::new().write(true).open(path)?;
-            return Ok(Draft { out: buffered(file), name: None });
+            return Ok(FileDraft { out: buffered(file), name: None });
         }
         let place = place_of(path)?;
         let before = fs::metadata(&place).ok();
@@ -63,7 +63,7 @@ impl Draft {
             let (file, path) = draft.into_parts();
             Ok((path.to_path_buf(), (file, path)))
         })?;
-        Ok(Draft { out: buffered(file), name: Some(Passing { path: Some(path), place }) })
+        Ok(FileDraft { out: buffered(file), name: Some(TemporaryName { path: Some(path), place }) })
     }
 
     /// Puts it in its place.
@@ -71,7 +71,7 @@ impl Draft {
     /// # Errors
     /// What could not be written or renamed: the file is then as before.
     pub fn put(self) -> io::Result<()> {
-        let Draft { mut out, name } = self;
+        let FileDraft { mut out, name } = self;
         out.flush()?;
         let Some(mut name) = name else { return Ok(()) };
         let Some(path) = name.path.take() else { return Ok(()) };
@@ -87,7 +87,7 @@ impl Draft {
     }
 }
 
-impl Write for Draft {
+impl Write for FileDraft {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.out.write(bytes)
     }
@@ -125,7 +125,7 @@ fn keep(draft: &File, before: &fs::Metadata) -> io::Result<()> {
 /// # Errors
 /// Those of the file system; the file is then as before.
 pub fn write_whole(path: &Path, content: &[u8]) -> io::Result<()> {
-    let mut draft = Draft::open(path)?;
+    let mut draft = FileDraft::open(path)?;
     draft.write_all(content)?;
     draft.put()
 }

@@ -1,6 +1,6 @@
 //! How shells write files: whole or not at all.
 //!
-//! A [`Draft`] is written under a passing name in the folder of its file and put in its place when it is whole. The
+//! A [`FileDraft`] is written under a passing name in the folder of its file and put in its place when it is whole. The
 //! file that was there keeps its permissions and its owner, and a link stays a link. What is no regular file
 //! (`/dev/null`, a pipe) is written through. A signal that ends the process takes the drafts away.
 //!
@@ -23,5 +23,5 @@ mod draft;
 mod leftover;
 mod place;
 
-pub use draft::{Draft, write_whole};
+pub use draft::{FileDraft, write_whole};
 pub use place::{is_regular, is_same, place_of};

@@ -9,7 +9,7 @@ use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
 use std::path::Path;
 use std::process::Command;
 
-use chordal_files::{Draft, is_regular, is_same, write_whole};
+use chordal_files::{FileDraft, is_regular, is_same, write_whole};
 
 fn names(folder: &Path) -> Vec<String> {
     let names = fs::read_dir(folder).unwrap();
@@ -89,7 +89,7 @@ fn what_is_no_file_is_written_through() {
 fn a_draft_that_is_not_put_is_gone() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("new/part.nc");
-    let mut draft = Draft::open(&path).unwrap();
+    let mut draft = FileDraft::open(&path).unwrap();
     draft.write_all(b"half").unwrap();
     assert_eq!(names(&folder.path().join("new")).len(), 1);
     drop(draft);

@@ -40,11 +40,11 @@ mod word_address;
 pub use called_subroutines::called_subs;
 pub use interpreter::{initial_offset, initial_work_offset, run, run_from, subroutine_head};
 pub use library::{Library, Program, referenced_programs};
-pub use marks::{Mark, marks};
+pub use marks::{StatementMark, marks};
 pub use recognize::{
-    ANOTHER_KIND, Candidate, FoundSign, Recognition, Strength, not_read, recognize,
+    ANOTHER_KIND, ControlCandidate, EvidenceStrength, FoundSign, Recognition, not_read, recognize,
 };
-pub use run_options::{Interrupt, RunOptions};
-pub use shop::{ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord};
+pub use run_options::{InterruptCheck, RunOptions};
+pub use shop::{CustomCode, ShopAnswer, ShopCall, ShopCodes, ShopRecord};
 pub use tokens::{block_tokens, class_of};
 pub use word_address::WordAddress;

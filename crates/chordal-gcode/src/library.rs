@@ -220,7 +220,7 @@ fn call_at(text: &[u8], at: usize, letter: u8, lexicon: &Lexicon, numbers: &mut 
             called_in_statement(range.slice(&text[start..end]), numbers);
         }
         for word in block.all(b'P') {
-            if matches!(word.value, chordal_syntax::Value::Expression(_)) {
+            if matches!(word.value, chordal_syntax::WordValue::Expression(_)) {
                 numbers.push(COMPUTED);
             }
             let number = word.number().and_then(|d| d.to_integer());

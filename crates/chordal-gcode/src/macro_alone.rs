@@ -9,9 +9,9 @@ use chordal_diagnostics::{FileId, TextRange};
 use chordal_dialect::macros::MacroForm;
 use chordal_dialect::{Action, AfterCode, CallCode, Control, code_number};
 use chordal_syntax::{
-    Block, BlockKind, BlockReader, Branch, Expression, ExpressionParser, FlowWord, LineStatement,
-    Op, Position, PrintItem, Statement, Target, Value, parse_line_statement, parse_o_word,
-    parse_statement,
+    AssignTarget, Block, BlockKind, BlockPosition, BlockReader, ConditionBranch, Expression,
+    ExpressionParser, FlowWord, LineStatement, MacroStatement, PrintItem, StackOp, WordValue,
+    parse_line_statement, parse_o_word, parse_statement,
 };
 
 use crate::library::{Library, Program};
@@ -31,7 +31,7 @@ pub(crate) struct MissingCall {
 
 /// A variable that a call gives.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-enum Argument {
+enum CallArgument {
     /// A local variable.
     Local(u32),
     /// A variable written with letters.
@@ -53,7 +53,7 @@ pub(crate) fn missing_call(
     let mut reader = library.reader(program, control.table.lexicon);
     let text = reader.text();
     let parser = ExpressionParser::new(text, program.file, control.table.lexicon.grammar);
-    let mut scan = Scan {
+    let mut scan = MacroScan {
         control,
         text,
         file: program.file,
@@ -107,18 +107,18 @@ struct SubState {
 }
 
 /// One pass over the text.
-struct Scan<'a> {
+struct MacroScan<'a> {
     control: &'a Control,
     text: &'a [u8],
     file: FileId,
     parser: ExpressionParser<'a>,
-    read: BTreeSet<Argument>,
-    set: BTreeSet<Argument>,
+    read: BTreeSet<CallArgument>,
+    set: BTreeSet<CallArgument>,
     /// M99 was met.
     returns: bool,
 }
 
-impl<'a> Scan<'a> {
+impl<'a> MacroScan<'a> {
     /// A block of macro B: its words and its statements. `None` where it shows a main program.
     fn block(&mut self, block: &mut Block) -> Option<()> {
         let line = block.line;
@@ -131,7 +131,7 @@ impl<'a> Scan<'a> {
             }
             // The rest is read as a block of its own. It is shorter every time.
             let mut reader = BlockReader::new(self.text, self.file, self.control.table.lexicon);
-            reader.seek(Position { offset: rest.start, line });
+            reader.seek(BlockPosition { offset: rest.start, line });
             reader.limit(rest.end);
             if !reader.read(block) {
                 return Some(());
@@ -145,13 +145,13 @@ impl<'a> Scan<'a> {
         let mut calls = false;
         for word in &block.words {
             match word.value {
-                Value::Expression(range) => {
+                WordValue::Expression(range) => {
                     self.parser.start(self.text, self.file, range);
                     let value = self.parser.expression();
                     self.reads(value);
                 }
-                Value::Register { index, .. } => self.register(index, false),
-                Value::Number(_) | Value::Missing => {}
+                WordValue::Register { index, .. } => self.register(index, false),
+                WordValue::Number(_) | WordValue::Missing => {}
             }
             if let Some(index) = word.register {
                 self.register(index, true);
@@ -171,7 +171,7 @@ impl<'a> Scan<'a> {
             }
         }
         let tool = block.last(b'T');
-        let names_tool = tool.is_some_and(|tool| matches!(tool.value, Value::Number(_)));
+        let names_tool = tool.is_some_and(|tool| matches!(tool.value, WordValue::Number(_)));
         (calls || !names_tool).then_some(())
     }
 
@@ -179,22 +179,24 @@ impl<'a> Scan<'a> {
     fn statement(&mut self, range: TextRange) -> TextRange {
         self.parser.start(self.text, self.file, range);
         match parse_statement(&mut self.parser) {
-            Statement::Assign { target, value, .. } => {
+            MacroStatement::Assign { target, value, .. } => {
                 self.reads(value);
                 self.sets(&target);
             }
-            Statement::If { condition, branch } => {
+            MacroStatement::If { condition, branch } => {
                 self.reads(condition);
-                if let Branch::Goto(label) = branch {
+                if let ConditionBranch::Goto(label) = branch {
                     self.reads(label);
                 }
             }
-            Statement::Goto(label) => self.reads(label),
-            Statement::While { condition, .. } => {
+            MacroStatement::Goto(label) => self.reads(label),
+            MacroStatement::While { condition, .. } => {
                 condition.into_iter().for_each(|condition| self.reads(condition));
             }
-            Statement::Empty | Statement::End(_) | Statement::Output(_) | Statement::Unknown(_) => {
-            }
+            MacroStatement::Empty
+            | MacroStatement::End(_)
+            | MacroStatement::Output(_)
+            | MacroStatement::Unknown(_) => {}
         }
         self.parser.problems.clear();
         self.parser.rest()
@@ -279,7 +281,7 @@ impl<'a> Scan<'a> {
                 return Some(());
             }
             let mut reader = BlockReader::new(self.text, self.file, self.control.table.lexicon);
-            reader.seek(Position { offset: rest.start, line });
+            reader.seek(BlockPosition { offset: rest.start, line });
             reader.limit(rest.end);
             if !reader.read(block) {
                 return Some(());
@@ -289,7 +291,7 @@ impl<'a> Scan<'a> {
 
     fn reads_of_words(&mut self, block: &Block) {
         for word in &block.words {
-            if let Value::Expression(range) = word.value {
+            if let WordValue::Expression(range) = word.value {
                 self.parser.start(self.text, self.file, range);
                 let value = self.parser.expression();
                 self.reads(value);
@@ -322,25 +324,25 @@ impl<'a> Scan<'a> {
         self.parser.problems.clear();
     }
 
-    fn sets(&mut self, target: &Target) {
+    fn sets(&mut self, target: &AssignTarget) {
         let index = self.parser.steps(target.index).last().map(|step| step.op);
         if let Some(argument) = self.argument(target.kind, index) {
             self.set.insert(argument);
         }
     }
 
-    fn argument(&self, op: Op, before: Option<Op>) -> Option<Argument> {
-        let Some(Op::Number(number)) = before else { return None };
+    fn argument(&self, op: StackOp, before: Option<StackOp>) -> Option<CallArgument> {
+        let Some(StackOp::Number(number)) = before else { return None };
         let number = (0.0..=1e6).contains(&number).then_some(number as u32)?;
         match op {
-            Op::Read => ((1..=self.control.macros.locals).contains(&number)
+            StackOp::Read => ((1..=self.control.macros.locals).contains(&number)
                 && (self.control.macros.o_flow && !self.control.macros.macro_b
                     || letter_of(number).is_some()))
-            .then_some(Argument::Local(number)),
-            Op::Letters(letters) => {
+            .then_some(CallArgument::Local(number)),
+            StackOp::Letters(letters) => {
                 let names = self.control.table.lexicon.grammar.letter_variables;
                 let name = names.get(letters as usize).copied()?;
-                matches!(name, "V" | "R").then_some(Argument::Letters(letters, number))
+                matches!(name, "V" | "R").then_some(CallArgument::Letters(letters, number))
             }
             _ => None,
         }
@@ -349,7 +351,7 @@ impl<'a> Scan<'a> {
     fn register(&mut self, index: u8, sets: bool) {
         let names = self.control.table.lexicon.grammar.letter_variables;
         let Some(at) = names.iter().position(|name| *name == "R") else { return };
-        let argument = Argument::Letters(at as u8, u32::from(index));
+        let argument = CallArgument::Letters(at as u8, u32::from(index));
         if sets {
             self.set.insert(argument);
         } else if !self.set.contains(&argument) {
@@ -360,11 +362,11 @@ impl<'a> Scan<'a> {
     /// The arguments by their letters.
     fn letters(&self) -> String {
         let names = self.control.table.lexicon.grammar.letter_variables;
-        let name = |argument: &Argument| match *argument {
-            Argument::Local(number) => {
+        let name = |argument: &CallArgument| match *argument {
+            CallArgument::Local(number) => {
                 letter_of(number).map(|letter| char::from(letter).to_string())
             }
-            Argument::Letters(letters, number) => {
+            CallArgument::Letters(letters, number) => {
                 names.get(letters as usize).map(|name| format!("{name}{number}"))
             }
         };
@@ -374,8 +376,8 @@ impl<'a> Scan<'a> {
     /// The arguments by their places.
     fn numbers(&self) -> String {
         let numbers = self.read.iter().filter_map(|argument| match argument {
-            Argument::Local(number) => Some(format!("#{number}")),
-            Argument::Letters(..) => None,
+            CallArgument::Local(number) => Some(format!("#{number}")),
+            CallArgument::Letters(..) => None,
         });
         list(&numbers.collect::<Vec<_>>())
     }

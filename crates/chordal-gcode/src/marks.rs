@@ -6,7 +6,7 @@ use chordal_syntax::Lexicon;
 
 /// What stands at a place of a macro statement.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Mark {
+pub enum StatementMark {
     /// `#101`, `#<depth>`, `V12`, `R3`.
     Variable,
     /// A run of letters: `IF`, `GOTO`, `SIN`.
@@ -24,7 +24,7 @@ pub fn marks<'a>(
     text: &'a [u8],
     range: TextRange,
     lexicon: &'a Lexicon,
-) -> impl Iterator<Item = (Mark, TextRange)> + 'a {
+) -> impl Iterator<Item = (StatementMark, TextRange)> + 'a {
     let end = (range.end as usize).min(text.len());
     let mut at = range.start as usize;
     // The mark that opens a macro line is no variable.
@@ -44,7 +44,7 @@ pub fn marks<'a>(
 }
 
 /// Goes over the next mark; always at least a byte on.
-fn step(text: &[u8], at: &mut usize, lexicon: &Lexicon) -> Option<Mark> {
+fn step(text: &[u8], at: &mut usize, lexicon: &Lexicon) -> Option<StatementMark> {
     let byte = text[*at];
     let run = |from: usize, of: fn(&u8) -> bool| text[from..].iter().take_while(|b| of(b)).count();
     let digits = |from: usize| run(from, u8::is_ascii_digit);
@@ -53,39 +53,39 @@ fn step(text: &[u8], at: &mut usize, lexicon: &Lexicon) -> Option<Mark> {
         b'#' if text.get(*at) == Some(&b'<') => {
             let name = run(*at, |byte| *byte != b'>');
             *at = (*at + name + 1).min(text.len());
-            Some(Mark::Variable)
+            Some(StatementMark::Variable)
         }
         b'#' => {
             let count = digits(*at);
             *at += count;
-            (count > 0).then_some(Mark::Variable)
+            (count > 0).then_some(StatementMark::Variable)
         }
         b'"' => {
             let count = run(*at, |byte| *byte != b'"');
             *at = (*at + count + 1).min(text.len());
-            Some(Mark::Text)
+            Some(StatementMark::Text)
         }
         // On macro lines parentheses are arithmetic.
         b'(' if !lexicon.macro_lines => {
             let count = run(*at, |byte| *byte != b')');
             *at = (*at + count + 1).min(text.len());
-            Some(Mark::Comment)
+            Some(StatementMark::Comment)
         }
         b'\'' if lexicon.macro_lines => {
             *at = text.len();
-            Some(Mark::Comment)
+            Some(StatementMark::Comment)
         }
         b'V' | b'v' | b'R' | b'r' if lexicon.macro_lines && digits(*at) > 0 => {
             *at += digits(*at);
-            Some(Mark::Variable)
+            Some(StatementMark::Variable)
         }
         b'0'..=b'9' => {
             *at += run(*at, |byte| byte.is_ascii_digit() || *byte == b'.');
-            Some(Mark::Number)
+            Some(StatementMark::Number)
         }
         byte if byte.is_ascii_alphabetic() => {
             *at += run(*at, u8::is_ascii_alphabetic);
-            Some(Mark::Word)
+            Some(StatementMark::Word)
         }
         _ => None,
     }

@@ -9,7 +9,7 @@ use chordal_diagnostics::{Diagnostic, FileId};
 use crate::shop::ShopCodes;
 
 /// True when a run should end early. It is asked about every thousand blocks.
-pub type Interrupt = Arc<dyn Fn() -> bool + Send + Sync>;
+pub type InterruptCheck = Arc<dyn Fn() -> bool + Send + Sync>;
 
 /// How a run is done.
 #[derive(Clone)]
@@ -20,7 +20,7 @@ pub struct RunOptions {
     /// Who knows the codes and programs of the shop that nothing else knows.
     pub shop_codes: Option<Arc<dyn ShopCodes>>,
     /// Ends the run early.
-    pub interrupt: Option<Interrupt>,
+    pub interrupt: Option<InterruptCheck>,
     /// Nobody named the machine: its limits of travel, feed and speed are a guess.
     pub assumed_machine: bool,
     /// The text is in a language that is not read: this is said of it, and nothing is run.

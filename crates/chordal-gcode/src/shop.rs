@@ -17,11 +17,11 @@ use chordal_diagnostics::Span;
 /// A closure is one:
 ///
 /// ```
-/// use chordal_gcode::{ShopAnswer, ShopCall, ShopCode, ShopCodes};
+/// use chordal_gcode::{ShopAnswer, ShopCall, CustomCode, ShopCodes};
 ///
 /// let shop = |call: &ShopCall<'_>| match call.code {
-///     ShopCode::M(1200) => ShopAnswer::wait(2.5, "part flip"),
-///     ShopCode::Program(9010) => ShopAnswer::text("G91 G28 Z0.\nG90"),
+///     CustomCode::M(1200) => ShopAnswer::wait(2.5, "part flip"),
+///     CustomCode::Program(9010) => ShopAnswer::text("G91 G28 Z0.\nG90"),
 ///     _ => ShopAnswer::NotMine,
 /// };
 /// let _: &dyn ShopCodes = &shop;
@@ -39,19 +39,19 @@ impl<F: Fn(&ShopCall<'_>) -> ShopAnswer + Send + Sync> ShopCodes for F {
 
 /// What was met.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
-pub enum ShopCode {
+pub enum CustomCode {
     /// An M code, ten times its number: M120 is 1200.
     M(u16),
     /// A called program that is not there.
     Program(u32),
 }
 
-impl fmt::Display for ShopCode {
+impl fmt::Display for CustomCode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            ShopCode::M(tenths) if tenths.is_multiple_of(10) => write!(f, "M{}", tenths / 10),
-            ShopCode::M(tenths) => write!(f, "M{}.{}", tenths / 10, tenths % 10),
-            ShopCode::Program(number) => write!(f, "O{number}"),
+            CustomCode::M(tenths) if tenths.is_multiple_of(10) => write!(f, "M{}", tenths / 10),
+            CustomCode::M(tenths) => write!(f, "M{}.{}", tenths / 10, tenths % 10),
+            CustomCode::Program(number) => write!(f, "O{number}"),
         }
     }
 }
@@ -60,7 +60,7 @@ impl fmt::Display for ShopCode {
 #[derive(Clone, Copy, Debug)]
 pub struct ShopCall<'a> {
     /// The code.
-    pub code: ShopCode,
+    pub code: CustomCode,
     /// Which main program runs, by its place among the programs of the job.
     pub main: usize,
     /// How many calls of this run were asked about before.
@@ -127,11 +127,11 @@ impl ShopAnswer {
 /// with the same answers before it a run comes to the same calls.
 pub struct ShopRecord {
     inner: Arc<dyn ShopCodes>,
-    known: Mutex<Known>,
+    known: Mutex<CachedAnswers>,
 }
 
 #[derive(Default)]
-struct Known {
+struct CachedAnswers {
     answers: HashMap<(usize, u32), ShopAnswer>,
     /// A text that is answered again and again is kept once.
     texts: HashSet<Arc<str>>,

@@ -1,19 +1,19 @@
 //! The words of a block by what they are, for colours.
 
 use chordal_diagnostics::TextRange;
-use chordal_kernel::{Class, Token};
-use chordal_syntax::{Block, BlockKind, Lexicon, Value, Word};
+use chordal_kernel::{Token, TokenClass};
+use chordal_syntax::{Block, BlockKind, Lexicon, Word, WordValue};
 
-use crate::marks::{Mark, marks};
+use crate::marks::{StatementMark, marks};
 
 /// The tokens of a block, in the order of the text.
 pub fn block_tokens(text: &[u8], lexicon: &Lexicon, block: &Block, tokens: &mut Vec<Token>) {
     let first = tokens.len();
     let comments = block.comments.iter();
-    tokens.extend(comments.map(|range| Token { range: *range, class: Class::Comment }));
+    tokens.extend(comments.map(|range| Token { range: *range, class: TokenClass::Comment }));
     match block.kind {
         BlockKind::Percent | BlockKind::Folder => {
-            tokens.push(Token { range: block.range, class: Class::Mark });
+            tokens.push(Token { range: block.range, class: TokenClass::Mark });
         }
         BlockKind::Macro(range) => macro_tokens(text, lexicon, range, tokens),
         BlockKind::Words => {}
@@ -22,7 +22,7 @@ pub fn block_tokens(text: &[u8], lexicon: &Lexicon, block: &Block, tokens: &mut 
         let text = block.range.slice(text);
         if let Some(at) = text.iter().position(|byte| *byte == b'/') {
             let start = block.range.start + at as u32;
-            tokens.push(Token { range: TextRange::new(start, start + 1), class: Class::Mark });
+            tokens.push(Token { range: TextRange::new(start, start + 1), class: TokenClass::Mark });
         }
     }
     for word in &block.words {
@@ -33,7 +33,7 @@ pub fn block_tokens(text: &[u8], lexicon: &Lexicon, block: &Block, tokens: &mut 
 
 fn word_tokens(text: &[u8], lexicon: &Lexicon, word: &Word, tokens: &mut Vec<Token>) {
     let class = class_of(word);
-    if let Value::Expression(range) = word.value {
+    if let WordValue::Expression(range) = word.value {
         let letter = TextRange::new(word.range.start, range.start);
         tokens.push(Token { range: letter, class });
         macro_tokens(text, lexicon, range, tokens);
@@ -43,34 +43,34 @@ fn word_tokens(text: &[u8], lexicon: &Lexicon, word: &Word, tokens: &mut Vec<Tok
 }
 
 /// The class of a word by its letter.
-pub fn class_of(word: &Word) -> Class {
+pub fn class_of(word: &Word) -> TokenClass {
     if word.register.is_some() {
-        return Class::Variable;
+        return TokenClass::Variable;
     }
-    if matches!(word.value, Value::Missing) {
-        return Class::Unknown;
+    if matches!(word.value, WordValue::Missing) {
+        return TokenClass::Unknown;
     }
     match word.letter {
-        _ if word.comma => Class::Parameter,
-        b'O' => Class::Program,
-        b'N' => Class::Label,
-        b'G' => Class::GCode,
-        b'M' => Class::MCode,
-        b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => Class::Axis,
-        b'F' | b'S' => Class::Speed,
-        b'T' | b'D' | b'H' => Class::Tool,
-        _ => Class::Parameter,
+        _ if word.comma => TokenClass::Parameter,
+        b'O' => TokenClass::Program,
+        b'N' => TokenClass::Label,
+        b'G' => TokenClass::GCode,
+        b'M' => TokenClass::MCode,
+        b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => TokenClass::Axis,
+        b'F' | b'S' => TokenClass::Speed,
+        b'T' | b'D' | b'H' => TokenClass::Tool,
+        _ => TokenClass::Parameter,
     }
 }
 
 fn macro_tokens(text: &[u8], lexicon: &Lexicon, range: TextRange, tokens: &mut Vec<Token>) {
     for (mark, range) in marks(text, range, lexicon) {
         let class = match mark {
-            Mark::Variable => Class::Variable,
-            Mark::Word => Class::Keyword,
-            Mark::Number => Class::Number,
-            Mark::Text => Class::Text,
-            Mark::Comment => Class::Comment,
+            StatementMark::Variable => TokenClass::Variable,
+            StatementMark::Word => TokenClass::Keyword,
+            StatementMark::Number => TokenClass::Number,
+            StatementMark::Text => TokenClass::Text,
+            StatementMark::Comment => TokenClass::Comment,
         };
         tokens.push(Token { range, class });
     }

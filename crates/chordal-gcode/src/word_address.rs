@@ -2,7 +2,7 @@
 
 use chordal_diagnostics::{FileId, SourceMap, Span, TextRange};
 use chordal_dialect::Control;
-use chordal_kernel::{Checkpoint, Language, ProgramPlace, Ran, RunSink, Token};
+use chordal_kernel::{Checkpoint, CompletedRun, Language, ProgramPlace, RunSink, Token};
 use chordal_machine::Machine;
 use chordal_syntax::{Block, BlockReader};
 
@@ -87,7 +87,7 @@ impl Language for WordAddress<'_> {
         program: usize,
         from: Option<&Checkpoint>,
         sink: &mut dyn RunSink,
-    ) -> Option<Ran> {
+    ) -> Option<CompletedRun> {
         let (library, machine) = (&self.library, self.machine);
         run_from(library, program, machine, self.control, self.options, sink, from)
     }

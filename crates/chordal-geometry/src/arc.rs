@@ -2,8 +2,8 @@
 
 use crate::winding::Winding;
 use crate::{
-    Aabb, ChordError, Chords, Direction, Frame, Nearest, ParamCurve, Placement, Transform, Vec3,
-    math,
+    Aabb, ChordError, Chords, Frame, Nearest, ParamCurve, Placement, Transform, TurnDirection,
+    Vec3, math,
 };
 
 /// A circular arc in any plane or, when `rise` is not zero, a helix; of any number of turns.
@@ -84,8 +84,8 @@ impl Arc {
 
     /// Whether the sense of turning about `w` is counter-clockwise.
     #[must_use]
-    pub fn direction(&self) -> Direction {
-        if self.sweep < 0.0 { Direction::Cw } else { Direction::Ccw }
+    pub fn direction(&self) -> TurnDirection {
+        if self.sweep < 0.0 { TurnDirection::Cw } else { TurnDirection::Ccw }
     }
 
     pub(crate) fn winding(&self) -> Winding {

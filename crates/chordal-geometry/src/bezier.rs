@@ -7,37 +7,37 @@ use crate::{Aabb, Vec3};
 
 /// A control point times its weight, and the weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Weighted {
+pub(crate) struct WeightedPoint {
     pub point: Vec3,
     pub weight: f64,
 }
 
-impl Weighted {
-    pub(crate) const ZERO: Weighted = Weighted { point: Vec3::ZERO, weight: 0.0 };
+impl WeightedPoint {
+    pub(crate) const ZERO: WeightedPoint = WeightedPoint { point: Vec3::ZERO, weight: 0.0 };
 
-    pub(crate) fn new(point: Vec3, weight: f64) -> Weighted {
-        Weighted { point: point * weight, weight }
+    pub(crate) fn new(point: Vec3, weight: f64) -> WeightedPoint {
+        WeightedPoint { point: point * weight, weight }
     }
 
-    pub(crate) fn lerp(self, other: Weighted, t: f64) -> Weighted {
-        Weighted {
+    pub(crate) fn lerp(self, other: WeightedPoint, t: f64) -> WeightedPoint {
+        WeightedPoint {
             point: self.point.lerp(other.point, t),
             weight: self.weight * (1.0 - t) + other.weight * t,
         }
     }
 
-    pub(crate) fn minus(self, other: Weighted) -> Weighted {
-        Weighted { point: self.point - other.point, weight: self.weight - other.weight }
+    pub(crate) fn minus(self, other: WeightedPoint) -> WeightedPoint {
+        WeightedPoint { point: self.point - other.point, weight: self.weight - other.weight }
     }
 
     #[inline]
-    pub(crate) fn plus(self, other: Weighted) -> Weighted {
-        Weighted { point: self.point + other.point, weight: self.weight + other.weight }
+    pub(crate) fn plus(self, other: WeightedPoint) -> WeightedPoint {
+        WeightedPoint { point: self.point + other.point, weight: self.weight + other.weight }
     }
 
     #[inline]
-    pub(crate) fn times(self, k: f64) -> Weighted {
-        Weighted { point: self.point * k, weight: self.weight * k }
+    pub(crate) fn times(self, k: f64) -> WeightedPoint {
+        WeightedPoint { point: self.point * k, weight: self.weight * k }
     }
 
     pub(crate) fn place(self) -> Vec3 {
@@ -51,7 +51,7 @@ pub(crate) const MOST: usize = 6;
 /// A span that stands alone: its control points seen from the first, and that.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bezier {
-    pub points: [Weighted; MOST],
+    pub points: [WeightedPoint; MOST],
     pub order: usize,
     pub start: Vec3,
 }
@@ -67,7 +67,7 @@ impl Bezier {
 }
 
 /// The point of a rational curve and its first three derivatives, from those of A and w.
-pub(crate) fn quotient(of: [Weighted; 4]) -> [Vec3; 4] {
+pub(crate) fn quotient(of: [WeightedPoint; 4]) -> [Vec3; 4] {
     let [a, a1, a2, a3] = of.map(|part| part.point);
     let [w, w1, w2, w3] = of.map(|part| part.weight);
     let c = a / w;
@@ -78,21 +78,21 @@ pub(crate) fn quotient(of: [Weighted; 4]) -> [Vec3; 4] {
 }
 
 /// One round of de Casteljau's means: the first `count` points become `count - 1`.
-fn step(points: &mut [Weighted], count: usize, t: f64) {
+fn step(points: &mut [WeightedPoint], count: usize, t: f64) {
     for index in 0..count - 1 {
         points[index] = points[index].lerp(points[index + 1], t);
     }
 }
 
 /// A, w and their first three derivatives by t. The control points are used up.
-pub(crate) fn jet(points: &mut [Weighted], t: f64) -> [Weighted; 4] {
+pub(crate) fn jet(points: &mut [WeightedPoint], t: f64) -> [WeightedPoint; 4] {
     let degree = points.len() - 1;
-    let mut found = [Weighted::ZERO; 4];
+    let mut found = [WeightedPoint::ZERO; 4];
     let mut count = points.len();
     loop {
         if count <= 4 {
             let order = count - 1;
-            let mut differences = [Weighted::ZERO; 4];
+            let mut differences = [WeightedPoint::ZERO; 4];
             differences[..count].copy_from_slice(&points[..count]);
             for round in 0..order {
                 for index in 0..order - round {
@@ -111,7 +111,7 @@ pub(crate) fn jet(points: &mut [Weighted], t: f64) -> [Weighted; 4] {
 }
 
 /// A, w and their first derivative by t. The control points are used up.
-pub(crate) fn velocity(points: &mut [Weighted], t: f64) -> Vec3 {
+pub(crate) fn velocity(points: &mut [WeightedPoint], t: f64) -> Vec3 {
     let degree = points.len() - 1;
     if degree == 0 {
         return Vec3::ZERO;
@@ -127,13 +127,13 @@ pub(crate) fn velocity(points: &mut [Weighted], t: f64) -> Vec3 {
 
 /// Makes control points the factors of powers of x, from −1 at the first to 1 at the last: about the middle, where
 /// the fewest digits are lost.
-pub(crate) fn to_powers(points: &mut [Weighted]) {
+pub(crate) fn to_powers(points: &mut [WeightedPoint]) {
     let degree = points.len() - 1;
-    let mut means = [Weighted::ZERO; MOST];
+    let mut means = [WeightedPoint::ZERO; MOST];
     means[..=degree].copy_from_slice(points);
     // The power k has the difference of order k of the means halfway after the other steps.
     let mut factor = 1.0;
-    let mut found = [Weighted::ZERO; MOST];
+    let mut found = [WeightedPoint::ZERO; MOST];
     for order in (0..=degree).rev() {
         let mut differences = means;
         for round in 0..order {
@@ -150,7 +150,7 @@ pub(crate) fn to_powers(points: &mut [Weighted]) {
 }
 
 /// Divides the control points at `t`: they become those before it, `after` those after it.
-pub(crate) fn split(points: &mut [Weighted], after: &mut [Weighted], t: f64) {
+pub(crate) fn split(points: &mut [WeightedPoint], after: &mut [WeightedPoint], t: f64) {
     let count = points.len();
     // Backwards, so that the points before `t` stay where each round leaves them.
     for round in 0..count {
@@ -163,7 +163,7 @@ pub(crate) fn split(points: &mut [Weighted], after: &mut [Weighted], t: f64) {
 
 /// The box around a curve, with its ends `start` and `end`: parts of it are divided while their control points
 /// lie outside the box of the points that were found.
-pub(crate) fn bounds(points: &[Weighted], start: Vec3, end: Vec3) -> Aabb {
+pub(crate) fn bounds(points: &[WeightedPoint], start: Vec3, end: Vec3) -> Aabb {
     const DEEPEST: u32 = 48;
     let mut found = Aabb::of_points(start, end);
     let mut open = vec![(points.to_vec(), 0)];
@@ -196,8 +196,8 @@ pub(crate) fn bounds(points: &[Weighted], start: Vec3, end: Vec3) -> Aabb {
 mod tests {
     use super::*;
 
-    fn points(of: &[(f64, f64, f64)]) -> Vec<Weighted> {
-        of.iter().map(|(x, y, w)| Weighted::new(Vec3::new(*x, *y, 0.0), *w)).collect()
+    fn points(of: &[(f64, f64, f64)]) -> Vec<WeightedPoint> {
+        of.iter().map(|(x, y, w)| WeightedPoint::new(Vec3::new(*x, *y, 0.0), *w)).collect()
     }
 
     #[test]
@@ -221,7 +221,7 @@ mod tests {
         split(&mut before, &mut after, 0.3);
         for k in 0..=10 {
             let t = f64::from(k) / 10.0;
-            let at = |points: &[Weighted], t| quotient(jet(&mut points.to_vec(), t))[0];
+            let at = |points: &[WeightedPoint], t| quotient(jet(&mut points.to_vec(), t))[0];
             assert!(at(&before, t).distance(at(&whole, 0.3 * t)) < 1e-14);
             assert!(at(&after, t).distance(at(&whole, 0.3 + 0.7 * t)) < 1e-14);
         }

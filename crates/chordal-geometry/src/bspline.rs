@@ -1,6 +1,6 @@
 //! Rational B-splines of any order with clamped knots.
 
-use crate::bezier::{self, Weighted, quotient};
+use crate::bezier::{self, WeightedPoint, quotient};
 use crate::quadrature::integral;
 use crate::{Aabb, ParamCurve, SplinePiece, Transform, Vec3, math};
 
@@ -241,8 +241,8 @@ impl Spline {
     }
 
     /// A, w and their derivatives: de Boor's means of the control points, and of their differences.
-    fn weighted_jet(&self, span: usize, u: f64) -> [Weighted; 4] {
-        let mut found = [Weighted::ZERO; 4];
+    fn weighted_jet(&self, span: usize, u: f64) -> [WeightedPoint; 4] {
+        let mut found = [WeightedPoint::ZERO; 4];
         let mut points = self.local(span);
         for (derivative, row) in found.iter_mut().enumerate() {
             let degree = points.len() - 1;
@@ -263,14 +263,19 @@ impl Spline {
     }
 
     /// The control points that act on a span.
-    fn local(&self, span: usize) -> Vec<Weighted> {
+    fn local(&self, span: usize) -> Vec<WeightedPoint> {
         (span + 1 - self.order..=span)
-            .map(|index| Weighted::new(self.points[index], self.weights[index]))
+            .map(|index| WeightedPoint::new(self.points[index], self.weights[index]))
             .collect()
     }
 
     /// De Boor's means over a span with a parameter of its own in each round: the blossom.
-    fn means(&self, mut points: Vec<Weighted>, span: usize, at: impl Fn(usize) -> f64) -> Weighted {
+    fn means(
+        &self,
+        mut points: Vec<WeightedPoint>,
+        span: usize,
+        at: impl Fn(usize) -> f64,
+    ) -> WeightedPoint {
         let degree = points.len() - 1;
         for round in 1..=degree {
             let u = at(round - 1);
@@ -301,7 +306,7 @@ impl Spline {
     }
 
     /// The control points of a span as a Bezier curve.
-    fn bezier_points(&self, span: usize) -> Vec<Weighted> {
+    fn bezier_points(&self, span: usize) -> Vec<WeightedPoint> {
         let (from, to) = (self.knots[span], self.knots[span + 1]);
         let degree = self.order - 1;
         let local = self.local(span);
@@ -361,7 +366,7 @@ impl Spline {
     pub fn bounds(&self) -> Aabb {
         self.spans().fold(Aabb::of_points(self.start(), self.end()), |all, span| {
             let points = self.bezier_points(span);
-            let [start, end] = [points[0], points[self.order - 1]].map(Weighted::place);
+            let [start, end] = [points[0], points[self.order - 1]].map(WeightedPoint::place);
             all.union(bezier::bounds(&points, start, end))
         })
     }
@@ -414,7 +419,7 @@ impl Spline {
     /// The same curve with one more knot.
     fn with_knot(&self, u: f64) -> Spline {
         let (span, degree) = (self.span(u), self.order - 1);
-        let weighted = |index: usize| Weighted::new(self.points[index], self.weights[index]);
+        let weighted = |index: usize| WeightedPoint::new(self.points[index], self.weights[index]);
         let same = self.knots.iter().filter(|knot| **knot == u).count();
         let (mut points, mut weights) = (self.points.clone(), self.weights.clone());
         let changed = span + 1 - degree..=span - same;

@@ -93,7 +93,7 @@ impl core::error::Error for ChordError {}
 /// within rounding takes that number.
 #[derive(Clone, Debug)]
 pub struct Chords {
-    spacing: Spacing,
+    spacing: ChordSpacing,
     start: Vec3,
     end: Vec3,
     count: u64,
@@ -102,7 +102,7 @@ pub struct Chords {
 
 #[derive(Clone, Debug)]
 #[allow(clippy::large_enum_variant, reason = "one for each curve, never kept in numbers")]
-enum Spacing {
+enum ChordSpacing {
     Ends,
     Even(Winding),
     Balanced {
@@ -114,7 +114,7 @@ enum Spacing {
     },
     Graded {
         winding: Winding,
-        grading: Grading,
+        grading: GradedSpacing,
     },
     Parameter(Bezier),
 }
@@ -130,7 +130,7 @@ impl Chords {
     /// for others.
     #[must_use]
     pub fn sagitta(&self) -> Option<f64> {
-        let Spacing::Even(winding) = &self.spacing else { return None };
+        let ChordSpacing::Even(winding) = &self.spacing else { return None };
         let (half, _) = math::sin_cos(0.25 * winding.theta / self.count as f64);
         Some(2.0 * winding.r0 * half * half)
     }
@@ -146,9 +146,9 @@ impl Chords {
         }
         let share = index as f64 / self.count as f64;
         match &self.spacing {
-            Spacing::Ends => self.end,
-            Spacing::Even(winding) => winding.point(share),
-            Spacing::Balanced { winding, end_span, outward } => {
+            ChordSpacing::Ends => self.end,
+            ChordSpacing::Even(winding) => winding.point(share),
+            ChordSpacing::Balanced { winding, end_span, outward } => {
                 let inner = self.count - 2;
                 let t = if inner == 0 {
                     0.5
@@ -158,8 +158,8 @@ impl Chords {
                 };
                 winding.point_outside(t, *outward)
             }
-            Spacing::Graded { winding, grading } => winding.point(grading.fraction(share)),
-            Spacing::Parameter(span) => span.jet(share)[0],
+            ChordSpacing::Graded { winding, grading } => winding.point(grading.fraction(share)),
+            ChordSpacing::Parameter(span) => span.jet(share)[0],
         }
     }
 
@@ -168,7 +168,7 @@ impl Chords {
         if !(start.is_finite() && end.is_finite()) {
             return Err(ChordError::NotFinite);
         }
-        Ok(Self { spacing: Spacing::Ends, start, end, count: 1, next: 0 })
+        Ok(Self { spacing: ChordSpacing::Ends, start, end, count: 1, next: 0 })
     }
 
     pub(crate) fn around(
@@ -190,9 +190,13 @@ impl Chords {
             graded(winding, tolerance)?
         } else {
             match placement {
-                Placement::Inscribed => (Spacing::Even(winding), inscribed_count(w, tolerance)?),
+                Placement::Inscribed => {
+                    (ChordSpacing::Even(winding), inscribed_count(w, tolerance)?)
+                }
                 Placement::Balanced => balanced(winding, tolerance)?,
-                Placement::RoundedDown => (Spacing::Even(winding), rounded_down(w, tolerance)?),
+                Placement::RoundedDown => {
+                    (ChordSpacing::Even(winding), rounded_down(w, tolerance)?)
+                }
             }
         };
         Ok(Self { spacing, count, ..straight })
@@ -210,7 +214,7 @@ impl Chords {
         if !is_finite {
             return Err(ChordError::NotFinite);
         }
-        Ok(Self { spacing: Spacing::Parameter(span), count: whole(steps)?, ..straight })
+        Ok(Self { spacing: ChordSpacing::Parameter(span), count: whole(steps)?, ..straight })
     }
 }
 
@@ -280,7 +284,7 @@ pub fn chords_in_whole(radius: f64, angle: f64, tolerance: f64) -> f64 {
     if half_chord > 0.0 { (0.5 * angle * radius / half_chord).floor() } else { 0.0 }
 }
 
-fn balanced(winding: Winding, tolerance: f64) -> Result<(Spacing, u64), ChordError> {
+fn balanced(winding: Winding, tolerance: f64) -> Result<(ChordSpacing, u64), ChordError> {
     let theta = winding.theta;
     // A third of the radius: steps of a third of a turn.
     let ratio = (tolerance / winding.r0).min(1.0 / 3.0);
@@ -292,7 +296,7 @@ fn balanced(winding: Winding, tolerance: f64) -> Result<(Spacing, u64), ChordErr
     };
     let (end, step) = spans(ratio);
     if theta <= 2.0 * half_step_inscribed(ratio) {
-        return Ok((Spacing::Ends, 1));
+        return Ok((ChordSpacing::Ends, 1));
     }
     let inner = if theta <= 2.0 * end { 0 } else { whole((theta - 2.0 * end) / step)? };
     let count = inner + 2;
@@ -303,18 +307,18 @@ fn balanced(winding: Winding, tolerance: f64) -> Result<(Spacing, u64), ChordErr
     let left = ratio * shrink * shrink;
     let (end, step) = spans(left);
     let end_span = end / reach(end, step);
-    Ok((Spacing::Balanced { winding, end_span, outward: left * winding.r0 }, count))
+    Ok((ChordSpacing::Balanced { winding, end_span, outward: left * winding.r0 }, count))
 }
 
 /// Corners at equal shares of ∫√Q dt, Q running evenly from `Q(0)` to `Q(0)·(1 + growth)`.
 #[derive(Clone, Debug)]
-struct Grading {
+struct GradedSpacing {
     growth: f64,
     /// (1 + growth)^(3/2) − 1.
     reach: f64,
 }
 
-impl Grading {
+impl GradedSpacing {
     fn new(growth: f64) -> Self {
         Self { growth, reach: math::exp_m1(1.5 * math::ln_1p(growth)) }
     }
@@ -333,7 +337,7 @@ impl Grading {
     }
 }
 
-fn graded(winding: Winding, tolerance: f64) -> Result<(Spacing, u64), ChordError> {
+fn graded(winding: Winding, tolerance: f64) -> Result<(ChordSpacing, u64), ChordError> {
     let w = &winding;
     // Growth of the radius for each radian.
     let b = (w.dr / w.theta).abs();
@@ -350,8 +354,8 @@ fn graded(winding: Winding, tolerance: f64) -> Result<(Spacing, u64), ChordError
     // a step covers the other end as well.
     let growth = b * (8.0 * e / least).sqrt();
     let (q0, q1) = (q0 + floor + growth, q1 + floor + growth);
-    let grading = Grading::new((q1 - q0) / q0);
+    let grading = GradedSpacing::new((q1 - q0) / q0);
     let count = w.theta * q0.sqrt() * grading.integral() / (8.0 * e).sqrt();
     let count = whole(count)?;
-    Ok((Spacing::Graded { winding, grading }, count))
+    Ok((ChordSpacing::Graded { winding, grading }, count))
 }

@@ -1,6 +1,6 @@
 //! From what a program says about an arc (ends, centre or radius, sense) to the curve.
 
-use crate::{Arc, Curve, Direction, Plane, Spiral, Vec2, Vec3, math};
+use crate::{Arc, Curve, Plane, Spiral, TurnDirection, Vec2, Vec3, math};
 
 /// The curve of an arc command, with the numbers a caller judges it by.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,10 +50,10 @@ pub fn arc_sweep(
     start: Vec3,
     end: Vec3,
     center: (f64, f64),
-    direction: Direction,
+    direction: TurnDirection,
     extra_turns: u32,
 ) -> ArcSweep {
-    let ends = Ends::new(plane, start, end, center);
+    let ends = ArcEnds::new(plane, start, end, center);
     let sweep = ends.sweep(direction, extra_turns);
     ArcSweep { radius_start: ends.radius_start, radius_end: ends.radius_end, sweep }
 }
@@ -71,10 +71,10 @@ pub fn arc_sweep(
 /// nothing. Beyond it the curve is a [`Spiral`], which is continuous whatever the difference.
 ///
 /// ```
-/// use chordal_geometry::{arc_from_center, Curve, Direction, ParamCurve, Plane, Vec3};
+/// use chordal_geometry::{arc_from_center, Curve, TurnDirection, ParamCurve, Plane, Vec3};
 ///
 /// let (start, end) = (Vec3::new(10.0, 0.0, 0.0), Vec3::new(0.0, 10.0, 0.0));
-/// let fit = arc_from_center(Plane::Xy, start, end, (0.0, 0.0), Direction::Ccw, 0, 1e-9);
+/// let fit = arc_from_center(Plane::Xy, start, end, (0.0, 0.0), TurnDirection::Ccw, 0, 1e-9);
 /// assert!(matches!(fit.curve, Curve::Arc(_)));
 /// assert_eq!(fit.curve.length(), 5.0 * core::f64::consts::PI);
 /// ```
@@ -84,11 +84,11 @@ pub fn arc_from_center(
     start: Vec3,
     end: Vec3,
     center: (f64, f64),
-    direction: Direction,
+    direction: TurnDirection,
     extra_turns: u32,
     radius_tolerance: f64,
 ) -> ArcFit {
-    let ends = Ends::new(plane, start, end, center);
+    let ends = ArcEnds::new(plane, start, end, center);
     ends.fit(ends.sweep(direction, extra_turns), radius_tolerance)
 }
 
@@ -100,7 +100,7 @@ impl Arc {
         start: Vec3,
         end: Vec3,
         center: (f64, f64),
-        direction: Direction,
+        direction: TurnDirection,
         extra_turns: u32,
         radius_tolerance: f64,
     ) -> ArcFit {
@@ -125,7 +125,7 @@ pub fn spiral_from_center(
     sweep: f64,
     radius_tolerance: f64,
 ) -> ArcFit {
-    let ends = Ends::new(plane, start, end, center);
+    let ends = ArcEnds::new(plane, start, end, center);
     let fixed = if ends.radius_start > 0.0 && ends.radius_end > 0.0 {
         let angle = math::atan2(ends.from.cross(ends.to), ends.from.dot(ends.to));
         angle + math::TAU * ((sweep - angle) / math::TAU).round()
@@ -137,7 +137,7 @@ pub fn spiral_from_center(
 }
 
 /// Start and end seen from the centre.
-struct Ends {
+struct ArcEnds {
     plane: Plane,
     start: Vec3,
     end: Vec3,
@@ -148,7 +148,7 @@ struct Ends {
     radius_end: f64,
 }
 
-impl Ends {
+impl ArcEnds {
     #[inline]
     fn new(plane: Plane, start: Vec3, end: Vec3, center: (f64, f64)) -> Self {
         let center = Vec2::from(center);
@@ -160,7 +160,7 @@ impl Ends {
 
     /// The angle from the start to the end in a direction, with full turns beside it.
     #[inline]
-    fn sweep(&self, direction: Direction, extra_turns: u32) -> f64 {
+    fn sweep(&self, direction: TurnDirection, extra_turns: u32) -> f64 {
         let sign = direction.sign();
         // The multiplication by ±1 is exact. Both products in the cross product of coinciding ends are
         // the same, so its zero is exact as well and needs no case of its own.
@@ -285,7 +285,7 @@ pub fn center_from_radius(
     start: Vec3,
     end: Vec3,
     radius: f64,
-    direction: Direction,
+    direction: TurnDirection,
     tolerance: HalfCircleTolerance,
 ) -> Result<(f64, f64), RadiusError> {
     let from = plane.project(start);

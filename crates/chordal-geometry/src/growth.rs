@@ -24,7 +24,7 @@ const MOST_PARTS: f64 = 1e9;
 
 /// A part of a spiral with the fraction of the sweep as a power series of the way.
 #[derive(Clone, Copy, Debug)]
-struct Part {
+struct SpiralPart {
     /// Its number among the parts.
     number: usize,
     /// Where it begins and ends, mm from the start of the spiral.
@@ -42,7 +42,7 @@ struct Part {
 
 /// A spiral and the part of it that was asked last.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Growth {
+pub(crate) struct SpiralReader {
     winding: Winding,
     /// Quarter turns of the whole sweep.
     quarters: f64,
@@ -50,13 +50,13 @@ pub(crate) struct Growth {
     bend: f64,
     /// dr² + rise².
     straight: f64,
-    grid: Grid,
-    part: Part,
+    grid: SpiralGrid,
+    part: SpiralPart,
 }
 
 /// The parts of a spiral.
 #[derive(Clone, Copy, Debug)]
-struct Grid {
+struct SpiralGrid {
     winding: Winding,
     length: f64,
     count: usize,
@@ -65,7 +65,7 @@ struct Grid {
     step: f64,
 }
 
-impl Part {
+impl SpiralPart {
     #[inline]
     fn holds(&self, s: f64) -> bool {
         s >= self.from && s < self.to
@@ -79,10 +79,10 @@ impl Part {
     }
 }
 
-impl Growth {
-    pub(crate) fn new(winding: Winding, length: f64) -> Growth {
-        let grid = Grid::new(winding, length);
-        Growth {
+impl SpiralReader {
+    pub(crate) fn new(winding: Winding, length: f64) -> SpiralReader {
+        let grid = SpiralGrid::new(winding, length);
+        SpiralReader {
             winding,
             quarters: winding.theta / math::FRAC_PI_2,
             bend: winding.theta * winding.dr,
@@ -141,8 +141,8 @@ impl Growth {
     }
 }
 
-impl Grid {
-    fn new(winding: Winding, length: f64) -> Grid {
+impl SpiralGrid {
+    fn new(winding: Winding, length: f64) -> SpiralGrid {
         let Winding { theta, r0, dr, .. } = winding;
         let straight = winding.straight_squared().sqrt();
         let z = |radius: f64| math::asinh(theta * radius / straight);
@@ -159,12 +159,12 @@ impl Grid {
         // Without growth, or with next to none, one part is all; and where no number comes out.
         let parts = ((to - from).abs() / share).ceil();
         let count = if parts > 1.0 && parts < MOST_PARTS { parts } else { 1.0 };
-        Grid { winding, length, count: count as usize, from, step: (to - from) / count }
+        SpiralGrid { winding, length, count: count as usize, from, step: (to - from) / count }
     }
 
     /// The part that holds a place, mostly next to the one of a number.
     #[cold]
-    fn part_for(&self, s: f64, near: usize) -> Part {
+    fn part_for(&self, s: f64, near: usize) -> SpiralPart {
         let mut number = near;
         let next = if s < self.begin(near) { near.saturating_sub(1) } else { near + 1 };
         if next < self.count && s >= self.begin(next) && s < self.begin(next + 1) {
@@ -209,13 +209,13 @@ impl Grid {
         }
     }
 
-    fn part(&self, number: usize) -> Part {
+    fn part(&self, number: usize) -> SpiralPart {
         let t = 0.5 * (self.fraction(number) + self.fraction(number + 1));
         let (from, to) = (self.begin(number), self.begin(number + 1));
         let s = self.winding.length_to(t);
         let reach = (s - from).max(to - s);
         let per_reach = if reach > 0.0 { 1.0 / reach } else { 0.0 };
-        Part { number, from, to, s, per_reach, t, terms: self.series(t, reach) }
+        SpiralPart { number, from, to, s, per_reach, t, terms: self.series(t, reach) }
     }
 
     /// The terms of the fraction about `t`, for powers of shares of `reach`.

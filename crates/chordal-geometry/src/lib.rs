@@ -70,7 +70,7 @@ pub use fit::{
     ArcFit, ArcSweep, HalfCircleTolerance, RadiusError, arc_from_center, arc_sweep,
     center_from_radius, spiral_from_center,
 };
-pub use fitting::{FitError, FitOptions, FitPiece, Measure, breaks, fit_path, simplify};
+pub use fitting::{FitError, FitMeasure, FitOptions, FitPiece, breaks, fit_path, simplify};
 pub use frame::Frame;
 pub use intersect::{
     Circle2, Line2, LineCrossing, Meeting, circle_circle, fractions_at_angle, line_circle,
@@ -78,7 +78,7 @@ pub use intersect::{
 };
 pub use line::Line;
 pub use param_curve::{Nearest, ParamCurve};
-pub use plane::{Direction, Plane};
+pub use plane::{Plane, TurnDirection};
 pub use spiral::Spiral;
 pub use spline_piece::{EvenPart, SplinePiece};
 pub use tracer::Tracer;

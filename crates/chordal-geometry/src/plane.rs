@@ -94,35 +94,35 @@ impl Plane {
 
 /// A sense of turning in a plane, seen against its normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Direction {
+pub enum TurnDirection {
     /// Clockwise: from the second axis to the first, a negative sweep.
     Cw,
     /// Counter-clockwise: from the first axis to the second, a positive sweep.
     Ccw,
 }
 
-impl Direction {
+impl TurnDirection {
     /// Sign of a sweep in this direction: −1 clockwise, +1 counter-clockwise.
     #[must_use]
     pub const fn sign(self) -> f64 {
         match self {
-            Direction::Cw => -1.0,
-            Direction::Ccw => 1.0,
+            TurnDirection::Cw => -1.0,
+            TurnDirection::Ccw => 1.0,
         }
     }
 
     /// The other direction.
     #[must_use]
-    pub const fn reversed(self) -> Direction {
+    pub const fn reversed(self) -> TurnDirection {
         match self {
-            Direction::Cw => Direction::Ccw,
-            Direction::Ccw => Direction::Cw,
+            TurnDirection::Cw => TurnDirection::Ccw,
+            TurnDirection::Ccw => TurnDirection::Cw,
         }
     }
 
     /// The direction that a mirror leaves: the other one in a mirror.
     #[must_use]
-    pub const fn mirrored_if(self, mirrored: bool) -> Direction {
+    pub const fn mirrored_if(self, mirrored: bool) -> TurnDirection {
         if mirrored { self.reversed() } else { self }
     }
 }

@@ -40,12 +40,12 @@ pub(crate) fn bracketed_root(f: impl Fn(f64) -> (f64, f64), mut lo: f64, mut hi:
 /// A short ascending list on the stack. What does not fit is dropped, so a loop over it is bounded
 /// whatever the input.
 #[derive(Clone, Copy)]
-pub(crate) struct Knots {
+pub(crate) struct KnotList {
     values: [f64; Self::CAPACITY],
     len: usize,
 }
 
-impl Knots {
+impl KnotList {
     /// Windows span at most two turns, which gives at most ten roots and two ends.
     const CAPACITY: usize = 24;
 
@@ -66,8 +66,8 @@ impl Knots {
 
     /// The sign changes of `f`, which is monotone between neighbouring knots. Both outermost knots
     /// are kept, so that the result divides the same interval.
-    pub(crate) fn refine(&self, f: impl Fn(f64) -> (f64, f64)) -> Knots {
-        let mut roots = Knots::new();
+    pub(crate) fn refine(&self, f: impl Fn(f64) -> (f64, f64)) -> KnotList {
+        let mut roots = KnotList::new();
         let knots = self.as_slice();
         let (Some(&first), Some(&last)) = (knots.first(), knots.last()) else { return roots };
         roots.push(first);

@@ -2,7 +2,7 @@
 
 use crate::winding::Winding;
 use crate::{
-    Aabb, ChordError, Chords, Direction, Frame, Nearest, ParamCurve, Placement, Transform, Vec3,
+    Aabb, ChordError, Chords, Frame, Nearest, ParamCurve, Placement, Transform, TurnDirection, Vec3,
 };
 
 /// An Archimedean spiral in any plane or, when `rise` is not zero, the curve over it on a cone; of
@@ -68,8 +68,8 @@ impl Spiral {
 
     /// Whether the sense of turning about `w` is counter-clockwise.
     #[must_use]
-    pub fn direction(&self) -> Direction {
-        if self.sweep < 0.0 { Direction::Cw } else { Direction::Ccw }
+    pub fn direction(&self) -> TurnDirection {
+        if self.sweep < 0.0 { TurnDirection::Cw } else { TurnDirection::Ccw }
     }
 
     pub(crate) fn winding(&self) -> Winding {

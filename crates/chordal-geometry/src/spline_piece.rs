@@ -1,6 +1,6 @@
 //! One polynomial span of a spline as a curve of its own: a rational Bezier curve.
 
-use crate::bezier::{self, Bezier, MOST, Weighted};
+use crate::bezier::{self, Bezier, MOST, WeightedPoint};
 use crate::quadrature::integral;
 use crate::{Aabb, ChordError, Chords, Line, Nearest, ParamCurve, Placement, Transform, Vec3};
 
@@ -38,7 +38,7 @@ impl SplinePiece {
 
     /// Of points times their weights, with the ends as they were given.
     pub(crate) fn of_weighted(
-        of: &[Weighted],
+        of: &[WeightedPoint],
         start: Vec3,
         end: Option<Vec3>,
     ) -> Option<SplinePiece> {
@@ -74,14 +74,16 @@ impl SplinePiece {
         self
     }
 
-    fn weighted(&self) -> [Weighted; MOST] {
-        std::array::from_fn(|index| Weighted::new(self.points[index], self.weights[index]))
+    fn weighted(&self) -> [WeightedPoint; MOST] {
+        std::array::from_fn(|index| WeightedPoint::new(self.points[index], self.weights[index]))
     }
 
     /// Seen from the start, so that a small curve far from the origin keeps its digits.
-    fn about_start(&self) -> [Weighted; MOST] {
+    fn about_start(&self) -> [WeightedPoint; MOST] {
         let start = self.points[0];
-        std::array::from_fn(|index| Weighted::new(self.points[index] - start, self.weights[index]))
+        std::array::from_fn(|index| {
+            WeightedPoint::new(self.points[index] - start, self.weights[index])
+        })
     }
 
     fn bezier(&self) -> Bezier {
@@ -199,7 +201,7 @@ impl SplinePiece {
         let mut after = before;
         let start = self.points[0];
         bezier::split(&mut before[..self.order], &mut after[..self.order], t);
-        let part = |of: &[Weighted; MOST]| SplinePiece {
+        let part = |of: &[WeightedPoint; MOST]| SplinePiece {
             points: std::array::from_fn(|k| {
                 if k < self.order { start + of[k].place() } else { Vec3::ZERO }
             }),
@@ -387,7 +389,8 @@ impl ParamCurve for SplinePiece {
             see(middle, &mut best);
             // The nearer half last, so that it is looked at first.
             let halves = [(part, from, middle, depth + 1), (after, middle, to, depth + 1)];
-            let near = |half: &([Weighted; MOST], f64, f64, u32)| half.0[0].place().distance(p);
+            let near =
+                |half: &([WeightedPoint; MOST], f64, f64, u32)| half.0[0].place().distance(p);
             let end = self.jet_at_parameter(to)[0].distance(p);
             if near(&halves[0]) < end {
                 open.extend(halves.into_iter().rev());
@@ -455,8 +458,8 @@ impl SplinePiece {
     fn steps_within(&self, tolerance: f64) -> f64 {
         let hull = self.points().iter().fold(Aabb::EMPTY, |hull, point| hull.include(*point));
         let middle = hull.center();
-        let weighted: [Weighted; MOST] =
-            std::array::from_fn(|k| Weighted::new(self.points[k] - middle, self.weights[k]));
+        let weighted: [WeightedPoint; MOST] =
+            std::array::from_fn(|k| WeightedPoint::new(self.points[k] - middle, self.weights[k]));
         let mut bends = (0.0_f64, 0.0_f64);
         for three in weighted[..self.order].windows(3) {
             let bend = three[2].minus(three[1]).minus(three[1].minus(three[0]));

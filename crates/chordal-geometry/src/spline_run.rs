@@ -8,7 +8,7 @@
 //!
 //! The cells are the curve's own, so no answer depends on what was asked before.
 
-use crate::bezier::{self, MOST, Weighted};
+use crate::bezier::{self, MOST, WeightedPoint};
 use crate::quadrature::{gauss, integral};
 use crate::spline_piece::OFF;
 use crate::{ParamCurve, SplinePiece, Vec3};
@@ -58,14 +58,14 @@ const ODD: [[f64; KNOWN]; KNOWN] = [
 /// X, Y, Z and nothing: two pairs, which a processor takes at once.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(16))]
-struct Row([f64; 4]);
+struct SplineRow([f64; 4]);
 
-impl Row {
-    const ZERO: Row = Row([0.0; 4]);
+impl SplineRow {
+    const ZERO: SplineRow = SplineRow([0.0; 4]);
 
     #[inline(always)]
-    fn of(point: Vec3) -> Row {
-        Row([point.x, point.y, point.z, 0.0])
+    fn of(point: Vec3) -> SplineRow {
+        SplineRow([point.x, point.y, point.z, 0.0])
     }
 
     #[inline(always)]
@@ -74,31 +74,31 @@ impl Row {
     }
 
     #[inline(always)]
-    fn times(self, k: f64) -> Row {
-        Row(self.0.map(|value| value * k))
+    fn times(self, k: f64) -> SplineRow {
+        SplineRow(self.0.map(|value| value * k))
     }
 
     #[inline(always)]
-    fn plus(self, other: Row) -> Row {
-        let Row([a, b, c, d]) = self;
-        let Row([e, f, g, h]) = other;
-        Row([a + e, b + f, c + g, d + h])
+    fn plus(self, other: SplineRow) -> SplineRow {
+        let SplineRow([a, b, c, d]) = self;
+        let SplineRow([e, f, g, h]) = other;
+        SplineRow([a + e, b + f, c + g, d + h])
     }
 }
 
 /// A piece and the cell of it that was asked last.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Run {
+pub(crate) struct SplineReader {
     piece: SplinePiece,
-    powers: Powers,
-    cell: Cell,
+    powers: PowerSeries,
+    cell: PolynomialCell,
     /// The half after the cell, where that was found as the half before: the search goes on from there.
-    next: Option<(Known, Known)>,
+    next: Option<(KnownLength, KnownLength)>,
 }
 
 /// A part of the curve as a polynomial.
 #[derive(Clone, Copy, Debug)]
-struct Cell {
+struct PolynomialCell {
     /// From where to where, mm from the start of the curve.
     from: f64,
     to: f64,
@@ -106,14 +106,14 @@ struct Cell {
     middle: f64,
     per_half: f64,
     /// Factors of powers of x, from −1 at its start to 1 at its end, mm.
-    terms: [Row; TERMS],
+    terms: [SplineRow; TERMS],
     /// The parameter at its ends, where no polynomial follows the curve.
     exactly: Option<(f64, f64)>,
 }
 
 /// A place whose length from the start is known.
 #[derive(Clone, Copy, Debug)]
-struct Known {
+struct KnownLength {
     /// From −1 at the start of the curve to 1 at its end.
     x: f64,
     /// mm from the start.
@@ -122,9 +122,14 @@ struct Known {
     series: [Vec3; KNOWN],
 }
 
-impl Run {
-    pub(crate) fn new(piece: &SplinePiece) -> Run {
-        Run { piece: *piece, powers: Powers::new(piece), cell: Cell::NONE, next: None }
+impl SplineReader {
+    pub(crate) fn new(piece: &SplinePiece) -> SplineReader {
+        SplineReader {
+            piece: *piece,
+            powers: PowerSeries::new(piece),
+            cell: PolynomialCell::NONE,
+            next: None,
+        }
     }
 
     /// The point at `s` mm from the start and its derivatives by time where those of `s` are `by_time`.
@@ -142,7 +147,7 @@ impl Run {
     #[cold]
     #[inline(never)]
     fn exact_motion_at(&self, s: f64, [v, a, j]: [f64; 3]) -> [Vec3; 4] {
-        let Cell { from, to, exactly, .. } = self.cell;
+        let PolynomialCell { from, to, exactly, .. } = self.cell;
         let (low, high) = exactly.unwrap_or((0.0, 1.0));
         let t = self.piece.parameter_between((low, from), (high, to), s);
         let [point, d1, d2, d3] = self.piece.by_length(t);
@@ -153,13 +158,14 @@ impl Run {
     #[cold]
     #[inline(never)]
     fn find(&mut self, s: f64) {
-        let Run { piece, powers, .. } = self;
+        let SplineReader { piece, powers, .. } = self;
         let (start, whole, hull) = (piece.start(), piece.length(), piece.hull_length());
-        let known = |x: f64, s: f64| Known { x, s, series: by_length(&powers.series(x), hull) };
+        let known =
+            |x: f64, s: f64| KnownLength { x, s, series: by_length(&powers.series(x), hull) };
         let next = self.next.take().filter(|(low, high)| s >= low.s && s < high.s);
         let (mut low, mut high) = next.unwrap_or_else(|| (known(-1.0, 0.0), known(1.0, whole)));
         while high.x - low.x > NARROWEST {
-            let cell = Cell::between(&low, &high);
+            let cell = PolynomialCell::between(&low, &high);
             let length = high.s - low.s;
             let x = 0.5 * (low.x + high.x);
             let mut speed = |x: f64| powers.speed(x);
@@ -184,28 +190,28 @@ impl Run {
         }
         let parameter = |x: f64| 0.5 * (1.0 + x);
         let exactly = Some((parameter(low.x), parameter(high.x)));
-        self.cell = Cell { exactly, ..Cell::between(&low, &high) };
+        self.cell = PolynomialCell { exactly, ..PolynomialCell::between(&low, &high) };
     }
 }
 
-impl Cell {
-    const NONE: Cell = Cell {
+impl PolynomialCell {
+    const NONE: PolynomialCell = PolynomialCell {
         from: 0.0,
         to: 0.0,
         middle: 0.0,
         per_half: 0.0,
-        terms: [Row::ZERO; TERMS],
+        terms: [SplineRow::ZERO; TERMS],
         exactly: None,
     };
 
     /// The polynomial that has what the curve has at two places, seen from the start of the curve.
-    fn between(low: &Known, high: &Known) -> Cell {
+    fn between(low: &KnownLength, high: &KnownLength) -> PolynomialCell {
         let half = 0.5 * (high.s - low.s);
         let per_half = if half > 0.0 { 1.0 / half } else { 0.0 };
-        let mut terms = [Row::ZERO; TERMS];
+        let mut terms = [SplineRow::ZERO; TERMS];
         let mut scale = 0.5 / 128.0;
         for order in 0..KNOWN {
-            let (one, two) = (Row::of(low.series[order]), Row::of(high.series[order]));
+            let (one, two) = (SplineRow::of(low.series[order]), SplineRow::of(high.series[order]));
             let (sum, step) = (two.plus(one).times(scale), two.plus(one.times(-1.0)).times(scale));
             let (for_even, for_odd) = if order % 2 == 0 { (sum, step) } else { (step, sum) };
             for power in 0..KNOWN {
@@ -216,17 +222,17 @@ impl Cell {
             scale *= half;
         }
         let middle = 0.5 * (low.s + high.s);
-        Cell { from: low.s, to: high.s, middle, per_half, terms, exactly: None }
+        PolynomialCell { from: low.s, to: high.s, middle, per_half, terms, exactly: None }
     }
 
     /// The same seen from where the start of the curve is seen from.
-    fn seen_from(mut self, start: Vec3) -> Cell {
-        self.terms[0] = self.terms[0].plus(Row::of(start));
+    fn seen_from(mut self, start: Vec3) -> PolynomialCell {
+        self.terms[0] = self.terms[0].plus(SplineRow::of(start));
         self
     }
 
     /// How far the polynomial may be off anywhere, by a place about its middle, mm.
-    fn is_off_at(&self, place: &Known) -> f64 {
+    fn is_off_at(&self, place: &KnownLength) -> f64 {
         let x = (place.s - self.middle) * self.per_half;
         let half = 0.5 * (self.to - self.from);
         let [point, d1, d2, ..] = place.series;
@@ -250,7 +256,7 @@ impl Cell {
         let x = (s - self.middle) * self.per_half;
         // Horner's steps: the value, the first derivative, a half of the second, a sixth of the third.
         let [t0, t1, t2, t3, t4, t5, t6, t7, t8, t9] = &self.terms;
-        let step = |of: Row, add: &Row| of.times(x).plus(*add);
+        let step = |of: SplineRow, add: &SplineRow| of.times(x).plus(*add);
         let (first, value) = (*t9, step(*t9, t8));
         let (second, first, value) = (first, step(first, &value), step(value, t7));
         let mut third = second;
@@ -269,35 +275,35 @@ impl Cell {
         let acceleration = first.times(x2).plus(second.times(2.0 * square));
         let jerk = first.times(x3).plus(second.times(6.0 * x1 * x2));
         let jerk = jerk.plus(third.times(6.0 * square * x1));
-        [value, velocity, acceleration, jerk].map(Row::vec)
+        [value, velocity, acceleration, jerk].map(SplineRow::vec)
     }
 }
 
 /// A piece as powers of x, from −1 at its start to 1 at its end: points seen from the start, times their weights.
 #[derive(Clone, Copy, Debug)]
-struct Powers {
-    terms: [Weighted; MOST],
+struct PowerSeries {
+    terms: [WeightedPoint; MOST],
     degree: usize,
     /// Whether the weights differ; if not they are 1 here.
     rational: bool,
 }
 
-impl Powers {
-    fn new(piece: &SplinePiece) -> Powers {
+impl PowerSeries {
+    fn new(piece: &SplinePiece) -> PowerSeries {
         let (points, weights) = (piece.points(), piece.weights());
         let rational = weights.iter().any(|weight| *weight != weights[0]);
-        let mut terms = [Weighted::ZERO; MOST];
+        let mut terms = [WeightedPoint::ZERO; MOST];
         for (index, term) in terms[..points.len()].iter_mut().enumerate() {
             let weight = if rational { weights[index] } else { 1.0 };
-            *term = Weighted::new(points[index] - points[0], weight);
+            *term = WeightedPoint::new(points[index] - points[0], weight);
         }
         bezier::to_powers(&mut terms[..points.len()]);
-        Powers { terms, degree: points.len() - 1, rational }
+        PowerSeries { terms, degree: points.len() - 1, rational }
     }
 
     /// The point and its derivatives by x, by their factorials.
     fn series(&self, x: f64) -> [Vec3; KNOWN] {
-        let mut series = [Weighted::ZERO; KNOWN];
+        let mut series = [WeightedPoint::ZERO; KNOWN];
         for term in self.terms[..=self.degree].iter().rev() {
             for order in (1..KNOWN).rev() {
                 series[order] = series[order].times(x).plus(series[order - 1]);
@@ -329,7 +335,7 @@ impl Powers {
             }
             return slope.length();
         }
-        let (mut value, mut first) = (Weighted::ZERO, Weighted::ZERO);
+        let (mut value, mut first) = (WeightedPoint::ZERO, WeightedPoint::ZERO);
         for term in self.terms[..=self.degree].iter().rev() {
             first = first.times(x).plus(value);
             value = value.times(x).plus(*term);
@@ -425,13 +431,13 @@ mod tests {
         const BY_X: [f64; 4] = [1.0, 2.0, 10.0, 50.0];
         let (mut parts, mut cells, mut worst) = (0, 0, [0.0_f64; 4]);
         for_even_parts(|bent| {
-            let mut run = Run::new(bent);
+            let mut run = SplineReader::new(bent);
             let length = bent.length();
             parts += 1;
             while run.cell.to < length {
                 run.find(run.cell.to);
                 cells += 1;
-                let Cell { from, to, per_half, exactly, .. } = run.cell;
+                let PolynomialCell { from, to, per_half, exactly, .. } = run.cell;
                 assert_eq!(exactly, None, "{bent:?}");
                 let allowed = OFF_MM.min(OFF_SHARE * (to - from)).max(OFF_WHOLE * length);
                 for k in 0..24 {
@@ -456,11 +462,11 @@ mod tests {
     fn no_answer_depends_on_what_was_asked_before() {
         let mut dice = Dice(77);
         for_even_parts(|bent| {
-            let mut asked = Run::new(bent);
+            let mut asked = SplineReader::new(bent);
             for _ in 0..20 {
                 let s = bent.length() * 0.5 * (1.0 + dice.next());
                 let by_time = [30.0, -2.0, 1e3];
-                let fresh = Run::new(bent).motion_at(s, by_time);
+                let fresh = SplineReader::new(bent).motion_at(s, by_time);
                 assert_eq!(asked.motion_at(s, by_time), fresh, "to the bit, at {s} mm of {bent:?}");
             }
         });
@@ -470,7 +476,7 @@ mod tests {
     fn a_cusp_is_asked_exactly() {
         let points = [Vec3::ZERO, Vec3::ZERO, Vec3::new(2.0, 5.0, 1.0), Vec3::new(4.0, 0.0, 0.0)];
         let piece = SplinePiece::new(&points, &[1.0; 4]).expect("a piece");
-        let mut run = Run::new(&piece);
+        let mut run = SplineReader::new(&piece);
         let mut exact = 0;
         for k in 1..200 {
             // Nearer and nearer to the start.

@@ -1,7 +1,7 @@
 //! Curves made ready to be asked at many places.
 
-use crate::growth::Growth;
-use crate::spline_run::Run;
+use crate::growth::SpiralReader;
+use crate::spline_run::SplineReader;
 use crate::winding::Winding;
 use crate::{Curve, Line, ParamCurve, Vec3, math};
 
@@ -16,7 +16,7 @@ pub struct Tracer {
     start: Vec3,
     end: Vec3,
     length: f64,
-    kind: Kind,
+    kind: TracerKind,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -24,16 +24,16 @@ pub struct Tracer {
     clippy::large_enum_variant,
     reason = "made once for many places, without memory of its own"
 )]
-enum Kind {
+enum TracerKind {
     Straight { line: Line, tangent: Vec3 },
-    Round(Round),
-    Growing(Growth),
-    Bent(Run),
+    Round(ArcTracer),
+    Growing(SpiralReader),
+    Bent(SplineReader),
 }
 
 /// An arc or a helix: its radius as vectors, and everything for each mm of its length.
 #[derive(Clone, Copy, Debug)]
-struct Round {
+struct ArcTracer {
     center: Vec3,
     /// From the centre to the start, and a quarter turn further, mm.
     radii: (Vec3, Vec3),
@@ -45,13 +45,13 @@ struct Round {
     rise: Vec3,
 }
 
-impl Round {
-    fn new(winding: &Winding, length: f64) -> Round {
+impl ArcTracer {
+    fn new(winding: &Winding, length: f64) -> ArcTracer {
         let Winding { center, u, v, w, r0, theta, rise, .. } = *winding;
         // Without length it has no direction either.
         let per_mm = if length == 0.0 { 0.0 } else { 1.0 / length };
         let rate = theta * per_mm;
-        Round {
+        ArcTracer {
             center,
             radii: (u * r0, v * r0),
             quarters: theta / math::FRAC_PI_2 * per_mm,
@@ -83,13 +83,17 @@ impl Tracer {
     pub fn new(curve: &Curve) -> Tracer {
         let length = curve.length();
         let kind = match curve {
-            Curve::Line(line) => Kind::Straight { line: *line, tangent: line.tangent_at(0.0) },
-            Curve::Arc(arc) => Kind::Round(Round::new(&arc.winding(), length)),
-            Curve::Spiral(spiral) if length == 0.0 => {
-                Kind::Round(Round::new(&spiral.winding(), length))
+            Curve::Line(line) => {
+                TracerKind::Straight { line: *line, tangent: line.tangent_at(0.0) }
             }
-            Curve::Spiral(spiral) => Kind::Growing(Growth::new(spiral.winding(), length)),
-            Curve::Spline(piece) => Kind::Bent(Run::new(piece)),
+            Curve::Arc(arc) => TracerKind::Round(ArcTracer::new(&arc.winding(), length)),
+            Curve::Spiral(spiral) if length == 0.0 => {
+                TracerKind::Round(ArcTracer::new(&spiral.winding(), length))
+            }
+            Curve::Spiral(spiral) => {
+                TracerKind::Growing(SpiralReader::new(spiral.winding(), length))
+            }
+            Curve::Spline(piece) => TracerKind::Bent(SplineReader::new(piece)),
         };
         Tracer { start: curve.start(), end: curve.end(), length, kind }
     }
@@ -120,10 +124,10 @@ impl Tracer {
         }
         match &mut self.kind {
             // Each on its own, so that it stays in registers.
-            Kind::Round(round) => take(round.motion_at(s, by_time)),
-            Kind::Growing(growth) => take(growth.motion_at(s, by_time)),
-            Kind::Bent(run) => take(run.motion_at(s, by_time)),
-            Kind::Straight { .. } => take(self.inside(s, by_time)),
+            TracerKind::Round(round) => take(round.motion_at(s, by_time)),
+            TracerKind::Growing(growth) => take(growth.motion_at(s, by_time)),
+            TracerKind::Bent(run) => take(run.motion_at(s, by_time)),
+            TracerKind::Straight { .. } => take(self.inside(s, by_time)),
         }
     }
 
@@ -141,14 +145,14 @@ impl Tracer {
 
     fn inside(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
         match &mut self.kind {
-            Kind::Straight { line, tangent } => {
+            TracerKind::Straight { line, tangent } => {
                 let point = line.start.lerp(line.end, s / self.length);
                 let [first, second, third] = by_time.map(|of| *tangent * of);
                 [point, first, second, third]
             }
-            Kind::Round(round) => round.motion_at(s, by_time),
-            Kind::Growing(growth) => growth.motion_at(s, by_time),
-            Kind::Bent(run) => run.motion_at(s, by_time),
+            TracerKind::Round(round) => round.motion_at(s, by_time),
+            TracerKind::Growing(growth) => growth.motion_at(s, by_time),
+            TracerKind::Bent(run) => run.motion_at(s, by_time),
         }
     }
 }

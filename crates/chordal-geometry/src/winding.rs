@@ -31,13 +31,13 @@ pub(crate) struct Winding {
 
 /// Derivatives of position by arc length.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Intrinsic {
+pub(crate) struct IntrinsicDerivatives {
     pub tangent: Vec3,
     pub curvature: Vec3,
     pub curvature_derivative: Vec3,
 }
 
-impl Intrinsic {
+impl IntrinsicDerivatives {
     /// After their point.
     pub(crate) fn behind(self, point: Vec3) -> [Vec3; 4] {
         [point, self.tangent, self.curvature, self.curvature_derivative]
@@ -159,14 +159,14 @@ impl Winding {
     }
 
     /// Derivatives by arc length at `t`; all zero on a curve without length.
-    pub(crate) fn intrinsic(&self, t: f64) -> Intrinsic {
+    pub(crate) fn intrinsic(&self, t: f64) -> IntrinsicDerivatives {
         let (e, n) = self.radial(t);
         self.intrinsic_along(t, e, n)
     }
 
     /// The point at `t` and its derivatives by arc length, with one sine and cosine for all.
     #[inline]
-    pub(crate) fn jet(&self, t: f64) -> (Vec3, Intrinsic) {
+    pub(crate) fn jet(&self, t: f64) -> (Vec3, IntrinsicDerivatives) {
         let (sin, cos) = math::sin_cos(self.theta * t);
         let r = self.radius(t);
         let point =
@@ -177,19 +177,23 @@ impl Winding {
 
     /// Derivatives by arc length at `t`, where `e` points outward and `n` along the turning.
     #[inline]
-    fn intrinsic_along(&self, t: f64, e: Vec3, n: Vec3) -> Intrinsic {
+    fn intrinsic_along(&self, t: f64, e: Vec3, n: Vec3) -> IntrinsicDerivatives {
         let r = self.radius(t);
         let (th, dr) = (self.theta, self.dr);
         let around = r * th;
         let g = self.speed(t);
         if g == 0.0 {
             let none = Vec3::ZERO;
-            return Intrinsic { tangent: none, curvature: none, curvature_derivative: none };
+            return IntrinsicDerivatives {
+                tangent: none,
+                curvature: none,
+                curvature_derivative: none,
+            };
         }
         let k = 1.0 / g;
         if dr == 0.0 {
             // What is left of the terms below when the radius does not grow.
-            return Intrinsic {
+            return IntrinsicDerivatives {
                 tangent: (n * around + self.w * self.rise) / g,
                 curvature: e * -(around * th) * (k * k),
                 curvature_derivative: n * -(around * th * th) * (k * k * k),
@@ -201,7 +205,7 @@ impl Winding {
         // g' and g'' relative to g.
         let g1 = around * th * dr * k * k;
         let g2 = dr * dr * th * th * k * k - g1 * g1;
-        Intrinsic {
+        IntrinsicDerivatives {
             tangent: p1 / g,
             curvature: (p2 - p1 * g1) * (k * k),
             curvature_derivative: (p3 - p2 * (3.0 * g1) + p1 * (3.0 * g1 * g1 - g2)) * (k * k * k),

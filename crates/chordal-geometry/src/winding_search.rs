@@ -5,20 +5,20 @@
 //! up is monotone and has at most one root. No root is guessed, so none is missed.
 
 use crate::math::{self, PI, TAU};
-use crate::solve::{Knots, bracketed_root};
+use crate::solve::{KnotList, bracketed_root};
 use crate::winding::Winding;
 use crate::{Aabb, Vec3};
 
 impl Winding {
     /// Ends of `lo..=hi` and, between them, where the phase Θt − φ − atan2(j·dr, Θr(t)) is
     /// `offset` + kπ. The phase never falls: its derivative is Θ(1 + j·dr²/(Θ²r² + j²dr²)).
-    fn phase_knots(&self, j: f64, phi: f64, offset: f64, lo: f64, hi: f64) -> Knots {
+    fn phase_knots(&self, j: f64, phi: f64, offset: f64, lo: f64, hi: f64) -> KnotList {
         let lead = |t: f64| (j * self.dr, self.theta * self.radius(t));
         let phase = |t: f64| {
             let (y, x) = lead(t);
             self.theta * t - phi - math::atan2(y, x) - offset
         };
-        let mut knots = Knots::new();
+        let mut knots = KnotList::new();
         knots.push(lo);
         let first = (phase(lo) / PI).ceil();
         let last = (phase(hi) / PI).floor();

@@ -3,8 +3,8 @@
 mod common;
 
 use chordal_geometry::{
-    Arc, Curve, Direction, Frame, HalfCircleTolerance, Line, ParamCurve, Placement, Plane, Spiral,
-    Tracer, Transform, Vec3, arc_from_center, center_from_radius, spiral_from_center,
+    Arc, Curve, Frame, HalfCircleTolerance, Line, ParamCurve, Placement, Plane, Spiral, Tracer,
+    Transform, TurnDirection, Vec3, arc_from_center, center_from_radius, spiral_from_center,
 };
 use common::*;
 use proptest::prelude::*;
@@ -94,7 +94,7 @@ fn numbers_that_are_none() {
             assert!(c.chords(0.1, Placement::Inscribed).is_err());
         }
         for (s, e, m) in [(p, Vec3::Y, 0.0), (Vec3::Y, p, 0.0), (Vec3::X, Vec3::Y, bad)] {
-            exercise(&arc_from_center(Plane::Xy, s, e, (m, 0.0), Direction::Cw, 0, 1e-9).curve);
+            exercise(&arc_from_center(Plane::Xy, s, e, (m, 0.0), TurnDirection::Cw, 0, 1e-9).curve);
             exercise(&spiral_from_center(Plane::Xy, s, e, (m, 0.0), 9.0, 1e-9).curve);
             exercise(&spiral_from_center(Plane::Xy, s, e, (0.0, 0.0), bad, 1e-9).curve);
         }
@@ -104,7 +104,7 @@ fn numbers_that_are_none() {
                 p,
                 Vec3::Y,
                 1.0,
-                Direction::Cw,
+                TurnDirection::Cw,
                 HalfCircleTolerance::either(0.1)
             )
             .is_err()
@@ -173,8 +173,8 @@ proptest! {
     #[test]
     fn any_command_goes(x in wild(), y in wild(), z in wild(), a in wild(), b in wild(), tol in wild()) {
         let (s, e) = (Vec3::new(x, y, z), Vec3::new(y, z, x));
-        exercise(&arc_from_center(Plane::Yz, s, e, (a, b), Direction::Ccw, 3, tol).curve);
+        exercise(&arc_from_center(Plane::Yz, s, e, (a, b), TurnDirection::Ccw, 3, tol).curve);
         exercise(&spiral_from_center(Plane::Yz, s, e, (a, b), x, tol).curve);
-        let _ = center_from_radius(Plane::Yz, s, e, a, Direction::Ccw, HalfCircleTolerance::either(tol));
+        let _ = center_from_radius(Plane::Yz, s, e, a, TurnDirection::Ccw, HalfCircleTolerance::either(tol));
     }
 }

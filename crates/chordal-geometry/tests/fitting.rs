@@ -1,7 +1,7 @@
 //! Lines and arcs through points: how many, how far off, and in one direction where they meet.
 
 use chordal_geometry::{
-    Arc, Curve, FitOptions, FitPiece, Measure, ParamCurve, Placement, Plane, Vec3, breaks,
+    Arc, Curve, FitMeasure, FitOptions, FitPiece, ParamCurve, Placement, Plane, Vec3, breaks,
     fit_path, simplify,
 };
 use core::f64::consts::{PI, TAU};
@@ -228,7 +228,7 @@ fn a_spiral_of_short_lines() {
     };
     for tolerance in [0.05, 0.01, 0.005] {
         let least = asymptotic((0.0, 6.0 * TAU), derivatives, 72.0 * 3f64.sqrt(), tolerance);
-        let measure = Measure::Points;
+        let measure = FitMeasure::Points;
         let pieces =
             fit_path(&points, &FitOptions { measure, ..FitOptions::within(tolerance) }).unwrap();
         let from_points = points.iter().map(|point| {

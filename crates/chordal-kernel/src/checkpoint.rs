@@ -4,16 +4,16 @@
 use std::any::Any;
 use std::fmt::Debug;
 
-use chordal_diagnostics::Shift;
+use chordal_diagnostics::TextShift;
 
 /// What a language and the kernel remember at a checkpoint: all that decides about what follows.
-pub trait Memory: Any + Debug + Send + Sync {
+pub trait CheckpointMemory: Any + Debug + Send + Sync {
     /// True when what follows is the same after both, to the bit.
-    fn is_like(&self, other: &dyn Memory) -> bool;
+    fn is_like(&self, other: &dyn CheckpointMemory) -> bool;
     /// Makes it one of a text that has changed elsewhere; `None` where it remembers words that went.
-    fn shift(&mut self, shift: &Shift) -> Option<()>;
+    fn shift(&mut self, shift: &TextShift) -> Option<()>;
     /// A copy.
-    fn copy(&self) -> Box<dyn Memory>;
+    fn copy(&self) -> Box<dyn CheckpointMemory>;
     /// The language's own type again.
     fn as_any(&self) -> &dyn Any;
 }
@@ -24,7 +24,7 @@ pub struct Checkpoint {
     offset: u32,
     line: u32,
     blocks: u64,
-    memory: Box<dyn Memory>,
+    memory: Box<dyn CheckpointMemory>,
 }
 
 impl Clone for Checkpoint {
@@ -35,7 +35,12 @@ impl Clone for Checkpoint {
 
 impl Checkpoint {
     /// Before the block that begins at a byte of a line, after so many blocks.
-    pub fn new(offset: u32, line: u32, blocks: u64, memory: Box<dyn Memory>) -> Checkpoint {
+    pub fn new(
+        offset: u32,
+        line: u32,
+        blocks: u64,
+        memory: Box<dyn CheckpointMemory>,
+    ) -> Checkpoint {
         Checkpoint { offset, line, blocks, memory }
     }
 
@@ -55,7 +60,7 @@ impl Checkpoint {
     }
 
     /// What the language remembers, where it is of this type.
-    pub fn memory<M: Memory>(&self) -> Option<&M> {
+    pub fn memory<M: CheckpointMemory>(&self) -> Option<&M> {
         self.memory.as_any().downcast_ref()
     }
 
@@ -71,7 +76,7 @@ impl Checkpoint {
     }
 
     /// Makes it one of a text that has changed elsewhere; `None` where it remembers words that went.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         (self.offset, self.line) = shift.place(self.offset, self.line)?;
         self.memory.shift(shift)
     }

@@ -1,6 +1,6 @@
 //! What lies between program and machine coordinates: work offsets, shifts, presets, tool length; and the radius offset of compensation.
 
-use chordal_command::{AxisMask, CommandKind, Position, Side, WorkName};
+use chordal_command::{AxisMask, CommandKind, CompensationSide, Position, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
 use chordal_machine::{AXES, PerAxis};
@@ -8,7 +8,7 @@ use chordal_machine::{AXES, PerAxis};
 use crate::kernel::Kernel;
 use crate::offsets::LengthOffset;
 use crate::rules::OffsetKind;
-use crate::statement::{Statement, What};
+use crate::statement::{Statement, WordMeaning};
 
 /// A value of a tool in the offset table.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -61,7 +61,7 @@ impl Kernel<'_> {
         self.state.shift_coordinates(|offsets| offsets.set_length(length, copied));
         let length_mm = self.state.offsets.length_in_force();
         if let (Some(number), None) = (length.number, length_mm) {
-            let span = at.words(What::LengthOffset);
+            let span = at.words(WordMeaning::LengthOffset);
             if self.machine.turns() || self.rules.starts_in == Plane::Zx {
                 return self.report_no_geometry(span, number);
             }
@@ -147,7 +147,7 @@ impl Kernel<'_> {
             Some(0) => Some(0.0),
             other => other.and_then(|number| self.state.offsets.radius_mm(number)),
         };
-        if cancelled && side != Side::Off {
+        if cancelled && side != CompensationSide::Off {
             self.report(
                 Diagnostic::new(
                     Code::CompensationWithoutOffset,
@@ -161,7 +161,7 @@ impl Kernel<'_> {
         let tip = number.map_or([0.0; 2], |number| self.tip(number));
         self.emit(CommandKind::Compensation { side, number, radius_mm, toward, tip });
         if let (Some(number), None) = (number, radius_mm)
-            && side != Side::Off
+            && side != CompensationSide::Off
             && !cancelled
         {
             self.report_unset(

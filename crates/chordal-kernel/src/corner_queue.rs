@@ -20,7 +20,7 @@ pub enum CornerForm {
 
 /// What a block asks for at its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Corner {
+pub struct CornerRequest {
     /// The word.
     pub word: Span,
     /// How the language calls it: `,R`.
@@ -37,15 +37,15 @@ pub struct Corner {
     clippy::large_enum_variant,
     reason = "most of what waits is commands: a box would be one for each"
 )]
-pub(crate) enum Waiting {
+pub(crate) enum QueuedItem {
     Command(Command),
     BlockDone(Origin, Box<Modal>),
 }
 
 /// A move that waits for the next one.
 #[derive(Debug)]
-pub(crate) struct Held {
-    pub corner: Corner,
+pub(crate) struct QueuedMove {
+    pub corner: CornerRequest,
     pub kind: CommandKind,
     pub origin: Origin,
     pub call: CallPath,
@@ -54,7 +54,7 @@ pub(crate) struct Held {
     pub frames: Frames,
     /// Its own block is at work.
     pub is_open: bool,
-    pub waiting: Vec<Waiting>,
+    pub waiting: Vec<QueuedItem>,
     /// So many of them have been looked at.
     pub judged: usize,
     pub dwells: u32,
@@ -62,12 +62,12 @@ pub(crate) struct Held {
 
 /// The corners that wait.
 #[derive(Default, Debug)]
-pub(crate) struct Corners {
-    pub asked: Option<Corner>,
-    pub held: Option<Box<Held>>,
+pub(crate) struct CornerQueue {
+    pub asked: Option<CornerRequest>,
+    pub held: Option<Box<QueuedMove>>,
 }
 
-impl Corners {
+impl CornerQueue {
     /// Something waits.
     #[inline]
     pub fn wait(&self) -> bool {

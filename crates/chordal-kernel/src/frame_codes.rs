@@ -1,14 +1,14 @@
 //! Codes of frames: they come into force and end, with what a control refuses.
 
-use chordal_command::{AxisMask, Side};
+use chordal_command::{AxisMask, CompensationSide};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
 use chordal_machine::{AXES, PerAxis};
 
-use crate::frames::{Factors, Frames, InPlane, Polar, Rotation, Scaling};
+use crate::frames::{AxisScaling, Frames, InPlane, PlaneRotation, PolarReading, ScaleFactors};
 use crate::kernel::Kernel;
 use crate::rules::UnequalArcs;
-use crate::statement::{Statement, What};
+use crate::statement::{Statement, WordMeaning};
 
 impl Kernel<'_> {
     /// Rotation in the plane in force, about a centre that is absolute even in G91; without a
@@ -21,7 +21,7 @@ impl Kernel<'_> {
             return self.report(
                 Diagnostic::new(
                     Code::FrameValue,
-                    at.words(What::Angle),
+                    at.words(WordMeaning::Angle),
                     format!("a rotation by {degrees}°, and this control takes {most}° at most"),
                 )
                 .label("the coordinates are not rotated")
@@ -47,7 +47,7 @@ impl Kernel<'_> {
         let here = self.state.position;
         let center = [center[0].unwrap_or(here[a]), center[1].unwrap_or(here[b])];
         self.change_frames(|frames| {
-            frames.set_rotation(Some(Rotation { plane, center, degrees }));
+            frames.set_rotation(Some(PlaneRotation { plane, center, degrees }));
         });
         self.note_jump(&place);
     }
@@ -57,25 +57,30 @@ impl Kernel<'_> {
         let (a, b, _) = self.state.plane.axes();
         let here = [self.state.position[a], self.state.position[b]];
         let pole = self.rules.frames.polar_about_start.then_some(here);
-        self.state.polar = on.then_some(Polar { angle: None, pole });
+        self.state.polar = on.then_some(PolarReading { angle: None, pole });
     }
 
     /// Scaling about a centre; `word` gives the factors.
-    pub fn scale(&mut self, at: &dyn Statement, center: &PerAxis<Option<f64>>, factors: Factors) {
+    pub fn scale(
+        &mut self,
+        at: &dyn Statement,
+        center: &PerAxis<Option<f64>>,
+        factors: ScaleFactors,
+    ) {
         self.check_start_in_compensation(at);
         let rules = &self.rules.frames;
         let mut of_axes = [1.0; AXES];
         match factors {
-            Factors::Common(factor) => {
+            ScaleFactors::Common(factor) => {
                 let scaled = if rules.scales_rotary { AXES } else { 3 };
                 of_axes[..scaled].fill(factor);
             }
-            Factors::Each(each) => {
+            ScaleFactors::Each(each) => {
                 for (of_axis, given) in of_axes.iter_mut().zip(each) {
                     *of_axis = given.unwrap_or(1.0);
                 }
             }
-            Factors::Omitted => of_axes[..3].copy_from_slice(&rules.omitted_factors),
+            ScaleFactors::Omitted => of_axes[..3].copy_from_slice(&rules.omitted_factors),
         }
         if rules.scales_named_axes && center.iter().any(Option::is_some) {
             for (of_axis, named) in of_axes.iter_mut().zip(center) {
@@ -107,7 +112,7 @@ impl Kernel<'_> {
             None => here[axis],
         });
         self.change_frames(|frames| {
-            frames.set_scaling(Some(Scaling { center, factors: of_axes }));
+            frames.set_scaling(Some(AxisScaling { center, factors: of_axes }));
         });
         self.note_jump(&place);
     }
@@ -157,7 +162,7 @@ impl Kernel<'_> {
 
     /// A frame that ends while the tool is offset, where the control wants compensation off before.
     fn check_end_in_compensation(&mut self, at: &dyn Statement, what: &str) {
-        if self.state.side == Side::Off {
+        if self.state.side == CompensationSide::Off {
             return;
         }
         let span = at.span();
@@ -178,7 +183,7 @@ impl Kernel<'_> {
         let side = self.state.side;
         let before = self.state.frames.map().side(side, plane);
         self.state.change_frames(change);
-        if side != Side::Off && self.state.frames.map().side(side, plane) != before {
+        if side != CompensationSide::Off && self.state.frames.map().side(side, plane) != before {
             let number = self.state.radius_offset;
             self.emit_compensation(number, None, self.origin.span);
         }
@@ -186,7 +191,7 @@ impl Kernel<'_> {
 
     /// A frame that comes into force while the tool is offset.
     fn check_start_in_compensation(&mut self, at: &dyn Statement) {
-        if self.state.side == Side::Off || self.rules.frames.in_compensation {
+        if self.state.side == CompensationSide::Off || self.rules.frames.in_compensation {
             return;
         }
         let span = at.span();

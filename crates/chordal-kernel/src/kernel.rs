@@ -6,8 +6,8 @@ use chordal_command::{
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_machine::Machine;
 
-use crate::corner_queue::Corners;
-use crate::offsets::Presets;
+use crate::corner_queue::CornerQueue;
+use crate::offsets::CoordinatePresets;
 use crate::rules::{ArcCenter, Rules};
 use crate::sink::RunSink;
 use crate::state::State;
@@ -31,7 +31,7 @@ impl Alarms {
 
 /// What was reported once and is not reported again.
 #[derive(Clone, Default, Debug, PartialEq)]
-pub struct Reported {
+pub struct KernelReports {
     /// No feed before a cut.
     pub missing_feed: bool,
     /// An arc that may be a full circle.
@@ -78,13 +78,13 @@ pub struct KernelMemory {
     /// The number of the last block that has one.
     pub block_number: Option<f64>,
     /// Presets to put back.
-    pub kept_presets: Presets,
+    pub kept_presets: CoordinatePresets,
     /// Presets act.
     pub preset_acts: bool,
     /// The axes whose preset follows from the program.
     pub presets_known: AxisMask,
     /// What was reported.
-    pub reported: Reported,
+    pub reported: KernelReports,
 }
 
 /// A numerical control at work: it takes values with their statement, moves the machine and
@@ -111,15 +111,15 @@ pub struct Kernel<'a> {
     /// Most of them.
     pub max_repeated: u64,
     /// Presets that G92.2 keeps.
-    pub kept_presets: Presets,
+    pub kept_presets: CoordinatePresets,
     /// G92 or G52 acts: it was written, and not switched off since.
     pub preset_acts: bool,
     /// The axes whose preset follows from the program.
     pub presets_known: AxisMask,
     /// What was reported once.
-    pub reported: Reported,
+    pub reported: KernelReports,
     /// Moves that wait for the corner at their end.
-    pub(crate) corners: Corners,
+    pub(crate) corners: CornerQueue,
     /// The commands of a contour that a cycle reads, which are not carried out.
     pub collected: Option<Vec<Command>>,
     /// A contour is cut that cycles may have read before.
@@ -150,11 +150,11 @@ impl<'a> Kernel<'a> {
             block_number: None,
             repeated: 0,
             max_repeated: u64::MAX,
-            kept_presets: Presets::default(),
+            kept_presets: CoordinatePresets::default(),
             preset_acts: false,
             presets_known: AxisMask::NONE,
-            reported: Reported::default(),
-            corners: Corners::default(),
+            reported: KernelReports::default(),
+            corners: CornerQueue::default(),
             collected: None,
             contour_again: false,
             said_of_contours: Vec::new(),
@@ -304,7 +304,7 @@ impl<'a> Kernel<'a> {
 
 impl KernelMemory {
     /// Makes it one of a text that has changed elsewhere; `None` where it remembers words that went.
-    pub fn shift(&mut self, shift: &chordal_diagnostics::Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &chordal_diagnostics::TextShift) -> Option<()> {
         self.origin = self.origin.shifted(shift)?;
         self.calls.shift(shift)?;
         if let Some(word) = &mut self.state.feed_over {

@@ -58,7 +58,7 @@ pub struct Outcome {
 
 /// A run that came to its end.
 #[derive(Clone, Debug)]
-pub struct Ran {
+pub struct CompletedRun {
     /// What it leaves.
     pub outcome: Outcome,
     /// What of the first text was read after the last checkpoint, except the blocks in their order.
@@ -67,7 +67,7 @@ pub struct Ran {
 
 /// What a piece of text is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Class {
+pub enum TokenClass {
     /// A comment with its marks.
     Comment,
     /// `%`, folder lines, block delete.
@@ -100,24 +100,24 @@ pub enum Class {
     Unknown,
 }
 
-impl Class {
+impl TokenClass {
     /// All classes, in the order in which protocols number them.
-    pub const ALL: [Class; 15] = [
-        Class::Comment,
-        Class::Mark,
-        Class::Program,
-        Class::Label,
-        Class::GCode,
-        Class::MCode,
-        Class::Axis,
-        Class::Speed,
-        Class::Tool,
-        Class::Parameter,
-        Class::Variable,
-        Class::Keyword,
-        Class::Number,
-        Class::Text,
-        Class::Unknown,
+    pub const ALL: [TokenClass; 15] = [
+        TokenClass::Comment,
+        TokenClass::Mark,
+        TokenClass::Program,
+        TokenClass::Label,
+        TokenClass::GCode,
+        TokenClass::MCode,
+        TokenClass::Axis,
+        TokenClass::Speed,
+        TokenClass::Tool,
+        TokenClass::Parameter,
+        TokenClass::Variable,
+        TokenClass::Keyword,
+        TokenClass::Number,
+        TokenClass::Text,
+        TokenClass::Unknown,
     ];
 }
 
@@ -127,7 +127,7 @@ pub struct Token {
     /// The text.
     pub range: TextRange,
     /// What it is.
-    pub class: Class,
+    pub class: TokenClass,
 }
 
 /// A language, with the texts and the machine that it is asked about. The first text is the
@@ -138,8 +138,12 @@ pub trait Language {
 
     /// Runs one of them, from a checkpoint on where one is given, and pushes its commands and
     /// problems into a sink. `None` when the sink has ended it at a checkpoint.
-    fn run(&self, program: usize, from: Option<&Checkpoint>, sink: &mut dyn RunSink)
-    -> Option<Ran>;
+    fn run(
+        &self,
+        program: usize,
+        from: Option<&Checkpoint>,
+        sink: &mut dyn RunSink,
+    ) -> Option<CompletedRun>;
 
     /// The pieces of a part of the first text, in its order, for colours.
     fn tokens(&self, part: TextRange) -> Vec<Token>;

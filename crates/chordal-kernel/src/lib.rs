@@ -43,28 +43,29 @@ mod surface;
 mod surface_codes;
 mod turning;
 
-pub use checkpoint::{Checkpoint, Memory};
+pub use checkpoint::{Checkpoint, CheckpointMemory};
 pub use coordinates::ToolValue;
-pub use corner_queue::{Corner, CornerForm};
-pub use cycles::Hole;
-pub use frames::{FrameKinds, Frames, Polar, PolarWords};
-pub use kernel::{Alarms, Kernel, KernelMemory, Reported};
-pub use language::{Class, EndReason, Language, Outcome, ProgramPlace, Ran, Token};
+pub use corner_queue::{CornerForm, CornerRequest};
+pub use cycles::HoleWords;
+pub use frames::{FrameKinds, Frames, PolarReading, PolarWords};
+pub use kernel::{Alarms, Kernel, KernelMemory, KernelReports};
+pub use language::{CompletedRun, EndReason, Language, Outcome, ProgramPlace, Token, TokenClass};
 pub use modal::{Modal, MotionMode};
 pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};
-pub use offsets::{LengthOffset, Offsets, Presets, WrittenOffset};
+pub use offsets::{CoordinatePresets, LengthOffset, Offsets, WrittenOffset};
 pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::RunSink;
 pub use spindle_checks::hole_at_surface_speed;
 pub use standing::{StateItem, StateValue};
 pub use state::{
-    CycleState, LiveTool, Motion, OverrideState, SplineForm, StartAxes, State, ThreadMemory,
+    CycleState, LiveTool, ModalMotion, OverrideState, SplineForm, StartAxes, State, ThreadMemory,
     TurnPass, TurningMemory, UnknownWords,
 };
-pub use statement::{Statement, What};
+pub use statement::{Statement, WordMeaning};
 pub use surface::{SurfacePlane, SurfaceState};
 pub use surface_codes::NewSurface;
 pub use turning::{
-    DescentFault, DescentWords, Edge, LineThreadWords, PeckWords, Profile, RoughWords, ThreadWords,
+    ContourEdge, ContourProfile, DescentFault, DescentWords, LineThreadWords, PeckWords,
+    RoughWords, ThreadWords,
 };

@@ -1,14 +1,15 @@
 //! What a control remembers between two blocks, as its screen shows it.
 
 use chordal_command::{
-    AxisMask, Coolant, FeedMode, PathMode, Position, Side, SpindleState, Units, WorkName,
+    AxisMask, CompensationSide, Coolant, FeedMode, PathMode, Position, SpindleState, Units,
+    WorkName,
 };
-use chordal_geometry::{Direction, Plane};
+use chordal_geometry::{Plane, TurnDirection};
 
 use crate::frames::FrameKinds;
 use crate::rules::{ArcCenter, CycleKind};
 use crate::standing::{StateItem, StateValue};
-use crate::state::{LiveTool, Motion, SplineForm, State, TurnPass};
+use crate::state::{LiveTool, ModalMotion, SplineForm, State, TurnPass};
 
 /// What a block without a motion code does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -18,9 +19,9 @@ pub enum MotionMode {
     /// A straight cut.
     Linear,
     /// An arc.
-    Arc(Direction),
+    Arc(TurnDirection),
     /// A spiral.
-    Spiral(Direction),
+    Spiral(TurnDirection),
     /// A straight cut in step with the spindle.
     Thread,
     /// The same, back again with the spindle reversed.
@@ -52,7 +53,7 @@ pub struct Modal {
     /// The plane of arcs and compensation.
     pub plane: Plane,
     /// The side of cutter compensation.
-    pub side: Side,
+    pub side: CompensationSide,
     /// What I, J and K of arcs say.
     pub arc_center: ArcCenter,
     /// The cycle in force.
@@ -165,17 +166,17 @@ impl State {
     pub fn motion_mode(&self) -> Option<MotionMode> {
         match (&self.cycle, self.motion) {
             (Some(cycle), _) => Some(MotionMode::Cycle(cycle.kind)),
-            (None, Motion::Rapid) => Some(MotionMode::Rapid),
-            (None, Motion::Linear) => Some(MotionMode::Linear),
-            (None, Motion::Arc(direction)) => Some(MotionMode::Arc(direction)),
-            (None, Motion::Spiral(direction)) => Some(MotionMode::Spiral(direction)),
-            (None, Motion::Thread) => Some(MotionMode::Thread),
-            (None, Motion::RigidTap) => Some(MotionMode::RigidTap),
-            (None, Motion::Spline(form)) => Some(MotionMode::Spline(form)),
-            (None, Motion::Probe { must_hit }) => Some(MotionMode::Probe { must_hit }),
-            (None, Motion::ThreadPasses) => Some(MotionMode::ThreadPasses),
-            (None, Motion::Turn(pass)) => Some(MotionMode::Turn(pass)),
-            (None, Motion::None) => None,
+            (None, ModalMotion::Rapid) => Some(MotionMode::Rapid),
+            (None, ModalMotion::Linear) => Some(MotionMode::Linear),
+            (None, ModalMotion::Arc(direction)) => Some(MotionMode::Arc(direction)),
+            (None, ModalMotion::Spiral(direction)) => Some(MotionMode::Spiral(direction)),
+            (None, ModalMotion::Thread) => Some(MotionMode::Thread),
+            (None, ModalMotion::RigidTap) => Some(MotionMode::RigidTap),
+            (None, ModalMotion::Spline(form)) => Some(MotionMode::Spline(form)),
+            (None, ModalMotion::Probe { must_hit }) => Some(MotionMode::Probe { must_hit }),
+            (None, ModalMotion::ThreadPasses) => Some(MotionMode::ThreadPasses),
+            (None, ModalMotion::Turn(pass)) => Some(MotionMode::Turn(pass)),
+            (None, ModalMotion::None) => None,
         }
     }
 }

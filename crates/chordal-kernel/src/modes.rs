@@ -1,6 +1,8 @@
 //! Modes that a statement sets: distance, units, feed, plane, path, spindle, tool.
 
-use chordal_command::{CommandKind, Coolant, FeedMode, Side, SpindleState, SurfaceSpeed, Units};
+use chordal_command::{
+    CommandKind, CompensationSide, Coolant, FeedMode, SpindleState, SurfaceSpeed, Units,
+};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
 
@@ -57,7 +59,7 @@ impl Kernel<'_> {
         if plane == self.state.plane {
             return;
         }
-        if self.state.side != Side::Off {
+        if self.state.side != CompensationSide::Off {
             self.report(
                 Diagnostic::new(
                     Code::PlaneChangeInCompensation,
@@ -239,7 +241,7 @@ impl Kernel<'_> {
             let message = "a tool change without a tool number".to_string();
             return self.missing_word(word, message, "write T and the tool's number before M6");
         };
-        if self.state.side != Side::Off {
+        if self.state.side != CompensationSide::Off {
             let code = Code::ToolChangeInCompensation;
             let refused = self.alarms.text(code).is_some();
             self.report(

@@ -6,7 +6,7 @@ use chordal_command::{AxisMask, Position, UnknownPresets, WorkName, WorkNaming, 
 use chordal_geometry::Plane;
 use chordal_machine::{AXES, Axis, Machine, PerAxis, Tool};
 
-use crate::frames::{Frames, Map};
+use crate::frames::{FrameMap, Frames};
 
 /// The axis of the tool length: without it the others are taken as zero, since a mill has no more.
 const X: usize = Axis::X as usize;
@@ -61,18 +61,18 @@ pub enum WrittenOffset {
 
 /// What G92 and its like have made of the coordinates.
 #[derive(Clone, Copy, Default, PartialEq, Debug)]
-pub struct Presets {
+pub struct CoordinatePresets {
     /// What they add on every axis, mm and rad.
     pub values: Position,
     /// Those at a place that nobody knows.
     pub unknown: UnknownPresets,
 }
 
-impl Presets {
+impl CoordinatePresets {
     /// None acts any more; those to come are told from those that there were.
-    pub(crate) fn ended(self) -> Presets {
+    pub(crate) fn ended(self) -> CoordinatePresets {
         let unknown = UnknownPresets { axes: AxisMask::NONE, ..self.unknown };
-        Presets { values: [0.0; AXES], unknown }
+        CoordinatePresets { values: [0.0; AXES], unknown }
     }
 }
 
@@ -87,7 +87,7 @@ pub struct LengthOffset {
 
 /// Which of the offsets stand behind the numbers: two unknown offsets are not the same.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Identity {
+pub struct OffsetIdentity {
     active: WorkName,
     length: LengthOffset,
     tool_axes: AxisMask,
@@ -97,14 +97,14 @@ pub struct Identity {
     unknown_presets: u32,
 }
 
-impl Identity {
+impl OffsetIdentity {
     /// True when both stand for the same offset of an axis.
-    pub fn same_for(&self, other: &Identity, axis: usize) -> bool {
+    pub fn same_for(&self, other: &OffsetIdentity, axis: usize) -> bool {
         self.active == other.active && (!self.tool_axes.has(axis) || self.length == other.length)
     }
 
     /// Along this axis the same of both is unknown, if anything is: they differ by what is known of them.
-    pub fn same_unknowns_for(&self, other: &Identity, axis: usize) -> bool {
+    pub fn same_unknowns_for(&self, other: &OffsetIdentity, axis: usize) -> bool {
         // Where tools differ along X, another offset is another tip of the turret: it is placed by the block that
         // names it.
         let is_of_one_tip = !self.tool_axes.has(X);
@@ -186,8 +186,8 @@ impl Offsets {
     }
 
     /// Which offsets are in force.
-    pub fn identity(&self) -> Identity {
-        Identity {
+    pub fn identity(&self) -> OffsetIdentity {
+        OffsetIdentity {
             active: self.active,
             length: self.length,
             tool_axes: self.tool_axes,
@@ -263,12 +263,12 @@ impl Offsets {
     }
 
     /// The presets, to put them back later.
-    pub fn presets(&self) -> Presets {
-        Presets { values: self.preset, unknown: self.unknown_presets }
+    pub fn presets(&self) -> CoordinatePresets {
+        CoordinatePresets { values: self.preset, unknown: self.unknown_presets }
     }
 
     /// Puts presets back.
-    pub fn set_presets(&mut self, presets: Presets) {
+    pub fn set_presets(&mut self, presets: CoordinatePresets) {
         self.preset = presets.values;
         self.unknown_presets = presets.unknown;
         self.preset_known = [None; AXES];
@@ -359,9 +359,9 @@ impl Offsets {
     }
 
     /// The turn of a system about its zero, where systems are turned.
-    pub(crate) fn own_turn(&self, key: &str) -> Option<Map> {
+    pub(crate) fn own_turn(&self, key: &str) -> Option<FrameMap> {
         let turned = !self.rotations.is_empty();
-        turned.then(|| Map::rotation(Plane::Xy, self.zero_of_turn(), self.rotation(key)))
+        turned.then(|| FrameMap::rotation(Plane::Xy, self.zero_of_turn(), self.rotation(key)))
     }
 
     /// Where the zero of a system lies in its coordinates, without shift and preset.

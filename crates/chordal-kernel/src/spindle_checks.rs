@@ -6,7 +6,7 @@ use chordal_command::{
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_machine::Axis;
 
-use crate::cycles::Hole;
+use crate::cycles::HoleWords;
 use crate::kernel::Kernel;
 use crate::motion::is_over;
 use crate::rules::TapFeed;
@@ -214,7 +214,7 @@ impl Kernel<'_> {
     }
 
     /// The speeds of a tap: that of its own word, and that of the way out.
-    fn check_tap_speeds(&mut self, at: &dyn Statement, hole: &Hole) {
+    fn check_tap_speeds(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let by_word = self.rules.cycles.tap.feed == TapFeed::SpeedWithLeadQ;
         let rpm = hole.words.tap_rpm.filter(|_| by_word);
         if let Some(rpm) = rpm {
@@ -229,7 +229,12 @@ impl Kernel<'_> {
     }
 
     /// What a hole asks of the spindle.
-    pub(crate) fn check_hole_speeds(&mut self, at: &dyn Statement, hole: &Hole, place: &Position) {
+    pub(crate) fn check_hole_speeds(
+        &mut self,
+        at: &dyn Statement,
+        hole: &HoleWords,
+        place: &Position,
+    ) {
         let is_tap = hole.words.kind.is_tap();
         if is_tap {
             self.check_tap_speeds(at, hole);

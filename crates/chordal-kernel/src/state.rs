@@ -1,13 +1,13 @@
 //! What a control remembers from block to block.
 
 use chordal_command::{
-    AxisMask, Coolant, FeedMode, Overrides, Position, Side, SpindleState, Units,
+    AxisMask, CompensationSide, Coolant, FeedMode, Overrides, Position, SpindleState, Units,
 };
 use chordal_diagnostics::Span;
-use chordal_geometry::{Direction, Plane};
+use chordal_geometry::{Plane, TurnDirection};
 use chordal_machine::AXES;
 
-use crate::frames::{Frames, Polar};
+use crate::frames::{Frames, PolarReading};
 use crate::offsets::Offsets;
 use crate::path_mode::PathState;
 use crate::rules::{ArcCenter, CycleKind, Rules, TurningRules};
@@ -15,15 +15,15 @@ use crate::surface::SurfaceState;
 
 /// The motion that a block without a motion code makes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Motion {
+pub enum ModalMotion {
     /// G0.
     Rapid,
     /// G1.
     Linear,
     /// G2 and G3.
-    Arc(Direction),
+    Arc(TurnDirection),
     /// G2.1 and G3.1.
-    Spiral(Direction),
+    Spiral(TurnDirection),
     /// G33.
     Thread,
     /// G33.1.
@@ -272,7 +272,7 @@ pub struct State {
     /// The angle that the last rotation was given, degrees.
     pub last_rotation_deg: Option<f64>,
     /// End points are a radius and an angle.
-    pub polar: Option<Polar>,
+    pub polar: Option<PolarReading>,
     /// Two coordinates lie on a surface that turns with a rotary axis.
     pub surface: Option<SurfaceState>,
     /// Units of the program.
@@ -284,9 +284,9 @@ pub struct State {
     /// Where the tool stood when G91 came into force.
     pub incremental_from: Position,
     /// What a block without a motion code does.
-    pub motion: Motion,
+    pub motion: ModalMotion,
     /// The direction that G2 or G3 armed, where they arm one.
-    pub armed: Option<Direction>,
+    pub armed: Option<TurnDirection>,
     /// The last block cut an arc while G0 is in force (where G2 and G3 do not cancel it).
     pub arc_over_rapid: bool,
     /// What centre words say.
@@ -320,7 +320,7 @@ pub struct State {
     /// The tool made ready.
     pub selected_tool: Option<u32>,
     /// The side of cutter compensation.
-    pub side: Side,
+    pub side: CompensationSide,
     /// Number of its offset.
     pub radius_offset: Option<u32>,
     /// Number of the length offset that a word named while no length was in force.
@@ -367,9 +367,9 @@ impl State {
             incremental: rules.starts_incremental,
             incremental_from: [0.0; AXES],
             motion: match rules.starts_linear {
-                _ if rules.starts_without_motion => Motion::None,
-                true => Motion::Linear,
-                false => Motion::Rapid,
+                _ if rules.starts_without_motion => ModalMotion::None,
+                true => ModalMotion::Linear,
+                false => ModalMotion::Rapid,
             },
             armed: None,
             arc_over_rapid: false,
@@ -388,7 +388,7 @@ impl State {
             coolant: Coolant::default(),
             tool: 0,
             selected_tool: None,
-            side: Side::Off,
+            side: CompensationSide::Off,
             radius_offset: None,
             named_length: None,
             return_to_r: rules.cycles.starts_at_r,

@@ -6,7 +6,7 @@ use chordal_geometry::Plane;
 
 /// What a word of a statement says, whatever the language writes for it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum What {
+pub enum WordMeaning {
     /// The place on these axes.
     Axes(AxisMask),
     /// The centre of an arc.
@@ -42,15 +42,15 @@ pub trait Statement {
     /// The whole statement.
     fn span(&self) -> Span;
     /// The words that say something; the whole statement where it has none of them.
-    fn words(&self, what: What) -> Span;
+    fn words(&self, what: WordMeaning) -> Span;
     /// How the language calls such a word: `Q`.
-    fn name(&self, what: What) -> &'static str;
+    fn name(&self, what: WordMeaning) -> &'static str;
     /// How it calls the centre words of the two axes of a plane: `I` and `J`.
     fn center_names(&self, plane: Plane) -> [&'static str; 2];
     /// The number of such a word as written, where the statement has one.
-    fn number(&self, what: What) -> Option<String>;
+    fn number(&self, what: WordMeaning) -> Option<String>;
     /// The statement has a word that says it.
-    fn has(&self, what: What) -> bool;
+    fn has(&self, what: WordMeaning) -> bool;
     /// The statement gives a feed.
     fn has_feed(&self) -> bool;
 }

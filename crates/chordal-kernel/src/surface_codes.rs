@@ -1,7 +1,7 @@
 //! How polar and cylindrical interpolation begin and end.
 
 use chordal_command::{
-    AxisMask, CommandKind, FeedMode, RotarySurface, Side, SurfaceRun, SurfaceShape,
+    AxisMask, CommandKind, CompensationSide, FeedMode, RotarySurface, SurfaceRun, SurfaceShape,
 };
 use chordal_geometry::Plane;
 
@@ -103,6 +103,6 @@ impl Kernel<'_> {
 
     /// Cutter compensation is on.
     pub fn is_compensating(&self) -> bool {
-        self.state.side != Side::Off
+        self.state.side != CompensationSide::Off
     }
 }

@@ -6,12 +6,13 @@ use std::any::Any;
 use chordal_command::{
     AxisMask, CallPath, Command, CommandKind, Origin, Sink, SpindleState, WorkName, WorkNaming,
 };
-use chordal_diagnostics::{Code, Diagnostic, FileId, Severity, Shift, Span, TextRange};
-use chordal_geometry::{Direction, Plane};
+use chordal_diagnostics::{Code, Diagnostic, FileId, Severity, Span, TextRange, TextShift};
+use chordal_geometry::{Plane, TurnDirection};
 use chordal_kernel::rules::{CycleKind, Rules};
 use chordal_kernel::{
-    Alarms, ArcWords, Checkpoint, Class, CycleState, EndReason, Kernel, KernelMemory, Language,
-    Memory, Offsets, Outcome, ProgramPlace, Ran, RunSink, State, Statement, Token, What,
+    Alarms, ArcWords, Checkpoint, CheckpointMemory, CompletedRun, CycleState, EndReason, Kernel,
+    KernelMemory, Language, Offsets, Outcome, ProgramPlace, RunSink, State, Statement, Token,
+    TokenClass, WordMeaning,
 };
 use chordal_machine::{AXES, ControlName, Machine};
 
@@ -32,13 +33,13 @@ impl Statement for Line<'_> {
         self.span
     }
 
-    fn words(&self, _: What) -> Span {
+    fn words(&self, _: WordMeaning) -> Span {
         self.span
     }
 
-    fn name(&self, what: What) -> &'static str {
+    fn name(&self, what: WordMeaning) -> &'static str {
         match what {
-            What::Center => "ABOUT",
+            WordMeaning::Center => "ABOUT",
             _ => "this word",
         }
     }
@@ -47,12 +48,12 @@ impl Statement for Line<'_> {
         ["the first", "the second number after ABOUT"]
     }
 
-    fn number(&self, _: What) -> Option<String> {
+    fn number(&self, _: WordMeaning) -> Option<String> {
         None
     }
 
-    fn has(&self, what: What) -> bool {
-        what == What::Center && self.words.contains(&"ABOUT")
+    fn has(&self, what: WordMeaning) -> bool {
+        what == WordMeaning::Center && self.words.contains(&"ABOUT")
     }
 
     fn has_feed(&self) -> bool {
@@ -72,16 +73,16 @@ struct Lines {
 #[derive(Clone, Debug)]
 struct LinesMemory(KernelMemory);
 
-impl Memory for LinesMemory {
-    fn is_like(&self, other: &dyn Memory) -> bool {
+impl CheckpointMemory for LinesMemory {
+    fn is_like(&self, other: &dyn CheckpointMemory) -> bool {
         other.as_any().downcast_ref().is_some_and(|other: &LinesMemory| self.0.is_like(&other.0))
     }
 
-    fn shift(&mut self, shift: &Shift) -> Option<()> {
+    fn shift(&mut self, shift: &TextShift) -> Option<()> {
         self.0.shift(shift)
     }
 
-    fn copy(&self) -> Box<dyn Memory> {
+    fn copy(&self) -> Box<dyn CheckpointMemory> {
         Box::new(self.clone())
     }
 
@@ -145,7 +146,7 @@ impl Lines {
             "LEFT" | "RIGHT" => {
                 let left = line.words[0] == "LEFT";
                 let arc = ArcWords {
-                    direction: if left { Direction::Ccw } else { Direction::Cw },
+                    direction: if left { TurnDirection::Ccw } else { TurnDirection::Cw },
                     center: [Some(line.number(4)), Some(line.number(5))],
                     turns: 0,
                 };
@@ -179,7 +180,12 @@ impl Language for Lines {
         vec![ProgramPlace { span, number: None, is_main: true }]
     }
 
-    fn run(&self, _: usize, from: Option<&Checkpoint>, sink: &mut dyn RunSink) -> Option<Ran> {
+    fn run(
+        &self,
+        _: usize,
+        from: Option<&Checkpoint>,
+        sink: &mut dyn RunSink,
+    ) -> Option<CompletedRun> {
         let mut kernel = self.kernel(sink);
         kernel.state.arc_center = chordal_kernel::rules::ArcCenter::Absolute;
         let mut blocks = from.map_or(0, Checkpoint::blocks);
@@ -205,7 +211,7 @@ impl Language for Lines {
         }
         let outcome =
             Outcome { end, blocks, calls: Default::default(), missing_programs: Vec::new() };
-        Some(Ran { outcome, looked: None })
+        Some(CompletedRun { outcome, looked: None })
     }
 
     fn tokens(&self, part: TextRange) -> Vec<Token> {
@@ -213,7 +219,7 @@ impl Language for Lines {
         let keyword = |line: Line<'_>| {
             let start = line.span.range.start;
             let range = TextRange::new(start, start + line.words[0].len() as u32);
-            Token { range, class: Class::Keyword }
+            Token { range, class: TokenClass::Keyword }
         };
         lines.map(|(_, line)| keyword(line)).collect()
     }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use chordal::control::{Recognition, Strength, not_read};
+use chordal::control::{EvidenceStrength, Recognition, not_read};
 use chordal::diagnostics::{FileId, Span};
 use chordal::{Code, Diagnostic};
 
@@ -14,7 +14,7 @@ const MOST_SIGNS: usize = 4;
 
 /// Why this machine.
 #[derive(Clone, Debug)]
-pub enum Chosen {
+pub enum MachineReason {
     /// The caller says so.
     Given,
     /// `chordal.toml` says so.
@@ -26,15 +26,15 @@ pub enum Chosen {
     Recognized(Recognition, Option<MovedAxes>),
 }
 
-impl Chosen {
+impl MachineReason {
     /// What was recognized and by what, in a line; nothing where somebody said the machine. `title` is
     /// the control's.
     pub fn why(&self, title: &str) -> Option<String> {
         Some(match self {
-            Chosen::Given | Chosen::Folder(_) => return None,
-            Chosen::Ending => format!("assumed {title} because of the file extension"),
-            Chosen::Recognized(found, None) => why(found, title),
-            Chosen::Recognized(found, Some(moved)) => {
+            MachineReason::Given | MachineReason::Folder(_) => return None,
+            MachineReason::Ending => format!("assumed {title} because of the file extension"),
+            MachineReason::Recognized(found, None) => why(found, title),
+            MachineReason::Recognized(found, Some(moved)) => {
                 let (why, machine) = (why(found, title), &moved.machine);
                 format!("{why}; {machine} is assumed because the program moves {}", moved.list())
             }
@@ -44,24 +44,24 @@ impl Chosen {
     /// What was recognized, where it was.
     pub fn recognition(&self) -> Option<&Recognition> {
         match self {
-            Chosen::Recognized(found, _) => Some(found),
-            Chosen::Given | Chosen::Folder(_) | Chosen::Ending => None,
+            MachineReason::Recognized(found, _) => Some(found),
+            MachineReason::Given | MachineReason::Folder(_) | MachineReason::Ending => None,
         }
     }
 
     /// Who says so, in a word: `given`, `folder`, `extension`, `text`.
     pub fn from(&self) -> &'static str {
         match self {
-            Chosen::Given => "given",
-            Chosen::Folder(_) => "folder",
-            Chosen::Ending => "extension",
-            Chosen::Recognized(..) => "text",
+            MachineReason::Given => "given",
+            MachineReason::Folder(_) => "folder",
+            MachineReason::Ending => "extension",
+            MachineReason::Recognized(..) => "text",
         }
     }
 
     /// Nobody named the machine, so its limits are a guess.
     pub fn is_guess(&self) -> bool {
-        matches!(self, Chosen::Ending | Chosen::Recognized(..))
+        matches!(self, MachineReason::Ending | MachineReason::Recognized(..))
     }
 
     /// What is said of a text in a language that is not read.
@@ -86,10 +86,10 @@ fn why(found: &Recognition, title: &str) -> String {
     let title = if chosen.not_read { chosen.title } else { title };
     let strongest = found.evidence().next();
     match (found.strength(), strongest) {
-        (Strength::Sure | Strength::Likely, Some(sign)) => {
+        (EvidenceStrength::Sure | EvidenceStrength::Likely, Some(sign)) => {
             format!("recognized as {title} by line {} ({})", sign.line, sign.sign)
         }
-        (Strength::Weak, Some(sign)) => {
+        (EvidenceStrength::Weak, Some(sign)) => {
             let line = format!("probably {title} by line {} ({})", sign.line, sign.sign);
             match found.runner_up() {
                 Some(next) => format!("{line}; {} is nearly as likely", next.title),

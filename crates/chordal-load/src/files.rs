@@ -10,7 +10,7 @@ use crate::disk;
 
 /// Where programs, machine files and subprograms are looked for.
 #[derive(Clone, Debug, Default)]
-pub enum Files {
+pub enum FileAccess {
     /// On the disk.
     #[default]
     Disk,
@@ -18,11 +18,11 @@ pub enum Files {
     Given(Arc<BTreeMap<PathBuf, Vec<u8>>>),
 }
 
-impl Files {
+impl FileAccess {
     /// Files that the caller has, by their paths.
-    pub fn given(files: impl IntoIterator<Item = (PathBuf, Vec<u8>)>) -> Files {
+    pub fn given(files: impl IntoIterator<Item = (PathBuf, Vec<u8>)>) -> FileAccess {
         let files = files.into_iter().map(|(path, bytes)| (plain(&path), bytes));
-        Files::Given(Arc::new(files.collect()))
+        FileAccess::Given(Arc::new(files.collect()))
     }
 
     /// The bytes of a file.
@@ -31,16 +31,16 @@ impl Files {
     /// A file that is not there or cannot be read.
     pub fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
         match self {
-            Files::Disk => disk::bytes(path),
-            Files::Given(files) => found(files, path).map(<[u8]>::to_vec),
+            FileAccess::Disk => disk::bytes(path),
+            FileAccess::Given(files) => found(files, path).map(<[u8]>::to_vec),
         }
     }
 
     /// There is a file of this path.
     pub(crate) fn is_file(&self, path: &Path) -> bool {
         match self {
-            Files::Disk => path.is_file(),
-            Files::Given(files) => files.contains_key(&plain(path)),
+            FileAccess::Disk => path.is_file(),
+            FileAccess::Given(files) => files.contains_key(&plain(path)),
         }
     }
 
@@ -48,8 +48,8 @@ impl Files {
     pub(crate) fn head(&self, path: &Path, size: u64) -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
         match self {
-            Files::Disk => File::open(path)?.take(size).read_to_end(&mut bytes)?,
-            Files::Given(files) => found(files, path)?.take(size).read_to_end(&mut bytes)?,
+            FileAccess::Disk => File::open(path)?.take(size).read_to_end(&mut bytes)?,
+            FileAccess::Given(files) => found(files, path)?.take(size).read_to_end(&mut bytes)?,
         };
         Ok(bytes)
     }
@@ -66,7 +66,7 @@ impl Files {
     /// The files next to a program, itself included, named as it is.
     pub(crate) fn next_to(&self, program: &Path) -> Vec<PathBuf> {
         let mut files: Vec<PathBuf> = match self {
-            Files::Disk => {
+            FileAccess::Disk => {
                 let folder = match program.parent() {
                     Some(parent) if !parent.as_os_str().is_empty() => parent,
                     _ => Path::new("."),
@@ -75,7 +75,7 @@ impl Files {
                 let paths = entries.map(|entry| program.with_file_name(entry.file_name()));
                 paths.filter(|path| path.is_file()).collect()
             }
-            Files::Given(files) => {
+            FileAccess::Given(files) => {
                 let program = plain(program);
                 let own = files.keys().filter(|path| path.parent() == program.parent());
                 own.cloned().collect()
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn given_files_are_found_by_every_form_of_their_path() {
-        let files = Files::given([
+        let files = FileAccess::given([
             ("shop/./mill.toml".into(), b"\xEF\xBB\xBFa".to_vec()),
             ("shop/x/../O2.nc".into(), b"O2".to_vec()),
             ("O1.nc".into(), b"O1".to_vec()),

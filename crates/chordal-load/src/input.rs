@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use chordal::syntax::decode;
 
 use crate::error::LoadError;
-use crate::files::Files;
+use crate::files::FileAccess;
 use crate::not_a_program::is_other_file;
 
 /// How much of a file in a folder is looked at to decide whether it is a program.
@@ -24,14 +24,14 @@ const NOT_PROGRAMS: &[&str] = &[
 
 /// A program to run, as the caller names it.
 #[derive(Clone, Debug)]
-pub struct Input {
+pub struct ProgramInput {
     /// The file; `None` for standard input.
     pub path: Option<PathBuf>,
     /// The folder that the caller named and that it was found in: `chordal.toml` counts up to there.
     pub root: Option<PathBuf>,
 }
 
-impl Input {
+impl ProgramInput {
     /// The name for people.
     pub fn name(&self) -> Cow<'_, str> {
         self.path.as_ref().map_or(Cow::Borrowed("<stdin>"), |path| path.to_string_lossy())
@@ -51,12 +51,12 @@ impl Input {
 
 /// The programs that the arguments name. A folder stands for all programs below it; what
 /// cannot be read is reported with the rest.
-pub fn find(arguments: &[PathBuf]) -> (Vec<Input>, Vec<LoadError>) {
+pub fn find(arguments: &[PathBuf]) -> (Vec<ProgramInput>, Vec<LoadError>) {
     let mut inputs = Vec::new();
     let mut failures = Vec::new();
     for argument in arguments {
         if argument.as_os_str() == "-" {
-            inputs.push(Input { path: None, root: None });
+            inputs.push(ProgramInput { path: None, root: None });
         } else if argument.is_dir() {
             let before = inputs.len() + failures.len();
             search(argument, argument, &mut inputs, &mut failures);
@@ -67,7 +67,7 @@ pub fn find(arguments: &[PathBuf]) -> (Vec<Input>, Vec<LoadError>) {
                 ));
             }
         } else {
-            inputs.push(Input { path: Some(argument.clone()), root: None });
+            inputs.push(ProgramInput { path: Some(argument.clone()), root: None });
         }
     }
     (inputs, failures)
@@ -75,7 +75,12 @@ pub fn find(arguments: &[PathBuf]) -> (Vec<Input>, Vec<LoadError>) {
 
 /// All programs of a folder, by name. Links to folders are not followed, so there are no
 /// circles.
-fn search(folder: &Path, root: &Path, inputs: &mut Vec<Input>, failures: &mut Vec<LoadError>) {
+fn search(
+    folder: &Path,
+    root: &Path,
+    inputs: &mut Vec<ProgramInput>,
+    failures: &mut Vec<LoadError>,
+) {
     let entries = fs::read_dir(folder).and_then(Iterator::collect::<io::Result<Vec<_>>>);
     let mut entries = match entries {
         Ok(entries) => entries,
@@ -94,9 +99,9 @@ fn search(folder: &Path, root: &Path, inputs: &mut Vec<Input>, failures: &mut Ve
         } else if kind.is_dir() {
             search(&path, root, inputs, failures);
         } else if path.is_file() && !has_other_ending(&path) {
-            match Files::Disk.head(&path, SAMPLE) {
+            match FileAccess::Disk.head(&path, SAMPLE) {
                 Ok(sample) if looks_like_program(&sample) => {
-                    inputs.push(Input { path: Some(path), root: Some(root.to_path_buf()) });
+                    inputs.push(ProgramInput { path: Some(path), root: Some(root.to_path_buf()) });
                 }
                 Ok(_) => {}
                 Err(error) => failures.push(LoadError::read(path.to_string_lossy(), &error)),
@@ -106,7 +111,7 @@ fn search(folder: &Path, root: &Path, inputs: &mut Vec<Input>, failures: &mut Ve
 }
 
 /// Neither its name nor its content speak against a program.
-pub(crate) fn may_be_program(files: &Files, path: &Path) -> bool {
+pub(crate) fn may_be_program(files: &FileAccess, path: &Path) -> bool {
     let sample = || files.head(path, SAMPLE);
     !has_other_ending(path) && sample().is_ok_and(|sample| looks_like_program(&sample))
 }

@@ -1,46 +1,46 @@
 //! What a command of this process has read and what it writes, so that no input is written over and no output twice.
 //!
 //! A program, its subprograms, its machine and the files that these name are read in many places. Each of them goes
-//! through [`Files`](crate::Files) or [`Text`](crate::Text) and is noted here; whoever writes a file asks.
+//! through [`FileAccess`](crate::FileAccess) or [`ProgramText`](crate::ProgramText) and is noted here; whoever writes a file asks.
 
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 #[cfg(unix)]
-type Identity = (u64, u64);
+type FileIdentity = (u64, u64);
 #[cfg(not(unix))]
-type Identity = std::path::PathBuf;
+type FileIdentity = std::path::PathBuf;
 
 #[derive(Default)]
-struct Ledger {
-    inputs: std::collections::BTreeSet<Identity>,
+struct FileLedger {
+    inputs: std::collections::BTreeSet<FileIdentity>,
     outputs: std::collections::BTreeSet<std::path::PathBuf>,
 }
 
-static LEDGER: Mutex<Ledger> = Mutex::new(Ledger {
+static LEDGER: Mutex<FileLedger> = Mutex::new(FileLedger {
     inputs: std::collections::BTreeSet::new(),
     outputs: std::collections::BTreeSet::new(),
 });
 
-fn ledger() -> MutexGuard<'static, Ledger> {
+fn ledger() -> MutexGuard<'static, FileLedger> {
     LEDGER.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 #[cfg(unix)]
-fn identity(path: &Path) -> Option<Identity> {
+fn identity(path: &Path) -> Option<FileIdentity> {
     use std::os::unix::fs::MetadataExt;
     let about = std::fs::metadata(path).ok()?;
     about.is_file().then(|| (about.dev(), about.ino()))
 }
 
 #[cfg(not(unix))]
-fn identity(path: &Path) -> Option<Identity> {
+fn identity(path: &Path) -> Option<FileIdentity> {
     path.canonicalize().ok()
 }
 
 /// A new command begins: what the one before has read is nothing to it.
 pub fn begin() {
-    *ledger() = Ledger::default();
+    *ledger() = FileLedger::default();
 }
 
 /// A file was read.

@@ -3,13 +3,13 @@
 //! A [`Request`] says what is otherwise than the folder's `chordal.toml` or the text itself says.
 //! [`file`] and [`text`] load one program, a [`Loader`] many by the same request; [`find`] lists the
 //! programs of folders. What comes out is a [`Loaded`]: a job, its machine, and why this one
-//! ([`Chosen`]). What does not go is one [`LoadError`].
+//! ([`MachineReason`]). What does not go is one [`LoadError`].
 //!
 //! ```
-//! use chordal_load::{Given, Request, text};
+//! use chordal_load::{RequestedMachine, Request, text};
 //!
 //! let request = Request {
-//!     machine: Some(Given::Name("haas-vf2".into())),
+//!     machine: Some(RequestedMachine::Name("haas-vf2".into())),
 //!     set: vec!["tools.5.diameter=\"0.5 in\"".into()],
 //!     ..Request::default()
 //! };
@@ -47,24 +47,24 @@ mod variables;
 use std::path::Path;
 
 pub use assumed::MovedAxes;
-pub use chosen::Chosen;
+pub use chosen::MachineReason;
 pub use error::{LoadError, reason};
-pub use files::Files;
-pub use input::{Input, find, has_other_ending, looks_like_program};
+pub use files::FileAccess;
+pub use input::{ProgramInput, find, has_other_ending, looks_like_program};
 pub use loaded::Loaded;
 pub use loader::Loader;
 pub use neighbours::without_called;
-pub use readings::{Premise, ReadingDifference, ReadingGroup};
-pub use request::{BlockDelete, Given, Request};
-pub use text::Text;
+pub use readings::{ReadingDifference, ReadingGroup, ReadingPremise};
+pub use request::{BlockDeleteSwitch, Request, RequestedMachine};
+pub use text::ProgramText;
 
 /// Loads a file.
 ///
 /// # Errors
 /// A file that cannot be read, a machine that cannot be used, a program that is not there.
 pub fn file(path: &Path, request: &Request) -> Result<Loaded, LoadError> {
-    let input = Input { path: Some(path.to_path_buf()), root: None };
-    Loader::new(request.clone())?.load_text(Text::read(&input)?, &input)
+    let input = ProgramInput { path: Some(path.to_path_buf()), root: None };
+    Loader::new(request.clone())?.load_text(ProgramText::read(&input)?, &input)
 }
 
 /// Loads a text, under a name that messages show. It is read whatever it is: that it is no program is said of files.
@@ -72,8 +72,8 @@ pub fn file(path: &Path, request: &Request) -> Result<Loaded, LoadError> {
 /// # Errors
 /// A machine that cannot be used, a program that is not there.
 pub fn text(name: &str, bytes: Vec<u8>, request: &Request) -> Result<Loaded, LoadError> {
-    let input = Input { path: None, root: None };
-    Loader::new(request.clone())?.load_unsaved(Text::of(name, bytes)?, &input)
+    let input = ProgramInput { path: None, root: None };
+    Loader::new(request.clone())?.load_unsaved(ProgramText::of(name, bytes)?, &input)
 }
 
 /// Loads the text of an editor, which lies or will lie at a path. While somebody writes it, it may be anything.
@@ -85,7 +85,7 @@ pub fn unsaved(
     bytes: Vec<u8>,
     request: &Request,
 ) -> Result<Loaded, LoadError> {
-    let input = Input { path: path.map(Path::to_path_buf), root: None };
-    let text = Text::of(&input.name(), bytes)?;
+    let input = ProgramInput { path: path.map(Path::to_path_buf), root: None };
+    let text = ProgramText::of(&input.name(), bytes)?;
     Loader::new(request.clone())?.load_unsaved(text, &input)
 }

@@ -2,20 +2,21 @@
 
 use std::sync::Arc;
 
-use chordal::control::{Interrupt, RunOptions, ShopCodes, ShopRecord};
+use chordal::control::{InterruptCheck, RunOptions, ShopCodes, ShopRecord};
 use chordal::{
-    Command, Diagnostic, Job, Machine, Reading, ReadingChoices, RunSink, Sink, Source, SourceMap,
+    Command, Diagnostic, Job, Machine, ProgramReading, ReadingChoices, RunSink, Sink, Source,
+    SourceMap,
 };
 
-use crate::chosen::Chosen;
+use crate::chosen::MachineReason;
 use crate::error::LoadError;
-use crate::readings::Premise;
-use crate::text::Text;
+use crate::readings::ReadingPremise;
+use crate::text::ProgramText;
 
 /// A program with everything it needs to run.
 pub struct Loaded {
     /// The program's text, then those of its subprograms.
-    pub(crate) texts: Vec<Text>,
+    pub(crate) texts: Vec<ProgramText>,
     pub(crate) machine: Machine,
     pub(crate) options: RunOptions,
     /// Names and blocks of what the shop answered, in the order of the run.
@@ -23,9 +24,9 @@ pub struct Loaded {
     /// The one program to run, where the request names it.
     pub program: Option<u32>,
     /// Why this machine.
-    pub chosen: Chosen,
+    pub chosen: MachineReason,
     /// What was assumed, where the text does not name its control and its units for certain.
-    pub premise: Option<Premise>,
+    pub premise: Option<ReadingPremise>,
 }
 
 impl Loaded {
@@ -47,7 +48,7 @@ impl Loaded {
     pub(crate) fn ask_shop(
         &mut self,
         shop: Arc<dyn ShopCodes>,
-        interrupt: Option<Interrupt>,
+        interrupt: Option<InterruptCheck>,
     ) -> Result<(), LoadError> {
         self.options.shop_codes = Some(Arc::new(ShopRecord::new(shop)));
         let job = self.job()?;
@@ -55,7 +56,7 @@ impl Loaded {
             Some(interrupt) => job.interrupt(interrupt),
             None => job,
         };
-        job.run(&mut Unheard);
+        job.run(&mut DiscardingSink);
         let texts = job.sources().appended().map(|source| {
             (source.name().to_string(), String::from_utf8_lossy(source.text()).into_owned())
         });
@@ -75,7 +76,7 @@ impl Loaded {
 
     /// Names and texts, the machine and the budgets.
     pub fn into_parts(self) -> (Vec<(String, Vec<u8>)>, Machine, RunOptions) {
-        let texts = self.texts.into_iter().map(Text::into_parts).collect();
+        let texts = self.texts.into_iter().map(ProgramText::into_parts).collect();
         (texts, self.machine, self.options)
     }
 
@@ -96,9 +97,9 @@ impl Loaded {
     }
 
     /// On what it is read, and why.
-    pub fn reading(&self) -> Reading<'_> {
+    pub fn reading(&self) -> ProgramReading<'_> {
         let machine = Some(self.machine.name.as_str()).filter(|_| self.not_read().is_none());
-        Reading {
+        ProgramReading {
             machine,
             control: self.control(),
             from: self.chosen.from(),
@@ -109,7 +110,7 @@ impl Loaded {
 
     /// As what else the text may be read; nothing where its control and its units are named or certain.
     pub fn choices(&self) -> Option<ReadingChoices> {
-        self.premise.as_ref().map(Premise::choices)
+        self.premise.as_ref().map(ReadingPremise::choices)
     }
 
     /// Its machine.
@@ -138,11 +139,11 @@ impl Loaded {
 }
 
 /// Hears nothing of a run.
-struct Unheard;
+struct DiscardingSink;
 
-impl Sink for Unheard {
+impl Sink for DiscardingSink {
     fn command(&mut self, _: &Command) {}
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for Unheard {}
+impl RunSink for DiscardingSink {}

@@ -4,23 +4,23 @@ use chordal::Machine;
 use chordal::control::{Control, RunOptions};
 use chordal::syntax::{ProgramHead, find_programs, is_program_name};
 
-use crate::chosen::Chosen;
+use crate::chosen::MachineReason;
 use crate::error::LoadError;
-use crate::input::Input;
+use crate::input::ProgramInput;
 use crate::loaded::Loaded;
 use crate::machine;
-use crate::neighbours::Folders;
+use crate::neighbours::FolderCache;
 use crate::not_a_program;
-use crate::readings::Premise;
-use crate::request::{BlockDelete, Given, Request};
-use crate::text::Text;
+use crate::readings::ReadingPremise;
+use crate::request::{BlockDeleteSwitch, Request, RequestedMachine};
+use crate::text::ProgramText;
 
 /// Loads programs by one request. The machine that it names is loaded once, and each folder is listed
 /// once.
 pub struct Loader {
     request: Request,
     given: Option<Machine>,
-    folders: Folders,
+    folders: FolderCache,
 }
 
 impl Loader {
@@ -30,14 +30,14 @@ impl Loader {
     /// A machine that cannot be used.
     pub fn new(request: Request) -> Result<Loader, LoadError> {
         let given = machine::given(&request)?;
-        Ok(Loader { request, given, folders: Folders::default() })
+        Ok(Loader { request, given, folders: FolderCache::default() })
     }
 
     /// The same with nothing remembered of folders: for another thread, or when files may have
     /// changed.
     pub fn again(&self) -> Loader {
         let (request, given) = (self.request.clone(), self.given.clone());
-        Loader { request, given, folders: Folders::default() }
+        Loader { request, given, folders: FolderCache::default() }
     }
 
     /// The same on another machine, for which the assignments and the tool table count as well; `more` are further
@@ -45,7 +45,7 @@ impl Loader {
     ///
     /// # Errors
     /// A machine that cannot be used.
-    pub fn on(&self, machine: Given, more: Vec<String>) -> Result<Loader, LoadError> {
+    pub fn on(&self, machine: RequestedMachine, more: Vec<String>) -> Result<Loader, LoadError> {
         let mut request = Request { machine: Some(machine), ..self.request.clone() };
         request.set.extend(more);
         Loader::new(request)
@@ -60,15 +60,19 @@ impl Loader {
     ///
     /// # Errors
     /// A file that cannot be read or is no program, a machine that cannot be used, a program that is not there.
-    pub fn load(&mut self, input: &Input) -> Result<Loaded, LoadError> {
-        self.load_text(Text::read_of(&self.request.files, input)?, input)
+    pub fn load(&mut self, input: &ProgramInput) -> Result<Loaded, LoadError> {
+        self.load_text(ProgramText::read_of(&self.request.files, input)?, input)
     }
 
     /// The same with the text of the input at hand.
     ///
     /// # Errors
     /// A text that is no program, a machine that cannot be used, a program that is not there.
-    pub fn load_text(&mut self, text: Text, input: &Input) -> Result<Loaded, LoadError> {
+    pub fn load_text(
+        &mut self,
+        text: ProgramText,
+        input: &ProgramInput,
+    ) -> Result<Loaded, LoadError> {
         not_a_program::refuse_certain(text.name(), text.bytes())?;
         let named = self.given.is_some() || machine::is_named(input, &self.request);
         if !named {
@@ -78,10 +82,14 @@ impl Loader {
     }
 
     /// The same, whatever the text is.
-    pub(crate) fn load_unsaved(&mut self, text: Text, input: &Input) -> Result<Loaded, LoadError> {
+    pub(crate) fn load_unsaved(
+        &mut self,
+        text: ProgramText,
+        input: &ProgramInput,
+    ) -> Result<Loaded, LoadError> {
         let request = &self.request;
         let (machine, chosen, premise) = match &self.given {
-            Some(machine) => (machine.clone(), Chosen::Given, None),
+            Some(machine) => (machine.clone(), MachineReason::Given, None),
             None => machine::choose(input, text.bytes(), request)?,
         };
         // An assignment that names the control leaves nothing to assume.
@@ -107,7 +115,7 @@ impl Loader {
         let options = RunOptions {
             notes: premise
                 .as_ref()
-                .and_then(Premise::diagnostic)
+                .and_then(ReadingPremise::diagnostic)
                 .into_iter()
                 .chain(notes)
                 .collect(),
@@ -123,14 +131,14 @@ impl Loader {
 }
 
 /// How the text is run: within the budgets of the request, and as what it was recognized.
-fn options(request: &Request, chosen: &Chosen, text: &[u8]) -> RunOptions {
+fn options(request: &Request, chosen: &MachineReason, text: &[u8]) -> RunOptions {
     let usual = RunOptions::default();
     let named_control = says(request, &["control"]);
     RunOptions {
         max_repeated_blocks: request.max_blocks.unwrap_or(usual.max_repeated_blocks),
         assumed_machine: chosen.is_guess() && !says(request, LIMITS),
         not_read: chosen.refusal(text).filter(|_| !named_control),
-        both_block_deletes: request.block_delete == BlockDelete::Both,
+        both_block_deletes: request.block_delete == BlockDeleteSwitch::Both,
         ..usual
     }
 }
@@ -146,7 +154,7 @@ fn says(request: &Request, keys: &[&str]) -> bool {
     })
 }
 
-fn has_program(text: &Text, number: u32, heads: &[ProgramHead]) -> Result<(), LoadError> {
+fn has_program(text: &ProgramText, number: u32, heads: &[ProgramHead]) -> Result<(), LoadError> {
     let numbers: Vec<u32> = heads.iter().filter_map(|head| head.number).collect();
     if numbers.contains(&number) {
         return Ok(());

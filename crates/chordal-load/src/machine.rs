@@ -8,18 +8,18 @@ use std::sync::Arc;
 use chordal::Machine;
 use chordal::control::dump::{self, DumpSetting};
 use chordal::control::{
-    COMMON_SETTINGS, CONTROLS, Control, ControlTable, SettingError, Strength, Units, recognize,
-    table,
+    COMMON_SETTINGS, CONTROLS, Control, ControlTable, EvidenceStrength, SettingError, Units,
+    recognize, table,
 };
-use chordal::machine::{ControlName, Location, MachineError, builtin, read_tool_tbl};
+use chordal::machine::{ControlName, MachineError, ValueLocation, builtin, read_tool_tbl};
 
 use crate::assumed::assume;
-use crate::chosen::Chosen;
+use crate::chosen::MachineReason;
 use crate::error::LoadError;
-use crate::files::Files;
-use crate::input::Input;
-use crate::readings::{Premise, machine_name, set_units, settle};
-use crate::request::{BlockDelete, Given, Request};
+use crate::files::FileAccess;
+use crate::input::ProgramInput;
+use crate::readings::{ReadingPremise, machine_name, set_units, settle};
+use crate::request::{BlockDeleteSwitch, Request, RequestedMachine};
 
 /// The file that says a folder's machine.
 const FOLDER_FILE: &str = "chordal.toml";
@@ -28,58 +28,58 @@ const FOLDER_FILE: &str = "chordal.toml";
 pub(crate) fn given(request: &Request) -> Result<Option<Machine>, LoadError> {
     let machine = match &request.machine {
         None => return Ok(None),
-        Some(Given::Name(name)) => named_of(&request.files, name)?,
-        Some(Given::Control(control)) => typical(*control),
-        Some(Given::Machine(machine)) => machine.as_ref().clone(),
+        Some(RequestedMachine::Name(name)) => named_of(&request.files, name)?,
+        Some(RequestedMachine::Control(control)) => typical(*control),
+        Some(RequestedMachine::Machine(machine)) => machine.as_ref().clone(),
     };
     finish(machine, request).map(Some)
 }
 
 /// The machine of a program when the request does not name one.
 pub(crate) fn choose(
-    input: &Input,
+    input: &ProgramInput,
     text: &[u8],
     request: &Request,
-) -> Result<(Machine, Chosen, Option<Premise>), LoadError> {
+) -> Result<(Machine, MachineReason, Option<ReadingPremise>), LoadError> {
     if let Some(file) = folder_file(input, request) {
         let machine = file_of(&request.files, &file)?;
-        return Ok((finish(machine, request)?, Chosen::Folder(file), None));
+        return Ok((finish(machine, request)?, MachineReason::Folder(file), None));
     }
     if request.settings.is_some() {
-        return Ok((finish(typical(dumped()), request)?, Chosen::Given, None));
+        return Ok((finish(typical(dumped()), request)?, MachineReason::Given, None));
     }
     let recognition = recognize(text);
     let ending = input.path.as_ref().and_then(|path| path.extension());
     let (machine, chosen, premise) = match ending {
         // Other endings mean nothing.
         Some(ending)
-            if recognition.strength() == Strength::Assumed
+            if recognition.strength() == EvidenceStrength::Assumed
                 && ending.eq_ignore_ascii_case("ngc") =>
         {
-            (typical(ControlName::Linuxcnc), Chosen::Ending, None)
+            (typical(ControlName::Linuxcnc), MachineReason::Ending, None)
         }
         _ => {
             let (settled, premise) = settle(recognition, text);
             let usual = Machine::from_builtin(machine_name(settled.chosen()));
             let usual = usual.unwrap_or_else(|_| typical(settled.control()));
             let (mut machine, moved) = assume(usual, text);
-            if let Some(units) = premise.as_ref().and_then(Premise::units) {
+            if let Some(units) = premise.as_ref().and_then(ReadingPremise::units) {
                 set_units(&mut machine, units);
             }
-            (machine, Chosen::Recognized(settled, moved), premise)
+            (machine, MachineReason::Recognized(settled, moved), premise)
         }
     };
     Ok((finish(machine, request)?, chosen, premise))
 }
 
 /// The `chordal.toml` that counts for a program.
-fn folder_file(input: &Input, request: &Request) -> Option<PathBuf> {
+fn folder_file(input: &ProgramInput, request: &Request) -> Option<PathBuf> {
     let mut files = folders(input).into_iter().map(|folder| folder.join(FOLDER_FILE));
     files.find(|file| request.files.is_file(file))
 }
 
 /// A folder, the printed settings or an assignment say for which control a program is.
-pub(crate) fn is_named(input: &Input, request: &Request) -> bool {
+pub(crate) fn is_named(input: &ProgramInput, request: &Request) -> bool {
     let control = |assignment: &String| assignment.trim_start().starts_with("control");
     request.settings.is_some()
         || request.set.iter().any(control)
@@ -91,14 +91,14 @@ pub(crate) fn is_named(input: &Input, request: &Request) -> bool {
 /// # Errors
 /// A name that nothing has; the help lists the built-in ones. What is wrong with a file.
 pub fn named(name: &str) -> Result<Machine, LoadError> {
-    named_of(&Files::Disk, name)
+    named_of(&FileAccess::Disk, name)
 }
 
 /// The same among these files.
 ///
 /// # Errors
 /// Those of [`named`].
-pub fn named_of(files: &Files, name: &str) -> Result<Machine, LoadError> {
+pub fn named_of(files: &FileAccess, name: &str) -> Result<Machine, LoadError> {
     let path = Path::new(name);
     if builtin(name).is_none() && (files.is_file(path) || name.ends_with(".toml")) {
         return file_of(files, path);
@@ -114,7 +114,7 @@ pub fn named_of(files: &Files, name: &str) -> Result<Machine, LoadError> {
 
 /// The folders whose `chordal.toml` counts: the program's, and those above it up to the one
 /// that the caller names.
-fn folders(input: &Input) -> Vec<PathBuf> {
+fn folders(input: &ProgramInput) -> Vec<PathBuf> {
     let Some(path) = &input.path else { return Vec::new() };
     let mut folders: Vec<PathBuf> = Vec::new();
     for folder in path.ancestors().skip(1) {
@@ -144,10 +144,10 @@ pub fn dumped() -> ControlName {
 /// # Errors
 /// A file that cannot be read, what is wrong in it, and a machine whose control prints no settings.
 pub fn set_dump(machine: &mut Machine, path: &Path) -> Result<(), LoadError> {
-    set_dump_of(&Files::Disk, machine, path)
+    set_dump_of(&FileAccess::Disk, machine, path)
 }
 
-fn set_dump_of(files: &Files, machine: &mut Machine, path: &Path) -> Result<(), LoadError> {
+fn set_dump_of(files: &FileAccess, machine: &mut Machine, path: &Path) -> Result<(), LoadError> {
     let name = path.to_string_lossy();
     let text = files.text(path).map_err(|error| LoadError::read(&*name, &error))?;
     let own = table(machine.control);
@@ -177,10 +177,10 @@ pub fn typical_name(control: ControlName) -> &'static str {
 /// # Errors
 /// A file that cannot be read, and everything that is wrong in it.
 pub fn from_file(path: &Path) -> Result<Machine, LoadError> {
-    file_of(&Files::Disk, path)
+    file_of(&FileAccess::Disk, path)
 }
 
-fn file_of(files: &Files, path: &Path) -> Result<Machine, LoadError> {
+fn file_of(files: &FileAccess, path: &Path) -> Result<Machine, LoadError> {
     let name = path.to_string_lossy();
     let text = files.text(path).map_err(|error| LoadError::read(&*name, &error))?;
     text_of(files, &name, &text)
@@ -191,10 +191,10 @@ fn file_of(files: &Files, path: &Path) -> Result<Machine, LoadError> {
 /// # Errors
 /// Everything that is wrong in it.
 pub fn from_text(name: &str, text: &str) -> Result<Machine, LoadError> {
-    text_of(&Files::Disk, name, text)
+    text_of(&FileAccess::Disk, name, text)
 }
 
-fn text_of(files: &Files, name: &str, text: &str) -> Result<Machine, LoadError> {
+fn text_of(files: &FileAccess, name: &str, text: &str) -> Result<Machine, LoadError> {
     let load = |file: &str| files.text(Path::new(file)).map_err(|error| error.to_string());
     Machine::from_toml(name, text, &load).map_err(LoadError::Machine)
 }
@@ -235,7 +235,7 @@ fn finish(mut machine: Machine, request: &Request) -> Result<Machine, LoadError>
         // known after the assignments: once more.
         assign(&mut machine)?;
     }
-    if request.block_delete == BlockDelete::On {
+    if request.block_delete == BlockDeleteSwitch::On {
         machine.switches.block_delete = [true; 10];
     }
     Ok(machine)
@@ -262,7 +262,7 @@ fn check_settings(machine: &Machine) -> Result<(), LoadError> {
 }
 
 /// Where a custom code stands, by its name in errors: `shop_codes.M48`.
-fn code_place<'m>(machine: &'m Machine, name: &str) -> Option<&'m Location> {
+fn code_place<'m>(machine: &'m Machine, name: &str) -> Option<&'m ValueLocation> {
     let code = name.strip_prefix("shop_codes.")?;
     let number = code.get(1..)?.parse::<u32>().ok()?;
     let code = match code.as_bytes()[0] {
@@ -273,7 +273,7 @@ fn code_place<'m>(machine: &'m Machine, name: &str) -> Option<&'m Location> {
 }
 
 /// A location is that of the value; where the name is wrong, the name before it on its line.
-fn place_of(error: &SettingError, at: &Location, control: &Control) -> Range<usize> {
+fn place_of(error: &SettingError, at: &ValueLocation, control: &Control) -> Range<usize> {
     let known = control.table.settings.iter().chain(COMMON_SETTINGS);
     if known.into_iter().any(|setting| setting.name.eq_ignore_ascii_case(&error.name)) {
         return at.span.clone();

@@ -7,10 +7,10 @@ use chordal::control::{called_subs, referenced_programs};
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockReader, Lexicon, decode, find_programs};
 
-use crate::files::Files;
-use crate::input::{Input, may_be_program};
-use crate::text::Text;
-use crate::variables::Variables;
+use crate::files::FileAccess;
+use crate::input::{ProgramInput, may_be_program};
+use crate::text::ProgramText;
+use crate::variables::FolderVariables;
 
 /// Most files that are added to a program.
 const MOST_FILES: usize = 256;
@@ -26,23 +26,23 @@ const HEAD: u64 = 4096;
 
 /// The folders that were looked into, each listed once however many programs it holds.
 #[derive(Default)]
-pub struct Folders {
-    folders: BTreeMap<PathBuf, Folder>,
-    variables: BTreeMap<PathBuf, Variables>,
+pub struct FolderCache {
+    folders: BTreeMap<PathBuf, FolderListing>,
+    variables: BTreeMap<PathBuf, FolderVariables>,
 }
 
-impl Folders {
+impl FolderCache {
     /// The files that hold the programs which a text calls, and those which they call, as far
     /// as they lie in the same folder. Files that cannot be read are skipped: then the
     /// subprogram is missing, and the run says so.
     pub fn find(
         &mut self,
-        files: &Files,
+        files: &FileAccess,
         path: &Path,
         text: &[u8],
         lexicon: &Lexicon,
-    ) -> Vec<Text> {
-        let mut found: Vec<Text> = Vec::new();
+    ) -> Vec<ProgramText> {
+        let mut found: Vec<ProgramText> = Vec::new();
         let mut wanted: BTreeSet<u32> = referenced_programs(text, lexicon).into_iter().collect();
         let mut names: BTreeSet<String> = called_subs(text, lexicon).into_iter().collect();
         if wanted.is_empty() && names.is_empty() {
@@ -52,13 +52,16 @@ impl Folders {
         if self.folders.len() > MOST_FOLDERS {
             self.folders.clear();
         }
-        let folder = self.folders.entry(folder_of(path)).or_insert_with(|| Folder::of(files, path));
+        let folder =
+            self.folders.entry(folder_of(path)).or_insert_with(|| FolderListing::of(files, path));
         while let Some(number) = wanted.pop_first() {
             if known.contains(&number) || found.len() >= MOST_FILES {
                 continue;
             }
             let Some(path) = folder.program(files, number, path) else { continue };
-            if let Ok(mut text) = Text::read_of(files, &Input { path: Some(path), root: None }) {
+            if let Ok(mut text) =
+                ProgramText::read_of(files, &ProgramInput { path: Some(path), root: None })
+            {
                 if numbers(text.bytes(), lexicon).next().is_none() {
                     text.give_head(number);
                 }
@@ -75,7 +78,9 @@ impl Folders {
                 continue;
             }
             let Some(path) = folder.subroutine(&name, path) else { continue };
-            if let Ok(text) = Text::read_of(files, &Input { path: Some(path), root: None }) {
+            if let Ok(text) =
+                ProgramText::read_of(files, &ProgramInput { path: Some(path), root: None })
+            {
                 names.extend(called_subs(text.bytes(), lexicon));
                 found.push(text);
             }
@@ -84,26 +89,26 @@ impl Folders {
     }
 
     /// The variables that the control has written into files of the folder.
-    pub fn variables(&mut self, files: &Files, program: &Path) -> &Variables {
+    pub fn variables(&mut self, files: &FileAccess, program: &Path) -> &FolderVariables {
         if self.variables.len() > MOST_FOLDERS {
             self.variables.clear();
         }
         let folder = self.variables.entry(folder_of(program));
-        folder.or_insert_with(|| Variables::next_to(files, program))
+        folder.or_insert_with(|| FolderVariables::next_to(files, program))
     }
 }
 
 /// Leaves out the files of a folder that hold only subprograms which others of the folder
 /// call: they run where they are called. Run by itself, a subprogram seems to have no spindle,
 /// no feed and no end. A file that the caller names stays.
-pub fn without_called(inputs: Vec<Input>) -> Vec<Input> {
+pub fn without_called(inputs: Vec<ProgramInput>) -> Vec<ProgramInput> {
     let lexicon = &Lexicon::FANUC_STYLE;
     let mut called: BTreeMap<PathBuf, BTreeSet<u32>> = BTreeMap::new();
     let mut endless: BTreeMap<usize, Vec<u32>> = BTreeMap::new();
     for (index, input) in inputs.iter().enumerate() {
         let (Some(path), Some(_)) = (&input.path, &input.root) else { continue };
         // Who cannot be read is reported when it is to be run.
-        let Ok(text) = Text::read(input) else { continue };
+        let Ok(text) = ProgramText::read(input) else { continue };
         let own: Vec<u32> = numbers(text.bytes(), lexicon).collect();
         let calls = called.entry(folder_of(path)).or_default();
         let others = referenced_programs(text.bytes(), lexicon).into_iter();
@@ -112,7 +117,7 @@ pub fn without_called(inputs: Vec<Input>) -> Vec<Input> {
             endless.insert(index, own);
         }
     }
-    let is_called = |index: &usize, input: &Input| {
+    let is_called = |index: &usize, input: &ProgramInput| {
         let folder = input.path.as_deref().map(folder_of);
         match (endless.get(index), folder.and_then(|folder| called.get(&folder))) {
             (Some(own), Some(called)) => own.iter().all(|number| called.contains(number)),
@@ -154,16 +159,16 @@ fn numbers(text: &[u8], lexicon: &Lexicon) -> impl Iterator<Item = u32> {
 
 /// The files of a folder by what their names say, and their first program numbers once a name did
 /// not tell.
-struct Folder {
+struct FolderListing {
     files: Vec<PathBuf>,
     numbers: BTreeMap<u32, Vec<PathBuf>>,
     subroutines: BTreeMap<String, Vec<PathBuf>>,
     heads: Option<BTreeMap<u32, Vec<PathBuf>>>,
 }
 
-impl Folder {
+impl FolderListing {
     /// The folder of a program. Its files are named as the program is.
-    fn of(files: &Files, program: &Path) -> Folder {
+    fn of(files: &FileAccess, program: &Path) -> FolderListing {
         let files = files.next_to(program);
         let mut numbers: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
         let mut subroutines: BTreeMap<String, Vec<PathBuf>> = BTreeMap::new();
@@ -175,7 +180,7 @@ impl Folder {
                 subroutines.entry(name).or_default().push(path.clone());
             }
         }
-        Folder { files, numbers, subroutines, heads: None }
+        FolderListing { files, numbers, subroutines, heads: None }
     }
 
     /// The file of a subroutine of O words.
@@ -186,7 +191,7 @@ impl Folder {
 
     /// The file of a program other than its caller: by its name, or else by its first head, or
     /// else by its name alone, where it has no head at all.
-    fn program(&mut self, disk: &Files, number: u32, caller: &Path) -> Option<PathBuf> {
+    fn program(&mut self, disk: &FileAccess, number: u32, caller: &Path) -> Option<PathBuf> {
         let named =
             || self.numbers.get(&number).into_iter().flatten().filter(|path| *path != caller);
         if let Some(path) = named().find(|path| first_head(disk, path) == Some(number)) {
@@ -220,7 +225,7 @@ fn subroutine_of_name(path: &Path) -> Option<String> {
     Some(stem.to_string())
 }
 
-fn first_head(files: &Files, path: &Path) -> Option<u32> {
+fn first_head(files: &FileAccess, path: &Path) -> Option<u32> {
     let bytes = files.head(path, HEAD).ok()?;
     let text = decode(&bytes);
     if text.binary { None } else { numbers(&text.text, &Lexicon::FANUC_STYLE).next() }

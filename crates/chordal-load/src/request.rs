@@ -4,14 +4,14 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use chordal::Machine;
-use chordal::control::{Interrupt, ShopCodes};
+use chordal::control::{InterruptCheck, ShopCodes};
 use chordal::machine::ControlName;
 
-use crate::files::Files;
+use crate::files::FileAccess;
 
 /// The machine that a caller wants.
 #[derive(Clone, Debug)]
-pub enum Given {
+pub enum RequestedMachine {
     /// That of a built-in name or, where there is none of it, of a file.
     Name(String),
     /// The typical machine of a control.
@@ -22,7 +22,7 @@ pub enum Given {
 
 /// How the switch of block delete stands.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Debug)]
-pub enum BlockDelete {
+pub enum BlockDeleteSwitch {
     /// As the machine file has it; off, where it says nothing.
     #[default]
     AsMachine,
@@ -32,9 +32,9 @@ pub enum BlockDelete {
     Both,
 }
 
-impl From<bool> for BlockDelete {
-    fn from(is_on: bool) -> BlockDelete {
-        if is_on { BlockDelete::On } else { BlockDelete::AsMachine }
+impl From<bool> for BlockDeleteSwitch {
+    fn from(is_on: bool) -> BlockDeleteSwitch {
+        if is_on { BlockDeleteSwitch::On } else { BlockDeleteSwitch::AsMachine }
     }
 }
 
@@ -43,9 +43,9 @@ impl From<bool> for BlockDelete {
 #[derive(Clone, Default)]
 pub struct Request {
     /// The machine.
-    pub machine: Option<Given>,
+    pub machine: Option<RequestedMachine>,
     /// Where machine files, tool tables and subprograms are.
-    pub files: Files,
+    pub files: FileAccess,
     /// Assignments to keys of the machine, as `tools.5.diameter="0.5 in"`.
     pub set: Vec<String>,
     /// What a firmware printed for `$$` (GRBL): its settings, before the assignments.
@@ -55,12 +55,12 @@ pub struct Request {
     /// Runs only this program of the file.
     pub program: Option<u32>,
     /// What becomes of the blocks that start with `/`.
-    pub block_delete: BlockDelete,
+    pub block_delete: BlockDeleteSwitch,
     /// Most blocks carried out in calls, repeats and jumps.
     pub max_blocks: Option<u64>,
     /// Who knows the codes of the shop's own. It is asked once about each, while the program is
     /// loaded.
     pub shop_codes: Option<Arc<dyn ShopCodes>>,
     /// Ends that asking early.
-    pub interrupt: Option<Interrupt>,
+    pub interrupt: Option<InterruptCheck>,
 }

@@ -11,66 +11,69 @@ use memmap2::Mmap;
 
 use crate::disk::{self, LARGEST, too_large};
 use crate::error::LoadError;
-use crate::files::{Files, found};
-use crate::input::Input;
+use crate::files::{FileAccess, found};
+use crate::input::ProgramInput;
 
 /// Files below this size are read: a mapping costs more than copying them.
 const MAP_FROM: u64 = 1 << 20;
 
 /// A text in memory or mapped.
-enum Bytes {
+enum TextBytes {
     Owned(Vec<u8>),
     Mapped(Mmap),
 }
 
-impl Deref for Bytes {
+impl Deref for TextBytes {
     type Target = [u8];
 
     fn deref(&self) -> &[u8] {
         match self {
-            Bytes::Owned(bytes) => bytes,
-            Bytes::Mapped(map) => map,
+            TextBytes::Owned(bytes) => bytes,
+            TextBytes::Mapped(map) => map,
         }
     }
 }
 
 /// A program text as the reader takes it, and its name.
-pub struct Text {
+pub struct ProgramText {
     name: String,
-    bytes: Bytes,
+    bytes: TextBytes,
     /// Where the text begins: after a byte order mark.
     start: usize,
 }
 
-impl Text {
+impl ProgramText {
     /// Reads the text of an input.
     ///
     /// # Errors
     /// A file that cannot be read, or is larger than 4 GiB.
-    pub fn read(input: &Input) -> Result<Text, LoadError> {
-        Text::read_of(&Files::Disk, input)
+    pub fn read(input: &ProgramInput) -> Result<ProgramText, LoadError> {
+        ProgramText::read_of(&FileAccess::Disk, input)
     }
 
     /// The same among these files.
-    pub(crate) fn read_of(files: &Files, input: &Input) -> Result<Text, LoadError> {
+    pub(crate) fn read_of(
+        files: &FileAccess,
+        input: &ProgramInput,
+    ) -> Result<ProgramText, LoadError> {
         let name = input.name().into_owned();
         let bytes = match (&input.path, files) {
-            (Some(path), Files::Disk) => open(path),
-            (Some(path), Files::Given(files)) => {
-                found(files, path).map(|bytes| Bytes::Owned(bytes.to_vec()))
+            (Some(path), FileAccess::Disk) => open(path),
+            (Some(path), FileAccess::Given(files)) => {
+                found(files, path).map(|bytes| TextBytes::Owned(bytes.to_vec()))
             }
-            (None, _) => disk::stream(io::stdin().lock()).map(Bytes::Owned),
+            (None, _) => disk::stream(io::stdin().lock()).map(TextBytes::Owned),
         };
         let bytes = bytes.map_err(|error| LoadError::read(&*name, &error))?;
-        Text::new(name, bytes)
+        ProgramText::new(name, bytes)
     }
 
     /// A text that is in memory already.
     ///
     /// # Errors
     /// A text that is larger than 4 GiB.
-    pub fn of(name: &str, bytes: Vec<u8>) -> Result<Text, LoadError> {
-        Text::new(name.to_string(), Bytes::Owned(bytes))
+    pub fn of(name: &str, bytes: Vec<u8>) -> Result<ProgramText, LoadError> {
+        ProgramText::new(name.to_string(), TextBytes::Owned(bytes))
     }
 
     /// The name for people.
@@ -86,8 +89,8 @@ impl Text {
     /// Its name and its text.
     pub(crate) fn into_parts(self) -> (String, Vec<u8>) {
         let mut bytes = match self.bytes {
-            Bytes::Owned(bytes) => bytes,
-            Bytes::Mapped(map) => map.to_vec(),
+            TextBytes::Owned(bytes) => bytes,
+            TextBytes::Mapped(map) => map.to_vec(),
         };
         bytes.drain(..self.start);
         (self.name, bytes)
@@ -106,17 +109,17 @@ impl Text {
         let mut headed = text[..at].to_vec();
         headed.extend_from_slice(format!("O{number} ").as_bytes());
         headed.extend_from_slice(&text[at..]);
-        self.bytes = Bytes::Owned(headed);
+        self.bytes = TextBytes::Owned(headed);
         self.start = 0;
     }
 
-    fn new(name: String, bytes: Bytes) -> Result<Text, LoadError> {
+    fn new(name: String, bytes: TextBytes) -> Result<ProgramText, LoadError> {
         let text = match decode(&bytes).text {
             Cow::Borrowed(text) => {
                 let start = bytes.len() - text.len();
-                Text { name, start, bytes }
+                ProgramText { name, start, bytes }
             }
-            Cow::Owned(text) => Text { name, start: 0, bytes: Bytes::Owned(text) },
+            Cow::Owned(text) => ProgramText { name, start: 0, bytes: TextBytes::Owned(text) },
         };
         if text.bytes().len() as u64 > LARGEST {
             return Err(LoadError::Read { file: text.name, reason: too_large().to_string() });
@@ -125,17 +128,17 @@ impl Text {
     }
 }
 
-fn open(path: &Path) -> io::Result<Bytes> {
+fn open(path: &Path) -> io::Result<TextBytes> {
     let (mut file, about) = disk::open(path)?;
     if !about.is_file() {
-        return disk::stream(file).map(Bytes::Owned);
+        return disk::stream(file).map(TextBytes::Owned);
     }
     if about.len() >= MAP_FROM {
-        return map(&file).map(Bytes::Mapped);
+        return map(&file).map(TextBytes::Mapped);
     }
     let mut bytes = Vec::new();
     file.read_to_end(&mut bytes)?;
-    Ok(Bytes::Owned(bytes))
+    Ok(TextBytes::Owned(bytes))
 }
 
 /// Maps a file, so that a gigabyte is not copied before its first block is read.

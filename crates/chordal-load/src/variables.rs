@@ -4,11 +4,11 @@
 use std::path::{Path, PathBuf};
 
 use chordal::control::ControlTable;
-use chordal::control::macros::{MacroForm, System};
+use chordal::control::macros::{MacroForm, SystemVariable};
 use chordal::machine::{VariableDump, read_variable_dump};
 use chordal::{Code, Diagnostic, Machine, Span};
 
-use crate::files::Files;
+use crate::files::FileAccess;
 use crate::ledger;
 
 /// A larger file is none of variables, bytes.
@@ -19,11 +19,11 @@ const MOST_SAID: usize = 5;
 
 /// What the files of a folder say, in the order in which they count: the first one that has a variable.
 #[derive(Default)]
-pub struct Variables(Vec<(PathBuf, VariableDump)>);
+pub struct FolderVariables(Vec<(PathBuf, VariableDump)>);
 
-impl Variables {
+impl FolderVariables {
     /// Reads the files next to a program. One that cannot be read, or holds something else, says nothing.
-    pub(crate) fn next_to(files: &Files, program: &Path) -> Variables {
+    pub(crate) fn next_to(files: &FileAccess, program: &Path) -> FolderVariables {
         let mut found: Vec<(u8, PathBuf)> = files
             .next_to(program)
             .into_iter()
@@ -33,12 +33,12 @@ impl Variables {
         let read = found.into_iter().filter_map(|(_, path)| {
             let bytes = files.head(&path, LARGEST + 1).ok()?;
             let dump = (bytes.len() as u64 <= LARGEST).then(|| read_variable_dump(&bytes))??;
-            if matches!(files, Files::Disk) {
+            if matches!(files, FileAccess::Disk) {
                 ledger::note_input(&path);
             }
             Some((path, dump))
         });
-        Variables(read.collect())
+        FolderVariables(read.collect())
     }
 
     /// Gives the machine those that it does not have, and says which lines cannot be read.
@@ -103,11 +103,11 @@ fn is_programs(table: &ControlTable, number: u32) -> bool {
         || macros.system_at(number).is_some_and(|(what, _)| {
             matches!(
                 what,
-                System::Input
-                    | System::Timer
-                    | System::Setting
-                    | System::MachineState
-                    | System::Kept
+                SystemVariable::Input
+                    | SystemVariable::Timer
+                    | SystemVariable::Setting
+                    | SystemVariable::MachineState
+                    | SystemVariable::Kept
             )
         })
 }

@@ -1,7 +1,7 @@
 //! Limits of a machine that nobody named, and the programs of a memory dump.
 
 use chordal::{Report, Severity};
-use chordal_load::{Given, Request, text};
+use chordal_load::{Request, RequestedMachine, text};
 
 fn check(program: &str, request: &Request) -> Report {
     let loaded = text("part", program.into(), request).expect("a program");
@@ -9,7 +9,7 @@ fn check(program: &str, request: &Request) -> Report {
 }
 
 fn on(name: &str) -> Request {
-    Request { machine: Some(Given::Name(name.into())), ..Request::default() }
+    Request { machine: Some(RequestedMachine::Name(name.into())), ..Request::default() }
 }
 
 fn ids(report: &Report) -> Vec<&str> {

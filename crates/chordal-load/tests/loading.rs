@@ -3,7 +3,7 @@
 mod common;
 
 use chordal::{Command, CommandKind};
-use chordal_load::{Input, LoadError, Loaded, Loader, Request, find, text, without_called};
+use chordal_load::{LoadError, Loaded, Loader, ProgramInput, Request, find, text, without_called};
 use common::{CLEAN, Folder, on};
 
 fn commands(loaded: &Loaded) -> Vec<CommandKind> {
@@ -115,8 +115,8 @@ fn programs_of_a_folder_are_found_by_content() {
         .write("arch/tools.csv", "T1,12\n")
         .write("arch/.hidden.nc", CLEAN);
     let root = folder.path("arch");
-    let names = |inputs: &[Input]| -> Vec<String> {
-        let name = |input: &Input| input.below_root().to_string_lossy().replace('\\', "/");
+    let names = |inputs: &[ProgramInput]| -> Vec<String> {
+        let name = |input: &ProgramInput| input.below_root().to_string_lossy().replace('\\', "/");
         inputs.iter().map(name).collect()
     };
     let (inputs, wrong) = find(std::slice::from_ref(&root));
@@ -153,7 +153,7 @@ fn one_program_of_a_memory_can_be_loaded() {
 fn a_loader_sees_new_files_when_it_starts_again() {
     let folder = Folder::new();
     folder.write("main.nc", "O1\nG20 G90\nM98 P5\nM30\n");
-    let input = Input { path: Some(folder.path("main.nc")), root: None };
+    let input = ProgramInput { path: Some(folder.path("main.nc")), root: None };
     let mut loader = Loader::new(on("haas-vf2")).expect("a machine");
     let calls = |loader: &mut Loader| names(loader.load(&input).expect("a program")).len() - 1;
     assert_eq!(calls(&mut loader), 0);

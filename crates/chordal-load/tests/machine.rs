@@ -3,7 +3,10 @@
 mod common;
 
 use chordal::machine::ControlName;
-use chordal_load::{BlockDelete, Chosen, Given, Input, LoadError, Loader, Request, machine};
+use chordal_load::{
+    BlockDeleteSwitch, LoadError, Loader, MachineReason, ProgramInput, Request, RequestedMachine,
+    machine,
+};
 use common::{CLEAN, Folder, on};
 
 #[test]
@@ -15,9 +18,9 @@ fn a_machine_is_named_or_a_file() {
     let file = folder.path("shop/mill.toml").to_string_lossy().into_owned();
     let loaded = folder.load_with("part.nc", &on(&file)).expect("the machine of a file");
     assert_eq!(loaded.machine().title, "Mill 3");
-    assert!(matches!(loaded.chosen, Chosen::Given));
+    assert!(matches!(loaded.chosen, MachineReason::Given));
     assert_eq!(loaded.chosen.why("Haas"), None);
-    let typical = Given::Control(ControlName::Fadal);
+    let typical = RequestedMachine::Control(ControlName::Fadal);
     let request = Request { machine: Some(typical), ..Request::default() };
     let loaded = folder.load_with("part.nc", &request).expect("the machine of a control");
     assert_eq!(loaded.machine().name, machine::typical_name(ControlName::Fadal));
@@ -57,7 +60,7 @@ fn a_folder_says_its_machine() {
     let load = |name| folder.load_with(name, &Request::default());
     let a = load("a/part.nc").expect("a program");
     assert_eq!(a.machine().name, "linuxcnc-mill");
-    let Chosen::Folder(file) = &a.chosen else { panic!("{:?}", a.chosen) };
+    let MachineReason::Folder(file) = &a.chosen else { panic!("{:?}", a.chosen) };
     assert_eq!(file, &folder.path("a/chordal.toml"));
     assert_eq!(load("b/part.nc").expect("a program").machine().title, "Mill 9");
     let Err(LoadError::Machine(errors)) = load("c/part.nc") else { panic!("no such machine") };
@@ -72,12 +75,12 @@ fn a_folders_machine_counts_below_it() {
     let mut loader = Loader::new(Request::default()).expect("no machine is named");
     let path = Some(folder.path("arch/deep/part.nc"));
     let mut chosen = |root| {
-        let input = Input { path: path.clone(), root };
+        let input = ProgramInput { path: path.clone(), root };
         loader.load(&input).expect("a program").chosen
     };
-    assert!(matches!(chosen(Some(folder.path("arch"))), Chosen::Folder(_)));
+    assert!(matches!(chosen(Some(folder.path("arch"))), MachineReason::Folder(_)));
     // Named alone, only its own folder speaks.
-    assert!(matches!(chosen(None), Chosen::Recognized(..)));
+    assert!(matches!(chosen(None), MachineReason::Recognized(..)));
 }
 
 #[test]
@@ -86,7 +89,7 @@ fn the_text_speaks_for_its_control() {
     folder.write("part.ngc", "G20 G90 G0 X0\nM2\n").write("part.nc", "G20 G90 G0 X0\nM2\n");
     let load = |name| folder.load_with(name, &Request::default()).expect("a program");
     let by_ending = load("part.ngc");
-    assert!(matches!(by_ending.chosen, Chosen::Ending));
+    assert!(matches!(by_ending.chosen, MachineReason::Ending));
     assert_eq!(by_ending.machine().control, ControlName::Linuxcnc);
     let why = load("part.nc").chosen.why("Haas NGC mill").expect("nobody named it");
     assert_eq!(why, "assumed Haas NGC mill: nothing in the text says which control it is for");
@@ -102,7 +105,7 @@ fn a_request_changes_whichever_machine_runs() {
     let request = Request {
         set: vec!["title=\"Mill 4\"".into()],
         tools: Some(folder.path("tool.tbl")),
-        block_delete: BlockDelete::On,
+        block_delete: BlockDeleteSwitch::On,
         ..Request::default()
     };
     let loaded = folder.load_with("part.nc", &request).expect("a program");
@@ -111,8 +114,9 @@ fn a_request_changes_whichever_machine_runs() {
     assert_eq!(loaded.job().expect("a job").report().summary.dwells, 0);
     // For another machine, too, unless that one counts as it is.
     let loader = Loader::new(request.clone()).expect("a loader");
-    let input = Input { path: Some(folder.path("part.nc")), root: None };
-    let mut other = loader.on(Given::Name("fadal-4020".into()), Vec::new()).expect("a machine");
+    let input = ProgramInput { path: Some(folder.path("part.nc")), root: None };
+    let mut other =
+        loader.on(RequestedMachine::Name("fadal-4020".into()), Vec::new()).expect("a machine");
     assert_eq!(other.load(&input).expect("a program").machine().title, "Mill 4");
     let exact = machine::named("fadal-4020").expect("a machine");
     let loaded = loader.on_exactly(exact.clone()).load(&input).expect("a program");

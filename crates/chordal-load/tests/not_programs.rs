@@ -8,11 +8,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use chordal_load::{
-    Given, Input, LoadError, Loader, Request, Text, file, find, looks_like_program,
+    LoadError, Loader, ProgramInput, ProgramText, Request, RequestedMachine, file, find,
+    looks_like_program,
 };
 
 /// A file whose name says nothing.
-const INPUT: Input = Input { path: None, root: None };
+const INPUT: ProgramInput = ProgramInput { path: None, root: None };
 
 /// The beginning of a file's name, and what the sentence says. The first that fits counts.
 const KINDS: &[(&str, &str)] = &[
@@ -121,7 +122,7 @@ fn a_folder_has_only_its_programs() {
 /// Where somebody names the machine, only what is certain is refused.
 #[test]
 fn a_named_machine_reads_what_may_be_a_program() {
-    let machine = Some(Given::Name("haas-vf2".into()));
+    let machine = Some(RequestedMachine::Name("haas-vf2".into()));
     let request = Request { machine, ..Request::default() };
     let folder = tree().join("tests/not-programs");
     assert_eq!(refusal(&folder.join("letter-1.txt"), &request), None);
@@ -143,7 +144,7 @@ fn tool_tables_name_their_option() {
 #[test]
 fn programs_stay_programs() {
     let refused = |name: &str, program: &str| {
-        let text = Text::of(name, program.as_bytes().to_vec()).expect("a text");
+        let text = ProgramText::of(name, program.as_bytes().to_vec()).expect("a text");
         let loaded =
             Loader::new(Request::default()).and_then(|mut loader| loader.load_text(text, &INPUT));
         match loaded {

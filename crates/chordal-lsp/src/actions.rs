@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use chordal::diagnostics::{Applicability, FileId, Fix};
-use chordal_editor::{Edit, Numbering, Program, Ran};
+use chordal_editor::{EditorProgram, FormatEdit, NumberingOptions, RunMoves};
 use lsp_types::{
     CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, TextEdit, Uri, WorkspaceEdit,
 };
@@ -17,7 +17,7 @@ pub const RENUMBER: CodeActionKind = CodeActionKind::new("source.renumber.chorda
 pub const FIX_ALL: CodeActionKind = CodeActionKind::SOURCE_FIX_ALL;
 
 /// Numbers by ten, as editors of controls do.
-const NUMBERING: Numbering = Numbering { first: 10, step: 10, all: true };
+const NUMBERING: NumberingOptions = NumberingOptions { first: 10, step: 10, all: true };
 
 /// An edit of one document.
 #[allow(clippy::mutable_key_type, reason = "the protocol's own type")]
@@ -28,8 +28,8 @@ pub fn edit_of(uri: &Uri, edits: Vec<TextEdit>) -> WorkspaceEdit {
 
 /// What is offered for a range of the text.
 pub fn actions(
-    program: &Program,
-    ran: &Ran,
+    program: &EditorProgram,
+    ran: &RunMoves,
     params: &CodeActionParams,
 ) -> Vec<CodeActionOrCommand> {
     let uri = &params.text_document.uri;
@@ -87,7 +87,11 @@ pub fn actions(
 }
 
 /// The edit of an action that was offered without one; or why there is none.
-pub fn resolved(program: &Program, uri: &Uri, action: CodeAction) -> Result<CodeAction, String> {
+pub fn resolved(
+    program: &EditorProgram,
+    uri: &Uri,
+    action: CodeAction,
+) -> Result<CodeAction, String> {
     if action.kind.as_ref() != Some(&RENUMBER) {
         return Ok(action);
     }
@@ -95,18 +99,18 @@ pub fn resolved(program: &Program, uri: &Uri, action: CodeAction) -> Result<Code
     Ok(CodeAction { edit: Some(edit_of(uri, text_edits(program, edits))), ..action })
 }
 
-fn edit(fix: &Fix) -> Edit {
-    Edit { range: fix.span.range, text: fix.replacement.clone() }
+fn edit(fix: &Fix) -> FormatEdit {
+    FormatEdit { range: fix.span.range, text: fix.replacement.clone() }
 }
 
 /// The safe fixes, each once, in order and apart.
-fn safe_fixes(ran: &Ran) -> Vec<Edit> {
+fn safe_fixes(ran: &RunMoves) -> Vec<FormatEdit> {
     let fixes = ran.report.diagnostics.iter().filter_map(|problem| problem.fix.as_ref());
     let safe =
         fixes.filter(|fix| fix.applicability == Applicability::Safe && fix.span.file == FileId(0));
-    let mut edits: Vec<Edit> = safe.map(edit).collect();
+    let mut edits: Vec<FormatEdit> = safe.map(edit).collect();
     edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
-    let mut apart: Vec<Edit> = Vec::new();
+    let mut apart: Vec<FormatEdit> = Vec::new();
     for edit in edits {
         if apart.last().is_none_or(|last| last.range.end <= edit.range.start && *last != edit) {
             apart.push(edit);

@@ -2,7 +2,7 @@
 
 use chordal::diagnostics::{FileId, Label, TextRange};
 use chordal::{Diagnostic, Severity};
-use chordal_editor::{Class, Edit, Entry, EntryKind, Program, Token};
+use chordal_editor::{EditorProgram, EntryKind, FormatEdit, OutlineEntry, Token, TokenClass};
 use lsp_types::{
     DiagnosticRelatedInformation, DiagnosticSeverity, DocumentSymbol, Location, NumberOrString,
     SemanticToken, SemanticTokenType, SymbolKind, TextEdit, Uri,
@@ -10,32 +10,32 @@ use lsp_types::{
 
 use crate::place::{place_of, range_of};
 
-/// The kinds of tokens, in the order of [`Class::ALL`]. Editors have colours for these names.
+/// The kinds of tokens, in the order of [`TokenClass::ALL`]. Editors have colours for these names.
 pub fn token_types() -> Vec<SemanticTokenType> {
-    Class::ALL
+    TokenClass::ALL
         .iter()
         .map(|class| match class {
-            Class::Comment => SemanticTokenType::COMMENT,
-            Class::Mark => SemanticTokenType::MODIFIER,
-            Class::Program => SemanticTokenType::NAMESPACE,
-            Class::Label => SemanticTokenType::DECORATOR,
-            Class::GCode => SemanticTokenType::KEYWORD,
-            Class::MCode => SemanticTokenType::FUNCTION,
-            Class::Axis => SemanticTokenType::PROPERTY,
-            Class::Speed => SemanticTokenType::ENUM_MEMBER,
-            Class::Tool => SemanticTokenType::CLASS,
-            Class::Parameter => SemanticTokenType::PARAMETER,
-            Class::Variable => SemanticTokenType::VARIABLE,
-            Class::Keyword => SemanticTokenType::MACRO,
-            Class::Number => SemanticTokenType::NUMBER,
-            Class::Text => SemanticTokenType::STRING,
-            Class::Unknown => SemanticTokenType::new("unknown"),
+            TokenClass::Comment => SemanticTokenType::COMMENT,
+            TokenClass::Mark => SemanticTokenType::MODIFIER,
+            TokenClass::Program => SemanticTokenType::NAMESPACE,
+            TokenClass::Label => SemanticTokenType::DECORATOR,
+            TokenClass::GCode => SemanticTokenType::KEYWORD,
+            TokenClass::MCode => SemanticTokenType::FUNCTION,
+            TokenClass::Axis => SemanticTokenType::PROPERTY,
+            TokenClass::Speed => SemanticTokenType::ENUM_MEMBER,
+            TokenClass::Tool => SemanticTokenType::CLASS,
+            TokenClass::Parameter => SemanticTokenType::PARAMETER,
+            TokenClass::Variable => SemanticTokenType::VARIABLE,
+            TokenClass::Keyword => SemanticTokenType::MACRO,
+            TokenClass::Number => SemanticTokenType::NUMBER,
+            TokenClass::Text => SemanticTokenType::STRING,
+            TokenClass::Unknown => SemanticTokenType::new("unknown"),
         })
         .collect()
 }
 
 /// Tokens, each relative to the one before it.
-pub fn semantic_tokens(program: &Program, tokens: &[Token]) -> Vec<SemanticToken> {
+pub fn semantic_tokens(program: &EditorProgram, tokens: &[Token]) -> Vec<SemanticToken> {
     let mut last = lsp_types::Position::default();
     tokens
         .iter()
@@ -56,7 +56,7 @@ pub fn semantic_tokens(program: &Program, tokens: &[Token]) -> Vec<SemanticToken
 }
 
 /// Entries of the outline.
-pub fn symbols(program: &Program, entries: Vec<Entry>) -> Vec<DocumentSymbol> {
+pub fn symbols(program: &EditorProgram, entries: Vec<OutlineEntry>) -> Vec<DocumentSymbol> {
     entries
         .into_iter()
         .map(|entry| {
@@ -83,7 +83,7 @@ pub fn symbols(program: &Program, entries: Vec<Entry>) -> Vec<DocumentSymbol> {
 }
 
 /// A problem; words of other files are reported where the calls go through this one.
-pub fn diagnostic(program: &Program, uri: &Uri, found: &Diagnostic) -> lsp_types::Diagnostic {
+pub fn diagnostic(program: &EditorProgram, uri: &Uri, found: &Diagnostic) -> lsp_types::Diagnostic {
     let source = program.source();
     let here = |label: &&Label| label.span.file == FileId(0);
     let related = |label: &Label| DiagnosticRelatedInformation {
@@ -138,8 +138,8 @@ pub fn diagnostic(program: &Program, uri: &Uri, found: &Diagnostic) -> lsp_types
 }
 
 /// Replacements.
-pub fn text_edits(program: &Program, edits: Vec<Edit>) -> Vec<TextEdit> {
-    let edit = |edit: Edit| TextEdit {
+pub fn text_edits(program: &EditorProgram, edits: Vec<FormatEdit>) -> Vec<TextEdit> {
+    let edit = |edit: FormatEdit| TextEdit {
         range: range_of(program.source(), edit.range),
         new_text: edit.text,
     };
@@ -147,7 +147,7 @@ pub fn text_edits(program: &Program, edits: Vec<Edit>) -> Vec<TextEdit> {
 }
 
 /// The end of a line's words.
-pub fn line_end(program: &Program, line: u32) -> lsp_types::Position {
+pub fn line_end(program: &EditorProgram, line: u32) -> lsp_types::Position {
     let start = program.source().line_start(line);
     let end = start + program.source().line_text(line).trim_ascii_end().len() as u32;
     place_of(program.source(), end)

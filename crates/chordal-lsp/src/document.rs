@@ -3,30 +3,30 @@
 use std::sync::Arc;
 
 use chordal::Source;
-use chordal_editor::{Program, Ran};
+use chordal_editor::{EditorProgram, RunMoves};
 use lsp_types::{Range, TextDocumentContentChangeEvent};
 
 use crate::place::offset_of;
 
 /// An open text and what is known of it.
 #[derive(Debug)]
-pub struct Document {
+pub struct OpenDocument {
     /// The editor's count of its changes.
     pub version: i32,
     /// The text with its machine; `None` where none could be found.
-    pub program: Option<Arc<Program>>,
+    pub program: Option<Arc<EditorProgram>>,
     /// The text as it is, where there is no program.
     text: Vec<u8>,
     /// The newest run, and the version that ran.
-    pub ran: Option<(i32, Arc<Ran>)>,
+    pub ran: Option<(i32, Arc<RunMoves>)>,
     /// The version whose run was broken off by a failure of ours.
     pub failed: Option<i32>,
 }
 
-impl Document {
+impl OpenDocument {
     /// A text without a machine yet.
-    pub fn new(version: i32, text: Vec<u8>) -> Document {
-        Document { version, program: None, text, ran: None, failed: None }
+    pub fn new(version: i32, text: Vec<u8>) -> OpenDocument {
+        OpenDocument { version, program: None, text, ran: None, failed: None }
     }
 
     /// The text.
@@ -35,7 +35,7 @@ impl Document {
     }
 
     /// Gives it a machine, or takes it away.
-    pub fn set_program(&mut self, program: Option<Program>) {
+    pub fn set_program(&mut self, program: Option<EditorProgram>) {
         if program.is_none() {
             self.text = self.text().to_vec();
         }
@@ -69,7 +69,7 @@ impl Document {
     }
 
     /// The newest run, if nothing has changed since.
-    pub fn current(&self) -> Option<&Arc<Ran>> {
+    pub fn current(&self) -> Option<&Arc<RunMoves>> {
         self.ran.as_ref().filter(|(version, _)| *version == self.version).map(|(_, ran)| ran)
     }
 }

@@ -3,7 +3,9 @@
 use chordal::Source;
 use chordal::control::number_text;
 use chordal::diagnostics::FileId;
-use chordal_editor::{CompletionKind, Found, Name, Program, Ran, Role};
+use chordal_editor::{
+    CompletionKind, EditorProgram, NameRole, OccurrenceInFile, RunMoves, SymbolName,
+};
 use lsp_types::{
     CompletionItem, CompletionItemKind, CompletionTextEdit, Documentation, Hover, HoverContents,
     InlayHint, InlayHintLabel, InlayHintTooltip, Location, MarkupContent, MarkupKind, Position,
@@ -19,7 +21,7 @@ fn markdown(value: String) -> MarkupContent {
 }
 
 /// What a word does, and what is active after its line.
-pub fn hover(program: &Program, ran: Option<&Ran>, place: Position) -> Option<Hover> {
+pub fn hover(program: &EditorProgram, ran: Option<&RunMoves>, place: Position) -> Option<Hover> {
     let offset = offset_of(program.source(), place);
     let found = program.hover(offset, ran)?;
     let mut text = found.text;
@@ -32,7 +34,7 @@ pub fn hover(program: &Program, ran: Option<&Ran>, place: Position) -> Option<Ho
 }
 
 /// What may stand at a place.
-pub fn completions(program: &Program, place: Position) -> Vec<CompletionItem> {
+pub fn completions(program: &EditorProgram, place: Position) -> Vec<CompletionItem> {
     let offset = offset_of(program.source(), place);
     let (start, found) = program.completions(offset);
     let range = range_of(program.source(), chordal::diagnostics::TextRange::new(start, offset));
@@ -62,29 +64,29 @@ pub fn completions(program: &Program, place: Position) -> Vec<CompletionItem> {
 }
 
 /// Where the name at a place is made; a variable: where it gets a value.
-pub fn definitions(program: &Program, uri: &Uri, place: Position) -> Vec<Location> {
+pub fn definitions(program: &EditorProgram, uri: &Uri, place: Position) -> Vec<Location> {
     let Some(name) = name_at(program, place) else { return Vec::new() };
     locations(program, uri, program.definitions(&name))
 }
 
 /// Everywhere that the name at a place stands.
 pub fn references(
-    program: &Program,
+    program: &EditorProgram,
     uri: &Uri,
     place: Position,
     with_definitions: bool,
 ) -> Vec<Location> {
     let Some(name) = name_at(program, place) else { return Vec::new() };
     let mut found = program.references(&name);
-    found.retain(|found| with_definitions || found.place.role == Role::Use);
+    found.retain(|found| with_definitions || found.place.role == NameRole::Use);
     locations(program, uri, found)
 }
 
 /// Places as an editor finds them: those of other texts by the files that hold them.
-fn locations(program: &Program, uri: &Uri, found: Vec<Found>) -> Vec<Location> {
+fn locations(program: &EditorProgram, uri: &Uri, found: Vec<OccurrenceInFile>) -> Vec<Location> {
     let mut last: Option<(FileId, Uri, Source<'_>)> = None;
     let mut locations = Vec::new();
-    for Found { file, place } in found {
+    for OccurrenceInFile { file, place } in found {
         if file == FileId(0) {
             let range = range_of(program.source(), place.range);
             locations.push(Location { uri: uri.clone(), range });
@@ -106,19 +108,19 @@ fn uri_of(file: &str) -> Option<Uri> {
     address_of(file)?.parse().ok()
 }
 
-fn name_at(program: &Program, place: Position) -> Option<Name> {
+fn name_at(program: &EditorProgram, place: Position) -> Option<SymbolName> {
     program.name_at(offset_of(program.source(), place)).map(|found| found.name)
 }
 
 /// The variable at a place, as far as it can have another name.
-pub fn renamable(program: &Program, place: Position) -> Option<Range> {
+pub fn renamable(program: &EditorProgram, place: Position) -> Option<Range> {
     let found = program.name_at(offset_of(program.source(), place))?;
-    let variable = matches!(found.name, Name::Variable { .. });
+    let variable = matches!(found.name, SymbolName::Variable { .. });
     variable.then(|| range_of(program.source(), found.range))
 }
 
 /// Length and place after the moves of some lines.
-pub fn hints(program: &Program, ran: &Ran, from: u32, to: u32) -> Vec<InlayHint> {
+pub fn hints(program: &EditorProgram, ran: &RunMoves, from: u32, to: u32) -> Vec<InlayHint> {
     let units = ran.units();
     let first = ran.lines.partition_point(|moves| moves.line < from);
     let shown = ran.lines[first..].iter().take_while(|moves| moves.line < to);

@@ -1,23 +1,23 @@
 //! The language server: a synchronous loop that answers an editor, and one thread that runs the
-//! programs as they change. Where there are no threads, the caller takes its steps ([`Stepwise`]).
+//! programs as they change. Where there are no threads, the caller takes its steps ([`SteppedServer`]).
 //!
 //! What is answered comes from `chordal-editor`; this crate knows the protocol and nothing of
-//! programs. How a file gets its machine and its subprograms is the caller's [`Opener`].
+//! programs. How a file gets its machine and its subprograms is the caller's [`SetupFinder`].
 //!
 //! ```
 //! use std::path::Path;
 //!
 //! use chordal::Machine;
-//! use chordal_editor::Setup;
-//! use chordal_lsp::Opener;
+//! use chordal_editor::EditorSetup;
+//! use chordal_lsp::SetupFinder;
 //!
 //! /// Every text is for one machine, unless the editor says another.
 //! struct OneMachine;
 //!
-//! impl Opener for OneMachine {
-//!     fn open(&self, _: Option<&Path>, _: &[u8], machine: Option<&str>) -> Result<Setup, String> {
+//! impl SetupFinder for OneMachine {
+//!     fn open(&self, _: Option<&Path>, _: &[u8], machine: Option<&str>) -> Result<EditorSetup, String> {
 //!         let machine = Machine::from_builtin(machine.unwrap_or("haas-vf2"));
-//!         machine.map(Setup::of).map_err(|errors| errors[0].message.clone())
+//!         machine.map(EditorSetup::of).map_err(|errors| errors[0].message.clone())
 //!     }
 //! }
 //!
@@ -41,13 +41,13 @@ mod worker;
 
 use std::path::Path;
 
-use chordal_editor::Setup;
+use chordal_editor::EditorSetup;
 
 pub use server::{ServeError, serve};
-pub use stepwise::Stepwise;
+pub use stepwise::SteppedServer;
 
 /// Finds what a text needs to run.
-pub trait Opener {
+pub trait SetupFinder {
     /// For a text that lies, or will lie, at a path. `machine` is what the editor's settings
     /// say: a built-in name or a file.
     ///
@@ -58,16 +58,16 @@ pub trait Opener {
         path: Option<&Path>,
         text: &[u8],
         machine: Option<&str>,
-    ) -> Result<Setup, String>;
+    ) -> Result<EditorSetup, String>;
 }
 
-impl<T: Opener + ?Sized> Opener for &T {
+impl<T: SetupFinder + ?Sized> SetupFinder for &T {
     fn open(
         &self,
         path: Option<&Path>,
         text: &[u8],
         machine: Option<&str>,
-    ) -> Result<Setup, String> {
+    ) -> Result<EditorSetup, String> {
         (**self).open(path, text, machine)
     }
 }

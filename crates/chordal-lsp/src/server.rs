@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use chordal_editor::{Program, Ran};
+use chordal_editor::{EditorProgram, RunMoves};
 use crossbeam_channel::{Sender, select};
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, Response, ResponseError};
 use lsp_types::notification::{self, Notification as _};
@@ -12,15 +12,15 @@ use lsp_types::*;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
-use crate::Opener;
+use crate::SetupFinder;
 use crate::actions::{self, FIX_ALL, RENUMBER, actions, edit_of};
 use crate::caught::caught;
 use crate::convert::{diagnostic, lines, semantic_tokens, symbols, text_edits, token_types};
-use crate::document::Document;
+use crate::document::OpenDocument;
 use crate::features;
 use crate::file_uri::path_of;
 use crate::place::{offset_of, range_of};
-use crate::worker::{Done, Found, Task, Worker};
+use crate::worker::{RunFindings, RunResult, RunTask, RunWorker};
 
 /// Why the server ended other than by the editor's wish.
 #[derive(Debug, thiserror::Error)]
@@ -37,14 +37,14 @@ pub enum ServeError {
 ///
 /// # Errors
 /// An editor that does not keep to the protocol.
-pub fn serve(connection: &Connection, opener: &dyn Opener) -> Result<(), ServeError> {
+pub fn serve(connection: &Connection, opener: &dyn SetupFinder) -> Result<(), ServeError> {
     let (id, params) = connection.initialize_start()?;
     // Nothing else of the first message is used: what an editor says wrongly there is no reason to refuse it. Nor is
     // `initialized` waited for; some editors ask before it.
     let settings = params.get("initializationOptions").cloned().unwrap_or_default();
     connection.sender.send(Response::new_ok(id, about()).into()).map_err(|_| ServeError::Gone)?;
     let mut server =
-        Server::new(connection.sender.clone(), Box::new(opener), Worker::start(), &settings);
+        Server::new(connection.sender.clone(), Box::new(opener), RunWorker::start(), &settings);
     server.run(connection)
 }
 
@@ -102,9 +102,9 @@ fn machine_of(settings: &Value) -> Option<String> {
 pub(crate) struct Server<'a> {
     /// What goes to the editor.
     out: Sender<Message>,
-    opener: Box<dyn Opener + 'a>,
-    worker: Worker,
-    documents: HashMap<String, (Uri, Document)>,
+    opener: Box<dyn SetupFinder + 'a>,
+    worker: RunWorker,
+    documents: HashMap<String, (Uri, OpenDocument)>,
     /// Questions for which the text must have run.
     waiting: Vec<Request>,
     /// The machine of the editor's settings.
@@ -117,13 +117,13 @@ const LARGEST_COLOURED: usize = 4 << 20;
 const MOST_COLOURED: u32 = 50_000;
 
 /// What a request asks of a document.
-type Answer = Result<Value, ResponseError>;
+type RequestAnswer = Result<Value, ResponseError>;
 
 impl<'a> Server<'a> {
     pub(crate) fn new(
         out: Sender<Message>,
-        opener: Box<dyn Opener + 'a>,
-        worker: Worker,
+        opener: Box<dyn SetupFinder + 'a>,
+        worker: RunWorker,
         settings: &Value,
     ) -> Server<'a> {
         let machine = machine_of(settings);
@@ -234,7 +234,7 @@ impl<'a> Server<'a> {
                     let uri = text_document.uri.as_str();
                     self.documents.remove(uri);
                     self.give_up(uri);
-                    let closed = Task { uri: uri.into(), version: 0, program: None };
+                    let closed = RunTask { uri: uri.into(), version: 0, program: None };
                     let _ = self.worker.tasks.send(closed);
                     self.publish(text_document.uri, Vec::new(), None);
                 }
@@ -251,7 +251,7 @@ impl<'a> Server<'a> {
 
     fn open(&mut self, item: TextDocumentItem) {
         let key = item.uri.as_str().to_string();
-        let document = Document::new(item.version, item.text.into_bytes());
+        let document = OpenDocument::new(item.version, item.text.into_bytes());
         self.documents.insert(key.clone(), (item.uri, document));
         self.find_machine(&key);
     }
@@ -268,7 +268,7 @@ impl<'a> Server<'a> {
             why = setup.why.as_ref().map(|why| format!("{name}: {why}"));
             let unknown =
                 |errors| format!("the control does not know settings of the machine: {errors:?}");
-            Program::set_up(name, document.text().to_vec(), setup).map_err(unknown)
+            EditorProgram::set_up(name, document.text().to_vec(), setup).map_err(unknown)
         });
         match program {
             Ok(program) => {
@@ -303,23 +303,23 @@ impl<'a> Server<'a> {
             let (uri, version) = (key.into(), document.version);
             let program = Some(program.clone());
             // The worker lives as long as the server.
-            let _ = self.worker.tasks.send(Task { uri, version, program });
+            let _ = self.worker.tasks.send(RunTask { uri, version, program });
         }
     }
 
     /// A run is over: what it found is reported, if the text is still the same.
-    fn take(&mut self, Done { uri: key, version, found }: Done) {
+    fn take(&mut self, RunResult { uri: key, version, found }: RunResult) {
         let Some((uri, document)) = self.documents.get_mut(&key) else { return };
         let Some(program) = document.program.clone().filter(|_| document.version == version) else {
             return;
         };
         match found {
-            Found::Problems(problems) => {
+            RunFindings::Problems(problems) => {
                 let uri = uri.clone();
                 let told = problems.iter().map(|problem| diagnostic(&program, &uri, problem));
                 self.publish(uri.clone(), told.collect(), Some(version));
             }
-            Found::Failed(why) => {
+            RunFindings::Failed(why) => {
                 document.failed = Some(version);
                 let (uri, told) =
                     (uri.clone(), Diagnostic::new_simple(Range::default(), why.clone()));
@@ -329,7 +329,7 @@ impl<'a> Server<'a> {
                     self.send(Response::new_err(request.id, code, why.clone()).into());
                 }
             }
-            Found::Ran(ran) => {
+            RunFindings::Ran(ran) => {
                 document.ran = Some((version, ran));
                 // Hints are asked for again when there is something new to show.
                 let id = lsp_server::RequestId::from(format!("hints-{version}"));
@@ -385,7 +385,7 @@ impl<'a> Server<'a> {
         }
     }
 
-    fn answer_of(&self, method: &str, params: Value) -> Answer {
+    fn answer_of(&self, method: &str, params: Value) -> RequestAnswer {
         match method {
             request::HoverRequest::METHOD => self.hover(params),
             request::Completion::METHOD => self.completion(params),
@@ -406,62 +406,62 @@ impl<'a> Server<'a> {
     }
 
     /// The program of a document that is open and has a machine.
-    fn program(&self, uri: &Uri) -> Result<Arc<Program>, ResponseError> {
+    fn program(&self, uri: &Uri) -> Result<Arc<EditorProgram>, ResponseError> {
         let program = self.document(uri)?.program.clone();
         program.ok_or_else(|| failed(ErrorCode::RequestFailed, "the text has no machine".into()))
     }
 
-    fn document(&self, uri: &Uri) -> Result<&Document, ResponseError> {
+    fn document(&self, uri: &Uri) -> Result<&OpenDocument, ResponseError> {
         let found = self.documents.get(uri.as_str()).map(|(_, document)| document);
         let unknown = || format!("{} is not open", uri.as_str());
         found.ok_or_else(|| failed(ErrorCode::InvalidParams, unknown()))
     }
 
     /// The run of the text as it is now.
-    fn ran(&self, uri: &Uri) -> Result<(Arc<Program>, Arc<Ran>), ResponseError> {
+    fn ran(&self, uri: &Uri) -> Result<(Arc<EditorProgram>, Arc<RunMoves>), ResponseError> {
         let program = self.program(uri)?;
         let ran = self.document(uri)?.current().cloned();
         let none = || failed(ErrorCode::ContentModified, "the text has not run yet".into());
         Ok((program, ran.ok_or_else(none)?))
     }
 
-    fn hover(&self, params: Value) -> Answer {
+    fn hover(&self, params: Value) -> RequestAnswer {
         let HoverParams { text_document_position_params: at, .. } = parse(params)?;
         let program = self.program(&at.text_document.uri)?;
         let ran = self.document(&at.text_document.uri)?.current();
         told(features::hover(&program, ran.map(Arc::as_ref), at.position))
     }
 
-    fn completion(&self, params: Value) -> Answer {
+    fn completion(&self, params: Value) -> RequestAnswer {
         let CompletionParams { text_document_position: at, .. } = parse(params)?;
         let program = self.program(&at.text_document.uri)?;
         told(features::completions(&program, at.position))
     }
 
-    fn outline(&self, params: Value) -> Answer {
+    fn outline(&self, params: Value) -> RequestAnswer {
         let DocumentSymbolParams { text_document, .. } = parse(params)?;
         let program = self.program(&text_document.uri)?;
         told(symbols(&program, program.outline()))
     }
 
-    fn definition(&self, params: Value) -> Answer {
+    fn definition(&self, params: Value) -> RequestAnswer {
         let GotoDefinitionParams { text_document_position_params: at, .. } = parse(params)?;
         let uri = &at.text_document.uri;
         told(features::definitions(&*self.program(uri)?, uri, at.position))
     }
 
-    fn references(&self, params: Value) -> Answer {
+    fn references(&self, params: Value) -> RequestAnswer {
         let ReferenceParams { text_document_position: at, context, .. } = parse(params)?;
         let (uri, all) = (&at.text_document.uri, context.include_declaration);
         told(features::references(&*self.program(uri)?, uri, at.position, all))
     }
 
-    fn prepare_rename(&self, params: Value) -> Answer {
+    fn prepare_rename(&self, params: Value) -> RequestAnswer {
         let TextDocumentPositionParams { text_document, position } = parse(params)?;
         told(features::renamable(&*self.program(&text_document.uri)?, position))
     }
 
-    fn rename(&self, params: Value) -> Answer {
+    fn rename(&self, params: Value) -> RequestAnswer {
         let RenameParams { text_document_position: at, new_name, .. } = parse(params)?;
         let uri = &at.text_document.uri;
         let program = self.program(uri)?;
@@ -477,31 +477,31 @@ impl<'a> Server<'a> {
         told(edit_of(uri, edits))
     }
 
-    fn formatting(&self, params: Value) -> Answer {
+    fn formatting(&self, params: Value) -> RequestAnswer {
         let DocumentFormattingParams { text_document, .. } = parse(params)?;
         self.spaced(&text_document.uri, 1, u32::MAX)
     }
 
-    fn range_formatting(&self, params: Value) -> Answer {
+    fn range_formatting(&self, params: Value) -> RequestAnswer {
         let DocumentRangeFormattingParams { text_document, range, .. } = parse(params)?;
         let (from, to) = lines(range);
         self.spaced(&text_document.uri, from, to)
     }
 
-    fn spaced(&self, uri: &Uri, from: u32, to: u32) -> Answer {
+    fn spaced(&self, uri: &Uri, from: u32, to: u32) -> RequestAnswer {
         let program = self.program(uri)?;
         let edits = program.spaced(from, to);
         let edits = edits.map_err(|error| failed(ErrorCode::RequestFailed, error.to_string()))?;
         told(text_edits(&program, edits))
     }
 
-    fn actions(&self, params: Value) -> Answer {
+    fn actions(&self, params: Value) -> RequestAnswer {
         let params: CodeActionParams = parse(params)?;
         let (program, ran) = self.ran(&params.text_document.uri)?;
         told(actions(&program, &ran, &params))
     }
 
-    fn resolve(&self, params: Value) -> Answer {
+    fn resolve(&self, params: Value) -> RequestAnswer {
         let action: CodeAction = parse(params)?;
         let uri: Option<Uri> = action.data.clone().and_then(|uri| serde_json::from_value(uri).ok());
         let Some(uri) = uri else { return told(action) };
@@ -509,14 +509,14 @@ impl<'a> Server<'a> {
         told(resolved.map_err(|problem| failed(ErrorCode::RequestFailed, problem))?)
     }
 
-    fn hints(&self, params: Value) -> Answer {
+    fn hints(&self, params: Value) -> RequestAnswer {
         let InlayHintParams { text_document, range, .. } = parse(params)?;
         let (program, ran) = self.ran(&text_document.uri)?;
         let (from, to) = lines(range);
         told(features::hints(&program, &ran, from, to))
     }
 
-    fn tokens(&self, params: Value) -> Answer {
+    fn tokens(&self, params: Value) -> RequestAnswer {
         let SemanticTokensParams { text_document, .. } = parse(params)?;
         // Of a long text editors ask for what they show, once they hear that all of it is not to be had.
         if self.document(&text_document.uri)?.text().len() > LARGEST_COLOURED {
@@ -525,13 +525,13 @@ impl<'a> Server<'a> {
         self.tokens_of(&text_document.uri, 1, u32::MAX)
     }
 
-    fn range_tokens(&self, params: Value) -> Answer {
+    fn range_tokens(&self, params: Value) -> RequestAnswer {
         let SemanticTokensRangeParams { text_document, range, .. } = parse(params)?;
         let (from, to) = lines(range);
         self.tokens_of(&text_document.uri, from, to.min(from.saturating_add(MOST_COLOURED)))
     }
 
-    fn tokens_of(&self, uri: &Uri, from: u32, to: u32) -> Answer {
+    fn tokens_of(&self, uri: &Uri, from: u32, to: u32) -> RequestAnswer {
         let program = self.program(uri)?;
         let data = semantic_tokens(&program, &program.tokens(from, to));
         told(SemanticTokens { result_id: None, data })
@@ -542,7 +542,7 @@ fn failed(code: ErrorCode, message: String) -> ResponseError {
     ResponseError { code: code as i32, message, data: None }
 }
 
-fn told(answer: impl serde::Serialize) -> Answer {
+fn told(answer: impl serde::Serialize) -> RequestAnswer {
     serde_json::to_value(answer)
         .map_err(|error| failed(ErrorCode::InternalError, error.to_string()))
 }

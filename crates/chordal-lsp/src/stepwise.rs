@@ -5,31 +5,31 @@ use lsp_server::{ErrorCode, Message, Response};
 use lsp_types::request::{Initialize, Request as _, Shutdown};
 use serde_json::Value;
 
-use crate::Opener;
+use crate::SetupFinder;
 use crate::server::{Server, about};
-use crate::worker::{Bench, Worker};
+use crate::worker::{RunWorker, WorkQueue};
 
 /// A server that runs where it is called: each message of the editor is heard at once, and programs
-/// are run by [`work`](Stepwise::work), one piece at a time.
+/// are run by [`work`](SteppedServer::work), one piece at a time.
 ///
 /// ```
 /// use std::path::Path;
 ///
 /// use chordal::Machine;
-/// use chordal_editor::Setup;
-/// use chordal_lsp::{Opener, Stepwise};
+/// use chordal_editor::EditorSetup;
+/// use chordal_lsp::{SetupFinder, SteppedServer};
 /// use lsp_server::{Message, Notification, Request};
 /// use serde_json::json;
 ///
 /// struct Haas;
 ///
-/// impl Opener for Haas {
-///     fn open(&self, _: Option<&Path>, _: &[u8], _: Option<&str>) -> Result<Setup, String> {
-///         Machine::from_builtin("haas-vf2").map(Setup::of).map_err(|_| "no machine".into())
+/// impl SetupFinder for Haas {
+///     fn open(&self, _: Option<&Path>, _: &[u8], _: Option<&str>) -> Result<EditorSetup, String> {
+///         Machine::from_builtin("haas-vf2").map(EditorSetup::of).map_err(|_| "no machine".into())
 ///     }
 /// }
 ///
-/// let mut server = Stepwise::new(Box::new(Haas));
+/// let mut server = SteppedServer::new(Box::new(Haas));
 /// let begin = Request::new(1.into(), "initialize".into(), json!({ "capabilities": {} }));
 /// let answers = server.hear(begin.into());
 /// assert!(matches!(&answers[..], [Message::Response(_)]));
@@ -40,17 +40,17 @@ use crate::worker::{Bench, Worker};
 /// let told = server.work();
 /// assert!(matches!(&told[0], Message::Notification(told) if told.method.contains("publish")));
 /// ```
-pub struct Stepwise {
+pub struct SteppedServer {
     server: Option<Server<'static>>,
-    opener: Option<Box<dyn Opener>>,
-    bench: Option<Bench>,
+    opener: Option<Box<dyn SetupFinder>>,
+    bench: Option<WorkQueue>,
     out: Option<Receiver<Message>>,
 }
 
-impl Stepwise {
+impl SteppedServer {
     /// Waits for the editor's first message.
-    pub fn new(opener: Box<dyn Opener>) -> Stepwise {
-        Stepwise { server: None, opener: Some(opener), bench: None, out: None }
+    pub fn new(opener: Box<dyn SetupFinder>) -> SteppedServer {
+        SteppedServer { server: None, opener: Some(opener), bench: None, out: None }
     }
 
     /// Hears a message; gives what goes to the editor.
@@ -78,7 +78,7 @@ impl Stepwise {
 
     fn begin(&mut self, params: &Value) {
         let Some(opener) = self.opener.take() else { return };
-        let (worker, bench) = Worker::with_bench();
+        let (worker, bench) = RunWorker::with_bench();
         let (send, out) = unbounded();
         let settings = params.get("initializationOptions").cloned().unwrap_or_default();
         self.server = Some(Server::new(send, opener, worker, &settings));
@@ -87,7 +87,7 @@ impl Stepwise {
 
     /// There is a program to run.
     pub fn has_work(&self) -> bool {
-        self.bench.as_ref().is_some_and(Bench::has_work)
+        self.bench.as_ref().is_some_and(WorkQueue::has_work)
     }
 
     /// Runs a program, or does nothing where none waits; gives what goes to the editor.

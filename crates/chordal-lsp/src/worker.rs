@@ -5,83 +5,83 @@ use std::sync::Arc;
 use std::thread;
 
 use chordal::Diagnostic;
-use chordal_editor::{Checked, Program, Ran};
+use chordal_editor::{EditorProgram, PreviousCheck, RunMoves};
 use crossbeam_channel::{Receiver, Sender, unbounded};
 
 use crate::caught::caught;
 
 /// A program to run.
 #[derive(Debug)]
-pub struct Task {
+pub struct RunTask {
     /// The document.
     pub uri: String,
     /// Its version.
     pub version: i32,
     /// The text with its machine; `None` when the document was closed.
-    pub program: Option<Arc<Program>>,
+    pub program: Option<Arc<EditorProgram>>,
 }
 
 /// A program that has run.
 #[derive(Debug)]
-pub struct Done {
+pub struct RunResult {
     /// The document.
     pub uri: String,
     /// The version that ran.
     pub version: i32,
     /// What was found.
-    pub found: Found,
+    pub found: RunFindings,
 }
 
 /// What a run found.
 #[derive(Debug)]
-pub enum Found {
+pub enum RunFindings {
     /// The problems, which are reported first.
     Problems(Vec<Diagnostic>),
     /// What the lines did, too.
-    Ran(Arc<Ran>),
+    Ran(Arc<RunMoves>),
     /// Nothing: Chordal itself failed, and why.
     Failed(String),
 }
 
 /// The thread, by its two ends. It ends when the tasks do.
 #[derive(Debug)]
-pub struct Worker {
+pub struct RunWorker {
     /// Takes tasks.
-    pub tasks: Sender<Task>,
+    pub tasks: Sender<RunTask>,
     /// Gives results.
-    pub done: Receiver<Done>,
+    pub done: Receiver<RunResult>,
 }
 
-impl Worker {
+impl RunWorker {
     /// Starts the thread.
     #[allow(clippy::disallowed_methods, reason = "a shell: it may have threads")]
-    pub fn start() -> Worker {
-        let (worker, mut bench) = Worker::with_bench();
+    pub fn start() -> RunWorker {
+        let (worker, mut bench) = RunWorker::with_bench();
         thread::spawn(move || while bench.work().is_some() {});
         worker
     }
 
     /// For a caller that works at the bench itself.
-    pub fn with_bench() -> (Worker, Bench) {
-        let (tasks, todo) = unbounded::<Task>();
+    pub fn with_bench() -> (RunWorker, WorkQueue) {
+        let (tasks, todo) = unbounded::<RunTask>();
         let (results, done) = unbounded();
-        let bench = Bench { todo, results, checked: HashMap::new(), due: Vec::new() };
-        (Worker { tasks, done }, bench)
+        let bench = WorkQueue { todo, results, checked: HashMap::new(), due: Vec::new() };
+        (RunWorker { tasks, done }, bench)
     }
 }
 
 /// What is worked on.
 #[derive(Debug)]
-pub struct Bench {
-    todo: Receiver<Task>,
-    results: Sender<Done>,
+pub struct WorkQueue {
+    todo: Receiver<RunTask>,
+    results: Sender<RunResult>,
     /// What the last check of each document remembers.
-    checked: HashMap<String, Checked>,
+    checked: HashMap<String, PreviousCheck>,
     /// Programs whose problems were reported and of which it is not known yet what the lines do.
-    due: Vec<(String, i32, Arc<Program>)>,
+    due: Vec<(String, i32, Arc<EditorProgram>)>,
 }
 
-impl Bench {
+impl WorkQueue {
     /// There is something to do: a round does not wait.
     pub fn has_work(&self) -> bool {
         !(self.todo.is_empty() && self.due.is_empty())
@@ -94,7 +94,7 @@ impl Bench {
             waiting.push(self.todo.recv().ok()?);
         }
         for task in self.todo.try_iter() {
-            waiting.retain(|other: &Task| other.uri != task.uri);
+            waiting.retain(|other: &RunTask| other.uri != task.uri);
             waiting.push(task);
         }
         for task in waiting {
@@ -104,8 +104,8 @@ impl Bench {
         // Whoever types on wants the problems of the next text first.
         let todo = self.todo.clone();
         match caught(|| program.ran_unless(Arc::new(move || !todo.is_empty()))) {
-            Ok(Some(ran)) => self.send(uri, version, Found::Ran(Arc::new(ran))),
-            Err(why) => self.send(uri, version, Found::Failed(why)),
+            Ok(Some(ran)) => self.send(uri, version, RunFindings::Ran(Arc::new(ran))),
+            Err(why) => self.send(uri, version, RunFindings::Failed(why)),
             Ok(None) => {
                 self.due.push((uri, version, program));
                 Some(())
@@ -113,7 +113,7 @@ impl Bench {
         }
     }
 
-    fn check(&mut self, Task { uri, version, program }: Task) -> Option<()> {
+    fn check(&mut self, RunTask { uri, version, program }: RunTask) -> Option<()> {
         self.due.retain(|(other, ..)| *other != uri);
         let Some(program) = program else {
             self.checked.remove(&uri);
@@ -123,16 +123,16 @@ impl Bench {
         match caught(|| program.check(before).diagnostics) {
             Ok(problems) => {
                 self.due.push((uri.clone(), version, program));
-                self.send(uri, version, Found::Problems(problems))
+                self.send(uri, version, RunFindings::Problems(problems))
             }
             Err(why) => {
                 self.checked.remove(&uri);
-                self.send(uri, version, Found::Failed(why))
+                self.send(uri, version, RunFindings::Failed(why))
             }
         }
     }
 
-    fn send(&self, uri: String, version: i32, found: Found) -> Option<()> {
-        self.results.send(Done { uri, version, found }).ok()
+    fn send(&self, uri: String, version: i32, found: RunFindings) -> Option<()> {
+        self.results.send(RunResult { uri, version, found }).ok()
     }
 }

@@ -7,21 +7,26 @@ use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 
 use chordal::{Machine, ShopAnswer, ShopCall};
-use chordal_editor::Setup;
-use chordal_lsp::{Opener, serve};
+use chordal_editor::EditorSetup;
+use chordal_lsp::{SetupFinder, serve};
 use lsp_server::{Connection, Message, Notification, Request, RequestId};
 use serde_json::{Value, json};
 
 /// Every text runs on one machine, or the one of the settings.
 struct Typical;
 
-impl Opener for Typical {
-    fn open(&self, _: Option<&Path>, text: &[u8], machine: Option<&str>) -> Result<Setup, String> {
+impl SetupFinder for Typical {
+    fn open(
+        &self,
+        _: Option<&Path>,
+        text: &[u8],
+        machine: Option<&str>,
+    ) -> Result<EditorSetup, String> {
         let machine = Machine::from_builtin(machine.unwrap_or("haas-vf2"))
             .map_err(|_| "there is no such machine".to_string())?;
         let why = Some("taken for a Haas".to_string());
         let beside = vec![("/shop/O77.nc".to_string(), b"%\n(BESIDE)\nO77\nM99\n".to_vec())];
-        let mut setup = Setup { why, beside, ..Setup::of(machine) };
+        let mut setup = EditorSetup { why, beside, ..EditorSetup::of(machine) };
         if text.windows(FAILS.len()).any(|word| word == FAILS.as_bytes()) {
             setup.options.shop_codes = Some(Arc::new(fails));
         }

@@ -6,11 +6,11 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeArray, DeValue};
 
-use crate::check::{At, put};
+use crate::check::{SchemaLocation, put};
 use crate::designated::contradictions;
-use crate::error::{MachineError, Source};
+use crate::error::{ErrorSource, MachineError};
 use crate::machine::Machine;
-use crate::schema::Slot;
+use crate::schema::SchemaSlot;
 
 /// What errors call the text of an assignment.
 const NAME: &str = "assignment";
@@ -21,13 +21,13 @@ impl Machine {
     /// spaces or points in it (`settings.Setting 58=fanuc`, `work_offsets.G59.1.X=1 in`), since
     /// a shell eats them. `#500=1.5` is short for `macros.variables.500=1.5`. On an error the machine stays as it was.
     pub fn set(&mut self, assignment: &str) -> Result<(), MachineError> {
-        let source = Source::new(NAME, assignment);
+        let source = ErrorSource::new(NAME, assignment);
         let form = || Some("write `key=value`, such as `tools.5.diameter=0.5 in`".to_string());
         let Some(equals) = find_equals(assignment) else {
             let span = Some(0..assignment.len());
             return Err(source.error(span, "an assignment needs a `=`", form()));
         };
-        let mut at = At::default();
+        let mut at = SchemaLocation::default();
         for (key, span) in keys(&assignment[..equals], &source)? {
             // `#500=1.5` is a macro variable, as programs write it.
             if key.starts_with('#') && at.is_top() {
@@ -52,21 +52,21 @@ impl Machine {
         };
         let written = normal.as_str();
         // From here on spans count from the value's start.
-        let source = Source { shift: start, ..source };
+        let source = ErrorSource { shift: start, ..source };
         let wants_text = matches!(
             at.row().map(|row| &row.slot),
             Some(
-                Slot::Text(_)
-                    | Slot::OptionalText(_)
-                    | Slot::Word { .. }
-                    | Slot::Insert
-                    | Slot::HolderDesignation
-                    | Slot::Quantity { .. }
-                    | Slot::Within { dimension: Some(_), .. }
-                    | Slot::Position(_)
-                    | Slot::Kind
-                    | Slot::File(_)
-                    | Slot::Programmed
+                SchemaSlot::Text(_)
+                    | SchemaSlot::OptionalText(_)
+                    | SchemaSlot::Word { .. }
+                    | SchemaSlot::Insert
+                    | SchemaSlot::HolderDesignation
+                    | SchemaSlot::Quantity { .. }
+                    | SchemaSlot::Within { dimension: Some(_), .. }
+                    | SchemaSlot::Position(_)
+                    | SchemaSlot::Kind
+                    | SchemaSlot::File(_)
+                    | SchemaSlot::Programmed
             )
         );
         let value = value(written, wants_text, &source)?;
@@ -101,10 +101,10 @@ fn find_equals(text: &str) -> Option<usize> {
 }
 
 /// A key with its place in the assignment.
-type Key = (String, Range<usize>);
+type AssignedKey = (String, Range<usize>);
 
 /// The dotted keys before the `=`.
-fn keys(text: &str, source: &Source) -> Result<Vec<Key>, MachineError> {
+fn keys(text: &str, source: &ErrorSource) -> Result<Vec<AssignedKey>, MachineError> {
     // The name of a variable may have points in it.
     if text.trim_start().starts_with("#<") {
         return Ok(vec![(text.trim().to_string(), 0..text.len())]);
@@ -176,7 +176,7 @@ fn ends(text: &str) -> Vec<usize> {
 fn value<'t>(
     text: &'t str,
     wants_text: bool,
-    source: &Source,
+    source: &ErrorSource,
 ) -> Result<Spanned<DeValue<'t>>, MachineError> {
     let bare = |text: &'t str, from: usize| {
         Spanned::new(from..from + text.len(), DeValue::String(Cow::Borrowed(text)))

@@ -8,13 +8,13 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::error::{MachineError, Source};
+use crate::error::{ErrorSource, MachineError};
 use crate::files::beside;
 use crate::machine::Machine;
-use crate::quantity::{Dimension, QuantityError, machine_quantity};
-use crate::schema::{self, Keys, ROWS, Row, Sign, Slot, rows};
+use crate::quantity::{QuantityDimension, QuantityError, machine_quantity};
+use crate::schema::{self, PlaceholderKeys, ROWS, SchemaRow, SchemaSlot, SignRule, rows};
 use crate::suggest;
-use crate::value::{Setting, SettingValue};
+use crate::value::{SettingEntry, SettingValue};
 
 /// The keys that name the file to read first: that of a machine file, and that of a setup file.
 pub(crate) const INHERITS: [&str; 2] = ["inherits", "machine"];
@@ -24,13 +24,13 @@ const LARGEST_OVERRIDE: f64 = 2.0;
 
 /// A place in the schema: the path as the schema has it, and as the file has it.
 #[derive(Clone, Default)]
-pub(crate) struct At {
+pub(crate) struct SchemaLocation {
     path: String,
     shown: String,
-    keys: Keys,
+    keys: PlaceholderKeys,
 }
 
-impl At {
+impl SchemaLocation {
     /// No key was taken yet.
     pub(crate) fn is_top(&self) -> bool {
         self.path.is_empty()
@@ -46,8 +46,8 @@ impl At {
         &self,
         key: &str,
         span: Range<usize>,
-        source: &Source,
-    ) -> Result<At, MachineError> {
+        source: &ErrorSource,
+    ) -> Result<SchemaLocation, MachineError> {
         let children = schema::children(&self.path);
         let mut keys = self.keys.clone();
         let name = match children[..] {
@@ -67,11 +67,15 @@ impl At {
             "" => name.to_string(),
             _ => format!("{before}.{name}"),
         };
-        Ok(At { path: join(&self.path, name), shown: join(&self.shown, &key_text(key)), keys })
+        Ok(SchemaLocation {
+            path: join(&self.path, name),
+            shown: join(&self.shown, &key_text(key)),
+            keys,
+        })
     }
 
     /// The schema's row here, if the place is a key or a table with a meaning of its own.
-    pub(crate) fn row(&self) -> Option<&'static Row> {
+    pub(crate) fn row(&self) -> Option<&'static SchemaRow> {
         schema::row(&self.path)
     }
 
@@ -87,7 +91,7 @@ impl At {
         key: &str,
         span: Range<usize>,
         children: &[&'static str],
-        source: &Source,
+        source: &ErrorSource,
     ) -> MachineError {
         // `max_velocity` in `[feed]`: the key is `max`, and the rest says what the table says.
         let longer = children
@@ -154,9 +158,9 @@ pub(crate) fn string_text(text: &str) -> String {
 /// Puts a table's keys into a machine.
 pub(crate) fn put_table(
     machine: &mut Machine,
-    at: &At,
+    at: &SchemaLocation,
     table: &DeTable<'_>,
-    source: &Source,
+    source: &ErrorSource,
     errors: &mut Vec<MachineError>,
 ) {
     for (key, value) in table {
@@ -174,21 +178,21 @@ pub(crate) fn put_table(
 /// Puts a value or a table into a machine.
 pub(crate) fn put(
     machine: &mut Machine,
-    at: &At,
+    at: &SchemaLocation,
     value: &Spanned<DeValue<'_>>,
-    source: &Source,
+    source: &ErrorSource,
     errors: &mut Vec<MachineError>,
 ) {
     let children = schema::children(&at.path);
     match (value.get_ref(), at.row()) {
         (DeValue::Table(table), row) if !children.is_empty() => {
             match row.map(|row| &row.slot) {
-                Some(Slot::Table(create)) => create(machine, &at.keys),
-                Some(Slot::Axis) => set_axis(machine, &at.keys, true),
-                Some(Slot::Body(body)) => {
+                Some(SchemaSlot::Table(create)) => create(machine, &at.keys),
+                Some(SchemaSlot::Axis) => set_axis(machine, &at.keys, true),
+                Some(SchemaSlot::Body(body)) => {
                     body(machine, &at.keys).location = Some(source.location(value.span()));
                 }
-                Some(Slot::ShopCode) => {
+                Some(SchemaSlot::ShopCode) => {
                     at.keys.code.place(machine).location = Some(source.location(value.span()));
                 }
                 _ => {}
@@ -196,7 +200,7 @@ pub(crate) fn put(
             put_table(machine, at, table, source, errors);
         }
         (_, Some(row)) => {
-            let value = Value { row, at, value, source };
+            let value = CheckedValue { row, at, value, source };
             if let Err(error) = value.put(machine) {
                 errors.push(error);
             }
@@ -206,18 +210,18 @@ pub(crate) fn put(
 }
 
 fn is_a_table(
-    at: &At,
+    at: &SchemaLocation,
     value: &DeValue<'_>,
     span: Range<usize>,
     children: &[&str],
-    source: &Source,
+    source: &ErrorSource,
 ) -> MachineError {
     let message = format!("`{}` is a table; this is {}", at.shown, article(value));
     let first = children.first().copied().unwrap_or("key");
     source.error(Some(span), message, Some(format!("write `{}.{first} = …`", at.shown)))
 }
 
-fn set_axis(machine: &mut Machine, keys: &Keys, there: bool) {
+fn set_axis(machine: &mut Machine, keys: &PlaceholderKeys, there: bool) {
     if let Some(axis) = keys.axis {
         let old = machine.axes[axis as usize];
         machine.change_axis(axis, there.then(|| old.unwrap_or_default()));
@@ -225,46 +229,47 @@ fn set_axis(machine: &mut Machine, keys: &Keys, there: bool) {
 }
 
 /// A value with all that is needed to say what is wrong with it.
-struct Value<'v> {
-    row: &'static Row,
-    at: &'v At,
+struct CheckedValue<'v> {
+    row: &'static SchemaRow,
+    at: &'v SchemaLocation,
     value: &'v Spanned<DeValue<'v>>,
-    source: &'v Source,
+    source: &'v ErrorSource,
 }
 
-impl Value<'_> {
+impl CheckedValue<'_> {
     fn put(&self, machine: &mut Machine) -> Result<(), MachineError> {
         let keys = &self.at.keys;
         let value = self.value.get_ref();
         match &self.row.slot {
-            Slot::Quantity { dimension, sign, place } => {
+            SchemaSlot::Quantity { dimension, sign, place } => {
                 *place(machine, keys) = Some(self.quantity(self.value, *dimension, *sign)?);
             }
-            Slot::Position(place) => {
-                let written = self.quantity(self.value, Dimension::Length, Sign::Any)?;
+            SchemaSlot::Position(place) => {
+                let written =
+                    self.quantity(self.value, QuantityDimension::Length, SignRule::Any)?;
                 *place(machine, keys) = Some(written / self.written_factor(machine));
             }
-            Slot::Range { dimension, place } => {
+            SchemaSlot::Range { dimension, place } => {
                 let (low, high) = self.range(*dimension)?;
                 let factor = self.written_factor(machine);
                 *place(machine, keys) = Some((low / factor, high / factor));
             }
-            Slot::Count { from, to, place } => {
+            SchemaSlot::Count { from, to, place } => {
                 *place(machine, keys) = Some(self.count(*from, *to)?);
             }
-            Slot::Solids(place) => *place(machine, keys) = self.solids()?,
-            Slot::Profile(place) => *place(machine, keys) = self.profile()?,
-            Slot::Outline(place) => *place(machine, keys) = self.outline()?,
-            Slot::Contour(place) => *place(machine, keys) = self.contour()?,
-            Slot::Kind => self.take_kind(machine)?,
-            Slot::Programmed => self.take_programmed(machine)?,
-            Slot::Text(place) => *place(machine, keys) = self.text(self.value)?,
-            Slot::OptionalText(place) => *place(machine, keys) = Some(self.text(self.value)?),
-            Slot::File(place) => {
+            SchemaSlot::Solids(place) => *place(machine, keys) = self.solids()?,
+            SchemaSlot::Profile(place) => *place(machine, keys) = self.profile()?,
+            SchemaSlot::Outline(place) => *place(machine, keys) = self.outline()?,
+            SchemaSlot::Contour(place) => *place(machine, keys) = self.contour()?,
+            SchemaSlot::Kind => self.take_kind(machine)?,
+            SchemaSlot::Programmed => self.take_programmed(machine)?,
+            SchemaSlot::Text(place) => *place(machine, keys) = self.text(self.value)?,
+            SchemaSlot::OptionalText(place) => *place(machine, keys) = Some(self.text(self.value)?),
+            SchemaSlot::File(place) => {
                 let name = self.text(self.value)?;
                 *place(machine, keys) = Some(beside(&self.source.file, &name));
             }
-            Slot::TextList(place) => {
+            SchemaSlot::TextList(place) => {
                 *place(machine, keys) = match value {
                     DeValue::Array(items) => {
                         items.iter().map(|item| self.text(item)).collect::<Result<_, _>>()?
@@ -272,31 +277,31 @@ impl Value<'_> {
                     _ => vec![self.text(self.value)?],
                 };
             }
-            Slot::Word { what, words, set } => set(machine, keys, self.word(what, words)?),
-            Slot::Insert => self.take_insert(machine)?,
-            Slot::HolderDesignation => self.take_holder(machine)?,
-            Slot::Flag(place) => match value {
+            SchemaSlot::Word { what, words, set } => set(machine, keys, self.word(what, words)?),
+            SchemaSlot::Insert => self.take_insert(machine)?,
+            SchemaSlot::HolderDesignation => self.take_holder(machine)?,
+            SchemaSlot::Flag(place) => match value {
                 DeValue::Boolean(flag) => *place(machine, keys) = *flag,
                 _ => return Err(self.takes("`true` or `false`", None)),
             },
-            Slot::Number(place) => match value {
+            SchemaSlot::Number(place) => match value {
                 DeValue::Integer(_) | DeValue::Float(_) => {
                     *place(machine, keys) = self.plain_number()?;
                 }
                 _ => return Err(self.takes("a number", None)),
             },
-            Slot::Within { dimension, from, to, usual, place } => {
+            SchemaSlot::Within { dimension, from, to, usual, place } => {
                 *place(machine, keys) = Some(self.within(*dimension, [*from, *to], usual)?);
             }
-            Slot::NumberList(place) => {
+            SchemaSlot::NumberList(place) => {
                 let DeValue::Array(items) = value else {
                     let help = Some("write it as `[1.5, 2]`".to_string());
                     return Err(self.takes("a list of numbers", help));
                 };
-                let number = |item| Value { value: item, ..*self }.plain_number();
+                let number = |item| CheckedValue { value: item, ..*self }.plain_number();
                 *place(machine, keys) = items.iter().map(number).collect::<Result<_, _>>()?;
             }
-            Slot::Stamp { stamp, place } => {
+            SchemaSlot::Stamp { stamp, place } => {
                 let (what, form) = stamp.words();
                 let help = Some(format!("write it as `\"{form}\"`"));
                 let text = match value {
@@ -310,21 +315,23 @@ impl Value<'_> {
                 };
                 *place(machine, keys) = Some(number);
             }
-            Slot::Override(place) => *place(machine, keys) = Some(self.percentage()?),
-            Slot::Switches => machine.switches.block_delete = self.switches()?,
-            Slot::Setting => {
+            SchemaSlot::Override(place) => *place(machine, keys) = Some(self.percentage()?),
+            SchemaSlot::Switches => machine.switches.block_delete = self.switches()?,
+            SchemaSlot::Setting => {
                 let location = Some(self.source.location(self.value.span()));
-                let setting = Setting { value: self.setting()?, location };
+                let setting = SettingEntry { value: self.setting()?, location };
                 // A later spelling replaces an earlier one: case does not matter to a control.
                 machine.settings.retain(|name, _| !name.eq_ignore_ascii_case(&keys.name));
                 machine.settings.insert(keys.name.clone(), setting);
             }
-            Slot::Axis => match value {
+            SchemaSlot::Axis => match value {
                 DeValue::Boolean(there) => set_axis(machine, keys, *there),
                 _ => return Err(self.is_a_table()),
             },
-            Slot::Table(_) | Slot::ShopCode | Slot::Body(_) => return Err(self.is_a_table()),
-            Slot::Inherits => {
+            SchemaSlot::Table(_) | SchemaSlot::ShopCode | SchemaSlot::Body(_) => {
+                return Err(self.is_a_table());
+            }
+            SchemaSlot::Inherits => {
                 let message = "`inherits` belongs in a machine file and cannot be changed later";
                 return Err(self.error(message, None));
             }
@@ -365,13 +372,13 @@ impl Value<'_> {
     /// A quantity or a number within bounds.
     fn within(
         &self,
-        dimension: Option<Dimension>,
+        dimension: Option<QuantityDimension>,
         [from, to]: [f64; 2],
         usual: &str,
     ) -> Result<f64, MachineError> {
         let (number, unit) = match dimension {
             Some(dimension) => (
-                self.quantity(self.value, dimension, Sign::Any)?,
+                self.quantity(self.value, dimension, SignRule::Any)?,
                 format!(" {}", dimension.inside().replace("^2", "²").replace("^3", "³")),
             ),
             None => (self.plain_number()?, String::new()),
@@ -418,8 +425,8 @@ impl Value<'_> {
     fn quantity(
         &self,
         value: &Spanned<DeValue<'_>>,
-        dimension: Dimension,
-        sign: Sign,
+        dimension: QuantityDimension,
+        sign: SignRule,
     ) -> Result<f64, MachineError> {
         let rotary = self.at.keys.axis.is_some_and(|axis| axis.is_rotary());
         let dimension = if rotary { dimension.of_rotary() } else { dimension };
@@ -447,17 +454,17 @@ impl Value<'_> {
                 format!("`{}` takes {}; {}", self.name(), dimension.noun(), error.fault()),
                 error.help(),
             ),
-            Ok(number) if sign == Sign::Positive && number <= 0.0 => {
+            Ok(number) if sign == SignRule::Positive && number <= 0.0 => {
                 fault(format!("`{}` must be more than zero", self.name()), None)
             }
-            Ok(number) if sign == Sign::NotNegative && number < 0.0 => {
+            Ok(number) if sign == SignRule::NotNegative && number < 0.0 => {
                 fault(format!("`{}` cannot be negative", self.name()), None)
             }
             Ok(number) => Ok(number),
         }
     }
 
-    fn range(&self, dimension: Dimension) -> Result<(f64, f64), MachineError> {
+    fn range(&self, dimension: QuantityDimension) -> Result<(f64, f64), MachineError> {
         let rotary = self.at.keys.axis.is_some_and(|axis| axis.is_rotary());
         let (what, example) = match rotary {
             true => ("two angles", "[\"-110 deg\", \"30 deg\"]"),
@@ -471,8 +478,8 @@ impl Value<'_> {
             let message = format!("`{}` takes {what}, not {}", self.name(), items.len());
             return Err(self.error(message, help));
         };
-        let from = self.quantity(low, dimension, Sign::Any)?;
-        let to = self.quantity(high, dimension, Sign::Any)?;
+        let from = self.quantity(low, dimension, SignRule::Any)?;
+        let to = self.quantity(high, dimension, SignRule::Any)?;
         if from < to {
             return Ok((from, to));
         }

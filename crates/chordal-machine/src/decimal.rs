@@ -2,7 +2,7 @@
 
 /// A decimal number exactly as written: `digits` (0 to 9 each) times ten to `exponent`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Decimal {
+pub(crate) struct ExactDecimal {
     negative: bool,
     digits: Vec<u8>,
     exponent: i64,
@@ -10,7 +10,7 @@ pub(crate) struct Decimal {
 
 /// An exact factor: `digits` times ten to `exponent`, over `denominator`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Factor {
+pub(crate) struct ExactFactor {
     pub(crate) digits: &'static str,
     pub(crate) exponent: i64,
     pub(crate) denominator: u64,
@@ -20,9 +20,9 @@ pub(crate) struct Factor {
 /// matters to the rounding.
 const QUOTIENT_DIGITS: usize = 800;
 
-impl Decimal {
+impl ExactDecimal {
     /// Reads the number at the start of a text; gives it and the rest of the text.
-    pub(crate) fn read(text: &str) -> Option<(Decimal, &str)> {
+    pub(crate) fn read(text: &str) -> Option<(ExactDecimal, &str)> {
         let bytes = text.as_bytes();
         let mut at = 0;
         let negative = bytes.first() == Some(&b'-');
@@ -63,11 +63,11 @@ impl Decimal {
                 at = from + count;
             }
         }
-        Some((Decimal { negative, digits, exponent }, &text[at..]))
+        Some((ExactDecimal { negative, digits, exponent }, &text[at..]))
     }
 
     /// The number times a factor, rounded once; infinite where it is out of range.
-    pub(crate) fn times(&self, factor: Factor) -> f64 {
+    pub(crate) fn times(&self, factor: ExactFactor) -> f64 {
         let product = multiply(&self.digits, factor.digits.as_bytes());
         let (quotient, extra) = divide(&product, factor.denominator);
         let exponent = self.exponent + factor.exponent - extra;
@@ -129,9 +129,9 @@ mod tests {
     use super::*;
 
     fn times(text: &str, digits: &'static str, exponent: i64, denominator: u64) -> f64 {
-        let (number, rest) = Decimal::read(text).expect("a number");
+        let (number, rest) = ExactDecimal::read(text).expect("a number");
         assert_eq!(rest, "");
-        number.times(Factor { digits, exponent, denominator })
+        number.times(ExactFactor { digits, exponent, denominator })
     }
 
     #[test]
@@ -148,10 +148,10 @@ mod tests {
 
     #[test]
     fn the_rest_is_handed_back() {
-        assert_eq!(Decimal::read("5em").expect("a number").1, "em");
-        assert_eq!(Decimal::read("5.5.5").expect("a number").1, ".5");
-        assert!(Decimal::read(".").is_none());
-        assert!(Decimal::read("-").is_none());
-        assert!(Decimal::read("").is_none());
+        assert_eq!(ExactDecimal::read("5em").expect("a number").1, "em");
+        assert_eq!(ExactDecimal::read("5.5.5").expect("a number").1, ".5");
+        assert!(ExactDecimal::read(".").is_none());
+        assert!(ExactDecimal::read("-").is_none());
+        assert!(ExactDecimal::read("").is_none());
     }
 }

@@ -1,7 +1,7 @@
 //! Designations in a tool: what they give, and where they say something else than its other keys.
 
 use crate::designation::{HolderDesignation, InsertDesignation, InsertLetter, WrittenDesignation};
-use crate::error::{Location, MachineError, Source};
+use crate::error::{ErrorSource, MachineError, ValueLocation};
 use crate::machine::Machine;
 use crate::tool::{Tool, ToolShape};
 use crate::turning::{TurningTool, mirrored_tip};
@@ -77,13 +77,13 @@ fn of_tool(number: u32, tool: &Tool) -> Vec<MachineError> {
 }
 
 /// What is wrong and what to do.
-type Wrong = (String, String);
+type ProblemAndHelp = (String, String);
 
 fn with_insert(
     number: u32,
     tool: &Tool,
     insert: &WrittenDesignation<InsertDesignation>,
-) -> Vec<Wrong> {
+) -> Vec<ProblemAndHelp> {
     let InsertDesignation { letter, edge_mm, nose_mm, .. } = insert.value;
     let name = format!("the insert {}", insert.text);
     let mut wrong = Vec::new();
@@ -118,7 +118,7 @@ fn with_holder(
     number: u32,
     tool: &Tool,
     holder: &WrittenDesignation<HolderDesignation>,
-) -> Vec<Wrong> {
+) -> Vec<ProblemAndHelp> {
     let value = holder.value;
     let name = format!("the holder {}", holder.text);
     let mut wrong = Vec::new();
@@ -168,7 +168,7 @@ fn of_pair(
         .then(|| (format!("edges of {}", mm(edge)), format!("{is}, whose edges are {}", mm(own))))
 }
 
-fn error(location: Option<&Location>, message: String, help: String) -> MachineError {
+fn error(location: Option<&ValueLocation>, message: String, help: String) -> MachineError {
     match location {
         Some(at) => MachineError {
             message,
@@ -177,7 +177,7 @@ fn error(location: Option<&Location>, message: String, help: String) -> MachineE
             span: Some(at.span.clone()),
             text: at.text.clone(),
         },
-        None => Source::new("machine", "").error(None, message, Some(help)),
+        None => ErrorSource::new("machine", "").error(None, message, Some(help)),
     }
 }
 

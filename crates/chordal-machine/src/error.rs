@@ -43,7 +43,7 @@ impl MachineError {
 
 /// Where something was written.
 #[derive(Clone, PartialEq, Eq)]
-pub struct Location {
+pub struct ValueLocation {
     /// The file's name.
     pub file: Arc<str>,
     /// The bytes of `text`.
@@ -52,7 +52,7 @@ pub struct Location {
     pub text: Arc<str>,
 }
 
-impl fmt::Debug for Location {
+impl fmt::Debug for ValueLocation {
     /// Leaves the file's text out.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}..{}", self.file, self.span.start, self.span.end)
@@ -61,15 +61,15 @@ impl fmt::Debug for Location {
 
 /// A text that errors point into. Spans given to it count from `shift`.
 #[derive(Clone)]
-pub(crate) struct Source {
+pub(crate) struct ErrorSource {
     pub(crate) file: Arc<str>,
     pub(crate) text: Arc<str>,
     pub(crate) shift: usize,
 }
 
-impl Source {
+impl ErrorSource {
     pub(crate) fn new(file: &str, text: &str) -> Self {
-        Source { file: file.into(), text: text.into(), shift: 0 }
+        ErrorSource { file: file.into(), text: text.into(), shift: 0 }
     }
 
     /// The span in the whole text, held to its bounds and to whole characters.
@@ -98,7 +98,7 @@ impl Source {
         }
     }
 
-    pub(crate) fn location(&self, span: Range<usize>) -> Location {
-        Location { file: self.file.clone(), span: self.span(span), text: self.text.clone() }
+    pub(crate) fn location(&self, span: Range<usize>) -> ValueLocation {
+        ValueLocation { file: self.file.clone(), span: self.span(span), text: self.text.clone() }
     }
 }

@@ -61,18 +61,19 @@ pub use designation::{
     DesignationError, HolderDesignation, HolderKind, InsertDesignation, InsertLetter, ToolHand,
     WrittenDesignation, clearance_degrees,
 };
-pub use error::{Location, MachineError};
+pub use error::{MachineError, ValueLocation};
 pub use machine::{
-    AxisLimits, FeedLimits, Machine, Macros, Notices, Probe, ProbeHit, Programmed, RapidShape,
-    Rotary, ShopCode, Switches, Times, Turns, Turret, WorkOffset,
+    AxisLimits, CustomCodeSpec, DiameterProgramming, FeedLimits, Machine, MachineNotices, Macros,
+    NonMotionTimes, Probe, ProbeHit, RapidShape, RotaryAxis, RotaryTarget, Switches, Turret,
+    WorkOffset,
 };
-pub use motion::Motion;
+pub use motion::MotionSettings;
 pub use offset::work_offset_name;
-pub use quantity::{Dimension, QuantityError, parse_quantity};
+pub use quantity::{QuantityDimension, QuantityError, parse_quantity};
 pub use schema::{SchemaKey, schema_keys, schema_reference};
 pub use setup::{Body, BodyShape, ContourPoint, CuttingForce, MeshUnit, Setup};
-pub use tool::{Cutter, Solid, Tool, ToolShape};
+pub use tool::{Cutter, HolderSegment, Tool, ToolShape};
 pub use tool_tbl::read_tool_tbl;
 pub use turning::{ToolFacing, TurningTool, mirrored_tip};
-pub use value::{Setting, SettingValue};
+pub use value::{SettingEntry, SettingValue};
 pub use variable_dump::{BadLine, VariableDump, read_variable_dump};

@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::axis::{AXES, Axis, PerAxis};
 use crate::control::ControlName;
-use crate::error::{Location, MachineError};
-use crate::motion::Motion;
+use crate::error::{MachineError, ValueLocation};
+use crate::motion::MotionSettings;
 use crate::setup::Setup;
 use crate::tool::Tool;
-use crate::value::Setting;
+use crate::value::SettingEntry;
 
 /// A machine and what its shop has set on it.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,7 +28,7 @@ pub struct Machine {
     /// The axes by `axis as usize`; `None`: the machine has no such axis.
     pub axes: PerAxis<Option<AxisLimits>>,
     /// What A, B and C turn, in this order.
-    pub rotary: [Rotary; 3],
+    pub rotary: [RotaryAxis; 3],
     /// The fastest feeds that may be programmed.
     pub feed: FeedLimits,
     /// The path of a rapid move; `None`: the control's default.
@@ -44,7 +44,7 @@ pub struct Machine {
     /// The work offsets by the names that [`work_offset_name`](crate::work_offset_name) gives.
     pub work_offsets: BTreeMap<String, WorkOffset>,
     /// The control's own settings, by the names its manual uses.
-    pub settings: BTreeMap<String, Setting>,
+    pub settings: BTreeMap<String, SettingEntry>,
     /// Reference point 1, in machine coordinates.
     pub home: PerAxis<Option<f64>>,
     /// Reference points 2, 3 and 4, in machine coordinates.
@@ -54,29 +54,29 @@ pub struct Machine {
     /// The plane above which rapids may move freely, Z in work coordinates.
     pub clearance_mm: Option<f64>,
     /// How it moves, in addition to the limits of its axes.
-    pub motion: Motion,
+    pub motion: MotionSettings,
     /// What takes time besides moving.
-    pub times: Times,
+    pub times: NonMotionTimes,
     /// What macro programs find.
     pub macros: Macros,
     /// What probe moves find.
     pub probe: Probe,
     /// M codes that the shop has of its own, by number.
-    pub shop_codes: BTreeMap<u16, ShopCode>,
+    pub shop_codes: BTreeMap<u16, CustomCodeSpec>,
     /// Programs that are called and that no text holds, by number.
-    pub shop_programs: BTreeMap<u32, ShopCode>,
+    pub shop_programs: BTreeMap<u32, CustomCodeSpec>,
     /// What lies on it.
     pub setup: Setup,
     /// What was read from its file otherwise than it was written.
-    pub notices: Notices,
+    pub notices: MachineNotices,
 }
 
 /// What is to be told about a machine file that was read; machines are equal whatever it is.
 #[derive(Clone, Debug, Default)]
-pub struct Notices(pub Vec<MachineError>);
+pub struct MachineNotices(pub Vec<MachineError>);
 
-impl PartialEq for Notices {
-    fn eq(&self, _: &Notices) -> bool {
+impl PartialEq for MachineNotices {
+    fn eq(&self, _: &MachineNotices) -> bool {
         true
     }
 }
@@ -85,7 +85,7 @@ impl PartialEq for Notices {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AxisLimits {
     /// What its words and offsets say. Here and everywhere inside a place is a radius.
-    pub programmed: Programmed,
+    pub programmed: DiameterProgramming,
     /// The lowest and the highest position, machine coordinates, mm or rad.
     pub travel: Option<(f64, f64)>,
     /// Rapid speed, mm/s or rad/s.
@@ -102,7 +102,7 @@ pub struct AxisLimits {
 
 /// What the words, offsets and limits of a linear axis say, on the control and in the machine file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Programmed {
+pub enum DiameterProgramming {
     /// How far the slide is from its zero.
     #[default]
     Radius,
@@ -110,12 +110,12 @@ pub enum Programmed {
     Diameter,
 }
 
-impl Programmed {
+impl DiameterProgramming {
     /// The word of a machine file.
     pub const fn as_str(self) -> &'static str {
         match self {
-            Programmed::Radius => "radius",
-            Programmed::Diameter => "diameter",
+            DiameterProgramming::Radius => "radius",
+            DiameterProgramming::Diameter => "diameter",
         }
     }
 
@@ -123,17 +123,17 @@ impl Programmed {
     /// nothing is rounded either way.
     pub const fn factor(self) -> f64 {
         match self {
-            Programmed::Radius => 1.0,
-            Programmed::Diameter => 2.0,
+            DiameterProgramming::Radius => 1.0,
+            DiameterProgramming::Diameter => 2.0,
         }
     }
 }
 
 /// What a rotary axis turns, as far as pictures need it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Rotary {
+pub struct RotaryAxis {
     /// `None`: not known.
-    pub turns: Option<Turns>,
+    pub turns: Option<RotaryTarget>,
     /// It counts the other way than ISO 841: there a positive angle turns the tool about the part
     /// as a right-hand screw goes along the linear axis.
     pub reversed: bool,
@@ -144,19 +144,19 @@ pub struct Rotary {
 
 /// What a rotary axis turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Turns {
+pub enum RotaryTarget {
     /// The part.
     Table,
     /// The tool.
     Head,
 }
 
-impl Turns {
+impl RotaryTarget {
     /// The word of a machine file.
     pub const fn as_str(self) -> &'static str {
         match self {
-            Turns::Table => "table",
-            Turns::Head => "head",
+            RotaryTarget::Table => "table",
+            RotaryTarget::Head => "head",
         }
     }
 }
@@ -230,7 +230,7 @@ pub struct Switches {
 
 /// What takes time besides moving.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Times {
+pub struct NonMotionTimes {
     /// A change of tool, from M06 to the next move.
     pub tool_change_s: Option<f64>,
     /// The spindle speeds up or slows down by 1000 rpm.
@@ -245,7 +245,7 @@ pub struct Times {
 
 /// What the machine does for an M code that its control does not have, or for a program that no text holds.
 #[derive(Clone, Debug, Default)]
-pub struct ShopCode {
+pub struct CustomCodeSpec {
     /// How long the machine takes for it; `None`: no time.
     pub time_s: Option<f64>,
     /// What it is, for people.
@@ -253,10 +253,10 @@ pub struct ShopCode {
     /// The blocks that it runs, as a subprogram would.
     pub blocks: Option<String>,
     /// Where it was written.
-    pub location: Option<Location>,
+    pub location: Option<ValueLocation>,
 }
 
-impl PartialEq for ShopCode {
+impl PartialEq for CustomCodeSpec {
     /// Codes that do the same are equal, wherever they were written.
     fn eq(&self, other: &Self) -> bool {
         let what = |code: &Self| (code.time_s, code.label.clone(), code.blocks.clone());
@@ -323,7 +323,7 @@ impl Machine {
             notes: Vec::new(),
             control,
             axes: [None; AXES],
-            rotary: [Rotary::default(); 3],
+            rotary: [RotaryAxis::default(); 3],
             feed: FeedLimits::default(),
             turret: Turret::Rear,
             turret_clearance_mm: None,
@@ -338,14 +338,14 @@ impl Machine {
             reference_points: [[None; AXES]; 3],
             switches: Switches::default(),
             clearance_mm: None,
-            motion: Motion::default(),
-            times: Times::default(),
+            motion: MotionSettings::default(),
+            times: NonMotionTimes::default(),
             macros: Macros::default(),
             probe: Probe::default(),
             shop_codes: BTreeMap::new(),
             shop_programs: BTreeMap::new(),
             setup: Setup::default(),
-            notices: Notices::default(),
+            notices: MachineNotices::default(),
         }
     }
 

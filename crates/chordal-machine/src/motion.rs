@@ -2,7 +2,7 @@
 
 /// How the machine moves. `None`: the file does not say, and the default holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Motion {
+pub struct MotionSettings {
     /// The control sends a place to the axes so often, s.
     pub servo_period_s: Option<f64>,
     /// Where the feed override stands; 1 is as programmed.
@@ -22,7 +22,7 @@ pub struct Motion {
     pub rotary_tolerance_rad: Option<f64>,
 }
 
-impl Motion {
+impl MotionSettings {
     /// The servo period, s; 1 ms where the file names none.
     pub fn servo_period_s(&self) -> f64 {
         self.servo_period_s.unwrap_or(0.001)

@@ -1,11 +1,11 @@
 //! Quantities: texts with a unit, read exactly.
 
-use crate::decimal::{Decimal, Factor};
+use crate::decimal::{ExactDecimal, ExactFactor};
 use crate::suggest;
 
 /// What kind of quantity is due, and with it the unit it is read into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Dimension {
+pub enum QuantityDimension {
     /// Millimetres.
     Length,
     /// Radians.
@@ -32,86 +32,86 @@ pub enum Dimension {
     Stress,
 }
 
-impl Dimension {
+impl QuantityDimension {
     /// Its name with an article: `a length`.
     pub const fn noun(self) -> &'static str {
         match self {
-            Dimension::Length => "a length",
-            Dimension::Angle => "an angle",
-            Dimension::Time => "a time",
-            Dimension::Velocity => "a velocity",
-            Dimension::AngularVelocity => "an angular velocity",
-            Dimension::Acceleration => "an acceleration",
-            Dimension::AngularAcceleration => "an angular acceleration",
-            Dimension::Jerk => "a jerk",
-            Dimension::AngularJerk => "an angular jerk",
-            Dimension::SpindleSpeed => "a spindle speed",
-            Dimension::Power => "a power",
-            Dimension::Stress => "a force by area",
+            QuantityDimension::Length => "a length",
+            QuantityDimension::Angle => "an angle",
+            QuantityDimension::Time => "a time",
+            QuantityDimension::Velocity => "a velocity",
+            QuantityDimension::AngularVelocity => "an angular velocity",
+            QuantityDimension::Acceleration => "an acceleration",
+            QuantityDimension::AngularAcceleration => "an angular acceleration",
+            QuantityDimension::Jerk => "a jerk",
+            QuantityDimension::AngularJerk => "an angular jerk",
+            QuantityDimension::SpindleSpeed => "a spindle speed",
+            QuantityDimension::Power => "a power",
+            QuantityDimension::Stress => "a force by area",
         }
     }
 
     /// The units to show somebody who wrote none.
     pub const fn units(self) -> &'static [&'static str] {
         match self {
-            Dimension::Length => &["in", "mm"],
-            Dimension::Angle => &["deg", "rad"],
-            Dimension::Time => &["s", "ms", "min"],
-            Dimension::Velocity => &["in/min", "mm/min", "m/min", "mm/s"],
-            Dimension::AngularVelocity => &["deg/s", "deg/min", "rpm"],
-            Dimension::Acceleration => &["mm/s^2", "m/s^2", "in/s^2"],
-            Dimension::AngularAcceleration => &["deg/s^2", "rad/s^2"],
-            Dimension::Jerk => &["mm/s^3", "m/s^3", "in/s^3"],
-            Dimension::AngularJerk => &["deg/s^3", "rad/s^3"],
-            Dimension::SpindleSpeed => &["rpm"],
-            Dimension::Power => &["kW", "hp"],
-            Dimension::Stress => &["N/mm^2", "MPa", "ksi"],
+            QuantityDimension::Length => &["in", "mm"],
+            QuantityDimension::Angle => &["deg", "rad"],
+            QuantityDimension::Time => &["s", "ms", "min"],
+            QuantityDimension::Velocity => &["in/min", "mm/min", "m/min", "mm/s"],
+            QuantityDimension::AngularVelocity => &["deg/s", "deg/min", "rpm"],
+            QuantityDimension::Acceleration => &["mm/s^2", "m/s^2", "in/s^2"],
+            QuantityDimension::AngularAcceleration => &["deg/s^2", "rad/s^2"],
+            QuantityDimension::Jerk => &["mm/s^3", "m/s^3", "in/s^3"],
+            QuantityDimension::AngularJerk => &["deg/s^3", "rad/s^3"],
+            QuantityDimension::SpindleSpeed => &["rpm"],
+            QuantityDimension::Power => &["kW", "hp"],
+            QuantityDimension::Stress => &["N/mm^2", "MPa", "ksi"],
         }
     }
 
     /// The unit a quantity is read into.
     pub const fn inside(self) -> &'static str {
         match self {
-            Dimension::Length => "mm",
-            Dimension::Angle => "rad",
-            Dimension::Time => "s",
-            Dimension::Velocity => "mm/s",
-            Dimension::AngularVelocity => "rad/s",
-            Dimension::Acceleration => "mm/s^2",
-            Dimension::AngularAcceleration => "rad/s^2",
-            Dimension::Jerk => "mm/s^3",
-            Dimension::AngularJerk => "rad/s^3",
-            Dimension::SpindleSpeed => "rpm",
-            Dimension::Power => "kW",
-            Dimension::Stress => "N/mm^2",
+            QuantityDimension::Length => "mm",
+            QuantityDimension::Angle => "rad",
+            QuantityDimension::Time => "s",
+            QuantityDimension::Velocity => "mm/s",
+            QuantityDimension::AngularVelocity => "rad/s",
+            QuantityDimension::Acceleration => "mm/s^2",
+            QuantityDimension::AngularAcceleration => "rad/s^2",
+            QuantityDimension::Jerk => "mm/s^3",
+            QuantityDimension::AngularJerk => "rad/s^3",
+            QuantityDimension::SpindleSpeed => "rpm",
+            QuantityDimension::Power => "kW",
+            QuantityDimension::Stress => "N/mm^2",
         }
     }
 
     /// The same of a rotary axis: an angle for a length, and so on.
-    pub const fn of_rotary(self) -> Dimension {
+    pub const fn of_rotary(self) -> QuantityDimension {
         match self {
-            Dimension::Length => Dimension::Angle,
-            Dimension::Velocity => Dimension::AngularVelocity,
-            Dimension::Acceleration => Dimension::AngularAcceleration,
-            Dimension::Jerk => Dimension::AngularJerk,
+            QuantityDimension::Length => QuantityDimension::Angle,
+            QuantityDimension::Velocity => QuantityDimension::AngularVelocity,
+            QuantityDimension::Acceleration => QuantityDimension::AngularAcceleration,
+            QuantityDimension::Jerk => QuantityDimension::AngularJerk,
             other => other,
         }
     }
 
     /// The dimension of a base over a power of time; `None`: nothing a machine has.
-    const fn of(base: Base, per_time: i64) -> Option<Dimension> {
+    const fn of(base: UnitBase, per_time: i64) -> Option<QuantityDimension> {
         match (base, per_time) {
-            (Base::Length, 0) => Some(Dimension::Length),
-            (Base::Length, 1) => Some(Dimension::Velocity),
-            (Base::Length, 2) => Some(Dimension::Acceleration),
-            (Base::Length, 3) => Some(Dimension::Jerk),
-            (Base::Angle | Base::Turn, 0) => Some(Dimension::Angle),
-            (Base::Angle | Base::Turn, 1) => Some(Dimension::AngularVelocity),
-            (Base::Angle | Base::Turn, 2) => Some(Dimension::AngularAcceleration),
-            (Base::Angle | Base::Turn, 3) => Some(Dimension::AngularJerk),
-            (Base::Time, 0) => Some(Dimension::Time),
-            (Base::Power, 0) => Some(Dimension::Power),
-            (Base::Stress, 0) => Some(Dimension::Stress),
+            (UnitBase::Length, 0) => Some(QuantityDimension::Length),
+            (UnitBase::Length, 1) => Some(QuantityDimension::Velocity),
+            (UnitBase::Length, 2) => Some(QuantityDimension::Acceleration),
+            (UnitBase::Length, 3) => Some(QuantityDimension::Jerk),
+            (UnitBase::Angle | UnitBase::Turn, 0) => Some(QuantityDimension::Angle),
+            (UnitBase::Angle | UnitBase::Turn, 1) => Some(QuantityDimension::AngularVelocity),
+            (UnitBase::Angle | UnitBase::Turn, 2) => Some(QuantityDimension::AngularAcceleration),
+            (UnitBase::Angle | UnitBase::Turn, 3) => Some(QuantityDimension::AngularJerk),
+            (UnitBase::Time, 0) => Some(QuantityDimension::Time),
+            (UnitBase::Power, 0) => Some(QuantityDimension::Power),
+            (UnitBase::Stress, 0) => Some(QuantityDimension::Stress),
             _ => None,
         }
     }
@@ -126,14 +126,14 @@ pub enum QuantityError {
         /// The text.
         text: String,
         /// What was due.
-        dimension: Dimension,
+        dimension: QuantityDimension,
     },
     /// A number without a unit.
     NoUnit {
         /// The number.
         text: String,
         /// What was due.
-        dimension: Dimension,
+        dimension: QuantityDimension,
     },
     /// An unknown unit.
     UnknownUnit {
@@ -142,29 +142,29 @@ pub enum QuantityError {
         /// The unit in it.
         unit: String,
         /// What was due.
-        dimension: Dimension,
+        dimension: QuantityDimension,
     },
     /// Another kind of quantity.
     WrongDimension {
         /// The text.
         text: String,
         /// What it is; `None`: nothing a machine has.
-        found: Option<Dimension>,
+        found: Option<QuantityDimension>,
         /// What was due.
-        dimension: Dimension,
+        dimension: QuantityDimension,
     },
     /// A number too large to hold.
     OutOfRange {
         /// The text.
         text: String,
         /// What was due.
-        dimension: Dimension,
+        dimension: QuantityDimension,
     },
 }
 
 impl QuantityError {
     /// What was due.
-    pub const fn dimension(&self) -> Dimension {
+    pub const fn dimension(&self) -> QuantityDimension {
         match self {
             QuantityError::NotANumber { dimension, .. }
             | QuantityError::NoUnit { dimension, .. }
@@ -219,7 +219,7 @@ impl QuantityError {
 
 /// What a unit measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Base {
+enum UnitBase {
     Length,
     Angle,
     /// An angle counted in revolutions.
@@ -229,10 +229,10 @@ enum Base {
     Stress,
 }
 
-struct Unit {
+struct UnitSpec {
     names: &'static [&'static str],
-    base: Base,
-    factor: Factor,
+    base: UnitBase,
+    factor: ExactFactor,
 }
 
 /// π to 79 decimals.
@@ -244,44 +244,44 @@ const PI_DECIMALS: i64 = 79;
 
 const fn unit(
     names: &'static [&'static str],
-    base: Base,
+    base: UnitBase,
     digits: &'static str,
     exponent: i64,
     denominator: u64,
-) -> Unit {
-    Unit { names, base, factor: Factor { digits, exponent, denominator } }
+) -> UnitSpec {
+    UnitSpec { names, base, factor: ExactFactor { digits, exponent, denominator } }
 }
 
 /// The units, in millimetres, radians and seconds. Case does not matter: there is no mega-metre
 /// and no mega-second on a machine.
-const UNITS: &[Unit] = &[
+const UNITS: &[UnitSpec] = &[
     unit(
         &["mm", "millimetre", "millimetres", "millimeter", "millimeters"],
-        Base::Length,
+        UnitBase::Length,
         "1",
         0,
         1,
     ),
-    unit(&["in", "inch", "inches", "\""], Base::Length, "254", -1, 1),
-    unit(&["ft", "foot", "feet"], Base::Length, "3048", -1, 1),
-    unit(&["m"], Base::Length, "1", 3, 1),
-    unit(&["cm"], Base::Length, "1", 1, 1),
+    unit(&["in", "inch", "inches", "\""], UnitBase::Length, "254", -1, 1),
+    unit(&["ft", "foot", "feet"], UnitBase::Length, "3048", -1, 1),
+    unit(&["m"], UnitBase::Length, "1", 3, 1),
+    unit(&["cm"], UnitBase::Length, "1", 1, 1),
     // The two code points of the Greek letter: the micro sign and the letter mu.
-    unit(&["um", "\u{b5}m", "\u{3bc}m"], Base::Length, "1", -3, 1),
-    unit(&["rad"], Base::Angle, "1", 0, 1),
-    unit(&["deg", "degree", "degrees", "\u{b0}"], Base::Angle, PI, -PI_DECIMALS, 180),
-    unit(&["rev", "turn", "turns"], Base::Turn, TWO_PI, -PI_DECIMALS, 1),
-    unit(&["s", "sec", "second", "seconds"], Base::Time, "1", 0, 1),
-    unit(&["ms"], Base::Time, "1", -3, 1),
-    unit(&["min", "minute", "minutes"], Base::Time, "6", 1, 1),
-    unit(&["kW"], Base::Power, "1", 0, 1),
-    unit(&["W"], Base::Power, "1", -3, 1),
+    unit(&["um", "\u{b5}m", "\u{3bc}m"], UnitBase::Length, "1", -3, 1),
+    unit(&["rad"], UnitBase::Angle, "1", 0, 1),
+    unit(&["deg", "degree", "degrees", "\u{b0}"], UnitBase::Angle, PI, -PI_DECIMALS, 180),
+    unit(&["rev", "turn", "turns"], UnitBase::Turn, TWO_PI, -PI_DECIMALS, 1),
+    unit(&["s", "sec", "second", "seconds"], UnitBase::Time, "1", 0, 1),
+    unit(&["ms"], UnitBase::Time, "1", -3, 1),
+    unit(&["min", "minute", "minutes"], UnitBase::Time, "6", 1, 1),
+    unit(&["kW"], UnitBase::Power, "1", 0, 1),
+    unit(&["W"], UnitBase::Power, "1", -3, 1),
     // 550 foot-pounds in a second; 75 kilopond-metres in a second.
-    unit(&["hp"], Base::Power, "74569987158227022", -17, 1),
-    unit(&["PS"], Base::Power, "73549875", -8, 1),
-    unit(&["MPa"], Base::Stress, "1", 0, 1),
+    unit(&["hp"], UnitBase::Power, "74569987158227022", -17, 1),
+    unit(&["PS"], UnitBase::Power, "73549875", -8, 1),
+    unit(&["MPa"], UnitBase::Stress, "1", 0, 1),
     // 1000 pounds of force on a square inch: 4448.2216152605 N on 645.16 mm².
-    unit(&["ksi"], Base::Stress, "44482216152605", -8, 64516),
+    unit(&["ksi"], UnitBase::Stress, "44482216152605", -8, 64516),
 ];
 
 /// Units with a name of their own for something over a time, and those of a force over an area.
@@ -293,7 +293,7 @@ const SHORT: &[(&str, &str)] = &[
     ("N/mm2", "MPa"),
 ];
 
-fn find_unit(name: &str) -> Option<&'static Unit> {
+fn find_unit(name: &str) -> Option<&'static UnitSpec> {
     let name = name.trim();
     UNITS.iter().find(|unit| unit.names.iter().any(|own| own.eq_ignore_ascii_case(name)))
 }
@@ -302,11 +302,11 @@ fn find_unit(name: &str) -> Option<&'static Unit> {
 const LARGEST: f64 = 1e30;
 
 /// Reads a quantity (`"0.5 in"`, `"25 m/min"`, `"2000 mm/s^2"`) into the unit of its dimension
-/// ([`Dimension::inside`]). The digits are converted exactly and rounded once.
-pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+/// ([`QuantityDimension::inside`]). The digits are converted exactly and rounded once.
+pub fn parse_quantity(text: &str, dimension: QuantityDimension) -> Result<f64, QuantityError> {
     let text = text.trim();
     let own = || text.to_string();
-    let Some((number, rest)) = Decimal::read(text) else {
+    let Some((number, rest)) = ExactDecimal::read(text) else {
         return Err(QuantityError::NotANumber { text: own(), dimension });
     };
     let written = rest.trim();
@@ -320,11 +320,11 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityE
             dimension,
         });
     };
-    let found = Dimension::of(base, per_time);
+    let found = QuantityDimension::of(base, per_time);
     let factor = match dimension {
         // In revolutions per minute: π does not come into it.
-        Dimension::SpindleSpeed if base == Base::Turn && per_time == 1 => {
-            Factor { digits: "60", exponent: factor.exponent + PI_DECIMALS, ..factor }
+        QuantityDimension::SpindleSpeed if base == UnitBase::Turn && per_time == 1 => {
+            ExactFactor { digits: "60", exponent: factor.exponent + PI_DECIMALS, ..factor }
         }
         _ if found == Some(dimension) => factor,
         _ => return Err(QuantityError::WrongDimension { text: own(), found, dimension }),
@@ -337,7 +337,10 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityE
 }
 
 /// The same of a machine: one without measure is refused.
-pub(crate) fn machine_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+pub(crate) fn machine_quantity(
+    text: &str,
+    dimension: QuantityDimension,
+) -> Result<f64, QuantityError> {
     let value = parse_quantity(text, dimension)?;
     if value.abs() > LARGEST {
         return Err(QuantityError::OutOfRange { text: text.trim().to_string(), dimension });
@@ -347,14 +350,14 @@ pub(crate) fn machine_quantity(text: &str, dimension: Dimension) -> Result<f64, 
 
 /// A decimal number in inches or millimetres, exactly, in millimetres.
 pub(crate) fn length_of_bare(text: &str, millimetres: bool) -> Option<f64> {
-    let (number, rest) = Decimal::read(text)?;
+    let (number, rest) = ExactDecimal::read(text)?;
     let (digits, exponent) = if millimetres { ("1", 0) } else { ("254", -1) };
-    let value = number.times(Factor { digits, exponent, denominator: 1 });
+    let value = number.times(ExactFactor { digits, exponent, denominator: 1 });
     (rest.is_empty() && value.abs() <= LARGEST).then_some(value)
 }
 
 /// What a unit measures, over which power of time, and its factor.
-fn read_unit(text: &str) -> Option<(Base, i64, Factor)> {
+fn read_unit(text: &str) -> Option<(UnitBase, i64, ExactFactor)> {
     let text = SHORT
         .iter()
         .find(|(short, _)| short.eq_ignore_ascii_case(text))
@@ -367,7 +370,7 @@ fn read_unit(text: &str) -> Option<(Base, i64, Factor)> {
         let (name, power) = read_power(part.trim());
         let below = find_unit(name)?;
         per_time += power;
-        if below.base != Base::Time || per_time > 3 {
+        if below.base != UnitBase::Time || per_time > 3 {
             return None;
         }
         for _ in 0..power {

@@ -4,10 +4,10 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::builtin::{builtin, builtin_names};
-use crate::check::{At, INHERITS, put_table};
+use crate::check::{INHERITS, SchemaLocation, put_table};
 use crate::control::ControlName;
 use crate::designated::contradictions;
-use crate::error::{MachineError, Source};
+use crate::error::{ErrorSource, MachineError};
 use crate::files::{beside, is_separator};
 use crate::machine::Machine;
 use crate::suggest;
@@ -16,7 +16,7 @@ use crate::suggest;
 const DEEPEST: usize = 16;
 
 /// Gives the text of a file by name, or why it cannot.
-type Loader<'l> = &'l dyn Fn(&str) -> Result<String, String>;
+type TextLoader<'l> = &'l dyn Fn(&str) -> Result<String, String>;
 
 impl Machine {
     /// A built-in machine.
@@ -24,7 +24,7 @@ impl Machine {
         let Some(text) = builtin(name) else {
             let help = builtin_help(name);
             let message = format!("there is no built-in machine `{name}`");
-            return Err(vec![Source::new(name, "").error(None, message, Some(help))]);
+            return Err(vec![ErrorSource::new(name, "").error(None, message, Some(help))]);
         };
         read(&builtin_file(name), text, &|_| {
             Err("built-in machines inherit only from built-in ones".into())
@@ -44,8 +44,8 @@ impl Machine {
     }
 }
 
-fn read(file: &str, text: &str, loader: Loader<'_>) -> Result<Machine, Vec<MachineError>> {
-    let mut reader = Reader {
+fn read(file: &str, text: &str, loader: TextLoader<'_>) -> Result<Machine, Vec<MachineError>> {
+    let mut reader = MachineReader {
         loader,
         // The control stands in until a file says one; no machine gets out without.
         machine: Machine::without_axes("", ControlName::Fanuc),
@@ -60,7 +60,7 @@ fn read(file: &str, text: &str, loader: Loader<'_>) -> Result<Machine, Vec<Machi
         let names: Vec<&str> = ControlName::ALL.iter().map(|control| control.as_str()).collect();
         let help = format!("write `control = \"…\"` with {}", suggest::or_list(&names));
         let message = "the machine file does not name its control";
-        reader.errors.push(Source::new(file, text).error(None, message, Some(help)));
+        reader.errors.push(ErrorSource::new(file, text).error(None, message, Some(help)));
     }
     if reader.errors.is_empty() {
         reader.errors = contradictions(&reader.machine);
@@ -76,8 +76,8 @@ fn read(file: &str, text: &str, loader: Loader<'_>) -> Result<Machine, Vec<Machi
     Ok(machine)
 }
 
-struct Reader<'l> {
-    loader: Loader<'l>,
+struct MachineReader<'l> {
+    loader: TextLoader<'l>,
     machine: Machine,
     control_said: bool,
     /// Something could not be read, so what is missing may be in there.
@@ -87,9 +87,9 @@ struct Reader<'l> {
     chain: Vec<String>,
 }
 
-impl Reader<'_> {
+impl MachineReader<'_> {
     fn load(&mut self, file: &str, text: &str) {
-        let source = Source::new(file, text);
+        let source = ErrorSource::new(file, text);
         let (document, syntax) = DeTable::parse_recoverable(text);
         let document = document.into_inner();
         self.chain.push(normal(file));
@@ -109,7 +109,7 @@ impl Reader<'_> {
         self.control_said |= document.contains_key("control");
 
         let mut errors = Vec::new();
-        put_table(&mut self.machine, &At::default(), &document, &source, &mut errors);
+        put_table(&mut self.machine, &SchemaLocation::default(), &document, &source, &mut errors);
         if !syntax.is_empty() {
             self.parts_missing = true;
             let mut syntax: Vec<MachineError> = syntax
@@ -131,7 +131,13 @@ impl Reader<'_> {
         self.chain.pop();
     }
 
-    fn inherit(&mut self, key: &str, parent: &Spanned<DeValue<'_>>, file: &str, source: &Source) {
+    fn inherit(
+        &mut self,
+        key: &str,
+        parent: &Spanned<DeValue<'_>>,
+        file: &str,
+        source: &ErrorSource,
+    ) {
         let refuse = |message: String, help: Option<String>| {
             source.error(Some(parent.span()), message, help)
         };

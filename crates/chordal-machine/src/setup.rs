@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::axis::Axis;
-use crate::error::Location;
+use crate::error::ValueLocation;
 
 /// A setup: the stock, the fixtures, the part that is wanted.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -79,7 +79,7 @@ pub struct Body {
     /// What it is made of.
     pub material: Option<String>,
     /// Where it was written.
-    pub location: Option<Location>,
+    pub location: Option<ValueLocation>,
 }
 
 impl PartialEq for Body {

@@ -45,9 +45,9 @@ pub struct Tool {
     /// The diameter of a round shank, where `shank` does not say more.
     pub shank_diameter_mm: Option<f64>,
     /// The shank, from the edges up.
-    pub shank: Vec<Solid>,
+    pub shank: Vec<HolderSegment>,
     /// The holder, from the shank up.
-    pub holder: Vec<Solid>,
+    pub holder: Vec<HolderSegment>,
     /// The insert, blade and holder of a turning tool.
     pub turning: TurningTool,
     /// A name for people, as `roughing end mill`.
@@ -353,7 +353,7 @@ pub enum Cutter<'t> {
 
 /// A piece of a shank or holder: a cylinder, or a cone where the diameters differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Solid {
+pub struct HolderSegment {
     /// How high it is, mm.
     pub height_mm: f64,
     /// The diameter at its lower end, mm.

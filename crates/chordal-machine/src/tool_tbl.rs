@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::axis::Axis;
-use crate::error::{MachineError, Source};
+use crate::error::{ErrorSource, MachineError};
 use crate::quantity::length_of_bare;
 use crate::tool::Tool;
 
@@ -18,7 +18,7 @@ pub fn read_tool_tbl(
     text: &str,
     millimetres: bool,
 ) -> Result<BTreeMap<u32, Tool>, Vec<MachineError>> {
-    let source = Source::new(NAME, text);
+    let source = ErrorSource::new(NAME, text);
     let mut tools = BTreeMap::new();
     let mut errors = Vec::new();
     let mut at = 0;
@@ -33,7 +33,7 @@ fn read_line(
     line: &str,
     at: usize,
     millimetres: bool,
-    source: &Source,
+    source: &ErrorSource,
     tools: &mut BTreeMap<u32, Tool>,
     errors: &mut Vec<MachineError>,
 ) {

@@ -1,7 +1,7 @@
 //! The control's own settings, raw: what they mean is the control's business.
 
-use crate::error::Location;
-use crate::quantity::{Dimension, QuantityError, machine_quantity};
+use crate::error::ValueLocation;
+use crate::quantity::{QuantityDimension, QuantityError, machine_quantity};
 
 /// A setting's value as written.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,11 +19,11 @@ pub enum SettingValue {
 impl SettingValue {
     /// The value as a length in millimetres; it must be a text with a unit of length.
     pub fn as_length_mm(&self) -> Result<f64, QuantityError> {
-        self.as_quantity(Dimension::Length)
+        self.as_quantity(QuantityDimension::Length)
     }
 
     /// The value as a quantity, in the crate's unit of that dimension.
-    pub fn as_quantity(&self, dimension: Dimension) -> Result<f64, QuantityError> {
+    pub fn as_quantity(&self, dimension: QuantityDimension) -> Result<f64, QuantityError> {
         let bare = match self {
             SettingValue::Text(text) => return machine_quantity(text, dimension),
             SettingValue::Integer(number) => number.to_string(),
@@ -38,14 +38,14 @@ impl SettingValue {
 
 /// A setting of the control.
 #[derive(Clone, Debug)]
-pub struct Setting {
+pub struct SettingEntry {
     /// Its value as written.
     pub value: SettingValue,
     /// Where it was written.
-    pub location: Option<Location>,
+    pub location: Option<ValueLocation>,
 }
 
-impl PartialEq for Setting {
+impl PartialEq for SettingEntry {
     /// Settings of equal value are equal, wherever they were written.
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value

@@ -30,7 +30,7 @@ pub struct BadLine {
 }
 
 /// What a line says.
-enum Said {
+enum DumpEntry {
     Value(u32, Option<f64>),
     /// A head, a name, an end.
     Nothing,
@@ -50,10 +50,10 @@ pub fn read_variable_dump(bytes: &[u8]) -> Option<VariableDump> {
         let text =
             text.trim_matches(|c: char| c.is_whitespace() || matches!(c, '\0' | '\u{feff}' | ';'));
         match said(text) {
-            Some(Said::Value(number, value)) => {
+            Some(DumpEntry::Value(number, value)) => {
                 dump.values.insert(number, value);
             }
-            Some(Said::Nothing) => {}
+            Some(DumpEntry::Nothing) => {}
             None if dump.values.is_empty() => return None,
             None => {
                 let text = text.chars().take(MOST_SHOWN).collect();
@@ -64,7 +64,7 @@ pub fn read_variable_dump(bytes: &[u8]) -> Option<VariableDump> {
     (!dump.values.is_empty()).then_some(dump)
 }
 
-fn said(line: &str) -> Option<Said> {
+fn said(line: &str) -> Option<DumpEntry> {
     let upper = line.to_ascii_uppercase();
     let compact: String = upper.chars().filter(|c| !c.is_whitespace()).collect();
     let is_head = |rest: &str| {
@@ -77,38 +77,38 @@ fn said(line: &str) -> Option<Said> {
         || matches!(compact.as_str(), "M02" | "M2" | "M30" | "M99")
         || compact.strip_prefix(['O', ':']).is_some_and(is_head);
     if idle {
-        return Some(Said::Nothing);
+        return Some(DumpEntry::Nothing);
     }
     if let Some(rest) = compact.strip_prefix("G10L85P") {
         return of_fanuc(rest);
     }
     if let Some(rest) = compact.strip_prefix('#') {
         let (number, value) = rest.split_once('=')?;
-        return Some(Said::Value(number_of(number)?, assigned(value)?));
+        return Some(DumpEntry::Value(number_of(number)?, assigned(value)?));
     }
     if let Some(rest) = compact.strip_prefix('N') {
         let (number, value) = match rest.split_once('V') {
             Some(pair) => pair,
             // The end of a Haas file.
-            None => return number_of(rest).map(|_| Said::Nothing),
+            None => return number_of(rest).map(|_| DumpEntry::Nothing),
         };
         let number = number_of(number)?;
         // N0 is a checksum.
         return match number {
-            0 => Some(Said::Nothing),
-            _ => Some(Said::Value(number, Some(finite(value)?))),
+            0 => Some(DumpEntry::Nothing),
+            _ => Some(DumpEntry::Value(number, Some(finite(value)?))),
         };
     }
     let mut parts = line.split_whitespace();
     let (number, value) = (parts.next()?, parts.next()?);
     match parts.next() {
-        None => Some(Said::Value(number_of(number)?, Some(finite(value)?))),
+        None => Some(DumpEntry::Value(number_of(number)?, Some(finite(value)?))),
         Some(_) => None,
     }
 }
 
 /// `500(4029000000000000)`, with a comment after it in some versions.
-fn of_fanuc(rest: &str) -> Option<Said> {
+fn of_fanuc(rest: &str) -> Option<DumpEntry> {
     let (number, rest) = rest.split_once('(')?;
     let (bits, _) = rest.split_once(')')?;
     let number = number_of(number)?;
@@ -117,10 +117,10 @@ fn of_fanuc(rest: &str) -> Option<Said> {
     }
     let bits = u64::from_str_radix(bits, 16).ok()?;
     if bits == u64::MAX {
-        return Some(Said::Value(number, None));
+        return Some(DumpEntry::Value(number, None));
     }
     let value = f64::from_bits(bits);
-    value.is_finite().then_some(Said::Value(number, Some(value)))
+    value.is_finite().then_some(DumpEntry::Value(number, Some(value)))
 }
 
 /// The right side of an assignment: a number, `#0` for vacant, or `[a*65536+b]/134217728`.

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use crate::axis::{Axis, PerAxis};
 use crate::check::{key_text, string_text};
 use crate::designation::InsertLetter;
-use crate::machine::{Machine, ProbeHit, Programmed, Rotary, Turret};
-use crate::quantity::Dimension;
+use crate::machine::{DiameterProgramming, Machine, ProbeHit, RotaryAxis, Turret};
+use crate::quantity::QuantityDimension;
 use crate::setup::{Body, BodyShape, MeshUnit};
 use crate::tool::Tool;
 use crate::turning::{ToolFacing, TurningTool};
@@ -16,7 +16,7 @@ impl Machine {
     /// The machine file that gives this machine, every inherited key in it, in millimetres,
     /// seconds and radians: reading it back gives the same bits.
     pub fn to_toml(&self) -> String {
-        let mut out = Out(String::new());
+        let mut out = TomlWriter(String::new());
         let factors = self.written_factors();
         out.line("name", &string_text(&self.name));
         out.line("title", &string_text(&self.title));
@@ -28,12 +28,12 @@ impl Machine {
         if self.turret != Turret::default() {
             out.line("turret", &string_text(self.turret.as_str()));
         }
-        out.quantity("turret_clearance", self.turret_clearance_mm, Dimension::Length);
+        out.quantity("turret_clearance", self.turret_clearance_mm, QuantityDimension::Length);
         self.write_axes(&mut out);
         if self.feed != Default::default() {
             out.table("feed");
-            out.quantity("max", self.feed.max_mm_per_s, Dimension::Velocity);
-            out.quantity("max_rotary", self.feed.max_rad_per_s, Dimension::AngularVelocity);
+            out.quantity("max", self.feed.max_mm_per_s, QuantityDimension::Velocity);
+            out.quantity("max_rotary", self.feed.max_rad_per_s, QuantityDimension::AngularVelocity);
         }
         if let Some(shape) = self.rapid {
             out.table("rapid");
@@ -42,9 +42,9 @@ impl Machine {
         let speeds = [self.spindle_max_rpm, self.live_tool_max_rpm, self.spindle_power_kw];
         if speeds.iter().any(Option::is_some) {
             out.table("spindle");
-            out.quantity("max", self.spindle_max_rpm, Dimension::SpindleSpeed);
-            out.quantity("live_max", self.live_tool_max_rpm, Dimension::SpindleSpeed);
-            out.quantity("power", self.spindle_power_kw, Dimension::Power);
+            out.quantity("max", self.spindle_max_rpm, QuantityDimension::SpindleSpeed);
+            out.quantity("live_max", self.live_tool_max_rpm, QuantityDimension::SpindleSpeed);
+            out.quantity("power", self.spindle_power_kw, QuantityDimension::Power);
         }
         out.positions("home", &self.home, &factors);
         for (at, point) in self.reference_points.iter().enumerate() {
@@ -53,7 +53,7 @@ impl Machine {
         self.write_switches(&mut out);
         if self.clearance_mm.is_some() {
             out.table("program");
-            out.quantity("clearance", self.clearance_mm, Dimension::Length);
+            out.quantity("clearance", self.clearance_mm, QuantityDimension::Length);
         }
         self.write_motion(&mut out);
         self.write_times(&mut out);
@@ -61,7 +61,7 @@ impl Machine {
         let programs = self.shop_programs.iter().map(|(number, code)| (format!("O{number}"), code));
         for (name, code) in codes.chain(programs) {
             out.table(&format!("shop_codes.{name}"));
-            out.quantity("time", code.time_s, Dimension::Time);
+            out.quantity("time", code.time_s, QuantityDimension::Time);
             for (key, text) in [("label", &code.label), ("blocks", &code.blocks)] {
                 if let Some(text) = text {
                     out.line(key, &string_text(text));
@@ -83,7 +83,7 @@ impl Machine {
         }
         for (name, material) in &self.setup.materials {
             out.table(&format!("materials.{}", key_text(name)));
-            out.quantity("k_c1", material.k_c1_n_per_mm2, Dimension::Stress);
+            out.quantity("k_c1", material.k_c1_n_per_mm2, QuantityDimension::Stress);
             if let Some(exponent) = material.m_c {
                 out.line("m_c", &exponent.to_string());
             }
@@ -111,32 +111,36 @@ impl Machine {
         out.0
     }
 
-    fn write_axes(&self, out: &mut Out) {
+    fn write_axes(&self, out: &mut TomlWriter) {
         for axis in Axis::ALL {
             let Some(limits) = self.axis(axis) else { continue };
             out.table(&format!("axes.{axis}"));
-            let of = |dimension: Dimension| match axis.is_rotary() {
+            let of = |dimension: QuantityDimension| match axis.is_rotary() {
                 true => dimension.of_rotary(),
                 false => dimension,
             };
-            if limits.programmed != Programmed::default() {
+            if limits.programmed != DiameterProgramming::default() {
                 out.line("programmed", &string_text(limits.programmed.as_str()));
             }
             if let Some((low, high)) = limits.travel {
                 let factor = limits.programmed.factor();
                 let (low, high) = (low * factor, high * factor);
-                let unit = of(Dimension::Length).inside();
+                let unit = of(QuantityDimension::Length).inside();
                 out.line("travel", &format!("[\"{low} {unit}\", \"{high} {unit}\"]"));
             }
-            out.quantity("max_velocity", limits.max_velocity, of(Dimension::Velocity));
-            out.quantity("max_acceleration", limits.max_acceleration, of(Dimension::Acceleration));
-            out.quantity("max_jerk", limits.max_jerk, of(Dimension::Jerk));
-            let acceleration = of(Dimension::Acceleration);
+            out.quantity("max_velocity", limits.max_velocity, of(QuantityDimension::Velocity));
+            out.quantity(
+                "max_acceleration",
+                limits.max_acceleration,
+                of(QuantityDimension::Acceleration),
+            );
+            out.quantity("max_jerk", limits.max_jerk, of(QuantityDimension::Jerk));
+            let acceleration = of(QuantityDimension::Acceleration);
             out.quantity("rapid_acceleration", limits.rapid_acceleration, acceleration);
-            out.quantity("rapid_jerk", limits.rapid_jerk, of(Dimension::Jerk));
+            out.quantity("rapid_jerk", limits.rapid_jerk, of(QuantityDimension::Jerk));
         }
         for (letter, rotary) in ["A", "B", "C"].into_iter().zip(&self.rotary) {
-            if *rotary == Rotary::default() {
+            if *rotary == RotaryAxis::default() {
                 continue;
             }
             out.table(&format!("rotary.{letter}"));
@@ -148,41 +152,45 @@ impl Machine {
             }
             for (axis, mm) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(rotary.center_mm) {
                 let mm = mm.map(|mm| mm * self.written_factor(axis as usize));
-                out.quantity(&format!("center.{axis}"), mm, Dimension::Length);
+                out.quantity(&format!("center.{axis}"), mm, QuantityDimension::Length);
             }
         }
     }
 
-    fn write_motion(&self, out: &mut Out) {
+    fn write_motion(&self, out: &mut TomlWriter) {
         let motion = &self.motion;
         if *motion == Default::default() {
             return;
         }
         out.table("motion");
-        out.quantity("servo_period", motion.servo_period_s, Dimension::Time);
+        out.quantity("servo_period", motion.servo_period_s, QuantityDimension::Time);
         out.fraction("feed_override", motion.feed_override);
         out.fraction("rapid_override", motion.rapid_override);
-        out.quantity("corner_tolerance", motion.corner_tolerance_mm, Dimension::Length);
-        out.quantity("exact_path_tolerance", motion.exact_path_tolerance_mm, Dimension::Length);
+        out.quantity("corner_tolerance", motion.corner_tolerance_mm, QuantityDimension::Length);
+        out.quantity(
+            "exact_path_tolerance",
+            motion.exact_path_tolerance_mm,
+            QuantityDimension::Length,
+        );
         let rapid = motion.rapid_corner_tolerance_mm;
-        out.quantity("rapid_corner_tolerance", rapid, Dimension::Length);
-        out.quantity("rotary_tolerance", motion.rotary_tolerance_rad, Dimension::Angle);
+        out.quantity("rapid_corner_tolerance", rapid, QuantityDimension::Length);
+        out.quantity("rotary_tolerance", motion.rotary_tolerance_rad, QuantityDimension::Angle);
     }
 
-    fn write_times(&self, out: &mut Out) {
+    fn write_times(&self, out: &mut TomlWriter) {
         let times = &self.times;
         if *times == Default::default() {
             return;
         }
         out.table("times");
-        out.quantity("tool_change", times.tool_change_s, Dimension::Time);
-        out.quantity("spindle_per_1000_rpm", times.spindle_per_1000_rpm_s, Dimension::Time);
-        out.quantity("spindle_orient", times.spindle_orient_s, Dimension::Time);
-        out.quantity("probe", times.probe_s, Dimension::Time);
-        out.quantity("m_code", times.m_code_s, Dimension::Time);
+        out.quantity("tool_change", times.tool_change_s, QuantityDimension::Time);
+        out.quantity("spindle_per_1000_rpm", times.spindle_per_1000_rpm_s, QuantityDimension::Time);
+        out.quantity("spindle_orient", times.spindle_orient_s, QuantityDimension::Time);
+        out.quantity("probe", times.probe_s, QuantityDimension::Time);
+        out.quantity("m_code", times.m_code_s, QuantityDimension::Time);
     }
 
-    fn write_switches(&self, out: &mut Out) {
+    fn write_switches(&self, out: &mut TomlWriter) {
         let switches = &self.switches;
         if *switches == Default::default() {
             return;
@@ -200,7 +208,7 @@ impl Machine {
         }
     }
 
-    fn write_macros(&self, out: &mut Out) {
+    fn write_macros(&self, out: &mut TomlWriter) {
         let macros = &self.macros;
         if *macros == Default::default() {
             return;
@@ -229,7 +237,7 @@ impl Machine {
         }
     }
 
-    fn write_tools(&self, out: &mut Out, factors: &PerAxis<f64>) {
+    fn write_tools(&self, out: &mut TomlWriter, factors: &PerAxis<f64>) {
         for (number, tool) in &self.tools {
             out.table(&format!("tools.{number}"));
             write_tool(out, tool, factors);
@@ -238,7 +246,7 @@ impl Machine {
 }
 
 /// A body of the setup under its name.
-fn write_body(out: &mut Out, name: &str, body: &Body) {
+fn write_body(out: &mut TomlWriter, name: &str, body: &Body) {
     let keys: Vec<String> = name.splitn(2, '.').map(key_text).collect();
     out.table(&keys.join("."));
     let words = [
@@ -260,7 +268,7 @@ fn write_body(out: &mut Out, name: &str, body: &Body) {
     }
     for (end, values) in [("from", &body.from), ("to", &body.to)] {
         for (axis, value) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(values) {
-            out.quantity(&format!("{end}.{axis}"), *value, Dimension::Length);
+            out.quantity(&format!("{end}.{axis}"), *value, QuantityDimension::Length);
         }
     }
     out.lengths(
@@ -270,16 +278,16 @@ fn write_body(out: &mut Out, name: &str, body: &Body) {
             corner.into_iter().chain(point.arc_mm).collect()
         }),
     );
-    out.quantity("diameter", body.diameter_mm, Dimension::Length);
-    out.quantity("bore", body.bore_mm, Dimension::Length);
-    out.quantity("clearance", body.clearance_mm, Dimension::Length);
-    out.quantity("tolerance", body.tolerance_mm, Dimension::Length);
+    out.quantity("diameter", body.diameter_mm, QuantityDimension::Length);
+    out.quantity("bore", body.bore_mm, QuantityDimension::Length);
+    out.quantity("clearance", body.clearance_mm, QuantityDimension::Length);
+    out.quantity("tolerance", body.tolerance_mm, QuantityDimension::Length);
 }
 
 /// The keys of a tool.
-fn write_tool(out: &mut Out, tool: &Tool, factors: &PerAxis<f64>) {
-    out.quantity("diameter", tool.diameter_mm, Dimension::Length);
-    out.quantity("diameter_wear", tool.diameter_wear_mm, Dimension::Length);
+fn write_tool(out: &mut TomlWriter, tool: &Tool, factors: &PerAxis<f64>) {
+    out.quantity("diameter", tool.diameter_mm, QuantityDimension::Length);
+    out.quantity("diameter_wear", tool.diameter_wear_mm, QuantityDimension::Length);
     // A mill has its length and no more: the key that people know.
     for (key, length, values) in
         [("offset", "length", &tool.offset), ("offset_wear", "length_wear", &tool.offset_wear)]
@@ -296,21 +304,21 @@ fn write_tool(out: &mut Out, tool: &Tool, factors: &PerAxis<f64>) {
     if let Some(shape) = tool.shape {
         out.line("shape", &string_text(shape.as_str()));
     }
-    out.quantity("corner_radius", tool.corner_radius_mm, Dimension::Length);
-    out.quantity("point_angle", tool.point_angle_rad, Dimension::Angle);
-    out.quantity("tip_diameter", tool.tip_diameter_mm, Dimension::Length);
-    out.quantity("pitch", tool.pitch_mm, Dimension::Length);
-    out.quantity("nose_radius", tool.nose_radius_mm, Dimension::Length);
+    out.quantity("corner_radius", tool.corner_radius_mm, QuantityDimension::Length);
+    out.quantity("point_angle", tool.point_angle_rad, QuantityDimension::Angle);
+    out.quantity("tip_diameter", tool.tip_diameter_mm, QuantityDimension::Length);
+    out.quantity("pitch", tool.pitch_mm, QuantityDimension::Length);
+    out.quantity("nose_radius", tool.nose_radius_mm, QuantityDimension::Length);
     for (key, count) in [("teeth", tool.teeth), ("tip", tool.tip)] {
         if let Some(count) = count {
             out.line(key, &count.to_string());
         }
     }
-    out.quantity("max_chip", tool.max_chip_mm, Dimension::Length);
-    out.quantity("min_chip", tool.min_chip_mm, Dimension::Length);
+    out.quantity("max_chip", tool.max_chip_mm, QuantityDimension::Length);
+    out.quantity("min_chip", tool.min_chip_mm, QuantityDimension::Length);
     out.lengths("profile", tool.profile.iter().map(|point| point.to_vec()));
-    out.quantity("flute_length", tool.flute_length_mm, Dimension::Length);
-    out.quantity("shank_diameter", tool.shank_diameter_mm, Dimension::Length);
+    out.quantity("flute_length", tool.flute_length_mm, QuantityDimension::Length);
+    out.quantity("shank_diameter", tool.shank_diameter_mm, QuantityDimension::Length);
     for (key, solids) in [("shank", &tool.shank), ("holder", &tool.holder)] {
         out.lengths(key, solids.iter().map(|s| vec![s.height_mm, s.lower_mm, s.upper_mm]));
     }
@@ -323,7 +331,7 @@ fn write_tool(out: &mut Out, tool: &Tool, factors: &PerAxis<f64>) {
 }
 
 /// The keys of a turning tool.
-fn write_turning(out: &mut Out, tool: &TurningTool) {
+fn write_turning(out: &mut TomlWriter, tool: &TurningTool) {
     let insert = tool.insert_designation.as_ref().map(|written| written.text.as_str());
     let words = [
         ("insert", insert.or(tool.insert.map(InsertLetter::as_str))),
@@ -335,11 +343,11 @@ fn write_turning(out: &mut Out, tool: &TurningTool) {
             out.line(key, &string_text(word));
         }
     }
-    out.quantity("insert_angle", tool.insert_angle_rad, Dimension::Angle);
-    out.quantity("approach_angle", tool.approach_angle_rad, Dimension::Angle);
-    out.quantity("width", tool.width_mm, Dimension::Length);
-    out.quantity("lead_angle", tool.lead_angle_rad, Dimension::Angle);
-    out.quantity("bar_offset", tool.bar_offset_mm, Dimension::Length);
+    out.quantity("insert_angle", tool.insert_angle_rad, QuantityDimension::Angle);
+    out.quantity("approach_angle", tool.approach_angle_rad, QuantityDimension::Angle);
+    out.quantity("width", tool.width_mm, QuantityDimension::Length);
+    out.quantity("lead_angle", tool.lead_angle_rad, QuantityDimension::Angle);
+    out.quantity("bar_offset", tool.bar_offset_mm, QuantityDimension::Length);
     out.lengths("holder_outline", tool.holder_outline.iter().map(|corner| corner.to_vec()));
 }
 
@@ -348,13 +356,13 @@ fn written(values: &PerAxis<Option<f64>>, axis: Axis, factors: &PerAxis<f64>) ->
     Some(values[axis as usize]? * factors[axis as usize])
 }
 
-const fn dimension_of(axis: Axis) -> Dimension {
-    if axis.is_rotary() { Dimension::Angle } else { Dimension::Length }
+const fn dimension_of(axis: Axis) -> QuantityDimension {
+    if axis.is_rotary() { QuantityDimension::Angle } else { QuantityDimension::Length }
 }
 
-struct Out(String);
+struct TomlWriter(String);
 
-impl Out {
+impl TomlWriter {
     fn table(&mut self, name: &str) {
         self.push(format_args!("\n[{name}]\n"));
     }
@@ -363,7 +371,7 @@ impl Out {
         self.push(format_args!("{key} = {value}\n"));
     }
 
-    fn quantity(&mut self, key: &str, value: Option<f64>, dimension: Dimension) {
+    fn quantity(&mut self, key: &str, value: Option<f64>, dimension: QuantityDimension) {
         if let Some(value) = value {
             self.line(key, &format!("\"{value} {}\"", dimension.inside()));
         }

@@ -5,8 +5,8 @@ mod common;
 use std::f64::consts::{FRAC_PI_6, PI};
 
 use chordal_machine::{
-    Axis, ControlName, Machine, RapidShape, SettingValue, ShopCode, Tool, ToolShape, WorkOffset,
-    builtin, builtin_names,
+    Axis, ControlName, CustomCodeSpec, Machine, RapidShape, SettingValue, Tool, ToolShape,
+    WorkOffset, builtin, builtin_names,
 };
 use common::{machine, no_files, shown};
 use proptest::prelude::*;
@@ -171,10 +171,13 @@ fn every_key() {
     assert!(m.switches.optional_stop);
     assert_eq!(m.clearance_mm, Some(2.54));
     assert_eq!(m.times.tool_change_s, Some(6.0));
-    let flip =
-        ShopCode { time_s: Some(2.5), label: Some("part flip".into()), ..ShopCode::default() };
+    let flip = CustomCodeSpec {
+        time_s: Some(2.5),
+        label: Some("part flip".into()),
+        ..CustomCodeSpec::default()
+    };
     assert_eq!(m.shop_codes[&120], flip);
-    assert_eq!(m.shop_codes[&121], ShopCode::default());
+    assert_eq!(m.shop_codes[&121], CustomCodeSpec::default());
     let setting = &m.settings["Setting 58"];
     assert_eq!(setting.value, SettingValue::Text("fanuc".into()));
     let location = setting.location.as_ref().expect("a place");
@@ -300,7 +303,7 @@ proptest! {
         }
         machine.home = home;
         for (name, value) in settings {
-            machine.settings.insert(name, chordal_machine::Setting { value, location: None });
+            machine.settings.insert(name, chordal_machine::SettingEntry { value, location: None });
         }
         for axis in [Axis::Y, Axis::C] {
             let limits = machine.axes[axis as usize].get_or_insert_default();

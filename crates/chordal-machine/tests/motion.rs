@@ -1,6 +1,6 @@
 //! `[motion]`, `[times]` and the limits of rapids: read, written, refused.
 
-use chordal_machine::{Machine, Motion, Rotary, Turns};
+use chordal_machine::{Machine, MotionSettings, RotaryAxis, RotaryTarget};
 
 const FILE: &str = "\
 control = \"haas\"
@@ -55,10 +55,10 @@ fn every_key_is_read() {
     assert_eq!((x.max_acceleration, x.rapid_acceleration), (Some(2000.0), Some(4000.0)));
     assert_eq!(x.rapid_jerk, Some(200_000.0));
     let [about_x, about_y, about_z] = machine.rotary;
-    assert_eq!((about_x.turns, about_x.reversed), (Some(Turns::Table), true));
+    assert_eq!((about_x.turns, about_x.reversed), (Some(RotaryTarget::Table), true));
     assert_eq!(about_x.center_mm, [None, Some(25.4), None]);
-    assert_eq!(about_y, Rotary::default());
-    assert_eq!(about_z.turns, Some(Turns::Head));
+    assert_eq!(about_y, RotaryAxis::default());
+    assert_eq!(about_z.turns, Some(RotaryTarget::Head));
     let a = machine.axes[3].expect("A");
     assert_eq!(a.rapid_acceleration, Some(std::f64::consts::PI));
 }
@@ -75,7 +75,7 @@ fn what_is_written_is_read_back() {
 
 #[test]
 fn defaults_hold_where_nothing_is_said() {
-    let motion = Motion::default();
+    let motion = MotionSettings::default();
     assert_eq!(motion.servo_period_s(), 0.001);
     assert_eq!((motion.feed_override(), motion.rapid_override()), (1.0, 1.0));
     assert_eq!((motion.corner_tolerance_mm(), motion.exact_path_tolerance_mm()), (0.05, 0.0));

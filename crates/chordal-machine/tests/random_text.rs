@@ -3,7 +3,7 @@
 mod common;
 
 use chordal_machine::{
-    ControlName, Dimension, Machine, parse_quantity, read_tool_tbl, work_offset_name,
+    ControlName, Machine, QuantityDimension, parse_quantity, read_tool_tbl, work_offset_name,
 };
 use proptest::prelude::*;
 
@@ -111,7 +111,7 @@ proptest! {
 
     #[test]
     fn small_texts(text in any::<String>(), number in "[-+]?[0-9.]{0,9}[eE]?[-+]?[0-9]{0,22}", unit in "[ a-zµ°²^/0-9\"]{0,8}") {
-        for dimension in [Dimension::Length, Dimension::SpindleSpeed, Dimension::AngularJerk] {
+        for dimension in [QuantityDimension::Length, QuantityDimension::SpindleSpeed, QuantityDimension::AngularJerk] {
             let _ = parse_quantity(&text, dimension).map_err(|error| (error.to_string(), error.help()));
             if let Ok(value) = parse_quantity(&format!("{number}{unit}"), dimension) {
                 prop_assert!(value.is_finite());

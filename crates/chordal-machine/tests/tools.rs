@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
-use chordal_machine::{Axis, BodyShape, Cutter, Machine, Solid, ToolShape};
+use chordal_machine::{Axis, BodyShape, Cutter, HolderSegment, Machine, ToolShape};
 
 fn read(text: &str) -> Machine {
     Machine::from_toml("m.toml", text, &|name| Err(format!("no {name}"))).expect("a good file")
@@ -87,8 +87,8 @@ fn every_shape_wants_its_dimensions() {
 #[test]
 fn a_holder_is_cylinders_and_cones() {
     let tool = tool("shank = [['30 mm', '0.5 in']]\nholder = [['20 mm', '12 mm', '40 mm']]");
-    assert_eq!(tool.shank, [Solid { height_mm: 30.0, lower_mm: 12.7, upper_mm: 12.7 }]);
-    assert_eq!(tool.holder, [Solid { height_mm: 20.0, lower_mm: 12.0, upper_mm: 40.0 }]);
+    assert_eq!(tool.shank, [HolderSegment { height_mm: 30.0, lower_mm: 12.7, upper_mm: 12.7 }]);
+    assert_eq!(tool.holder, [HolderSegment { height_mm: 20.0, lower_mm: 12.0, upper_mm: 40.0 }]);
     assert_eq!(
         refused("control = 'haas'\n[tools.1]\nholder = [['20 mm']]\nteeth = 0\ntip = 10"),
         "m.toml:3: `holder` takes a list of lists of lengths\n\

@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use chordal_editor::Program;
-use chordal_load::{Files, Given as GivenMachine, Input, Loader, Request, machine};
+use chordal_editor::EditorProgram;
+use chordal_load::{
+    FileAccess, Loader, ProgramInput, Request, RequestedMachine as GivenMachine, machine,
+};
 use chordal_memory::{Message, TornMessage};
 use chordal_view::{
     Against, ChosenMachine, MachineChoice, Outbox, Programs, Refusal, builtin_machines, refusal,
@@ -25,7 +27,7 @@ pub struct Given {
 
 /// What lies next to a program.
 struct Beside {
-    files: Files,
+    files: FileAccess,
     machines: Vec<MachineChoice>,
     against: Option<Arc<Against>>,
 }
@@ -35,7 +37,7 @@ struct Second {
     name: String,
     bytes: Vec<u8>,
     machine: Option<String>,
-    files: Files,
+    files: FileAccess,
 }
 
 impl Given {
@@ -82,7 +84,7 @@ impl Beside {
             }
             files.push((PathBuf::from(file.path), bytes));
         }
-        let files = Files::given(files);
+        let files = FileAccess::given(files);
         let mut machines = builtin_machines();
         machines.extend(names.into_iter().map(|name| {
             // What is wrong with a file is said when it is chosen.
@@ -103,12 +105,12 @@ impl Beside {
 
 /// A text with what lies next to it, on the machine that was chosen, or on its own.
 fn opened(
-    files: Files,
+    files: FileAccess,
     chosen: Option<&str>,
     own: Option<&str>,
     name: &str,
     text: Vec<u8>,
-) -> Result<Program, Refusal> {
+) -> Result<EditorProgram, Refusal> {
     let loader_on = |machine: Option<&str>| {
         let chosen = machine.map(ChosenMachine::of);
         let set = chosen.map_or_else(Vec::new, |chosen| chosen.assignments());
@@ -117,7 +119,7 @@ fn opened(
     };
     let loader = loader_on(chosen.or(own));
     let set_up = chosen.and_then(|_| loader_on(own).ok());
-    let input = Input { path: Some(PathBuf::from(name)), root: None };
+    let input = ProgramInput { path: Some(PathBuf::from(name)), root: None };
     let named_in = |file: &Path| {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         format!("named in {name} next to it")
@@ -154,7 +156,7 @@ impl Programs for Given {
         })
     }
 
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<EditorProgram, Refusal> {
         let beside = self.beside();
         if let Some(ChosenMachine { name, .. }) = machine.map(ChosenMachine::of)
             && !beside.machines.iter().any(|choice| choice.name == name)
@@ -193,7 +195,7 @@ impl Programs for Second {
         Ok(self.bytes.clone())
     }
 
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<EditorProgram, Refusal> {
         opened(self.files.clone(), machine, self.machine.as_deref(), &self.name, text)
     }
 

@@ -6,12 +6,14 @@ mod support;
 use std::f64::consts::TAU;
 
 use chordal_geometry::Vec2;
-use chordal_path::gouge::{Contour, Corners, Move, Options, PlaneCurve, Side, check, range};
+use chordal_path::gouge::{
+    CenterMove, Contour, GougeCurve, GougeOptions, OutsideCornerRule, ToolSide, check, range,
+};
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use support::{Dice, contour, offset_path};
 
 /// A closed ring of short lines, 100 mm about, with waves of so many mm, and jitter across it.
-fn ring(count: usize, radius: f64, waves: f64, height: f64, jitter: f64) -> Vec<PlaneCurve> {
+fn ring(count: usize, radius: f64, waves: f64, height: f64, jitter: f64) -> Vec<GougeCurve> {
     let mut dice = Dice::new(7);
     let points: Vec<Vec2> = (0..count)
         .map(|k| {
@@ -20,12 +22,12 @@ fn ring(count: usize, radius: f64, waves: f64, height: f64, jitter: f64) -> Vec<
             Vec2::new(r * angle.cos(), r * angle.sin())
         })
         .collect();
-    (0..count).map(|k| PlaneCurve::line(points[k], points[(k + 1) % count])).collect()
+    (0..count).map(|k| GougeCurve::line(points[k], points[(k + 1) % count])).collect()
 }
 
-fn job(curves: &[PlaneCurve], radius: f64) -> (Contour, Vec<Move>) {
-    let path = offset_path(curves, Side::Left, radius).expect("lines have an offset");
-    (contour(curves, Side::Left, radius), path)
+fn job(curves: &[GougeCurve], radius: f64) -> (Contour, Vec<CenterMove>) {
+    let path = offset_path(curves, ToolSide::Left, radius).expect("lines have an offset");
+    (contour(curves, ToolSide::Left, radius), path)
 }
 
 fn gouge(c: &mut Criterion) {
@@ -41,7 +43,7 @@ fn gouge(c: &mut Criterion) {
             ("jitter", job(&ring(count, 955.0 * scale, 5.0, 20.0 * scale, 1e-4), 5.0 * scale)),
         ];
         for (name, (contour, path)) in &jobs {
-            let report = check(contour, path, &Options::default());
+            let report = check(contour, path, &GougeOptions::default());
             println!(
                 "{name} {count}: {} gouges, more {}, complete {}, deepest {:?}",
                 report.gouges.len(),
@@ -50,11 +52,11 @@ fn gouge(c: &mut Criterion) {
                 report.gouges.first().map(|g| g.depth)
             );
             group.bench_function(BenchmarkId::new(*name, count), |b| {
-                b.iter(|| check(contour, path, &Options::default()))
+                b.iter(|| check(contour, path, &GougeOptions::default()))
             });
         }
         group.bench_function(BenchmarkId::new("range", count), |b| {
-            b.iter(|| range(&jobs[0].1.0, Corners::Circular, &Options::default()))
+            b.iter(|| range(&jobs[0].1.0, OutsideCornerRule::Circular, &GougeOptions::default()))
         });
     }
     group.finish();

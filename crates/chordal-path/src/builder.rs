@@ -8,7 +8,7 @@ use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
 use chordal_kernel::rules::ToolLengths;
 use chordal_machine::{AXES, Machine, PerAxis};
 
-use crate::frame::Frame;
+use crate::frame::ProgramFrame;
 use crate::rapid;
 use crate::segment::{
     NotNamed, Segment, SegmentKind, UnrelatedZero, curve_of, curves_of, is_known, point,
@@ -27,7 +27,7 @@ pub struct RunFrame {
 impl RunFrame {
     /// The frame of a first cut that is made in `frame`. `set_up` is what the setup gives of its work coordinate
     /// system, mm: what the program itself writes into the system moves it against that.
-    pub fn of_cut(frame: &Frame, set_up: PerAxis<Option<f64>>) -> RunFrame {
+    pub fn of_cut(frame: &ProgramFrame, set_up: PerAxis<Option<f64>>) -> RunFrame {
         let zero = &frame.zero;
         let offset = std::array::from_fn(|axis| match set_up[axis] {
             // Nothing else is known of it but what the preset says.
@@ -40,7 +40,7 @@ impl RunFrame {
 
     /// How far program coordinates of another frame lie from this one, mm: zero along the axes of which that is not
     /// known.
-    fn shift_of(&self, frame: &Frame) -> (Vec3, Option<UnrelatedZero>) {
+    fn shift_of(&self, frame: &ProgramFrame) -> (Vec3, Option<UnrelatedZero>) {
         let same_system = frame.name == self.name;
         let mut axes = AxisMask::NONE;
         let mut along = |axis: usize| {
@@ -67,7 +67,7 @@ impl RunFrame {
 #[derive(Debug)]
 pub struct PathBuilder<'a> {
     machine: &'a Machine,
-    frame: Frame,
+    frame: ProgramFrame,
     run_frame: Option<RunFrame>,
     /// From the active program coordinates to the frame of the run, mm, and where that is not known, why.
     shift: (Vec3, Option<UnrelatedZero>),
@@ -84,7 +84,7 @@ enum NotNamedTracker {
     /// Found before the run.
     Found(NotNamed),
     /// The run could not be looked at before: Z, as long as no move has named it and with it a cut was made.
-    SoFar(Flat),
+    SoFar(PlanarStart),
 }
 
 impl NotNamedTracker {
@@ -110,7 +110,7 @@ impl NotNamedTracker {
 
 /// Whether a program has only X and Y so far.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Flat {
+enum PlanarStart {
     /// Z was never moved, and nothing was cut.
     Open,
     /// The same, and something was cut.
@@ -119,17 +119,18 @@ enum Flat {
     No,
 }
 
-impl Flat {
+impl PlanarStart {
     /// Follows a move; true where it lies flat although its height is not known.
     fn follow(&mut self, motion: &Move, cuts: bool) -> bool {
         let both = motion.from_known.and(motion.to_known);
         if motion.from_known.or(motion.to_known).has(2) || motion.from[2] != motion.to[2] {
-            *self = Flat::No;
+            *self = PlanarStart::No;
         }
-        let is_flat =
-            both.covers(AxisMask::XY) && *self != Flat::No && (cuts || *self == Flat::Cut);
+        let is_flat = both.covers(AxisMask::XY)
+            && *self != PlanarStart::No
+            && (cuts || *self == PlanarStart::Cut);
         if is_flat {
-            *self = Flat::Cut;
+            *self = PlanarStart::Cut;
         }
         is_flat
     }
@@ -142,12 +143,12 @@ impl<'a> PathBuilder<'a> {
         PathBuilder {
             tip: TipTracker::new(machine, ToolLengths::Absent, known),
             machine,
-            frame: Frame::new(offset, known),
+            frame: ProgramFrame::new(offset, known),
             run_frame: None,
             shift: (Vec3::ZERO, None),
             tool: 0,
             rpm: 0.0,
-            not_named: NotNamedTracker::SoFar(Flat::Open),
+            not_named: NotNamedTracker::SoFar(PlanarStart::Open),
         }
     }
 

@@ -7,10 +7,10 @@ mod tip;
 mod turret;
 
 use chordal_command::{
-    AxisMask, Command, CommandKind, Feed, FeedMode, Move, Origin, Position, Side, Units,
-    number_text,
+    AxisMask, Command, CommandKind, CompensationSide, Feed, FeedMode, Move, Origin, Position,
+    Units, number_text,
 };
-use chordal_diagnostics::{Code, Diagnostic, Severity, Shift, Span};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextShift};
 use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
 use chordal_kernel::rules::ToolLengths;
 use chordal_machine::{AXES, Axis, Machine, PerAxis};
@@ -18,8 +18,8 @@ use chordal_machine::{AXES, Axis, Machine, PerAxis};
 use crate::builder::duration_s;
 use crate::compensation::PathCommand;
 use crate::contour_rapid::{ContourRapid, OpenRapid};
-use crate::excess::Excess;
-use crate::frame::Frame;
+use crate::excess::LimitExcess;
+use crate::frame::ProgramFrame;
 use crate::rapid_check::{LowRapid, RapidDirection, RapidLog};
 use crate::segment::{curve_of, is_known, point};
 use crate::tip::TipTracker;
@@ -41,7 +41,7 @@ const ON_PLANE_MM: f64 = 1e-6;
 
 /// Watches the commands of a run.
 #[derive(Debug)]
-pub struct Checks<'a> {
+pub struct RunChecks<'a> {
     machine: &'a Machine,
     /// Nothing of the part is above this, mm.
     clearance_mm: f64,
@@ -54,13 +54,13 @@ pub struct Checks<'a> {
     /// What is remembered where a program begins.
     start: ChecksMemory,
     now: ChecksMemory,
-    seen: Seen,
+    seen: CheckedRange,
 }
 
 /// What the checks remember from command to command.
 #[derive(Clone, Debug)]
 pub struct ChecksMemory {
-    frame: Frame,
+    frame: ProgramFrame,
     units: Units,
     /// The programmed moves that come have cutter compensation.
     compensated: bool,
@@ -81,7 +81,7 @@ pub struct ChecksMemory {
 
 /// What a stretch of a run has touched, for what can be judged only at its end.
 #[derive(Clone, Debug)]
-pub struct Seen {
+pub struct CheckedRange {
     /// What is cut, in program coordinates, and the rapids below the clearance plane.
     rapids: RapidLog,
     /// On a lathe: what is cut, and where the turret turns.
@@ -89,24 +89,24 @@ pub struct Seen {
     /// Extent of each axis over known places, for machines whose offsets are not known.
     extent: PerAxis<(f64, f64)>,
     /// By how much the limits of an assumed machine were exceeded.
-    excess: Excess,
+    excess: LimitExcess,
 }
 
-impl Default for Seen {
-    fn default() -> Seen {
+impl Default for CheckedRange {
+    fn default() -> CheckedRange {
         let extent = [(f64::INFINITY, f64::NEG_INFINITY); AXES];
-        Seen {
+        CheckedRange {
             rapids: RapidLog::default(),
             turret: TurretLog::default(),
             extent,
-            excess: Excess::default(),
+            excess: LimitExcess::default(),
         }
     }
 }
 
-impl Seen {
+impl CheckedRange {
     /// With what the stretch after has touched.
-    pub fn and(&mut self, next: &Seen) {
+    pub fn and(&mut self, next: &CheckedRange) {
         self.rapids.and(&next.rapids);
         self.turret.and(&next.turret);
         for (extent, other) in self.extent.iter_mut().zip(next.extent) {
@@ -116,7 +116,7 @@ impl Seen {
     }
 
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         self.turret.shift(shift)?;
         self.rapids.shift(shift)
     }
@@ -124,7 +124,7 @@ impl Seen {
 
 impl ChecksMemory {
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         for leg in &mut self.legs {
             leg.origin = leg.origin.shifted(shift)?;
         }
@@ -134,16 +134,16 @@ impl ChecksMemory {
     }
 }
 
-impl<'a> Checks<'a> {
+impl<'a> RunChecks<'a> {
     /// Checks for one run that begins in these units.
     pub fn new(
         machine: &'a Machine,
         offset: Position,
         known: AxisMask,
         units: Units,
-    ) -> Checks<'a> {
+    ) -> RunChecks<'a> {
         let now = ChecksMemory {
-            frame: Frame::new(offset, known),
+            frame: ProgramFrame::new(offset, known),
             units,
             compensated: false,
             last: None,
@@ -156,7 +156,7 @@ impl<'a> Checks<'a> {
             told_axes: AxisMask::NONE,
             told_speed: false,
         };
-        Checks {
+        RunChecks {
             machine,
             clearance_mm: clearance_mm(machine),
             turns: machine.turns(),
@@ -164,25 +164,25 @@ impl<'a> Checks<'a> {
             assumed: false,
             start: now.clone(),
             now,
-            seen: Seen::default(),
+            seen: CheckedRange::default(),
         }
     }
 
     /// The tip of a tool stands where the machine puts it.
-    pub fn with_tool_lengths(mut self, lengths: ToolLengths) -> Checks<'a> {
+    pub fn with_tool_lengths(mut self, lengths: ToolLengths) -> RunChecks<'a> {
         self.now.tip = TipTracker::new(self.machine, lengths, self.now.frame.known);
         self.start = self.now.clone();
         self
     }
 
     /// How programs limit the spindle where they keep a cutting speed, for people.
-    pub fn with_speed_limit_example(self, example: &'static str) -> Checks<'a> {
-        Checks { speed_limit_example: example, ..self }
+    pub fn with_speed_limit_example(self, example: &'static str) -> RunChecks<'a> {
+        RunChecks { speed_limit_example: example, ..self }
     }
 
     /// Nobody named the machine: its limits are a guess.
-    pub fn assumed(self, assumed: bool) -> Checks<'a> {
-        Checks { assumed, ..self }
+    pub fn assumed(self, assumed: bool) -> RunChecks<'a> {
+        RunChecks { assumed, ..self }
     }
 
     /// A problem that these checks report in another form, because nobody named the machine.
@@ -201,12 +201,12 @@ impl<'a> Checks<'a> {
     }
 
     /// Takes out what was touched so far; what comes is counted anew.
-    pub fn take_seen(&mut self) -> Seen {
+    pub fn take_seen(&mut self) -> CheckedRange {
         std::mem::take(&mut self.seen)
     }
 
     /// Counts as touched, besides.
-    pub fn add_seen(&mut self, seen: &Seen) {
+    pub fn add_seen(&mut self, seen: &CheckedRange) {
         self.seen.and(seen);
     }
 
@@ -230,7 +230,7 @@ impl<'a> Checks<'a> {
         }
         match &command.kind {
             CommandKind::Compensation { side, number, radius_mm, .. } => {
-                self.now.compensated = *side != Side::Off;
+                self.now.compensated = *side != CompensationSide::Off;
                 if let (true, Some(number)) = (self.now.compensated, *number) {
                     self.radius_of_other_tool(command, number, *radius_mm, &mut report);
                 }
@@ -252,7 +252,7 @@ impl<'a> Checks<'a> {
     #[inline]
     pub fn command(&mut self, path: PathCommand<'_>, mut report: impl FnMut(Diagnostic)) {
         let command = path.command;
-        let as_programmed = path.side == Side::Off;
+        let as_programmed = path.side == CompensationSide::Off;
         if self.turns {
             self.turret(command);
             self.cutting_speed(command, &mut report);
@@ -530,7 +530,7 @@ impl<'a> Checks<'a> {
             report(note);
         }
         self.now = self.start.clone();
-        self.seen = Seen::default();
+        self.seen = CheckedRange::default();
     }
 
     /// Holds the extent of an axis against its travel, where no work offset is known.

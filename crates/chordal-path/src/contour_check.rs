@@ -9,9 +9,9 @@ use chordal_command::{Origin, Units};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
 
-use crate::compensation::{ContourPiece, Role};
+use crate::compensation::{BlockRole, ContourPiece};
 use crate::contour_level::ContourLevel;
-use crate::gouge::{self, Gouge, GougeKind, Options};
+use crate::gouge::{self, Gouge, GougeKind, GougeOptions};
 use crate::side_check::SideCheck;
 
 /// Gouges reported for one contour: the deepest. What follows is only counted.
@@ -77,7 +77,7 @@ impl ContourCheck {
         }
         self.level.take(piece);
         self.sides.piece(piece, report);
-        if piece.role == Role::Cancel {
+        if piece.role == BlockRole::Cancel {
             self.finish(report);
         }
     }
@@ -127,11 +127,11 @@ impl ContourCheck {
             Units::Inch => 0.00254,
             Units::Millimetre => 0.001,
         };
-        let options = Options {
+        let options = GougeOptions {
             epsilon: LEAST_DEPTH_MM.max(level.rounding).max(2.0 * least_increment),
             most: TOLD_PER_CONTOUR,
             budget: SEARCH_BUDGET,
-            ..Options::default()
+            ..GougeOptions::default()
         };
         let found = gouge::check(&contour, &level.moves, &options);
         let origins = &level.origins;

@@ -3,8 +3,8 @@
 use chordal_command::Origin;
 use chordal_geometry::{Plane, Vec2};
 
-use crate::compensation::{ContourPiece, PlaneCurve, Role};
-use crate::gouge::{self, Block, Contour, Move, Side};
+use crate::compensation::{BlockRole, CompensationCurve, ContourPiece};
+use crate::gouge::{self, CenterMove, Contour, ContourBlock, ToolSide};
 
 /// A difference of the radii of an arc's ends above this makes it a spiral, mm.
 const ROUNDED_RADIUS_MM: f64 = 0.02;
@@ -25,9 +25,9 @@ pub struct ContourLevel {
     height: f64,
     /// Largest difference of an arc's radii that comes from rounding, mm.
     pub rounding: f64,
-    blocks: Vec<Block>,
+    blocks: Vec<ContourBlock>,
     /// The path of the tool centre.
-    pub moves: Vec<Move>,
+    pub moves: Vec<CenterMove>,
     /// The block of each tag.
     pub origins: Vec<Origin>,
 }
@@ -74,17 +74,17 @@ impl ContourLevel {
         self.origins.push(piece.origin);
         self.height = piece.height.1;
         let role = match piece.role {
-            Role::StartUp => gouge::Role::LeadIn,
-            Role::Contour if piece.rapid => gouge::Role::Passing,
-            Role::Contour => gouge::Role::Offset,
-            Role::Cancel => gouge::Role::LeadOut,
+            BlockRole::StartUp => gouge::GougeRole::LeadIn,
+            BlockRole::Contour if piece.rapid => gouge::GougeRole::Passing,
+            BlockRole::Contour => gouge::GougeRole::Offset,
+            BlockRole::Cancel => gouge::GougeRole::LeadOut,
         };
         if let Some(programmed) = &piece.programmed {
             self.rounding = self.rounding.max(radius_difference(programmed));
-            plain(programmed, |curve| self.blocks.push(Block { curve, tag, role }));
+            plain(programmed, |curve| self.blocks.push(ContourBlock { curve, tag, role }));
         }
         for centre in &piece.centre {
-            plain(centre, |curve| self.moves.push(Move { curve, tag }));
+            plain(centre, |curve| self.moves.push(CenterMove { curve, tag }));
         }
     }
 
@@ -93,37 +93,37 @@ impl ContourLevel {
         if self.radius <= 0.0 || self.blocks.is_empty() {
             return None;
         }
-        let side = if self.sign > 0.0 { Side::Left } else { Side::Right };
+        let side = if self.sign > 0.0 { ToolSide::Left } else { ToolSide::Right };
         Some(Contour { blocks: std::mem::take(&mut self.blocks), side, radius: self.radius })
     }
 }
 
 /// A block that bounds nothing at this height.
-fn passing(curve: gouge::PlaneCurve) -> Block {
-    Block { curve, tag: u32::MAX, role: gouge::Role::Passing }
+fn passing(curve: gouge::GougeCurve) -> ContourBlock {
+    ContourBlock { curve, tag: u32::MAX, role: gouge::GougeRole::Passing }
 }
 
 /// How much the radii of an arc differ by rounding, mm; nothing for a spiral.
-fn radius_difference(curve: &PlaneCurve) -> f64 {
+fn radius_difference(curve: &CompensationCurve) -> f64 {
     match *curve {
-        PlaneCurve::Arc { radius_from, radius_to, .. } => {
+        CompensationCurve::Arc { radius_from, radius_to, .. } => {
             let difference = (radius_to - radius_from).abs();
             if difference <= ROUNDED_RADIUS_MM { difference } else { 0.0 }
         }
-        PlaneCurve::Line { .. } => 0.0,
+        CompensationCurve::Line { .. } => 0.0,
     }
 }
 
 /// The curve as lines and arcs of one radius: a spiral in short chords.
-fn plain(curve: &PlaneCurve, mut push: impl FnMut(gouge::PlaneCurve)) {
+fn plain(curve: &CompensationCurve, mut push: impl FnMut(gouge::GougeCurve)) {
     match *curve {
-        PlaneCurve::Line { from, to } => push(gouge::PlaneCurve::line(from, to)),
-        PlaneCurve::Arc { from, center, sweep, radius_from, radius_to, .. } => {
+        CompensationCurve::Line { from, to } => push(gouge::GougeCurve::line(from, to)),
+        CompensationCurve::Arc { from, center, sweep, radius_from, radius_to, .. } => {
             let arm = from - center;
             let start = libm::atan2(arm.b, arm.a);
             if (radius_to - radius_from).abs() <= ROUNDED_RADIUS_MM {
                 let radius = 0.5 * (radius_from + radius_to);
-                return push(gouge::PlaneCurve::Arc { center, radius, start, sweep });
+                return push(gouge::GougeCurve::Arc { center, radius, start, sweep });
             }
             let at = |part: f64| {
                 let (sin, cos) = libm::sincos(start + part * sweep);
@@ -134,7 +134,7 @@ fn plain(curve: &PlaneCurve, mut push: impl FnMut(gouge::PlaneCurve)) {
             let steps = (sweep.abs() / step).ceil().clamp(1.0, MOST_CHORDS);
             for index in 0..steps as u32 {
                 let part = |index: u32| f64::from(index) / steps;
-                push(gouge::PlaneCurve::line(at(part(index)), at(part(index + 1))));
+                push(gouge::GougeCurve::line(at(part(index)), at(part(index + 1))));
             }
         }
     }

@@ -2,7 +2,7 @@
 //! tool like this; a G0 stands where a G1 was meant.
 
 use chordal_command::{ArcShape, Move, Origin};
-use chordal_diagnostics::Shift;
+use chordal_diagnostics::TextShift;
 use chordal_geometry::{ParamCurve, Vec3};
 
 use crate::segment::{curve_of, is_known, point};
@@ -62,7 +62,7 @@ impl ContourRapid {
     }
 
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         if let Some(rapid) = &mut self.rapid {
             rapid.origin = rapid.origin.shifted(shift)?;
         }

@@ -10,7 +10,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// The largest excess of each kind.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Excess {
+pub struct LimitExcess {
     /// Beyond the travel, mm or rad.
     travel: PerAxis<f64>,
     /// The largest feed above the limit, mm/s.
@@ -30,9 +30,9 @@ fn share_in_step(feed: &Feed, motion: &Move) -> f64 {
     if length > 0.0 { longest / length } else { 1.0 }
 }
 
-impl Excess {
+impl LimitExcess {
     /// With that of another part of the run.
-    pub fn and(&mut self, other: &Excess) {
+    pub fn and(&mut self, other: &LimitExcess) {
         for axis in 0..AXES {
             self.travel(axis, other.travel[axis]);
         }

@@ -5,7 +5,7 @@ use chordal_machine::AXES;
 
 /// What lies between program and machine coordinates while commands go by.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
+pub struct ProgramFrame {
     /// The work coordinate system.
     pub name: WorkName,
     /// Where the zero of program coordinates comes from.
@@ -20,10 +20,10 @@ pub struct Frame {
     pub surface: Option<SurfaceRun>,
 }
 
-impl Frame {
+impl ProgramFrame {
     /// The frame before the first command.
-    pub fn new(offset: Position, known: AxisMask) -> Frame {
-        Frame {
+    pub fn new(offset: Position, known: AxisMask) -> ProgramFrame {
+        ProgramFrame {
             name: WorkName::G(54),
             zero: WorkZero::of_system(offset, known),
             work: offset,
@@ -34,8 +34,8 @@ impl Frame {
     }
 
     /// The same frame, where another work coordinate system is the first.
-    pub fn in_system(self, name: WorkName) -> Frame {
-        Frame { name, ..self }
+    pub fn in_system(self, name: WorkName) -> ProgramFrame {
+        ProgramFrame { name, ..self }
     }
 
     /// Follows a command; true when the frame changed.

@@ -1,7 +1,7 @@
 //! From commands to the path of the tool tip, its times, and the checks that need the path.
 //!
 //! [`PathBuilder`] turns each motion command into exact curves in one frame for the whole
-//! run; [`Checks`] watches travel, rapids and tangency as the commands go by. Both keep a
+//! run; [`RunChecks`] watches travel, rapids and tangency as the commands go by. Both keep a
 //! bounded state: nothing is collected here.
 //!
 //! ```
@@ -52,13 +52,14 @@ mod tip;
 mod turret_log;
 
 pub use builder::{PathBuilder, RunFrame, duration_s};
-pub use checks::{Checks, ChecksMemory, Seen, depth_mm};
+pub use checks::{CheckedRange, ChecksMemory, RunChecks, depth_mm};
 pub use compensation::{
-    Compensator, CompensatorMemory, ContourPiece, PathCommand, PathSink, PlaneCurve, Role,
+    BlockRole, CompensationCurve, Compensator, CompensatorMemory, ContourPiece, PathCommand,
+    PathSink,
 };
 pub use contour_check::ContourCheck;
 pub use contour_level::ContourLevel;
-pub use frame::Frame;
+pub use frame::ProgramFrame;
 pub use rotary::{RotaryLimits, rotary_parts};
 pub use rotary_extremes::places_on_axes;
 pub use segment::{NotNamed, Segment, SegmentKind, UnrelatedZero, curve_of, curves_of};

@@ -6,7 +6,7 @@
 //! the program speaks of. It is judged at the end of the run, when the whole region is known.
 
 use chordal_command::{Origin, Units};
-use chordal_diagnostics::Shift;
+use chordal_diagnostics::TextShift;
 use chordal_geometry::{Aabb, Vec3};
 
 /// Rapids remembered of a run.
@@ -45,7 +45,7 @@ pub(crate) struct LowRapid {
 }
 
 #[derive(Clone, Debug)]
-enum Event {
+enum CheckEvent {
     /// The box of the moves from one rapid to the next.
     Cut(Aabb),
     Rapid(LowRapid),
@@ -54,7 +54,7 @@ enum Event {
 /// What a run, or a stretch of it, has cut, and the rapids between.
 #[derive(Clone, Debug)]
 pub(crate) struct RapidLog {
-    events: Vec<Event>,
+    events: Vec<CheckEvent>,
     rapids: usize,
     /// The cut that goes on.
     open: Aabb,
@@ -94,17 +94,17 @@ impl RapidLog {
     pub fn rapid(&mut self, rapid: LowRapid) {
         if self.rapids < MOST_RAPIDS {
             self.rapids += 1;
-            self.events.push(Event::Rapid(rapid));
+            self.events.push(CheckEvent::Rapid(rapid));
         }
     }
 
     fn push_cut(&mut self, region: Aabb) {
         if self.events.len() - self.rapids < MOST_CUTS {
-            return self.events.push(Event::Cut(region));
+            return self.events.push(CheckEvent::Cut(region));
         }
         let last = self.events.iter_mut().rev().find_map(|event| match event {
-            Event::Cut(last) => Some(last),
-            Event::Rapid(_) => None,
+            CheckEvent::Cut(last) => Some(last),
+            CheckEvent::Rapid(_) => None,
         });
         if let Some(last) = last {
             *last = last.union(region);
@@ -124,21 +124,21 @@ impl RapidLog {
         }
         for event in &next.events {
             match event {
-                Event::Cut(region) => {
+                CheckEvent::Cut(region) => {
                     let region = self.open.union(*region);
                     self.open = Aabb::EMPTY;
                     self.push_cut(region);
                 }
-                Event::Rapid(rapid) => self.rapid(*rapid),
+                CheckEvent::Rapid(rapid) => self.rapid(*rapid),
             }
         }
         self.open = self.open.union(next.open);
     }
 
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         for event in &mut self.events {
-            if let Event::Rapid(rapid) = event {
+            if let CheckEvent::Rapid(rapid) = event {
                 rapid.origin = rapid.origin.shifted(shift)?;
             }
         }
@@ -150,7 +150,7 @@ impl RapidLog {
         self.end_cut();
         let whole = self.cuts(&self.events).fold(Aabb::EMPTY, Aabb::union);
         for (index, event) in self.events.iter().enumerate() {
-            let Event::Rapid(rapid) = event else { continue };
+            let CheckEvent::Rapid(rapid) = event else { continue };
             let (before, after) = self.events.split_at(index);
             // Where it plunges beside a contour the cut that follows begins: on the edge of its region.
             let region = match rapid.way {
@@ -164,10 +164,10 @@ impl RapidLog {
         }
     }
 
-    fn cuts<'e>(&self, events: &'e [Event]) -> impl Iterator<Item = Aabb> + use<'e> {
+    fn cuts<'e>(&self, events: &'e [CheckEvent]) -> impl Iterator<Item = Aabb> + use<'e> {
         events.iter().filter_map(|event| match event {
-            Event::Cut(region) => Some(*region),
-            Event::Rapid(_) => None,
+            CheckEvent::Cut(region) => Some(*region),
+            CheckEvent::Rapid(_) => None,
         })
     }
 }

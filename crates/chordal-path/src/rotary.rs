@@ -115,7 +115,7 @@ pub fn rotary_parts(
     if !is_number {
         return None;
     }
-    let cut = Cut { surface, curve };
+    let cut = SurfaceCut { surface, curve };
     let mut pieces = Vec::new();
     let first = if matches!(curve, Curve::Line(_)) { 1 } else { FIRST_PIECES };
     for piece in 0..first {
@@ -135,7 +135,7 @@ pub fn rotary_parts(
         let after = pieces[at];
         pieces[at - 1].follow(&after, limits.acceleration);
     }
-    let is_slower = |piece: &Piece| piece.seconds > piece.length() / speed * (1.0 + 1e-9);
+    let is_slower = |piece: &RotaryPiece| piece.seconds > piece.length() / speed * (1.0 + 1e-9);
     let parts = pieces.iter().map(|piece| SurfacePart {
         from: piece.from,
         to: piece.to,
@@ -146,7 +146,7 @@ pub fn rotary_parts(
 
 /// A piece of a cut on which the axis turns evenly.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct RotaryPiece {
     from: f64,
     to: f64,
     /// How far the axis turns on it, rad.
@@ -156,7 +156,7 @@ struct Piece {
     seconds: f64,
 }
 
-impl Piece {
+impl RotaryPiece {
     fn length(&self) -> f64 {
         self.to - self.from
     }
@@ -183,7 +183,7 @@ impl Piece {
     }
 
     /// No faster than the axis can come to from a neighbour: its rate changes from the middle of one to that of the other.
-    fn follow(&mut self, other: &Piece, acceleration: f64) {
+    fn follow(&mut self, other: &RotaryPiece, acceleration: f64) {
         let (rate, from) = (self.rate(), other.rate());
         if self.has_pole || rate.abs() <= from.abs() {
             return;
@@ -201,13 +201,13 @@ impl Piece {
     }
 }
 
-struct Cut<'a> {
+struct SurfaceCut<'a> {
     surface: &'a RotarySurface,
     curve: &'a Curve,
 }
 
-impl Cut<'_> {
-    fn divide(&self, [from, to]: [f64; 2], depth: u32, pieces: &mut Vec<Piece>) {
+impl SurfaceCut<'_> {
+    fn divide(&self, [from, to]: [f64; 2], depth: u32, pieces: &mut Vec<RotaryPiece>) {
         let point = |s: f64| at(self.curve.point_at(s));
         let turn = self.surface.turn(&point(from), &point(to), None);
         let is_even = turn.abs() <= EVEN_RAD;
@@ -218,7 +218,7 @@ impl Cut<'_> {
         }
         let is_face = matches!(self.surface.shape, SurfaceShape::Face { .. });
         let has_pole = !is_even && is_face;
-        pieces.push(Piece { from, to, turn, has_pole, seconds: 0.0 });
+        pieces.push(RotaryPiece { from, to, turn, has_pole, seconds: 0.0 });
     }
 }
 

@@ -53,7 +53,7 @@ fn on_cylinder(run: &SurfaceRun, motion: &Move, shape: Option<&ArcShape>) -> Vec
 }
 
 /// A place of a move on a face: how far along the move it is, from 0 to 1, and its two coordinates.
-struct At {
+struct FacePoint {
     share: f64,
     flat: [f64; 2],
 }
@@ -68,7 +68,7 @@ fn on_face(
     let flat = |place: &Position| [place[along], place[surface.across]];
     let (from, to) = (flat(&motion.from), flat(&motion.to));
     let whole = surface.turn(&motion.from, &motion.to, shape);
-    let angle = |at: &At| match shape {
+    let angle = |at: &FacePoint| match shape {
         _ if at.share >= 1.0 => run.angle,
         // From the pole, and to it, nothing turns.
         None => run.angle - surface.turn(&on(motion, surface, along, at), &motion.to, None),
@@ -83,7 +83,7 @@ fn on_face(
             run.angle - whole + turned
         }
     };
-    let mut places = vec![At { share: 0.0, flat: from }];
+    let mut places = vec![FacePoint { share: 0.0, flat: from }];
     match shape {
         None => places.extend(foot(from, to)),
         Some(shape) if (shape.radius_from - shape.radius_to).abs() <= SAME_RADIUS_MM => {
@@ -91,13 +91,13 @@ fn on_face(
         }
         Some(shape) => places.extend(of_spiral(from, shape)),
     }
-    places.push(At { share: 1.0, flat: to });
-    let on_axes = |at: &At| surface.on_axes(&on(motion, surface, along, at), angle(at));
+    places.push(FacePoint { share: 1.0, flat: to });
+    let on_axes = |at: &FacePoint| surface.on_axes(&on(motion, surface, along, at), angle(at));
     places.iter().map(on_axes).collect()
 }
 
 /// The position of a place of a move.
-fn on(motion: &Move, surface: &RotarySurface, along: usize, at: &At) -> Position {
+fn on(motion: &Move, surface: &RotarySurface, along: usize, at: &FacePoint) -> Position {
     let mut position: Position = std::array::from_fn(|axis: usize| {
         motion.from[axis] + (motion.to[axis] - motion.from[axis]) * at.share
     });
@@ -108,16 +108,16 @@ fn on(motion: &Move, surface: &RotarySurface, along: usize, at: &At) -> Position
 }
 
 /// Where a line is nearest to the pole, if that is between its ends.
-fn foot(from: [f64; 2], to: [f64; 2]) -> Option<At> {
+fn foot(from: [f64; 2], to: [f64; 2]) -> Option<FacePoint> {
     let way = [to[0] - from[0], to[1] - from[1]];
     let square = way[0] * way[0] + way[1] * way[1];
     let share = -(from[0] * way[0] + from[1] * way[1]) / square;
     (share > 0.0 && share < 1.0)
-        .then(|| At { share, flat: [from[0] + way[0] * share, from[1] + way[1] * share] })
+        .then(|| FacePoint { share, flat: [from[0] + way[0] * share, from[1] + way[1] * share] })
 }
 
 /// Where an arc is nearest to the pole and farthest from it, and where lines from the pole touch it.
-fn of_arc(from: [f64; 2], shape: &ArcShape) -> Vec<At> {
+fn of_arc(from: [f64; 2], shape: &ArcShape) -> Vec<FacePoint> {
     let (center, radius) = (shape.center, shape.radius_from);
     let away = libm::hypot(center[0], center[1]);
     if away <= POLE_MM || radius <= 0.0 {
@@ -130,19 +130,22 @@ fn of_arc(from: [f64; 2], shape: &ArcShape) -> Vec<At> {
         let touch = libm::acos(-radius / away);
         angles.extend([outward + touch, outward - touch]);
     }
-    let mut places: Vec<At> = Vec::new();
+    let mut places: Vec<FacePoint> = Vec::new();
     for angle in angles {
         let way = if shape.sweep < 0.0 { begin - angle } else { angle - begin };
         let share = way.rem_euclid(TAU) / shape.sweep.abs();
         if share > 0.0 && share < 1.0 {
             let (sin, cos) = libm::sincos(angle);
-            places.push(At { share, flat: [center[0] + radius * cos, center[1] + radius * sin] });
+            places.push(FacePoint {
+                share,
+                flat: [center[0] + radius * cos, center[1] + radius * sin],
+            });
         }
     }
     places
 }
 
-fn of_spiral(from: [f64; 2], shape: &ArcShape) -> impl Iterator<Item = At> {
+fn of_spiral(from: [f64; 2], shape: &ArcShape) -> impl Iterator<Item = FacePoint> {
     let center = shape.center;
     let begin = libm::atan2(from[1] - center[1], from[0] - center[0]);
     let (sweep, first, growth) =
@@ -151,7 +154,7 @@ fn of_spiral(from: [f64; 2], shape: &ArcShape) -> impl Iterator<Item = At> {
         let share = f64::from(place) / f64::from(PLACES);
         let (sin, cos) = libm::sincos(begin + sweep * share);
         let radius = first + growth * share;
-        At { share, flat: [center[0] + radius * cos, center[1] + radius * sin] }
+        FacePoint { share, flat: [center[0] + radius * cos, center[1] + radius * sin] }
     })
 }
 

@@ -7,7 +7,7 @@ use chordal_command::Origin;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::Vec2;
 
-use crate::compensation::{ContourPiece, PlaneCurve, Role};
+use crate::compensation::{BlockRole, CompensationCurve, ContourPiece};
 
 /// A lead that lies on the far side of a wall by less is in line with it, mm.
 const ACROSS_MM: f64 = 0.01;
@@ -23,8 +23,8 @@ pub struct SideCheck {
     /// The lead-in, where it came from the far side.
     across: Option<Origin>,
     /// The last block and, where that is an arc that may lead out, the one before.
-    last: Option<PlaneCurve>,
-    before: Option<PlaneCurve>,
+    last: Option<CompensationCurve>,
+    before: Option<CompensationCurve>,
 }
 
 impl SideCheck {
@@ -32,12 +32,12 @@ impl SideCheck {
     pub fn piece(&mut self, piece: &ContourPiece, report: &mut dyn FnMut(Diagnostic, &Origin)) {
         let Some(programmed) = &piece.programmed else { return };
         match piece.role {
-            Role::StartUp => {
+            BlockRole::StartUp => {
                 let begun = Some((programmed.from(), piece.origin));
                 *self = SideCheck { begun, ..SideCheck::default() };
             }
-            Role::Contour => self.contour_block(programmed, piece.sign),
-            Role::Cancel => {
+            BlockRole::Contour => self.contour_block(programmed, piece.sign),
+            BlockRole::Cancel => {
                 self.first_wall(piece.sign, None);
                 let ended = std::mem::take(self);
                 if let (Some(origin), Some(wall)) = (ended.across, ended.last_wall(piece.sign))
@@ -50,14 +50,14 @@ impl SideCheck {
         }
     }
 
-    fn contour_block(&mut self, block: &PlaneCurve, sign: f64) {
+    fn contour_block(&mut self, block: &CompensationCurve, sign: f64) {
         self.first_wall(sign, Some(block));
         self.before = self.last.replace(*block);
     }
 
     /// Looks from where the tool came to the first wall: the first block, or the one after an arc
     /// that leads to it.
-    fn first_wall(&mut self, sign: f64, next: Option<&PlaneCurve>) {
+    fn first_wall(&mut self, sign: f64, next: Option<&CompensationCurve>) {
         let (Some((begun, origin)), Some(first)) = (self.begun, self.last) else { return };
         let wall = match next {
             Some(next) if leads(&first, sign) && are_tangent(&first, next) => *next,
@@ -72,7 +72,7 @@ impl SideCheck {
     }
 
     /// The last block, or the one before an arc that leads away.
-    fn last_wall(&self, sign: f64) -> Option<PlaneCurve> {
+    fn last_wall(&self, sign: f64) -> Option<CompensationCurve> {
         let last = self.last?;
         match self.before {
             Some(before) if leads(&last, sign) && are_tangent(&before, &last) => Some(before),
@@ -82,14 +82,14 @@ impl SideCheck {
 }
 
 /// An arc of no more than half a turn with the tool inside it.
-fn leads(curve: &PlaneCurve, sign: f64) -> bool {
+fn leads(curve: &CompensationCurve, sign: f64) -> bool {
     match *curve {
-        PlaneCurve::Arc { sweep, .. } => sweep * sign > 0.0 && sweep.abs() <= PI + 1e-6,
-        PlaneCurve::Line { .. } => false,
+        CompensationCurve::Arc { sweep, .. } => sweep * sign > 0.0 && sweep.abs() <= PI + 1e-6,
+        CompensationCurve::Line { .. } => false,
     }
 }
 
-fn are_tangent(before: &PlaneCurve, after: &PlaneCurve) -> bool {
+fn are_tangent(before: &CompensationCurve, after: &CompensationCurve) -> bool {
     match (before.tangents(), after.tangents()) {
         (Some((_, end)), Some((start, _))) => {
             end.dot(start) > 0.0 && end.cross(start).abs() <= TANGENT_RAD

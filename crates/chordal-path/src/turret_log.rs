@@ -4,7 +4,7 @@
 //! axis counts. It is judged at the end of the run, when all cuts are known, and only in one work coordinate system.
 
 use chordal_command::{Origin, Position, Units, WorkName};
-use chordal_diagnostics::Shift;
+use chordal_diagnostics::TextShift;
 
 /// Cuts that are remembered of a run; what comes after says nothing.
 const MOST_CUTS: usize = 20_000;
@@ -123,7 +123,7 @@ impl TurretLog {
     }
 
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         for turn in &mut self.turns {
             turn.origin = turn.origin.shifted(shift)?;
         }

@@ -3,40 +3,41 @@
 
 use chordal_geometry::Vec2;
 use chordal_path::gouge::{
-    Block, Contour, Corners, GougeKind, GougeReport, LimitReason, Material, Move, Options,
-    PlaneCurve, Role, Side, check, clearance, intervals, nearest, range,
+    CenterMove, Contour, ContourBlock, GougeCurve, GougeKind, GougeOptions, GougeReport, GougeRole,
+    LimitReason, OutsideCornerRule, PartContour, ToolSide, check, clearance, intervals, nearest,
+    range,
 };
 
 struct Case {
     name: String,
     contour: Contour,
-    path: Vec<Move>,
+    path: Vec<CenterMove>,
     expected: f64,
     /// A tool centre with that clearance, and the curve of the part it has it from.
     at: Option<(Vec2, usize)>,
-    options: Options,
+    options: GougeOptions,
 }
 
 fn numbers(words: &[&str]) -> Vec<f64> {
     words.iter().map(|w| w.parse().expect(w)).collect()
 }
 
-fn curve(words: &[&str], sweep: bool) -> PlaneCurve {
+fn curve(words: &[&str], sweep: bool) -> GougeCurve {
     let n = numbers(&words[1..]);
     if words[0] == "L" {
-        return PlaneCurve::line(Vec2::new(n[0], n[1]), Vec2::new(n[2], n[3]));
+        return GougeCurve::line(Vec2::new(n[0], n[1]), Vec2::new(n[2], n[3]));
     }
     let (center, from) = (Vec2::new(n[0], n[1]), Vec2::new(n[2], n[3]));
     if sweep {
         let out = from - center;
-        return PlaneCurve::Arc {
+        return GougeCurve::Arc {
             center,
             radius: out.length(),
             start: out.b.atan2(out.a),
             sweep: n[4].to_radians(),
         };
     }
-    PlaneCurve::arc(center, from, Vec2::new(n[4], n[5]), n[6] > 0.0)
+    GougeCurve::arc(center, from, Vec2::new(n[4], n[5]), n[6] > 0.0)
 }
 
 fn cases() -> Vec<Case> {
@@ -46,12 +47,12 @@ fn cases() -> Vec<Case> {
         match words[0] {
             "case" => {
                 let scale = if words[3] == "inch" { 1.0 / 25.4 } else { 1.0 };
-                let usual = Options::default();
+                let usual = GougeOptions::default();
                 cases.push(Case {
                     name: format!("{} {}", words[1], words[2]),
                     contour: Contour {
                         blocks: Vec::new(),
-                        side: if words[4] == "left" { Side::Left } else { Side::Right },
+                        side: if words[4] == "left" { ToolSide::Left } else { ToolSide::Right },
                         radius: words[5].parse().unwrap(),
                     },
                     path: Vec::new(),
@@ -60,7 +61,7 @@ fn cases() -> Vec<Case> {
                         let n = numbers(&words[7..9]);
                         (Vec2::new(n[0], n[1]), words[9].parse().unwrap())
                     }),
-                    options: Options {
+                    options: GougeOptions {
                         epsilon: usual.epsilon * scale,
                         vertex: usual.vertex * scale,
                         ..usual
@@ -68,19 +69,18 @@ fn cases() -> Vec<Case> {
                 });
             }
             "#" => {}
-            "move" => cases
-                .last_mut()
-                .unwrap()
-                .path
-                .push(Move { tag: words[1].parse().unwrap(), curve: curve(&words[2..], true) }),
+            "move" => cases.last_mut().unwrap().path.push(CenterMove {
+                tag: words[1].parse().unwrap(),
+                curve: curve(&words[2..], true),
+            }),
             role => {
                 let blocks = &mut cases.last_mut().unwrap().contour.blocks;
                 let role = match role {
-                    "in" => Role::LeadIn,
-                    "out" => Role::LeadOut,
-                    _ => Role::Offset,
+                    "in" => GougeRole::LeadIn,
+                    "out" => GougeRole::LeadOut,
+                    _ => GougeRole::Offset,
                 };
-                blocks.push(Block {
+                blocks.push(ContourBlock {
                     curve: curve(&words[1..], false),
                     tag: blocks.len() as u32,
                     role,
@@ -131,9 +131,9 @@ fn the_stated_tool_centre_has_the_stated_distance_from_the_stated_curve() {
         if case.name.starts_with("12 ") {
             continue;
         }
-        let material = Material::of(&case.contour, &case.options);
+        let material = PartContour::of(&case.contour, &case.options);
         let (at, block) = case.at.expect(&case.name);
-        let distance = nearest(&PlaneCurve::line(at, at), &material.curves[block]).square.sqrt();
+        let distance = nearest(&GougeCurve::line(at, at), &material.curves[block]).square.sqrt();
         let clearance = distance - case.contour.radius;
         assert!((clearance - case.expected).abs() < 2e-4, "{}: {clearance}", case.name);
         checked += 1;
@@ -179,19 +179,19 @@ fn a_kink_left_untrimmed_gouges_by_the_radius_less_its_cosine() {
 
 #[test]
 fn a_corner_left_out_after_two_idle_blocks_cuts_the_wall() {
-    let line = |a, b, c, d| PlaneCurve::line(Vec2::new(a, b), Vec2::new(c, d));
-    let block = |curve, tag, role| Block { curve, tag, role };
+    let line = |a, b, c, d| GougeCurve::line(Vec2::new(a, b), Vec2::new(c, d));
+    let block = |curve, tag, role| ContourBlock { curve, tag, role };
     let contour = Contour {
         blocks: vec![
-            block(line(-40.0, 20.0, -40.0, 0.0), 0, Role::LeadIn),
-            block(line(-40.0, 0.0, 0.0, 0.0), 1, Role::Offset),
-            block(line(0.0, 0.0, 0.0, 40.0), 2, Role::Offset),
-            block(line(0.0, 40.0, -20.0, 40.0), 3, Role::LeadOut),
+            block(line(-40.0, 20.0, -40.0, 0.0), 0, GougeRole::LeadIn),
+            block(line(-40.0, 0.0, 0.0, 0.0), 1, GougeRole::Offset),
+            block(line(0.0, 0.0, 0.0, 40.0), 2, GougeRole::Offset),
+            block(line(0.0, 40.0, -20.0, 40.0), 3, GougeRole::LeadOut),
         ],
-        side: Side::Left,
+        side: ToolSide::Left,
         radius: 5.0,
     };
-    let path: Vec<Move> = [
+    let path: Vec<CenterMove> = [
         line(-40.0, 20.0, -40.0, 5.0),
         line(-40.0, 5.0, 0.0, 5.0),
         line(0.0, 5.0, -5.0, 40.0),
@@ -199,9 +199,9 @@ fn a_corner_left_out_after_two_idle_blocks_cuts_the_wall() {
     ]
     .into_iter()
     .enumerate()
-    .map(|(k, curve)| Move { curve, tag: k as u32 })
+    .map(|(k, curve)| CenterMove { curve, tag: k as u32 })
     .collect();
-    let report = check(&contour, &path, &Options::default());
+    let report = check(&contour, &path, &GougeOptions::default());
     let deepest = report.gouges[0];
     assert_eq!((deepest.depth, deepest.center), (5.0, Vec2::new(0.0, 5.0)));
     assert_eq!(deepest.cut, 2);
@@ -211,18 +211,18 @@ fn a_corner_left_out_after_two_idle_blocks_cuts_the_wall() {
 fn the_largest_radius_and_what_limits_it() {
     use LimitReason::{InsideArc, LeadArc, ShortBlock, Throat};
     for (name, corners, radius, reason) in [
-        ("08a typeA_linear", Corners::Linear, 5.5, InsideArc),
+        ("08a typeA_linear", OutsideCornerRule::Linear, 5.5, InsideArc),
         // The step itself does not limit; the open ends' blocks of 40 mm are used up.
-        ("09a typeA_linear", Corners::Linear, 40.0, ShortBlock),
-        ("09a typeA_circular", Corners::Circular, 3.0, ShortBlock),
-        ("10 typeA_linear", Corners::Linear, 4.0, Throat),
-        ("11 typeA_linear", Corners::Linear, 4.0, Throat),
-        ("17 typeA_linear", Corners::Linear, 1.0, InsideArc),
-        ("18 typeA_linear", Corners::Linear, 0.19, InsideArc),
-        ("22a typeA_linear", Corners::Linear, 0.25, LeadArc),
-        ("24 typeA_linear", Corners::Linear, 0.25, LeadArc),
-        ("25 typeA_linear", Corners::Linear, 0.375, InsideArc),
-        ("28a typeA_linear", Corners::Linear, 16.1803, ShortBlock),
+        ("09a typeA_linear", OutsideCornerRule::Linear, 40.0, ShortBlock),
+        ("09a typeA_circular", OutsideCornerRule::Circular, 3.0, ShortBlock),
+        ("10 typeA_linear", OutsideCornerRule::Linear, 4.0, Throat),
+        ("11 typeA_linear", OutsideCornerRule::Linear, 4.0, Throat),
+        ("17 typeA_linear", OutsideCornerRule::Linear, 1.0, InsideArc),
+        ("18 typeA_linear", OutsideCornerRule::Linear, 0.19, InsideArc),
+        ("22a typeA_linear", OutsideCornerRule::Linear, 0.25, LeadArc),
+        ("24 typeA_linear", OutsideCornerRule::Linear, 0.25, LeadArc),
+        ("25 typeA_linear", OutsideCornerRule::Linear, 0.375, InsideArc),
+        ("28a typeA_linear", OutsideCornerRule::Linear, 16.1803, ShortBlock),
     ] {
         let case = case(name);
         let found = range(&case.contour, corners, &case.options);
@@ -236,14 +236,14 @@ fn the_largest_radius_and_what_limits_it() {
 fn a_floor_between_two_slopes_is_used_up() {
     // 4 mm between slopes of 45°: both neighbours take tan 22.5° of the radius.
     let points = [(-20.0, 20.0), (0.0, 0.0), (4.0, 0.0), (24.0, 20.0)].map(Vec2::from);
-    let curves: Vec<PlaneCurve> = points.windows(2).map(|p| PlaneCurve::line(p[0], p[1])).collect();
+    let curves: Vec<GougeCurve> = points.windows(2).map(|p| GougeCurve::line(p[0], p[1])).collect();
     let blocks = curves
         .iter()
         .enumerate()
-        .map(|(k, &curve)| Block { curve, tag: 10 + k as u32, role: Role::Offset })
+        .map(|(k, &curve)| ContourBlock { curve, tag: 10 + k as u32, role: GougeRole::Offset })
         .collect();
-    let contour = Contour { blocks, side: Side::Left, radius: 1.0 };
-    let found = range(&contour, Corners::Linear, &Options::default());
+    let contour = Contour { blocks, side: ToolSide::Left, radius: 1.0 };
+    let found = range(&contour, OutsideCornerRule::Linear, &GougeOptions::default());
     assert!((found.no_gouge.radius - 4.828_427).abs() < 1e-6, "{found:?}");
     assert_eq!(found.no_gouge.blocks, [10, 11, 12]);
     assert_eq!(found.every_edge.radius, 0.0);
@@ -253,7 +253,7 @@ fn a_floor_between_two_slopes_is_used_up() {
 #[test]
 fn the_thread_mill_program_is_limited_by_its_lead_arcs() {
     let case = case("22b typeA_linear");
-    let found = range(&case.contour, Corners::Linear, &case.options);
+    let found = range(&case.contour, OutsideCornerRule::Linear, &case.options);
     let arc = found.lead_arc.unwrap();
     assert_eq!((arc.block, arc.radius), (1, 0.25));
     // The line in passes the arc's centre at R/√2, the figure that the manual rounds to .175.
@@ -264,7 +264,7 @@ fn the_thread_mill_program_is_limited_by_its_lead_arcs() {
 #[test]
 fn radii_between_the_events_are_tried() {
     let case = case("28a typeA_linear");
-    let found = range(&case.contour, Corners::Linear, &case.options);
+    let found = range(&case.contour, OutsideCornerRule::Linear, &case.options);
     let limit = found.no_gouge.radius;
     let tried =
         intervals(&case.contour, &[limit], &case.options, &mut |r| (r < 17.0).then(Vec::new));

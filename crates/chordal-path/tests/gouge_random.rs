@@ -5,20 +5,20 @@ mod support;
 
 use cavalier_contours::polyline::PlineSource;
 use chordal_path::gouge::{
-    Corners, LimitReason, Options, PlaneCurve, Side, check, clearance, range,
+    GougeCurve, GougeOptions, LimitReason, OutsideCornerRule, ToolSide, check, clearance, range,
 };
 use support::{
     Dice, closed_contour, contour, curves_of, has_inside_corner_with_arc, necked_pocket,
     offset_path, point_distance, polyline, sampled_distance,
 };
 
-fn side_of(dice: &mut Dice) -> Side {
-    if dice.unit() < 0.5 { Side::Left } else { Side::Right }
+fn side_of(dice: &mut Dice) -> ToolSide {
+    if dice.unit() < 0.5 { ToolSide::Left } else { ToolSide::Right }
 }
 
 #[test]
 fn the_search_finds_what_looking_at_every_pair_finds() {
-    let options = Options::default();
+    let options = GougeOptions::default();
     let (mut clean, mut gouging) = (0, 0);
     for seed in 0..6000 {
         let mut dice = Dice::new(seed);
@@ -45,7 +45,7 @@ fn the_search_finds_what_looking_at_every_pair_finds() {
             }
         }
         for gouge in &report.gouges {
-            let to_contour = |c: &PlaneCurve| point_distance(c, gouge.center);
+            let to_contour = |c: &GougeCurve| point_distance(c, gouge.center);
             let distance = curves.iter().map(to_contour).fold(f64::INFINITY, f64::min);
             assert!(distance <= radius - gouge.depth + 1e-9, "seed {seed}: {gouge:?}");
             assert!(gouge.depth > options.epsilon);
@@ -56,7 +56,7 @@ fn the_search_finds_what_looking_at_every_pair_finds() {
 
 #[test]
 fn sampling_finds_nothing_nearer() {
-    let options = Options::default();
+    let options = GougeOptions::default();
     for seed in 0..150 {
         let mut dice = Dice::new(seed + 100_000);
         let curves = closed_contour(&mut dice);
@@ -77,7 +77,7 @@ fn sampling_finds_nothing_nearer() {
 #[test]
 fn a_gouge_is_what_an_offset_library_cuts_away() {
     // Loops a micron deep are millimetres long between shallow corners.
-    let options = Options { epsilon: 1e-6, ..Options::default() };
+    let options = GougeOptions { epsilon: 1e-6, ..GougeOptions::default() };
     let (mut clean, mut gouging, mut unlike) = (0, 0, 0);
     for seed in 0..3000 {
         let mut dice = Dice::new(seed + 200_000);
@@ -114,19 +114,20 @@ fn a_gouge_is_what_an_offset_library_cuts_away() {
 
 #[test]
 fn just_below_the_limit_nothing_is_cut_and_just_above_something_is() {
-    let options = Options { epsilon: 1e-7, ..Options::default() };
+    let options = GougeOptions { epsilon: 1e-7, ..GougeOptions::default() };
     let (mut throats, mut short, mut arcs) = (0, 0, 0);
     for seed in 0..3000 {
         let mut dice = Dice::new(seed + 300_000);
         let (curves, side) = if seed % 3 == 0 {
-            (necked_pocket(&mut dice), Side::Left)
+            (necked_pocket(&mut dice), ToolSide::Left)
         } else {
             (closed_contour(&mut dice), side_of(&mut dice))
         };
         if has_inside_corner_with_arc(&curves, side) {
             continue;
         }
-        let limit = range(&contour(&curves, side, 0.0), Corners::Circular, &options).no_gouge;
+        let limit =
+            range(&contour(&curves, side, 0.0), OutsideCornerRule::Circular, &options).no_gouge;
         if limit.radius.is_infinite() || limit.radius < 0.01 {
             continue;
         }

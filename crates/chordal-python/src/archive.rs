@@ -6,14 +6,16 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use chordal::control::{called_subs, referenced_programs, table};
 use chordal::machine::ControlName;
-use chordal_archive::{ArchiveError, Disk, Done, FileRecord, Shard, check_file, record_of};
+use chordal_archive::{
+    ArchiveError, ArchiveTotals, DiskFiles, FileRecord, JournalShard, check_file, record_of,
+};
 use pyo3::exceptions::{PyOSError, PyRuntimeError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use crate::error;
-use crate::program::Options;
-use crate::signals::Signals;
+use crate::program::PyProgramOptions;
+use crate::signals::PythonSignals;
 
 /// The files of folder trees in the order of the table: name, path, and why it cannot be read.
 #[pyfunction]
@@ -23,7 +25,7 @@ pub fn archive_walk(
     leave_out: Vec<PathBuf>,
 ) -> Vec<(String, OsString, Option<String>)> {
     let entries = py.detach(|| chordal_archive::walk(&paths, &leave_out));
-    let named = |entry: chordal_archive::Entry| {
+    let named = |entry: chordal_archive::ArchiveEntry| {
         let name = entry.path.to_string_lossy().into_owned();
         (name, entry.path.into_os_string(), entry.failure)
     };
@@ -54,7 +56,7 @@ pub fn archive_failed<'py>(py: Python<'py>, name: &str, message: String) -> Boun
 /// What makes records of files. It remembers the folders that it looked into.
 #[pyclass(frozen, module = "chordal._chordal")]
 pub struct ArchiveWorker {
-    disk: Mutex<Disk>,
+    disk: Mutex<DiskFiles>,
     plan: bool,
 }
 
@@ -65,13 +67,13 @@ impl ArchiveWorker {
     #[new]
     fn new(
         py: Python<'_>,
-        options: Options,
+        options: PyProgramOptions,
         plan: bool,
         roots: Vec<PathBuf>,
         renamed: (String, String),
     ) -> PyResult<ArchiveWorker> {
-        let request = options.request(py, &Signals::new())?;
-        let disk = py.detach(|| Disk::new(request, &roots));
+        let request = options.request(py, &PythonSignals::new())?;
+        let disk = py.detach(|| DiskFiles::new(request, &roots));
         let disk = disk.map_err(|error| error::of_loading(py, &error))?;
         let disk = Mutex::new(disk.renamed(renamed.0, renamed.1));
         Ok(ArchiveWorker { disk, plan })
@@ -84,7 +86,7 @@ impl ArchiveWorker {
         py: Python<'py>,
         files: Vec<(String, PathBuf, Option<String>)>,
     ) -> Vec<Bound<'py, PyBytes>> {
-        let options = chordal_archive::Options { plan: self.plan, stock: false };
+        let options = chordal_archive::ArchiveOptions { plan: self.plan, stock: false };
         let records: Vec<Vec<u8>> = py.detach(|| {
             let mut disk = self.disk.lock().unwrap_or_else(PoisonError::into_inner);
             let record = |(name, path, known): &(String, PathBuf, Option<String>)| {
@@ -101,14 +103,14 @@ impl ArchiveWorker {
 
 /// The journal of a table, and one shard of it that this process writes.
 #[pyclass(frozen, module = "chordal._chordal")]
-pub struct Journal(Mutex<Option<(chordal_archive::Journal, Shard)>>);
+pub struct Journal(Mutex<Option<(chordal_archive::TableJournal, JournalShard)>>);
 
 #[pymethods]
 impl Journal {
     #[new]
     fn new(py: Python<'_>, out: PathBuf, names: Vec<String>) -> PyResult<Journal> {
         let open = || {
-            let journal = chordal_archive::Journal::open(&out, names)?;
+            let journal = chordal_archive::TableJournal::open(&out, names)?;
             let shard = journal.shard()?;
             Ok((journal, shard))
         };
@@ -119,7 +121,7 @@ impl Journal {
     /// The folder of a table's journal.
     #[staticmethod]
     fn folder_of(out: PathBuf) -> OsString {
-        chordal_archive::Journal::folder_of(&out).into_os_string()
+        chordal_archive::TableJournal::folder_of(&out).into_os_string()
     }
 
     /// The key of the record that a file has, shortened.
@@ -145,17 +147,25 @@ impl Journal {
         py.detach(|| {
             let (journal, shard) = self.held().take().ok_or_else(finished)?;
             drop(shard);
-            let mut done = Done::default();
+            let mut done = ArchiveTotals::default();
             journal.finish(|_, record| done.add(record)).map_err(wrong)?;
-            let Done { files, rows, programs, with_errors, with_warnings, failed, skipped, .. } =
-                done;
+            let ArchiveTotals {
+                files,
+                rows,
+                programs,
+                with_errors,
+                with_warnings,
+                failed,
+                skipped,
+                ..
+            } = done;
             Ok((files, rows, programs, with_errors, with_warnings, failed, skipped))
         })
     }
 }
 
 impl Journal {
-    fn held(&self) -> MutexGuard<'_, Option<(chordal_archive::Journal, Shard)>> {
+    fn held(&self) -> MutexGuard<'_, Option<(chordal_archive::TableJournal, JournalShard)>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -1,15 +1,15 @@
 //! The exact curves, alone.
 
 use chordal::geometry::{
-    Arc, Curve as Exact, Direction, Frame, HalfCircleTolerance, Line, ParamCurve, Placement, Plane,
-    Spiral, Vec3, arc_from_center as fit, center_from_radius,
+    Arc, Curve as Exact, Frame, HalfCircleTolerance, Line, ParamCurve, Placement, Plane, Spiral,
+    TurnDirection, Vec3, arc_from_center as fit, center_from_radius,
 };
 use pyo3::prelude::*;
 
 use crate::error;
-use crate::table::{Block, rows};
+use crate::table::{NumberBuffer, rows};
 
-type Point = [f64; 3];
+type PyPoint = [f64; 3];
 
 /// A line, an arc, a helix, a spiral or a curve on a cone. It never changes.
 #[pyclass(frozen, module = "chordal.geometry", from_py_object)]
@@ -18,7 +18,7 @@ pub struct Curve(pub Exact);
 
 /// A straight line between two points.
 #[pyfunction]
-pub fn line(start: Point, end: Point) -> PyResult<Curve> {
+pub fn line(start: PyPoint, end: PyPoint) -> PyResult<Curve> {
     finite(&[start, end])?;
     Ok(Curve(Exact::Line(Line::new(Vec3::from_array(start), Vec3::from_array(end)))))
 }
@@ -27,8 +27,8 @@ pub fn line(start: Point, end: Point) -> PyResult<Curve> {
 #[pyfunction]
 #[pyo3(signature = (start, end, center, *, plane, clockwise, extra_turns, radius_tolerance))]
 pub fn arc_from_center(
-    start: Point,
-    end: Point,
+    start: PyPoint,
+    end: PyPoint,
     center: (f64, f64),
     plane: &str,
     clockwise: bool,
@@ -46,8 +46,8 @@ pub fn arc_from_center(
 #[pyfunction]
 #[pyo3(signature = (start, end, radius, *, plane, clockwise, midpoint_tolerance))]
 pub fn arc_from_radius(
-    start: Point,
-    end: Point,
+    start: PyPoint,
+    end: PyPoint,
     radius: f64,
     plane: &str,
     clockwise: bool,
@@ -71,7 +71,7 @@ pub fn arc_from_radius(
 
 /// The arc of less than one turn through three points.
 #[pyfunction]
-pub fn arc_through(start: Point, via: Point, end: Point) -> PyResult<Curve> {
+pub fn arc_through(start: PyPoint, via: PyPoint, end: PyPoint) -> PyResult<Curve> {
     finite(&[start, via, end])?;
     let [start, via, end] = [start, via, end].map(Vec3::from_array);
     let arc = Arc::through(start, via, end);
@@ -84,13 +84,13 @@ pub fn arc_through(start: Point, via: Point, end: Point) -> PyResult<Curve> {
 #[pyfunction]
 #[pyo3(signature = (center, radius_from, radius_to, sweep, *, rise, normal, towards))]
 pub fn spiral(
-    center: Point,
+    center: PyPoint,
     radius_from: f64,
     radius_to: f64,
     sweep: f64,
     rise: f64,
-    normal: Point,
-    towards: Point,
+    normal: PyPoint,
+    towards: PyPoint,
 ) -> PyResult<Curve> {
     finite(&[center, normal, towards, [radius_from, radius_to, sweep], [rise, 0.0, 0.0]])?;
     if radius_from < 0.0 || radius_to < 0.0 {
@@ -108,8 +108,8 @@ pub fn spiral(
     }))
 }
 
-fn direction(clockwise: bool) -> Direction {
-    if clockwise { Direction::Cw } else { Direction::Ccw }
+fn direction(clockwise: bool) -> TurnDirection {
+    if clockwise { TurnDirection::Cw } else { TurnDirection::Ccw }
 }
 
 fn plane_of(word: &str) -> PyResult<Plane> {
@@ -121,7 +121,7 @@ fn plane_of(word: &str) -> PyResult<Plane> {
     }
 }
 
-fn finite(points: &[Point]) -> PyResult<()> {
+fn finite(points: &[PyPoint]) -> PyResult<()> {
     match points.iter().flatten().find(|value| !value.is_finite()) {
         Some(value) => Err(error::value(format!("{value} is not a finite number"))),
         None => Ok(()),
@@ -203,22 +203,22 @@ impl Curve {
     }
 
     /// The points at these arc lengths, mm.
-    fn points(&self, py: Python<'_>, s: Vec<f64>) -> PyResult<Block> {
+    fn points(&self, py: Python<'_>, s: Vec<f64>) -> PyResult<NumberBuffer> {
         py.detach(|| rows(s.iter().map(|s| self.0.point_at(*s).to_array()).collect()))
     }
 
     /// The unit vectors of travel at these arc lengths.
-    fn tangents(&self, py: Python<'_>, s: Vec<f64>) -> PyResult<Block> {
+    fn tangents(&self, py: Python<'_>, s: Vec<f64>) -> PyResult<NumberBuffer> {
         py.detach(|| rows(s.iter().map(|s| self.0.tangent_at(*s).to_array()).collect()))
     }
 
     /// The curvature vectors at these arc lengths, 1/mm.
-    fn curvatures(&self, py: Python<'_>, s: Vec<f64>) -> PyResult<Block> {
+    fn curvatures(&self, py: Python<'_>, s: Vec<f64>) -> PyResult<NumberBuffer> {
         py.detach(|| rows(s.iter().map(|s| self.0.curvature_at(*s).to_array()).collect()))
     }
 
     /// The corners of chords within a tolerance, mm.
-    fn chords(&self, py: Python<'_>, tolerance: f64, balanced: bool) -> PyResult<Block> {
+    fn chords(&self, py: Python<'_>, tolerance: f64, balanced: bool) -> PyResult<NumberBuffer> {
         let placement = if balanced { Placement::Balanced } else { Placement::Inscribed };
         py.detach(|| {
             let chords = self.0.chords(tolerance, placement).map_err(error::value)?;
@@ -235,7 +235,7 @@ impl Curve {
     }
 
     /// The nearest point to a point: its arc length, itself, and its distance, mm.
-    fn nearest(&self, point: Point) -> PyResult<(f64, (f64, f64, f64), f64)> {
+    fn nearest(&self, point: PyPoint) -> PyResult<(f64, (f64, f64, f64), f64)> {
         finite(&[point])?;
         let nearest = self.0.nearest(Vec3::from_array(point));
         Ok((nearest.s, nearest.point.to_array().into(), nearest.distance))

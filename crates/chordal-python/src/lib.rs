@@ -45,7 +45,7 @@ pub fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<machine::Machine>()?;
     module.add_class::<program::Program>()?;
     module.add_class::<table::Table>()?;
-    module.add_class::<table::Block>()?;
+    module.add_class::<table::NumberBuffer>()?;
     module.add_class::<curve::Curve>()?;
     module.add_class::<motion::Motion>()?;
     module.add_class::<stock::Stock>()?;

@@ -19,20 +19,20 @@ use crate::table::Table;
 /// A planned motion: stretches of path with their velocity profile. It never changes.
 #[pyclass(frozen, module = "chordal._chordal")]
 pub struct Motion {
-    steps: Vec<Kept>,
+    steps: Vec<PlannedStep>,
     duration_s: f64,
 }
 
-enum Kept {
+enum PlannedStep {
     Stretch(Stretch),
     Wait { seconds: f64, tag: u64 },
 }
 
-impl Kept {
+impl PlannedStep {
     fn step(&self) -> Step<'_> {
         match self {
-            Kept::Stretch(stretch) => Step::Stretch(stretch),
-            Kept::Wait { seconds, tag } => Step::Wait { seconds: *seconds, tag: *tag },
+            PlannedStep::Stretch(stretch) => Step::Stretch(stretch),
+            PlannedStep::Wait { seconds, tag } => Step::Wait { seconds: *seconds, tag: *tag },
         }
     }
 }
@@ -40,7 +40,7 @@ impl Kept {
 /// A move as Python gives it: curve, rotary axes from and to (rad), speed (mm/s or rad/s, `None`
 /// for as fast as the axes can), corner tolerance (mm; `None` for a stop, 0 for exact) and the
 /// rotary one (rad), whether it is a rapid. Without a curve: a wait, s, in place of the speed.
-type Given = (Option<Curve>, [f64; 3], [f64; 3], Option<f64>, Option<f64>, f64, bool);
+type MoveInput = (Option<Curve>, [f64; 3], [f64; 3], Option<f64>, Option<f64>, f64, bool);
 
 /// Ends that are nearer than this are one point, mm or rad: rounding of the curves' ends.
 const SAME_POINT: f64 = 1e-6;
@@ -54,7 +54,7 @@ fn largest_difference(a: &PerAxis<f64>, b: &PerAxis<f64>) -> f64 {
 #[pyo3(signature = (moves, limits, level_word))]
 pub fn plan(
     py: Python<'_>,
-    moves: Vec<Given>,
+    moves: Vec<MoveInput>,
     limits: Vec<Option<(f64, f64, f64)>>,
     level_word: &str,
 ) -> PyResult<Motion> {
@@ -71,13 +71,17 @@ pub fn plan(
     })
 }
 
-fn planned(moves: &[Given], limits: Limits, level: Level) -> Result<Motion, (usize, MoveError)> {
+fn planned(
+    moves: &[MoveInput],
+    limits: Limits,
+    level: Level,
+) -> Result<Motion, (usize, MoveError)> {
     let mut planner = Planner::new(limits, PlannerOptions::new(level));
-    let mut steps: Vec<Kept> = Vec::new();
+    let mut steps: Vec<PlannedStep> = Vec::new();
     let mut keep = |step: Step<'_>| {
         steps.push(match step {
-            Step::Stretch(stretch) => Kept::Stretch(stretch.clone()),
-            Step::Wait { seconds, tag } => Kept::Wait { seconds, tag },
+            Step::Stretch(stretch) => PlannedStep::Stretch(stretch.clone()),
+            Step::Wait { seconds, tag } => PlannedStep::Wait { seconds, tag },
         });
     };
     let mut at: Option<PerAxis<f64>> = None;
@@ -121,7 +125,7 @@ fn planned(moves: &[Given], limits: Limits, level: Level) -> Result<Motion, (usi
 }
 
 /// The setpoints of the planner alone, in mm and rad, with the jerk.
-struct Columns {
+struct PyColumns {
     time: Vec<f64>,
     axes: Vec<Vec<f64>>,
     tags: Vec<u32>,
@@ -129,9 +133,9 @@ struct Columns {
 
 const NAMES: [&str; 4] = ["position", "velocity", "acceleration", "jerk"];
 
-impl Columns {
-    fn new() -> Columns {
-        Columns { time: Vec::new(), axes: vec![Vec::new(); 24], tags: Vec::new() }
+impl PyColumns {
+    fn new() -> PyColumns {
+        PyColumns { time: Vec::new(), axes: vec![Vec::new(); 24], tags: Vec::new() }
     }
 
     fn push(&mut self, sample: &Sample) {
@@ -172,7 +176,7 @@ impl Motion {
     fn sample(&self, py: Python<'_>, period_s: f64, max_samples: u64) -> PyResult<Table> {
         let period_s = period(py, period_s)?;
         let table = py.detach(|| {
-            let mut columns = Columns::new();
+            let mut columns = PyColumns::new();
             let mut sampler = Sampler::new(period_s).at_most(max_samples);
             for kept in &self.steps {
                 sampler.push(kept.step(), |sample| columns.push(sample));

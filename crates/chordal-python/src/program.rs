@@ -8,15 +8,17 @@ use chordal::geometry::Placement;
 use chordal::motion::{Level, LimitError, MotionOptions, Sampling, SamplingError};
 use chordal::stock::{StockOptions, StockReport, TurnedOptions, TurnedReport};
 use chordal::time::{Again, TimeQuestion};
-use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
-use chordal_compare::{Category, Options as Comparing, compare};
-use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
+use chordal::{Command, Job, PathCommand, Report, RunWatch, Segment, Summary};
+use chordal_compare::{Category, ComparisonOptions as Comparing, compare};
+use chordal_export::columns::{
+    ChordColumns, CommandColumns, PathColumns, RowBatcher, SampleColumns,
+};
 use chordal_export::{
     Plot, PlotOptions, SampleHead, comparison_json, conversion_json, refusal_json, report,
     restart_json, sha256_hex, split_json, time_json, transformed_json,
 };
-use chordal_load::{Files, Given, LoadError, Loaded, Request, file, reason};
-use chordal_report::{About, gather, html};
+use chordal_load::{FileAccess, LoadError, Loaded, Request, RequestedMachine, file, reason};
+use chordal_report::{ReportContext, gather, html};
 use chordal_rewrite as rewrite;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -24,8 +26,8 @@ use pyo3::types::PyDict;
 
 use crate::error;
 use crate::machine::Machine;
-use crate::shop::Shop;
-use crate::signals::Signals;
+use crate::shop::PyCustomCodes;
+use crate::signals::PythonSignals;
 use crate::stock::{self, Stock};
 use crate::table::Table;
 use crate::turned::TurnedStock;
@@ -38,18 +40,18 @@ pub struct Program {
 }
 
 /// What is left of the stock, of a mill or of a lathe.
-enum Left {
+enum StockResult {
     Columns(Box<StockReport>),
     Section(Box<TurnedReport>, [Table; 2]),
 }
 
 /// What the planner was given, and what it could not plan.
-type Planned = (u64, u64, Vec<(u32, String)>, Vec<String>);
+type PlanSummary = (u64, u64, Vec<(u32, String)>, Vec<String>);
 
 /// What a program is to run on, and how; a dictionary of Python's.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub struct Options {
+pub struct PyProgramOptions {
     machine: Option<Py<Machine>>,
     control: Option<String>,
     set: Vec<String>,
@@ -61,18 +63,20 @@ pub struct Options {
     shop_codes: Option<Py<PyAny>>,
 }
 
-impl Options {
-    pub fn request(self, py: Python<'_>, signals: &Arc<Signals>) -> PyResult<Request> {
+impl PyProgramOptions {
+    pub fn request(self, py: Python<'_>, signals: &Arc<PythonSignals>) -> PyResult<Request> {
         let control = self.control.map(|name| {
             name.parse().map_err(|error: chordal::machine::UnknownControl| {
                 error::usage(py, &error.to_string(), None)
             })
         });
-        let machine = self.machine.map(|machine| Given::Machine(Box::new(machine.get().0.clone())));
-        let shop = self.shop_codes.map(|hook| Shop::new(hook, signals.clone()));
+        let machine = self
+            .machine
+            .map(|machine| RequestedMachine::Machine(Box::new(machine.get().0.clone())));
+        let shop = self.shop_codes.map(|hook| PyCustomCodes::new(hook, signals.clone()));
         Ok(Request {
-            machine: machine.or(control.transpose()?.map(Given::Control)),
-            files: Files::Disk,
+            machine: machine.or(control.transpose()?.map(RequestedMachine::Control)),
+            files: FileAccess::Disk,
             set: self.set,
             settings: self.settings,
             tools: self.tools,
@@ -87,23 +91,28 @@ impl Options {
 
 /// Loads a file. What is not said is as the folder's `chordal.toml` or the text says.
 #[pyfunction]
-pub fn load_file(py: Python<'_>, path: PathBuf, options: Options) -> PyResult<Program> {
+pub fn load_file(py: Python<'_>, path: PathBuf, options: PyProgramOptions) -> PyResult<Program> {
     loaded(py, options, |request| file(&path, request))
 }
 
 /// Loads a text under a name that messages show.
 #[pyfunction]
-pub fn load_text(py: Python<'_>, text: &[u8], name: &str, options: Options) -> PyResult<Program> {
+pub fn load_text(
+    py: Python<'_>,
+    text: &[u8],
+    name: &str,
+    options: PyProgramOptions,
+) -> PyResult<Program> {
     let bytes = text.to_vec();
     loaded(py, options, |request| chordal_load::text(name, bytes, request))
 }
 
 fn loaded(
     py: Python<'_>,
-    options: Options,
+    options: PyProgramOptions,
     load: impl FnOnce(&Request) -> Result<Loaded, LoadError> + Send,
 ) -> PyResult<Program> {
-    let signals = Signals::new();
+    let signals = PythonSignals::new();
     let request = options.request(py, &signals)?;
     let loaded = py.detach(|| load(&request));
     signals.raised()?;
@@ -145,12 +154,12 @@ fn wrong_limit(py: Python<'_>, error: &LimitError) -> PyErr {
 }
 
 /// Gathers the commands of a run.
-struct Commands<'a> {
+struct CommandGatherer<'a> {
     columns: CommandColumns<'a>,
     of_path: bool,
 }
 
-impl Watch for Commands<'_> {
+impl RunWatch for CommandGatherer<'_> {
     fn programmed(&mut self, command: &Command) {
         if !self.of_path {
             self.columns.command(command);
@@ -171,7 +180,7 @@ impl Program {
         py: Python<'_>,
         question: impl FnOnce(&Job<'_>) -> PyResult<T> + Send,
     ) -> PyResult<T> {
-        let signals = Signals::new();
+        let signals = PythonSignals::new();
         let answer = py.detach(|| {
             let job = self.loaded.job().map_err(|failure| error::inside(failure.to_string()))?;
             question(&job.interrupt(signals.interrupt()))
@@ -271,7 +280,7 @@ impl Program {
         self.ask(py, |job| {
             let columns =
                 if of_path { CommandColumns::of_path(job) } else { CommandColumns::new(job) };
-            let mut commands = Commands { columns, of_path };
+            let mut commands = CommandGatherer { columns, of_path };
             let told = job.report_watched(&mut commands);
             self.keep(told)?;
             commands.columns.take().and_then(Table::new).map_err(error::inside)
@@ -314,7 +323,7 @@ impl Program {
         period_s: f64,
         level_word: &str,
         max_samples: u64,
-    ) -> PyResult<(Table, Planned)> {
+    ) -> PyResult<(Table, PlanSummary)> {
         let (period_s, level) = (period(py, period_s)?, level(py, level_word)?);
         let sampling = Sampling { period_s, level, most: max_samples };
         let planned = self.ask(py, |job| {
@@ -367,10 +376,10 @@ impl Program {
         py: Python<'_>,
         steps: Vec<(String, Vec<f64>)>,
     ) -> PyResult<(Option<Vec<u8>>, String)> {
-        let steps: Vec<rewrite::Step> = steps
+        let steps: Vec<rewrite::TransformStep> = steps
             .iter()
             .map(|(name, numbers)| {
-                rewrite::Step::of(name, numbers).ok_or_else(|| {
+                rewrite::TransformStep::of(name, numbers).ok_or_else(|| {
                     error::value(format!("there is no step {name} of these numbers"))
                 })
             })
@@ -404,7 +413,7 @@ impl Program {
             Some(at) => map.with_zero_at(at),
             None => map,
         };
-        let how = rewrite::Warp { tolerance_mm, clamp };
+        let how = rewrite::HeightOptions { tolerance_mm, clamp };
         self.ask(py, |job| match rewrite::warp(job, &map, &how) {
             Ok(warped) => {
                 let new = job.with_text(warped.done.text.clone());
@@ -418,7 +427,7 @@ impl Program {
     /// The program in parts of at most so many bytes, or one for each tool: their texts, and what is to be
     /// said of them as JSON.
     fn split(&self, py: Python<'_>, most: Option<usize>) -> PyResult<(Vec<Vec<u8>>, String)> {
-        let by = most.map_or(rewrite::By::Tool, rewrite::By::Bytes);
+        let by = most.map_or(rewrite::SplitBy::Tool, rewrite::SplitBy::Bytes);
         self.ask(py, |job| match rewrite::split(job, by) {
             Ok(done) => {
                 let told = split_json(&done, None, [job, job], &[]);
@@ -481,8 +490,12 @@ impl Program {
         despite_errors: bool,
         exact_cycles: bool,
     ) -> PyResult<String> {
-        let options =
-            rewrite::convert::Options { tolerance_mm, digits, despite_errors, exact_cycles };
+        let options = rewrite::convert::ConversionOptions {
+            tolerance_mm,
+            digits,
+            despite_errors,
+            exact_cycles,
+        };
         self.ask(py, |job| {
             let found = rewrite::convert::convert(job, &to.0, &options);
             Ok(conversion_json(&found, job))
@@ -502,7 +515,7 @@ impl Program {
         let options = StockOptions { resolution_mm, finest_mm, tolerance_mm, budget };
         let files = |name: &str| std::fs::read(name).map_err(|wrong| reason(&wrong));
         let machine = setup.map(|setup| setup.0.clone());
-        let signals = Signals::new();
+        let signals = PythonSignals::new();
         let found = py.detach(|| {
             let job = match machine {
                 Some(machine) => self.loaded.job_on(machine),
@@ -517,7 +530,7 @@ impl Program {
             if !job.turns() {
                 return Ok(job.stock(&options, &files).map(|mut found| {
                     found.take_times(&times());
-                    Left::Columns(Box::new(found))
+                    StockResult::Columns(Box::new(found))
                 }));
             }
             let mut found = match job.turned_stock(&turned, &files) {
@@ -526,13 +539,13 @@ impl Program {
             };
             found.take_times(&times());
             let tables = TurnedStock::tables(&job, &found)?;
-            Ok::<_, PyErr>(Ok(Left::Section(Box::new(found), tables)))
+            Ok::<_, PyErr>(Ok(StockResult::Section(Box::new(found), tables)))
         });
         signals.raised()?;
         let name = self.loaded.name();
         Ok(match found?.map_err(|wrong| stock::refused(py, &wrong))? {
-            Left::Columns(found) => Py::new(py, Stock::new(*found, name))?.into_any(),
-            Left::Section(found, tables) => {
+            StockResult::Columns(found) => Py::new(py, Stock::new(*found, name))?.into_any(),
+            StockResult::Section(found, tables) => {
                 Py::new(py, TurnedStock::new(py, *found, tables, name)?)?.into_any()
             }
         })
@@ -545,7 +558,7 @@ impl Program {
             let recognized = self.loaded.why();
             let gathered = gather(
                 job,
-                &About {
+                &ReportContext {
                     file: self.loaded.name(),
                     program: self.loaded.program,
                     recognized: recognized.as_deref(),

@@ -8,20 +8,20 @@ use chordal::{ShopAnswer, ShopCall, ShopCodes};
 use pyo3::prelude::*;
 
 use crate::error;
-use crate::signals::Signals;
+use crate::signals::PythonSignals;
 
 /// What Python answers: what it is, seconds, and a label, blocks or a reason.
-type Answered = Option<(String, f64, Option<String>)>;
+type CustomReply = Option<(String, f64, Option<String>)>;
 
 /// Asks a function of `chordal._shop`.
-pub struct Shop {
+pub struct PyCustomCodes {
     hook: Py<PyAny>,
-    signals: Arc<Signals>,
+    signals: Arc<PythonSignals>,
 }
 
-impl Shop {
-    pub fn new(hook: Py<PyAny>, signals: Arc<Signals>) -> Shop {
-        Shop { hook, signals }
+impl PyCustomCodes {
+    pub fn new(hook: Py<PyAny>, signals: Arc<PythonSignals>) -> PyCustomCodes {
+        PyCustomCodes { hook, signals }
     }
 
     fn ask(&self, py: Python<'_>, call: &ShopCall<'_>) -> PyResult<ShopAnswer> {
@@ -32,7 +32,7 @@ impl Shop {
             let shown = if axis < 3 { value } else { value.to_degrees() };
             call.known.has(axis).then_some(shown)
         });
-        let answer: Answered = self
+        let answer: CustomReply = self
             .hook
             .call1(
                 py,
@@ -63,7 +63,7 @@ impl Shop {
     }
 }
 
-impl ShopCodes for Shop {
+impl ShopCodes for PyCustomCodes {
     fn answer(&self, call: &ShopCall<'_>) -> ShopAnswer {
         // The run ends soon: nothing more is asked after an error.
         if self.signals.has_raised() {

@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use chordal::control::Interrupt;
+use chordal::control::InterruptCheck;
 use pyo3::prelude::*;
 
 /// So often Python is asked for signals: soon enough for who waits, and rarely enough for other
@@ -11,18 +11,18 @@ use pyo3::prelude::*;
 const BETWEEN_ASKINGS: Duration = Duration::from_millis(50);
 
 /// What was raised during one piece of work.
-pub struct Signals {
+pub struct PythonSignals {
     asked: Mutex<Instant>,
     raised: Mutex<Option<PyErr>>,
 }
 
-impl Signals {
-    pub fn new() -> Arc<Signals> {
-        Arc::new(Signals { asked: Mutex::new(Instant::now()), raised: Mutex::new(None) })
+impl PythonSignals {
+    pub fn new() -> Arc<PythonSignals> {
+        Arc::new(PythonSignals { asked: Mutex::new(Instant::now()), raised: Mutex::new(None) })
     }
 
     /// Asks for signals when it is time to. Only the main thread has any.
-    pub fn interrupt(self: &Arc<Signals>) -> Interrupt {
+    pub fn interrupt(self: &Arc<PythonSignals>) -> InterruptCheck {
         let signals = self.clone();
         Arc::new(move || signals.is_due() && signals.ask())
     }

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use crate::error;
-use crate::table::{Block, indices, rows};
+use crate::table::{NumberBuffer, indices, rows};
 
 /// The answers of a run on stock. They never change.
 #[pyclass(frozen, module = "chordal._chordal")]
@@ -24,9 +24,9 @@ impl Stock {
 }
 
 /// X, Y and Z, mm.
-type Point = (f64, f64, f64);
+type StockPoint = (f64, f64, f64);
 
-fn point(at: Vec3) -> Point {
+fn point(at: Vec3) -> StockPoint {
     (at.x, at.y, at.z)
 }
 
@@ -47,13 +47,13 @@ impl Stock {
 
     /// The least and the largest corner of the stock's box, mm.
     #[getter]
-    fn bounds(&self) -> (Point, Point) {
+    fn bounds(&self) -> (StockPoint, StockPoint) {
         let bounds = self.found.stock.grid().bounds();
         (point(bounds.min), point(bounds.max))
     }
 
     /// The least and the largest height of each column, mm: row by row from the least Y on, in each by X.
-    fn heights(&self, py: Python<'_>) -> PyResult<Block> {
+    fn heights(&self, py: Python<'_>) -> PyResult<NumberBuffer> {
         py.detach(|| {
             let bottom = self.found.stock.grid().bounds().min.z;
             let pairs = self.found.stock.height_pairs();
@@ -63,7 +63,7 @@ impl Stock {
     }
 
     /// Vertices and triangles of what is left; heights that differ by no more than the tolerance are one face, mm.
-    fn mesh(&self, py: Python<'_>, tolerance_mm: f64) -> PyResult<(Block, Block)> {
+    fn mesh(&self, py: Python<'_>, tolerance_mm: f64) -> PyResult<(NumberBuffer, NumberBuffer)> {
         let mesh = py.detach(|| self.found.surface(tolerance_mm));
         let mesh = mesh.map_err(|wrong| coarser(py, &wrong.to_string()))?.mesh;
         let vertices = mesh.vertices().iter().map(|vertex| vertex.to_array()).collect();

@@ -101,7 +101,7 @@ impl Table {
     }
 
     /// Columns of numbers as one array (rows, columns), where they lie evenly apart.
-    fn block(&self, names: Vec<String>) -> PyResult<Option<Block>> {
+    fn block(&self, names: Vec<String>) -> PyResult<Option<NumberBuffer>> {
         let arrays = names.iter().map(|name| self.numbers(name)).collect::<PyResult<Vec<_>>>()?;
         if arrays.iter().any(|array| array.data_type() != &DataType::Float64) {
             return Ok(None);
@@ -116,7 +116,7 @@ impl Table {
         if !(even && ahead) {
             return Ok(None);
         }
-        Ok(Some(Block {
+        Ok(Some(NumberBuffer {
             address: first,
             shape: vec![self.batch.num_rows(), names.len()],
             strides: vec![8, apart],
@@ -127,7 +127,7 @@ impl Table {
 
     /// A column of numbers without a copy; `None` for one that holds no numbers, or whole
     /// numbers with gaps.
-    fn column(&self, name: &str) -> PyResult<Option<Block>> {
+    fn column(&self, name: &str) -> PyResult<Option<NumberBuffer>> {
         let array = self.numbers(name)?;
         let (address, kind, width) = match array.data_type() {
             DataType::Float64 => {
@@ -139,7 +139,13 @@ impl Table {
             _ => return Ok(None),
         };
         let shape = vec![array.len()];
-        Ok(Some(Block { address, shape, strides: vec![width], kind, _held: self.batch.clone() }))
+        Ok(Some(NumberBuffer {
+            address,
+            shape,
+            strides: vec![width],
+            kind,
+            _held: self.batch.clone(),
+        }))
     }
 
     /// A column as Python objects, with `None` for gaps.
@@ -215,7 +221,7 @@ fn objects<'py>(py: Python<'py>, array: &ArrayRef) -> PyResult<Vec<Bound<'py, Py
 
 /// Numbers in memory, as NumPy's array interface says about them. It keeps them alive.
 #[pyclass(frozen, module = "chordal._chordal")]
-pub struct Block {
+pub struct NumberBuffer {
     address: usize,
     shape: Vec<usize>,
     strides: Vec<usize>,
@@ -224,7 +230,7 @@ pub struct Block {
 }
 
 #[pymethods]
-impl Block {
+impl NumberBuffer {
     /// What `numpy.asarray` asks for.
     #[getter]
     fn __array_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -241,7 +247,7 @@ impl Block {
 }
 
 /// Points or other rows of doubles as an array (rows, `width`).
-pub fn rows<const N: usize>(values: Vec<[f64; N]>) -> PyResult<Block> {
+pub fn rows<const N: usize>(values: Vec<[f64; N]>) -> PyResult<NumberBuffer> {
     let shape = vec![values.len(), N];
     let values: Vec<f64> = values.into_iter().flatten().collect();
     let array = Float64Array::from(values);
@@ -249,16 +255,16 @@ pub fn rows<const N: usize>(values: Vec<[f64; N]>) -> PyResult<Block> {
     let field = arrow_schema::Field::new("rows", DataType::Float64, false);
     let schema = Arc::new(arrow_schema::Schema::new(vec![field]));
     let held = RecordBatch::try_new(schema, vec![Arc::new(array)]).map_err(error::inside)?;
-    Ok(Block { address, shape, strides: vec![8 * N, 8], kind: "<f8", _held: held })
+    Ok(NumberBuffer { address, shape, strides: vec![8 * N, 8], kind: "<f8", _held: held })
 }
 
 /// Triangles as rows of the numbers of their vertices.
-pub fn indices(values: Vec<[u32; 3]>) -> PyResult<Block> {
+pub fn indices(values: Vec<[u32; 3]>) -> PyResult<NumberBuffer> {
     let shape = vec![values.len(), 3];
     let array = arrow_array::UInt32Array::from(values.into_iter().flatten().collect::<Vec<u32>>());
     let address = array.values().as_ptr() as usize;
     let field = arrow_schema::Field::new("indices", DataType::UInt32, false);
     let schema = Arc::new(arrow_schema::Schema::new(vec![field]));
     let held = RecordBatch::try_new(schema, vec![Arc::new(array)]).map_err(error::inside)?;
-    Ok(Block { address, shape, strides: vec![12, 4], kind: "<u4", _held: held })
+    Ok(NumberBuffer { address, shape, strides: vec![12, 4], kind: "<u4", _held: held })
 }

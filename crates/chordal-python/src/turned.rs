@@ -2,8 +2,8 @@
 
 use chordal::Job;
 use chordal::stock::TurnedReport;
-use chordal::stock::section::Towards;
-use chordal_export::columns::{CutColumns, Rows, section_columns};
+use chordal::stock::section::PlaceSide;
+use chordal_export::columns::{CutColumns, RowBatcher, section_columns};
 use chordal_export::{
     MeshFormat, PlotOptions, section_dxf, section_png, section_svg, turned_json, turned_mesh,
 };
@@ -68,7 +68,10 @@ impl TurnedStock {
 
     /// The radii between which material is at a z, from the axis out, mm.
     fn radii(&self, z_mm: f64) -> Vec<(f64, f64)> {
-        self.found.sections().flat_map(|section| section.radii_at(z_mm, Towards::Higher)).collect()
+        self.found
+            .sections()
+            .flat_map(|section| section.radii_at(z_mm, PlaceSide::Higher))
+            .collect()
     }
 
     /// The bytes of a file by its ending: half section (`dxf`, `svg`, `png`) or solid (`stl`, `3mf`, `glb`).

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 /// The rows of a table up to its most.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Rows<T> {
+pub struct CappedRows<T> {
     /// The rows.
     pub rows: Vec<T>,
     /// How many more there are.
@@ -19,7 +19,7 @@ pub struct Document {
     /// The version of Chordal.
     pub chordal: &'static str,
     /// What the program is and what it runs on.
-    pub head: Head,
+    pub head: ReportHead,
     /// Errors: the control would stop, or do something else than the text says.
     pub errors: u64,
     /// File and line from which on the path is not known, because something is not followed.
@@ -31,43 +31,43 @@ pub struct Document {
     /// How the run ended, where it did not end as programs do.
     pub ends: Vec<String>,
     /// Moves counted.
-    pub moves: Moves,
+    pub moves: MoveCounts,
     /// The planned time; `None` where the machine's limits let nothing be planned.
-    pub time: Option<Time>,
+    pub time: Option<PlannedTime>,
     /// Tools in the order of their first use.
-    pub tools: Rows<Tool>,
+    pub tools: CappedRows<ReportedTool>,
     /// Work offsets in the order of their first use.
-    pub work_offsets: Vec<WorkOffset>,
+    pub work_offsets: Vec<ReportedWorkOffset>,
     /// Tool offsets by number.
-    pub registers: Rows<Register>,
+    pub registers: CappedRows<Register>,
     /// Where the tool goes, in each work coordinate system.
-    pub travel: Rows<Travel>,
+    pub travel: CappedRows<Travel>,
     /// The same against the machine's travel.
     pub machine_travel: Vec<MachineTravel>,
     /// Where an operator is wanted, and what the program shows, in the order of the run.
-    pub stops: Rows<Stop>,
+    pub stops: CappedRows<OperatorStop>,
     /// Blocks that the block delete switch leaves out.
-    pub skipped: Skipped,
+    pub skipped: SkippedBlocks,
     /// Lines that the program prints.
-    pub printed: Rows<String>,
+    pub printed: CappedRows<String>,
     /// Subprograms that were run.
-    pub called: Rows<Called>,
+    pub called: CappedRows<CalledProgram>,
     /// Problems, the gravest first; those of the stock among them.
-    pub problems: Rows<Problem>,
+    pub problems: CappedRows<ReportedProblem>,
     /// What is left of the stock, where one is given.
-    pub stock: Option<Stock>,
+    pub stock: Option<ReportedStock>,
     /// The path.
     #[serde(skip)]
-    pub pictures: Pictures,
+    pub pictures: PathPictures,
 }
 
 /// What the program is and what it runs on.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Head {
+pub struct ReportHead {
     /// Name of the file.
     pub file: String,
     /// The programs that are run, as `O1000`, with their titles.
-    pub programs: Rows<Called>,
+    pub programs: CappedRows<CalledProgram>,
     /// Comments at the head of the program.
     pub comments: Vec<String>,
     /// The control.
@@ -92,7 +92,7 @@ pub struct Head {
 
 /// Moves counted.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Moves {
+pub struct MoveCounts {
     /// Blocks carried out, repeats counted.
     pub blocks: u64,
     /// Straight cuts.
@@ -117,7 +117,7 @@ pub struct Moves {
 
 /// The planned time: velocity, acceleration and jerk of every axis held.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Time {
+pub struct PlannedTime {
     /// All of it, s.
     pub total_s: f64,
     /// Cuts, s.
@@ -127,7 +127,7 @@ pub struct Time {
     /// Everything else, s.
     pub other_s: f64,
     /// What everything else is.
-    pub waits: Vec<Wait>,
+    pub waits: Vec<WaitTime>,
     /// Length of the cuts over their feed, and of the rapids over rapid speed, s.
     pub at_feed_s: f64,
     /// Cuts that have no feed and so no time.
@@ -135,14 +135,14 @@ pub struct Time {
     /// Limits that the machine file does not give and that were assumed.
     pub assumed: Vec<String>,
     /// Operations in the order of the run.
-    pub operations: Rows<Operation>,
+    pub operations: CappedRows<Operation>,
     /// The blocks that take the most time.
-    pub longest: Vec<Block>,
+    pub longest: Vec<ReportedBlock>,
 }
 
 /// A reason to wait.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Wait {
+pub struct WaitTime {
     /// For what.
     pub what: &'static str,
     /// How long together, s.
@@ -172,7 +172,7 @@ pub struct Operation {
 
 /// A block and its time.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Block {
+pub struct ReportedBlock {
     /// Its line.
     pub line: u32,
     /// Its file, where it is not the program's.
@@ -189,7 +189,7 @@ pub struct Block {
 
 /// The least and the largest feed of cuts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Feeds {
+pub struct FeedRange {
     /// mm/min.
     pub mm_per_min: Option<(f64, f64)>,
     /// mm per revolution.
@@ -200,7 +200,7 @@ pub struct Feeds {
 
 /// A tool and what it does.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Tool {
+pub struct ReportedTool {
     /// Its number; 0 before any tool was changed.
     pub number: u32,
     /// What the program says of it, in a comment at its call or at the head.
@@ -232,7 +232,7 @@ pub struct Tool {
     /// The spindle turns counter-clockwise (M4) in its cuts.
     pub counterclockwise: bool,
     /// Feeds of its cuts.
-    pub feeds: Feeds,
+    pub feeds: FeedRange,
     /// The lowest Z of its cuts in program coordinates, mm.
     pub lowest_z_mm: Option<f64>,
     /// Length of its cuts, mm.
@@ -254,7 +254,7 @@ pub struct AxisValue {
 
 /// A work offset that the program runs under.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct WorkOffset {
+pub struct ReportedWorkOffset {
     /// Its name: `G54`, `E1`.
     pub name: String,
     /// The machine's values of the axes that move under it.
@@ -342,7 +342,7 @@ pub enum StopKind {
 
 /// Where an operator is needed, or gets a message.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Stop {
+pub struct OperatorStop {
     /// What it is.
     pub kind: StopKind,
     /// Its line.
@@ -359,16 +359,16 @@ pub struct Stop {
 
 /// Blocks that the block delete switch leaves out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Skipped {
+pub struct SkippedBlocks {
     /// Their lines in the program's text.
-    pub lines: Rows<u32>,
+    pub lines: CappedRows<u32>,
     /// This report is of a run with the switch on.
     pub left_out: bool,
 }
 
 /// A program of a text.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Called {
+pub struct CalledProgram {
     /// Its number, where it has one.
     pub number: Option<u32>,
     /// The comment after its head.
@@ -381,7 +381,7 @@ pub struct Called {
 
 /// A problem.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Problem {
+pub struct ReportedProblem {
     /// `error`, `warning` or `note`.
     pub severity: &'static str,
     /// Stable number, as `CH401`.
@@ -406,7 +406,7 @@ pub struct Problem {
 
 /// A volume between two bounds, mm³.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Volume {
+pub struct VolumeBounds {
     /// Surely so much.
     pub least: f64,
     /// No more than that.
@@ -419,7 +419,7 @@ pub struct StockTool {
     /// Its number.
     pub number: u32,
     /// What it removes.
-    pub removed_mm3: Volume,
+    pub removed_mm3: VolumeBounds,
     /// The lowest place of its tip at feed, mm.
     pub lowest_mm: Option<f64>,
     /// Its time, its changes included, s.
@@ -437,26 +437,26 @@ pub struct StockPart {
 
 /// What is left of the stock.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Stock {
+pub struct ReportedStock {
     /// The side of a column, mm; without one where the stock is exact.
     pub resolution_mm: Option<f64>,
     /// What is removed.
-    pub removed_mm3: Volume,
+    pub removed_mm3: VolumeBounds,
     /// What is left.
-    pub left_mm3: Volume,
+    pub left_mm3: VolumeBounds,
     /// `clean`, `problems` or `not-proved`.
     pub verdict: &'static str,
     /// The same as a sentence.
     pub sentence: &'static str,
     /// Parts that were cut off, which are part of what is left.
-    pub parts: Rows<StockPart>,
+    pub parts: CappedRows<StockPart>,
     /// By tool, in the order of their first cut.
-    pub tools: Rows<StockTool>,
+    pub tools: CappedRows<StockTool>,
 }
 
 /// A view of the path as SVG.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Picture {
+pub struct PathPicture {
     /// What it shows, for people.
     pub caption: String,
     /// The drawing.
@@ -474,11 +474,11 @@ pub struct ToolSign {
 
 /// The path in views.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Pictures {
+pub struct PathPictures {
     /// The views; none where nothing moves.
-    pub views: Vec<Picture>,
+    pub views: Vec<PathPicture>,
     /// The stock that is left, where one is given.
-    pub stock: Option<Picture>,
+    pub stock: Option<PathPicture>,
     /// The legend.
     pub tools: Vec<ToolSign>,
     /// Cuts whose place nobody knows are not drawn.

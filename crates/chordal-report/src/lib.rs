@@ -7,12 +7,12 @@
 //!
 //! ```
 //! use chordal::{Job, Machine, Source, SourceMap};
-//! use chordal_report::{About, gather, html};
+//! use chordal_report::{ReportContext, gather, html};
 //!
 //! let mut sources = SourceMap::new();
 //! sources.add(Source::new("part.nc", b"G21 G90 T1 M6\nS900 M3\nG1 X10. F100.\nM30\n".as_slice()));
 //! let job = Job::new(sources, Machine::from_builtin("haas-vf2").unwrap()).unwrap();
-//! let about = About { file: "part.nc", date: Some("2024-05-17"), ..About::default() };
+//! let about = ReportContext { file: "part.nc", date: Some("2024-05-17"), ..ReportContext::default() };
 //! let found = gather(&job, &about);
 //! assert!(html(&found.document).contains("part.nc"));
 //! ```
@@ -24,11 +24,12 @@ mod gather;
 mod page;
 
 pub use data::{
-    AxisRange, AxisValue, Block, Called, Document, Feeds, Head, MachineTravel, Moves, Operation,
-    Picture, Pictures, Problem, Register, Rows, Skipped, Stock, StockTool, Stop, StopKind, Time,
-    Tool, ToolSign, Travel, Volume, Wait, WorkOffset,
+    AxisRange, AxisValue, CalledProgram, CappedRows, Document, FeedRange, MachineTravel,
+    MoveCounts, Operation, OperatorStop, PathPicture, PathPictures, PlannedTime, Register,
+    ReportHead, ReportedBlock, ReportedProblem, ReportedStock, ReportedTool, ReportedWorkOffset,
+    SkippedBlocks, StockTool, StopKind, ToolSign, Travel, VolumeBounds, WaitTime,
 };
-pub use gather::{About, Gathered, gather, title};
+pub use gather::{GatheredReport, ReportContext, gather, title};
 pub use page::html;
 
 use chordal::{Diagnostic, SourceMap};

@@ -8,7 +8,7 @@ use std::hint::black_box;
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_compare::compare;
 use chordal_rewrite::convert::{self, convert};
-use chordal_rewrite::{By, Step, split, transform};
+use chordal_rewrite::{SplitBy, TransformStep, split, transform};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 const LINES: u32 = 250_000;
@@ -48,7 +48,7 @@ fn benches(criterion: &mut Criterion) {
         let target = machine(to);
         group.bench_function(format!("convert to {to}"), |bench| {
             bench.iter(|| {
-                let done = convert(&job, &target, &convert::Options::default());
+                let done = convert(&job, &target, &convert::ConversionOptions::default());
                 assert!(done.holds());
                 done
             });
@@ -56,7 +56,7 @@ fn benches(criterion: &mut Criterion) {
     }
     group.bench_function("part", |bench| {
         bench.iter(|| {
-            let done = split(&job, By::Bytes(500_000)).expect("places to part it");
+            let done = split(&job, SplitBy::Bytes(500_000)).expect("places to part it");
             assert!(done.certificate.holds());
             done
         });
@@ -64,7 +64,7 @@ fn benches(criterion: &mut Criterion) {
     group.bench_function("fit within 0.01 mm", |bench| {
         bench.iter(|| {
             black_box(
-                transform(&job, &[Step::Fit { tolerance: 0.01, feed_tolerance: 0.01 }])
+                transform(&job, &[TransformStep::Fit { tolerance: 0.01, feed_tolerance: 0.01 }])
                     .expect("rows"),
             )
         });

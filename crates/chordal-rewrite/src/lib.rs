@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use chordal::{Job, Machine, Source, SourceMap};
-//! use chordal_rewrite::{Step, convert, transform};
+//! use chordal_rewrite::{TransformStep, convert, transform};
 //!
 //! let mut sources = SourceMap::new();
 //! let text = b"T1 M6\nG21 G90 G0 E1 X0 Y0 S900 M3\nH1 Z5.\nG1 X10. F100.\nM2\n";
@@ -14,10 +14,10 @@
 //! let job = Job::new(sources, Machine::from_builtin("fadal-4020").unwrap()).unwrap();
 //!
 //! let haas = Machine::from_builtin("haas-vf2").unwrap();
-//! let converted = convert::convert(&job, &haas, &convert::Options::default());
+//! let converted = convert::convert(&job, &haas, &convert::ConversionOptions::default());
 //! assert!(converted.holds() && converted.text.contains("G43 H1"));
 //!
-//! let moved = transform(&job, &[Step::Shift([5.0, 0.0, 0.0])]).unwrap();
+//! let moved = transform(&job, &[TransformStep::Shift([5.0, 0.0, 0.0])]).unwrap();
 //! assert!(moved.certificate.holds() && String::from_utf8(moved.text).unwrap().contains("X15."));
 //! ```
 
@@ -34,9 +34,9 @@ mod transform;
 
 pub use change::Change;
 pub use proof::{Certificate, ComparedSides, prove, prove_contour, prove_mapped};
-pub use split::{By, Part, Split, split};
+pub use split::{ProgramPart, SplitBy, SplitProgram, split};
 pub use transform::{
-    ArcForm, ChipLimit, FeedProof, HeightMap, MapError, NotSplit, OptimizeError, OptimizeOptions,
-    Optimized, Refusal, Splits, Step, ToolChips, Transformed, Warp, Warped, optimize, transform,
-    warp,
+    ArcForm, ChipLimit, FeedProof, HeightCorrection, HeightMap, HeightOptions, MapError, NotSplit,
+    OptimizeError, OptimizeOptions, OptimizedProgram, SplitResult, ToolChips, TransformRefusal,
+    TransformStep, TransformedProgram, optimize, transform, warp,
 };

@@ -2,7 +2,8 @@
 
 use chordal::Job;
 use chordal_compare::{
-    Category, Comparison, Difference, Mapping, Options, Verdict, compare_mapped,
+    Category, Comparison, ComparisonOptions, ComparisonVerdict, Difference, RunMapping,
+    compare_mapped,
 };
 
 /// What a comparison of the old text with the new one says.
@@ -41,7 +42,7 @@ impl Default for ComparedSides {
 impl Certificate {
     /// The motion is the same, or within the tolerance, and nothing differs that should not.
     pub fn holds(&self) -> bool {
-        matches!(self.comparison.verdict, Verdict::Same | Verdict::Within)
+        matches!(self.comparison.verdict, ComparisonVerdict::Same | ComparisonVerdict::Within)
     }
 
     /// Takes differences for expected ones.
@@ -52,13 +53,13 @@ impl Certificate {
         self.expected.append(&mut expected);
         comparison.differences = others;
         let nothing_left = comparison.differences.is_empty() && comparison.dropped == 0;
-        if comparison.verdict == Verdict::Different && nothing_left {
+        if comparison.verdict == ComparisonVerdict::Different && nothing_left {
             let apart = comparison.max_distance_mm.unwrap_or(0.0) > chordal_compare::SAME_MM;
             let verified = comparison.reports.iter().all(chordal::Report::verified);
             comparison.verdict = match apart {
-                _ if !verified => Verdict::NotVerified,
-                true => Verdict::Within,
-                false => Verdict::Same,
+                _ if !verified => ComparisonVerdict::NotVerified,
+                true => ComparisonVerdict::Within,
+                false => ComparisonVerdict::Same,
             };
         }
     }
@@ -66,17 +67,22 @@ impl Certificate {
 
 /// Runs both and holds them against each other; differences of the categories `expected` are reported
 /// apart from the others.
-pub fn prove(old: &Job, new: &Job, options: &Options, expected: &[Category]) -> Certificate {
-    prove_mapped(old, new, options, expected, &Mapping::default())
+pub fn prove(
+    old: &Job,
+    new: &Job,
+    options: &ComparisonOptions,
+    expected: &[Category],
+) -> Certificate {
+    prove_mapped(old, new, options, expected, &RunMapping::default())
 }
 
 /// The same where the new path is meant to be the old one, moved.
 pub fn prove_mapped(
     old: &Job,
     new: &Job,
-    options: &Options,
+    options: &ComparisonOptions,
     expected: &[Category],
-    mapping: &Mapping,
+    mapping: &RunMapping,
 ) -> Certificate {
     let mut certificate = Certificate {
         comparison: compare_mapped(old, new, options, mapping),
@@ -94,10 +100,10 @@ pub fn prove_mapped(
 pub fn prove_contour(
     old: &Job,
     new: &Job,
-    options: &Options,
+    options: &ComparisonOptions,
     expected: impl Fn(&Difference) -> bool + Copy,
 ) -> Certificate {
-    let prove = |options: &Options| {
+    let prove = |options: &ComparisonOptions| {
         let mut certificate = prove(old, new, options, &[]);
         certificate.set_aside(expected);
         certificate
@@ -106,7 +112,7 @@ pub fn prove_contour(
     if whole.holds() {
         return whole;
     }
-    let contour = prove(&Options { programmed: true, ..options.clone() });
+    let contour = prove(&ComparisonOptions { programmed: true, ..options.clone() });
     if !contour.holds() {
         return whole;
     }

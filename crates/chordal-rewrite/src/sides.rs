@@ -1,9 +1,9 @@
 //! Programs that go several ways: each way of the new text is held against that of the old one.
 
-use chordal::{BlockDeleteRuns, Job, Side};
-use chordal_compare::Verdict;
+use chordal::{AlternativeRun, BlockDeleteRuns, Job};
+use chordal_compare::ComparisonVerdict;
 
-use crate::source::{Source, first_text};
+use crate::source::{SourceBlocks, first_text};
 use crate::{Certificate, ComparedSides};
 
 /// A block of the first text that block delete may take.
@@ -19,7 +19,7 @@ pub(crate) fn deletable_blocks(job: &Job) -> Vec<DeletableBlock> {
     if !first_text(job).contains(&b'/') {
         return Vec::new();
     }
-    let blocks = Source::of(job).blocks;
+    let blocks = SourceBlocks::of(job).blocks;
     let deletable = blocks.iter().filter_map(|block| {
         Some(DeletableBlock { start: block.range.start, is_whole: block.delete?.first })
     });
@@ -41,7 +41,7 @@ pub(crate) fn prove_other_sides(
     certificate: &mut Certificate,
     prove: impl Fn(&Job, &Job) -> Certificate,
 ) -> Option<String> {
-    if certificate.comparison.verdict == Verdict::Different {
+    if certificate.comparison.verdict == ComparisonVerdict::Different {
         return None;
     }
     let runs = [old, new].map(|job| block_delete_runs(&deletable_blocks(job)));
@@ -52,7 +52,7 @@ pub(crate) fn prove_other_sides(
         return None;
     }
     if olds.len() != news.len() {
-        certificate.comparison.verdict = Verdict::NotVerified;
+        certificate.comparison.verdict = ComparisonVerdict::NotVerified;
         certificate.sides.is_complete = false;
         return Some(
             "the new program has other conditions that nobody knows than the old one: their sides were not compared"
@@ -62,28 +62,28 @@ pub(crate) fn prove_other_sides(
     let mut sides = ComparedSides { is_complete: is_all, ..ComparedSides::default() };
     for ((side, old), (_, new)) in olds.iter().zip(&news) {
         match side {
-            Side::Fulfilled(_) => sides.conditions += 1,
-            Side::BlockDelete => sides.block_delete = true,
+            AlternativeRun::Fulfilled(_) => sides.conditions += 1,
+            AlternativeRun::BlockDelete => sides.block_delete = true,
         }
         let of_side = prove(old, new);
-        if of_side.comparison.verdict == Verdict::Different {
+        if of_side.comparison.verdict == ComparisonVerdict::Different {
             *certificate = Certificate { sides, ..of_side };
             return Some(differs(old, *side));
         }
     }
     if !is_all {
-        certificate.comparison.verdict = Verdict::NotVerified;
+        certificate.comparison.verdict = ComparisonVerdict::NotVerified;
     }
     certificate.sides = sides;
     Some(compared(&sides))
 }
 
-fn differs(old: &Job, side: Side) -> String {
+fn differs(old: &Job, side: AlternativeRun) -> String {
     match side {
-        Side::BlockDelete => {
+        AlternativeRun::BlockDelete => {
             "with block delete switched the other way the new program moves otherwise".to_string()
         }
-        Side::Fulfilled(condition) => {
+        AlternativeRun::Fulfilled(condition) => {
             let source = old.sources().get(condition.file);
             let line = source.map_or(0, |source| source.line_of(condition.range.start));
             format!(

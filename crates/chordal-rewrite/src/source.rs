@@ -5,15 +5,15 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use chordal::Job;
-use chordal::control::table::Subroutines;
+use chordal::control::table::SubroutineForm;
 use chordal::control::{Control, Units, subroutine_head};
 use chordal::diagnostics::{FileId, Span};
 use chordal::syntax::{Block, BlockKind, BlockReader, Letters, Word};
-use chordal_editor::{Program, Setup};
+use chordal_editor::{EditorProgram, EditorSetup};
 
 /// How a subprogram is written and called.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Form {
+pub(crate) enum SubprogramForm {
     /// A section `L100` before the main program, called by `L101`.
     Letter,
     /// From an N number after the main program, called by M97.
@@ -24,30 +24,30 @@ pub(crate) enum Form {
 
 /// A subprogram of the text.
 #[derive(Clone, Debug)]
-pub(crate) struct Sub {
-    pub form: Form,
+pub(crate) struct SubprogramBlocks {
+    pub form: SubprogramForm,
     /// The number of its section, its N number, or its O number.
     pub number: u32,
     pub blocks: Range<usize>,
 }
 
 /// The blocks of the old text.
-pub(crate) struct Source<'a> {
+pub(crate) struct SourceBlocks<'a> {
     pub text: &'a [u8],
     pub blocks: Vec<Block>,
-    pub subs: Vec<Sub>,
+    pub subs: Vec<SubprogramBlocks>,
     /// The block that closes the section of `L` subroutines.
     pub section_end: Option<usize>,
     /// The blocks of the main programs.
     pub mains: Vec<Range<usize>>,
     /// The program heads, main or not.
     pub heads: Vec<usize>,
-    pub style: Style,
+    pub style: WordStyle,
 }
 
 /// How the programmer writes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Style {
+pub(crate) struct WordStyle {
     /// Blanks stand between words.
     pub spaced: bool,
     /// `0.5`, not `.5`.
@@ -56,7 +56,7 @@ pub(crate) struct Style {
     pub two_digits: bool,
 }
 
-impl<'a> Source<'a> {
+impl<'a> SourceBlocks<'a> {
     /// The words of a block as they are written, without its number.
     pub fn words_of(&self, block: &Block) -> String {
         let from = block.word(b'N').map_or(block.range.start, |word| word.range.end);
@@ -82,7 +82,7 @@ impl<'a> Source<'a> {
         String::from_utf8_lossy(word.range.slice(self.text)).into_owned()
     }
 
-    pub fn of(job: &'a Job) -> Source<'a> {
+    pub fn of(job: &'a Job) -> SourceBlocks<'a> {
         let text = first_text(job);
         let control = job.control();
         let mut reader = BlockReader::new(text, FileId(0), control.table.lexicon);
@@ -91,7 +91,7 @@ impl<'a> Source<'a> {
         while reader.read(&mut block) {
             blocks.push(block.clone());
         }
-        let mut source = Source {
+        let mut source = SourceBlocks {
             text,
             style: style(text, &blocks),
             blocks,
@@ -116,7 +116,11 @@ impl<'a> Source<'a> {
             }
             match program.head.number {
                 Some(number) if !program.is_main => {
-                    self.subs.push(Sub { form: Form::Program, number, blocks: from..to });
+                    self.subs.push(SubprogramBlocks {
+                        form: SubprogramForm::Program,
+                        number,
+                        blocks: from..to,
+                    });
                 }
                 _ if program.is_main => self.mains.push(from..to),
                 _ => {}
@@ -144,7 +148,11 @@ impl<'a> Source<'a> {
         for (index, (at, number)) in heads.iter().enumerate() {
             let to = heads.get(index + 1).map_or(tape_end, |next| next.0);
             self.heads.push(*at);
-            self.subs.push(Sub { form: Form::Program, number: *number, blocks: *at..to });
+            self.subs.push(SubprogramBlocks {
+                form: SubprogramForm::Program,
+                number: *number,
+                blocks: *at..to,
+            });
         }
         if let Some((at, _)) = heads.first() {
             self.mains[0] = main.start..*at;
@@ -153,7 +161,7 @@ impl<'a> Source<'a> {
 
     /// The `L` sections in front of the first main program.
     fn find_sections(&mut self, control: &Control) {
-        if control.table.subroutines != Subroutines::LetterL {
+        if control.table.subroutines != SubroutineForm::LetterL {
             return;
         }
         for main in self.mains.clone() {
@@ -172,7 +180,11 @@ impl<'a> Source<'a> {
                     break;
                 }
                 if let (Some((number, from)), true) = (open, head.is_some() || ends) {
-                    found.push(Sub { form: Form::Letter, number, blocks: from..at });
+                    found.push(SubprogramBlocks {
+                        form: SubprogramForm::Letter,
+                        number,
+                        blocks: from..at,
+                    });
                 }
                 open = head.map(|number| (number, at)).or(open);
                 if ends {
@@ -211,7 +223,11 @@ impl<'a> Source<'a> {
             if let Some(back) = back
                 && start > end
             {
-                self.subs.push(Sub { form: Form::Label, number: label, blocks: start..back + 1 });
+                self.subs.push(SubprogramBlocks {
+                    form: SubprogramForm::Label,
+                    number: label,
+                    blocks: start..back + 1,
+                });
             }
         }
     }
@@ -324,7 +340,7 @@ pub(crate) fn whole(word: Option<&Word>) -> Option<u32> {
     u32::try_from(word?.number()?.to_integer()?).ok()
 }
 
-fn style(text: &[u8], blocks: &[Block]) -> Style {
+fn style(text: &[u8], blocks: &[Block]) -> WordStyle {
     let (mut together, mut apart) = (0, 0);
     let (mut zeros, mut points) = (0, 0);
     let (mut two, mut one) = (0, 0);
@@ -343,16 +359,16 @@ fn style(text: &[u8], blocks: &[Block]) -> Style {
             }
         }
     }
-    Style { spaced: apart >= together, leading_zero: zeros > points, two_digits: two > one }
+    WordStyle { spaced: apart >= together, leading_zero: zeros > points, two_digits: two > one }
 }
 
 /// The text as an editor holds it, for the places of names.
-pub(crate) fn program(job: &Job) -> Option<Program> {
+pub(crate) fn program(job: &Job) -> Option<EditorProgram> {
     let texts = job.sources().iter().skip(1);
     let beside = texts.map(|(_, source)| (source.name().to_string(), source.text().to_vec()));
-    let setup = Setup { beside: beside.collect(), ..Setup::of(job.machine().clone()) };
+    let setup = EditorSetup { beside: beside.collect(), ..EditorSetup::of(job.machine().clone()) };
     let name = job.sources().get(FileId(0)).map_or("", |source| source.name());
-    Program::set_up(name, first_text(job).to_vec(), setup).ok()
+    EditorProgram::set_up(name, first_text(job).to_vec(), setup).ok()
 }
 
 /// The program's own text.

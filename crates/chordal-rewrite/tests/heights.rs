@@ -2,7 +2,7 @@
 
 use chordal::geometry::Vec3;
 use chordal::{Command, CommandKind, Diagnostic, Job, Machine, RunSink, Sink, Source, SourceMap};
-use chordal_rewrite::{HeightMap, Refusal, Warp, Warped, warp};
+use chordal_rewrite::{HeightCorrection, HeightMap, HeightOptions, TransformRefusal, warp};
 
 fn job(text: &str, machine: &str) -> Job<'static> {
     let machine = Machine::from_builtin(machine).expect("a built-in machine");
@@ -11,7 +11,7 @@ fn job(text: &str, machine: &str) -> Job<'static> {
     Job::new(sources, machine).expect("good settings")
 }
 
-const FINE: Warp = Warp { tolerance_mm: 0.01, clamp: false };
+const FINE: HeightOptions = HeightOptions { tolerance_mm: 0.01, clamp: false };
 
 fn map(text: &str) -> HeightMap {
     HeightMap::read(text.as_bytes(), 1.0).expect("a map")
@@ -28,13 +28,13 @@ fn map_of(columns: &[f64], rows: &[f64], height: impl Fn(f64, f64) -> f64) -> He
     map(&text)
 }
 
-fn bent(text: &str, map: &HeightMap) -> Warped {
+fn bent(text: &str, map: &HeightMap) -> HeightCorrection {
     let done = warp(&job(text, "haas-vf2"), map, &FINE).expect("bent");
     assert!(done.done.certificate.holds(), "{:?}", done.done.notes);
     done
 }
 
-fn text_of(warped: &Warped) -> String {
+fn text_of(warped: &HeightCorrection) -> String {
     String::from_utf8(warped.done.text.clone()).expect("text")
 }
 
@@ -128,7 +128,7 @@ fn what_does_not_lie_on_the_map_is_refused_with_its_line() {
     let bowl = map_of(&[0.0, 100.0], &[0.0, 100.0], |x, y| 0.0002 * x * y);
     let refused = |body: &str, words: &str| {
         let text = format!("{HEAD}G0 X10. Y10.\nG43 H1 Z5.\n{body}\nG0 Z9.\nM30\n");
-        let refusal: Refusal =
+        let refusal: TransformRefusal =
             warp(&job(&text, "haas-vf2"), &bowl, &FINE).err().unwrap_or_else(|| panic!("{body}"));
         assert!(refusal.what.contains(words), "{body}: {refusal}");
         assert!(refusal.line >= 7 && !refusal.help.is_empty(), "{body}: {refusal}");
@@ -150,7 +150,7 @@ fn what_does_not_lie_on_the_map_is_refused_with_its_line() {
     refused("G3 X15. Y15. R5. F100.", "height of a rapid");
     refused("G28 G91 Z0\nG90 G1 X20. F100.", "not given by the program");
     let far = format!("{HEAD}G0 X10. Y10.\nG43 H1 Z5.\nG1 Z-1. F100.\nX120.\nG0 Z5.\nM30\n");
-    let clamp = Warp { clamp: true, ..FINE };
+    let clamp = HeightOptions { clamp: true, ..FINE };
     let done = warp(&job(&far, "haas-vf2"), &bowl, &clamp).expect("the edge goes on");
     assert!(done.done.certificate.holds() && text_of(&done).contains("X100. Z-0.8\nX120.\n"));
 }
@@ -392,7 +392,7 @@ fn random_programs_lie_on_random_surfaces() {
         let tolerance_mm =
             [0.01, 0.02, 0.1][(dice.unit() * 3.0) as usize] * if steep { 4.0 } else { 1.0 };
         let old = job(&text, machine);
-        let done = warp(&old, &map, &Warp { tolerance_mm, clamp: false })
+        let done = warp(&old, &map, &HeightOptions { tolerance_mm, clamp: false })
             .unwrap_or_else(|refusal| panic!("{seed}: {refusal}\n{text}"));
         assert!(
             done.done.certificate.holds(),

@@ -3,7 +3,7 @@
 use chordal::motion::MotionOptions;
 use chordal::stock::{EngagementOptions, StockOptions};
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_rewrite::{ChipLimit, OptimizeError, OptimizeOptions, Optimized, optimize};
+use chordal_rewrite::{ChipLimit, OptimizeError, OptimizeOptions, OptimizedProgram, optimize};
 
 const SETUP: &str = "machine = 'haas-vf2'
 [stock]
@@ -47,11 +47,11 @@ fn options(limit: ChipLimit, faster: f64) -> OptimizeOptions {
     }
 }
 
-fn run(text: &str, limit: ChipLimit, faster: f64) -> Result<Optimized, OptimizeError> {
+fn run(text: &str, limit: ChipLimit, faster: f64) -> Result<OptimizedProgram, OptimizeError> {
     optimize(&job(text), &options(limit, faster), &|_| Err("no files".to_string()))
 }
 
-fn run_split(text: &str, limit: ChipLimit, faster: f64) -> Optimized {
+fn run_split(text: &str, limit: ChipLimit, faster: f64) -> OptimizedProgram {
     let options = OptimizeOptions { split: true, ..options(limit, faster) };
     optimize(&job(text), &options, &|_| Err("no files".to_string())).unwrap()
 }
@@ -78,7 +78,7 @@ fn points(text: &str, after: &str, [mut x, mut y]: [i64; 2]) -> Vec<[i64; 2]> {
 const SLANTED: &str = "O1\nG21 G90 G54 G17\nT1 M6\nS6000 M3\nG0 X-8. Y-4.\nG43 H1 Z5.\nG1 Z-4. F2000.\n\
                        N9 G1 X110. Y6. F900. (an edge)\nG0 Z5.\nM5\nM30\n";
 
-fn text(done: &Optimized) -> String {
+fn text(done: &OptimizedProgram) -> String {
     String::from_utf8(done.text.clone()).unwrap()
 }
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use chordal::control::RunOptions;
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_rewrite::restart::{Reason, Restart, blocked, restart, way_in};
+use chordal_rewrite::restart::{RefusalReason, RestartProgram, blocked, restart, way_in};
 
 fn job_on(text: &str, machine: Machine) -> Job<'static> {
     let mut sources = SourceMap::new();
@@ -26,7 +26,7 @@ fn begun(text: &str, machine: &str, line: u32) -> String {
     String::from_utf8(done.text).expect("text")
 }
 
-fn refused(text: &str, line: u32) -> (Reason, String) {
+fn refused(text: &str, line: u32) -> (RefusalReason, String) {
     let refused = restart(&job(text, "haas-vf2"), line).expect_err("refused");
     (refused.reason, format!("{}; {}", refused.refusal.what, refused.refusal.help))
 }
@@ -65,7 +65,7 @@ fn every_line_is_proved_or_refused_with_a_reason() {
     files(&root.join("examples"), &mut paths);
     files(&root.join("tests/suite"), &mut paths);
     let (mut proved, mut controls) = (0, BTreeMap::<String, [u32; 2]>::new());
-    let mut reasons = BTreeMap::<Reason, u32>::new();
+    let mut reasons = BTreeMap::<RefusalReason, u32>::new();
     let mut messages = BTreeMap::<String, u32>::new();
     for path in &paths {
         let Some(job) = job_of(path) else { continue };
@@ -90,7 +90,7 @@ fn every_line_is_proved_or_refused_with_a_reason() {
                     *reasons.entry(refused.reason).or_default() += 1;
                     let told = &refused.refusal;
                     assert!(!told.what.is_empty() && !told.help.is_empty());
-                    if matches!(refused.reason, Reason::Unproved | Reason::Form) {
+                    if matches!(refused.reason, RefusalReason::Unproved | RefusalReason::Form) {
                         *messages
                             .entry(told.what.split(": ").last().unwrap_or("").into())
                             .or_default() += 1;
@@ -107,7 +107,7 @@ fn every_line_is_proved_or_refused_with_a_reason() {
 }
 
 /// The text without the contours of cycles that are after its end.
-fn without_contours(done: &Restart) -> Vec<u8> {
+fn without_contours(done: &RestartProgram) -> Vec<u8> {
     if done.after_the_end.is_empty() {
         return done.text.clone();
     }
@@ -183,13 +183,13 @@ fn what_cannot_begin_says_why_and_where_it_can() {
     insta::assert_snapshot!("refused", told.join("\n"));
     let loops =
         "O1\nG21 G90 G54 G0 X0 Y0 Z5.\n#1=1\nWHILE [#1 LT 3] DO1\nX#1\n#1=#1+1\nEND1\nM30\n";
-    assert_eq!(refused(loops, 5).0, Reason::Repeated);
+    assert_eq!(refused(loops, 5).0, RefusalReason::Repeated);
     let turned = "O1\nG21 G90 G54 G0 X0 Y0 Z5.\nG68 X0 Y0 R30.\nX10.\nX20.\nG69\nM30\n";
     let (reason, words) = refused(turned, 5);
-    assert_eq!(reason, Reason::Frame);
+    assert_eq!(reason, RefusalReason::Frame);
     assert!(words.contains("begin at line 3"), "{words}");
     let moved = "O1\nG21 G90 G54 G0 X0 Y0 Z5.\nG92 X5.\nX10.\nX20.\nM30\n";
-    assert_eq!(refused(moved, 5).0, Reason::Shift);
+    assert_eq!(refused(moved, 5).0, RefusalReason::Shift);
 }
 
 /// As on the control: a block in polar interpolation is none to begin at.
@@ -197,7 +197,7 @@ fn what_cannot_begin_says_why_and_where_it_can() {
 fn nothing_begins_on_a_face() {
     let text = "O1\nG21 G18 G40 G98 G97 S900 M3\nT0101\nG0 X40. Z1. C0\nG12.1\nG1 C10. F100.\nX30.\nG13.1\nG0 Z5.\nM30\n";
     let refused = restart(&job(text, "fanuc-lathe-c"), 7).expect_err("on the face");
-    assert_eq!(refused.reason, Reason::Frame);
+    assert_eq!(refused.reason, RefusalReason::Frame);
     assert!(refused.refusal.what.contains("polar or cylindrical"), "{}", refused.refusal.what);
 }
 
@@ -240,10 +240,10 @@ fn a_row_of_holes_goes_on_at_the_next_hole() {
     let head = restart(&job(fadal, "fadal-4020"), 8).expect("proved").head;
     assert_eq!(head[head.len() - 2..], ["G81 Z-.5 R0+.1 F10.", "G91"]);
     let cannot = restart(&job(HOLES, "linuxcnc-mill"), 7).expect_err("refused");
-    assert_eq!(cannot.reason, Reason::Cycle);
+    assert_eq!(cannot.reason, RefusalReason::Cycle);
     assert!(cannot.refusal.help.contains("line 6"), "{}", cannot.refusal.help);
     let values = HOLES.replace("Q3.", "Q#5").replace("T1 M06", "T1 M06\n#5=3.");
-    assert_eq!(refused(&values, 9).0, Reason::Cycle);
+    assert_eq!(refused(&values, 9).0, RefusalReason::Cycle);
 }
 
 /// A shift that stands is said again; one that is taken back is not.
@@ -265,7 +265,7 @@ fn a_preset_before_the_first_move_is_said_again() {
     let done = restart(&job(text, "fanuc-30i"), 9).expect("proved");
     assert!(done.from_the_start && done.head.iter().any(|line| line == "G92 X0 Y0 Z50."));
     let later = text.replace("X-20.\n", "X-20.\nG92 X0\n");
-    assert_eq!(refused(&later, 10).0, Reason::Shift);
+    assert_eq!(refused(&later, 10).0, RefusalReason::Shift);
 }
 
 /// A bar of 62 and a tool that goes to X40 in front of it, and only then out to X64.
@@ -354,7 +354,11 @@ fn every_form_of_a_tool_length_is_said_again() {
         let without = begun.replace(head, if head.ends_with('\n') { "" } else { "Z25." });
         let job = |text: &str| job(text, machine);
         let compared = chordal_compare::compare(&job(&text), &job(&without), &Default::default());
-        assert_ne!(compared.verdict, chordal_compare::Verdict::Same, "{machine}, {length}");
+        assert_ne!(
+            compared.verdict,
+            chordal_compare::ComparisonVerdict::Same,
+            "{machine}, {length}"
+        );
     }
 }
 
@@ -391,7 +395,7 @@ fn what_the_control_keeps_is_brought_back_or_refused() {
     let begin = "G21 G17 G90 G40 G49 G80 G94\nG54\nT1 M6\nS1000 M3\nG0 X0 Y0 Z30\nF200\n";
     // G52 of millimetres would be inches in the head.
     let text = format!("{begin}G52 X24\nG0 X25.4 Y25.4 Z25.4\nG20\nG1 X1 F9\nX2\nM2\n");
-    assert_eq!(at(&text, "X2").expect_err("refused").reason, Reason::Unproved);
+    assert_eq!(at(&text, "X2").expect_err("refused").reason, RefusalReason::Unproved);
     let text = format!("{begin}G52 X24\nG0 X5 Y5 Z5\nG1 X1 F9\nX2\nM2\n");
     assert!(at(&text, "X2").is_ok());
     // M49 ends both overrides, M50 that of the feed alone.
@@ -461,5 +465,5 @@ M30
     }
     // Without a place of X and Y there is nothing to begin at.
     let bare = "%\nO1\nG21 G90 G40 G17 G94\nT1 M6\nG54\nG52 X5.\nS900 M3\nG1 X3. F100.\nY2. Z1.\nX9.\nM30\n%\n";
-    assert_eq!(refused(bare, 9).0, Reason::Position);
+    assert_eq!(refused(bare, 9).0, RefusalReason::Position);
 }

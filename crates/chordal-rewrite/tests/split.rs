@@ -6,7 +6,7 @@ use std::path::Path;
 
 use chordal::control::RunOptions;
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_rewrite::{By, Split, split};
+use chordal_rewrite::{SplitBy, SplitProgram, split};
 
 fn job(text: &str, machine: &str) -> Job<'static> {
     let mut sources = SourceMap::new();
@@ -15,7 +15,7 @@ fn job(text: &str, machine: &str) -> Job<'static> {
     Job::new(sources, Machine::from_builtin(machine).unwrap()).unwrap().options(options)
 }
 
-fn proved(text: &str, machine: &str, by: By) -> Split {
+fn proved(text: &str, machine: &str, by: SplitBy) -> SplitProgram {
     let done = split(&job(text, machine), by).unwrap();
     let differences = &done.certificate.comparison.differences;
     assert!(done.certificate.holds(), "{differences:#?}");
@@ -23,7 +23,7 @@ fn proved(text: &str, machine: &str, by: By) -> Split {
     done
 }
 
-fn texts(done: &Split) -> Vec<String> {
+fn texts(done: &SplitProgram) -> Vec<String> {
     done.parts.iter().map(|part| String::from_utf8_lossy(&part.text).into_owned()).collect()
 }
 
@@ -72,7 +72,7 @@ M99
 
 #[test]
 fn one_program_for_each_tool() {
-    let done = proved(THREE_TOOLS, "haas-vf2", By::Tool);
+    let done = proved(THREE_TOOLS, "haas-vf2", SplitBy::Tool);
     let texts = texts(&done);
     assert_eq!(
         done.parts.iter().map(|part| part.number).collect::<Vec<_>>(),
@@ -110,7 +110,7 @@ fn rows(incremental: bool) -> String {
 
 #[test]
 fn a_part_begins_as_the_whole_stood_there() {
-    let done = proved(&rows(false), "haas-vf2", By::Bytes(400));
+    let done = proved(&rows(false), "haas-vf2", SplitBy::Bytes(400));
     assert!(done.parts.iter().all(|part| part.text.len() <= 400));
     assert!(done.parts.windows(2).all(|two| two[1].lines[0] == two[0].lines[1] + 1));
     let texts = texts(&done);
@@ -127,7 +127,7 @@ fn a_part_begins_as_the_whole_stood_there() {
 
 #[test]
 fn increments_go_on() {
-    let done = proved(&rows(true), "haas-vf2", By::Bytes(400));
+    let done = proved(&rows(true), "haas-vf2", SplitBy::Bytes(400));
     assert!(done.parts.len() > 2);
     assert_eq!(done.parts[1].begin[0], "G20 G17 G90 G40 G80");
     assert_eq!(done.parts[1].begin.last().unwrap(), "G91");
@@ -140,7 +140,7 @@ fn sections_of_a_fadal_go_with_their_calls() {
                 N14 L101\nN15 X2.\nN16 L102\nN17 G0 Z1.\nN18 M5 M9\nN19 M6 T2\n\
                 N20 G0 G90 S3000 M3 E1 X0 Y1.\nN21 H2 Z.5\nN22 G1 Z-.1 F5.\nN23 X2.\nN24 G0 Z1.\nN25 M5\n\
                 N26 M30\n";
-    let done = proved(text, "fadal-4020", By::Tool);
+    let done = proved(text, "fadal-4020", SplitBy::Tool);
     let texts = texts(&done);
     assert!(texts[0].contains("L100") && !texts[1].contains("L100"), "{texts:#?}");
     assert!(texts[1].starts_with("N1 O78 (SLOTS)\n(PART 2 OF 2, FROM LINE 19)\n"));
@@ -150,10 +150,10 @@ fn sections_of_a_fadal_go_with_their_calls() {
 fn neither_loops_nor_variables_are_parted() {
     let text = "%\nO1\nT1 M6\nG90 G54 G0 X0 Y0 S1000 M3\nG43 H1 Z1.\n#1=0\nWHILE [#1 LT 3] DO1\n\
                 G0 X[#1]\nG1 Z-.1 F5.\nG0 Z1.\n#1=#1+1\nEND1\nG0 X5.\nG1 Z-.1\nG0 Z1.\nM30\n%\n";
-    let refused = split(&job(text, "haas-vf2"), By::Bytes(100)).unwrap_err();
+    let refused = split(&job(text, "haas-vf2"), SplitBy::Bytes(100)).unwrap_err();
     assert!(refused.what.contains("there is no point to split the program"), "{refused}");
     assert!(refused.what.contains("from line 1 to line 13"), "{refused}");
-    let done = proved(text, "haas-vf2", By::Bytes(130));
+    let done = proved(text, "haas-vf2", SplitBy::Bytes(130));
     assert_eq!(done.parts.len(), 2);
     assert_eq!(done.parts[1].lines, [14, 16]);
 }
@@ -163,7 +163,7 @@ fn neither_loops_nor_variables_are_parted() {
 fn what_is_not_said_again_is_not_parted() {
     let text = "%\nO1\nT1 M6\nG90 G54 G0 X0 Y0 S1000 M3\nG43 H1 Z1.\nG52 X1. Y1.\nG0 X0\nG1 Z-.1 F5.\nG0 Z1.\n\
                 X1.\nG1 Z-.1\nG0 Z1.\nX2.\nG1 Z-.1\nG0 Z1.\nG52 X0 Y0\nG0 X5. Y0\nX6.\nG1 Z-.1\nG0 Z1.\nM30\n%\n";
-    let done = proved(text, "haas-vf2", By::Bytes(160));
+    let done = proved(text, "haas-vf2", SplitBy::Bytes(160));
     assert!(done.parts[1].lines[0] > 16, "{:?}", done.parts);
 }
 
@@ -171,10 +171,10 @@ fn what_is_not_said_again_is_not_parted() {
 #[test]
 fn behind_unknown_codes_nothing_is_parted() {
     let text = THREE_TOOLS.replace("(SLOTS)", "G68 X0 Y0 R30.");
-    let done = proved(&text, "haas-vf2", By::Tool);
+    let done = proved(&text, "haas-vf2", SplitBy::Tool);
     assert_eq!(done.parts.len(), 1);
     let text = THREE_TOOLS.replace("(SLOTS)", "M82");
-    let done = split(&job(&text, "haas-vf2"), By::Tool).unwrap();
+    let done = split(&job(&text, "haas-vf2"), SplitBy::Tool).unwrap();
     assert!(done.certificate.holds() && done.parts.len() == 3);
     assert_eq!(done.notes.len(), 1);
     assert!(
@@ -192,7 +192,7 @@ fn what_holds_tools_together_is_told() {
         .replace("S6000", "S#500")
         .replace("T1 M06 (FACE)", "#500=6000\nT1 M06");
     let text = text.replace("X1. Y1. S2000 M03\nG43 H02", "X1. Y1. S#500 M03\nG43 H02");
-    let done = split(&job(&text, "haas-vf2"), By::Tool).unwrap();
+    let done = split(&job(&text, "haas-vf2"), SplitBy::Tool).unwrap();
     assert!(done.certificate.holds());
     assert_eq!(done.parts.len(), 2);
     assert_eq!(done.notes, ["not split before line 17, inside #500"]);
@@ -201,7 +201,7 @@ fn what_holds_tools_together_is_told() {
 
 #[test]
 fn an_empty_file_is_no_program() {
-    assert!(split(&job("", "haas-vf2"), By::Tool).unwrap_err().what.contains("no program"));
+    assert!(split(&job("", "haas-vf2"), SplitBy::Tool).unwrap_err().what.contains("no program"));
 }
 
 /// Every program of the documents and of the examples, in halves.
@@ -230,14 +230,17 @@ fn every_program_in_parts() {
                 }
                 let text = String::from_utf8_lossy(&text).into_owned();
                 let job = job(&text, machine);
-                for by in [By::Tool, By::Bytes(text.len() * 2 / 3), By::Bytes(text.len() / 2 + 100)]
-                {
+                for by in [
+                    SplitBy::Tool,
+                    SplitBy::Bytes(text.len() * 2 / 3),
+                    SplitBy::Bytes(text.len() / 2 + 100),
+                ] {
                     match split(&job, by) {
                         Ok(done) => {
                             for part in &done.parts {
                                 assert!(match by {
-                                    By::Bytes(most) => part.text.len() <= most,
-                                    By::Tool => true,
+                                    SplitBy::Bytes(most) => part.text.len() <= most,
+                                    SplitBy::Tool => true,
                                 });
                             }
                             parted += usize::from(done.parts.len() > 1);

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use chordal::control::{RunOptions, Units};
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_compare::Category;
-use chordal_rewrite::{ArcForm, Step, Transformed, transform};
+use chordal_rewrite::{ArcForm, TransformStep, TransformedProgram, transform};
 use proptest::prelude::*;
 
 const MACHINES: [(&str, &str); 9] = [
@@ -53,33 +53,34 @@ fn job(text: Vec<u8>, machine: &str) -> Job<'static> {
     Job::new(sources, machine).unwrap().options(options)
 }
 
-fn fit(tolerance: f64) -> Step {
-    Step::Fit { tolerance, feed_tolerance: 0.01 }
+fn fit(tolerance: f64) -> TransformStep {
+    TransformStep::Fit { tolerance, feed_tolerance: 0.01 }
 }
 
 /// Each with how many of the programs must come out proved; the others are refused, or differ in a way
 /// that is reported (a travel that is exceeded, a printed position, a clearance that a parameter holds).
-fn steps() -> Vec<(&'static str, Step, usize)> {
-    let rotate = |degrees: f64| Step::Rotate { angle: degrees.to_radians(), about: [25.4, 12.7] };
+fn steps() -> Vec<(&'static str, TransformStep, usize)> {
+    let rotate =
+        |degrees: f64| TransformStep::Rotate { angle: degrees.to_radians(), about: [25.4, 12.7] };
     vec![
-        ("shift", Step::Shift([2.54, -12.7, 0.254]), 134),
+        ("shift", TransformStep::Shift([2.54, -12.7, 0.254]), 134),
         ("rotate 90", rotate(90.0), 86),
         ("rotate 30", rotate(30.0), 84),
-        ("mirror x", Step::MirrorX, 118),
-        ("mirror y", Step::MirrorY, 132),
-        ("scale 2", Step::Scale(2.0), 62),
-        ("mm", Step::Units(Units::Millimetre), 133),
-        ("inch", Step::Units(Units::Inch), 154),
-        ("feed", Step::Rates { feed: 0.5, speed: 1.0 }, 153),
-        ("speed", Step::Rates { feed: 1.0, speed: 2.0 }, 155),
-        ("radius", Step::Arcs(ArcForm::Radius), 182),
-        ("center", Step::Arcs(ArcForm::Center), 181),
-        ("chords", Step::Chords(0.01), 132),
+        ("mirror x", TransformStep::MirrorX, 118),
+        ("mirror y", TransformStep::MirrorY, 132),
+        ("scale 2", TransformStep::Scale(2.0), 62),
+        ("mm", TransformStep::Units(Units::Millimetre), 133),
+        ("inch", TransformStep::Units(Units::Inch), 154),
+        ("feed", TransformStep::Rates { feed: 0.5, speed: 1.0 }, 153),
+        ("speed", TransformStep::Rates { feed: 1.0, speed: 2.0 }, 155),
+        ("radius", TransformStep::Arcs(ArcForm::Radius), 182),
+        ("center", TransformStep::Arcs(ArcForm::Center), 181),
+        ("chords", TransformStep::Chords(0.01), 132),
         ("fit", fit(0.02), 183),
-        ("simplify", Step::Simplify(0.02), 183),
-        ("renumber", Step::Renumber { first: 10, step: 5 }, 170),
-        ("no numbers", Step::NoNumbers, 174),
-        ("comments", Step::StripComments, 158),
+        ("simplify", TransformStep::Simplify(0.02), 183),
+        ("renumber", TransformStep::Renumber { first: 10, step: 5 }, 170),
+        ("no numbers", TransformStep::NoNumbers, 174),
+        ("comments", TransformStep::StripComments, 158),
     ]
 }
 
@@ -118,14 +119,14 @@ fn every_program_through_every_step() {
     assert!(short.is_empty(), "fewer are proved than were: {short:?}");
 }
 
-fn haas(text: &str, steps: &[Step]) -> Transformed {
+fn haas(text: &str, steps: &[TransformStep]) -> TransformedProgram {
     let done = transform(&job(text.as_bytes().to_vec(), "haas-vf2"), steps).unwrap();
     let differences = &done.certificate.comparison.differences;
     assert!(done.certificate.holds(), "{differences:?}\n{}", String::from_utf8_lossy(&done.text));
     done
 }
 
-fn text_after(text: &str, steps: &[Step]) -> String {
+fn text_after(text: &str, steps: &[TransformStep]) -> String {
     String::from_utf8(haas(text, steps).text).unwrap()
 }
 
@@ -148,7 +149,7 @@ N110 M30
 
 #[test]
 fn the_style_is_kept() {
-    let moved = text_after(PART, &[Step::Shift([5.0, -0.25, 0.0])]);
+    let moved = text_after(PART, &[TransformStep::Shift([5.0, -0.25, 0.0])]);
     let expected = PART
         .replace("X0. Y0. S900", "X5. Y-0.25 S900")
         .replace("X10.50 F200", "X15.50 F200")
@@ -159,33 +160,35 @@ fn the_style_is_kept() {
 
 #[test]
 fn a_mirror_image_turns_the_other_way() {
-    let image = text_after(PART, &[Step::MirrorX]);
+    let image = text_after(PART, &[TransformStep::MirrorX]);
     assert!(image.contains("N70 G2 X-20. Y9.5 R9.5") && image.contains("N80 G91 G1 X5. Y.5"));
     assert!(image.contains("N90 G90 G3 X-5. Y10. I5. J0."), "{image}");
 }
 
 #[test]
 fn a_turn_names_the_axis_that_was_left_out() {
-    let turned =
-        text_after(PART, &[Step::Rotate { angle: std::f64::consts::FRAC_PI_2, about: [0.0; 2] }]);
+    let turned = text_after(
+        PART,
+        &[TransformStep::Rotate { angle: std::f64::consts::FRAC_PI_2, about: [0.0; 2] }],
+    );
     assert!(turned.contains("N60 X0.00 Y10.50 F200."), "{turned}");
     assert!(turned.contains("N90 G90 G2 X-10. Y5. I0. J-5."), "{turned}");
 }
 
 #[test]
 fn other_units_and_back() {
-    let done = haas(PART, &[Step::Units(Units::Inch)]);
+    let done = haas(PART, &[TransformStep::Units(Units::Inch)]);
     let inch = String::from_utf8(done.text).unwrap();
     assert!(inch.contains("N10 G20 G90") && inch.contains("X0.4134 F7.874"), "{inch}");
-    haas(PART, &[Step::Units(Units::Inch), Step::Units(Units::Millimetre)]);
+    haas(PART, &[TransformStep::Units(Units::Inch), TransformStep::Units(Units::Millimetre)]);
 }
 
 #[test]
 fn a_variable_is_moved_where_it_is_used() {
     let text = "G21 G90 S900 M3\n#1=10.\nG0 X0 Y0 Z2.\nG1 Z-1. F100.\nX#1 Y[#1*2.]\nG0 Z50.\nM30\n";
-    let moved = text_after(text, &[Step::Shift([5.0, -1.0, 0.0])]);
+    let moved = text_after(text, &[TransformStep::Shift([5.0, -1.0, 0.0])]);
     assert!(moved.contains("X[#1+5.] Y[[#1*2.]-1.]"), "{moved}");
-    let image = text_after(text, &[Step::MirrorX]);
+    let image = text_after(text, &[TransformStep::MirrorX]);
     assert!(image.contains("X[0.-#1]"), "{image}");
 }
 
@@ -194,7 +197,8 @@ fn a_subprogram_that_is_run_in_two_ways_is_refused() {
     let text = "O1\nG21 G90 S900 M3\nG0 X0 Y0 Z2.\nG1 Z-1. F100.\nM98 P2\nG91\nM98 P2\nG90 G0 Z50.\nM30\n\
                 O2\nX10. Y5.\nM99\n";
     let refusal =
-        transform(&job(text.into(), "haas-vf2"), &[Step::Shift([1.0, 0.0, 0.0])]).unwrap_err();
+        transform(&job(text.into(), "haas-vf2"), &[TransformStep::Shift([1.0, 0.0, 0.0])])
+            .unwrap_err();
     assert_eq!((refusal.line, refusal.text.as_str()), (11, "X10. Y5."));
 }
 
@@ -202,7 +206,7 @@ fn a_subprogram_that_is_run_in_two_ways_is_refused() {
 fn a_tap_goes_with_the_spindle() {
     let text =
         "G21 G90 G54 S500 M3\nG0 X0 Y0 Z5.\nG84 Z-10. R2. F500.\nG80\nG1 Z1. F300.\nG0 Z50.\nM30\n";
-    let slow = text_after(text, &[Step::Rates { feed: 0.9, speed: 0.5 }]);
+    let slow = text_after(text, &[TransformStep::Rates { feed: 0.9, speed: 0.5 }]);
     assert!(
         slow.contains("S250") && slow.contains("R2. F250.") && slow.contains("Z1. F270."),
         "{slow}"
@@ -211,20 +215,21 @@ fn a_tap_goes_with_the_spindle() {
 
 #[test]
 fn shrinking_takes_what_does_nothing_and_no_more() {
-    let tight = haas(PART, &[Step::Shrink(PART.len() - 1)]);
+    let tight = haas(PART, &[TransformStep::Shrink(PART.len() - 1)]);
     assert!(String::from_utf8_lossy(&tight.text).contains("N60X10.50F200."));
-    let small = haas(PART, &[Step::Shrink(tight.text.len() - 1)]);
+    let small = haas(PART, &[TransformStep::Shrink(tight.text.len() - 1)]);
     assert!(small.text.len() < tight.text.len());
     let text = String::from_utf8(small.text).unwrap();
     assert!(text.contains("(PART)") && text.contains("N60X10.5F200."), "{text}");
-    let refusal = transform(&job(PART.into(), "haas-vf2"), &[Step::Shrink(20)]).unwrap_err();
+    let refusal =
+        transform(&job(PART.into(), "haas-vf2"), &[TransformStep::Shrink(20)]).unwrap_err();
     assert!(refusal.what.contains("bytes"), "{refusal}");
 }
 
 /// Three laps of chords: the arcs that they were come back, and the lines stay.
 #[test]
 fn chords_become_arcs_again() {
-    let chords = haas(PART, &[Step::Chords(0.001)]);
+    let chords = haas(PART, &[TransformStep::Chords(0.001)]);
     let text = String::from_utf8(chords.text).unwrap();
     assert!(text.lines().count() > 60 && !text.contains("G2 ") && !text.contains("G3 "), "{text}");
     let fitted = haas(&text, &[fit(0.01)]);
@@ -293,7 +298,7 @@ fn a_feed_in_every_block_is_no_obstacle() {
     let apart = wave(|step, _| format!(" F{}.", if step < 100 { 900 } else { 1000 }));
     let text = String::from_utf8(haas(&apart, &[fit(0.01)]).text).unwrap();
     assert_eq!(feeds(&text), ["F3000.", "F900.", "F1000."]);
-    let exact = Step::Fit { tolerance: 0.01, feed_tolerance: 0.0 };
+    let exact = TransformStep::Fit { tolerance: 0.01, feed_tolerance: 0.0 };
     let kept = String::from_utf8(haas(&near, &[exact]).text).unwrap();
     assert_eq!(kept, near);
 }
@@ -320,7 +325,8 @@ fn a_row_whose_proof_fails_stays_and_is_told() {
 fn nothing_held_against_nothing_is_no_proof() {
     let text = "G21 G90 G94 S900 M3\nF300.\nG1 X1. Y1.\nX2.\nM30\n";
     let done =
-        transform(&job(text.into(), "linuxcnc-mill"), &[Step::Shift([1.0, 0.0, 0.0])]).unwrap();
+        transform(&job(text.into(), "linuxcnc-mill"), &[TransformStep::Shift([1.0, 0.0, 0.0])])
+            .unwrap();
     assert!(!done.certificate.holds());
     assert!(done.notes.iter().any(|note| note.contains("program X, Y and Z")), "{:?}", done.notes);
 }
@@ -339,19 +345,19 @@ proptest! {
         which in 0usize..1000,
     ) {
         let shift = shift.map(|step| f64::from(step) * 0.254);
-        let mut there = vec![Step::Shift(shift)];
-        let mut back = vec![Step::Shift(shift.map(|by| -by))];
+        let mut there = vec![TransformStep::Shift(shift)];
+        let mut back = vec![TransformStep::Shift(shift.map(|by| -by))];
         if mirror {
-            there.push(Step::MirrorY);
-            back.push(Step::MirrorY);
+            there.push(TransformStep::MirrorY);
+            back.push(TransformStep::MirrorY);
         }
         if turns {
             let angle = f64::from(degrees).to_radians();
-            there.push(Step::Rotate { angle, about: [0.0; 2] });
-            back.push(Step::Rotate { angle: -angle, about: [0.0; 2] });
+            there.push(TransformStep::Rotate { angle, about: [0.0; 2] });
+            back.push(TransformStep::Rotate { angle: -angle, about: [0.0; 2] });
         } else {
-            there.push(Step::Scale(scale));
-            back.push(Step::Scale(1.0 / scale));
+            there.push(TransformStep::Scale(scale));
+            back.push(TransformStep::Scale(1.0 / scale));
         }
         let programs = programs();
         let (path, machine) = &programs[which % programs.len()];
@@ -360,7 +366,7 @@ proptest! {
         if !moved.certificate.holds() {
             return Ok(());
         }
-        let all: Vec<Step> = there.into_iter().chain(back.into_iter().rev()).collect();
+        let all: Vec<TransformStep> = there.into_iter().chain(back.into_iter().rev()).collect();
         let Ok(done) = transform(&job(text, machine), &all) else { return Ok(()) };
         // Expressions that grow may be nested too deep.
         let differences = &done.certificate.comparison.differences;
@@ -393,7 +399,7 @@ fn a_quarter_turn_takes_arcs_and_cycles_of_one_upright_plane_to_the_other() {
         // Fanuc and Mitsubishi drill along Z in every plane; where they are told to, along the plane's normal.
         for degrees in [90.0_f64, -90.0, 270.0, 450.0] {
             for about in [[0.0, 0.0], [3.5, -2.25]] {
-                let steps = [Step::Rotate { angle: degrees.to_radians(), about }];
+                let steps = [TransformStep::Rotate { angle: degrees.to_radians(), about }];
                 let done = transform(&job(text.clone().into(), machine), &steps);
                 let done = done.unwrap_or_else(|refusal| {
                     panic!("{machine} {degrees}: {} `{}`\n{text}", refusal.what, refusal.text)
@@ -408,7 +414,7 @@ fn a_quarter_turn_takes_arcs_and_cycles_of_one_upright_plane_to_the_other() {
                 assert_eq!(count(&text, "G19"), count(&new, "G18"), "{new}");
             }
         }
-        let steps = [Step::Rotate { angle: 30_f64.to_radians(), about: [0.0, 0.0] }];
+        let steps = [TransformStep::Rotate { angle: 30_f64.to_radians(), about: [0.0, 0.0] }];
         match transform(&job(text.clone().into(), machine), &steps) {
             Err(refusal) => assert!(refusal.help.contains("90°"), "{}", refusal.help),
             Ok(done) => assert!(body.contains("G81") && done.certificate.holds(), "{text}"),
@@ -419,26 +425,30 @@ fn a_quarter_turn_takes_arcs_and_cycles_of_one_upright_plane_to_the_other() {
 #[test]
 fn a_program_with_splines_is_refused_where_its_path_would_change() {
     let text = "G21 G90 G17 S900 M3 F500\nG0 X0 Y0 Z0\nG5 I0 J3 P0 Q-3 X1 Y1\nM2\n";
-    let run = |step: Step| transform(&job(text.into(), "linuxcnc-mill"), &[step]);
-    for step in [Step::MirrorX, Step::Shift([1.0, 0.0, 0.0]), Step::Chords(0.01), Step::Scale(2.0)]
-    {
+    let run = |step: TransformStep| transform(&job(text.into(), "linuxcnc-mill"), &[step]);
+    for step in [
+        TransformStep::MirrorX,
+        TransformStep::Shift([1.0, 0.0, 0.0]),
+        TransformStep::Chords(0.01),
+        TransformStep::Scale(2.0),
+    ] {
         let refusal = run(step).unwrap_err();
         assert_eq!(refusal.line, 3);
         assert!(refusal.what.contains("splines"), "{}", refusal.what);
     }
-    assert!(run(Step::NoNumbers).is_ok());
+    assert!(run(TransformStep::NoNumbers).is_ok());
 }
 
 #[test]
 fn coordinates_on_a_face_are_not_transformed() {
     let text = "G21 G18 G40 G98 G97 S900 M3\nG0 X40. Z1. C0\nG12.1\nG1 C10. F100.\nG13.1\nM30\n";
-    let run = |step: Step| transform(&job(text.into(), "fanuc-lathe-c"), &[step]);
-    for step in [Step::Shift([0.0, 0.0, 1.0]), Step::Scale(2.0)] {
+    let run = |step: TransformStep| transform(&job(text.into(), "fanuc-lathe-c"), &[step]);
+    for step in [TransformStep::Shift([0.0, 0.0, 1.0]), TransformStep::Scale(2.0)] {
         let refusal = run(step).unwrap_err();
         assert_eq!(refusal.line, 3);
         assert!(refusal.what.contains("a face or a cylinder"), "{}", refusal.what);
     }
-    assert!(run(Step::NoNumbers).is_ok());
+    assert!(run(TransformStep::NoNumbers).is_ok());
 }
 
 /// A firmware that judges each arc as it is written gets as many decimals as that needs.
@@ -470,7 +480,10 @@ fn turned_and_scaled_arcs_of_a_router_are_not_refused() {
             }
             text += "M2\n";
             let angle = random(1.0, 89.0_f64).to_radians();
-            let steps = [Step::Rotate { angle, about: [3.0, 4.0] }, Step::Scale(random(0.3, 0.9))];
+            let steps = [
+                TransformStep::Rotate { angle, about: [3.0, 4.0] },
+                TransformStep::Scale(random(0.3, 0.9)),
+            ];
             let done = transform(&job(text.clone().into_bytes(), "grbl"), &steps);
             let done = done.unwrap_or_else(|refusal| panic!("{refusal:?}\n{text}"));
             let certificate = &done.certificate;

@@ -2,9 +2,9 @@
 //! happens to take.
 
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_compare::Verdict;
-use chordal_rewrite::convert::{Conversion, Options, convert};
-use chordal_rewrite::{Refusal, Step, Transformed, transform};
+use chordal_compare::ComparisonVerdict;
+use chordal_rewrite::convert::{Conversion, ConversionOptions, convert};
+use chordal_rewrite::{TransformRefusal, TransformStep, TransformedProgram, transform};
 
 fn job(machine: &str, given: &[&str], text: &str) -> Job<'static> {
     let mut machine = Machine::from_builtin(machine).expect("a built-in machine");
@@ -16,13 +16,13 @@ fn job(machine: &str, given: &[&str], text: &str) -> Job<'static> {
     Job::new(sources, machine).expect("a job")
 }
 
-fn transformed(text: &str, step: Step) -> Result<Transformed, Refusal> {
+fn transformed(text: &str, step: TransformStep) -> Result<TransformedProgram, TransformRefusal> {
     transform(&job("fanuc-0i", &[], text), &[step])
 }
 
 fn converted(text: &str, from: &str, to: &str, given: &[&str]) -> Conversion {
     let target = Machine::from_builtin(to).expect("a built-in machine");
-    convert(&job(from, given, text), &target, &Options::default())
+    convert(&job(from, given, text), &target, &ConversionOptions::default())
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -35,33 +35,38 @@ const ON_INPUT: &str = "%\nO1\nG21 G17 G40 G80 G90\nG0 X0 Y0 Z25.4\nIF[#1000EQ0]
 
 #[test]
 fn blocks_on_both_sides_of_a_condition_are_changed() {
-    let inch = transformed(ON_INPUT, Step::of("inch", &[]).unwrap()).expect("a change");
+    let inch = transformed(ON_INPUT, TransformStep::of("inch", &[]).unwrap()).expect("a change");
     let new = text(&inch.text);
     assert!(new.contains("G20"), "{new}");
     assert!(new.contains("Z-1."), "{new}");
     assert!(!new.contains("25.4"), "{new}");
     let comparison = &inch.certificate.comparison;
-    assert_eq!(comparison.verdict, Verdict::NotVerified, "{:#?}", comparison.differences);
+    assert_eq!(comparison.verdict, ComparisonVerdict::NotVerified, "{:#?}", comparison.differences);
     assert!(
         inch.notes.iter().any(|note| note.contains("both sides of a condition")),
         "{:?}",
         inch.notes
     );
-    let moved = transformed(ON_INPUT, Step::Shift([0.0, 0.0, 5.0])).expect("a change");
+    let moved = transformed(ON_INPUT, TransformStep::Shift([0.0, 0.0, 5.0])).expect("a change");
     assert!(text(&moved.text).contains("Z-20.4"), "{}", text(&moved.text));
-    let scaled = transformed(ON_INPUT, Step::Scale(2.0)).expect("a change");
+    let scaled = transformed(ON_INPUT, TransformStep::Scale(2.0)).expect("a change");
     assert!(text(&scaled.text).contains("Z-50.8"), "{}", text(&scaled.text));
 }
 
 #[test]
 fn a_mode_behind_block_delete_is_not_shifted_away() {
     let program = "G21 G17 G90\nG0 X0 Y0 Z5.\n/G91\nG0 X5.\nG90\nM30\n";
-    let refused = transformed(program, Step::Shift([5.0, 0.0, 0.0]));
+    let refused = transformed(program, TransformStep::Shift([5.0, 0.0, 0.0]));
     assert!(refused.as_ref().is_err_and(|refusal| refusal.line == 4), "{refused:?}");
     // A mode that is said again is read in one way.
     let program = "G21 G17 G90\nG0 X0 Y0 Z5.\n/G91 X1.\nG90 X5.\nM30\n";
-    let shifted = transformed(program, Step::Shift([5.0, 0.0, 0.0])).expect("a change");
-    assert_eq!(shifted.certificate.comparison.verdict, Verdict::Same, "{:?}", shifted.notes);
+    let shifted = transformed(program, TransformStep::Shift([5.0, 0.0, 0.0])).expect("a change");
+    assert_eq!(
+        shifted.certificate.comparison.verdict,
+        ComparisonVerdict::Same,
+        "{:?}",
+        shifted.notes
+    );
     assert!(shifted.notes.iter().any(|note| note.contains("block delete on and off")));
 }
 

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::time::SystemTime;
 
-use chordal_files::Draft;
+use chordal_files::FileDraft;
 use chordal_view::Refusal;
 
 /// What a look at a file gives for nothing.
@@ -36,7 +36,7 @@ pub fn save(path: &Path, bytes: &[u8]) -> Result<(), Refusal> {
 
 /// Writes a file whole or not at all. What was there is on the disk until the new text is.
 fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut draft = Draft::open(path)?;
+    let mut draft = FileDraft::open(path)?;
     draft.write_all(bytes)?;
     draft.flush()?;
     if chordal_files::is_regular(path) {

@@ -21,7 +21,9 @@ use std::fmt::Write as _;
 use std::io::{BufRead as _, Write as _, stdin, stdout};
 
 use chordal_geometry::{Aabb, Arc, Curve, Frame, Line, Vec3};
-use chordal_stock::{Cutter, Move, Options, Span, Stock, Sweep, Undercut};
+use chordal_stock::{
+    ColumnOptions, ColumnStock, CutterProfile, CutterSweep, RemovedSpan, TipMove, Undercut,
+};
 
 /// Numbers of a case.
 const NUMBERS: usize = 18;
@@ -32,16 +34,16 @@ const GAP: f64 = 1e-6;
 const BUDGET: u64 = 1 << 20;
 
 enum Tool {
-    Plain(Cutter),
+    Plain(CutterProfile),
     Undercut(Undercut),
 }
 
 fn tool(shape: u32, [diameter, a, b, _]: [f64; 4]) -> Result<Tool, Box<dyn Error>> {
     Ok(match shape {
-        0 => Tool::Plain(Cutter::flat(diameter)?),
-        1 => Tool::Plain(Cutter::ball(diameter)?),
-        2 => Tool::Plain(Cutter::bull(diameter, a)?),
-        3 => Tool::Plain(Cutter::pointed(diameter, a, b)?),
+        0 => Tool::Plain(CutterProfile::flat(diameter)?),
+        1 => Tool::Plain(CutterProfile::ball(diameter)?),
+        2 => Tool::Plain(CutterProfile::bull(diameter, a)?),
+        3 => Tool::Plain(CutterProfile::pointed(diameter, a, b)?),
         4 => Tool::Undercut(Undercut::t_slot(diameter, a, b)?),
         5 => Tool::Undercut(Undercut::lollipop(diameter, a)?),
         6 => Tool::Undercut(Undercut::thread_disc(diameter, a, b, diameter / 2.0)?),
@@ -65,7 +67,7 @@ fn curve(kind: u32, n: &[f64]) -> Result<Curve, Box<dyn Error>> {
 
 /// Heights of the cell after the move, by the columns of a small stock.
 fn columns(
-    cutter: &Cutter,
+    cutter: &CutterProfile,
     curve: Curve,
     n: &[f64],
     case: usize,
@@ -76,8 +78,8 @@ fn columns(
     let min = Vec3::new(corner(x, cell[0]), corner(y, cell[1]), bottom);
     let size = side * CELLS as f64;
     let max = Vec3::new(min.x + size, min.y + size, top);
-    let mut stock = Stock::new(Aabb { min, max }, Options::new(side, BUDGET))?;
-    stock.cut(cutter, &[Move { curve, tag: 1 }]);
+    let mut stock = ColumnStock::new(Aabb { min, max }, ColumnOptions::new(side, BUDGET))?;
+    stock.cut(cutter, &[TipMove { curve, tag: 1 }]);
     let heights = stock.heights_at(cell[0] as u32, cell[1] as u32).ok_or("no such cell")?;
     Ok([heights.outer, heights.inner])
 }
@@ -94,14 +96,14 @@ fn answer(case: usize, line: &str) -> Result<String, Box<dyn Error>> {
     match tool {
         Tool::Plain(cutter) => {
             let [outer, inner] = columns(&cutter, curve, &numbers[13..], case)?;
-            let floor = Sweep::new(&cutter, &curve, GAP).cell_floor(middle, side);
+            let floor = CutterSweep::new(&cutter, &curve, GAP).cell_floor(middle, side);
             write!(text, "{outer:e} {inner:e} {:e} {:e}", floor.upper, floor.lower)?;
         }
         Tool::Undercut(cutter) => {
             let (mut surely, mut maybe) = (Vec::new(), Vec::new());
-            let sweep = Sweep::of_undercut(&cutter, &curve, GAP);
+            let sweep = CutterSweep::of_undercut(&cutter, &curve, GAP);
             sweep.cell_spans(middle, side, &mut surely, &mut maybe);
-            let mut put = |spans: &[Span]| {
+            let mut put = |spans: &[RemovedSpan]| {
                 spans.iter().try_for_each(|span| write!(text, "{:e} {:e} ", span.floor, span.top))
             };
             put(&surely)?;

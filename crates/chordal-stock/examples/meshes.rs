@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 use chordal_geometry::Vec3;
 use chordal_stock::mesh::write::{write_glb, write_stl, write_threemf};
-use chordal_stock::mesh::{HeightField, LayerField, LengthUnit, Mesh, Stretches};
+use chordal_stock::mesh::{HeightField, LayerField, LengthUnit, Mesh, SolidIntervals};
 
 const COLUMNS: usize = 160;
 const ROWS: usize = 120;
@@ -87,7 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     for tolerance in [0.0, 0.05, 0.5] {
-        let mut stretches = Stretches::default();
+        let mut stretches = SolidIntervals::default();
         for cell in 0..COLUMNS * ROWS {
             stretches.push(layers(cell % COLUMNS, cell / COLUMNS));
         }

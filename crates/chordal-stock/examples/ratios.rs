@@ -12,8 +12,8 @@ mod support;
 use std::hint::black_box;
 use std::time::Instant;
 
-use chordal_stock::columns::Counts;
-use chordal_stock::{Cutter, Mode, Move, Options, Stock};
+use chordal_stock::columns::ColumnCounts;
+use chordal_stock::{ColumnOptions, ColumnStock, CutterProfile, Mode, TipMove};
 use support::surface::{RADIUS, SIDE, raster, raster_of};
 
 /// The better of some runs, s.
@@ -29,20 +29,20 @@ fn seconds<T>(runs: usize, mut run: impl FnMut() -> T) -> (f64, T) {
     (best, result.expect("at least one run"))
 }
 
-fn block(resolution: f64, mode: Mode) -> Stock {
+fn block(resolution: f64, mode: Mode) -> ColumnStock {
     block_of([SIDE, SIDE], resolution, mode)
 }
 
-fn block_of([width, depth]: [f64; 2], resolution: f64, mode: Mode) -> Stock {
+fn block_of([width, depth]: [f64; 2], resolution: f64, mode: Mode) -> ColumnStock {
     let min = support::point([0.0, 0.0, -10.0]);
     let max = support::point([width, depth, 0.0]);
-    let options = Options { mode, ..Options::new(resolution, 1 << 30) };
-    Stock::new(chordal_geometry::Aabb { min, max }, options).expect("it fits")
+    let options = ColumnOptions { mode, ..ColumnOptions::new(resolution, 1 << 30) };
+    ColumnStock::new(chordal_geometry::Aabb { min, max }, options).expect("it fits")
 }
 
 /// The floor of a ball on a line in double precision for each column of the move's box.
 #[inline(never)]
-fn plain(moves: &[Move], resolution: f64) -> f64 {
+fn plain(moves: &[TipMove], resolution: f64) -> f64 {
     use chordal_geometry::ParamCurve;
     let cells = (SIDE / resolution).round() as usize;
     let mut heights = vec![0.0_f64; cells * cells];
@@ -81,8 +81,8 @@ fn plain(moves: &[Move], resolution: f64) -> f64 {
     heights.iter().sum()
 }
 
-fn finish(mode: Mode, resolution: f64, moves: &[Move]) -> (f64, Counts) {
-    let ball = Cutter::ball(2.0 * RADIUS).expect("a cutter");
+fn finish(mode: Mode, resolution: f64, moves: &[TipMove]) -> (f64, ColumnCounts) {
+    let ball = CutterProfile::ball(2.0 * RADIUS).expect("a cutter");
     seconds(3, || {
         let mut stock = block(resolution, mode);
         stock.cut(&ball, moves)
@@ -102,7 +102,7 @@ fn surface() {
             let (certified, counts) = finish(Mode::Certified, resolution, moves);
             let some = &moves[..rows * 2];
             let (loops, _) = seconds(1, || plain(some, resolution));
-            let by = |time: f64, moves: &[Move]| time / moves.len() as f64 * 1e6;
+            let by = |time: f64, moves: &[TipMove]| time / moves.len() as f64 * 1e6;
             let (s, c, p) = (by(sampled, moves), by(certified, moves), by(loops, some));
             println!(
                 "{length:4}  {resolution:4} {s:8.2} {c:9.2} {:5.2} {p:7.1} {:7.1} {:7.1} {:8} {:6}",
@@ -124,7 +124,7 @@ fn once(mode: &str, resolution: f64, length: f64) {
         return println!("{} moves, {}", moves.len(), plain(moves, resolution));
     }
     let mode = if mode == "sampled" { Mode::Sampled } else { Mode::Certified };
-    let ball = Cutter::ball(2.0 * RADIUS).expect("a cutter");
+    let ball = CutterProfile::ball(2.0 * RADIUS).expect("a cutter");
     let counts = block(resolution, mode).cut(&ball, moves);
     println!("{} moves, {counts:?}", moves.len());
 }
@@ -134,7 +134,7 @@ fn million(mode: &str) {
     let size = [180.0, 166.8];
     let mode = if mode == "sampled" { Mode::Sampled } else { Mode::Certified };
     let moves = raster_of(size, 0.1);
-    let ball = Cutter::ball(2.0 * RADIUS).expect("a cutter");
+    let ball = CutterProfile::ball(2.0 * RADIUS).expect("a cutter");
     let mut stock = block_of(size, 0.05, mode);
     let before = processor_seconds();
     let (time, counts) = seconds(1, || stock.cut(&ball, &moves));
@@ -172,7 +172,7 @@ fn pocket() {
     const LEVELS: u32 = 4;
     const STEP: f64 = 4.0;
     const END: f64 = 5.0;
-    let flat = Cutter::flat(2.0 * END).expect("a cutter");
+    let flat = CutterProfile::flat(2.0 * END).expect("a cutter");
     let mut corners = Vec::new();
     for level in 1..=LEVELS {
         let z = -1.5 * f64::from(level);

@@ -8,36 +8,36 @@
 //! | to | see |
 //! |---|---|
 //! | say what a tool is: its edges, its shank, its holder | [`cutter`] |
-//! | ask whether a shank, a holder or a rapid touches it | [`Body`], [`Stock::touch`], [`Stock::cut_watching`] |
-//! | remove what it sweeps from stock, and measure | [`Stock`], [`columns`] |
+//! | ask whether a shank, a holder or a rapid touches it | [`RevolvedBody`], [`ColumnStock::touch`], [`ColumnStock::cut_watching`] |
+//! | remove what it sweeps from stock, and measure | [`ColumnStock`], [`columns`] |
 //! | ask how deep one exact move reaches above a place | [`floor`] |
 //! | read, check, make and write triangles | [`mesh`] |
 //! | say what stock, fixtures and targets are, what they fill over cells, how far a tool is | [`shape`] |
-//! | remove what it sweeps from stock, and measure | [`Stock::cut`], [`Stock::removed`], [`Stock::left`] |
-//! | do so tile by tile on threads | [`Stock::plan`], [`Stock::jobs`] |
-//! | ask whether a rapid, a shank or a holder touches it | [`Body`], [`Stock::touch`], [`Stock::cut_watching`] |
+//! | remove what it sweeps from stock, and measure | [`ColumnStock::cut`], [`ColumnStock::removed`], [`ColumnStock::left`] |
+//! | do so tile by tile on threads | [`ColumnStock::plan`], [`ColumnStock::jobs`] |
+//! | ask whether a rapid, a shank or a holder touches it | [`RevolvedBody`], [`ColumnStock::touch`], [`ColumnStock::cut_watching`] |
 //! | cut turned stock: exact half sections, volumes, passes | [`turned`] |
-//! | have what cells cannot say done again finer | [`Check`] |
-//! | ask how wide, how deep and how thick a cut is | [`engagement`], [`Stock::cut_measuring`] |
+//! | have what cells cannot say done again finer | [`StockCheck`] |
+//! | ask how wide, how deep and how thick a cut is | [`engagement`], [`ColumnStock::cut_measuring`] |
 //!
 //! ```
 //! use chordal_geometry::{Aabb, Line, Vec3};
-//! use chordal_stock::{Body, Cutter, Move, Options, Stock, Touch};
+//! use chordal_stock::{RevolvedBody, CutterProfile, TipMove, ColumnOptions, ColumnStock, TouchAnswer};
 //!
 //! let bounds = Aabb::of_points(Vec3::new(0.0, 0.0, -20.0), Vec3::new(100.0, 60.0, 0.0));
 //! // Cells of 0.2 mm, in at most 100 MB.
-//! let mut stock = Stock::new(bounds, Options::new(0.2, 100_000_000))?;
+//! let mut stock = ColumnStock::new(bounds, ColumnOptions::new(0.2, 100_000_000))?;
 //!
 //! let slot = Line::new(Vec3::new(-20.0, 30.0, -5.0), Vec3::new(120.0, 30.0, -5.0));
-//! let flat = Cutter::flat(10.0)?;
-//! stock.cut(&flat, &[Move { curve: slot.into(), tag: 1 }]);
+//! let flat = CutterProfile::flat(10.0)?;
+//! stock.cut(&flat, &[TipMove { curve: slot.into(), tag: 1 }]);
 //! let removed = stock.removed();
 //! assert!(removed.least <= 5000.0 && 5000.0 <= removed.most);
 //!
 //! // A rapid 2 mm below the top, 20 mm beside the slot.
 //! let rapid = Line::new(Vec3::new(-20.0, 10.0, -2.0), Vec3::new(120.0, 10.0, -2.0));
-//! let found = stock.touch(&Body::of_cutter(&flat), &[Move { curve: rapid.into(), tag: 0 }]);
-//! assert!(matches!(found[0].touch(0.001), Touch::Hit { least, .. } if least > 1.99));
+//! let found = stock.touch(&RevolvedBody::of_cutter(&flat), &[TipMove { curve: rapid.into(), tag: 0 }]);
+//! assert!(matches!(found[0].touch(0.001), TouchAnswer::Hit { least, .. } if least > 1.99));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -53,11 +53,11 @@ mod sweep;
 pub mod turned;
 
 pub use columns::{
-    Amount, CellHeights, Check, Checked, Contact, Lowered, Mode, Options, Stock, StockError, Task,
-    Touch,
+    CellHeights, CheckedStock, ColumnOptions, ColumnStock, ContactDepth, LoweredColumn, Mode,
+    StockCheck, StockError, StockTask, TouchAnswer, VolumeInterval,
 };
-pub use cutter::{Cutter, CutterError, Element, Ring, Undercut};
-pub use floor::{Lowest, Span, Sweep};
+pub use cutter::{CutterError, CutterProfile, Ring, RingElement, Undercut};
+pub use floor::{CutterSweep, LowestPoint, RemovedSpan};
 pub use mesh::Mesh;
-pub use shape::Shape;
-pub use sweep::{Body, Move};
+pub use shape::SolidShape;
+pub use sweep::{RevolvedBody, TipMove};

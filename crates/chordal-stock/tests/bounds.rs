@@ -3,14 +3,14 @@
 mod support;
 
 use chordal_geometry::{Aabb, Arc, Curve, Frame, Line, ParamCurve, Plane, Spiral};
-use chordal_stock::{Cutter, Move, Options, Stock};
+use chordal_stock::{ColumnOptions, ColumnStock, CutterProfile, TipMove};
 use support::{BUDGET, Random, cutters, floor, line, path, point, sampled, stock};
 
 /// Random places in cells: the floor of all moves there is between the heights of its cell.
 fn encloses(
-    stock: &Stock,
-    cutter: &Cutter,
-    moves: &[Move],
+    stock: &ColumnStock,
+    cutter: &CutterProfile,
+    moves: &[TipMove],
     random: &mut Random,
     places: u32,
 ) -> f64 {
@@ -131,7 +131,7 @@ fn bounds_hold_for_curves() {
         for curve in &curves {
             let lead = [curve.start() + point([0.7, 0.4, 0.3]), curve.start()];
             let lead = Curve::Line(Line::new(lead[0], lead[1]));
-            let moves = [lead, *curve].map(|curve| Move { curve, tag: 0 });
+            let moves = [lead, *curve].map(|curve| TipMove { curve, tag: 0 });
             let mut stock = stock([-5.0, -5.0, -4.0], [5.0, 5.0, 0.0], 0.13);
             stock.cut(&cutter, &moves);
             encloses(&stock, &cutter, &moves, &mut random, 150);
@@ -152,10 +152,10 @@ fn bounds_hold_where_coarse_arcs_meet_lines() {
             let end = arc.end();
             let along = arc.tangent_at(arc.length());
             let line = Line::new(end, end + along * random.between(0.2, 1.5));
-            let moves = [Curve::Arc(arc), line.into()].map(|curve| Move { curve, tag: 0 });
+            let moves = [Curve::Arc(arc), line.into()].map(|curve| TipMove { curve, tag: 0 });
             let (min, max) = (point([-5.0, -5.0, -4.0]), point([5.0, 5.0, 0.0]));
-            let options = Options { chord_share: 3.0, ..Options::new(0.1, BUDGET) };
-            let mut stock = Stock::new(Aabb { min, max }, options).unwrap();
+            let options = ColumnOptions { chord_share: 3.0, ..ColumnOptions::new(0.1, BUDGET) };
+            let mut stock = ColumnStock::new(Aabb { min, max }, options).unwrap();
             stock.cut(&cutter, &moves);
             encloses(&stock, &cutter, &moves, &mut random, 400);
         }
@@ -261,7 +261,7 @@ fn samples_are_the_floor_at_the_middle() {
 #[test]
 fn nothing_depends_on_where_the_origin_is() {
     let mut random = Random(3);
-    let cutter = Cutter::bull(4.0, 0.7).unwrap();
+    let cutter = CutterProfile::bull(4.0, 0.7).unwrap();
     let corners = random_corners(&mut random, 10, 1.0);
     let far: Vec<[f64; 3]> =
         corners.iter().map(|c| [c[0] + 2000.0, c[1] - 900.0, c[2] + 500.0]).collect();

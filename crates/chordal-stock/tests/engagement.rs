@@ -3,8 +3,10 @@
 use std::f64::consts::PI;
 
 use chordal_geometry::{Aabb, Arc, Curve, Frame, Line, ParamCurve, Plane, Vec3};
-use chordal_stock::engagement::{Between, Measuring, Meter, Removed, Slice, engagement_angle};
-use chordal_stock::{Cutter, Move, Options, Stock, Undercut, floor};
+use chordal_stock::engagement::{
+    BoundedValue, EngagementMeter, EngagementSlice, MeasureOptions, RemovedVolume, engagement_angle,
+};
+use chordal_stock::{ColumnOptions, ColumnStock, CutterProfile, TipMove, Undercut, floor};
 
 mod support;
 
@@ -12,13 +14,17 @@ use support::Random;
 
 const GRAZE: f64 = 0.005;
 
-fn block(resolution: f64) -> Stock {
+fn block(resolution: f64) -> ColumnStock {
     let bounds = Aabb::of_points(Vec3::new(0.0, 0.0, -20.0), Vec3::new(100.0, 60.0, 0.0));
-    Stock::new(bounds, Options::new(resolution, 1 << 30)).unwrap()
+    ColumnStock::new(bounds, ColumnOptions::new(resolution, 1 << 30)).unwrap()
 }
 
-fn meter(cutter: &Cutter, resolution: f64) -> Meter {
-    Meter::new(cutter.clone(), resolution, Measuring { spacing: resolution, graze: GRAZE })
+fn meter(cutter: &CutterProfile, resolution: f64) -> EngagementMeter {
+    EngagementMeter::new(
+        cutter.clone(),
+        resolution,
+        MeasureOptions { spacing: resolution, graze: GRAZE },
+    )
 }
 
 fn line(from: [f64; 3], to: [f64; 3]) -> Curve {
@@ -31,26 +37,30 @@ fn circle(radius: f64, z: f64, rise: f64) -> Curve {
     Arc::new(frame, radius, 2.0 * PI, rise).into()
 }
 
-fn run(stock: &mut Stock, cutter: &Cutter, curve: Curve) -> (Vec<Slice>, Removed) {
+fn run(
+    stock: &mut ColumnStock,
+    cutter: &CutterProfile,
+    curve: Curve,
+) -> (Vec<EngagementSlice>, RemovedVolume) {
     let resolution = stock.grid().resolution();
     let mut slices = Vec::new();
     let removed =
-        stock.cut_measuring(&meter(cutter, resolution), &Move { curve, tag: 0 }, &mut |slice| {
+        stock.cut_measuring(&meter(cutter, resolution), &TipMove { curve, tag: 0 }, &mut |slice| {
             slices.push(*slice);
         });
     (slices, removed)
 }
 
 /// The slices between two places along the move.
-fn within(slices: &[Slice], from: f64, to: f64) -> Vec<Slice> {
-    let found: Vec<Slice> =
+fn within(slices: &[EngagementSlice], from: f64, to: f64) -> Vec<EngagementSlice> {
+    let found: Vec<EngagementSlice> =
         slices.iter().copied().filter(|slice| slice.at > from && slice.at < to).collect();
     assert!(!found.is_empty());
     found
 }
 
-fn encloses(between: Between, truth: f64, width: f64, what: &str) {
-    let Between { least, most } = between;
+fn encloses(between: BoundedValue, truth: f64, width: f64, what: &str) {
+    let BoundedValue { least, most } = between;
     assert!(least <= truth + 1e-6 && truth <= most + 1e-6, "{what}: {least} {truth} {most}");
     assert!(most - least <= width, "{what}: {least} to {most} is wider than {width}");
 }
@@ -59,7 +69,7 @@ fn encloses(between: Between, truth: f64, width: f64, what: &str) {
 fn a_full_slot_is_a_slot() {
     // Case 1 of the worked ones, through 100 mm: 5000 mm³; of case 22 the slot: peak 1, mean 0.6366.
     let mut stock = block(0.1);
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     let (slices, removed) = run(&mut stock, &flat, line([-20.0, 30.0, -5.0], [120.0, 30.0, -5.0]));
     for slice in within(&slices, 30.0, 110.0) {
         encloses(slice.chip, 1.0, 0.01, "chip");
@@ -81,10 +91,10 @@ fn a_slot_over_a_hollow_is_as_deep_as_the_roof() {
     let along = |z: f64| line([-20.0, 30.0, z], [120.0, 30.0, z]);
     let hollow = || {
         let mut stock = block(0.1);
-        stock.cut_below(&[(0.0, disc.clone())], &[Move { curve: along(-12.0), tag: 0 }]);
+        stock.cut_below(&[(0.0, disc.clone())], &[TipMove { curve: along(-12.0), tag: 0 }]);
         stock
     };
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     let (slices, removed) = run(&mut hollow(), &flat, along(-10.0));
     for slice in within(&slices, 30.0, 110.0) {
         encloses(slice.chip, 1.0, 0.01, "chip");
@@ -106,7 +116,7 @@ fn a_slot_over_a_hollow_is_as_deep_as_the_roof() {
 #[test]
 fn narrow_cuts_have_thin_chips() {
     // Case 22: a radial depth of 1 of a diameter of 10: 36.87 degrees, peak 0.6, mean 0.3108; half: 1 and 0.6366.
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     assert!((engagement_angle(1.0, 10.0).to_degrees() - 36.8699).abs() < 1e-4);
     for (across, peak, mean) in [(1.0, 0.6, 0.310_8), (5.0, 1.0, 2.0 / PI)] {
         let mut errors = Vec::new();
@@ -136,9 +146,9 @@ fn narrow_cuts_have_thin_chips() {
 #[test]
 fn what_slices_remove_is_what_the_stock_has_lost() {
     // Q = ΔV/Δt: the sections along the path are the volume.
-    let flat = Cutter::flat(10.0).unwrap();
-    let bull = Cutter::bull(10.0, 2.0).unwrap();
-    let ball = Cutter::ball(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
+    let bull = CutterProfile::bull(10.0, 2.0).unwrap();
+    let ball = CutterProfile::ball(10.0).unwrap();
     for (cutter, curve, share) in [
         (&flat, line([-20.0, 30.0, -5.0], [120.0, 30.0, -5.0]), 0.01),
         (&flat, line([-20.0, -2.3, -5.0], [120.0, 7.7, -5.0]), 0.02),
@@ -166,7 +176,7 @@ fn what_slices_remove_is_what_the_stock_has_lost() {
 
 #[test]
 fn plunges_and_ramps_cut_with_the_end() {
-    let drill = Cutter::pointed(10.0, 0.0, 118.0_f64.to_radians()).unwrap();
+    let drill = CutterProfile::pointed(10.0, 0.0, 118.0_f64.to_radians()).unwrap();
     let mut stock = block(0.1);
     let (slices, _) = run(&mut stock, &drill, line([50.0, 30.0, 2.0], [50.0, 30.0, -12.0]));
     for slice in within(&slices, 6.0, 13.0) {
@@ -174,7 +184,7 @@ fn plunges_and_ramps_cut_with_the_end() {
         encloses(slice.chip, 59.0_f64.to_radians().sin(), 0.01, "chip");
         encloses(slice.across, 10.0, 0.7, "across");
     }
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     let mut stock = block(0.1);
     let (slices, _) = run(&mut stock, &flat, line([20.0, 30.0, 0.0], [80.0, 30.0, -6.0]));
     for slice in within(&slices, 30.0, 60.0) {
@@ -186,7 +196,7 @@ fn plunges_and_ramps_cut_with_the_end() {
 #[test]
 fn a_circle_meets_its_own_beginning() {
     // A full circle with the middle of the cutter on 12: where it began, half of the slot is gone.
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     let mut stock = block(0.1);
     let circle = circle(12.0, -3.0, 0.0);
     let (slices, _) = run(&mut stock, &flat, circle);
@@ -208,7 +218,7 @@ fn a_circle_meets_its_own_beginning() {
 }
 
 /// The truth by sampling: the largest u·n where the moves before have left material.
-fn dense(cutter: &Cutter, before: &[Curve], curve: &Curve, at: [f64; 2]) -> f64 {
+fn dense(cutter: &CutterProfile, before: &[Curve], curve: &Curve, at: [f64; 2]) -> f64 {
     const PLACES: usize = 12;
     let radius = cutter.radius();
     let bounds = Aabb::of_points(Vec3::new(0.0, 0.0, -20.0), Vec3::new(100.0, 60.0, 0.0));
@@ -248,7 +258,7 @@ fn dense(cutter: &Cutter, before: &[Curve], curve: &Curve, at: [f64; 2]) -> f64 
 #[test]
 fn the_truth_lies_between_the_bounds() {
     let mut random = Random(22);
-    let flat = Cutter::flat(8.0).unwrap();
+    let flat = CutterProfile::flat(8.0).unwrap();
     let mut looked = 0;
     for _ in 0..12 {
         let mut stock = block(0.25);
@@ -284,7 +294,7 @@ fn the_truth_lies_between_the_bounds_over_hollows() {
     // Discs of 16 and 3 on random lines, then a flat of 8 through the stock and its hollows.
     let mut random = Random(23);
     let disc = Undercut::t_slot(16.0, 3.0, 6.0).unwrap();
-    let flat = Cutter::flat(8.0).unwrap();
+    let flat = CutterProfile::flat(8.0).unwrap();
     let (mut looked, mut hollow) = (0, 0);
     for _ in 0..12 {
         let mut stock = block(0.25);
@@ -299,7 +309,7 @@ fn the_truth_lies_between_the_bounds_over_hollows() {
         });
         let gaps = &ends[..2];
         for (from, to) in gaps {
-            stock.cut_below(&[(0.0, disc.clone())], &[Move { curve: line(*from, *to), tag: 0 }]);
+            stock.cut_below(&[(0.0, disc.clone())], &[TipMove { curve: line(*from, *to), tag: 0 }]);
         }
         let curve = line(ends[2].0, ends[2].1);
         let (slices, _) = run(&mut stock, &flat, curve);
@@ -356,7 +366,7 @@ fn near_line(place: [f64; 2], from: [f64; 3], to: [f64; 3]) -> f64 {
 
 #[test]
 fn mirrored_cuts_are_engaged_alike() {
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     let first = |mirror: f64| {
         let y = |y: f64| 30.0 + mirror * (y - 30.0);
         let mut stock = block(0.1);
@@ -373,7 +383,7 @@ fn mirrored_cuts_are_engaged_alike() {
 
 #[test]
 fn finer_cells_narrow_the_bounds() {
-    let ball = Cutter::ball(8.0).unwrap();
+    let ball = CutterProfile::ball(8.0).unwrap();
     let widths: Vec<f64> = [0.4, 0.2, 0.1]
         .map(|resolution| {
             let mut stock = block(resolution);
@@ -389,7 +399,7 @@ fn finer_cells_narrow_the_bounds() {
 
 #[test]
 fn nothing_is_engaged_in_air_and_odd_moves_are_left_out() {
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     let mut stock = block(0.5);
     for curve in [
         line([-20.0, 30.0, 1.0], [120.0, 30.0, 1.0]),
@@ -398,7 +408,7 @@ fn nothing_is_engaged_in_air_and_odd_moves_are_left_out() {
         line([50.0, 30.0, 5.0], [50.0, 30.0, 5.0]),
     ] {
         let (slices, removed) = run(&mut stock, &flat, curve);
-        assert!(slices.is_empty() && removed == Removed::default(), "{curve:?}");
+        assert!(slices.is_empty() && removed == RemovedVolume::default(), "{curve:?}");
     }
     // Up out of the material nothing is cut.
     run(&mut stock, &flat, line([50.0, 30.0, 5.0], [50.0, 30.0, -5.0]));

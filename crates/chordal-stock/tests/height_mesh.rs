@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use chordal_geometry::Vec3;
 use chordal_stock::mesh::write::write_stl;
 use chordal_stock::mesh::{
-    HeightField, HeightFieldError, HeightMesh, LayerField, LengthUnit, Mesh, StlOptions, Stretches,
-    read_stl,
+    HeightField, HeightFieldError, HeightMesh, LayerField, LengthUnit, Mesh, SolidIntervals,
+    StlOptions, read_stl,
 };
 use proptest::prelude::*;
 
@@ -242,7 +242,7 @@ proptest! {
 type Column = Vec<[f64; 2]>;
 
 fn layered(columns: usize, cells: &[Column], tolerance: f64) -> HeightMesh {
-    let mut stretches = Stretches::default();
+    let mut stretches = SolidIntervals::default();
     cells.iter().for_each(|cell| stretches.push(cell.iter().copied()));
     let field = LayerField {
         origin: Vec3::new(-3.0, 7.0, 20.0),
@@ -299,7 +299,7 @@ fn a_t_slot_is_a_few_faces_with_its_volume() {
 
 #[test]
 fn layers_of_no_grid_and_no_number_are_refused() {
-    let mut stretches = Stretches::default();
+    let mut stretches = SolidIntervals::default();
     stretches.push([[0.0, f64::NAN]]);
     let origin = Vec3::ZERO;
     let field = LayerField {

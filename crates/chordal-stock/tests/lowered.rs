@@ -1,7 +1,7 @@
 //! What is lowered when: the list alone gives the stock again, at the end and on the way.
 
 use chordal_geometry::{Aabb, Line, Vec3};
-use chordal_stock::{Cutter, Lowered, Mode, Move, Options, Stock};
+use chordal_stock::{ColumnOptions, ColumnStock, CutterProfile, LoweredColumn, Mode, TipMove};
 
 const SIZE: [f64; 3] = [40.0, 30.0, 20.0];
 const CELL: f64 = 0.5;
@@ -18,24 +18,25 @@ impl Random {
     }
 }
 
-fn stock(mode: Mode) -> Stock {
+fn stock(mode: Mode) -> ColumnStock {
     let bounds = Aabb::of_points(Vec3::ZERO, Vec3::new(SIZE[0], SIZE[1], SIZE[2]));
-    Stock::new(bounds, Options { mode, ..Options::new(CELL, 100_000_000) }).unwrap()
+    ColumnStock::new(bounds, ColumnOptions { mode, ..ColumnOptions::new(CELL, 100_000_000) })
+        .unwrap()
 }
 
 /// The outer heights, from the top, as they are stored.
-fn heights(stock: &Stock) -> Vec<f32> {
+fn heights(stock: &ColumnStock) -> Vec<f32> {
     stock.height_pairs().iter().map(|pair| (pair.outer - SIZE[2]) as f32).collect()
 }
 
-fn carry_out(heights: &mut [f32], lowered: &[Lowered]) {
+fn carry_out(heights: &mut [f32], lowered: &[LoweredColumn]) {
     for at in lowered {
         heights[at.cell as usize] = at.height;
     }
 }
 
 /// A path of so many lines, each from where the last one ended, level, up, down, and straight down.
-fn path(random: &mut Random, count: usize) -> Vec<Move> {
+fn path(random: &mut Random, count: usize) -> Vec<TipMove> {
     let mut at = Vec3::new(5.0, 5.0, 15.0);
     let mut moves = Vec::new();
     for n in 0..count {
@@ -47,23 +48,23 @@ fn path(random: &mut Random, count: usize) -> Vec<Move> {
                 Vec3::new(SIZE[0] * random.share(), SIZE[1] * random.share(), z)
             }
         };
-        moves.push(Move { curve: Line::new(at, end).into(), tag: 1 });
+        moves.push(TipMove { curve: Line::new(at, end).into(), tag: 1 });
         at = end;
     }
     moves
 }
 
-fn end(path: &Move) -> Vec3 {
+fn end(path: &TipMove) -> Vec3 {
     use chordal_geometry::ParamCurve;
     path.curve.end()
 }
 
-fn cutters() -> Vec<Cutter> {
+fn cutters() -> Vec<CutterProfile> {
     vec![
-        Cutter::flat(6.0).unwrap(),
-        Cutter::ball(7.0).unwrap(),
-        Cutter::bull(8.0, 1.5).unwrap(),
-        Cutter::pointed(6.0, 1.0, 1.6).unwrap(),
+        CutterProfile::flat(6.0).unwrap(),
+        CutterProfile::ball(7.0).unwrap(),
+        CutterProfile::bull(8.0, 1.5).unwrap(),
+        CutterProfile::pointed(6.0, 1.0, 1.6).unwrap(),
     ]
 }
 
@@ -81,7 +82,7 @@ fn the_list_gives_the_stock_again_to_the_bit() {
             carry_out(&mut again, &lowered);
             assert_eq!(again, heights(&plain));
             // In the order of the moves, and along each of them; a column is only ever lowered.
-            let when = |at: &Lowered| (at.number, at.share);
+            let when = |at: &LoweredColumn| (at.number, at.share);
             assert!(lowered.is_sorted_by(|a, b| when(a) <= when(b)));
             let mut now = vec![0.0_f32; again.len()];
             for at in &lowered {
@@ -113,7 +114,7 @@ fn after_each_move_it_lacks_only_what_the_tool_covers() {
             let tip = end(&moves[number as usize]);
             let mut under = stock(Mode::Sampled);
             let stand = Line::new(tip, tip + Vec3::new(0.0, 0.0, 1.0));
-            under.cut(&cutter, &[Move { curve: stand.into(), tag: 1 }]);
+            under.cut(&cutter, &[TipMove { curve: stand.into(), tag: 1 }]);
             let [columns, _] = until.grid().cells();
             let (until, under) = (heights(&until), heights(&under));
             for (cell, (&want, &have)) in until.iter().zip(&again).enumerate() {

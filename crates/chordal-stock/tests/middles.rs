@@ -3,20 +3,24 @@
 mod support;
 
 use chordal_geometry::{Aabb, Arc, Curve, Frame, Vec3};
-use chordal_stock::{Cutter, Move, Options, Span, Stock, Undercut};
+use chordal_stock::{ColumnOptions, ColumnStock, CutterProfile, RemovedSpan, TipMove, Undercut};
 use support::{BUDGET, Random, cutters, floor, line, path, point, sampled, stock};
 
 const LOW: [f64; 3] = [-5.0, -5.0, -4.0];
 const HIGH: [f64; 3] = [5.0, 5.0, 0.0];
 const CELL: f64 = 0.125;
 
-fn with_middles(resolution: f64) -> Stock {
+fn with_middles(resolution: f64) -> ColumnStock {
     let bounds = Aabb { min: point(LOW), max: point(HIGH) };
-    Stock::new(bounds, Options { middles: true, ..Options::new(resolution, BUDGET) }).unwrap()
+    ColumnStock::new(
+        bounds,
+        ColumnOptions { middles: true, ..ColumnOptions::new(resolution, BUDGET) },
+    )
+    .unwrap()
 }
 
 /// Lines level, up, down and straight down, some of them through corners and middles of cells.
-fn random_path(random: &mut Random) -> Vec<Move> {
+fn random_path(random: &mut Random) -> Vec<TipMove> {
     let mut corners = vec![[0.0, 0.0, -1.0]];
     while corners.len() < 9 {
         let mut next = corners[corners.len() - 1];
@@ -36,7 +40,7 @@ fn random_path(random: &mut Random) -> Vec<Move> {
 
 /// How far the height in the middle of a cell is from the floors near it, from the least to the largest: rounding decides
 /// of a wall that passes so near, and steep flanks make much of little in plan.
-fn off_near(cutter: &Cutter, moves: &[Move], middle: [f64; 2], height: f64) -> f64 {
+fn off_near(cutter: &CutterProfile, moves: &[TipMove], middle: [f64; 2], height: f64) -> f64 {
     /// The contact of a round corner is known to a share of 2⁻¹⁵ of the radius of 2 mm, along the path and across it,
     /// where it begins and where it ends.
     const NEAR: f64 = 2e-4;
@@ -91,7 +95,7 @@ fn a_round_wall_has_two_levels() {
     let mut own = with_middles(CELL);
     let frame = Frame { origin: Vec3::Z * -1.5, ..Frame::IDENTITY };
     let curve: Curve = Arc::new(frame, 2.0, 5.0, 0.0).into();
-    own.cut(&Cutter::flat(3.0).unwrap(), &[Move { curve, tag: 0 }]);
+    own.cut(&CutterProfile::flat(3.0).unwrap(), &[TipMove { curve, tag: 0 }]);
     let (middles, pairs) = (own.middles(), own.height_pairs());
     let walls = pairs.iter().filter(|pair| pair.outer - pair.inner > 1.0).count();
     assert!(walls > 100, "{walls}");
@@ -106,7 +110,7 @@ fn gaps_in_the_middle_have_two_levels() {
     let mut own = with_middles(CELL);
     let under = Undercut::t_slot(3.0, 1.0, 1.0).unwrap();
     let moves = [line([-7.0, -3.0, -3.0], [7.0, 2.3, -3.0])];
-    own.cut(&Cutter::flat(1.5).unwrap(), &moves);
+    own.cut(&CutterProfile::flat(1.5).unwrap(), &moves);
     own.cut_below(&[(0.0, under)], &moves);
     let [columns, rows] = own.grid().cells();
     let (middles, pairs) = (own.middles(), own.height_pairs());
@@ -117,7 +121,7 @@ fn gaps_in_the_middle_have_two_levels() {
             let middle = own.gaps_in_middle(column, row);
             walls += usize::from(surely.len() != maybe.len());
             // What is left of the column, less its gaps.
-            let length = |height: f64, gaps: &[Span]| {
+            let length = |height: f64, gaps: &[RemovedSpan]| {
                 height - LOW[2] - gaps.iter().map(|gap| gap.top - gap.floor).sum::<f64>()
             };
             let index = (row * columns + column) as usize;
@@ -142,7 +146,7 @@ fn gaps_in_the_middle_have_two_levels() {
 #[test]
 fn stock_begins_with_what_is_in_the_middle_of_its_cells() {
     let bounds = Aabb { min: point(LOW), max: point(HIGH) };
-    let options = Options { middles: true, ..Options::new(0.3, BUDGET) };
+    let options = ColumnOptions { middles: true, ..ColumnOptions::new(0.3, BUDGET) };
     let far = |low: [f64; 2], high: [f64; 2], most: bool| {
         let along = |axis: usize| {
             let ends = [low[axis], high[axis]].map(f64::abs);
@@ -155,7 +159,7 @@ fn stock_begins_with_what_is_in_the_middle_of_its_cells() {
         };
         along(0).hypot(along(1))
     };
-    let bar = Stock::shaped(bounds, options, |low, high| {
+    let bar = ColumnStock::shaped(bounds, options, |low, high| {
         [false, true].map(|most| if far(low, high, most) < 5.0 { HIGH[2] } else { LOW[2] })
     });
     let bar = bar.unwrap();

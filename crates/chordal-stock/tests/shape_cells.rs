@@ -3,14 +3,14 @@
 mod common;
 
 use chordal_geometry::{Transform, Vec3};
-use chordal_stock::Shape;
+use chordal_stock::SolidShape;
 use chordal_stock::mesh::Mesh;
-use chordal_stock::shape::{Axis, EDGE, Grid, ShapeError, Span};
+use chordal_stock::shape::{CellGrid, EDGE, HeightSpan, ShapeAxis, ShapeError};
 use proptest::prelude::*;
 
 /// A shape and whether a place is in it, by definition; within `blur` of its surface either answer is right.
 struct Known {
-    shape: Shape,
+    shape: SolidShape,
     inside: Box<dyn Fn(Vec3) -> bool>,
     volume: f64,
 }
@@ -21,19 +21,19 @@ impl std::fmt::Debug for Known {
     }
 }
 
-fn round(axis: Axis, middle: Vec3, radii: [f64; 2], [from, to]: [f64; 2]) -> Known {
+fn round(axis: ShapeAxis, middle: Vec3, radii: [f64; 2], [from, to]: [f64; 2]) -> Known {
     let [outer, inner] = radii;
     let shape = if inner > 0.0 {
-        Shape::tube(axis, middle, [2.0 * outer, 2.0 * inner], from, to).unwrap()
+        SolidShape::tube(axis, middle, [2.0 * outer, 2.0 * inner], from, to).unwrap()
     } else {
-        Shape::cylinder(axis, middle, 2.0 * outer, from, to).unwrap()
+        SolidShape::cylinder(axis, middle, 2.0 * outer, from, to).unwrap()
     };
     let inside = move |place: Vec3| {
         let off = place - middle;
         let (along, u, v) = match axis {
-            Axis::X => (place.x, off.y, off.z),
-            Axis::Y => (place.y, off.x, off.z),
-            Axis::Z => (place.z, off.x, off.y),
+            ShapeAxis::X => (place.x, off.y, off.z),
+            ShapeAxis::Y => (place.y, off.x, off.z),
+            ShapeAxis::Z => (place.z, off.x, off.y),
         };
         let distance = (u * u + v * v).sqrt();
         from <= along && along <= to && inner <= distance && distance <= outer
@@ -43,7 +43,7 @@ fn round(axis: Axis, middle: Vec3, radii: [f64; 2], [from, to]: [f64; 2]) -> Kno
 }
 
 fn meshed(mesh: Mesh) -> Known {
-    let shape = Shape::solid(mesh.clone()).unwrap();
+    let shape = SolidShape::solid(mesh.clone()).unwrap();
     let volume = mesh.volume().abs();
     let inside = move |place| common::winding(&mesh, place).abs() > 0.5;
     Known { shape, inside: Box::new(inside), volume }
@@ -57,7 +57,7 @@ fn place(turn: [f64; 3]) -> Transform {
 fn known() -> impl Strategy<Value = Known> {
     let number = || -2.0..2.0_f64;
     let three = || [number(), number(), number()];
-    let axis = prop_oneof![Just(Axis::X), Just(Axis::Y), Just(Axis::Z)];
+    let axis = prop_oneof![Just(ShapeAxis::X), Just(ShapeAxis::Y), Just(ShapeAxis::Z)];
     let bore = prop_oneof![Just(0.0), 0.1..0.95_f64];
     let cylinders = (axis, three(), 0.5..3.0_f64, bore, number(), 0.1..4.0_f64).prop_map(
         |(axis, middle, outer, bore, from, length)| {
@@ -67,7 +67,7 @@ fn known() -> impl Strategy<Value = Known> {
     let boxes = (three(), [0.1..4.0_f64, 0.1..4.0_f64, 0.1..4.0_f64]).prop_map(|(low, size)| {
         let (low, size) = (Vec3::from_array(low), Vec3::from_array(size));
         let high = low + size;
-        let shape = Shape::cuboid(high, low).unwrap();
+        let shape = SolidShape::cuboid(high, low).unwrap();
         let inside = move |place: Vec3| {
             (0..3).all(|axis| {
                 low.component(axis) <= place.component(axis)
@@ -90,19 +90,19 @@ fn known() -> impl Strategy<Value = Known> {
 }
 
 /// A grid around the shape, not aligned with it.
-fn grid_around(shape: &Shape, cell: f64, off: f64, grow: f64) -> Grid {
+fn grid_around(shape: &SolidShape, cell: f64, off: f64, grow: f64) -> CellGrid {
     let bounds = shape.bounds();
     let origin = [bounds.min.x - off * cell, bounds.min.y - (1.0 - off) * cell];
     let count = |from: f64, to: f64| ((to - from) / cell).ceil() as usize + 1;
     let (columns, rows) = (count(origin[0], bounds.max.x), count(origin[1], bounds.max.y));
-    Grid { origin, cell, columns, rows, grow }
+    CellGrid { origin, cell, columns, rows, grow }
 }
 
-fn within(spans: &[Span], z: f64) -> bool {
+fn within(spans: &[HeightSpan], z: f64) -> bool {
     spans.iter().any(|span| span.from <= z && z <= span.to)
 }
 
-fn height(spans: &[Span]) -> f64 {
+fn height(spans: &[HeightSpan]) -> f64 {
     spans.iter().map(|span| span.to - span.from).sum()
 }
 
@@ -169,11 +169,11 @@ proptest! {
         // In quarters, so that walls lie in the edges of cells.
         let quarters = |values: [i32; 3]| Vec3::from_array(values.map(f64::from)) * 0.25;
         let (low, high) = (quarters(low), quarters(low) + quarters(size));
-        let shape = Shape::cuboid(low, high).unwrap();
-        let mesh = Shape::solid(common::cuboid(low, high)).unwrap();
+        let shape = SolidShape::cuboid(low, high).unwrap();
+        let mesh = SolidShape::solid(common::cuboid(low, high)).unwrap();
         let off = off.map(|off| f64::from(off) * 0.125);
         let origin = [low.x - off[0], low.y - off[1]];
-        let grid = Grid { origin, cell: 0.25, columns: 8, rows: 8, grow };
+        let grid = CellGrid { origin, cell: 0.25, columns: 8, rows: 8, grow };
         let cells = shape.cells(&grid).unwrap();
         prop_assert_eq!(&cells, &mesh.cells(&grid).unwrap());
         if grow == 0.0 && off == [0.0; 2] {
@@ -190,7 +190,7 @@ proptest! {
 fn bounds_close_in_on_finer_grids() {
     let mesh = common::torus(8.0, 3.0, [48, 24], &Transform::translation(Vec3::new(0.1, 0.2, 5.0)));
     let volume = mesh.volume();
-    let shape = Shape::solid(mesh).unwrap();
+    let shape = SolidShape::solid(mesh).unwrap();
     let mut last = f64::INFINITY;
     for cell in [1.0, 0.5, 0.25] {
         let grid = grid_around(&shape, cell, 0.3, 0.0);
@@ -212,9 +212,9 @@ fn bounds_close_in_on_finer_grids() {
 fn a_column_may_have_several_spans() {
     // A ring on edge, and a tube that lies: two walls over its middle.
     let turn = Transform::rotation_about(Vec3::ZERO, Vec3::X, std::f64::consts::FRAC_PI_2);
-    let ring = Shape::solid(common::torus(5.0, 1.0, [40, 20], &turn)).unwrap();
-    let tube = Shape::tube(Axis::Y, Vec3::ZERO, [12.0, 8.0], -1.0, 1.0).unwrap();
-    let grid = Grid { origin: [-0.1, -0.1], cell: 0.2, columns: 1, rows: 1, grow: 0.0 };
+    let ring = SolidShape::solid(common::torus(5.0, 1.0, [40, 20], &turn)).unwrap();
+    let tube = SolidShape::tube(ShapeAxis::Y, Vec3::ZERO, [12.0, 8.0], -1.0, 1.0).unwrap();
+    let grid = CellGrid { origin: [-0.1, -0.1], cell: 0.2, columns: 1, rows: 1, grow: 0.0 };
     for shape in [ring, tube] {
         let cells = shape.cells(&grid).unwrap();
         assert_eq!((cells.outer(0, 0).len(), cells.inner(0, 0).len()), (2, 2));
@@ -224,8 +224,8 @@ fn a_column_may_have_several_spans() {
 
 #[test]
 fn dimensions_that_are_none() {
-    assert!(Shape::cuboid(Vec3::ZERO, Vec3::new(1.0, 0.0, 1.0)).is_err());
-    assert!(Shape::cuboid(Vec3::ZERO, Vec3::new(1.0, f64::NAN, 1.0)).is_err());
+    assert!(SolidShape::cuboid(Vec3::ZERO, Vec3::new(1.0, 0.0, 1.0)).is_err());
+    assert!(SolidShape::cuboid(Vec3::ZERO, Vec3::new(1.0, f64::NAN, 1.0)).is_err());
     for (diameter, from, to) in [
         (0.0, 0.0, 1.0),
         (1.0, 1.0, 1.0),
@@ -233,20 +233,23 @@ fn dimensions_that_are_none() {
         (1.0, f64::NAN, 1.0),
         (1.0, 0.0, f64::INFINITY),
     ] {
-        assert!(Shape::cylinder(Axis::X, Vec3::ZERO, diameter, from, to).is_err());
+        assert!(SolidShape::cylinder(ShapeAxis::X, Vec3::ZERO, diameter, from, to).is_err());
     }
-    assert!(Shape::tube(Axis::Z, Vec3::ZERO, [2.0, 2.0], 0.0, 1.0).is_err());
+    assert!(SolidShape::tube(ShapeAxis::Z, Vec3::ZERO, [2.0, 2.0], 0.0, 1.0).is_err());
     let mesh = common::cuboid(Vec3::ZERO, Vec3::new(1.0, 2.0, 3.0));
     let open = Mesh::new(mesh.vertices().to_vec(), mesh.triangles()[1..].to_vec()).unwrap();
-    let error = Shape::solid(open.clone()).unwrap_err();
+    let error = SolidShape::solid(open.clone()).unwrap_err();
     assert!(error.to_string().contains("open at 3 of"), "{error}");
-    assert!(matches!(Shape::solid(Mesh::default()), Err(ShapeError::NoTriangle)));
-    let grid = Grid { origin: [0.0; 2], cell: 0.1, columns: 3, rows: 3, grow: 0.0 };
-    assert!(matches!(Shape::surface(open).unwrap().cells(&grid), Err(ShapeError::Open { .. })));
-    let shape = Shape::solid(mesh).unwrap();
+    assert!(matches!(SolidShape::solid(Mesh::default()), Err(ShapeError::NoTriangle)));
+    let grid = CellGrid { origin: [0.0; 2], cell: 0.1, columns: 3, rows: 3, grow: 0.0 };
+    assert!(matches!(
+        SolidShape::surface(open).unwrap().cells(&grid),
+        Err(ShapeError::Open { .. })
+    ));
+    let shape = SolidShape::solid(mesh).unwrap();
     for cell in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(shape.cells(&Grid { cell, ..grid }).is_err());
+        assert!(shape.cells(&CellGrid { cell, ..grid }).is_err());
     }
-    assert!(shape.cells(&Grid { columns: usize::MAX, ..grid }).is_err());
-    assert!(shape.cells(&Grid { columns: 0, ..grid }).is_ok());
+    assert!(shape.cells(&CellGrid { columns: usize::MAX, ..grid }).is_err());
+    assert!(shape.cells(&CellGrid { columns: 0, ..grid }).is_ok());
 }

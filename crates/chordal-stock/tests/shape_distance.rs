@@ -3,8 +3,10 @@
 mod common;
 
 use chordal_geometry::{Transform, Vec3};
-use chordal_stock::shape::{Axis, Body, Bound, Distance, Frustum, Passage, Path};
-use chordal_stock::{Cutter, Mesh, Shape};
+use chordal_stock::shape::{
+    BodyBound, DistanceInterval, Frustum, PassageAnswer, RoundBody, ShapeAxis, TipMotion,
+};
+use chordal_stock::{CutterProfile, Mesh, SolidShape};
 use proptest::prelude::*;
 
 const RESOLUTION: f64 = 1e-7;
@@ -13,7 +15,7 @@ const ROUNDING: f64 = 1e-9;
 /// Places that cover a shape so that none of it is further from one of them than `spacing`.
 #[derive(Clone)]
 struct Sampled {
-    shape: Shape,
+    shape: SolidShape,
     places: Vec<Vec3>,
     spacing: f64,
     /// A closed mesh, of which only the surface is sampled.
@@ -27,7 +29,7 @@ impl std::fmt::Debug for Sampled {
 }
 
 /// How far a place is from a body with its tip at zero: by the outline of each part in the half plane.
-fn from_place(body: &Body, place: Vec3) -> f64 {
+fn from_place(body: &RoundBody, place: Vec3) -> f64 {
     let out = (place.x * place.x + place.y * place.y).sqrt();
     let part = |part: &Frustum| {
         let Frustum { from, to, lower, upper } = *part;
@@ -70,12 +72,13 @@ fn sampled_mesh(mesh: &Mesh, closed: bool) -> Sampled {
         let side = a.distance(b).max(b.distance(c)).max(c.distance(a));
         spacing = spacing.max(side / PARTS as f64);
     }
-    let shape = if closed { Shape::solid(mesh.clone()) } else { Shape::surface(mesh.clone()) };
+    let shape =
+        if closed { SolidShape::solid(mesh.clone()) } else { SolidShape::surface(mesh.clone()) };
     Sampled { shape: shape.unwrap(), places, spacing, closed: closed.then(|| mesh.clone()) }
 }
 
 /// A box, a cylinder or a tube: places throughout the body.
-fn sampled_body(shape: Shape, axis: Option<(Axis, Vec3, [f64; 2])>) -> Sampled {
+fn sampled_body(shape: SolidShape, axis: Option<(ShapeAxis, Vec3, [f64; 2])>) -> Sampled {
     const PARTS: usize = 24;
     let bounds = shape.bounds();
     let size = bounds.size();
@@ -92,13 +95,13 @@ fn sampled_body(shape: Shape, axis: Option<(Axis, Vec3, [f64; 2])>) -> Sampled {
                         let (p, q) = (radius * cos, radius * sin);
                         let at = |low: f64, size: f64| low + u * size;
                         places.push(match axis {
-                            Axis::X => {
+                            ShapeAxis::X => {
                                 Vec3::new(at(bounds.min.x, size.x), middle.y + p, middle.z + q)
                             }
-                            Axis::Y => {
+                            ShapeAxis::Y => {
                                 Vec3::new(middle.x + p, at(bounds.min.y, size.y), middle.z + q)
                             }
-                            Axis::Z => {
+                            ShapeAxis::Z => {
                                 Vec3::new(middle.x + p, middle.y + q, at(bounds.min.z, size.z))
                             }
                         });
@@ -125,23 +128,24 @@ fn shapes() -> impl Strategy<Value = Sampled> {
     let three = || [number(), number(), number()];
     let boxes = (three(), [0.2..6.0_f64, 0.2..6.0_f64, 0.2..6.0_f64]).prop_map(|(low, size)| {
         let low = Vec3::from_array(low);
-        sampled_body(Shape::cuboid(low, low + Vec3::from_array(size)).unwrap(), None)
+        sampled_body(SolidShape::cuboid(low, low + Vec3::from_array(size)).unwrap(), None)
     });
-    let axis = prop_oneof![Just(Axis::X), Just(Axis::Y), Just(Axis::Z)];
+    let axis = prop_oneof![Just(ShapeAxis::X), Just(ShapeAxis::Y), Just(ShapeAxis::Z)];
     let rounds = (axis, three(), 0.3..3.0_f64, number(), 0.2..6.0_f64).prop_map(
         |(axis, middle, outer, from, length)| {
             let middle = Vec3::from_array(middle);
-            let shape = Shape::cylinder(axis, middle, 2.0 * outer, from, from + length).unwrap();
+            let shape =
+                SolidShape::cylinder(axis, middle, 2.0 * outer, from, from + length).unwrap();
             sampled_body(shape, Some((axis, middle, [outer, 0.0])))
         },
     );
-    let along = prop_oneof![Just(Axis::X), Just(Axis::Y), Just(Axis::Z)];
+    let along = prop_oneof![Just(ShapeAxis::X), Just(ShapeAxis::Y), Just(ShapeAxis::Z)];
     let tubes = (along, three(), 0.5..6.0_f64, 0.2..0.9_f64, number(), 0.2..6.0_f64).prop_map(
         |(axis, middle, outer, bore, from, length)| {
             let middle = Vec3::from_array(middle);
             let radii = [outer, outer * bore];
             let diameters = radii.map(|radius| 2.0 * radius);
-            let shape = Shape::tube(axis, middle, diameters, from, from + length).unwrap();
+            let shape = SolidShape::tube(axis, middle, diameters, from, from + length).unwrap();
             sampled_body(shape, Some((axis, middle, radii)))
         },
     );
@@ -166,20 +170,20 @@ fn shapes() -> impl Strategy<Value = Sampled> {
     prop_oneof![boxes, rounds, tubes, meshes, balls]
 }
 
-fn bodies() -> impl Strategy<Value = Body> {
+fn bodies() -> impl Strategy<Value = RoundBody> {
     let part = (-1.0..3.0_f64, 0.1..4.0_f64, 0.0..2.0_f64, 0.0..2.0_f64);
     proptest::collection::vec(part, 1..4).prop_map(|parts| {
         let frustums = parts
             .into_iter()
             .map(|(from, height, lower, upper)| Frustum { from, to: from + height, lower, upper })
             .collect();
-        Body::new(frustums).unwrap()
+        RoundBody::new(frustums).unwrap()
     })
 }
 
 /// Whether the body is inside a closed mesh by a place of one of its parts: then there is no distance, whatever
 /// the samples of the surface say.
-fn inside(sampled: &Sampled, body: &Body, tip: Vec3) -> bool {
+fn inside(sampled: &Sampled, body: &RoundBody, tip: Vec3) -> bool {
     sampled.closed.as_ref().is_some_and(|mesh| {
         body.frustums().iter().any(|part| {
             let middle = tip + Vec3::Z * (0.5 * (part.from + part.to));
@@ -208,7 +212,7 @@ proptest! {
         prop_assert!(found.upper - found.lower <= RESOLUTION, "{found:?}");
         prop_assert!(found.lower <= least + ROUNDING, "{found:?} {least}");
         if inside(&sampled, &body, tip) {
-            prop_assert_eq!(found, Distance { lower: 0.0, upper: 0.0 });
+            prop_assert_eq!(found, DistanceInterval { lower: 0.0, upper: 0.0 });
         } else {
             prop_assert!(found.upper >= least - sampled.spacing, "{found:?} {least}");
         }
@@ -224,7 +228,7 @@ proptest! {
         const PLACES: usize = 100;
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
         let whole = sampled.shape.distance_along(&body, from, to, RESOLUTION);
-        let mut least = Distance { lower: f64::INFINITY, upper: f64::INFINITY };
+        let mut least = DistanceInterval { lower: f64::INFINITY, upper: f64::INFINITY };
         for place in 0..=PLACES {
             let tip = from.lerp(to, place as f64 / PLACES as f64);
             let there = sampled.shape.distance(&body, tip, RESOLUTION);
@@ -236,13 +240,13 @@ proptest! {
         prop_assert!(whole.lower <= least.upper + ROUNDING, "{whole:?} {least:?}");
         prop_assert!(whole.upper >= least.lower - step - ROUNDING, "{whole:?} {least:?}");
 
-        let path = Path { tip: &|t| from.lerp(to, t), speed: from.distance(to) };
+        let path = TipMotion { tip: &|t| from.lerp(to, t), speed: from.distance(to) };
         match sampled.shape.passage(&body, &path, 0.25, 0.01, 10_000) {
-            Passage::Clean { nearest } => {
+            PassageAnswer::Clean { nearest } => {
                 prop_assert!(nearest >= 0.25 && least.upper >= nearest - ROUNDING);
                 prop_assert!(whole.upper >= nearest - ROUNDING, "{whole:?} {nearest}");
             }
-            Passage::Hit { fraction, distance } => {
+            PassageAnswer::Hit { fraction, distance } => {
                 prop_assert!(distance.upper <= 0.26);
                 let there = sampled.shape.distance(&body, from.lerp(to, fraction), RESOLUTION);
                 prop_assert!(there.lower <= 0.26);
@@ -254,7 +258,7 @@ proptest! {
                     prop_assert!(before.upper >= 0.25 - ROUNDING);
                 }
             }
-            Passage::Undecided { .. } => prop_assert!(false, "a distance that is known decides"),
+            PassageAnswer::Undecided { .. } => prop_assert!(false, "a distance that is known decides"),
         }
     }
 
@@ -266,16 +270,16 @@ proptest! {
         tolerance in 1e-4..0.1_f64,
     ) {
         let cutters = [
-            Cutter::flat(diameter).unwrap(),
-            Cutter::ball(diameter).unwrap(),
-            Cutter::bull(diameter, corner * diameter / 2.0).unwrap(),
-            Cutter::pointed(diameter, corner * diameter, angle).unwrap(),
-            Cutter::outline(&[[0.0, 0.0], [2.0, 1.0], [2.5, 3.0], [4.0, 3.0], [4.0, 5.0]]).unwrap(),
+            CutterProfile::flat(diameter).unwrap(),
+            CutterProfile::ball(diameter).unwrap(),
+            CutterProfile::bull(diameter, corner * diameter / 2.0).unwrap(),
+            CutterProfile::pointed(diameter, corner * diameter, angle).unwrap(),
+            CutterProfile::outline(&[[0.0, 0.0], [2.0, 1.0], [2.5, 3.0], [4.0, 3.0], [4.0, 5.0]]).unwrap(),
         ];
         for cutter in cutters {
             let top = cutter.side() + 10.0;
-            let [outer, inner] = [Bound::Outer, Bound::Inner]
-                .map(|bound| Body::of_cutter(&cutter, top, tolerance, bound).unwrap());
+            let [outer, inner] = [BodyBound::Outer, BodyBound::Inner]
+                .map(|bound| RoundBody::of_cutter(&cutter, top, tolerance, bound).unwrap());
             for part in 0..=200 {
                 let radius = (cutter.radius() * f64::from(part) / 200.0).min(cutter.radius());
                 let place = Vec3::new(radius, 0.0, cutter.height_at(radius));
@@ -304,8 +308,9 @@ proptest! {
 
 #[test]
 fn by_hand() {
-    let body = Body::new(vec![Frustum { from: 0.0, to: 10.0, lower: 2.0, upper: 2.0 }]).unwrap();
-    let near = |shape: &Shape, tip: Vec3, distance: f64| {
+    let body =
+        RoundBody::new(vec![Frustum { from: 0.0, to: 10.0, lower: 2.0, upper: 2.0 }]).unwrap();
+    let near = |shape: &SolidShape, tip: Vec3, distance: f64| {
         let found = shape.distance(&body, tip, RESOLUTION);
         assert!(
             found.lower - ROUNDING <= distance && distance <= found.upper + ROUNDING,
@@ -313,52 +318,59 @@ fn by_hand() {
         );
         assert!(found.upper - found.lower <= RESOLUTION);
     };
-    let clamp = Shape::cuboid(Vec3::ZERO, Vec3::new(10.0, 10.0, 5.0)).unwrap();
+    let clamp = SolidShape::cuboid(Vec3::ZERO, Vec3::new(10.0, 10.0, 5.0)).unwrap();
     near(&clamp, Vec3::new(-5.0, 5.0, 0.0), 3.0);
     near(&clamp, Vec3::new(5.0, 5.0, 6.5), 1.5);
     near(&clamp, Vec3::new(-3.0, -4.0, 9.0), 5.0);
     near(&clamp, Vec3::new(-1.0, 5.0, 2.0), 0.0);
     // A lying bolt of radius 1: over it, beside it, beyond its end.
-    let bolt = Shape::cylinder(Axis::X, Vec3::new(0.0, 0.0, 3.0), 2.0, 0.0, 20.0).unwrap();
+    let bolt =
+        SolidShape::cylinder(ShapeAxis::X, Vec3::new(0.0, 0.0, 3.0), 2.0, 0.0, 20.0).unwrap();
     near(&bolt, Vec3::new(5.0, 0.0, 7.0), 3.0);
     near(&bolt, Vec3::new(5.0, 8.0, 0.0), 5.0);
     near(&bolt, Vec3::new(-5.0, 0.0, 0.0), 3.0);
     near(&bolt, Vec3::new(5.0, 0.0, 3.9), 0.0);
     // In the bore of a ring that stands, and of one that lies.
-    let ring = Shape::tube(Axis::Z, Vec3::ZERO, [20.0, 12.0], 0.0, 5.0).unwrap();
+    let ring = SolidShape::tube(ShapeAxis::Z, Vec3::ZERO, [20.0, 12.0], 0.0, 5.0).unwrap();
     near(&ring, Vec3::new(1.0, 0.0, 1.0), 3.0);
     near(&ring, Vec3::new(3.0, 4.0, 1.0), 0.0);
-    let pipe = Shape::tube(Axis::X, Vec3::ZERO, [60.0, 40.0], -50.0, 50.0).unwrap();
+    let pipe = SolidShape::tube(ShapeAxis::X, Vec3::ZERO, [60.0, 40.0], -50.0, 50.0).unwrap();
     let found = pipe.distance(&body, Vec3::new(0.0, 1.0, -4.0), RESOLUTION);
     let exact = 20.0 - 3.0_f64.hypot(6.0);
     assert!(
         (found.lower - exact).abs() < 1e-9 && exact <= found.upper && found.upper < exact + 0.2
     );
     // A body wholly within a mesh has no distance from it.
-    let block = Shape::solid(common::cuboid(Vec3::ZERO, Vec3::new(50.0, 50.0, 50.0))).unwrap();
+    let block = SolidShape::solid(common::cuboid(Vec3::ZERO, Vec3::new(50.0, 50.0, 50.0))).unwrap();
     near(&block, Vec3::new(25.0, 25.0, 20.0), 0.0);
     near(&block, Vec3::new(25.0, 25.0, 51.0), 1.0);
 }
 
 #[test]
 fn steps_end() {
-    let body = Body::new(vec![Frustum { from: 0.0, to: 10.0, lower: 2.0, upper: 2.0 }]).unwrap();
-    let clamp = Shape::cuboid(Vec3::ZERO, Vec3::new(10.0, 10.0, 5.0)).unwrap();
+    let body =
+        RoundBody::new(vec![Frustum { from: 0.0, to: 10.0, lower: 2.0, upper: 2.0 }]).unwrap();
+    let clamp = SolidShape::cuboid(Vec3::ZERO, Vec3::new(10.0, 10.0, 5.0)).unwrap();
     // Along a wall, at a distance of 0.1.
     let tip = |t: f64| Vec3::new(20.0 * t - 5.0, -2.1, 1.0);
-    let path = Path { tip: &tip, speed: 20.0 };
+    let path = TipMotion { tip: &tip, speed: 20.0 };
     let clean = clamp.passage(&body, &path, 0.0, 0.01, 1000);
     assert!(
-        matches!(clean, Passage::Clean { nearest } if nearest > 0.04 && nearest <= 0.1 + ROUNDING)
+        matches!(clean, PassageAnswer::Clean { nearest } if nearest > 0.04 && nearest <= 0.1 + ROUNDING)
     );
-    assert!(matches!(clamp.passage(&body, &path, 0.0, 0.01, 10), Passage::Undecided { .. }));
-    assert!(matches!(clamp.passage(&body, &path, 0.2, 0.01, 1000), Passage::Hit { .. }));
-    let stays = Path { tip: &|_| Vec3::new(0.0, -3.0, 0.0), speed: 0.0 };
+    assert!(matches!(clamp.passage(&body, &path, 0.0, 0.01, 10), PassageAnswer::Undecided { .. }));
+    assert!(matches!(clamp.passage(&body, &path, 0.2, 0.01, 1000), PassageAnswer::Hit { .. }));
+    let stays = TipMotion { tip: &|_| Vec3::new(0.0, -3.0, 0.0), speed: 0.0 };
     assert!(
-        matches!(clamp.passage(&body, &stays, 0.0, 0.01, 10), Passage::Clean { nearest } if (nearest - 1.0).abs() < 1e-9)
+        matches!(clamp.passage(&body, &stays, 0.0, 0.01, 10), PassageAnswer::Clean { nearest } if (nearest - 1.0).abs() < 1e-9)
     );
-    assert!(Body::new(Vec::new()).is_err());
-    assert!(Body::new(vec![Frustum { from: 1.0, to: 1.0, lower: 1.0, upper: 1.0 }]).is_err());
-    assert!(Body::new(vec![Frustum { from: 1.0, to: f64::NAN, lower: 1.0, upper: 1.0 }]).is_err());
-    assert!(Body::of_cutter(&Cutter::ball(6.0).unwrap(), 2.0, 0.01, Bound::Outer).is_err());
+    assert!(RoundBody::new(Vec::new()).is_err());
+    assert!(RoundBody::new(vec![Frustum { from: 1.0, to: 1.0, lower: 1.0, upper: 1.0 }]).is_err());
+    assert!(
+        RoundBody::new(vec![Frustum { from: 1.0, to: f64::NAN, lower: 1.0, upper: 1.0 }]).is_err()
+    );
+    assert!(
+        RoundBody::of_cutter(&CutterProfile::ball(6.0).unwrap(), 2.0, 0.01, BodyBound::Outer)
+            .is_err()
+    );
 }

@@ -4,53 +4,60 @@
 mod support;
 
 use chordal_geometry::Aabb;
-use chordal_stock::columns::{Found, Task};
-use chordal_stock::{Body, Cutter, Mode, Move, Options, Stock, StockError};
+use chordal_stock::columns::{JobResult, StockTask};
+use chordal_stock::{
+    ColumnOptions, ColumnStock, CutterProfile, Mode, RevolvedBody, StockError, TipMove,
+};
 use support::surface::{RADIUS, SIDE, raster};
 use support::{BUDGET, line, path, point, stock};
 
-fn plate(resolution: f64) -> Stock {
+fn plate(resolution: f64) -> ColumnStock {
     stock([0.0, 0.0, -10.0], [SIDE, SIDE, 0.0], resolution)
 }
 
-fn by_tag(min: [f64; 3], max: [f64; 3], resolution: f64) -> Stock {
-    let options = Options { by_tag: true, ..Options::new(resolution, BUDGET) };
-    Stock::new(Aabb { min: point(min), max: point(max) }, options).unwrap()
+fn by_tag(min: [f64; 3], max: [f64; 3], resolution: f64) -> ColumnStock {
+    let options = ColumnOptions { by_tag: true, ..ColumnOptions::new(resolution, BUDGET) };
+    ColumnStock::new(Aabb { min: point(min), max: point(max) }, options).unwrap()
 }
 
-fn same_bits(a: &Stock, b: &Stock) {
-    let bits = |stock: &Stock| -> Vec<[u64; 2]> {
+fn same_bits(a: &ColumnStock, b: &ColumnStock) {
+    let bits = |stock: &ColumnStock| -> Vec<[u64; 2]> {
         stock.height_pairs().iter().map(|p| [p.outer.to_bits(), p.inner.to_bits()]).collect()
     };
     assert!(bits(a) == bits(b));
-    let volumes = |stock: &Stock| format!("{:?} {:?}", stock.left(), stock.removed_by_tag());
+    let volumes = |stock: &ColumnStock| format!("{:?} {:?}", stock.left(), stock.removed_by_tag());
     assert_eq!(volumes(a), volumes(b));
 }
 
 #[test]
 fn any_order_and_any_number_of_threads_give_the_same_bits() {
-    let ball = Cutter::ball(2.0 * RADIUS).unwrap();
-    let moves: Vec<Move> = raster(1.0).into_iter().step_by(3).take(3000).collect();
-    let bodies = [Body::cylinder(20.0, 4.0)];
-    let task =
-        Task { cutter: Some(&ball), bodies: &bodies, moves: &moves, drop: 0.1, ..Task::default() };
+    let ball = CutterProfile::ball(2.0 * RADIUS).unwrap();
+    let moves: Vec<TipMove> = raster(1.0).into_iter().step_by(3).take(3000).collect();
+    let bodies = [RevolvedBody::cylinder(20.0, 4.0)];
+    let task = StockTask {
+        cutter: Some(&ball),
+        bodies: &bodies,
+        moves: &moves,
+        drop: 0.1,
+        ..StockTask::default()
+    };
     let mut one = by_tag([0.0, 0.0, -10.0], [SIDE, SIDE, 0.0], 0.2);
     let plan = one.plan(&task);
-    let found: Vec<Found> = one.jobs(&plan).into_iter().map(|job| job.run()).collect();
+    let found: Vec<JobResult> = one.jobs(&plan).into_iter().map(|job| job.run()).collect();
     let contacts = plan.contacts(&found);
     let mut back = by_tag([0.0, 0.0, -10.0], [SIDE, SIDE, 0.0], 0.2);
-    let found: Vec<Found> = back.jobs(&plan).into_iter().rev().map(|job| job.run()).collect();
+    let found: Vec<JobResult> = back.jobs(&plan).into_iter().rev().map(|job| job.run()).collect();
     assert_eq!(plan.contacts(&found), contacts);
     same_bits(&one, &back);
     for threads in [2, 5] {
         let mut many = by_tag([0.0, 0.0, -10.0], [SIDE, SIDE, 0.0], 0.2);
         let mut jobs = many.jobs(&plan);
         let share = jobs.len().div_ceil(threads);
-        let found: Vec<Found> = std::thread::scope(|scope| {
+        let found: Vec<JobResult> = std::thread::scope(|scope| {
             let mut running = Vec::new();
             while !jobs.is_empty() {
                 let some = jobs.split_off(jobs.len().saturating_sub(share));
-                let run = move || some.into_iter().map(|job| job.run()).collect::<Vec<Found>>();
+                let run = move || some.into_iter().map(|job| job.run()).collect::<Vec<JobResult>>();
                 running.push(scope.spawn(run));
             }
             running.into_iter().flat_map(|thread| thread.join().unwrap()).collect()
@@ -62,12 +69,14 @@ fn any_order_and_any_number_of_threads_give_the_same_bits() {
 
 #[test]
 fn few_columns_are_looked_at() {
-    let ball = Cutter::ball(2.0 * RADIUS).unwrap();
+    let ball = CutterProfile::ball(2.0 * RADIUS).unwrap();
     let all = raster(0.1);
     let moves = &all[60_000..72_000];
     for mode in [Mode::Sampled, Mode::Certified] {
         let bounds = Aabb { min: point([0.0, 0.0, -10.0]), max: point([SIDE, SIDE, 0.0]) };
-        let mut stock = Stock::new(bounds, Options { mode, ..Options::new(0.05, BUDGET) }).unwrap();
+        let mut stock =
+            ColumnStock::new(bounds, ColumnOptions { mode, ..ColumnOptions::new(0.05, BUDGET) })
+                .unwrap();
         let counts = stock.cut(&ball, moves);
         let each = counts.columns / moves.len() as u64;
         assert!(each <= 1000, "{each} columns a move");
@@ -77,8 +86,8 @@ fn few_columns_are_looked_at() {
 
 #[test]
 fn volumes_by_tag() {
-    let flat = Cutter::flat(10.0).unwrap();
-    let tagged = |tag: u32, path: Move| Move { tag, ..path };
+    let flat = CutterProfile::flat(10.0).unwrap();
+    let tagged = |tag: u32, path: TipMove| TipMove { tag, ..path };
     let along = line([-20.0, 30.0, -5.0], [120.0, 30.0, -5.0]);
     let across = line([50.0, -20.0, -5.0], [50.0, 80.0, -5.0]);
     for separate in [false, true] {
@@ -107,7 +116,7 @@ fn volumes_by_tag() {
 
 #[test]
 fn finer_columns_agree_with_coarser_ones() {
-    let bull = Cutter::bull(6.0, 1.0).unwrap();
+    let bull = CutterProfile::bull(6.0, 1.0).unwrap();
     let moves = path(&[[2.0, 2.0, -1.0], [9.0, 5.0, -3.0], [4.0, 8.0, -0.5], [4.0, 2.0, -0.5]]);
     let make = |resolution: f64| {
         let mut stock = stock([0.0, 0.0, -5.0], [12.8, 12.8, 0.0], resolution);
@@ -130,11 +139,11 @@ fn finer_columns_agree_with_coarser_ones() {
 fn a_budget_says_what_fits() {
     let bounds = Aabb { min: point([0.0; 3]), max: point([500.0, 300.0, 20.0]) };
     let budget = 50_000_000;
-    let error = Stock::new(bounds, Options::new(0.05, budget)).unwrap_err();
+    let error = ColumnStock::new(bounds, ColumnOptions::new(0.05, budget)).unwrap_err();
     let StockError::TooFine { needed, fits, .. } = error else { panic!("{error}") };
     assert!(needed > 480_000_000 && needed < 540_000_000, "{needed}");
     assert!(fits > 0.15 && fits < 0.18, "{fits}");
-    assert!(Stock::new(bounds, Options::new(fits, budget)).is_ok());
+    assert!(ColumnStock::new(bounds, ColumnOptions::new(fits, budget)).is_ok());
     assert_eq!(
         error.to_string(),
         format!(
@@ -142,16 +151,19 @@ fn a_budget_says_what_fits() {
         )
     );
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(Stock::new(bounds, Options::new(wrong, budget)).is_err());
+        assert!(ColumnStock::new(bounds, ColumnOptions::new(wrong, budget)).is_err());
     }
     let flat = Aabb { max: point([500.0, 300.0, 0.0]), ..bounds };
-    assert_eq!(Stock::new(flat, Options::new(0.1, budget)).unwrap_err(), StockError::Empty);
+    assert_eq!(
+        ColumnStock::new(flat, ColumnOptions::new(0.1, budget)).unwrap_err(),
+        StockError::Empty
+    );
 }
 
 #[test]
 fn a_round_bar_and_cells_over_the_edge() {
     let bounds = Aabb { min: point([-10.0, -10.0, -8.0]), max: point([10.0, 10.0, 0.0]) };
-    let bar = Stock::shaped(bounds, Options::new(0.13, BUDGET), |low, high| {
+    let bar = ColumnStock::shaped(bounds, ColumnOptions::new(0.13, BUDGET), |low, high| {
         let far = |a: f64, b: f64| a.abs().max(b.abs());
         let near = |a: f64, b: f64| if a * b < 0.0 { 0.0 } else { a.abs().min(b.abs()) };
         let most = libm::hypot(far(low[0], high[0]), far(low[1], high[1]));
@@ -171,7 +183,7 @@ fn a_round_bar_and_cells_over_the_edge() {
 fn nonsense_moves_remove_nothing() {
     let mut block = plate(0.5);
     let before = block.left();
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     let nan = line([f64::NAN, 0.0, 0.0], [1.0, 1.0, -1.0]);
     let far = line([1e9, 1e9, -5.0], [1e9 + 1.0, 1e9, -5.0]);
     let high = line([0.0, 0.0, 20.0], [60.0, 60.0, 1.0]);

@@ -6,17 +6,18 @@ use std::f64::consts::TAU;
 
 use chordal_geometry::{Aabb, Arc, Curve, Frame, Line, ParamCurve, Vec3};
 use chordal_stock::{
-    Amount, Body, Cutter, Move, Options, Span, Stock, StockError, Touch, Undercut,
+    ColumnOptions, ColumnStock, CutterProfile, RemovedSpan, RevolvedBody, StockError, TipMove,
+    TouchAnswer, Undercut, VolumeInterval,
 };
 use support::{BUDGET, Random, line, path, point, stock};
 
 /// One cut of a program.
 enum Cut {
-    Plain(Cutter, Vec<Move>),
-    Below(Undercut, Vec<Move>),
+    Plain(CutterProfile, Vec<TipMove>),
+    Below(Undercut, Vec<TipMove>),
 }
 
-fn cut(stock: &mut Stock, cuts: &[Cut]) {
+fn cut(stock: &mut ColumnStock, cuts: &[Cut]) {
     for each in cuts {
         match each {
             Cut::Plain(cutter, moves) => stock.cut(cutter, moves),
@@ -26,7 +27,7 @@ fn cut(stock: &mut Stock, cuts: &[Cut]) {
 }
 
 /// What is removed lies about the truth, and nearer to it with finer cells.
-fn encloses(truth: f64, make: impl Fn(f64) -> Stock, cuts: &[Cut]) {
+fn encloses(truth: f64, make: impl Fn(f64) -> ColumnStock, cuts: &[Cut]) {
     let mut gaps = Vec::new();
     for resolution in [0.4, 0.2, 0.1] {
         let mut stock = make(resolution);
@@ -48,7 +49,7 @@ fn a_t_slot_below_a_slot() {
     let slot = vec![line([-20.0, 0.0, -12.0], [120.0, 0.0, -12.0])];
     let under = Undercut::t_slot(20.0, 4.0, 9.0).unwrap();
     let cuts = [
-        Cut::Plain(Cutter::flat(10.0).unwrap(), slot.clone()),
+        Cut::Plain(CutterProfile::flat(10.0).unwrap(), slot.clone()),
         Cut::Below(under.clone(), slot.clone()),
     ];
     encloses(12.0 * 1000.0 + 4000.0, plate, &cuts);
@@ -71,15 +72,15 @@ fn a_lollipop_below_a_slot() {
     let at = |z: f64| vec![line([-10.0, 0.0, z], [30.0, 0.0, z])];
     let cuts = [
         Cut::Below(Undercut::lollipop(6.0, 3.0).unwrap(), at(-9.0)),
-        Cut::Plain(Cutter::flat(3.0).unwrap(), at(-6.0)),
+        Cut::Plain(CutterProfile::flat(3.0).unwrap(), at(-6.0)),
     ];
     encloses(20.0 * 37.664_831, plate, &cuts);
 }
 
-fn helix(turns: f64, from: f64) -> Move {
+fn helix(turns: f64, from: f64) -> TipMove {
     let frame = Frame { origin: Vec3::Z * from, ..Frame::IDENTITY };
     let curve: Curve = Arc::new(frame, 6.0, turns * TAU, 3.0 * turns).into();
-    Move { curve, tag: 0 }
+    TipMove { curve, tag: 0 }
 }
 
 /// Three turns of a thread less two, both about the same bore of R13, each known to its bounds.
@@ -89,10 +90,10 @@ fn turns_of_a_thread() {
     let bore = Arc::new(Frame { origin: Vec3::Z * -30.0, ..Frame::IDENTITY }, 8.0, TAU, 0.0);
     let removed = |turns: f64| {
         let mut part = stock([-18.0, -18.0, -30.0], [18.0, 18.0, 0.0], 0.1);
-        part.cut(&Cutter::flat(10.0).unwrap(), &[Move { curve: bore.into(), tag: 0 }]);
+        part.cut(&CutterProfile::flat(10.0).unwrap(), &[TipMove { curve: bore.into(), tag: 0 }]);
         let before = part.left();
         let body = Arc::new(Frame { origin: Vec3::Z * -30.0, ..Frame::IDENTITY }, 3.0, TAU, 0.0);
-        part.cut(&Cutter::flat(10.0).unwrap(), &[Move { curve: body.into(), tag: 0 }]);
+        part.cut(&CutterProfile::flat(10.0).unwrap(), &[TipMove { curve: body.into(), tag: 0 }]);
         let bored = part.left();
         assert!(bored.most <= before.most);
         part.cut_below(&[(0.0, disc.clone())], &[helix(turns, -25.0)]);
@@ -122,7 +123,7 @@ fn depth(undercut: &Undercut, curve: &Curve, at: [f64; 3]) -> f64 {
     (0..=PLACES).map(pose).fold(f64::NEG_INFINITY, f64::max)
 }
 
-fn random_moves(random: &mut Random) -> Vec<Move> {
+fn random_moves(random: &mut Random) -> Vec<TipMove> {
     let mut at =
         || [random.between(-8.0, 8.0), random.between(-8.0, 8.0), random.between(-9.0, -2.0)];
     let (from, to, center) = (at(), at(), at());
@@ -131,8 +132,8 @@ fn random_moves(random: &mut Random) -> Vec<Move> {
     let upright = Frame::from_normal(point(center), Vec3::X, Vec3::Z).unwrap();
     vec![
         line(from, to),
-        Move { curve: arc.into(), tag: 0 },
-        Move { curve: Arc::new(upright, 4.0, 2.0, 0.0).into(), tag: 0 },
+        TipMove { curve: arc.into(), tag: 0 },
+        TipMove { curve: Arc::new(upright, 4.0, 2.0, 0.0).into(), tag: 0 },
     ]
 }
 
@@ -148,16 +149,17 @@ fn places_are_gone_or_left_as_the_columns_say() {
         }
         .unwrap();
         let moves = random_moves(&mut random);
-        let flat = Cutter::flat(4.0).unwrap();
+        let flat = CutterProfile::flat(4.0).unwrap();
         let slot = vec![line([-10.0, 1.0, -4.0], [10.0, -2.0, -3.0])];
         // With much room for gaps, and with none at all: wider bounds, and still bounds.
         let bounds = Aabb { min: point([-12.0; 3]), max: point([12.0, 12.0, 0.0]) };
-        let Err(StockError::TooFine { needed, .. }) = Stock::new(bounds, Options::new(0.25, 1))
+        let Err(StockError::TooFine { needed, .. }) =
+            ColumnStock::new(bounds, ColumnOptions::new(0.25, 1))
         else {
             panic!("columns need more than a byte")
         };
         for budget in [BUDGET, needed] {
-            let mut part = Stock::new(bounds, Options::new(0.25, budget)).unwrap();
+            let mut part = ColumnStock::new(bounds, ColumnOptions::new(0.25, budget)).unwrap();
             part.cut_below(&[(0.0, undercut.clone())], &moves[..2]);
             part.cut(&flat, &slot);
             part.cut_below(&[(0.0, undercut.clone())], &moves[2..]);
@@ -170,7 +172,7 @@ fn places_are_gone_or_left_as_the_columns_say() {
                 let cell = [0, 1].map(|axis| ((at[axis] + 12.0) / 0.25) as u32);
                 let heights = part.heights_at(cell[0], cell[1]).unwrap();
                 let [surely, maybe] = part.gaps_at(cell[0], cell[1]);
-                let within = |spans: &[Span]| {
+                let within = |spans: &[RemovedSpan]| {
                     spans.iter().any(|span| span.floor <= at[2] && at[2] <= span.top)
                 };
                 let inside = moves
@@ -199,35 +201,35 @@ fn a_rapid_in_its_own_gap_touches_nothing() {
     let slot = vec![line([-20.0, 0.0, -12.0], [120.0, 0.0, -12.0])];
     let under = Undercut::t_slot(20.0, 4.0, 9.0).unwrap();
     let mut part = stock([0.0, -30.0, -20.0], [100.0, 30.0, 0.0], 0.2);
-    part.cut(&Cutter::flat(10.0).unwrap(), &slot);
-    let body = Body::of_undercuts(&[(0.0, under.clone())]);
-    let neck = Body::cylinder(9.0, 4.0);
+    part.cut(&CutterProfile::flat(10.0).unwrap(), &slot);
+    let body = RevolvedBody::of_undercuts(&[(0.0, under.clone())]);
+    let neck = RevolvedBody::cylinder(9.0, 4.0);
     // Before the gap is cut, the disc meets both sides of the slot.
     let back = [line([120.0, 0.0, -12.0], [-20.0, 0.0, -12.0])];
     let before = part.touch(&body, &back)[0];
     assert!(
-        matches!(before.touch(0.01), Touch::Hit { least, most, .. } if least > 3.99 && most < 4.01)
+        matches!(before.touch(0.01), TouchAnswer::Hit { least, most, .. } if least > 3.99 && most < 4.01)
     );
     let found = part.cut_watching_below(&[(0.0, under)], std::slice::from_ref(&neck), &slot);
-    assert_eq!(found[0][0].touch(0.01), Touch::Clean, "{:?}", found[0][0]);
+    assert_eq!(found[0][0].touch(0.01), TouchAnswer::Clean, "{:?}", found[0][0]);
     // As wide as the gap it cannot be decided; a little smaller it can.
     let smaller = Undercut::t_slot(19.0, 3.8, 8.0).unwrap();
-    let smaller = Body::of_undercuts(&[(0.1, smaller)]);
-    assert_eq!(part.touch(&smaller, &back)[0].touch(0.01), Touch::Clean);
+    let smaller = RevolvedBody::of_undercuts(&[(0.1, smaller)]);
+    assert_eq!(part.touch(&smaller, &back)[0].touch(0.01), TouchAnswer::Clean);
     // Up inside of the slot the disc meets the roof beside it.
     let up = [line([50.0, 0.0, -12.0], [50.0, 0.0, 20.0])];
     let hit = part.touch(&body, &up)[0];
-    assert!(matches!(hit.touch(0.01), Touch::Hit { least, .. } if least > 7.99), "{hit:?}");
+    assert!(matches!(hit.touch(0.01), TouchAnswer::Hit { least, .. } if least > 7.99), "{hit:?}");
     // A little to the side the neck does, too.
     let aside = [line([50.0, 0.0, -12.0], [50.0, 3.0, -12.0])];
-    assert!(matches!(part.touch(&neck, &aside)[0].touch(0.01), Touch::Hit { .. }));
+    assert!(matches!(part.touch(&neck, &aside)[0].touch(0.01), TouchAnswer::Hit { .. }));
 }
 
 #[test]
 fn a_neck_is_compared_with_what_its_edges_leave() {
     let under = Undercut::t_slot(20.0, 4.0, 9.0).unwrap();
-    let neck = Body::cylinder(9.0, 4.0);
-    let watched = |moves: &[Move]| {
+    let neck = RevolvedBody::cylinder(9.0, 4.0);
+    let watched = |moves: &[TipMove]| {
         let mut part = stock([0.0, -30.0, -20.0], [100.0, 30.0, 0.0], 0.25);
         let found =
             part.cut_watching_below(&[(0.0, under.clone())], std::slice::from_ref(&neck), moves);
@@ -235,23 +237,23 @@ fn a_neck_is_compared_with_what_its_edges_leave() {
     };
     // Down from above the disc makes room for its neck; from the side at depth it does not.
     let down = watched(&path(&[[50.0, 0.0, 5.0], [50.0, 0.0, -12.0]]));
-    assert_eq!(down, [Touch::Clean]);
+    assert_eq!(down, [TouchAnswer::Clean]);
     let into = watched(&path(&[[-15.0, 0.0, -12.0], [50.0, 0.0, -12.0]]));
-    assert!(matches!(into[0], Touch::Hit { least, .. } if least > 7.9), "{into:?}");
+    assert!(matches!(into[0], TouchAnswer::Hit { least, .. } if least > 7.9), "{into:?}");
     // On the way up it meets the roof before the disc does.
     let up = watched(&path(&[[-15.0, 0.0, -12.0], [50.0, 0.0, 1.0]]));
-    assert!(matches!(up[0], Touch::Hit { .. }), "{up:?}");
+    assert!(matches!(up[0], TouchAnswer::Hit { .. }), "{up:?}");
 }
 
 #[test]
 fn volumes_by_tag_and_threads() {
     let under = Undercut::t_slot(20.0, 4.0, 9.0).unwrap();
     let (z, tags) = (-12.0, [1, 2]);
-    let along = |y: f64, tag: u32| Move { tag, ..line([-20.0, y, z], [120.0, y, z]) };
+    let along = |y: f64, tag: u32| TipMove { tag, ..line([-20.0, y, z], [120.0, y, z]) };
     let moves = [along(0.0, tags[0]), along(15.0, tags[1])];
     let bounds = Aabb { min: point([0.0, -30.0, -20.0]), max: point([100.0, 30.0, 0.0]) };
-    let options = Options { by_tag: true, ..Options::new(0.25, BUDGET) };
-    let mut part = Stock::new(bounds, options).unwrap();
+    let options = ColumnOptions { by_tag: true, ..ColumnOptions::new(0.25, BUDGET) };
+    let mut part = ColumnStock::new(bounds, options).unwrap();
     let mut other = part.clone();
     part.cut_below(&[(0.0, under.clone())], &moves);
     let by_tag = part.removed_by_tag();
@@ -263,7 +265,8 @@ fn volumes_by_tag_and_threads() {
     }
     // Tiles in another order: the same bits.
     let undercuts = [(0.0, under)];
-    let task = chordal_stock::Task { undercuts: &undercuts, moves: &moves, ..Default::default() };
+    let task =
+        chordal_stock::StockTask { undercuts: &undercuts, moves: &moves, ..Default::default() };
     let plan = other.plan(&task);
     other.jobs(&plan).into_iter().rev().for_each(|job| drop(job.run()));
     assert_eq!(part.left(), other.left());
@@ -277,23 +280,23 @@ fn volumes_by_tag_and_threads() {
 fn stock_that_is_hollow_from_below_is_cut_into_its_hollow() {
     // 40 × 20 × 20 mm; from x = 20 on 8 mm are missing below.
     let bounds = Aabb::of_points(Vec3::new(0.0, 0.0, -20.0), Vec3::new(40.0, 20.0, 0.0));
-    let mut stock = Stock::new(bounds, Options::new(0.5, 100_000_000)).unwrap();
+    let mut stock = ColumnStock::new(bounds, ColumnOptions::new(0.5, 100_000_000)).unwrap();
     stock.hollow(&|[low, _]| {
         let spans = if low[0] >= 20.0 - 1e-9 {
-            vec![Span { floor: -20.0, top: -12.0 }]
+            vec![RemovedSpan { floor: -20.0, top: -12.0 }]
         } else {
             Vec::new()
         };
         [spans.clone(), spans]
     });
     let whole = 40.0 * 20.0 * 20.0 - 20.0 * 20.0 * 8.0;
-    let Amount { least, most } = stock.left();
+    let VolumeInterval { least, most } = stock.left();
     assert!((least - whole).abs() < 0.1 && (most - whole).abs() < 0.1, "{least} {most}");
     assert_eq!(stock.removed().most, 0.0);
     // A slot of 10 mm, 15 deep: through the roof of the hollow, which is 12 thick.
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     let slot = Line::new(Vec3::new(-20.0, 10.0, -15.0), Vec3::new(60.0, 10.0, -15.0));
-    stock.cut(&flat, &[Move { curve: slot.into(), tag: 0 }]);
+    stock.cut(&flat, &[TipMove { curve: slot.into(), tag: 0 }]);
     let removed = stock.removed();
     let truth = 10.0 * (20.0 * 15.0 + 20.0 * 12.0);
     assert!(removed.least <= truth && truth <= removed.most, "{removed:?}");
@@ -301,6 +304,6 @@ fn stock_that_is_hollow_from_below_is_cut_into_its_hollow() {
     assert!(removed.most - removed.least < 4.0 * 0.5 * truth / 10.0 + 1.0, "{removed:?}");
     // The hollow is open there, and closed beside the slot.
     assert_eq!(stock.heights_at(60, 20).unwrap().outer, -20.0);
-    assert_eq!(stock.gaps_at(60, 2)[0], [Span { floor: -20.0, top: -12.0 }]);
+    assert_eq!(stock.gaps_at(60, 2)[0], [RemovedSpan { floor: -20.0, top: -12.0 }]);
     assert!(stock.gaps_at(60, 20)[0].is_empty());
 }

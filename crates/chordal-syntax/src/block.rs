@@ -6,7 +6,7 @@ use crate::Decimal;
 
 /// What stands after an address letter.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Value {
+pub enum WordValue {
     /// A literal.
     Number(Decimal),
     /// The value of a register (`X+R3`), with its sign.
@@ -32,7 +32,7 @@ pub struct Word {
     /// A comma stood before the letter (`,R1.`: corner radius).
     pub comma: bool,
     /// The value.
-    pub value: Value,
+    pub value: WordValue,
     /// Letter and value in the text.
     pub range: TextRange,
 }
@@ -42,7 +42,7 @@ impl Word {
     #[inline]
     pub fn number(&self) -> Option<Decimal> {
         match self.value {
-            Value::Number(number) => Some(number),
+            WordValue::Number(number) => Some(number),
             _ => None,
         }
     }

@@ -30,16 +30,17 @@ mod programs;
 mod reader;
 mod statement;
 
-pub use block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
+pub use block::{Block, BlockDelete, BlockKind, Letters, Word, WordValue};
 pub use decimal::Decimal;
 pub use encoding::{Decoded, Encoding, decode};
 pub use expression::{
-    Brackets, Expression, ExpressionParser, Function, MacroGrammar, Op, Operator, OperatorRow, Step,
+    BracketStyle, Expression, ExpressionParser, ExpressionStep, Function, MacroGrammar, Operator,
+    OperatorRow, StackOp,
 };
 pub use lexicon::{Lexicon, ParenthesisComment, Semicolon};
 pub use line_statement::{LineStatement, PrintItem, parse_line_statement};
 pub use oword::{FlowWord, OLabel, OWord, parse_o_word};
 pub use program_name::{is_program_name, scan_program_name};
 pub use programs::{ProgramHead, find_programs};
-pub use reader::{BlockReader, Position};
-pub use statement::{Branch, Output, Statement, Target, parse_statement};
+pub use reader::{BlockPosition, BlockReader};
+pub use statement::{AssignTarget, ConditionBranch, MacroStatement, OutputCode, parse_statement};

@@ -2,8 +2,8 @@
 
 use chordal_diagnostics::{Code, TextRange};
 
-use crate::expression::{Expression, ExpressionParser, Op};
-use crate::statement::Target;
+use crate::expression::{Expression, ExpressionParser, StackOp};
+use crate::statement::AssignTarget;
 
 /// A piece of PRINT.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -22,7 +22,7 @@ pub enum LineStatement {
     /// `V1=…`.
     Assign {
         /// What is written to.
-        target: Target,
+        target: AssignTarget,
         /// The value.
         value: Expression,
     },
@@ -44,9 +44,9 @@ pub enum LineStatement {
         holds: bool,
     },
     /// `INPUT V1`.
-    Input(Vec<Target>),
+    Input(Vec<AssignTarget>),
     /// `CLEAR V3-V7,V15`: pairs of the first and the last variable.
-    Clear(Vec<(Target, Target)>),
+    Clear(Vec<(AssignTarget, AssignTarget)>),
     /// `SET RADIANS`, `SET DEGREES`.
     SetRadians(bool),
     /// `SET RND3`.
@@ -132,10 +132,10 @@ fn label(parser: &mut ExpressionParser<'_>) -> TextRange {
     range
 }
 
-fn target(parser: &mut ExpressionParser<'_>) -> Option<Target> {
+fn target(parser: &mut ExpressionParser<'_>) -> Option<AssignTarget> {
     let (index, kind) = parser.variable();
-    let kind = kind.filter(|kind| matches!(kind, Op::Letters(_)))?;
-    Some(Target { index, kind, range: index.range })
+    let kind = kind.filter(|kind| matches!(kind, StackOp::Letters(_)))?;
+    Some(AssignTarget { index, kind, range: index.range })
 }
 
 fn assignment(parser: &mut ExpressionParser<'_>, start: u32) -> LineStatement {

@@ -5,7 +5,7 @@ use chordal_diagnostics::{TextRange, line_ends};
 use crate::alignment::is_alignment_number;
 use crate::lexicon::{Lexicon, Semicolon};
 use crate::program_name::{is_program_name, scan_program_name};
-use crate::reader::Position;
+use crate::reader::BlockPosition;
 
 /// A program of a file: its head and the text up to the next head.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -15,7 +15,7 @@ pub struct ProgramHead {
     /// The head's own words.
     pub head: TextRange,
     /// Where the program begins (its head's line).
-    pub start: Position,
+    pub start: BlockPosition,
     /// Where it ends: the next head, or the end of the file.
     pub end: u32,
 }
@@ -37,7 +37,7 @@ pub fn find_programs(text: &[u8], lexicon: &Lexicon) -> Vec<ProgramHead> {
         return vec![nameless(text.len() as u32)];
     }
     let mut heads: Vec<ProgramHead> = Vec::new();
-    let mut counted = Position { offset: 0, line: 1 };
+    let mut counted = BlockPosition { offset: 0, line: 1 };
     let named = lexicon.named_programs.then(|| memchr::memchr_iter(b'<', text));
     let mut named = named.into_iter().flatten().peekable();
     let mut numbered = memchr::memchr3_iter(b'O', b'o', b':', text).peekable();
@@ -70,7 +70,7 @@ pub fn find_programs(text: &[u8], lexicon: &Lexicon) -> Vec<ProgramHead> {
 }
 
 fn nameless(end: u32) -> ProgramHead {
-    let start = Position { offset: 0, line: 1 };
+    let start = BlockPosition { offset: 0, line: 1 };
     ProgramHead { number: None, head: TextRange::default(), start, end }
 }
 
@@ -110,10 +110,10 @@ fn head_at(text: &[u8], at: usize, lexicon: &Lexicon) -> Option<(usize, u32, usi
 }
 
 /// Counts the lines from a known position on.
-fn advance(text: &[u8], from: Position, to: u32) -> Position {
+fn advance(text: &[u8], from: BlockPosition, to: u32) -> BlockPosition {
     let part = &text[from.offset as usize..to as usize];
     let ends = line_ends(part).count();
-    Position { offset: to, line: from.line + ends as u32 }
+    BlockPosition { offset: to, line: from.line + ends as u32 }
 }
 
 /// True when a text holds words, not only comments, percent and folder lines.

@@ -10,13 +10,13 @@ use chordal_diagnostics::{
 };
 
 use crate::alignment::is_alignment_number;
-use crate::block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
+use crate::block::{Block, BlockDelete, BlockKind, Letters, Word, WordValue};
 use crate::decimal::{self, Decimal};
 use crate::lexicon::{Lexicon, ParenthesisComment, Semicolon};
 
 /// A place between two blocks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Position {
+pub struct BlockPosition {
     /// Offset in the text.
     pub offset: u32,
     /// Line of the file, from 1.
@@ -45,7 +45,7 @@ const PROBLEMS_PER_BLOCK: usize = 8;
 const LONGEST_NESTED: usize = 1024;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Class {
+enum CharClass {
     Letter,
     Blank,
     Digit,
@@ -53,17 +53,17 @@ enum Class {
     LineEnd,
 }
 
-const CLASSES: [Class; 256] = {
-    let mut table = [Class::Other; 256];
+const CLASSES: [CharClass; 256] = {
+    let mut table = [CharClass::Other; 256];
     let mut byte = 0;
     while byte < 256 {
         table[byte] = match byte as u8 {
-            b'A'..=b'Z' | b'a'..=b'z' => Class::Letter,
+            b'A'..=b'Z' | b'a'..=b'z' => CharClass::Letter,
             // NUL pads tapes and memories; DC1–DC4 start and stop a punch; 1A ended files.
-            b' ' | b'\t' | 0 | 0x0b | 0x0c | 0x11..=0x14 | 0x1a | 0x7f => Class::Blank,
-            b'0'..=b'9' | b'.' | b'+' | b'-' => Class::Digit,
-            b'\n' | b'\r' => Class::LineEnd,
-            _ => Class::Other,
+            b' ' | b'\t' | 0 | 0x0b | 0x0c | 0x11..=0x14 | 0x1a | 0x7f => CharClass::Blank,
+            b'0'..=b'9' | b'.' | b'+' | b'-' => CharClass::Digit,
+            b'\n' | b'\r' => CharClass::LineEnd,
+            _ => CharClass::Other,
         };
         byte += 1;
     }
@@ -96,12 +96,12 @@ impl<'a> BlockReader<'a> {
     }
 
     /// Where the next block begins.
-    pub fn position(&self) -> Position {
-        Position { offset: self.at as u32, line: self.line }
+    pub fn position(&self) -> BlockPosition {
+        BlockPosition { offset: self.at as u32, line: self.line }
     }
 
     /// Goes to a place that [`position`](Self::position) gave.
-    pub fn seek(&mut self, position: Position) {
+    pub fn seek(&mut self, position: BlockPosition) {
         self.at = (position.offset as usize).min(self.end);
         self.line = position.line;
     }
@@ -139,19 +139,19 @@ impl<'a> BlockReader<'a> {
         let text = &self.text[..self.end];
         while let Some(&byte) = text.get(self.at) {
             match CLASSES[byte as usize] {
-                Class::Letter => {
+                CharClass::Letter => {
                     if !self.read_word(block, byte & !0x20, false) {
                         break;
                     }
                 }
-                Class::Blank => self.at += 1,
-                Class::LineEnd => {
+                CharClass::Blank => self.at += 1,
+                CharClass::LineEnd => {
                     block.range.end = self.at as u32;
                     self.skip_line_end();
                     return;
                 }
-                Class::Digit => self.lone_number(block),
-                Class::Other => {
+                CharClass::Digit => self.lone_number(block),
+                CharClass::Other => {
                     if !self.read_mark(block, byte) {
                         return;
                     }
@@ -244,7 +244,7 @@ impl<'a> BlockReader<'a> {
     fn end_of_block_follows(&mut self) -> bool {
         let rest = &self.text[self.at + 1..self.end];
         let blanks =
-            rest.iter().take_while(|byte| CLASSES[**byte as usize] == Class::Blank).count();
+            rest.iter().take_while(|byte| CLASSES[**byte as usize] == CharClass::Blank).count();
         let follows =
             self.lexicon.semicolon == Semicolon::EndOfBlock && rest.get(blanks) == Some(&b';');
         if follows {
@@ -257,7 +257,7 @@ impl<'a> BlockReader<'a> {
     fn ends_tape_here(&self) -> bool {
         let rest = &self.text[self.at + 1..self.end];
         let blanks =
-            rest.iter().take_while(|byte| CLASSES[usize::from(**byte)] == Class::Blank).count();
+            rest.iter().take_while(|byte| CLASSES[usize::from(**byte)] == CharClass::Blank).count();
         self.lexicon.semicolon == Semicolon::EndOfBlock
             && rest.get(blanks).is_none_or(|byte| matches!(byte, b'\n' | b'\r' | b';'))
     }
@@ -389,7 +389,13 @@ impl<'a> BlockReader<'a> {
             let start = self.at;
             self.at += 1 + length;
             let range = TextRange::new(start as u32, self.at as u32);
-            block.push(Word { letter, register: None, comma, value: Value::Number(number), range });
+            block.push(Word {
+                letter,
+                register: None,
+                comma,
+                value: WordValue::Number(number),
+                range,
+            });
             return true;
         }
         self.read_any_word(block, letter, comma)
@@ -410,7 +416,7 @@ impl<'a> BlockReader<'a> {
         let mut register = None;
         let text = &self.text[..self.end];
         while let Some(&byte) = text.get(self.at)
-            && CLASSES[byte as usize] == Class::Blank
+            && CLASSES[byte as usize] == CharClass::Blank
         {
             self.at += 1;
         }
@@ -426,7 +432,7 @@ impl<'a> BlockReader<'a> {
                 if self.lexicon.blanks_in_numbers {
                     self.more_digits(number)
                 } else {
-                    Value::Number(number)
+                    WordValue::Number(number)
                 }
             }
             _ => match self.loose_number().or_else(|| self.unusual_value(block, letter, start)) {
@@ -446,7 +452,7 @@ impl<'a> BlockReader<'a> {
         // `R.05` and `R10.` without a sign are values of register 0.
         if digit.is_ascii_digit() && !next.is_ascii_digit() && next != b'.' {
             self.at += 1;
-            while CLASSES[self.peek() as usize] == Class::Blank && self.at < self.end {
+            while CLASSES[self.peek() as usize] == CharClass::Blank && self.at < self.end {
                 self.at += 1;
             }
             return digit - b'0';
@@ -456,12 +462,12 @@ impl<'a> BlockReader<'a> {
 
     /// Digits after blanks belong to the number where the lexicon says so.
     #[cold]
-    fn more_digits(&mut self, number: Decimal) -> Value {
+    fn more_digits(&mut self, number: Decimal) -> WordValue {
         let line = &self.text[self.at..self.end];
         let blanks = line.iter().take_while(|b| **b == b' ' || **b == b'\t').count();
         let next = line.get(blanks).copied().unwrap_or(b'\n');
         if blanks == 0 || !(next.is_ascii_digit() || next == b'.' && !number.has_point) {
-            return Value::Number(number);
+            return WordValue::Number(number);
         }
         let taken =
             line.iter().take_while(|b| b.is_ascii_digit() || matches!(b, b'.' | b' ' | b'\t'));
@@ -477,16 +483,16 @@ impl<'a> BlockReader<'a> {
             Some(whole) => {
                 self.at += taken;
                 let mantissa = if number.negative { -whole.mantissa } else { whole.mantissa };
-                Value::Number(Decimal { mantissa, negative: number.negative, ..whole })
+                WordValue::Number(Decimal { mantissa, negative: number.negative, ..whole })
             }
-            None => Value::Number(number),
+            None => WordValue::Number(number),
         }
     }
 
     /// Signs and digits with blanks between them, in any count (`x--1`, `y - 2`), where the lexicon
     /// says so. Digits beyond the eighteenth are dropped.
     #[cold]
-    fn loose_number(&mut self) -> Option<Value> {
+    fn loose_number(&mut self) -> Option<WordValue> {
         if !self.lexicon.blanks_in_numbers {
             return None;
         }
@@ -505,17 +511,17 @@ impl<'a> BlockReader<'a> {
         let number = Decimal::parse_long(&digits)?;
         self.at += line[..end].trim_ascii_end().len();
         let mantissa = if negative { -number.mantissa } else { number.mantissa };
-        Some(Value::Number(Decimal { mantissa, negative, ..number }))
+        Some(WordValue::Number(Decimal { mantissa, negative, ..number }))
     }
 
     /// Everything after a letter that is not a plain number. `None` when the line turned
     /// out to be a macro statement.
     #[cold]
-    fn unusual_value(&mut self, block: &mut Block, letter: u8, start: usize) -> Option<Value> {
+    fn unusual_value(&mut self, block: &mut Block, letter: u8, start: usize) -> Option<WordValue> {
         if letter == b'N'
             && let Some(number) = self.number_of_packed_block()
         {
-            return Some(Value::Number(number));
+            return Some(WordValue::Number(number));
         }
         let text = &self.text[..self.end];
         let rest = &text[self.at..];
@@ -546,7 +552,7 @@ impl<'a> BlockReader<'a> {
                     // `X+R6.`: a point that means nothing.
                     let more = rest.get(sign + 3).is_some_and(u8::is_ascii_digit);
                     self.at += usize::from(rest.get(sign + 2) == Some(&b'.') && !more);
-                    return Some(Value::Register {
+                    return Some(WordValue::Register {
                         index: digit - b'0',
                         negative: rest[0] == b'-',
                     });
@@ -563,10 +569,10 @@ impl<'a> BlockReader<'a> {
         if !do_loop && let Some(value) = self.letter_for_digit(block, start) {
             return Some(value);
         }
-        let begins_number = rest.first().is_some_and(|b| CLASSES[*b as usize] == Class::Digit);
+        let begins_number = rest.first().is_some_and(|b| CLASSES[*b as usize] == CharClass::Digit);
         if begins_number {
             self.bad_number(block, start);
-            return Some(Value::Missing);
+            return Some(WordValue::Missing);
         }
         // Two letters in a row are a keyword (IF, WHILE, DPRNT, sub): a macro statement.
         if rest.first().is_some_and(u8::is_ascii_alphabetic) && self.keyword(start) {
@@ -583,6 +589,6 @@ impl<'a> BlockReader<'a> {
                 .label("this letter needs a number")
                 .help(format!("write the number, or remove the `{name}`"))
         });
-        Some(Value::Missing)
+        Some(WordValue::Missing)
     }
 }

@@ -2,22 +2,22 @@
 
 use chordal_diagnostics::{Code, TextRange};
 
-use crate::expression::{Expression, ExpressionParser, Op};
+use crate::expression::{Expression, ExpressionParser, StackOp};
 
 /// What is written to.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Target {
+pub struct AssignTarget {
     /// The number of the variable; empty for a named one.
     pub index: Expression,
-    /// What kind of variable: [`Op::Read`], [`Op::ReadNamed`] or [`Op::Letters`].
-    pub kind: Op,
+    /// What kind of variable: [`StackOp::Read`], [`StackOp::ReadNamed`] or [`StackOp::Letters`].
+    pub kind: StackOp,
     /// Its text.
     pub range: TextRange,
 }
 
 /// What follows a condition.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Branch {
+pub enum ConditionBranch {
     /// GOTO.
     Goto(Expression),
     /// THEN: what follows on the line.
@@ -28,7 +28,7 @@ pub enum Branch {
 
 /// Codes of output.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Output {
+pub enum OutputCode {
     /// POPEN.
     Open,
     /// PCLOS.
@@ -41,13 +41,13 @@ pub enum Output {
 
 /// One macro statement.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Statement {
+pub enum MacroStatement {
     /// Nothing.
     Empty,
     /// `#1=…`.
     Assign {
         /// What is written to.
-        target: Target,
+        target: AssignTarget,
         /// The value.
         value: Expression,
         /// The text in brackets that hugs it (`#3000=1(TEXT)`), without the brackets.
@@ -58,7 +58,7 @@ pub enum Statement {
         /// The condition.
         condition: Expression,
         /// What it decides.
-        branch: Branch,
+        branch: ConditionBranch,
     },
     /// GOTO.
     Goto(Expression),
@@ -72,23 +72,23 @@ pub enum Statement {
     /// `ENDn`.
     End(u32),
     /// POPEN, PCLOS, DPRNT, BPRNT.
-    Output(Output),
+    Output(OutputCode),
     /// Something that is not a statement of this control; reported as a problem.
     Unknown(TextRange),
 }
 
 /// Reads the next statement of a macro B line; what comes after it stays to be read
 /// ([`ExpressionParser::rest`]). Problems are left in the parser.
-pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> Statement {
+pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> MacroStatement {
     let mark = parser.next_mark();
     let start = parser.position();
     match mark {
         b'#' => return assignment(parser),
         b'[' => {
             let condition = parser.value();
-            return Statement::If { condition, branch: Branch::Rest };
+            return MacroStatement::If { condition, branch: ConditionBranch::Rest };
         }
-        _ if !mark.is_ascii_alphabetic() => return Statement::Empty,
+        _ if !mark.is_ascii_alphabetic() => return MacroStatement::Empty,
         _ => {}
     }
     let short = parser.grammar.abbreviations;
@@ -99,14 +99,14 @@ pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> Statement {
         return while_loop(parser);
     }
     if parser.take_text("GOTO") || short && parser.take_text("GO") {
-        return Statement::Goto(parser.expression());
+        return MacroStatement::Goto(parser.expression());
     }
     if parser.take_text("ENDIF") || parser.take_text("ELSE") || parser.take_text("THEN") {
         return unknown(parser, start, "this control has no IF block over several lines");
     }
     if parser.take_text("END") {
         return match loop_number(parser) {
-            Some(number) => Statement::End(number),
+            Some(number) => MacroStatement::End(number),
             None => bad_loop_number(parser, start),
         };
     }
@@ -114,16 +114,16 @@ pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> Statement {
         return do_number(parser, None, start);
     }
     if parser.take_text("POPEN") {
-        return Statement::Output(Output::Open);
+        return MacroStatement::Output(OutputCode::Open);
     }
     if parser.take_text("PCLOS") {
-        return Statement::Output(Output::Close);
+        return MacroStatement::Output(OutputCode::Close);
     }
     if parser.take_text("DPRNT") {
-        return output(parser, start, Output::Text);
+        return output(parser, start, OutputCode::Text);
     }
     if parser.take_text("BPRNT") {
-        return output(parser, start, Output::Binary);
+        return output(parser, start, OutputCode::Binary);
     }
     // Names for variables on the screen: `SETVN500[DEPTH,WIDTH]`.
     if parser.take_text("SETVN") {
@@ -132,7 +132,7 @@ pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> Statement {
     unknown(parser, start, "no macro statement of this control begins like this")
 }
 
-fn assignment(parser: &mut ExpressionParser<'_>) -> Statement {
+fn assignment(parser: &mut ExpressionParser<'_>) -> MacroStatement {
     let start = parser.position();
     let (index, kind) = parser.variable();
     let range = index.range;
@@ -142,7 +142,7 @@ fn assignment(parser: &mut ExpressionParser<'_>) -> Statement {
     }
     let value = parser.expression();
     let text = hugging_text(parser);
-    Statement::Assign { target: Target { index, kind, range }, value, text }
+    MacroStatement::Assign { target: AssignTarget { index, kind, range }, value, text }
 }
 
 /// The comment right after the value.
@@ -157,7 +157,7 @@ fn hugging_text(parser: &mut ExpressionParser<'_>) -> Option<TextRange> {
     Some(TextRange::new(start as u32, (start + length) as u32))
 }
 
-fn condition(parser: &mut ExpressionParser<'_>) -> Statement {
+fn condition(parser: &mut ExpressionParser<'_>) -> MacroStatement {
     let start = parser.position();
     if parser.next_mark() != b'[' {
         return unknown(parser, start, "the condition belongs in brackets: `IF[#1EQ2]`");
@@ -165,10 +165,13 @@ fn condition(parser: &mut ExpressionParser<'_>) -> Statement {
     let condition = parser.value();
     let short = parser.grammar.abbreviations;
     if parser.take_text("GOTO") || short && parser.take_text("GO") {
-        return Statement::If { condition, branch: Branch::Goto(parser.expression()) };
+        return MacroStatement::If {
+            condition,
+            branch: ConditionBranch::Goto(parser.expression()),
+        };
     }
     if parser.take_text("THEN") {
-        return Statement::If { condition, branch: Branch::Then };
+        return MacroStatement::If { condition, branch: ConditionBranch::Then };
     }
     if !parser.problems.is_empty() {
         return unknown_quietly(parser, start);
@@ -178,10 +181,10 @@ fn condition(parser: &mut ExpressionParser<'_>) -> Statement {
     parser.problem(Code::BadStatement, TextRange::new(at, end.max(at)), |d| {
         d.label("GOTO or THEN is missing here").help("write `IF[…]GOTO 10`, or `IF[…]THEN #1=2`")
     });
-    Statement::Unknown(TextRange::new(start, end))
+    MacroStatement::Unknown(TextRange::new(start, end))
 }
 
-fn while_loop(parser: &mut ExpressionParser<'_>) -> Statement {
+fn while_loop(parser: &mut ExpressionParser<'_>) -> MacroStatement {
     let start = parser.position();
     if parser.next_mark() != b'[' {
         return unknown(parser, start, "the condition belongs in brackets: `WHILE[#1LT5]DO1`");
@@ -198,9 +201,9 @@ fn do_number(
     parser: &mut ExpressionParser<'_>,
     condition: Option<Expression>,
     start: u32,
-) -> Statement {
+) -> MacroStatement {
     match loop_number(parser) {
-        Some(number) => Statement::While { condition, number },
+        Some(number) => MacroStatement::While { condition, number },
         None => bad_loop_number(parser, start),
     }
 }
@@ -218,15 +221,15 @@ fn loop_number(parser: &mut ExpressionParser<'_>) -> Option<u32> {
     Some(rest[..digits].iter().fold(0, |sum, b| sum * 10 + u32::from(b - b'0')))
 }
 
-fn bad_loop_number(parser: &mut ExpressionParser<'_>, start: u32) -> Statement {
+fn bad_loop_number(parser: &mut ExpressionParser<'_>, start: u32) -> MacroStatement {
     unknown(parser, start, "DO and END need a number without a leading zero: `DO1`, `END1`")
 }
 
 fn output(
     parser: &mut ExpressionParser<'_>,
     start: u32,
-    make: fn(TextRange) -> Output,
-) -> Statement {
+    make: fn(TextRange) -> OutputCode,
+) -> MacroStatement {
     if parser.next_mark() != b'[' {
         return unknown(parser, start, "the text belongs in brackets: `DPRNT[X#1[44]]`");
     }
@@ -241,25 +244,25 @@ fn output(
         parser.at += 1;
         if depth == 0 {
             let range = TextRange::new(text as u32, parser.at as u32 - 1);
-            return Statement::Output(make(range));
+            return MacroStatement::Output(make(range));
         }
     }
     unknown(parser, start, "the bracket of this text is not closed")
 }
 
-fn names_of_variables(parser: &mut ExpressionParser<'_>, start: u32) -> Statement {
+fn names_of_variables(parser: &mut ExpressionParser<'_>, start: u32) -> MacroStatement {
     let names = &parser.text[parser.at..parser.end];
     match names.iter().position(|byte| *byte == b']') {
         Some(close) if names.contains(&b'[') => {
             parser.at += close + 1;
-            Statement::Empty
+            MacroStatement::Empty
         }
         _ => unknown(parser, start, "the names belong in brackets: `SETVN500[DEPTH,WIDTH]`"),
     }
 }
 
 /// Passes over the rest of the line.
-fn unknown(parser: &mut ExpressionParser<'_>, start: u32, why: &str) -> Statement {
+fn unknown(parser: &mut ExpressionParser<'_>, start: u32, why: &str) -> MacroStatement {
     parser.at = parser.end;
     let mut end = parser.end as u32;
     let text = parser.text;
@@ -268,14 +271,14 @@ fn unknown(parser: &mut ExpressionParser<'_>, start: u32, why: &str) -> Statemen
     }
     let range = TextRange::new(start, end);
     parser.problem(Code::BadStatement, range, |d| d.label("passed over").help(why));
-    Statement::Unknown(range)
+    MacroStatement::Unknown(range)
 }
 
 /// The same where the problem is reported already.
-fn unknown_quietly(parser: &mut ExpressionParser<'_>, start: u32) -> Statement {
+fn unknown_quietly(parser: &mut ExpressionParser<'_>, start: u32) -> MacroStatement {
     if parser.problems.is_empty() {
         return unknown(parser, start, "a macro statement is an assignment, IF, WHILE, GOTO, END");
     }
     parser.at = parser.end;
-    Statement::Unknown(TextRange::new(start, parser.end as u32))
+    MacroStatement::Unknown(TextRange::new(start, parser.end as u32))
 }

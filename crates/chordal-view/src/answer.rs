@@ -3,12 +3,12 @@
 use chordal::control::AxisMask;
 use chordal::diagnostics::{Applicability, FileId, Fix, Span};
 use chordal::geometry::Vec3;
-use chordal::machine::{Axis, Solid, ToolShape, Turns};
+use chordal::machine::{Axis, HolderSegment, RotaryTarget, ToolShape};
 use chordal::stock::StockRunError;
 use chordal::time::{TimeReport, Times};
 use chordal::tool_comments::known_tools;
 use chordal::{Diagnostic, Job, Report, SourceMap};
-use chordal_editor::Places;
+use chordal_editor::LineColumnIndex;
 use chordal_export::{GIVE_OFFSETS, left_out_texts};
 use serde_json::{Value, json};
 
@@ -120,7 +120,7 @@ fn fix(fix: &Fix, spots: &mut Spots<'_, '_>) -> Value {
 /// Places of problems, which mostly follow one another.
 struct Spots<'s, 't> {
     sources: &'s SourceMap<'t>,
-    last: Option<(FileId, Places<'s, 't>)>,
+    last: Option<(FileId, LineColumnIndex<'s, 't>)>,
 }
 
 impl Spots<'_, '_> {
@@ -130,7 +130,7 @@ impl Spots<'_, '_> {
         let Some(source) = source else { return Value::Null };
         let places = match &mut self.last {
             Some((file, places)) if *file == span.file => places,
-            last => &mut last.insert((span.file, Places::of(source))).1,
+            last => &mut last.insert((span.file, LineColumnIndex::of(source))).1,
         };
         let (line, column) = places.at(span.range.start);
         let (end_line, end_column) = places.at(span.range.end.max(span.range.start));
@@ -153,7 +153,7 @@ pub fn machine(job: &Job) -> Value {
     let rotary = [Axis::A, Axis::B, Axis::C].into_iter().zip(&machine.rotary).map(|(axis, own)| {
         json!({
             "letter": axis.letter().to_string(),
-            "turns": own.turns.map(Turns::as_str),
+            "turns": own.turns.map(RotaryTarget::as_str),
             "reversed": own.reversed,
             "center_mm": own.center_mm.map(|mm| mm.unwrap_or(0.0)),
         })
@@ -201,7 +201,7 @@ pub fn machine(job: &Job) -> Value {
 }
 
 /// Height, lower and upper diameter, mm.
-fn solid(solid: &Solid) -> [f64; 3] {
+fn solid(solid: &HolderSegment) -> [f64; 3] {
     [solid.height_mm, solid.lower_mm, solid.upper_mm]
 }
 

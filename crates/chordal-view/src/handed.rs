@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use chordal::control::initial_offset;
-use chordal::path::Frame;
+use chordal::path::ProgramFrame;
 use serde::{Deserialize, Serialize};
 
 use crate::document::Document;
@@ -125,7 +125,7 @@ impl View {
         };
         let program = Arc::new(self.programs.open(text, machine.as_deref())?);
         let (offset, known) = initial_offset(program.machine(), program.control());
-        let modal = ModalTrack::new(program.control(), Frame::new(offset, known));
+        let modal = ModalTrack::new(program.control(), ProgramFrame::new(offset, known));
         let (RanElsewhere { number, rows, about_s, .. }, mut held) = (ran, self.held());
         held.opened = Some(program.clone());
         let about_s = about_s.unwrap_or(f64::INFINITY);
@@ -139,7 +139,7 @@ mod tests {
     use std::sync::Mutex;
 
     use chordal::Machine;
-    use chordal_editor::Program;
+    use chordal_editor::EditorProgram;
     use serde_json::Value;
 
     use super::*;
@@ -160,11 +160,12 @@ mod tests {
             Ok(TEXT.into())
         }
 
-        fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
+        fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<EditorProgram, Refusal> {
             let machine = Machine::from_builtin(machine.unwrap_or("haas-vf2"));
             let machine = machine
                 .map_err(|errors| Refusal { message: errors[0].message.clone(), help: None })?;
-            Ok(Program::new("part.nc", text, machine).expect("settings that the control knows"))
+            Ok(EditorProgram::new("part.nc", text, machine)
+                .expect("settings that the control knows"))
         }
 
         fn machines(&self) -> Vec<MachineChoice> {

@@ -1,11 +1,11 @@
 //! What is active, piece of path by piece of path.
 
 use chordal::control::{
-    Command, CommandKind, Control, Coolant, FeedMode, Overrides, PathMode, Side, SpindleState,
-    Units, WorkName, initial_work_offset,
+    Command, CommandKind, CompensationSide, Control, Coolant, FeedMode, Overrides, PathMode,
+    SpindleState, Units, WorkName, initial_work_offset,
 };
 use chordal::geometry::{ParamCurve, Plane, Vec3};
-use chordal::path::Frame;
+use chordal::path::ProgramFrame;
 use chordal::{PathCommand, Segment};
 use serde_json::{Value, json};
 
@@ -28,7 +28,7 @@ struct Modal {
     tool: u32,
     selected: Option<u32>,
     length: Option<(u32, Option<f64>)>,
-    side: Side,
+    side: CompensationSide,
     cutter: Option<(Option<u32>, Option<f64>)>,
     work: Option<WorkName>,
     path: Option<PathMode>,
@@ -36,7 +36,7 @@ struct Modal {
     /// Added to program coordinates to get the frame of the run, mm.
     shift: Vec3,
     /// What of it is known.
-    frame: Frame,
+    frame: ProgramFrame,
 }
 
 #[derive(Clone, Debug)]
@@ -57,7 +57,7 @@ pub struct ModalTrack {
     /// The way to the frame of the run must be found again.
     moved: bool,
     /// The frame of the first cut: that of the run.
-    base: Option<Frame>,
+    base: Option<ProgramFrame>,
     /// Names of work offsets that cuts ran under, and where their zero is in the frame of the run.
     zeros: Vec<(WorkName, Vec3)>,
     naming: chordal::control::WorkNaming,
@@ -65,7 +65,7 @@ pub struct ModalTrack {
 
 impl ModalTrack {
     /// Before the first command.
-    pub fn new(control: &Control, frame: Frame) -> ModalTrack {
+    pub fn new(control: &Control, frame: ProgramFrame) -> ModalTrack {
         let now = Modal {
             units: control.parameters.rules.units,
             plane: control.parameters.rules.starts_in,
@@ -77,7 +77,7 @@ impl ModalTrack {
             tool: 0,
             selected: None,
             length: None,
-            side: Side::Off,
+            side: CompensationSide::Off,
             cutter: None,
             work: Some(initial_work_offset(control)),
             path: None,
@@ -147,7 +147,7 @@ impl ModalTrack {
             }
             CommandKind::Compensation { side, number, radius_mm, .. } => {
                 now.side = side;
-                now.cutter = (side != Side::Off).then_some((number, radius_mm));
+                now.cutter = (side != CompensationSide::Off).then_some((number, radius_mm));
             }
             CommandKind::Spindle { state, rpm } => (now.spindle, now.rpm) = (state, rpm),
             CommandKind::Coolant(coolant) => now.coolant = coolant,
@@ -218,9 +218,9 @@ impl ModalTrack {
             "selected": modal.selected,
             "length": modal.length.map(|(number, mm)| json!({ "number": number, "mm": mm })),
             "side": match modal.side {
-                Side::Off => "off",
-                Side::Left => "left",
-                Side::Right => "right",
+                CompensationSide::Off => "off",
+                CompensationSide::Left => "left",
+                CompensationSide::Right => "right",
             },
             "cutter": modal.cutter.map(|(number, mm)| json!({ "number": number, "mm": mm })),
             "work": modal.work.map(|name| name.key(self.naming)),

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use chordal::Machine;
 use chordal::control::table;
-use chordal_editor::{Program, Setup};
-use chordal_load::{Chosen, Input, LoadError, Loader, Text};
+use chordal_editor::{EditorProgram, EditorSetup};
+use chordal_load::{LoadError, Loader, MachineReason, ProgramInput, ProgramText};
 
 use crate::program::Refusal;
 
@@ -18,17 +18,17 @@ use crate::program::Refusal;
 pub fn open(
     mut loader: Loader,
     set_up: Option<Loader>,
-    input: &Input,
+    input: &ProgramInput,
     name: &str,
     text: Vec<u8>,
     named_in: impl Fn(&Path) -> String,
-) -> Result<Program, Refusal> {
+) -> Result<EditorProgram, Refusal> {
     let own = set_up.and_then(|mut loader| {
-        let text = Text::of(name, text.clone()).ok()?;
+        let text = ProgramText::of(name, text.clone()).ok()?;
         // What is wrong with its machine is said where that is used.
         loader.load_text(text, input).ok().map(|loaded| loaded.into_parts().1)
     });
-    let text = Text::of(name, text).map_err(|error| refusal(&error))?;
+    let text = ProgramText::of(name, text).map_err(|error| refusal(&error))?;
     let loaded = loader.load_text(text, input).map_err(|error| refusal(&error))?;
     // Of a machine that nobody named only the control is known: its axes and its maker are those of the
     // file that stands in for it.
@@ -40,7 +40,7 @@ pub fn open(
         None => loaded.machine().title.clone(),
     };
     let why = match &loaded.chosen {
-        Chosen::Folder(path) => Some(named_in(path)),
+        MachineReason::Folder(path) => Some(named_in(path)),
         chosen if foreign.is_some() => chosen.why(&title),
         chosen => chosen
             .why(&title)
@@ -57,8 +57,8 @@ pub fn open(
     // The first is the text itself.
     let beside = texts.split_off(1);
     let (name, text) = texts.pop().unwrap_or_default();
-    let setup = Setup { machine, why, readings, options, program, beside };
-    Program::set_up(name, text, setup).map_err(|errors| Refusal {
+    let setup = EditorSetup { machine, why, readings, options, program, beside };
+    EditorProgram::set_up(name, text, setup).map_err(|errors| Refusal {
         message: "the control does not know settings of the machine".into(),
         help: Some(format!("{errors:?}")),
     })

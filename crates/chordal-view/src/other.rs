@@ -3,10 +3,12 @@
 use std::sync::Arc;
 
 use chordal::diagnostics::FileId;
-use chordal::{Job, PathCommand, Segment, Watch};
-use chordal_compare::{Blocks, Comparison, Difference, Options, Place, compare};
-use chordal_editor::Program;
-use chordal_export::numbers::Units;
+use chordal::{Job, PathCommand, RunWatch, Segment};
+use chordal_compare::{
+    BlockLocation, BlockRange, Comparison, ComparisonOptions, Difference, compare,
+};
+use chordal_editor::EditorProgram;
+use chordal_export::numbers::SummaryUnits;
 use chordal_export::{comparison_headline, comparison_names, difference_words};
 use serde_json::{Value, json};
 
@@ -36,7 +38,7 @@ enum Origin {
 /// The other program as the page shows it.
 struct Shown {
     origin: Origin,
-    program: Arc<Program>,
+    program: Arc<EditorProgram>,
     version: u64,
     rows: u64,
 }
@@ -57,7 +59,7 @@ impl Comparing {
     }
 
     /// The other program that is shown.
-    pub fn program(&self) -> Option<Arc<Program>> {
+    pub fn program(&self) -> Option<Arc<EditorProgram>> {
         self.shown.as_ref().map(|shown| shown.program.clone())
     }
 
@@ -110,7 +112,7 @@ impl Comparing {
                 ),
             }));
         }
-        let options = Options { tolerance_mm, ..self.options(other) };
+        let options = ComparisonOptions { tolerance_mm, ..self.options(other) };
         let jobs = [&ran.program, &shown.program].map(|it| it.job().interrupt(wanted.interrupt()));
         let found = compare(&jobs[0], &jobs[1], &options);
         if wanted.is_wanted() {
@@ -122,13 +124,13 @@ impl Comparing {
         }
     }
 
-    fn options(&self, other: &Other) -> Options {
+    fn options(&self, other: &Other) -> ComparisonOptions {
         let against = self.programs.against().filter(|_| *other == Other::Named);
         against.map(|against| against.options.clone()).unwrap_or_default()
     }
 
     /// The other program; nothing where it is the one that is shown.
-    fn open(&self, ran: &Ran, other: &Other) -> Result<Option<(Origin, Program)>, Refusal> {
+    fn open(&self, ran: &Ran, other: &Other) -> Result<Option<(Origin, EditorProgram)>, Refusal> {
         let is_new = |origin: &Origin| self.shown.as_ref().is_none_or(|it| it.origin != *origin);
         let named = self.programs.against().filter(|_| *other == Other::Named);
         if let Some(Against { programs, own_text: false, .. }) = named.as_deref() {
@@ -156,7 +158,7 @@ impl Comparing {
     fn send(
         &self,
         origin: Origin,
-        program: Arc<Program>,
+        program: Arc<EditorProgram>,
         other: &Other,
         wanted: &Wanted,
     ) -> Option<Shown> {
@@ -194,7 +196,7 @@ impl Comparing {
 /// The path alone.
 struct Rows<'m>(PathStream<'m>);
 
-impl Watch for Rows<'_> {
+impl RunWatch for Rows<'_> {
     fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
         if !self.0.is_given_up() {
             segments.iter().for_each(|segment| self.0.push(segment, path.inserted));
@@ -204,7 +206,7 @@ impl Watch for Rows<'_> {
 
 /// What came out, for people.
 fn comparison(found: &Comparison, names: [&str; 2], jobs: [&Job; 2], tolerance_mm: f64) -> Value {
-    let units = Units::of(found.reports[0].summary.inch);
+    let units = SummaryUnits::of(found.reports[0].summary.inch);
     let called = comparison_names(names, jobs);
     let sides = [0, 1].map(|side: usize| {
         json!({
@@ -230,7 +232,7 @@ fn comparison(found: &Comparison, names: [&str; 2], jobs: [&Job; 2], tolerance_m
     })
 }
 
-fn difference(one: &Difference, jobs: [&Job; 2], units: Units) -> Value {
+fn difference(one: &Difference, jobs: [&Job; 2], units: SummaryUnits) -> Value {
     let words = difference_words(one, jobs, units);
     let sides = [0, 1].map(|side: usize| {
         let told = &words.sides[side];
@@ -251,17 +253,17 @@ fn difference(one: &Difference, jobs: [&Job; 2], units: Units) -> Value {
     })
 }
 
-fn blocks(at: &Blocks) -> Value {
+fn blocks(at: &BlockRange) -> Value {
     let (from, to) = at.lines();
     json!({ "file": at.first.span.file.0, "from": from, "to": to })
 }
 
-fn place(at: Place) -> Value {
+fn place(at: BlockLocation) -> Value {
     json!({ "file": at.span.file.0, "line": at.line })
 }
 
 /// Lines of the other program around one, to be read.
-pub fn text_around(program: &Program, file: u32, line: u32) -> Value {
+pub fn text_around(program: &EditorProgram, file: u32, line: u32) -> Value {
     /// Lines before and after that are sent.
     const BESIDE: usize = 2_000;
     /// Bytes that are sent.

@@ -5,8 +5,8 @@ use std::sync::{Arc, OnceLock};
 
 use chordal::Machine;
 use chordal::machine::builtin_names;
-use chordal_compare::Options;
-use chordal_editor::Program;
+use chordal_compare::ComparisonOptions;
+use chordal_editor::EditorProgram;
 use serde_json::{Value, json};
 
 /// Why a program cannot be run at all: in words for people.
@@ -34,7 +34,7 @@ pub struct Against {
     /// The text is that of the program itself, as it is edited, on another machine.
     pub own_text: bool,
     /// What counts as a difference; the page may set another tolerance.
-    pub options: Options,
+    pub options: ComparisonOptions,
 }
 
 impl Against {
@@ -78,7 +78,7 @@ pub trait Programs: Send + Sync + 'static {
     ///
     /// # Errors
     /// A machine that cannot be used, a program that is not there.
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal>;
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<EditorProgram, Refusal>;
 
     /// The machines that [`Programs::open`] knows.
     fn machines(&self) -> Vec<MachineChoice>;

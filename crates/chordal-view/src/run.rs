@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use chordal::control::{Command, CommandKind, Side, initial_offset};
-use chordal::path::{Frame, PathBuilder};
-use chordal::{Job, PathCommand, Segment, Watch};
-use chordal_editor::Program;
+use chordal::control::{Command, CommandKind, CompensationSide, initial_offset};
+use chordal::path::{PathBuilder, ProgramFrame};
+use chordal::{Job, PathCommand, RunWatch, Segment};
+use chordal_editor::EditorProgram;
 use serde_json::{Value, json};
 
 use crate::answer;
@@ -19,7 +19,7 @@ use crate::wanted::Wanted;
 #[derive(Debug)]
 pub struct Ran {
     /// What was run.
-    pub program: Arc<Program>,
+    pub program: Arc<EditorProgram>,
     /// What was active where.
     pub modal: ModalTrack,
     /// Its number.
@@ -33,7 +33,7 @@ pub struct Ran {
 /// Runs a job and sends its path; gives what else the page is to be reported; `None` when nobody wants it any more.
 pub fn run(
     number: u64,
-    program: &Arc<Program>,
+    program: &Arc<EditorProgram>,
     job: &Job,
     out: &Outbox,
     wanted: &Wanted,
@@ -48,7 +48,7 @@ pub fn run(
         contour: Columns::default(),
         programmed: job.path_builder(),
         compensated: false,
-        modal: ModalTrack::new(job.control(), Frame::new(offset, known)),
+        modal: ModalTrack::new(job.control(), ProgramFrame::new(offset, known)),
     };
     let report = job.report_watched(&mut sending);
     if !wanted.is_wanted() {
@@ -111,7 +111,7 @@ impl Sending<'_> {
     }
 }
 
-impl Watch for Sending<'_> {
+impl RunWatch for Sending<'_> {
     fn programmed(&mut self, command: &Command) {
         if self.rows.is_given_up() {
             return;
@@ -125,7 +125,9 @@ impl Watch for Sending<'_> {
             }
         });
         match command.kind {
-            CommandKind::Compensation { side, .. } => self.compensated = side != Side::Off,
+            CommandKind::Compensation { side, .. } => {
+                self.compensated = side != CompensationSide::Off
+            }
             CommandKind::End => self.compensated = false,
             _ => {}
         }

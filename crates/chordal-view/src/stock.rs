@@ -3,8 +3,8 @@
 use chordal::Job;
 use chordal::stock::mesh::Mesh;
 use chordal::stock::{
-    Amount, Drop, GapChange, Replay, ReplayOptions, StockBefore, StockOptions, StockReport,
-    StockRunError,
+    ColumnDrop, GapChange, ReplayOptions, ReplaySink, StockBefore, StockOptions, StockReport,
+    StockRunError, VolumeInterval,
 };
 use serde_json::{Value, json};
 
@@ -125,7 +125,7 @@ impl<'a> Cutting<'a> {
 
 /// What is left, and what is touched; with the problems of the run, as they are listed together.
 fn told(run: u64, found: &StockReport, job: &Job) -> Value {
-    let between = |amount: Amount| json!({ "least": amount.least, "most": amount.most });
+    let between = |amount: VolumeInterval| json!({ "least": amount.least, "most": amount.most });
     let mut told = answer::report(&found.report, job);
     told["type"] = json!("stock_report");
     told["run"] = json!(run);
@@ -186,7 +186,7 @@ impl Sending<'_> {
     }
 }
 
-impl Replay for Sending<'_> {
+impl ReplaySink for Sending<'_> {
     fn before(&mut self, stock: &StockBefore) {
         let mut frame = Frame::default();
         frame.column("heights", &stock.heights);
@@ -215,7 +215,7 @@ impl Replay for Sending<'_> {
         self.out.binary(frame.finish(header));
     }
 
-    fn lowered(&mut self, drops: &[Drop], progress: f64) -> bool {
+    fn lowered(&mut self, drops: &[ColumnDrop], progress: f64) -> bool {
         self.sent += drops.len();
         if self.sent > self.most || !self.wanted.is_wanted() {
             return false;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use chordal::Job;
 use chordal::diagnostics::Code;
-use chordal::stock::section::{Region, Segment};
+use chordal::stock::section::{OutlineSegment, Region};
 use chordal::stock::{
     StockRunError, TurnedMove, TurnedOptions, TurnedReplay, TurnedReport, TurnedShape,
 };
@@ -35,8 +35,8 @@ pub fn run(job: &Job, run: u64, programs: &dyn Programs, out: &Outbox) {
 
 /// A line or an arc: both ends and the centre, as z and radius, and how it turns: 0 straight, 1 from z to the
 /// radius, −1 the other way.
-fn numbers(segment: &Segment) -> [f64; 7] {
-    let Segment { start, end, bend, .. } = segment;
+fn numbers(segment: &OutlineSegment) -> [f64; 7] {
+    let OutlineSegment { start, end, bend, .. } = segment;
     let (center, turn) = match bend {
         None => (*start, 0.0),
         Some(bend) => (bend.center, if bend.counterclockwise { 1.0 } else { -1.0 }),
@@ -45,7 +45,7 @@ fn numbers(segment: &Segment) -> [f64; 7] {
 }
 
 /// Loops, each as the numbers of its segments one after the other.
-fn loops(outline: &[Vec<Segment>]) -> Value {
+fn loops(outline: &[Vec<OutlineSegment>]) -> Value {
     outline.iter().map(|segments| segments.iter().flat_map(numbers).collect::<Vec<_>>()).collect()
 }
 
@@ -92,8 +92,7 @@ fn sections(run: u64, found: &TurnedReport, replay: &TurnedReplay) -> Vec<u8> {
 
 /// What is left, and what is touched and where; with the problems of the run, as they are listed together.
 fn told(run: u64, found: &TurnedReport, job: &Job) -> Value {
-    let between =
-        |amount: chordal::stock::Amount| json!({ "least": amount.least, "most": amount.most });
+    let between = |amount: chordal::stock::VolumeInterval| json!({ "least": amount.least, "most": amount.most });
     let problems = found.problems.iter().map(|problem| {
         json!({ "code": problem.code.info().id, "line": problem.line, "at": [problem.at.z, problem.at.x] })
     });

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use chordal::stock::StockRunError;
-use chordal_editor::Program;
+use chordal_editor::EditorProgram;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -84,9 +84,9 @@ pub(crate) struct Held {
     on_disk: Content,
     pub(crate) machine: Option<String>,
     /// What was opened last; it decides the machine.
-    pub(crate) opened: Option<Arc<Program>>,
+    pub(crate) opened: Option<Arc<EditorProgram>>,
     /// The text as an editor asks of it, until it changes.
-    pub(crate) words: Option<Arc<Program>>,
+    pub(crate) words: Option<Arc<EditorProgram>>,
     pub(crate) ran: Option<Arc<Ran>>,
     /// The work is done by views elsewhere ([`crate::Handed`]): what is known of the newest run.
     pub(crate) elsewhere: Option<RanElsewhere>,
@@ -97,7 +97,7 @@ pub(crate) struct Held {
     /// Columns of the stock, about.
     pub(crate) columns: u32,
     /// The other program as it is shown.
-    beside: Option<Arc<Program>>,
+    beside: Option<Arc<EditorProgram>>,
 }
 
 /// A run that another view has done.
@@ -215,7 +215,7 @@ impl View {
     }
 
     /// The text as an editor asks of it; `None` before the first run.
-    fn words(&self) -> Option<Arc<Program>> {
+    fn words(&self) -> Option<Arc<EditorProgram>> {
         let mut held = self.held();
         if held.words.is_none() {
             let text = held.document.text().as_bytes().to_vec();
@@ -230,7 +230,7 @@ impl View {
         held.words.clone()
     }
 
-    fn answer_words(&self, id: u64, tell: impl FnOnce(&Program) -> Value) {
+    fn answer_words(&self, id: u64, tell: impl FnOnce(&EditorProgram) -> Value) {
         let Some(program) = self.words() else {
             return self.out.refuse(id, "no program has run yet", None);
         };
@@ -511,7 +511,7 @@ impl View {
     fn run_one(
         &self,
         number: u64,
-        program: &Arc<Program>,
+        program: &Arc<EditorProgram>,
         wanted: &Wanted,
     ) -> Option<RanElsewhere> {
         let job = program.job().interrupt(wanted.interrupt());

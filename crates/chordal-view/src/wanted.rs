@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-use chordal::control::Interrupt;
+use chordal::control::InterruptCheck;
 
 /// A run by its number. A newer text, another machine or the end of the page make it needless.
 #[derive(Clone, Debug)]
@@ -23,7 +23,7 @@ impl Wanted {
     }
 
     /// Ends the run once it is not.
-    pub fn interrupt(&self) -> Interrupt {
+    pub fn interrupt(&self) -> InterruptCheck {
         let wanted = self.clone();
         Arc::new(move || !wanted.is_wanted())
     }

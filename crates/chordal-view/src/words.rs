@@ -2,7 +2,9 @@
 
 use chordal::Source;
 use chordal::diagnostics::FileId;
-use chordal_editor::{Class, Entry, EntryKind, Places, Program, byte_of, line_and_column};
+use chordal_editor::{
+    EditorProgram, EntryKind, LineColumnIndex, OutlineEntry, TokenClass, byte_of, line_and_column,
+};
 use serde_json::{Value, json};
 
 /// Entries of an outline that are sent.
@@ -16,8 +18,8 @@ const MOST_TEXT: usize = 1 << 20;
 
 /// The words of the lines from `from` up to, not including, `to`: four numbers each, which are
 /// line (from 1), first and last column (from 0, UTF-16), and the place of its class.
-pub fn tokens(program: &Program, from: u32, to: u32) -> Value {
-    let mut places = Places::of(program.source());
+pub fn tokens(program: &EditorProgram, from: u32, to: u32) -> Value {
+    let mut places = LineColumnIndex::of(program.source());
     let mut numbers: Vec<u32> = Vec::new();
     for token in program.tokens(from, to).into_iter().take(MOST_TOKENS) {
         let (line, start) = places.at(token.range.start);
@@ -26,12 +28,12 @@ pub fn tokens(program: &Program, from: u32, to: u32) -> Value {
             numbers.extend([line, start, end, token.class as u32]);
         }
     }
-    let classes = Class::ALL.map(|class| format!("{class:?}").to_ascii_lowercase());
+    let classes = TokenClass::ALL.map(|class| format!("{class:?}").to_ascii_lowercase());
     json!({ "type": "tokens", "classes": classes, "tokens": numbers })
 }
 
 /// What the word at a line and a column means; null where there is none.
-pub fn hover(program: &Program, line: u32, column: u32) -> Value {
+pub fn hover(program: &EditorProgram, line: u32, column: u32) -> Value {
     let source = program.source();
     let hover = program.hover(byte_of(program.source(), line, column), None).map(|hover| {
         let (line, column) = line_and_column(source, hover.range.start);
@@ -43,7 +45,7 @@ pub fn hover(program: &Program, line: u32, column: u32) -> Value {
 
 /// Where the program, the label or the variable that stands at a line and a column is made; null
 /// where nothing makes it. One that is made in another text comes with that text.
-pub fn definition(program: &Program, line: u32, column: u32) -> Value {
+pub fn definition(program: &EditorProgram, line: u32, column: u32) -> Value {
     let name = program.name_at(byte_of(program.source(), line, column));
     let made = name.and_then(|found| program.definitions(&found.name).into_iter().next());
     let place = made.map(|found| {
@@ -67,12 +69,12 @@ pub fn definition(program: &Program, line: u32, column: u32) -> Value {
 }
 
 /// Programs, in them tools, in those operations.
-pub fn outline(program: &Program) -> Value {
+pub fn outline(program: &EditorProgram) -> Value {
     let mut left = MOST_ENTRIES;
     json!({ "type": "outline", "entries": entries(&program.outline(), &mut left) })
 }
 
-fn entries(of: &[Entry], left: &mut usize) -> Vec<Value> {
+fn entries(of: &[OutlineEntry], left: &mut usize) -> Vec<Value> {
     let mut told = Vec::new();
     for entry in of {
         let Some(less) = left.checked_sub(1) else { break };

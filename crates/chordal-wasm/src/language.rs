@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use chordal_ask::setup_of;
-use chordal_editor::Setup;
-use chordal_load::{Files, Request};
-use chordal_lsp::{Opener, Stepwise};
+use chordal_editor::EditorSetup;
+use chordal_load::{FileAccess, Request};
+use chordal_lsp::{SetupFinder, SteppedServer};
 use lsp_server::Message;
 use serde::{Deserialize, Serialize};
 
@@ -38,15 +38,15 @@ struct Told {
 
 /// Loads texts with the files that were brought.
 #[derive(Clone, Default)]
-struct Brought(Rc<RefCell<Files>>);
+struct Brought(Rc<RefCell<FileAccess>>);
 
-impl Opener for Brought {
+impl SetupFinder for Brought {
     fn open(
         &self,
         path: Option<&Path>,
         text: &[u8],
         machine: Option<&str>,
-    ) -> Result<Setup, String> {
+    ) -> Result<EditorSetup, String> {
         let request = Request { files: self.0.borrow().clone(), ..Request::default() };
         setup_of(path, text, machine, request)
     }
@@ -54,13 +54,13 @@ impl Opener for Brought {
 
 struct Language {
     files: Brought,
-    server: Stepwise,
+    server: SteppedServer,
 }
 
 impl Language {
     fn new() -> Language {
-        let files = Brought(Rc::new(RefCell::new(Files::given([]))));
-        Language { server: Stepwise::new(Box::new(files.clone())), files }
+        let files = Brought(Rc::new(RefCell::new(FileAccess::given([]))));
+        Language { server: SteppedServer::new(Box::new(files.clone())), files }
     }
 
     fn take(&mut self, step: Step) -> Vec<Message> {
@@ -69,7 +69,7 @@ impl Language {
             Step::Work => self.server.work(),
             Step::Files(files) => {
                 let files = files.into_iter().map(|(path, text)| (path, text.into_bytes()));
-                *self.files.0.borrow_mut() = Files::given(files);
+                *self.files.0.borrow_mut() = FileAccess::given(files);
                 self.server.files_changed()
             }
         }

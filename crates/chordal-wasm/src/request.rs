@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use chordal_ask::{Failure, Files, Program, Request, options};
+use chordal_ask::{Failure, FileAccess, Program, Request, options};
 use chordal_memory::{Message, TornMessage};
 use serde::Deserialize;
 use serde_json::Value;
@@ -43,7 +43,7 @@ pub fn read(bytes: Vec<u8>) -> Result<Request, Failure> {
     for file in head.files {
         files.push((PathBuf::from(file.path), texts.take(file.bytes).map_err(torn)?));
     }
-    let files = Files::given(files);
+    let files = FileAccess::given(files);
     Ok(Request { ask: head.ask, programs, files, options: head.options })
 }
 

@@ -1,6 +1,6 @@
 //! For each compensated contour: the offsets with which it runs, and the block that limits them.
 
-use chordal_command::{Command, CommandKind, Origin, Side, Sink, Units};
+use chordal_command::{Command, CommandKind, CompensationSide, Origin, Sink, Units};
 use chordal_dialect::Control;
 use chordal_kernel::RunSink;
 use chordal_kernel::rules::OutsideCorner;
@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use chordal_diagnostics::{Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
-use chordal_path::gouge::{self, Corners, Limit, LimitReason, Options};
+use chordal_path::gouge::{self, GougeOptions, LimitReason, OutsideCornerRule, RadiusLimit};
 use chordal_path::{Compensator, ContourLevel, ContourPiece, PathCommand, PathSink};
 
 use crate::compensated::name_sequence;
@@ -57,7 +57,7 @@ pub struct ContourRange {
     /// The block on which compensation ends.
     pub end: Origin,
     /// G41 or G42.
-    pub side: Side,
+    pub side: CompensationSide,
     /// The plane.
     pub plane: Plane,
     /// Units of the program there.
@@ -105,7 +105,7 @@ pub struct ContourRanges {
 impl Job<'_> {
     /// Finds for each compensated contour the offsets with which it runs.
     pub fn contour_ranges(&self) -> ContourRanges {
-        let mut recorder = Recorder::new(self.control());
+        let mut recorder = ContourRecorder::new(self.control());
         self.run(&mut recorder);
         let mut found = ContourRanges { left_out: recorder.left_out, ..ContourRanges::default() };
         for recorded in recorder.contours.into_values() {
@@ -123,9 +123,9 @@ impl Job<'_> {
 
 /// The commands from G41 or G42 to the move after G40.
 #[derive(Debug)]
-struct Recorded {
+struct RecordedContour {
     commands: Vec<Command>,
-    side: Side,
+    side: CompensationSide,
     plane: Plane,
     units: Units,
     offset: (Option<u32>, Option<f64>),
@@ -133,18 +133,18 @@ struct Recorded {
 }
 
 /// Notes the contours of a run.
-struct Recorder {
-    contours: BTreeMap<(u32, u32), Recorded>,
-    open: Option<Recorded>,
+struct ContourRecorder {
+    contours: BTreeMap<(u32, u32), RecordedContour>,
+    open: Option<RecordedContour>,
     cancelling: bool,
     plane: Plane,
     units: Units,
     left_out: u64,
 }
 
-impl Recorder {
-    fn new(control: &Control) -> Recorder {
-        Recorder {
+impl ContourRecorder {
+    fn new(control: &Control) -> ContourRecorder {
+        ContourRecorder {
             contours: BTreeMap::new(),
             open: None,
             cancelling: false,
@@ -171,15 +171,15 @@ impl Recorder {
     }
 }
 
-impl Sink for Recorder {
+impl Sink for ContourRecorder {
     fn command(&mut self, command: &Command) {
         match command.kind {
             CommandKind::Plane(plane) => self.plane = plane,
             CommandKind::Units(units) => self.units = units,
             CommandKind::Compensation { side, number, radius_mm, .. } => {
-                self.cancelling = side == Side::Off;
-                if side != Side::Off && self.open.is_none() && radius_mm != Some(0.0) {
-                    self.open = Some(Recorded {
+                self.cancelling = side == CompensationSide::Off;
+                if side != CompensationSide::Off && self.open.is_none() && radius_mm != Some(0.0) {
+                    self.open = Some(RecordedContour {
                         commands: Vec::new(),
                         side,
                         plane: self.plane,
@@ -204,17 +204,17 @@ impl Sink for Recorder {
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for Recorder {}
+impl RunSink for ContourRecorder {}
 
 /// What one offset makes of a contour.
 #[derive(Default)]
-struct Tried {
+struct OffsetTrial {
     levels: Vec<ContourLevel>,
     alarm: Option<Diagnostic>,
     keep: bool,
 }
 
-impl PathSink for Tried {
+impl PathSink for OffsetTrial {
     fn command(&mut self, _: PathCommand<'_>) {}
 
     fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
@@ -241,12 +241,12 @@ impl PathSink for Tried {
     }
 }
 
-impl Recorded {
+impl RecordedContour {
     /// Runs the contour with another offset.
-    fn with(&self, control: &Control, radius_mm: f64, keep: bool) -> Tried {
+    fn with(&self, control: &Control, radius_mm: f64, keep: bool) -> OffsetTrial {
         let mut compensator =
             Compensator::new(&control.parameters.rules, control.alarms()).with_radius(radius_mm);
-        let mut tried = Tried { keep, ..Tried::default() };
+        let mut tried = OffsetTrial { keep, ..OffsetTrial::default() };
         let origin = self.commands.first().map(|command| command.origin).unwrap_or_default();
         for kind in [CommandKind::Units(self.units), CommandKind::Plane(self.plane)] {
             compensator.command(&Command { kind, origin }, &mut tried);
@@ -261,8 +261,8 @@ impl Recorded {
     fn range(self, control: &Control) -> Option<ContourRange> {
         let first = self.with(control, SMALL_MM, true);
         let corners = match control.parameters.rules.outside_corner {
-            OutsideCorner::Linear => Corners::Linear,
-            OutsideCorner::Arc => Corners::Circular,
+            OutsideCorner::Linear => OutsideCornerRule::Linear,
+            OutsideCorner::Arc => OutsideCornerRule::Circular,
         };
         let unlimited = || OffsetLimit {
             radius_mm: f64::INFINITY,
@@ -287,13 +287,13 @@ impl Recorded {
         let mut events = Vec::new();
         let mut size = 0.0f64;
         for mut level in first.levels {
-            let options = Options::default();
+            let options = GougeOptions::default();
             let Some(contour) = level.contour() else { continue };
             for block in &contour.blocks {
                 size = size.max(block.curve.length());
             }
             let found = gouge::range(&contour, corners, &options);
-            let limit = |limit: &Limit| OffsetLimit {
+            let limit = |limit: &RadiusLimit| OffsetLimit {
                 radius_mm: limit.radius,
                 reason: limit.reason,
                 blocks: limit.blocks.iter().map(|tag| level.origins[*tag as usize]).collect(),

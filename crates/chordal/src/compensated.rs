@@ -1,6 +1,6 @@
 //! A run with cutter compensation between the control and what follows.
 
-use chordal_command::{CallPath, Command, CommandKind, Origin, Side, Sink};
+use chordal_command::{CallPath, Command, CommandKind, CompensationSide, Origin, Sink};
 use chordal_diagnostics::{Diagnostic, SourceMap, Span};
 use chordal_dialect::Control;
 use chordal_kernel::Outcome;
@@ -22,7 +22,7 @@ impl Job<'_> {
     /// Runs and pushes the exact path, segment by segment, in one frame.
     pub fn path(&self, push: impl FnMut(&Segment)) -> Vec<Outcome> {
         let builder = self.path_builder();
-        let (outcomes, _) = Compensated::run(self, PathSegments { builder, push });
+        let (outcomes, _) = CompensationSink::run(self, PathSegments { builder, push });
         outcomes
     }
 
@@ -30,7 +30,7 @@ impl Job<'_> {
     /// centre, problems, and the compensated contours; with another radius than the offset
     /// table's, where one is given, mm.
     pub fn compensated<S: PathSink>(&self, radius_mm: Option<f64>, sink: &mut S) -> Vec<Outcome> {
-        Compensated::run_with(self, radius_mm, None, sink).0
+        CompensationSink::run_with(self, radius_mm, None, sink).0
     }
 }
 
@@ -48,39 +48,39 @@ impl<F: FnMut(&Segment)> PathSink for PathSegments<'_, F> {
 }
 
 /// Hands the commands of a control through compensation on to a path sink.
-pub(crate) struct Compensated<'a, S> {
+pub(crate) struct CompensationSink<'a, S> {
     pub compensator: Compensator,
-    pub told: Told<'a, S>,
+    pub told: PendingDiagnostics<'a, S>,
     control: &'a Control,
     /// Follows a contour whose offset is not known.
-    nominal: Option<Box<Nominal>>,
+    nominal: Option<Box<NominalSink>>,
 }
 
 /// A contour without a diameter: only from where the tool comes to it can be judged.
-struct Nominal {
+struct NominalSink {
     compensator: Compensator,
     sides: SideCheck,
 }
 
-impl Nominal {
+impl NominalSink {
     fn command(&mut self, command: &Command, report: &mut dyn FnMut(Diagnostic, &Origin)) {
-        let Nominal { compensator, sides } = self;
-        compensator.command(command, &mut Sides { sides, report });
+        let NominalSink { compensator, sides } = self;
+        compensator.command(command, &mut SideSink { sides, report });
     }
 
     fn finish(&mut self, report: &mut dyn FnMut(Diagnostic, &Origin)) {
-        let Nominal { compensator, sides } = self;
-        compensator.finish(&mut Sides { sides, report });
+        let NominalSink { compensator, sides } = self;
+        compensator.finish(&mut SideSink { sides, report });
     }
 }
 
 /// Takes the pieces of a contour and passes everything else over.
-struct Sides<'s> {
+struct SideSink<'s> {
     sides: &'s mut SideCheck,
     report: &'s mut dyn FnMut(Diagnostic, &Origin),
 }
 
-impl PathSink for Sides<'_> {
+impl PathSink for SideSink<'_> {
     fn command(&mut self, _: PathCommand<'_>) {}
 
     fn diagnostic(&mut self, _: Diagnostic, _: &Origin) {}
@@ -91,7 +91,7 @@ impl PathSink for Sides<'_> {
 }
 
 /// The next sink, and the diagnostics of compensation that wait for their calls.
-pub(crate) struct Told<'a, S> {
+pub(crate) struct PendingDiagnostics<'a, S> {
     pub inner: S,
     sources: &'a SourceMap<'a>,
     pub waiting: Vec<(Diagnostic, CallPath)>,
@@ -99,15 +99,15 @@ pub(crate) struct Told<'a, S> {
     contours: Option<ContourCheck>,
 }
 
-impl<'a, S: PathSink> Compensated<'a, S> {
+impl<'a, S: PathSink> CompensationSink<'a, S> {
     /// Runs a job into a sink and gives it back.
     pub fn run(job: &'a Job<'a>, sink: S) -> (Vec<Outcome>, S) {
-        Compensated::run_with(job, None, None, sink)
+        CompensationSink::run_with(job, None, None, sink)
     }
 
     /// The same, and says where the tool would cut into a contour.
     pub fn judge(job: &'a Job<'a>, sink: S) -> (Vec<Outcome>, S) {
-        Compensated::run_with(job, None, Some(ContourCheck::default()), sink)
+        CompensationSink::run_with(job, None, Some(ContourCheck::default()), sink)
     }
 
     /// The same with another radius than the offset table's, mm.
@@ -117,7 +117,7 @@ impl<'a, S: PathSink> Compensated<'a, S> {
         contours: Option<ContourCheck>,
         sink: S,
     ) -> (Vec<Outcome>, S) {
-        let mut this = Compensated::new(job, contours, sink);
+        let mut this = CompensationSink::new(job, contours, sink);
         if let Some(radius) = radius_mm {
             this.compensator = this.compensator.with_radius(radius);
         }
@@ -130,10 +130,19 @@ impl<'a, S: PathSink> Compensated<'a, S> {
     }
 
     /// What is there before the first command.
-    pub fn new(job: &'a Job<'a>, contours: Option<ContourCheck>, sink: S) -> Compensated<'a, S> {
+    pub fn new(
+        job: &'a Job<'a>,
+        contours: Option<ContourCheck>,
+        sink: S,
+    ) -> CompensationSink<'a, S> {
         let compensator = Compensator::new(&job.control().parameters.rules, job.control().alarms());
-        let told = Told { inner: sink, sources: job.sources(), waiting: Vec::new(), contours };
-        Compensated { compensator, told, control: job.control(), nominal: None }
+        let told = PendingDiagnostics {
+            inner: sink,
+            sources: job.sources(),
+            waiting: Vec::new(),
+            contours,
+        };
+        CompensationSink { compensator, told, control: job.control(), nominal: None }
     }
 
     /// Lets the nominal contour follow, from a G41 or G42 on whose offset is not known.
@@ -142,7 +151,7 @@ impl<'a, S: PathSink> Compensated<'a, S> {
             let unknown = matches!(
                 command.kind,
                 CommandKind::Compensation { side, number: Some(_), radius_mm: None, .. }
-                    if side != Side::Off
+                    if side != CompensationSide::Off
             );
             if !unknown || self.told.contours.is_none() || !self.compensator.is_settled() {
                 return;
@@ -151,7 +160,7 @@ impl<'a, S: PathSink> Compensated<'a, S> {
                 Compensator::new(&self.control.parameters.rules, self.control.alarms())
                     .with_radius(NOMINAL_RADIUS_MM);
             compensator.recall(&self.compensator.memory());
-            self.nominal = Some(Box::new(Nominal { compensator, sides: SideCheck::default() }));
+            self.nominal = Some(Box::new(NominalSink { compensator, sides: SideCheck::default() }));
         }
         if let Some(mut nominal) = self.nominal.take() {
             nominal.command(command, &mut |diagnostic, origin| {
@@ -181,7 +190,7 @@ impl<'a, S: PathSink> Compensated<'a, S> {
     }
 }
 
-impl<S: PathSink> Sink for Compensated<'_, S> {
+impl<S: PathSink> Sink for CompensationSink<'_, S> {
     #[inline]
     fn command(&mut self, command: &Command) {
         if !matches!(command.kind, CommandKind::Idle) {
@@ -198,9 +207,9 @@ impl<S: PathSink> Sink for Compensated<'_, S> {
     }
 }
 
-impl<S: PathSink> RunSink for Compensated<'_, S> {}
+impl<S: PathSink> RunSink for CompensationSink<'_, S> {}
 
-impl<S: PathSink> Told<'_, S> {
+impl<S: PathSink> PendingDiagnostics<'_, S> {
     /// Lets the check of contours see something, and says what it finds.
     fn judge(&mut self, see: impl FnOnce(&mut ContourCheck, &mut dyn FnMut(Diagnostic, &Origin))) {
         if let Some(mut contours) = self.contours.take() {
@@ -218,7 +227,7 @@ impl<S: PathSink> Told<'_, S> {
     }
 }
 
-impl<S: PathSink> PathSink for Told<'_, S> {
+impl<S: PathSink> PathSink for PendingDiagnostics<'_, S> {
     #[inline]
     fn command(&mut self, command: PathCommand<'_>) {
         self.inner.command(command);

@@ -9,19 +9,19 @@ use chordal_diagnostics::Diagnostic;
 use chordal_gcode::{RunOptions, WordAddress};
 use chordal_kernel::{Language, RunSink};
 use chordal_machine::AXES;
-use chordal_path::{Frame, NotNamed, RunFrame};
+use chordal_path::{NotNamed, ProgramFrame, RunFrame};
 
-use crate::ahead::Ahead;
+use crate::ahead::RunPremises;
 use crate::job::Job;
 
 /// Waits for the first cut, and until X, Y and Z are all named, in a cut, too.
 struct AheadSink {
-    frame: Frame,
-    first_cut: Option<Frame>,
+    frame: ProgramFrame,
+    first_cut: Option<ProgramFrame>,
     /// That of the first cut whose place is known: one before it, as a jog to the part, is not drawn.
-    first_known_cut: Option<Frame>,
+    first_known_cut: Option<ProgramFrame>,
     /// Where a program without a cut begins.
-    first_move: Option<Frame>,
+    first_move: Option<ProgramFrame>,
     never: AxisMask,
     in_no_cut: AxisMask,
     has_all: Arc<AtomicBool>,
@@ -95,17 +95,17 @@ impl Job<'_> {
         self.ahead().not_named.unwrap_or_default()
     }
 
-    pub(crate) fn ahead(&self) -> Ahead {
+    pub(crate) fn ahead(&self) -> RunPremises {
         *self.ahead.get_or_init(|| self.look_ahead())
     }
 
-    fn look_ahead(&self) -> Ahead {
+    fn look_ahead(&self) -> RunPremises {
         let options = self.run_options();
         if options.not_read.is_some()
             || options.shop_codes.is_some()
             || self.machine().answers_with_blocks()
         {
-            return Ahead::default();
+            return RunPremises::default();
         }
         let has_all = Arc::new(AtomicBool::new(false));
         let mut sink = AheadSink {
@@ -131,10 +131,10 @@ impl Job<'_> {
         }
         let first = sink.first_known_cut.or(sink.first_cut).or(sink.first_move);
         let run_frame = first.map(|frame| self.run_frame_of(&frame));
-        Ahead { run_frame, not_named: Some(sink.not_named()) }
+        RunPremises { run_frame, not_named: Some(sink.not_named()) }
     }
 
-    fn run_frame_of(&self, frame: &Frame) -> RunFrame {
+    fn run_frame_of(&self, frame: &ProgramFrame) -> RunFrame {
         let key = frame.name.table_key(self.control().table.work_names);
         let table = |key: &str, axis: usize| self.machine().work_offsets.get(key)?.values[axis];
         let set_up = |axis| Some(table(&key, axis)? + table("EXT", axis).unwrap_or(0.0));

@@ -7,16 +7,16 @@ use chordal_diagnostics::{Code, Diagnostic, FileId, Source, SourceMap, Span};
 use chordal_dialect::Control;
 use chordal_dialect::SettingError;
 use chordal_gcode::{
-    Interrupt, Library, Program, RunOptions, WordAddress, initial_offset, initial_work_offset,
+    InterruptCheck, Library, Program, RunOptions, WordAddress, initial_offset, initial_work_offset,
 };
 use chordal_geometry::Placement;
 use chordal_kernel::Outcome;
-use chordal_kernel::{Checkpoint, Language, Ran, RunSink};
+use chordal_kernel::{Checkpoint, CompletedRun, Language, RunSink};
 use chordal_machine::{Machine, PerAxis};
-use chordal_path::{Checks, Frame, PathBuilder};
+use chordal_path::{PathBuilder, ProgramFrame, RunChecks};
 use chordal_syntax::ProgramHead;
 
-use crate::ahead::Ahead;
+use crate::ahead::RunPremises;
 
 /// Why there is no job.
 #[derive(Debug, thiserror::Error)]
@@ -59,14 +59,14 @@ pub struct Job<'a> {
     machine: Machine,
     control: Control,
     options: RunOptions,
-    program: Option<Chosen>,
+    program: Option<ProgramChoice>,
     /// What is known before the run, where it was asked for.
-    pub(crate) ahead: OnceLock<Ahead>,
+    pub(crate) ahead: OnceLock<RunPremises>,
 }
 
 /// Which program of the first text is run.
 #[derive(Clone, Copy, Debug)]
-enum Chosen {
+enum ProgramChoice {
     /// The one of this number.
     Number(u32),
     /// The one at this place among the programs of the text.
@@ -131,7 +131,7 @@ impl<'a> Job<'a> {
 
     /// Runs only the program of this number.
     pub fn program(mut self, number: Option<u32>) -> Job<'a> {
-        self.program = number.map(Chosen::Number);
+        self.program = number.map(ProgramChoice::Number);
         self.ahead = OnceLock::new();
         self
     }
@@ -139,7 +139,7 @@ impl<'a> Job<'a> {
     /// Runs only the program at this place of [`Job::programs`], numbered or not. Where there is
     /// none, nothing is run.
     pub fn program_at(mut self, place: usize) -> Job<'a> {
-        self.program = Some(Chosen::Place(place));
+        self.program = Some(ProgramChoice::Place(place));
         self.ahead = OnceLock::new();
         self
     }
@@ -168,7 +168,7 @@ impl<'a> Job<'a> {
     }
 
     /// Ends a run early when it says so; the outcome is then `EndReason::Interrupted`.
-    pub fn interrupt(mut self, interrupt: Interrupt) -> Job<'a> {
+    pub fn interrupt(mut self, interrupt: InterruptCheck) -> Job<'a> {
         self.options.interrupt = Some(interrupt);
         self
     }
@@ -229,7 +229,9 @@ impl<'a> Job<'a> {
             _ => language.library().programs().get(program).map_or_else(Span::default, head_of),
         };
         for program in mains.iter().copied() {
-            let Some(Ran { outcome, .. }) = language.run(program, None, sink) else { continue };
+            let Some(CompletedRun { outcome, .. }) = language.run(program, None, sink) else {
+                continue;
+            };
             ended(sink, &outcome, heads(program));
             outcomes.push(outcome);
         }
@@ -249,7 +251,7 @@ impl<'a> Job<'a> {
 
     /// False for problems of a program's head where only another program is run.
     fn is_about(&self, library: &Library, diagnostic: &Diagnostic) -> bool {
-        let Some(Chosen::Place(place)) = self.program else { return true };
+        let Some(ProgramChoice::Place(place)) = self.program else { return true };
         let at = diagnostic.primary.span.range.start;
         library
             .programs()
@@ -311,8 +313,10 @@ impl<'a> Job<'a> {
     pub(crate) fn mains(&self, language: &WordAddress<'_>) -> Vec<usize> {
         let library = language.library();
         match self.program {
-            Some(Chosen::Number(number)) => library.find(number, FileId(0)).into_iter().collect(),
-            Some(Chosen::Place(place)) => {
+            Some(ProgramChoice::Number(number)) => {
+                library.find(number, FileId(0)).into_iter().collect()
+            }
+            Some(ProgramChoice::Place(place)) => {
                 let programs = library.programs();
                 let is_there = programs.get(place).is_some_and(|program| program.file == FileId(0));
                 is_there.then_some(place).into_iter().collect()
@@ -332,10 +336,10 @@ impl<'a> Job<'a> {
     }
 
     /// Checks the path of one run of this job.
-    pub(crate) fn checks(&self) -> Checks<'_> {
+    pub(crate) fn checks(&self) -> RunChecks<'_> {
         let (offset, known) = self.initial_offset();
         let rules = &self.control().parameters.rules;
-        Checks::new(self.machine(), offset, known, rules.units)
+        RunChecks::new(self.machine(), offset, known, rules.units)
             .assumed(self.has_assumed_machine())
             .with_tool_lengths(rules.length.source)
             .with_speed_limit_example(rules.turning.speed_limit_example)
@@ -352,9 +356,9 @@ impl<'a> Job<'a> {
     }
 
     /// What lies between program and machine coordinates before the first block.
-    pub(crate) fn initial_frame(&self) -> Frame {
+    pub(crate) fn initial_frame(&self) -> ProgramFrame {
         let (offset, known) = self.initial_offset();
-        Frame::new(offset, known).in_system(initial_work_offset(self.control()))
+        ProgramFrame::new(offset, known).in_system(initial_work_offset(self.control()))
     }
 
     pub(crate) fn initial_offset(&self) -> (PerAxis<f64>, AxisMask) {

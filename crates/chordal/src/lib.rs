@@ -26,9 +26,9 @@ pub mod control {
     pub use chordal_gcode::*;
     pub use chordal_kernel::rules::*;
     pub use chordal_kernel::{
-        Alarms, Checkpoint, Class, EndReason, FrameKinds, Language, LiveTool, Modal, MotionMode,
-        Outcome, ProgramPlace, Ran, RunSink, SplineForm, StateItem, StateValue, Token, ToolValue,
-        TurnPass,
+        Alarms, Checkpoint, CompletedRun, EndReason, FrameKinds, Language, LiveTool, Modal,
+        MotionMode, Outcome, ProgramPlace, RunSink, SplineForm, StateItem, StateValue, Token,
+        TokenClass, ToolValue, TurnPass,
     };
 }
 
@@ -56,16 +56,16 @@ pub use chordal_syntax as syntax;
 pub use chordal_command::{Command, CommandKind, Effect, Sink};
 pub use chordal_diagnostics::{Code, Diagnostic, Severity, Source, SourceMap, Span};
 pub use chordal_dialect::Control;
-pub use chordal_gcode::{RunOptions, ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord};
+pub use chordal_gcode::{CustomCode, RunOptions, ShopAnswer, ShopCall, ShopCodes, ShopRecord};
 pub use chordal_kernel::{Language, Outcome, RunSink};
 pub use chordal_machine::Machine;
 pub use chordal_path::{
-    ContourPiece, PathCommand, PathSink, PlaneCurve, Role, Segment, SegmentKind,
+    BlockRole, CompensationCurve, ContourPiece, PathCommand, PathSink, Segment, SegmentKind,
 };
 pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
 pub use job::{Job, JobError, TextProgram};
-pub use other_sides::{BlockDeleteRuns, MOST_SIDE_RUNS, MOST_STOCK_SIDE_RUNS, Side};
-pub use reading::{ChoiceDifference, Reading, ReadingChoice, ReadingChoices};
+pub use other_sides::{AlternativeRun, BlockDeleteRuns, MOST_SIDE_RUNS, MOST_STOCK_SIDE_RUNS};
+pub use reading::{ChoiceDifference, ProgramReading, ReadingChoice, ReadingChoices};
 pub use recheck::CheckMemory;
-pub use report::{EVERY_PLACE, KEPT_PER_CODE, OtherSides, Report, Watch};
+pub use report::{EVERY_PLACE, KEPT_PER_CODE, OtherSides, Report, RunWatch};
 pub use summary::{AxisTravel, Summary, ToolUse};

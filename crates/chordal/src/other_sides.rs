@@ -24,7 +24,7 @@ const MOST_REPEATED_BLOCKS: u64 = 100_000;
 
 /// What a run takes otherwise than the first one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Side {
+pub enum AlternativeRun {
     /// This condition is fulfilled, and those that lead to it.
     Fulfilled(Span),
     /// Block delete is switched the other way.
@@ -41,8 +41,8 @@ pub enum BlockDeleteRuns {
 }
 
 /// A run to do.
-struct Pending {
-    side: Side,
+struct PendingRun {
+    side: AlternativeRun,
     fulfilled: BTreeSet<(FileId, u32)>,
     block_delete: bool,
 }
@@ -54,7 +54,7 @@ impl Job<'_> {
         &self,
         first: &[Diagnostic],
         block_delete: BlockDeleteRuns,
-    ) -> (Vec<(Side, Job<'_>)>, bool) {
+    ) -> (Vec<(AlternativeRun, Job<'_>)>, bool) {
         let mut jobs = Vec::new();
         let sides = self.run_other_sides(first, MOST_SIDE_RUNS, block_delete, |job, side| {
             let found = job.check_of_run(KEPT_PER_CODE).diagnostics;
@@ -76,7 +76,7 @@ impl Job<'_> {
         first: &[Diagnostic],
         most_runs: usize,
         block_delete: BlockDeleteRuns,
-        mut run: impl FnMut(Job<'s>, Side) -> Vec<Diagnostic>,
+        mut run: impl FnMut(Job<'s>, AlternativeRun) -> Vec<Diagnostic>,
     ) -> OtherSides {
         let mut met: BTreeSet<(FileId, u32)> = BTreeSet::new();
         let mut pending = VecDeque::new();
@@ -87,8 +87,8 @@ impl Job<'_> {
         let is_asked =
             self.run_options().both_block_deletes || block_delete == BlockDeleteRuns::Both;
         if is_asked || decides && !is_on {
-            let (side, fulfilled) = (Side::BlockDelete, BTreeSet::new());
-            pending.push_back(Pending { side, fulfilled, block_delete: true });
+            let (side, fulfilled) = (AlternativeRun::BlockDelete, BTreeSet::new());
+            pending.push_back(PendingRun { side, fulfilled, block_delete: true });
         }
         let mut meet = |found: &[Diagnostic],
                         (before, block_delete): (&BTreeSet<_>, bool),
@@ -97,23 +97,23 @@ impl Job<'_> {
                 if met.insert(place(condition)) {
                     let mut fulfilled = before.clone();
                     fulfilled.insert(place(condition));
-                    let side = Side::Fulfilled(condition);
-                    pending.push_back(Pending { side, fulfilled, block_delete });
+                    let side = AlternativeRun::Fulfilled(condition);
+                    pending.push_back(PendingRun { side, fulfilled, block_delete });
                 }
             }
         };
         meet(first, (&BTreeSet::new(), false), &mut pending);
-        while let Some(Pending { side, fulfilled, block_delete }) = pending.pop_front() {
+        while let Some(PendingRun { side, fulfilled, block_delete }) = pending.pop_front() {
             if sides.count() >= most_runs || self.is_interrupted() {
-                if let Side::Fulfilled(condition) = side {
+                if let AlternativeRun::Fulfilled(condition) = side {
                     sides.left_out.push(condition);
                 }
                 continue;
             }
             let found = run(self.taking(fulfilled.clone(), block_delete), side);
             match side {
-                Side::Fulfilled(condition) => sides.run.push(condition),
-                Side::BlockDelete => sides.block_delete = true,
+                AlternativeRun::Fulfilled(condition) => sides.run.push(condition),
+                AlternativeRun::BlockDelete => sides.block_delete = true,
             }
             meet(&found, (&fulfilled, block_delete), &mut pending);
         }
@@ -183,17 +183,17 @@ impl Job<'_> {
     }
 
     /// A side in the words of a note.
-    fn words_of(&self, side: Side) -> String {
+    fn words_of(&self, side: AlternativeRun) -> String {
         match side {
-            Side::Fulfilled(condition) => {
+            AlternativeRun::Fulfilled(condition) => {
                 let source = self.sources().get(condition.file);
                 let line = source.map_or(0, |source| source.line_of(condition.range.start));
                 format!("where the condition in line {line} is fulfilled")
             }
-            Side::BlockDelete if self.machine().switches.block_delete.contains(&true) => {
+            AlternativeRun::BlockDelete if self.machine().switches.block_delete.contains(&true) => {
                 "with block delete off".to_string()
             }
-            Side::BlockDelete => "with block delete on".to_string(),
+            AlternativeRun::BlockDelete => "with block delete on".to_string(),
         }
     }
 }

@@ -5,7 +5,7 @@ use chordal_gcode::Recognition;
 
 /// On what a program is read, and why.
 #[derive(Clone, Debug)]
-pub struct Reading<'a> {
+pub struct ProgramReading<'a> {
     /// The machine; nothing where the text is not read.
     pub machine: Option<&'a str>,
     /// The control, or the language that is not read: `fanuc`, `fanuc-lathe`.

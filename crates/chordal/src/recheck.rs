@@ -8,19 +8,21 @@
 use chordal_command::{CallPath, Command, Sink};
 use chordal_gcode::WordAddress;
 use chordal_kernel::Checkpoint;
+use chordal_kernel::CompletedRun;
 use chordal_kernel::Language;
-use chordal_kernel::Ran;
 use chordal_kernel::RunSink;
 use chordal_kernel::{EndReason, Outcome};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
-use chordal_diagnostics::{Code, Collector, Diagnostic, FileId, Severity, Shift, Span, TextRange};
-use chordal_path::{ChecksMemory, CompensatorMemory, ContourCheck, Seen};
+use chordal_diagnostics::{
+    Code, Collector, Diagnostic, FileId, Severity, Span, TextRange, TextShift,
+};
+use chordal_path::{CheckedRange, ChecksMemory, CompensatorMemory, ContourCheck};
 
-use crate::compensated::{Compensated, MOST_WAITING};
+use crate::compensated::{CompensationSink, MOST_WAITING};
 use crate::job::{Job, no_block};
-use crate::report::{CheckSink, KEPT_PER_CODE, Notes, Report};
+use crate::report::{CheckSink, KEPT_PER_CODE, NoteSink, Report};
 use crate::summary::Summary;
 use crate::tool_comments::contradicted_tools;
 
@@ -33,7 +35,7 @@ const MOST_STRETCHES: usize = 256;
 /// What a check remembers for the next one, of a changed text.
 #[derive(Debug)]
 pub struct CheckMemory {
-    run: Option<Run>,
+    run: Option<SegmentedRun>,
     stretch_bytes: usize,
 }
 
@@ -45,13 +47,13 @@ impl Default for CheckMemory {
 
 /// A run, cut into stretches.
 #[derive(Debug)]
-struct Run {
+struct SegmentedRun {
     text: Vec<u8>,
     /// The numbers of the programs of the text, and which one was run.
     numbers: Vec<Option<u32>>,
     main: usize,
     /// At least one.
-    stretches: Vec<Stretch>,
+    stretches: Vec<CheckedSegment>,
     outcome: Outcome,
     /// What the checks remember at the end.
     end: ChecksMemory,
@@ -61,23 +63,23 @@ struct Run {
 
 /// A part of a run between two checkpoints.
 #[derive(Debug)]
-struct Stretch {
+struct CheckedSegment {
     /// Where it begins; the first one at the beginning.
-    start: Option<Start>,
+    start: Option<SegmentStart>,
     /// The byte of the main program at which it ends.
     end: u32,
     /// What of the first text it reads elsewhere.
     looked: Option<TextRange>,
-    findings: Findings,
+    findings: SegmentFindings,
     /// Problems that wait for the chains of calls.
     waiting: Vec<(Diagnostic, CallPath)>,
-    seen: Seen,
+    seen: CheckedRange,
     output: Vec<String>,
 }
 
 /// What decides about all that follows.
 #[derive(Clone, Debug)]
-struct Start {
+struct SegmentStart {
     checkpoint: Checkpoint,
     compensator: CompensatorMemory,
     checks: ChecksMemory,
@@ -85,14 +87,14 @@ struct Start {
 
 /// The problems of a stretch, as many as a [`Collector`] may keep of it.
 #[derive(Debug, Default)]
-struct Findings {
+struct SegmentFindings {
     kept: Vec<Diagnostic>,
     places: BTreeMap<Code, BTreeSet<Span>>,
     /// How often problems were reported that are not kept.
     more: BTreeMap<(Code, Severity, Span), u64>,
 }
 
-impl Notes for Findings {
+impl NoteSink for SegmentFindings {
     fn note(&mut self, diagnostic: Diagnostic) {
         let (code, span) = (diagnostic.code, diagnostic.primary.span);
         let places = self.places.entry(code).or_default();
@@ -104,12 +106,12 @@ impl Notes for Findings {
     }
 }
 
-impl Notes for () {
+impl NoteSink for () {
     fn note(&mut self, _: Diagnostic) {}
 }
 
-impl Findings {
-    fn shift(&mut self, shift: &Shift) -> Option<()> {
+impl SegmentFindings {
+    fn shift(&mut self, shift: &TextShift) -> Option<()> {
         self.places.clear();
         for diagnostic in &mut self.kept {
             shift.diagnostic(diagnostic)?;
@@ -128,30 +130,31 @@ impl Findings {
     }
 }
 
-impl Start {
+impl SegmentStart {
     fn offset(&self) -> u32 {
         self.checkpoint.offset()
     }
 
-    fn shift(&mut self, shift: &Shift) -> Option<()> {
+    fn shift(&mut self, shift: &TextShift) -> Option<()> {
         self.checkpoint.shift(shift)?;
         self.compensator.shift(shift)?;
         self.checks.shift(shift)
     }
 
-    fn shifted(mut self, shift: &Shift) -> Option<Start> {
+    fn shifted(mut self, shift: &TextShift) -> Option<SegmentStart> {
         self.shift(shift).map(|()| self)
     }
 
-    fn leads_on_like(&self, other: &Start) -> bool {
-        let checkpoint = |start: &Start| format!("{:?} {:?}", start.compensator, start.checks);
+    fn leads_on_like(&self, other: &SegmentStart) -> bool {
+        let checkpoint =
+            |start: &SegmentStart| format!("{:?} {:?}", start.compensator, start.checks);
         self.checkpoint.leads_on_like(&other.checkpoint) && checkpoint(self) == checkpoint(other)
     }
 }
 
-impl Stretch {
+impl CheckedSegment {
     /// Makes it one of a text that has changed elsewhere; `None` where it speaks of what went.
-    fn shift(&mut self, shift: &Shift) -> Option<()> {
+    fn shift(&mut self, shift: &TextShift) -> Option<()> {
         if let Some(start) = &mut self.start {
             start.shift(shift)?;
         }
@@ -167,7 +170,7 @@ impl Stretch {
     }
 
     /// Whether what it reads elsewhere is still the same.
-    fn reads_the_same(&self, shift: &Shift) -> bool {
+    fn reads_the_same(&self, shift: &TextShift) -> bool {
         self.looked.is_none_or(|looked| shift.leaves(looked))
     }
 
@@ -221,7 +224,7 @@ impl CheckMemory {
         let before = before.filter(|run| run.numbers == numbers && run.main == main);
         let bytes = self.stretch_bytes.max(job.text().len() / MOST_STRETCHES) as u32;
         let run = before.and_then(|run| run.again(job, language, bytes));
-        let run = run.unwrap_or_else(|| Run::whole(job, language, numbers, main, bytes));
+        let run = run.unwrap_or_else(|| SegmentedRun::whole(job, language, numbers, main, bytes));
         let waiting = run.stretches.iter().map(|stretch| stretch.waiting.len()).sum::<usize>();
         if waiting >= MOST_WAITING {
             return job.check();
@@ -234,34 +237,44 @@ impl CheckMemory {
     }
 }
 
-impl Run {
+impl SegmentedRun {
     fn whole(
         job: &Job,
         language: &WordAddress<'_>,
         numbers: Vec<Option<u32>>,
         main: usize,
         bytes: u32,
-    ) -> Run {
-        let mut walk = Walk::new(job, bytes, None, &[], None);
+    ) -> SegmentedRun {
+        let mut walk = IncrementalRun::new(job, bytes, None, &[], None);
         let (outcome, end) = walk.run(job, language, main);
         let outcome = outcome.unwrap_or_else(|| unreachable!("there is nothing to meet"));
         let (stretches, carried_out) = (walk.done, walk.blocks);
-        Run { text: job.text().to_vec(), numbers, main, stretches, outcome, end, carried_out }
+        SegmentedRun {
+            text: job.text().to_vec(),
+            numbers,
+            main,
+            stretches,
+            outcome,
+            end,
+            carried_out,
+        }
     }
 
     /// The run of a changed text with the same programs; `None` where nothing can be kept.
-    fn again(mut self, job: &Job, language: &WordAddress<'_>, bytes: u32) -> Option<Run> {
-        let shift = Shift::between(&self.text, job.text());
-        let start_of = |stretch: &Stretch| stretch.start.as_ref().map_or(0, Start::offset);
-        let same = |stretch: &&Stretch| {
+    fn again(mut self, job: &Job, language: &WordAddress<'_>, bytes: u32) -> Option<SegmentedRun> {
+        let shift = TextShift::between(&self.text, job.text());
+        let start_of =
+            |stretch: &CheckedSegment| stretch.start.as_ref().map_or(0, SegmentStart::offset);
+        let same = |stretch: &&CheckedSegment| {
             let own = TextRange::new(start_of(stretch), stretch.end);
             shift.leaves(own)
                 && stretch.reads_the_same(&shift)
                 && (shift.lines() == 0 || !stretch.tells_lines())
         };
         let last = self.stretches.len() - 1;
-        let before =
-            |stretch: &&Stretch| shift.offset(stretch.end) == Some(stretch.end) && same(stretch);
+        let before = |stretch: &&CheckedSegment| {
+            shift.offset(stretch.end) == Some(stretch.end) && same(stretch)
+        };
         let kept = self.stretches[..last].iter().take_while(before).count();
         let tail = self.stretches[kept + 1..].iter().rev().take_while(same).count();
         let mut tail = self.stretches.split_off(self.stretches.len() - tail);
@@ -274,7 +287,7 @@ impl Run {
             first.shift(&shift)?;
         }
         let began = first.as_ref().map_or(0, |first| first.checkpoint.blocks());
-        let mut walk = Walk::new(job, bytes, first, &tail, Some(&shift));
+        let mut walk = IncrementalRun::new(job, bytes, first, &tail, Some(&shift));
         let (outcome, end) = walk.run(job, language, self.main);
         let (met, blocks, done) = (walk.met, walk.blocks, walk.done);
         self.carried_out = blocks - began;
@@ -328,35 +341,35 @@ impl Run {
 
 /// Runs from a start, cuts what goes by into stretches, and ends where it comes upon one that
 /// is known.
-struct Walk<'a, 'o> {
-    run: Compensated<'a, CheckSink<'a, Findings>>,
-    start: Option<Start>,
-    done: Vec<Stretch>,
+struct IncrementalRun<'a, 'o> {
+    run: CompensationSink<'a, CheckSink<'a, SegmentFindings>>,
+    start: Option<SegmentStart>,
+    done: Vec<CheckedSegment>,
     bytes: u32,
     /// Stretches of the text before the change that may follow.
-    tail: &'o [Stretch],
-    shift: Option<&'o Shift>,
+    tail: &'o [CheckedSegment],
+    shift: Option<&'o TextShift>,
     /// How many of them have been passed.
     met: usize,
     /// Blocks carried out since the beginning where the run ended.
     blocks: u64,
 }
 
-impl<'a, 'o> Walk<'a, 'o> {
+impl<'a, 'o> IncrementalRun<'a, 'o> {
     fn new(
         job: &'a Job<'a>,
         bytes: u32,
-        start: Option<Start>,
-        tail: &'o [Stretch],
-        shift: Option<&'o Shift>,
-    ) -> Walk<'a, 'o> {
-        let sink = CheckSink::new(job, Findings::default());
-        let mut run = Compensated::new(job, Some(ContourCheck::default()), sink);
+        start: Option<SegmentStart>,
+        tail: &'o [CheckedSegment],
+        shift: Option<&'o TextShift>,
+    ) -> IncrementalRun<'a, 'o> {
+        let sink = CheckSink::new(job, SegmentFindings::default());
+        let mut run = CompensationSink::new(job, Some(ContourCheck::default()), sink);
         if let Some(start) = &start {
             run.compensator.recall(&start.compensator);
             run.told.inner.checks.recall(start.checks.clone());
         }
-        Walk { run, start, done: Vec::new(), bytes, tail, shift, met: 0, blocks: 0 }
+        IncrementalRun { run, start, done: Vec::new(), bytes, tail, shift, met: 0, blocks: 0 }
     }
 
     /// Runs; no outcome where it came upon what is known.
@@ -368,7 +381,7 @@ impl<'a, 'o> Walk<'a, 'o> {
     ) -> (Option<Outcome>, ChecksMemory) {
         let checkpoint = self.start.as_ref().map(|start| start.checkpoint.clone());
         let ended = language.run(main, checkpoint.as_ref(), self);
-        let outcome = ended.map(|Ran { outcome, looked }| {
+        let outcome = ended.map(|CompletedRun { outcome, looked }| {
             self.run.finish();
             self.blocks = outcome.blocks;
             self.close(job.text().len() as u32, looked);
@@ -379,7 +392,7 @@ impl<'a, 'o> Walk<'a, 'o> {
 
     fn close(&mut self, end: u32, looked: Option<TextRange>) {
         let sink = &mut self.run.told.inner;
-        self.done.push(Stretch {
+        self.done.push(CheckedSegment {
             start: self.start.take(),
             end,
             looked,
@@ -397,7 +410,7 @@ impl<'a, 'o> Walk<'a, 'o> {
     }
 }
 
-impl Sink for Walk<'_, '_> {
+impl Sink for IncrementalRun<'_, '_> {
     #[inline]
     fn command(&mut self, command: &Command) {
         self.run.command(command);
@@ -408,9 +421,9 @@ impl Sink for Walk<'_, '_> {
     }
 }
 
-impl RunSink for Walk<'_, '_> {
+impl RunSink for IncrementalRun<'_, '_> {
     fn next_checkpoint(&self) -> u32 {
-        let from = self.start.as_ref().map_or(0, Start::offset);
+        let from = self.start.as_ref().map_or(0, SegmentStart::offset);
         let usual = from.saturating_add(self.bytes);
         match self.known() {
             Some(known) if known <= usual.saturating_add(self.bytes) => known,
@@ -425,7 +438,7 @@ impl RunSink for Walk<'_, '_> {
     fn checkpoint(&mut self, checkpoint: Checkpoint, looked: Option<TextRange>) -> ControlFlow<()> {
         let (here, blocks) = (checkpoint.offset(), checkpoint.blocks());
         self.close(here, looked);
-        let start = Start {
+        let start = SegmentStart {
             checkpoint,
             compensator: self.run.compensator.memory(),
             checks: self.run.told.inner.checks.memory().clone(),

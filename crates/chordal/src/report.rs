@@ -1,11 +1,11 @@
 //! What a run with its checks tells: problems, and numbers for people.
 
 use chordal_command::{Command, CommandKind, Origin};
-use chordal_diagnostics::{Code, Collector, Counts, Diagnostic, Severity, SourceMap, Span};
+use chordal_diagnostics::{Code, Collector, Diagnostic, Severity, SeverityCounts, SourceMap, Span};
 use chordal_kernel::Outcome;
-use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
+use chordal_path::{PathBuilder, PathCommand, RunChecks, Segment};
 
-use crate::compensated::Compensated;
+use crate::compensated::CompensationSink;
 use crate::job::Job;
 use crate::summary::{Summary, SummaryBuilder};
 use crate::tool_comments::contradicted_tools;
@@ -50,7 +50,7 @@ pub struct Report {
     /// Problems that were reported but not kept, by code.
     pub dropped: Vec<(Code, u64)>,
     /// All problems counted.
-    pub counts: Counts,
+    pub counts: SeverityCounts,
     /// Where the run came first to something that is not followed, or that depends on what nobody gave: from there
     /// on the path or its time is not verified, and whatever is said of it is said of another one.
     pub not_verified_from: Option<Span>,
@@ -73,32 +73,32 @@ impl Job<'_> {
 
     /// The same with what compensation did.
     pub fn report_of_path(&self, observe: impl FnMut(PathCommand<'_>, &[Segment])) -> Report {
-        struct Path<F>(F);
-        impl<F: FnMut(PathCommand<'_>, &[Segment])> Watch for Path<F> {
+        struct PathSinkChain<F>(F);
+        impl<F: FnMut(PathCommand<'_>, &[Segment])> RunWatch for PathSinkChain<F> {
             fn path(&mut self, command: PathCommand<'_>, segments: &[Segment]) {
                 (self.0)(command, segments);
             }
         }
-        self.report_watched(&mut Path(observe))
+        self.report_watched(&mut PathSinkChain(observe))
     }
 
     /// Runs with all checks and sums up; `observe` sees every command as programmed, before
     /// cutter compensation.
     pub fn report_of_commands(&self, observe: impl FnMut(&Command)) -> Report {
-        struct Programmed<F>(F);
-        impl<F: FnMut(&Command)> Watch for Programmed<F> {
+        struct ProgrammedSink<F>(F);
+        impl<F: FnMut(&Command)> RunWatch for ProgrammedSink<F> {
             fn programmed(&mut self, command: &Command) {
                 (self.0)(command);
             }
         }
-        self.report_watched(&mut Programmed(observe))
+        self.report_watched(&mut ProgrammedSink(observe))
     }
 
     /// Runs with all checks and sums up, watched.
-    pub fn report_watched(&self, watch: &mut dyn Watch) -> Report {
+    pub fn report_watched(&self, watch: &mut dyn RunWatch) -> Report {
         let mut sink = ReportSink::new(self, watch);
         contradicted_tools(self).into_iter().for_each(|found| sink.collector.push(found));
-        let (outcomes, sink) = Compensated::judge(self, sink);
+        let (outcomes, sink) = CompensationSink::judge(self, sink);
         let mut report = sink.finish(outcomes);
         self.check_other_sides(&mut report, KEPT_PER_CODE);
         report
@@ -126,7 +126,7 @@ impl Job<'_> {
         let mut notes = Collector::new(most_per_code);
         contradicted_tools(self).into_iter().for_each(|diagnostic| notes.push(diagnostic));
         let sink = CheckSink::new(self, notes);
-        let (outcomes, sink) = Compensated::judge(self, sink);
+        let (outcomes, sink) = CompensationSink::judge(self, sink);
         let CheckSink { notes, output, .. } = sink;
         Report::new(Summary::default(), notes, output, outcomes)
     }
@@ -184,16 +184,16 @@ impl Report {
     /// The gravest severity that occurred.
     pub fn worst(&self) -> Option<Severity> {
         match self.counts {
-            Counts { errors: 1.., .. } => Some(Severity::Error),
-            Counts { warnings: 1.., .. } => Some(Severity::Warning),
-            Counts { notes: 1.., .. } => Some(Severity::Note),
+            SeverityCounts { errors: 1.., .. } => Some(Severity::Error),
+            SeverityCounts { warnings: 1.., .. } => Some(Severity::Warning),
+            SeverityCounts { notes: 1.., .. } => Some(Severity::Note),
             _ => None,
         }
     }
 }
 
 /// Sees a run go by.
-pub trait Watch {
+pub trait RunWatch {
     /// A command as programmed, before cutter compensation.
     fn programmed(&mut self, _command: &Command) {}
     /// A command of the tool centre and its piece of path.
@@ -208,12 +208,12 @@ fn note_output(command: &Command, output: &mut Vec<String>) {
 }
 
 /// Takes the problems of a check.
-pub(crate) trait Notes {
+pub(crate) trait NoteSink {
     /// One problem.
     fn note(&mut self, diagnostic: Diagnostic);
 }
 
-impl Notes for Collector {
+impl NoteSink for Collector {
     fn note(&mut self, diagnostic: Diagnostic) {
         self.push(diagnostic);
     }
@@ -221,7 +221,7 @@ impl Notes for Collector {
 
 /// Runs the checks only.
 pub(crate) struct CheckSink<'m, N> {
-    pub checks: Checks<'m>,
+    pub checks: RunChecks<'m>,
     pub notes: N,
     pub output: Vec<String>,
 }
@@ -232,7 +232,7 @@ impl<'m, N> CheckSink<'m, N> {
     }
 }
 
-impl<N: Notes> chordal_path::PathSink for CheckSink<'_, N> {
+impl<N: NoteSink> chordal_path::PathSink for CheckSink<'_, N> {
     #[inline]
     fn programmed(&mut self, command: &Command) {
         self.checks.programmed(command, |diagnostic| self.notes.note(diagnostic));
@@ -258,12 +258,12 @@ impl<N: Notes> chordal_path::PathSink for CheckSink<'_, N> {
 /// Checks, sums up and lets a run be watched.
 pub(crate) struct ReportSink<'m, 'w> {
     builder: PathBuilder<'m>,
-    checks: Checks<'m>,
+    checks: RunChecks<'m>,
     summary: SummaryBuilder,
     collector: Collector,
     output: Vec<String>,
     segments: Vec<Segment>,
-    watch: &'w mut dyn Watch,
+    watch: &'w mut dyn RunWatch,
 }
 
 impl chordal_path::PathSink for ReportSink<'_, '_> {
@@ -295,7 +295,7 @@ impl chordal_path::PathSink for ReportSink<'_, '_> {
 }
 
 impl<'m, 'w> ReportSink<'m, 'w> {
-    pub fn new(job: &'m Job<'_>, watch: &'w mut dyn Watch) -> ReportSink<'m, 'w> {
+    pub fn new(job: &'m Job<'_>, watch: &'w mut dyn RunWatch) -> ReportSink<'m, 'w> {
         ReportSink {
             builder: job.path_builder(),
             checks: job.checks(),

@@ -90,7 +90,7 @@ impl Summary {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Extent {
+struct PathExtent {
     low: f64,
     high: f64,
     cut_low: f64,
@@ -104,7 +104,7 @@ pub(crate) struct SummaryBuilder {
     tools: BTreeMap<u32, ToolUse>,
     order: Vec<u32>,
     tool: u32,
-    axes: PerAxis<Extent>,
+    axes: PerAxis<PathExtent>,
     /// The surface on which two coordinates lie.
     surface: Option<SurfaceRun>,
     written: PerAxis<f64>,
@@ -114,7 +114,7 @@ pub(crate) struct SummaryBuilder {
 
 impl SummaryBuilder {
     pub fn new(control: &Control, machine: &Machine) -> SummaryBuilder {
-        let empty = Extent {
+        let empty = PathExtent {
             low: f64::INFINITY,
             high: f64::NEG_INFINITY,
             cut_low: f64::INFINITY,
@@ -324,7 +324,7 @@ fn lacking_axes(machine: &Machine) -> AxisMask {
     axes
 }
 
-impl Extent {
+impl PathExtent {
     fn take(&mut self, low: f64, high: f64, cuts: bool) {
         self.low = self.low.min(low);
         self.high = self.high.max(high);

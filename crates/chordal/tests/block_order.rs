@@ -1,7 +1,7 @@
 //! In which order a block is carried out, whatever the order of its words: pairs of codes, on each control that has them,
 //! from the controls' manuals.
 
-use chordal::control::{FeedMode, Side, SpindleState};
+use chordal::control::{CompensationSide, FeedMode, SpindleState};
 use chordal::geometry::Plane;
 use chordal::{Command, CommandKind, Diagnostic, Job, Machine, RunSink, Sink, Source, SourceMap};
 
@@ -481,7 +481,7 @@ impl Sink for Events {
             CommandKind::ToolLength { number: None, .. } => "length off".into(),
             CommandKind::WorkOffset { .. } => "offset".into(),
             CommandKind::Compensation { side, .. } => match side {
-                Side::Off => "compensation off".into(),
+                CompensationSide::Off => "compensation off".into(),
                 _ => "compensation".into(),
             },
             CommandKind::Dwell { seconds, .. } => format!("dwell {}", rounded(*seconds)),

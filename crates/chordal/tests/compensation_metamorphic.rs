@@ -8,8 +8,8 @@ use std::fmt::Write;
 use chordal::control::Origin;
 use chordal::geometry::Vec2;
 use chordal::{
-    ContourPiece, Diagnostic, Job, Machine, PathCommand, PathSink, PlaneCurve, Role, Severity,
-    Source, SourceMap,
+    BlockRole, CompensationCurve, ContourPiece, Diagnostic, Job, Machine, PathCommand, PathSink,
+    Severity, Source, SourceMap,
 };
 use proptest::prelude::*;
 
@@ -108,7 +108,7 @@ impl Contour {
     }
 
     /// The tool-centre path of the contour alone; `None` where the control alarms.
-    fn path(&self) -> Option<Vec<PlaneCurve>> {
+    fn path(&self) -> Option<Vec<CompensationCurve>> {
         let mut machine = Machine::from_builtin("fanuc-30i").expect("a built-in machine");
         machine.set(&format!("tools.1.diameter=\"{} mm\"", 2.0 * self.radius)).expect("a tool");
         let tangent = format!("settings.compensation_tangent_joint=\"{} mm\"", self.tangent);
@@ -129,7 +129,7 @@ impl Contour {
 
 #[derive(Default)]
 struct Seen {
-    curves: Vec<PlaneCurve>,
+    curves: Vec<CompensationCurve>,
     alarmed: bool,
 }
 
@@ -141,22 +141,22 @@ impl PathSink for Seen {
     }
 
     fn contour(&mut self, piece: &ContourPiece) {
-        if piece.role == Role::Contour {
+        if piece.role == BlockRole::Contour {
             self.curves.extend(&piece.centre);
         }
     }
 }
 
-fn distance(p: Vec2, curve: &PlaneCurve) -> f64 {
+fn distance(p: Vec2, curve: &CompensationCurve) -> f64 {
     let (from, to) = (curve.from(), curve.to());
     let ends = p.distance(from).min(p.distance(to));
     match *curve {
-        PlaneCurve::Line { .. } => {
+        CompensationCurve::Line { .. } => {
             let way = to - from;
             let part = (p - from).dot(way) / way.dot(way);
             if (0.0..=1.0).contains(&part) { p.distance(from + way * part) } else { ends }
         }
-        PlaneCurve::Arc { center, sweep, radius_from, radius_to, .. } => {
+        CompensationCurve::Arc { center, sweep, radius_from, radius_to, .. } => {
             let (a, b) = (from - center, p - center);
             let angle = a.cross(b).atan2(a.dot(b)) * sweep.signum();
             let angle = if angle < 0.0 { angle + TAU } else { angle };
@@ -168,10 +168,10 @@ fn distance(p: Vec2, curve: &PlaneCurve) -> f64 {
     }
 }
 
-fn samples(curve: &PlaneCurve) -> Vec<Vec2> {
+fn samples(curve: &CompensationCurve) -> Vec<Vec2> {
     let at = |part: f64| match *curve {
-        PlaneCurve::Line { from, to } => from + (to - from) * part,
-        PlaneCurve::Arc { from, center, sweep, radius_from, radius_to, .. } => {
+        CompensationCurve::Line { from, to } => from + (to - from) * part,
+        CompensationCurve::Arc { from, center, sweep, radius_from, radius_to, .. } => {
             let (sin, cos) = (sweep * part).sin_cos();
             let radius = radius_from + (radius_to - radius_from) * part;
             let arm = (from - center) * (radius / radius_from);
@@ -182,8 +182,8 @@ fn samples(curve: &PlaneCurve) -> Vec<Vec2> {
 }
 
 /// How far the points of one path are from the other, both ways.
-fn apart(one: &[PlaneCurve], other: &[PlaneCurve]) -> f64 {
-    let reach = |a: &[PlaneCurve], b: &[PlaneCurve]| {
+fn apart(one: &[CompensationCurve], other: &[CompensationCurve]) -> f64 {
+    let reach = |a: &[CompensationCurve], b: &[CompensationCurve]| {
         a.iter()
             .flat_map(samples)
             .map(|p| b.iter().map(|curve| distance(p, curve)).fold(f64::INFINITY, f64::min))
@@ -192,13 +192,19 @@ fn apart(one: &[PlaneCurve], other: &[PlaneCurve]) -> f64 {
     reach(one, other).max(reach(other, one))
 }
 
-fn moved(path: &[PlaneCurve], point: impl Fn(Vec2) -> Vec2, turn: f64) -> Vec<PlaneCurve> {
-    let move_one = |curve: &PlaneCurve| match *curve {
-        PlaneCurve::Line { from, to } => PlaneCurve::Line { from: point(from), to: point(to) },
-        PlaneCurve::Arc { from, to, center, sweep, .. } => {
+fn moved(
+    path: &[CompensationCurve],
+    point: impl Fn(Vec2) -> Vec2,
+    turn: f64,
+) -> Vec<CompensationCurve> {
+    let move_one = |curve: &CompensationCurve| match *curve {
+        CompensationCurve::Line { from, to } => {
+            CompensationCurve::Line { from: point(from), to: point(to) }
+        }
+        CompensationCurve::Arc { from, to, center, sweep, .. } => {
             let (from, to, center) = (point(from), point(to), point(center));
             let (radius_from, radius_to) = (from.distance(center), to.distance(center));
-            PlaneCurve::Arc { from, to, center, sweep: sweep * turn, radius_from, radius_to }
+            CompensationCurve::Arc { from, to, center, sweep: sweep * turn, radius_from, radius_to }
         }
     };
     path.iter().map(move_one).collect()
@@ -224,7 +230,10 @@ fn contours() -> impl Strategy<Value = Contour> {
     )
 }
 
-fn same(one: Option<Vec<PlaneCurve>>, other: Option<Vec<PlaneCurve>>) -> Result<(), TestCaseError> {
+fn same(
+    one: Option<Vec<CompensationCurve>>,
+    other: Option<Vec<CompensationCurve>>,
+) -> Result<(), TestCaseError> {
     prop_assert_eq!(one.is_some(), other.is_some(), "one alarms, the other does not");
     if let (Some(one), Some(other)) = (one, other) {
         prop_assert!(!one.is_empty());

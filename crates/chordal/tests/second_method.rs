@@ -7,9 +7,9 @@ mod random_contour;
 use cavalier_contours::polyline::PlineSource;
 use chordal::control::Origin;
 use chordal::geometry::Vec2;
-use chordal::path::gouge::{self, PlaneCurve, Side};
+use chordal::path::gouge::{self, GougeCurve, ToolSide};
 use chordal::path::{ContourLevel, ContourPiece, PathCommand, PathSink};
-use chordal::{Diagnostic, Role, Severity};
+use chordal::{BlockRole, Diagnostic, Severity};
 use random_contour::support::{self, Dice, closed_contour, curves_of, point_distance, polyline};
 use random_contour::{run, text_of};
 
@@ -35,20 +35,20 @@ impl PathSink for Seen {
 }
 
 /// The same contour, begun in the middle of its longest line.
-fn begun_on_a_line(curves: &[PlaneCurve]) -> Option<Vec<PlaneCurve>> {
-    let line = |c: &PlaneCurve| matches!(c, PlaneCurve::Line { .. });
+fn begun_on_a_line(curves: &[GougeCurve]) -> Option<Vec<GougeCurve>> {
+    let line = |c: &GougeCurve| matches!(c, GougeCurve::Line { .. });
     let longest = (0..curves.len())
         .filter(|k| line(&curves[*k]))
         .max_by(|a, b| curves[*a].length().total_cmp(&curves[*b].length()))?;
     let (from, middle, to) =
         (curves[longest].from(), curves[longest].at(0.5), curves[longest].to());
-    let mut chain = vec![PlaneCurve::line(middle, to)];
+    let mut chain = vec![GougeCurve::line(middle, to)];
     chain.extend(curves[longest + 1..].iter().chain(&curves[..longest]).copied());
-    chain.push(PlaneCurve::line(from, middle));
+    chain.push(GougeCurve::line(from, middle));
     Some(chain)
 }
 
-fn program(chain: &[PlaneCurve], side: Side) -> String {
+fn program(chain: &[GougeCurve], side: ToolSide) -> String {
     let first = chain[0];
     let along = (first.to() - first.from()).normalized().unwrap();
     let away = first.from() + along.turned_left() * (side.sign() * 20.0);
@@ -56,15 +56,15 @@ fn program(chain: &[PlaneCurve], side: Side) -> String {
 }
 
 /// The moves of the tool centre along the contour, leads left out.
-fn along(pieces: &[ContourPiece]) -> Vec<PlaneCurve> {
+fn along(pieces: &[ContourPiece]) -> Vec<GougeCurve> {
     let mut level: Option<ContourLevel> = None;
-    for piece in pieces.iter().filter(|piece| piece.role == Role::Contour) {
+    for piece in pieces.iter().filter(|piece| piece.role == BlockRole::Contour) {
         level.get_or_insert_with(|| ContourLevel::of(piece)).take(piece);
     }
     level.map_or(Vec::new(), |level| level.moves.iter().map(|step| step.curve).collect())
 }
 
-fn nearest(curves: &[PlaneCurve], p: Vec2) -> f64 {
+fn nearest(curves: &[GougeCurve], p: Vec2) -> f64 {
     curves.iter().map(|curve| point_distance(curve, p)).fold(f64::INFINITY, f64::min)
 }
 
@@ -74,18 +74,18 @@ fn a_second_method_agrees() {
     for seed in 0..3000 {
         let mut dice = Dice::new(seed + 700_000);
         let Some(chain) = begun_on_a_line(&closed_contour(&mut dice)) else { continue };
-        let side = if dice.unit() < 0.5 { Side::Left } else { Side::Right };
+        let side = if dice.unit() < 0.5 { ToolSide::Left } else { ToolSide::Right };
         let radius = dice.between(0.2, 4.0);
         let seen: Seen = run(&program(&chain, side), radius);
         let path = along(&seen.pieces);
         let alarmed = !seen.alarms.is_empty();
         assert!(alarmed || path.len() >= chain.len(), "seed {seed}");
-        let options = gouge::Options { epsilon: 1e-6, ..gouge::Options::default() };
+        let options = gouge::GougeOptions { epsilon: 1e-6, ..gouge::GougeOptions::default() };
         let contour = support::contour(&chain, side, radius);
-        let moves: Vec<gouge::Move> = path
+        let moves: Vec<gouge::CenterMove> = path
             .iter()
             .enumerate()
-            .map(|(tag, &curve)| gouge::Move { curve, tag: tag as u32 })
+            .map(|(tag, &curve)| gouge::CenterMove { curve, tag: tag as u32 })
             .collect();
         let told = gouge::check(&contour, &moves, &options);
         assert!(told.complete);
@@ -102,7 +102,7 @@ fn a_second_method_agrees() {
         let touches = most <= radius + 1e-6;
         assert!(alarmed || touches, "seed {seed}: the path leaves the contour by {most}");
         let theirs = polyline(&chain).parallel_offset(side.sign() * radius);
-        let theirs: Vec<PlaneCurve> = theirs.iter().flat_map(curves_of).collect();
+        let theirs: Vec<GougeCurve> = theirs.iter().flat_map(curves_of).collect();
         match told.gouges.first() {
             None => {
                 assert!(least >= radius - 2e-6, "seed {seed}: {least} of {radius}, not told");

@@ -7,8 +7,8 @@ use std::sync::{Arc, Mutex};
 use chordal::control::EndReason;
 use chordal::motion::{MotionOptions, PlanSink, Sources, Step, StepKind, StepSource, WaitKind};
 use chordal::{
-    Code, CommandKind, Job, Machine, Report, RunOptions, ShopAnswer, ShopCall, ShopCode, ShopCodes,
-    ShopRecord, Source, SourceMap,
+    Code, CommandKind, CustomCode, Job, Machine, Report, RunOptions, ShopAnswer, ShopCall,
+    ShopCodes, ShopRecord, Source, SourceMap,
 };
 
 fn job_on(machine: Machine, text: &str, shop: Option<Arc<dyn ShopCodes>>) -> Job<'_> {
@@ -59,7 +59,7 @@ const FLIP: &str = "G21 G90 G0 X10. Y0. Z5.\nM120 P2 X20.\nX30.\nM30\n";
 #[test]
 fn a_time_is_a_wait_after_the_move_of_its_block() {
     let job = job(FLIP, |call| match call.code {
-        ShopCode::M(1200) => ShopAnswer::wait(2.5, "part flip"),
+        CustomCode::M(1200) => ShopAnswer::wait(2.5, "part flip"),
         _ => ShopAnswer::NotMine,
     });
     let expected = ["1: X10 Y0 Z5", "2: X20 Y0 Z5", "2: 2.5 s part flip", "3: X30 Y0 Z5", "4: end"];
@@ -145,11 +145,11 @@ fn a_time_that_cannot_be_is_refused() {
 fn a_missing_program_is_asked_for_with_its_arguments() {
     let text = "G21 G90 G0 X0 Y0 Z0\nG65 P9010 A1.5 X2. L3\nM98 P9011 L2\nG65 P9012\nM30\n";
     let job = job(text, |call| match call.code {
-        ShopCode::Program(9010) => {
+        CustomCode::Program(9010) => {
             assert_eq!(call.arguments, [(1, 1.5), (24, 2.0)]);
             ShopAnswer::text("G91 G0 X#24\nG90")
         }
-        ShopCode::Program(9011) => {
+        CustomCode::Program(9011) => {
             assert_eq!(call.words, [('M', 98.0), ('P', 9011.0), ('L', 2.0)]);
             ShopAnswer::Wait { seconds: 1.5, label: None }
         }
@@ -170,7 +170,7 @@ fn a_code_that_a_setting_makes_a_call_is_asked_by_its_program() {
     let mut fanuc = builtin("fanuc-30i");
     fanuc.set("settings.\"No. 6080\"=160").expect("the setting of M alias");
     let shop = |call: &ShopCall<'_>| match call.code {
-        ShopCode::Program(9020) => ShopAnswer::wait(4.0, "pallet"),
+        CustomCode::Program(9020) => ShopAnswer::wait(4.0, "pallet"),
         _ => ShopAnswer::NotMine,
     };
     let text = "O1\nG21 G90 G0 X0 Y0 Z0\nM160\nM30\n";
@@ -229,7 +229,7 @@ fn codes_of_the_control_are_not_the_shops() {
     // M8 is carried out, M39 reported as not simulated: that one the caller may answer.
     let text = "G21 G90 G0 X0 Y0 Z0\nM8\nM39\nM30\n";
     let job = job(text, |call| {
-        assert_eq!(call.code, ShopCode::M(390));
+        assert_eq!(call.code, CustomCode::M(390));
         ShopAnswer::wait(1.0, "turret")
     });
     assert!(steps(&job).contains(&"3: 1 s turret".to_string()));
@@ -268,7 +268,7 @@ fn labels_and_returns_stay_within_the_blocks_of_the_shop() {
 #[test]
 fn blocks_of_the_shop_stand_alone_in_their_block() {
     let shop = |call: &ShopCall<'_>| match call.code {
-        ShopCode::M(1210) => ShopAnswer::wait(1.0, "clamp"),
+        CustomCode::M(1210) => ShopAnswer::wait(1.0, "clamp"),
         _ => ShopAnswer::text("G91 G0 X1.\nG90"),
     };
     let beside = job("G21 G90 G0 X0 Y0 Z0\nM120 M121\nM30\n", shop);
@@ -292,7 +292,7 @@ fn the_machine_file_names_codes_with_their_time() {
     assert_eq!(told(&report).len(), 1, "M123 alone is unknown: {:?}", told(&report));
     // What the run is given comes first.
     let shop = |call: &ShopCall<'_>| match call.code {
-        ShopCode::M(1200) => ShopAnswer::wait(9.0, "by hand"),
+        CustomCode::M(1200) => ShopAnswer::wait(9.0, "by hand"),
         _ => ShopAnswer::NotMine,
     };
     let both = job_on(machine.clone(), text, Some(Arc::new(shop)));

@@ -12,8 +12,8 @@ use std::f64::consts::PI;
 
 use chordal::geometry::Vec3;
 use chordal::stock::mesh::write::write_stl;
-use chordal::stock::mesh::{LayerField, LengthUnit, Mesh, Stretches};
-use chordal::stock::{Runner, StockOptions, StockReport, StockVerdict, TileJob};
+use chordal::stock::mesh::{LayerField, LengthUnit, Mesh, SolidIntervals};
+use chordal::stock::{JobRunner, StockOptions, StockReport, StockVerdict, TileJob};
 use chordal::{Job, Machine, Source, SourceMap};
 
 const RESOLUTION: f64 = 0.5;
@@ -262,7 +262,7 @@ fn a_gouge_and_a_fixture_are_called_what_they_are() {
 #[test]
 fn tiles_may_be_cut_on_threads() {
     let text = program(1, "G0 X50. Y40.\nG1 Z-9. F200.\nG3 X30. Y40. I-10. J0.\nG0 X80. Y50.\n");
-    let told = |runner: &Runner<'_>| {
+    let told = |runner: &JobRunner<'_>| {
         let mut sources = SourceMap::new();
         sources.add(Source::new("part.nc", text.as_bytes().to_vec()));
         let job = Job::new(sources, machine(SETUP)).expect("settings of the control");
@@ -448,7 +448,7 @@ fn what_a_tap_leaves_is_between_its_core_and_its_thread() {
 
 /// 100 × 60 × 20 mm with a slot of 10 × 12 along X.
 fn box_with_a_slot() -> Mesh {
-    let mut stretches = Stretches::default();
+    let mut stretches = SolidIntervals::default();
     for row in 0..120 {
         let is_slot = (50..70).contains(&row);
         (0..200).for_each(|_| stretches.push([[0.0, if is_slot { 8.0 } else { 20.0 }]]));

@@ -7,7 +7,7 @@ use arrow_array::{
     ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array, UInt64Array,
 };
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
-use chordal_export::columns::{ColumnFile, ColumnFormat, Rows};
+use chordal_export::columns::{ColumnFile, ColumnFormat, RowBatcher};
 
 use super::DiffRow;
 use crate::columns::about;
@@ -91,7 +91,7 @@ struct DiffColumns<'a> {
     rows: &'a [DiffRow],
 }
 
-impl Rows for DiffColumns<'_> {
+impl RowBatcher for DiffColumns<'_> {
     fn rows(&self) -> usize {
         self.rows.len()
     }

@@ -11,7 +11,7 @@ const MOST_ASKED: usize = 4_000_000;
 
 /// A curve of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Piece {
+pub struct PathCurve {
     /// A rapid, not a cut.
     pub is_rapid: bool,
     /// The exact curve, mm.
@@ -20,18 +20,18 @@ pub struct Piece {
 
 /// An interval that holds a distance, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Within {
+pub struct DistanceBounds {
     /// It is at least this.
     pub low: f64,
     /// It is at most this.
     pub high: f64,
 }
 
-impl Within {
+impl DistanceBounds {
     /// The interval of the larger of two distances.
     #[must_use]
-    pub fn or(self, other: Within) -> Within {
-        Within { low: self.low.max(other.low), high: self.high.max(other.high) }
+    pub fn or(self, other: DistanceBounds) -> DistanceBounds {
+        DistanceBounds { low: self.low.max(other.low), high: self.high.max(other.high) }
     }
 }
 
@@ -48,9 +48,9 @@ impl Within {
 /// counts as nothing.
 ///
 /// Says nothing about the order or direction in which the points are passed.
-pub fn distance(a: &[Piece], b: &[Piece], tolerance_mm: f64) -> Option<Within> {
+pub fn distance(a: &[PathCurve], b: &[PathCurve], tolerance_mm: f64) -> Option<DistanceBounds> {
     if a.is_empty() && b.is_empty() {
-        return Some(Within { low: 0.0, high: 0.0 });
+        return Some(DistanceBounds { low: 0.0, high: 0.0 });
     }
     if a.is_empty() || b.is_empty() {
         return None;
@@ -75,7 +75,7 @@ pub fn distance(a: &[Piece], b: &[Piece], tolerance_mm: f64) -> Option<Within> {
 /// | their difference, squares, sum and root | below 4 uM |
 ///
 /// Together below 64 uM. Curves get the same number; where they need more, it is told as a distance.
-fn rounding<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Option<f64> {
+fn rounding<'a>(pieces: impl Iterator<Item = &'a PathCurve>) -> Option<f64> {
     let mut largest = 0.0f64;
     for piece in pieces {
         let bounds = piece.curve.bounds();
@@ -90,7 +90,7 @@ fn rounding<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Option<f64> {
 }
 
 /// How many pieces are the same at the beginning, and at the end after those.
-fn common(a: &[Piece], b: &[Piece]) -> (usize, usize) {
+fn common(a: &[PathCurve], b: &[PathCurve]) -> (usize, usize) {
     let head = a.iter().zip(b).take_while(|(a, b)| a == b).count();
     let (a, b) = (&a[head..], &b[head..]);
     let tail = a.iter().rev().zip(b.iter().rev()).take_while(|(a, b)| a == b).count();
@@ -98,9 +98,9 @@ fn common(a: &[Piece], b: &[Piece]) -> (usize, usize) {
 }
 
 /// A piece in the tree.
-struct Leaf(Curve);
+struct CurveLeaf(Curve);
 
-impl RTreeObject for Leaf {
+impl RTreeObject for CurveLeaf {
     type Envelope = AABB<[f64; 3]>;
 
     fn envelope(&self) -> AABB<[f64; 3]> {
@@ -109,7 +109,7 @@ impl RTreeObject for Leaf {
     }
 }
 
-impl PointDistance for Leaf {
+impl PointDistance for CurveLeaf {
     fn distance_2(&self, point: &[f64; 3]) -> f64 {
         let distance = self.0.nearest(Vec3::new(point[0], point[1], point[2])).distance;
         distance * distance
@@ -117,7 +117,7 @@ impl PointDistance for Leaf {
 }
 
 /// A part of a curve whose distance is at most `high`.
-struct Part {
+struct CurveInterval {
     curve: usize,
     from: f64,
     to: f64,
@@ -128,50 +128,56 @@ struct Part {
     uneven: bool,
 }
 
-impl PartialEq for Part {
-    fn eq(&self, other: &Part) -> bool {
+impl PartialEq for CurveInterval {
+    fn eq(&self, other: &CurveInterval) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl Eq for Part {}
+impl Eq for CurveInterval {}
 
-impl PartialOrd for Part {
-    fn partial_cmp(&self, other: &Part) -> Option<Ordering> {
+impl PartialOrd for CurveInterval {
+    fn partial_cmp(&self, other: &CurveInterval) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl Ord for Part {
-    fn cmp(&self, other: &Part) -> Ordering {
+impl Ord for CurveInterval {
+    fn cmp(&self, other: &CurveInterval) -> Ordering {
         let by_place =
             || (other.curve, other.from.to_bits()).cmp(&(self.curve, self.from.to_bits()));
         self.high.total_cmp(&other.high).then_with(by_place)
     }
 }
 
-struct Search<'a> {
-    from: &'a [Piece],
-    tree: RTree<Leaf>,
+struct DistanceSearch<'a> {
+    from: &'a [PathCurve],
+    tree: RTree<CurveLeaf>,
     tolerance_mm: f64,
     rounding: f64,
     low: f64,
     asked: usize,
-    parts: BinaryHeap<Part>,
+    parts: BinaryHeap<CurveInterval>,
 }
 
 /// How far the pieces of one path are from another path.
-fn one_way(from: &[Piece], to: &[Piece], tolerance_mm: f64, rounding: f64) -> Option<Within> {
-    let tree = RTree::bulk_load(to.iter().map(|piece| Leaf(piece.curve)).collect());
+fn one_way(
+    from: &[PathCurve],
+    to: &[PathCurve],
+    tolerance_mm: f64,
+    rounding: f64,
+) -> Option<DistanceBounds> {
+    let tree = RTree::bulk_load(to.iter().map(|piece| CurveLeaf(piece.curve)).collect());
     let parts = BinaryHeap::new();
-    let mut search = Search { from, tree, tolerance_mm, rounding, low: 0.0, asked: 0, parts };
+    let mut search =
+        DistanceSearch { from, tree, tolerance_mm, rounding, low: 0.0, asked: 0, parts };
     for (index, piece) in from.iter().enumerate() {
         search.ends(&piece.curve)?;
         search.bound(index, 0.0, piece.curve.length(), false)?;
     }
     while let Some(part) = search.parts.pop() {
         if part.high <= search.low + tolerance_mm || search.asked >= MOST_ASKED {
-            return Some(Within { low: search.low, high: part.high.max(search.low) });
+            return Some(DistanceBounds { low: search.low, high: part.high.max(search.low) });
         }
         let middle = part.from + (part.to - part.from) / 2.0;
         let uneven = !part.uneven && part.split != middle;
@@ -179,10 +185,10 @@ fn one_way(from: &[Piece], to: &[Piece], tolerance_mm: f64, rounding: f64) -> Op
         search.bound(part.curve, part.from, split, uneven)?;
         search.bound(part.curve, split, part.to, uneven)?;
     }
-    Some(Within { low: search.low, high: search.low })
+    Some(DistanceBounds { low: search.low, high: search.low })
 }
 
-impl Search<'_> {
+impl DistanceSearch<'_> {
     /// The distance of a place from a curve.
     fn distance_of(&self, curve: &Curve, place: Vec3) -> f64 {
         let distance = curve.nearest(place).distance;
@@ -212,7 +218,7 @@ impl Search<'_> {
         let nearest = self.tree.nearest_neighbor(place.to_array())?.0;
         let here = self.distance_of(&nearest, place);
         self.low = self.low.max(here);
-        let mut part = Part { curve: index, from, to, high: 0.0, split: middle, uneven };
+        let mut part = CurveInterval { curve: index, from, to, high: 0.0, split: middle, uneven };
         if nearest != *curve {
             part.high = here + (to - from) / 2.0;
         }
@@ -240,13 +246,13 @@ mod tests {
     use chordal::geometry::Line;
     use proptest::prelude::*;
 
-    fn line(a: [f64; 2], b: [f64; 2]) -> Piece {
+    fn line(a: [f64; 2], b: [f64; 2]) -> PathCurve {
         let point = |p: [f64; 2]| Vec3::new(p[0], p[1], 0.0);
         let line = Line { start: point(a), end: point(b) };
-        Piece { is_rapid: false, curve: line.into() }
+        PathCurve { is_rapid: false, curve: line.into() }
     }
 
-    fn chain(points: &[[f64; 2]]) -> Vec<Piece> {
+    fn chain(points: &[[f64; 2]]) -> Vec<PathCurve> {
         points.windows(2).map(|ends| line(ends[0], ends[1])).collect()
     }
 
@@ -264,7 +270,7 @@ mod tests {
     fn a_line_cut_in_two_is_no_other_path() {
         let a = chain(&[[0.0, 0.0], [100.0, 0.0]]);
         let b = chain(&[[0.0, 0.0], [30.0, 0.0], [100.0, 0.0]]);
-        assert_eq!(distance(&a, &b, 1e-9), Some(Within { low: 0.0, high: 0.0 }));
+        assert_eq!(distance(&a, &b, 1e-9), Some(DistanceBounds { low: 0.0, high: 0.0 }));
     }
 
     /// Cut at places that no double holds, far from the origin and along no axis.
@@ -275,7 +281,11 @@ mod tests {
             let at = |t: f64| [0, 1].map(|axis| ends[0][axis] * (1.0 - t) + ends[1][axis] * t);
             let a = chain(&ends);
             let b = chain(&[at(0.0), at(0.1), at(0.3), at(1.0 / 3.0), at(0.9), at(1.0)]);
-            assert_eq!(distance(&a, &b, 1e-9), Some(Within { low: 0.0, high: 0.0 }), "{scale}");
+            assert_eq!(
+                distance(&a, &b, 1e-9),
+                Some(DistanceBounds { low: 0.0, high: 0.0 }),
+                "{scale}"
+            );
         }
     }
 
@@ -297,11 +307,11 @@ mod tests {
                 Vec3::new(10.0, 0.0, 0.0),
                 end,
                 (0.0, 0.0),
-                chordal::geometry::Direction::Ccw,
+                chordal::geometry::TurnDirection::Ccw,
                 0,
                 0.1,
             );
-            Piece { is_rapid: false, curve: fit.curve }
+            PathCurve { is_rapid: false, curve: fit.curve }
         };
         let a = [arc(Vec3::new(0.0, 10.0, 0.0))];
         let b = [arc(Vec3::new(0.0, 10.05, 0.0))];
@@ -314,12 +324,12 @@ mod tests {
     fn nothing_to_compare_with() {
         let a = chain(&[[0.0, 0.0], [1.0, 0.0]]);
         assert_eq!(distance(&a, &[], 1e-3), None);
-        assert_eq!(distance(&[], &[], 1e-3), Some(Within { low: 0.0, high: 0.0 }));
+        assert_eq!(distance(&[], &[], 1e-3), Some(DistanceBounds { low: 0.0, high: 0.0 }));
         assert_eq!(distance(&a, &chain(&[[0.0, f64::NAN], [1.0, 0.0]]), 1e-3), None);
     }
 
     /// The distance of a point from a path by going through all of it.
-    fn plainly(point: Vec3, path: &[Piece]) -> f64 {
+    fn plainly(point: Vec3, path: &[PathCurve]) -> f64 {
         path.iter().map(|piece| piece.curve.nearest(point).distance).fold(f64::INFINITY, f64::min)
     }
 

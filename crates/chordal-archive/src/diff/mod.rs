@@ -17,24 +17,24 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use chordal::Job;
-use chordal_compare::{Category, Comparison, Options, Verdict};
+use chordal_compare::{Category, Comparison, ComparisonOptions, ComparisonVerdict};
 use chordal_export::sha256_hex;
 use serde::Serialize;
 
-use crate::check::{Loader, Prepared, guarded, job, run_planned};
-use crate::row::Problem;
-use crate::run::{Progress, with_jobs};
+use crate::check::{FileLoader, PreparedFile, guarded, job, run_planned};
+use crate::row::ArchivedProblem;
+use crate::run::{ArchiveProgress, with_jobs};
 use crate::walk::walk;
-use motion::Motion;
-use problems::{More, Problems};
+use motion::RunMotion;
+use problems::{AddedProblems, ProblemList};
 
 pub use columns::{DIFF_COLUMNS, diff_reference, write_table};
-pub use distance::{Piece, Within, distance};
+pub use distance::{DistanceBounds, PathCurve, distance};
 
 /// What became of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Status {
+pub enum FileStatus {
     /// The same bytes.
     Same,
     /// Another text with the same motion, feeds, speeds and functions.
@@ -58,34 +58,34 @@ pub enum Status {
     New,
 }
 
-impl Status {
+impl FileStatus {
     /// All of them, in the order in which they are reported.
-    pub const ALL: [Status; 10] = [
-        Status::Same,
-        Status::Text,
-        Status::NotVerified,
-        Status::Functions,
-        Status::Feeds,
-        Status::Path,
-        Status::Other,
-        Status::Unreadable,
-        Status::Missing,
-        Status::New,
+    pub const ALL: [FileStatus; 10] = [
+        FileStatus::Same,
+        FileStatus::Text,
+        FileStatus::NotVerified,
+        FileStatus::Functions,
+        FileStatus::Feeds,
+        FileStatus::Path,
+        FileStatus::Other,
+        FileStatus::Unreadable,
+        FileStatus::Missing,
+        FileStatus::New,
     ];
 
     /// The word for people and programs.
     pub fn word(self) -> &'static str {
         match self {
-            Status::Same => "same",
-            Status::Text => "text",
-            Status::NotVerified => "not-verified",
-            Status::Functions => "functions",
-            Status::Feeds => "feeds",
-            Status::Path => "path",
-            Status::Other => "other",
-            Status::Unreadable => "unreadable",
-            Status::Missing => "missing",
-            Status::New => "new",
+            FileStatus::Same => "same",
+            FileStatus::Text => "text",
+            FileStatus::NotVerified => "not-verified",
+            FileStatus::Functions => "functions",
+            FileStatus::Feeds => "feeds",
+            FileStatus::Path => "path",
+            FileStatus::Other => "other",
+            FileStatus::Unreadable => "unreadable",
+            FileStatus::Missing => "missing",
+            FileStatus::New => "new",
         }
     }
 }
@@ -96,7 +96,7 @@ pub struct DiffRow {
     /// Its path below the folders.
     pub path: String,
     /// What became of it.
-    pub status: Status,
+    pub status: FileStatus,
     /// Why it could not be compared, or only in part.
     pub message: Option<String>,
     /// SHA-256 of the released file.
@@ -120,11 +120,11 @@ pub struct DiffRow {
     /// Problems of the released program that the returned one does not have, likewise.
     pub gone_problems: u64,
     /// The first of the new problems, gravest first.
-    pub problems: Vec<Problem>,
+    pub problems: Vec<ArchivedProblem>,
 }
 
 impl DiffRow {
-    fn new(path: &str, status: Status) -> DiffRow {
+    fn new(path: &str, status: FileStatus) -> DiffRow {
         DiffRow {
             path: path.into(),
             status,
@@ -143,7 +143,7 @@ impl DiffRow {
         }
     }
 
-    fn brings(&mut self, new: More, gone: &More) {
+    fn brings(&mut self, new: AddedProblems, gone: &AddedProblems) {
         (self.new_problems, self.gone_problems) = (new.count, gone.count);
         self.problems = new.listed;
     }
@@ -160,13 +160,13 @@ pub struct DiffOptions {
 
 /// Compares the files of two folders that have the same path below them, with as many threads as
 /// there are `jobs`. Rows come in the order of paths.
-pub fn compare_all<L: Loader>(
+pub fn compare_all<L: FileLoader>(
     released: &Path,
     returned: &Path,
     jobs: usize,
     options: DiffOptions,
     loader: impl Fn() -> L + Sync,
-    progress: &dyn Progress,
+    progress: &dyn ArchiveProgress,
 ) -> Vec<DiffRow> {
     let pairs = pairs(released, returned);
     let rows = Mutex::new(vec![None; pairs.len()]);
@@ -187,7 +187,7 @@ pub fn compare_all<L: Loader>(
 
 /// Compares one file with another.
 pub fn compare_files(
-    loader: &mut impl Loader,
+    loader: &mut impl FileLoader,
     released: &Path,
     returned: &Path,
     options: DiffOptions,
@@ -198,10 +198,10 @@ pub fn compare_files(
 }
 
 /// The files of a name: released and returned.
-type Pair = [Option<PathBuf>; 2];
+type ReleasedAndReturned = [Option<PathBuf>; 2];
 
-fn pairs(released: &Path, returned: &Path) -> Vec<(String, Pair)> {
-    let mut pairs: BTreeMap<Vec<u8>, (String, Pair)> = BTreeMap::new();
+fn pairs(released: &Path, returned: &Path) -> Vec<(String, ReleasedAndReturned)> {
+    let mut pairs: BTreeMap<Vec<u8>, (String, ReleasedAndReturned)> = BTreeMap::new();
     for (side, folder) in [released, returned].into_iter().enumerate() {
         for entry in walk(&[folder.to_path_buf()], &[]) {
             let below = entry.path.strip_prefix(folder).unwrap_or(&entry.path).to_path_buf();
@@ -213,14 +213,19 @@ fn pairs(released: &Path, returned: &Path) -> Vec<(String, Pair)> {
     pairs.into_values().collect()
 }
 
-fn compare(loader: &mut impl Loader, name: &str, pair: &Pair, options: DiffOptions) -> DiffRow {
+fn compare(
+    loader: &mut impl FileLoader,
+    name: &str,
+    pair: &ReleasedAndReturned,
+    options: DiffOptions,
+) -> DiffRow {
     let (released, returned) = match pair {
         [Some(released), Some(returned)] => (released, returned),
-        [Some(_), None] => return DiffRow::new(name, Status::Missing),
+        [Some(_), None] => return DiffRow::new(name, FileStatus::Missing),
         [None, Some(returned)] => return new(loader, name, returned, options),
-        [None, None] => return DiffRow::new(name, Status::Missing),
+        [None, None] => return DiffRow::new(name, FileStatus::Missing),
     };
-    let mut row = DiffRow::new(name, Status::Unreadable);
+    let mut row = DiffRow::new(name, FileStatus::Unreadable);
     let texts = (loader.read(released), loader.read(returned));
     let digest = |text: &Result<Vec<u8>, String>| text.as_ref().ok().map(|text| sha256_hex(text));
     (row.released_sha256, row.returned_sha256) = (digest(&texts.0), digest(&texts.1));
@@ -232,14 +237,14 @@ fn compare(loader: &mut impl Loader, name: &str, pair: &Pair, options: DiffOptio
         }
     };
     if before == after {
-        row.status = Status::Same;
+        row.status = FileStatus::Same;
         return row;
     }
     row.lines = Some(first_line(&before, &after));
     let is_other = |loader: &mut _, path: &Path, text: &[u8]| is_no_program(loader, path, text);
     match (is_other(loader, released, &before), is_other(loader, returned, &after)) {
         (true, true) => {
-            row.status = Status::Other;
+            row.status = FileStatus::Other;
             return row;
         }
         (false, false) => {}
@@ -252,7 +257,7 @@ fn compare(loader: &mut impl Loader, name: &str, pair: &Pair, options: DiffOptio
     let both = [(released, before), (returned, after)].map(|(path, text)| {
         guarded(|| {
             let prepared = loader.prepare(path, text)?;
-            let ran = Ran::of(&prepared, options)?;
+            let ran = ProgramOutcome::of(&prepared, options)?;
             Ok((prepared, ran))
         })
     });
@@ -285,27 +290,27 @@ fn compare(loader: &mut impl Loader, name: &str, pair: &Pair, options: DiffOptio
 }
 
 /// What a program does, how long it takes and what is wrong with it.
-struct Ran {
-    motion: Motion,
+struct ProgramOutcome {
+    motion: RunMotion,
     time_s: Option<f64>,
-    problems: Problems,
+    problems: ProblemList,
 }
 
-impl Ran {
-    fn of(prepared: &Prepared, options: DiffOptions) -> Result<Ran, String> {
+impl ProgramOutcome {
+    fn of(prepared: &PreparedFile, options: DiffOptions) -> Result<ProgramOutcome, String> {
         let job = job(prepared)?;
         let ((report, planned), mut motion) =
-            run_planned(&job, prepared, options.plan, Motion::default);
+            run_planned(&job, prepared, options.plan, RunMotion::default);
         motion.time_s = report.summary.total_time_s();
         // A machine without limits has no times; that is no fault of the program.
         let time_s = planned.ok().flatten().map(|parts| parts.iter().sum());
-        Ok(Ran { motion, time_s, problems: Problems::of(&job, &report) })
+        Ok(ProgramOutcome { motion, time_s, problems: ProblemList::of(&job, &report) })
     }
 }
 
 /// A file that was never released: all its problems are new.
-fn new(loader: &mut impl Loader, name: &str, path: &Path, options: DiffOptions) -> DiffRow {
-    let mut row = DiffRow::new(name, Status::New);
+fn new(loader: &mut impl FileLoader, name: &str, path: &Path, options: DiffOptions) -> DiffRow {
+    let mut row = DiffRow::new(name, FileStatus::New);
     let text = match loader.read(path) {
         Ok(text) => text,
         Err(message) => {
@@ -317,14 +322,16 @@ fn new(loader: &mut impl Loader, name: &str, path: &Path, options: DiffOptions) 
     if is_no_program(loader, path, &text) {
         return row;
     }
-    match guarded(|| Ran::of(&loader.prepare(path, text)?, options)) {
-        Ok(ran) => row.brings(ran.problems.more_than(&Problems::default()), &More::default()),
+    match guarded(|| ProgramOutcome::of(&loader.prepare(path, text)?, options)) {
+        Ok(ran) => {
+            row.brings(ran.problems.more_than(&ProblemList::default()), &AddedProblems::default())
+        }
         Err(message) => row.message = Some(message),
     }
     row
 }
 
-fn is_no_program(loader: &mut impl Loader, path: &Path, text: &[u8]) -> bool {
+fn is_no_program(loader: &mut impl FileLoader, path: &Path, text: &[u8]) -> bool {
     let sample = &text[..text.len().min(1 << 16)];
     loader.is_other_by_name(path)
         || chordal::syntax::decode(sample).binary
@@ -333,16 +340,20 @@ fn is_no_program(loader: &mut impl Loader, path: &Path, text: &[u8]) -> bool {
 
 /// All that two programs must share.
 fn compare_shared(before: &Job, after: &Job) -> Comparison {
-    chordal_compare::compare(before, after, &Options { ready_tools: true, ..Options::default() })
+    chordal_compare::compare(
+        before,
+        after,
+        &ComparisonOptions { ready_tools: true, ..ComparisonOptions::default() },
+    )
 }
 
 fn other_path(
     mut row: DiffRow,
-    [before, after]: [&Motion; 2],
+    [before, after]: [&RunMotion; 2],
     lines: (u32, u32),
     tolerance_mm: f64,
 ) -> DiffRow {
-    row.status = Status::Path;
+    row.status = FileStatus::Path;
     row.lines = Some(lines);
     row.feeds_differ = Some(!before.has_feeds_of(after));
     row.functions_differ = Some(before.functions != after.functions);
@@ -355,7 +366,7 @@ fn other_path(
 }
 
 /// Judges two programs with the same moves.
-fn judge(mut row: DiffRow, [before, after]: [&Motion; 2], found: &Comparison) -> DiffRow {
+fn judge(mut row: DiffRow, [before, after]: [&RunMotion; 2], found: &Comparison) -> DiffRow {
     let is_speed = |category: Category| {
         matches!(category, Category::Feed | Category::Spindle | Category::Time)
     };
@@ -371,18 +382,18 @@ fn judge(mut row: DiffRow, [before, after]: [&Motion; 2], found: &Comparison) ->
         Some(!before.has_feeds_of(after) || others().any(|one| is_speed(one.category)));
     row.functions_differ = Some(!words.is_empty() || before.functions != after.functions);
     row.status = match (row.feeds_differ, row.functions_differ) {
-        (Some(true), _) => Status::Feeds,
-        (_, Some(true)) => Status::Functions,
-        _ if found.verdict == Verdict::NotVerified => Status::NotVerified,
-        _ => Status::Text,
+        (Some(true), _) => FileStatus::Feeds,
+        (_, Some(true)) => FileStatus::Functions,
+        _ if found.verdict == ComparisonVerdict::NotVerified => FileStatus::NotVerified,
+        _ => FileStatus::Text,
     };
-    if row.status == Status::Feeds {
+    if row.status == FileStatus::Feeds {
         row.lines = before.first_other_feed(after).or(row.lines);
     }
     if !words.is_empty() {
         row.message = Some(format!("other: {}", words.join(", ")));
     }
-    if row.status == Status::NotVerified {
+    if row.status == FileStatus::NotVerified {
         let lines = found.reports.each_ref().map(|report| report.not_verified_from.is_some());
         let which = match lines {
             [true, true] => "both programs do",

@@ -1,15 +1,15 @@
 //! What a program does, to be compared with what another does.
 
 use chordal::control::{Command, CommandKind, Feed};
-use chordal::{PathCommand, Segment, SegmentKind, Watch};
+use chordal::{PathCommand, RunWatch, Segment, SegmentKind};
 use chordal_compare::Category;
 
-use super::distance::{Piece, Within, distance};
+use super::distance::{DistanceBounds, PathCurve, distance};
 
 /// The run of a program.
 #[derive(Debug, Default)]
-pub struct Motion {
-    moves: Vec<Moved>,
+pub struct RunMotion {
+    moves: Vec<ToolMove>,
     /// Spindle commands, each with the number of moves before it.
     speeds: Vec<(usize, String)>,
     /// Other functions, likewise.
@@ -20,20 +20,20 @@ pub struct Motion {
 
 /// A move of the tool centre.
 #[derive(Clone, Copy, Debug)]
-struct Moved {
-    piece: Piece,
+struct ToolMove {
+    piece: PathCurve,
     rotary: ([f64; 3], [f64; 3]),
     feed: Option<Feed>,
     known: bool,
     line: u32,
 }
 
-impl Moved {
-    fn is(&self, other: &Moved) -> bool {
+impl ToolMove {
+    fn is(&self, other: &ToolMove) -> bool {
         self.piece == other.piece && self.rotary == other.rotary && self.known == other.known
     }
 
-    fn has_feed_of(&self, other: &Moved) -> bool {
+    fn has_feed_of(&self, other: &ToolMove) -> bool {
         let bits = |feed: &Option<Feed>| {
             feed.as_ref().map(|feed| {
                 let numbers = (feed.value.to_bits(), feed.spindle_rev_per_s.to_bits());
@@ -48,12 +48,15 @@ impl Moved {
     }
 }
 
-impl Watch for Motion {
+impl RunWatch for RunMotion {
     fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
         self.note(path.command);
         for segment in segments {
-            self.moves.push(Moved {
-                piece: Piece { is_rapid: segment.kind == SegmentKind::Rapid, curve: segment.curve },
+            self.moves.push(ToolMove {
+                piece: PathCurve {
+                    is_rapid: segment.kind == SegmentKind::Rapid,
+                    curve: segment.curve,
+                },
                 rotary: (segment.rotary_from, segment.rotary_to),
                 feed: path.command.kind.feed().copied(),
                 known: segment.known,
@@ -63,7 +66,7 @@ impl Watch for Motion {
     }
 }
 
-impl Motion {
+impl RunMotion {
     fn note(&mut self, command: &Command) {
         let at = self.moves.len();
         match Category::of(&command.kind) {
@@ -75,45 +78,46 @@ impl Motion {
     }
 
     /// The lines of the first moves that differ; nothing where all moves are the same.
-    pub fn first_other(&self, other: &Motion) -> Option<(u32, u32)> {
+    pub fn first_other(&self, other: &RunMotion) -> Option<(u32, u32)> {
         self.first_where(other, |a, b| !a.is(b))
     }
 
     /// The lines of the first moves whose feeds differ.
-    pub fn first_other_feed(&self, other: &Motion) -> Option<(u32, u32)> {
+    pub fn first_other_feed(&self, other: &RunMotion) -> Option<(u32, u32)> {
         self.first_where(other, |a, b| !a.has_feed_of(b))
     }
 
     /// All moves have the feeds of the other's, as far as both have moves, and the spindle turns
     /// alike.
-    pub fn has_feeds_of(&self, other: &Motion) -> bool {
+    pub fn has_feeds_of(&self, other: &RunMotion) -> bool {
         let mut both = self.moves.iter().zip(&other.moves);
         both.all(|(a, b)| a.has_feed_of(b)) && self.speeds == other.speeds
     }
 
     fn first_where(
         &self,
-        other: &Motion,
-        differ: impl Fn(&Moved, &Moved) -> bool,
+        other: &RunMotion,
+        differ: impl Fn(&ToolMove, &ToolMove) -> bool,
     ) -> Option<(u32, u32)> {
         let common = self.moves.len().min(other.moves.len());
         let at = (0..common)
             .find(|at| differ(&self.moves[*at], &other.moves[*at]))
             .or_else(|| (self.moves.len() != other.moves.len()).then_some(common))?;
-        let line = |moves: &[Moved]| moves.get(at).or(moves.last()).map_or(0, |moved| moved.line);
+        let line =
+            |moves: &[ToolMove]| moves.get(at).or(moves.last()).map_or(0, |moved| moved.line);
         Some((line(&self.moves), line(&other.moves)))
     }
 
     /// How far the paths are from each other; nothing where a rotary axis moves, where a place is
     /// not known, or where only one of the two cuts or has rapids.
-    pub fn distance_to(&self, other: &Motion, tolerance_mm: f64) -> Option<Within> {
-        let has_place = |motion: &Motion| {
+    pub fn distance_to(&self, other: &RunMotion, tolerance_mm: f64) -> Option<DistanceBounds> {
+        let has_place = |motion: &RunMotion| {
             motion.moves.iter().all(|moved| !moved.turns() && (moved.known || moved.piece.is_rapid))
         };
         if !(has_place(self) && has_place(other)) {
             return None;
         }
-        let of = |motion: &Motion, rapid: bool| -> Vec<Piece> {
+        let of = |motion: &RunMotion, rapid: bool| -> Vec<PathCurve> {
             let moves = motion.moves.iter().filter(|moved| moved.known);
             moves.map(|moved| moved.piece).filter(|piece| piece.is_rapid == rapid).collect()
         };

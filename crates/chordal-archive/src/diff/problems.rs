@@ -5,33 +5,33 @@ use std::collections::BTreeMap;
 use chordal::{Job, Report};
 
 use crate::check::problem;
-use crate::row::Problem;
+use crate::row::ArchivedProblem;
 
 /// Most problems of a file that are listed; all are counted.
 const MOST_LISTED: usize = 20;
 
 /// The problems of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Problems {
+pub struct ProblemList {
     /// Those that the report kept, by place.
-    listed: Vec<Problem>,
+    listed: Vec<ArchivedProblem>,
     /// How many there are of each code, with those that were not kept.
     counts: BTreeMap<String, u64>,
 }
 
 /// The problems that one of two runs has and the other does not.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct More {
+pub struct AddedProblems {
     /// How many.
     pub count: u64,
     /// The first of them, gravest first.
-    pub listed: Vec<Problem>,
+    pub listed: Vec<ArchivedProblem>,
 }
 
-impl Problems {
+impl ProblemList {
     /// The problems of a report.
-    pub fn of(job: &Job<'_>, report: &Report) -> Problems {
-        let mut problems = Problems::default();
+    pub fn of(job: &Job<'_>, report: &Report) -> ProblemList {
+        let mut problems = ProblemList::default();
         let mut by_weight: Vec<_> = report.diagnostics.iter().collect();
         by_weight.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.severity));
         for diagnostic in by_weight {
@@ -43,14 +43,14 @@ impl Problems {
         problems
     }
 
-    fn add(&mut self, problem: Problem) {
+    fn add(&mut self, problem: ArchivedProblem) {
         *self.counts.entry(problem.code.clone()).or_default() += 1;
         self.listed.push(problem);
     }
 
     /// What is here of each code beyond what the other has of it. Which of them are the new ones is
     /// known by their sentences only: those that the other does not have come first.
-    pub fn more_than(&self, other: &Problems) -> More {
+    pub fn more_than(&self, other: &ProblemList) -> AddedProblems {
         let mut known: BTreeMap<(&str, &str), u64> = BTreeMap::new();
         for problem in &other.listed {
             *known.entry((&problem.code, &problem.message)).or_default() += 1;
@@ -81,7 +81,7 @@ impl Problems {
                 _ => {}
             }
         }
-        More { count, listed }
+        AddedProblems { count, listed }
     }
 }
 
@@ -89,10 +89,10 @@ impl Problems {
 mod tests {
     use super::*;
 
-    fn of(problems: &[(&str, u32, &str)]) -> Problems {
-        let mut all = Problems::default();
+    fn of(problems: &[(&str, u32, &str)]) -> ProblemList {
+        let mut all = ProblemList::default();
         for (code, line, message) in problems {
-            all.add(Problem {
+            all.add(ArchivedProblem {
                 severity: "error".into(),
                 code: (*code).into(),
                 line: *line,
@@ -106,7 +106,7 @@ mod tests {
     fn moved_lines_are_no_new_problems() {
         let before = of(&[("CH401", 5, "0.2 mm off"), ("CH306", 9, "no M97")]);
         let after = of(&[("CH401", 7, "0.3 mm off"), ("CH306", 11, "no M97")]);
-        assert_eq!(after.more_than(&before), More::default());
+        assert_eq!(after.more_than(&before), AddedProblems::default());
     }
 
     #[test]
@@ -116,7 +116,7 @@ mod tests {
         let more = after.more_than(&before);
         assert_eq!(more.count, 1);
         assert_eq!(more.listed[0].line, 8);
-        assert_eq!(before.more_than(&after), More::default());
+        assert_eq!(before.more_than(&after), AddedProblems::default());
     }
 
     #[test]

@@ -12,17 +12,17 @@ mod program;
 use chordal_machine::ControlName;
 
 use crate::error::CalcError;
-use crate::figure::{Figure, Style};
+use crate::figure::{Figure, LineStyle};
 use crate::math::{FRAC_PI_2, PI, atan2, unit};
-use crate::numbers::Units;
-use crate::thread::{Hand, Thread, Where};
-use crate::worked::{Kind, Worked};
+use crate::numbers::AnswerUnit;
+use crate::thread::{ThreadHand, ThreadLocation, ThreadSize};
+use crate::worked::{QuantityKind, WorkedCalculation};
 use chordal_geometry::Vec2;
-use plan::Plan;
+use plan::ThreadMillPlan;
 
 /// How the teeth meet the material, with a tool that turns clockwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cut {
+pub enum MillingDirection {
     /// The chip begins thick.
     Climb,
     /// The chip begins thin.
@@ -31,7 +31,7 @@ pub enum Cut {
 
 /// The tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cutter {
+pub enum ThreadMillCutter {
     /// Teeth of the pitch all along: one turn cuts the whole thread.
     Hob,
     /// One row of teeth: a turn for each pitch.
@@ -40,25 +40,25 @@ pub enum Cutter {
 
 /// How much of a turn the tool takes to come in, and to go out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ramp {
+pub enum RampSweep {
     /// An eighth: Z changes by an eighth of the lead.
     Eighth,
     /// A quarter.
     Quarter,
 }
 
-impl Ramp {
+impl RampSweep {
     const fn share(self) -> f64 {
         match self {
-            Ramp::Eighth => 0.125,
-            Ramp::Quarter => 0.25,
+            RampSweep::Eighth => 0.125,
+            RampSweep::Quarter => 0.25,
         }
     }
 
     const fn text(self) -> &'static str {
         match self {
-            Ramp::Eighth => "1/8",
-            Ramp::Quarter => "1/4",
+            RampSweep::Eighth => "1/8",
+            RampSweep::Quarter => "1/4",
         }
     }
 }
@@ -67,17 +67,17 @@ impl Ramp {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ThreadMill {
     /// The thread; one start.
-    pub thread: Thread,
+    pub thread: ThreadSize,
     /// In a hole or on a boss.
-    pub place: Where,
+    pub place: ThreadLocation,
     /// Its hand.
-    pub hand: Hand,
+    pub hand: ThreadHand,
     /// The tool.
-    pub cutter: Cutter,
+    pub cutter: ThreadMillCutter,
     /// Climb or conventional.
-    pub cut: Cut,
+    pub cut: MillingDirection,
     /// Share of a turn for coming in; without it the one that suits.
-    pub ramp: Option<Ramp>,
+    pub ramp: Option<RampSweep>,
     /// Root diameter of an outside thread when it is not that of the basic profile, mm.
     pub root: Option<f64>,
     /// Diameter over the teeth, mm.
@@ -99,7 +99,7 @@ pub struct ThreadMill {
     /// Who reads the program.
     pub control: ControlName,
     /// Units of the program.
-    pub units: Units,
+    pub units: AnswerUnit,
 }
 
 /// A program with its numbers.
@@ -108,7 +108,7 @@ pub struct MillProgram {
     /// The program.
     pub text: String,
     /// How its numbers came about, with the figure.
-    pub worked: Worked,
+    pub worked: WorkedCalculation,
 }
 
 /// The program that mills a thread.
@@ -119,14 +119,14 @@ pub struct MillProgram {
 /// # Errors
 /// When the tool does not fit, or a number is none.
 pub fn thread_mill(ask: &ThreadMill) -> Result<MillProgram, CalcError> {
-    let plan = Plan::new(ask)?;
+    let plan = ThreadMillPlan::new(ask)?;
     Ok(MillProgram { text: program::write(ask, &plan), worked: worked(ask, &plan) })
 }
 
-fn worked(ask: &ThreadMill, plan: &Plan) -> Worked {
+fn worked(ask: &ThreadMill, plan: &ThreadMillPlan) -> WorkedCalculation {
     let units = ask.units;
-    let length = Kind::Length;
-    let mut worked = Worked::new(format!("Thread mill: {}", program::title(ask)), units);
+    let length = QuantityKind::Length;
+    let mut worked = WorkedCalculation::new(format!("Thread mill: {}", program::title(ask)), units);
     worked.given("D", "major diameter", length, ask.thread.major);
     worked.given("P", "pitch, the lead of one start", length, ask.thread.pitch);
     worked.given("d", "diameter of the tool", length, ask.tool_diameter);
@@ -134,7 +134,7 @@ fn worked(ask: &ThreadMill, plan: &Plan) -> Worked {
     let d = units.number(ask.tool_diameter);
     let (major, pitch) = (units.number(ask.thread.major), units.number(ask.thread.pitch));
     match ask.place {
-        Where::Inside => {
+        ThreadLocation::Inside => {
             let hole = ask.thread.minor_inside();
             let filled = format!("{major} − 1.082532·{pitch}");
             worked.way("D1", "the hole before threading", length, hole, "D − 1.082532·P", filled);
@@ -148,7 +148,7 @@ fn worked(ask: &ThreadMill, plan: &Plan) -> Worked {
                 filled,
             );
         }
-        Where::Outside => {
+        ThreadLocation::Outside => {
             let root = plan.cut_diameter;
             match ask.root {
                 Some(_) => worked.given("d3", "root diameter", length, root),
@@ -170,15 +170,15 @@ fn worked(ask: &ThreadMill, plan: &Plan) -> Worked {
     }
     let turns = f64::from(plan.turns);
     match ask.cutter {
-        Cutter::Hob => {
-            worked.result("N", "turns", Kind::Number, turns, "1", "1".into());
+        ThreadMillCutter::Hob => {
+            worked.result("N", "turns", QuantityKind::Number, turns, "1", "1".into());
         }
-        Cutter::Single => {
+        ThreadMillCutter::Single => {
             let filled = format!("({} + {pitch})/{pitch}, rounded up", units.number(ask.depth));
             worked.result(
                 "N",
                 "turns: the last one ends above Z0",
-                Kind::Number,
+                QuantityKind::Number,
                 turns,
                 "(T + P)/P",
                 filled,
@@ -211,40 +211,40 @@ fn worked(ask: &ThreadMill, plan: &Plan) -> Worked {
 }
 
 /// The path seen from above.
-fn figure(ask: &ThreadMill, plan: &Plan) -> Figure {
+fn figure(ask: &ThreadMill, plan: &ThreadMillPlan) -> Figure {
     let units = ask.units;
     let mut figure = Figure::default();
     let zero = Vec2::ZERO;
     let radius = plan.to_mm(plan.radius);
     let (inner, outer) = match ask.place {
-        Where::Inside => (ask.thread.minor_inside(), ask.thread.major),
-        Where::Outside => (plan.cut_diameter, ask.thread.major),
+        ThreadLocation::Inside => (ask.thread.minor_inside(), ask.thread.major),
+        ThreadLocation::Outside => (plan.cut_diameter, ask.thread.major),
     };
-    figure.circle(zero, inner / 2.0, Style::Part);
-    figure.circle(zero, outer / 2.0, Style::Part);
-    figure.circle(zero, radius, Style::Path);
+    figure.circle(zero, inner / 2.0, LineStyle::Part);
+    figure.circle(zero, outer / 2.0, LineStyle::Part);
+    figure.circle(zero, radius, LineStyle::Path);
     let point = |at: [f64; 2]| Vec2::new(plan.to_mm(at[0]), plan.to_mm(at[1]));
     let (from, to) = (point(plan.arc_in), point(plan.arc_out));
     let (begin, touch) = (point(plan.start), Vec2::new(radius, 0.0));
-    figure.line(begin, from, Style::Path);
+    figure.line(begin, from, LineStyle::Path);
     let end = match ask.place {
-        Where::Inside => begin,
-        Where::Outside => Vec2::new(begin.a, to.b),
+        ThreadLocation::Inside => begin,
+        ThreadLocation::Outside => Vec2::new(begin.a, to.b),
     };
-    figure.line(to, end, Style::Path);
+    figure.line(to, end, LineStyle::Path);
     let center = point([plan.lead_center, 0.0]);
     let lead_in = plan.to_mm(plan.lead_in);
     let angle = |at: Vec2| atan2(at.b - center.b, at.a - center.a);
     let sweep = plan.lead_sense * plan.lead_sweep;
-    figure.arc(center, lead_in, angle(from), sweep, Style::Path);
-    figure.arc(center, lead_in, angle(touch), sweep, Style::Path);
+    figure.arc(center, lead_in, angle(from), sweep, LineStyle::Path);
+    figure.arc(center, lead_in, angle(touch), sweep, LineStyle::Path);
     for quarter in [1.0, 2.0, 3.0] {
         let direction = quarter * FRAC_PI_2;
         figure.arrow(unit(direction) * radius, direction + plan.sense * FRAC_PI_2);
     }
-    figure.circle(touch, ask.tool_diameter / 2.0, Style::Cutter);
+    figure.circle(touch, ask.tool_diameter / 2.0, LineStyle::Cutter);
     let spoke = unit(1.25 * PI) * radius;
-    figure.line(zero, spoke, Style::Helper);
+    figure.line(zero, spoke, LineStyle::Helper);
     figure.text(spoke * 0.6, format!("R {}", units.number(plan.radius_mm)));
     figure.point(zero, "");
     figure.point(from, "in");
@@ -255,8 +255,8 @@ fn figure(ask: &ThreadMill, plan: &Plan) -> Figure {
         figure.width(half * -1.0, half, y, format!("{name} {}", units.number(diameter)));
     };
     let (small, large) = match ask.place {
-        Where::Inside => ("D1", "D"),
-        Where::Outside => ("d3", "D"),
+        ThreadLocation::Inside => ("D1", "D"),
+        ThreadLocation::Outside => ("d3", "D"),
     };
     dimension(&mut figure, inner, -reach * 1.12, small);
     dimension(&mut figure, outer, -reach * 1.32, large);

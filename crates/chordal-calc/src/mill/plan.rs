@@ -1,10 +1,10 @@
 //! The way of the tool, in least increments of the program, so that what is written is exact.
 
-use super::{Cut, Cutter, Ramp, ThreadMill};
+use super::{MillingDirection, RampSweep, ThreadMill, ThreadMillCutter};
 use crate::error::{CalcError, bounded};
 use crate::math::{FRAC_PI_2, PI};
-use crate::numbers::Units;
-use crate::thread::{Hand, Where};
+use crate::numbers::AnswerUnit;
+use crate::thread::{ThreadHand, ThreadLocation};
 
 /// Turns beyond which a thread is a slip of the keyboard.
 const MOST_TURNS: f64 = 2000.0;
@@ -14,7 +14,7 @@ const FINEST_PITCH: f64 = 40.0;
 
 /// Where the tool goes. Lengths are in least increments unless they say mm.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Plan {
+pub(super) struct ThreadMillPlan {
     /// Least increment, mm.
     pub step: f64,
     /// Diameter that the points of the teeth cut to, mm.
@@ -42,33 +42,33 @@ pub(super) struct Plan {
     /// Number of turns.
     pub turns: u32,
     /// Share of a turn for coming in.
-    pub ramp: Ramp,
+    pub ramp: RampSweep,
     /// Z at the start of the arc in, after it and after each turn, and after the arc out.
     pub heights: Vec<f64>,
     /// Feed of the tool's centre, mm/s.
     pub feed: f64,
 }
 
-impl Plan {
-    pub fn new(ask: &ThreadMill) -> Result<Plan, CalcError> {
+impl ThreadMillPlan {
+    pub fn new(ask: &ThreadMill) -> Result<ThreadMillPlan, CalcError> {
         check_numbers(ask)?;
-        let inside = ask.place == Where::Inside;
+        let inside = ask.place == ThreadLocation::Inside;
         let step = step(ask.units);
         let cut_diameter = match ask.place {
-            Where::Inside => ask.thread.major,
-            Where::Outside => ask.root.unwrap_or_else(|| ask.thread.minor_outside()),
+            ThreadLocation::Inside => ask.thread.major,
+            ThreadLocation::Outside => ask.root.unwrap_or_else(|| ask.thread.minor_outside()),
         };
         let tool = if inside { -ask.tool_diameter } else { ask.tool_diameter };
         let radius_mm = (cut_diameter + tool) / 2.0;
         let radius = (radius_mm / step).round();
         let ramp = ask.ramp.unwrap_or(match (inside, ask.wear) {
-            (true, None) => Ramp::Quarter,
-            _ => Ramp::Eighth,
+            (true, None) => RampSweep::Quarter,
+            _ => RampSweep::Eighth,
         });
         let lead_in =
-            if !inside && ramp == Ramp::Quarter { radius } else { (radius / 2.0).round() };
-        let sense = if inside == (ask.cut == Cut::Climb) { 1.0 } else { -1.0 };
-        let mut plan = Plan {
+            if !inside && ramp == RampSweep::Quarter { radius } else { (radius / 2.0).round() };
+        let sense = if inside == (ask.cut == MillingDirection::Climb) { 1.0 } else { -1.0 };
+        let mut plan = ThreadMillPlan {
             step,
             cut_diameter,
             radius_mm,
@@ -77,7 +77,7 @@ impl Plan {
             lead_center: if inside { radius - lead_in } else { radius + lead_in },
             sense,
             lead_sense: if inside { sense } else { -sense },
-            lead_sweep: if inside && ramp == Ramp::Quarter { PI } else { FRAC_PI_2 },
+            lead_sweep: if inside && ramp == RampSweep::Quarter { PI } else { FRAC_PI_2 },
             start: [0.0; 2],
             arc_in: [0.0; 2],
             arc_out: [0.0; 2],
@@ -100,24 +100,24 @@ impl Plan {
     /// Above 0 when the tool rises.
     pub fn rises(&self, ask: &ThreadMill) -> bool {
         // A right-hand helix rises counter-clockwise.
-        (self.sense > 0.0) == (ask.hand == Hand::Right)
+        (self.sense > 0.0) == (ask.hand == ThreadHand::Right)
     }
 
     fn place_ends(&mut self, ask: &ThreadMill) {
         let (center, lead_in) = (self.lead_center, self.lead_in);
         match (ask.place, self.ramp) {
-            (Where::Inside, Ramp::Quarter) => {
+            (ThreadLocation::Inside, RampSweep::Quarter) => {
                 // Half a circle from the axis: the rounded half may miss it by an increment.
                 self.arc_in = [center - lead_in, 0.0];
                 self.arc_out = self.arc_in;
                 self.start = self.arc_in;
             }
-            (Where::Inside, Ramp::Eighth) => {
+            (ThreadLocation::Inside, RampSweep::Eighth) => {
                 self.arc_in = [center, -self.sense * lead_in];
                 self.arc_out = [center, self.sense * lead_in];
                 self.start = [0.0, 0.0];
             }
-            (Where::Outside, _) => {
+            (ThreadLocation::Outside, _) => {
                 self.arc_in = [center, -self.sense * lead_in];
                 self.arc_out = [center, self.sense * lead_in];
                 let clear = (ask.thread.major + ask.tool_diameter) / 2.0 + ask.clearance;
@@ -146,7 +146,7 @@ impl Plan {
     /// The start is clear of the part, and the leads have room for the wear.
     fn check_ends(&self, ask: &ThreadMill) -> Result<(), CalcError> {
         let units = ask.units;
-        if ask.place == Where::Inside && self.ramp == Ramp::Eighth {
+        if ask.place == ThreadLocation::Inside && self.ramp == RampSweep::Eighth {
             let [x, y] = self.arc_in.map(|value| self.to_mm(value));
             let reach = 2.0 * (x * x + y * y).sqrt() + ask.tool_diameter;
             let hole = ask.thread.minor_inside();
@@ -163,7 +163,7 @@ impl Plan {
             }
         }
         let Some(wear) = ask.wear else { return Ok(()) };
-        if ask.place == Where::Inside && self.ramp == Ramp::Quarter {
+        if ask.place == ThreadLocation::Inside && self.ramp == RampSweep::Quarter {
             return Err(CalcError::new(
                 "compensation needs a straight lead-in, and a ramp of 1/4 turn in a hole is an arc from its axis",
                 "take --ramp 1/8",
@@ -187,12 +187,12 @@ impl Plan {
 }
 
 /// Least increment of a program's coordinates, mm.
-fn step(units: Units) -> f64 {
+fn step(units: AnswerUnit) -> f64 {
     units.mm() / f64::from(10u32.pow(units.word_decimals() as u32))
 }
 
 fn turns(ask: &ThreadMill) -> Result<u32, CalcError> {
-    if ask.cutter == Cutter::Hob {
+    if ask.cutter == ThreadMillCutter::Hob {
         return Ok(1);
     }
     // One pitch more than the depth, so that the thread runs out above the part; what rounding
@@ -253,13 +253,13 @@ fn positive(what: &str, text: String, value: f64) -> Result<(), CalcError> {
 }
 
 /// The tool goes into the hole, and the root is below the crest.
-fn fits(ask: &ThreadMill, units: Units) -> Result<(), CalcError> {
+fn fits(ask: &ThreadMill, units: AnswerUnit) -> Result<(), CalcError> {
     match (ask.place, ask.root) {
-        (Where::Inside, Some(_)) => Err(CalcError::new(
+        (ThreadLocation::Inside, Some(_)) => Err(CalcError::new(
             "a root diameter is for an outside thread; inside, the tool cuts to the major diameter",
             "leave --root out",
         )),
-        (Where::Inside, None) => {
+        (ThreadLocation::Inside, None) => {
             let hole = ask.thread.minor_inside();
             if ask.tool_diameter < hole {
                 return Ok(());
@@ -275,8 +275,8 @@ fn fits(ask: &ThreadMill, units: Units) -> Result<(), CalcError> {
                 "use a smaller tool",
             ))
         }
-        (Where::Outside, None) => Ok(()),
-        (Where::Outside, Some(root)) => {
+        (ThreadLocation::Outside, None) => Ok(()),
+        (ThreadLocation::Outside, Some(root)) => {
             // The sharp profile is the deepest there is.
             let sharp = ask.thread.sharp_root();
             if root > sharp.max(0.0) && root < ask.thread.major {

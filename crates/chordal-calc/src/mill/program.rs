@@ -1,18 +1,18 @@
 //! The program's text.
 
-use super::plan::Plan;
-use super::{Cut, Cutter, ThreadMill};
-use crate::numbers::{Units, trimmed};
-use chordal_dialect::{Post, table};
+use super::plan::ThreadMillPlan;
+use super::{MillingDirection, ThreadMill, ThreadMillCutter};
+use crate::numbers::{AnswerUnit, trimmed};
+use chordal_dialect::{PostTemplate, table};
 
 use crate::post::fill;
-use crate::thread::{Hand, Where};
+use crate::thread::{ThreadHand, ThreadLocation};
 
 /// Feed away from the part, mm/s: 40 in/min, 1000 mm/min.
-const fn approach(units: Units) -> (f64, &'static str) {
+const fn approach(units: AnswerUnit) -> (f64, &'static str) {
     match units {
-        Units::Inch => (40.0, "40."),
-        Units::Millimetre => (1000.0, "1000."),
+        AnswerUnit::Inch => (40.0, "40."),
+        AnswerUnit::Millimetre => (1000.0, "1000."),
     }
 }
 
@@ -21,21 +21,21 @@ pub(super) fn title(ask: &ThreadMill) -> String {
     let units = ask.units;
     let major = trimmed(ask.thread.major / units.mm(), 4);
     let name = match units {
-        Units::Inch => format!("{major}-{}", trimmed(25.4 / ask.thread.pitch, 3)),
-        Units::Millimetre => format!("M{major}x{}", trimmed(ask.thread.pitch, 4)),
+        AnswerUnit::Inch => format!("{major}-{}", trimmed(25.4 / ask.thread.pitch, 3)),
+        AnswerUnit::Millimetre => format!("M{major}x{}", trimmed(ask.thread.pitch, 4)),
     };
-    let place = if ask.place == Where::Inside { "inside" } else { "outside" };
-    let hand = if ask.hand == Hand::Right { "right" } else { "left" };
+    let place = if ask.place == ThreadLocation::Inside { "inside" } else { "outside" };
+    let hand = if ask.hand == ThreadHand::Right { "right" } else { "left" };
     format!("{place} thread {name}, {hand} hand")
 }
 
 /// Which way, and why.
-pub(super) fn direction(ask: &ThreadMill, plan: &Plan) -> String {
+pub(super) fn direction(ask: &ThreadMill, plan: &ThreadMillPlan) -> String {
     let code = if plan.sense > 0.0 { "G3" } else { "G2" };
     let way = if plan.rises(ask) { "up" } else { "down" };
-    let cut = if ask.cut == Cut::Climb { "climb" } else { "conventional" };
-    let hand = if ask.hand == Hand::Right { "right" } else { "left" };
-    let place = if ask.place == Where::Inside { "inside" } else { "outside" };
+    let cut = if ask.cut == MillingDirection::Climb { "climb" } else { "conventional" };
+    let hand = if ask.hand == ThreadHand::Right { "right" } else { "left" };
+    let place = if ask.place == ThreadLocation::Inside { "inside" } else { "outside" };
     format!("{hand} hand, {place}, {cut} cut with M3: {code}, Z {way}")
 }
 
@@ -44,17 +44,20 @@ const SMALL_HOLE: f64 = 9.525;
 
 /// What to know about a small hole.
 pub(super) fn small_hole(ask: &ThreadMill) -> Option<&'static str> {
-    let small = ask.place == Where::Inside && ask.thread.minor_inside() < SMALL_HOLE - 1e-9;
+    let small =
+        ask.place == ThreadLocation::Inside && ask.thread.minor_inside() < SMALL_HOLE - 1e-9;
     small.then_some(match ask.units {
-        Units::Inch => "holes below 3/8 in may not be possible or practical to thread mill",
-        Units::Millimetre => "holes below 9.525 mm may not be possible or practical to thread mill",
+        AnswerUnit::Inch => "holes below 3/8 in may not be possible or practical to thread mill",
+        AnswerUnit::Millimetre => {
+            "holes below 9.525 mm may not be possible or practical to thread mill"
+        }
     })
 }
 
 /// The whole program.
-pub(super) fn write(ask: &ThreadMill, plan: &Plan) -> String {
+pub(super) fn write(ask: &ThreadMill, plan: &ThreadMillPlan) -> String {
     let post = table(ask.control).post;
-    let words = Words { ask, plan, post };
+    let words = ProgramWords { ask, plan, post };
     let fillings = words.fillings();
     let mut lines: Vec<String> = post.open.iter().map(|line| fill(line, &fillings)).collect();
     lines.extend(words.remarks());
@@ -66,13 +69,13 @@ pub(super) fn write(ask: &ThreadMill, plan: &Plan) -> String {
     text
 }
 
-struct Words<'a> {
+struct ProgramWords<'a> {
     ask: &'a ThreadMill,
-    plan: &'a Plan,
-    post: &'static Post,
+    plan: &'a ThreadMillPlan,
+    post: &'static PostTemplate,
 }
 
-impl Words<'_> {
+impl ProgramWords<'_> {
     /// A coordinate of so many increments.
     fn word(&self, letter: char, increments: f64) -> String {
         let decimals = self.ask.units.word_decimals();
@@ -93,8 +96,8 @@ impl Words<'_> {
 
     fn feed(&self, mm_per_s: f64) -> String {
         let (per_minute, decimals) = match self.ask.units {
-            Units::Inch => (mm_per_s * 60.0 / 25.4, 2),
-            Units::Millimetre => (mm_per_s * 60.0, 1),
+            AnswerUnit::Inch => (mm_per_s * 60.0 / 25.4, 2),
+            AnswerUnit::Millimetre => (mm_per_s * 60.0, 1),
         };
         // Never F0: what rounds to nothing is the least there is.
         let least = 10f64.powi(-(decimals as i32));
@@ -104,7 +107,7 @@ impl Words<'_> {
 
     fn fillings(&self) -> Vec<(&'static str, String)> {
         let ask = self.ask;
-        let inch = ask.units == Units::Inch;
+        let inch = ask.units == AnswerUnit::Inch;
         vec![
             ("number", format!("{:04}", ask.number)),
             ("title", title(ask).to_ascii_uppercase()),
@@ -123,7 +126,7 @@ impl Words<'_> {
         let (ask, plan) = (self.ask, self.plan);
         let number = |mm: f64| ask.units.number(mm);
         let (tool, cut) = (number(ask.tool_diameter), number(plan.cut_diameter));
-        let sign = if ask.place == Where::Inside { '-' } else { '+' };
+        let sign = if ask.place == ThreadLocation::Inside { '-' } else { '+' };
         let low = plan.heights.iter().copied().fold(f64::INFINITY, f64::min);
         let mut remarks = vec![
             format!(
@@ -134,12 +137,14 @@ impl Words<'_> {
             direction(ask, plan),
             "X0 Y0 on the axis of the thread, Z0 on top of the part".to_string(),
             match ask.cutter {
-                Cutter::Hob => format!(
+                ThreadMillCutter::Hob => format!(
                     "thread hob dia {tool}, pitch {}, teeth over at least {}: one turn",
                     number(ask.thread.pitch),
                     number(ask.depth)
                 ),
-                Cutter::Single => format!("single point dia {tool}: {} turns", plan.turns),
+                ThreadMillCutter::Single => {
+                    format!("single point dia {tool}: {} turns", plan.turns)
+                }
             },
             format!("tool centre on radius {cut}/2 {sign} {tool}/2 = {}", number(plan.radius_mm)),
             format!(
@@ -154,7 +159,7 @@ impl Words<'_> {
                 self.feed(plan.feed)
             ),
         ];
-        if ask.place == Where::Inside {
+        if ask.place == ThreadLocation::Inside {
             remarks.push(format!("hole before threading: {}", number(ask.thread.minor_inside())));
             remarks.extend(small_hole(ask).map(String::from));
         } else {
@@ -187,7 +192,7 @@ impl Words<'_> {
         if moves_straight {
             let (on, d) = match ask.wear {
                 Some(_) => {
-                    let side = if ask.cut == Cut::Climb { 41 } else { 42 };
+                    let side = if ask.cut == MillingDirection::Climb { 41 } else { 42 };
                     (format!("G{side} "), self.offset_word())
                 }
                 None => (String::new(), String::new()),
@@ -220,7 +225,7 @@ impl Words<'_> {
         if moves_straight {
             let off = if ask.wear.is_some() { "G40 " } else { "" };
             // Straight out, not across to where the way in began.
-            let end = if ask.place == Where::Inside {
+            let end = if ask.place == ThreadLocation::Inside {
                 plan.start
             } else {
                 [plan.start[0], plan.arc_out[1]]

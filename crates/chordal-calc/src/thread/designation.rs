@@ -1,14 +1,14 @@
 //! What a thread's name says.
 
-use super::class::Class;
+use super::class::FitClass;
 use super::pipe_sizes::PipeSize;
-use super::{Hand, Thread};
+use super::{ThreadHand, ThreadSize};
 use crate::error::CalcError;
-use crate::numbers::Units;
+use crate::numbers::AnswerUnit;
 
 /// What kind of thread a name means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum ThreadForm {
     /// 60°, inches (ASME B1.1).
     Unified,
     /// 60°, millimetres (ISO 68-1).
@@ -25,38 +25,38 @@ pub enum Form {
 
 /// What a thread's name says: `M30x2-6g`, `1 1/16-28 UN-2A LH`, `G 1/2`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Designation {
+pub struct ThreadDesignation {
     /// Nominal diameter, mm; outside diameter of the pipe for NPT.
     pub major: f64,
     /// Pitch, mm.
     pub pitch: f64,
     /// The unit it is named in.
-    pub units: Units,
+    pub units: AnswerUnit,
     /// Its profile and taper.
-    pub form: Form,
+    pub form: ThreadForm,
     /// The classes of fit in the name: none, one, or one outside and one inside.
-    pub classes: Vec<Class>,
+    pub classes: Vec<FitClass>,
     /// LH or RH, where the name says it.
-    pub hand: Option<Hand>,
+    pub hand: Option<ThreadHand>,
     /// What to know about the name: another series, or a number that was left out.
     pub notes: Vec<String>,
     pub(super) pipe: Option<&'static PipeSize>,
 }
 
-impl Designation {
+impl ThreadDesignation {
     /// The thread with so many starts, for what needs the 60° profile.
     ///
     /// # Errors
     /// When it is a pipe thread.
-    pub fn thread(&self, starts: u32) -> Result<Thread, CalcError> {
-        let Designation { major, pitch, .. } = *self;
+    pub fn thread(&self, starts: u32) -> Result<ThreadSize, CalcError> {
+        let ThreadDesignation { major, pitch, .. } = *self;
         match self.form {
-            Form::Unified | Form::Metric => Ok(Thread { major, pitch, starts }),
-            Form::G => Err(CalcError::new(
+            ThreadForm::Unified | ThreadForm::Metric => Ok(ThreadSize { major, pitch, starts }),
+            ThreadForm::G => Err(CalcError::new(
                 "a G thread has the 55° profile; programs are written for 60° threads",
                 "calc thread gives its sizes",
             )),
-            Form::Npt | Form::Nptf | Form::R => Err(CalcError::new(
+            ThreadForm::Npt | ThreadForm::Nptf | ThreadForm::R => Err(CalcError::new(
                 "a pipe thread with a taper of 1:16 needs a path that becomes wider with every turn; \
                  programs are written for parallel threads",
                 "calc thread gives its sizes",
@@ -64,8 +64,13 @@ impl Designation {
         }
     }
 
-    pub(super) fn new(major: f64, pitch: f64, units: Units, form: Form) -> Designation {
-        Designation {
+    pub(super) fn new(
+        major: f64,
+        pitch: f64,
+        units: AnswerUnit,
+        form: ThreadForm,
+    ) -> ThreadDesignation {
+        ThreadDesignation {
             major,
             pitch,
             units,
@@ -80,8 +85,8 @@ impl Designation {
     /// Takes LH or RH; true when the word was one.
     pub(super) fn take_hand(&mut self, word: &str) -> Result<bool, CalcError> {
         let own = match word.to_ascii_uppercase().as_str() {
-            "LH" | "LEFT" => Hand::Left,
-            "RH" | "RIGHT" => Hand::Right,
+            "LH" | "LEFT" => ThreadHand::Left,
+            "RH" | "RIGHT" => ThreadHand::Right,
             "HAND" if self.hand.is_some() => return Ok(true),
             _ => return Ok(false),
         };

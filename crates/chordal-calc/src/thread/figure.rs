@@ -2,13 +2,13 @@
 
 use chordal_geometry::Vec2;
 
-use super::{INSIDE, MIDDLE, OUTSIDE, Thread};
-use crate::figure::{Figure, Style};
+use super::{INSIDE, MIDDLE, OUTSIDE, ThreadSize};
+use crate::figure::{Figure, LineStyle};
 use crate::math::PI;
-use crate::numbers::{Units, trimmed};
+use crate::numbers::{AnswerUnit, trimmed};
 
 /// Two pitches of the profile: the hole's above, the bolt's root below.
-pub(super) fn profile(thread: &Thread, units: Units) -> Figure {
+pub(super) fn profile(thread: &ThreadSize, units: AnswerUnit) -> Figure {
     let p = thread.pitch;
     let (inside, root) = (INSIDE / 2.0 * p, OUTSIDE / 2.0 * p);
     let mut figure = Figure::default();
@@ -26,20 +26,20 @@ pub(super) fn profile(thread: &Thread, units: Units) -> Figure {
             Vec2::new(middle + foot, -root),
         ];
         if let Some(last) = last {
-            figure.line(last, points[0], Style::Part);
+            figure.line(last, points[0], LineStyle::Part);
         }
         for pair in points.windows(2) {
-            figure.line(pair[0], pair[1], Style::Part);
+            figure.line(pair[0], pair[1], LineStyle::Part);
         }
         last = Some(points[3]);
     }
     let (left, right) = (-0.75 * p, 2.75 * p);
-    figure.line(Vec2::new(left, -inside), Vec2::new(right, -inside), Style::Helper);
-    figure.line(Vec2::new(left, 0.0), Vec2::new(right, 0.0), Style::Helper);
+    figure.line(Vec2::new(left, -inside), Vec2::new(right, -inside), LineStyle::Helper);
+    figure.line(Vec2::new(left, 0.0), Vec2::new(right, 0.0), LineStyle::Helper);
     figure.line(
         Vec2::new(left, -MIDDLE / 2.0 * p),
         Vec2::new(right, -MIDDLE / 2.0 * p),
-        Style::Path,
+        LineStyle::Path,
     );
     let at = |share: f64| Vec2::new(right, share);
     figure.text(at(0.0), format!("D {}", units.number(thread.major)));

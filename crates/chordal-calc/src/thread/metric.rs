@@ -4,13 +4,13 @@
 //! exceptions for a smooth progression; so the tables of grade 6 stand here. The other grades of the
 //! standard are whole steps of the series away: four for each grade, and five more inside.
 
-use super::{INSIDE, MIDDLE, OUTSIDE, Thread, Where, Zone};
+use super::{INSIDE, MIDDLE, OUTSIDE, ThreadLocation, ThreadSize, ToleranceZone};
 use crate::error::CalcError;
-use crate::numbers::Units;
-use crate::worked::{Kind, Worked};
+use crate::numbers::AnswerUnit;
+use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// What ISO 965-1 says for a pitch, in µm: table 1 (deviations), 3 and 4 (tolerances of grade 6).
-struct Row {
+struct MetricThreadRow {
     /// mm.
     pitch: f64,
     /// Deviation of g, and of G to the other side.
@@ -25,15 +25,15 @@ struct Row {
     minor: Option<f64>,
 }
 
-const fn row(pitch: f64, g: f64, e: f64, f: f64, major: f64, minor: f64) -> Row {
+const fn row(pitch: f64, g: f64, e: f64, f: f64, major: f64, minor: f64) -> MetricThreadRow {
     const fn some(value: f64) -> Option<f64> {
         if value > 0.0 { Some(value) } else { None }
     }
-    Row { pitch, g, e: some(e), f: some(f), major, minor: some(minor) }
+    MetricThreadRow { pitch, g, e: some(e), f: some(f), major, minor: some(minor) }
 }
 
 /// 0 where the standard has none.
-const ROWS: [Row; 25] = [
+const ROWS: [MetricThreadRow; 25] = [
     row(0.2, 17.0, 0.0, 0.0, 56.0, 0.0),
     row(0.25, 18.0, 0.0, 0.0, 67.0, 0.0),
     row(0.3, 18.0, 0.0, 0.0, 75.0, 85.0),
@@ -123,18 +123,18 @@ fn same(a: f64, b: f64) -> bool {
 }
 
 /// The numbers of a thread in the standard, mm.
-struct Sizes {
+struct MetricThreadSizes {
     d: f64,
     p: f64,
-    row: &'static Row,
+    row: &'static MetricThreadRow,
     /// Td2 of grade 6, µm.
     pitch_diameter: f64,
 }
 
-impl Sizes {
-    fn of(thread: &Thread) -> Result<Sizes, CalcError> {
-        let Thread { major: d, pitch: p, .. } = *thread;
-        let units = Units::Millimetre;
+impl MetricThreadSizes {
+    fn of(thread: &ThreadSize) -> Result<MetricThreadSizes, CalcError> {
+        let ThreadSize { major: d, pitch: p, .. } = *thread;
+        let units = AnswerUnit::Millimetre;
         let row = ROWS.iter().find(|row| same(row.pitch, p)).ok_or_else(|| {
             no_limits(format!("ISO 965-1 has no tolerances for a pitch of {}", units.length(p)))
         })?;
@@ -147,18 +147,18 @@ impl Sizes {
                 units.length(d)
             ))
         })?;
-        Ok(Sizes { d, p, row, pitch_diameter })
+        Ok(MetricThreadSizes { d, p, row, pitch_diameter })
     }
 
     /// Distance of a field from the basic size, mm, below it outside and above it inside.
-    fn deviation(&self, zone: Zone) -> Result<f64, CalcError> {
+    fn deviation(&self, zone: ToleranceZone) -> Result<f64, CalcError> {
         let found = match zone.position {
             'e' => self.row.e,
             'f' => self.row.f,
             'g' | 'G' => Some(self.row.g),
             _ => Some(0.0),
         };
-        let pitch = Units::Millimetre.length(self.p);
+        let pitch = AnswerUnit::Millimetre.length(self.p);
         let missing = || {
             no_limits(format!("ISO 965-1 has no position {} for a pitch of {pitch}", zone.position))
         };
@@ -166,13 +166,13 @@ impl Sizes {
     }
 
     /// A tolerance of grade 6, µm, as one of another grade, mm.
-    fn graded(&self, six: Option<f64>, zone: Zone, inside: i32) -> Result<f64, CalcError> {
+    fn graded(&self, six: Option<f64>, zone: ToleranceZone, inside: i32) -> Result<f64, CalcError> {
         let least = match (zone.place(), zone.grade) {
             (_, 8 | 9) => 0.8,
-            (Where::Inside, 7) => 0.5,
-            (Where::Inside, 6) => 0.3,
-            (Where::Inside, 5) => 0.25,
-            (Where::Outside, 7) => 0.35,
+            (ThreadLocation::Inside, 7) => 0.5,
+            (ThreadLocation::Inside, 6) => 0.3,
+            (ThreadLocation::Inside, 5) => 0.25,
+            (ThreadLocation::Outside, 7) => 0.35,
             _ => 0.0,
         };
         match six {
@@ -182,7 +182,7 @@ impl Sizes {
             _ => Err(no_limits(format!(
                 "ISO 965-1 has no grade {} for a pitch of {}",
                 zone.grade,
-                Units::Millimetre.length(self.p)
+                AnswerUnit::Millimetre.length(self.p)
             ))),
         }
     }
@@ -202,24 +202,29 @@ fn micron(mm: f64) -> f64 {
 /// # Errors
 /// When the standard has none for this pitch, diameter, grade or position.
 pub(super) fn limits(
-    worked: &mut Worked,
-    thread: &Thread,
-    pitch: Zone,
-    crest: Zone,
+    worked: &mut WorkedCalculation,
+    thread: &ThreadSize,
+    pitch: ToleranceZone,
+    crest: ToleranceZone,
 ) -> Result<(), CalcError> {
-    let sizes = Sizes::of(thread)?;
+    let sizes = MetricThreadSizes::of(thread)?;
     match pitch.place() {
-        Where::Outside => outside(worked, &sizes, pitch, crest),
-        Where::Inside => inside(worked, &sizes, pitch, crest),
+        ThreadLocation::Outside => outside(worked, &sizes, pitch, crest),
+        ThreadLocation::Inside => inside(worked, &sizes, pitch, crest),
     }
 }
 
 fn n(mm: f64) -> String {
-    Units::Millimetre.number(mm)
+    AnswerUnit::Millimetre.number(mm)
 }
 
-fn outside(worked: &mut Worked, sizes: &Sizes, pitch: Zone, crest: Zone) -> Result<(), CalcError> {
-    let Sizes { d, p, .. } = *sizes;
+fn outside(
+    worked: &mut WorkedCalculation,
+    sizes: &MetricThreadSizes,
+    pitch: ToleranceZone,
+    crest: ToleranceZone,
+) -> Result<(), CalcError> {
+    let MetricThreadSizes { d, p, .. } = *sizes;
     let (es, es_crest) = (sizes.deviation(pitch)?, sizes.deviation(crest)?);
     // The one number of table 4 that is a step off.
     let td = match crest.grade {
@@ -231,7 +236,7 @@ fn outside(worked: &mut Worked, sizes: &Sizes, pitch: Zone, crest: Zone) -> Resu
     let (most, pitch_most) = (micron(d - es_crest), micron(d2 - es));
     let (least, pitch_least) = (micron(most - td), micron(pitch_most - td2));
     let mut table = |symbol: &str, meaning: String, value: f64, source: &str| {
-        worked.way(symbol, &meaning, Kind::Length, value, source, source.into());
+        worked.way(symbol, &meaning, QuantityKind::Length, value, source, source.into());
     };
     let position = format!("distance of {} from the basic size", crest.position);
     table("es", position, es_crest, "ISO 965-1, table 1");
@@ -245,7 +250,7 @@ fn outside(worked: &mut Worked, sizes: &Sizes, pitch: Zone, crest: Zone) -> Resu
     table("Td2", meaning, td2, "ISO 965-1, tolerances Td2");
 
     let mut give = |symbol: &str, meaning: &str, value: f64, formula: &str, filled: String| {
-        worked.result(symbol, meaning, Kind::Length, value, formula, filled);
+        worked.result(symbol, meaning, QuantityKind::Length, value, formula, filled);
     };
     give("dmax", "major diameter, most", most, "D − es", format!("{} − {}", n(d), n(es_crest)));
     give("dmin", "major diameter, least", least, "dmax − Td", format!("{} − {}", n(most), n(td)));
@@ -263,7 +268,7 @@ fn outside(worked: &mut Worked, sizes: &Sizes, pitch: Zone, crest: Zone) -> Resu
         ("d2min − 0.616025·P", format!("{} − 0.616025·{}", n(pitch_least), n(p)));
     let root = micron(pitch_least - (super::H - 0.25) * p);
     give("d3min", "root diameter, least, root radius P/8", root, formula, filled);
-    let class = super::Class::Metric { pitch, crest };
+    let class = super::FitClass::Metric { pitch, crest };
     worked.note(format!(
         "{class}, outside: major {} to {}, pitch {} to {} (mm, ISO 965-1).",
         n(most),
@@ -274,8 +279,13 @@ fn outside(worked: &mut Worked, sizes: &Sizes, pitch: Zone, crest: Zone) -> Resu
     Ok(())
 }
 
-fn inside(worked: &mut Worked, sizes: &Sizes, pitch: Zone, crest: Zone) -> Result<(), CalcError> {
-    let Sizes { d, p, .. } = *sizes;
+fn inside(
+    worked: &mut WorkedCalculation,
+    sizes: &MetricThreadSizes,
+    pitch: ToleranceZone,
+    crest: ToleranceZone,
+) -> Result<(), CalcError> {
+    let MetricThreadSizes { d, p, .. } = *sizes;
     let (ei, ei_crest) = (sizes.deviation(pitch)?, sizes.deviation(crest)?);
     let td1 = sizes.graded(sizes.row.minor.or(fine_minor(p)), crest, 0)?;
     let td2 = sizes.graded(Some(sizes.pitch_diameter), pitch, 5)?;
@@ -283,7 +293,7 @@ fn inside(worked: &mut Worked, sizes: &Sizes, pitch: Zone, crest: Zone) -> Resul
     let (least, pitch_least) = (micron(d1 + ei_crest), micron(d2 + ei));
     let (most, pitch_most) = (micron(least + td1), micron(pitch_least + td2));
     let mut table = |symbol: &str, meaning: String, value: f64, source: &str| {
-        worked.way(symbol, &meaning, Kind::Length, value, source, source.into());
+        worked.way(symbol, &meaning, QuantityKind::Length, value, source, source.into());
     };
     let position = format!("distance of {} from the basic size", crest.position);
     table("EI", position, ei_crest, "ISO 965-1, table 1");
@@ -297,7 +307,7 @@ fn inside(worked: &mut Worked, sizes: &Sizes, pitch: Zone, crest: Zone) -> Resul
     table("TD2", meaning, td2, "ISO 965-1, tolerances TD2");
 
     let mut give = |symbol: &str, meaning: &str, value: f64, formula: &str, filled: String| {
-        worked.result(symbol, meaning, Kind::Length, value, formula, filled);
+        worked.result(symbol, meaning, QuantityKind::Length, value, formula, filled);
     };
     let filled = format!("{} + {}", n(d1), n(ei_crest));
     give("D1min", "minor diameter, least", least, "D1 + EI", filled);
@@ -310,7 +320,7 @@ fn inside(worked: &mut Worked, sizes: &Sizes, pitch: Zone, crest: Zone) -> Resul
     give("D2max", "pitch diameter, most", pitch_most, "D2min + TD2", filled);
     let filled = format!("{} + {}", n(d), n(ei));
     give("Dmin", "major diameter, least", micron(d + ei), "D + EI", filled);
-    let class = super::Class::Metric { pitch, crest };
+    let class = super::FitClass::Metric { pitch, crest };
     worked.note(format!(
         "{class}, inside: minor {} to {}, pitch {} to {} (mm, ISO 965-1).",
         n(least),

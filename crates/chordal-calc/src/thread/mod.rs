@@ -13,13 +13,13 @@ mod series;
 mod unified;
 mod words;
 
-pub use class::{Class, Zone};
-pub use designation::{Designation, Form};
+pub use class::{FitClass, ToleranceZone};
+pub use designation::{ThreadDesignation, ThreadForm};
 
 use crate::error::{CalcError, bounded};
 use crate::math::{PI, atan};
-use crate::numbers::Units;
-use crate::worked::{Kind, Worked};
+use crate::numbers::AnswerUnit;
+use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// Height of the sharp profile over the pitch: √3/2.
 pub(crate) const H: f64 = 0.866_025_403_784_438_6;
@@ -32,7 +32,7 @@ pub(crate) const OUTSIDE: f64 = 17.0 / 12.0 * H;
 
 /// Where a thread is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Where {
+pub enum ThreadLocation {
     /// In a hole.
     Inside,
     /// On a boss.
@@ -41,7 +41,7 @@ pub enum Where {
 
 /// Hand of a thread.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hand {
+pub enum ThreadHand {
     /// Clockwise goes away.
     Right,
     /// Counter-clockwise goes away.
@@ -50,7 +50,7 @@ pub enum Hand {
 
 /// A thread of the 60° profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Thread {
+pub struct ThreadSize {
     /// Nominal diameter, mm.
     pub major: f64,
     /// Distance of neighbouring crests, mm.
@@ -59,13 +59,13 @@ pub struct Thread {
     pub starts: u32,
 }
 
-impl Thread {
+impl ThreadSize {
     /// Checks that there is something between the crests.
     ///
     /// # Errors
     /// When a size is none, or the profile is deeper than the thread is thick.
-    pub fn check(&self, units: Units) -> Result<(), CalcError> {
-        let Thread { major, pitch, starts } = *self;
+    pub fn check(&self, units: AnswerUnit) -> Result<(), CalcError> {
+        let ThreadSize { major, pitch, starts } = *self;
         bounded(&[major, pitch], &[], units)?;
         let good = |value: f64| value > 0.0 && value.is_finite();
         if !good(major) || !good(pitch) || starts == 0 {
@@ -112,7 +112,7 @@ impl Thread {
 ///
 /// # Errors
 /// When the thread cannot be.
-pub fn thread_data(thread: &Thread, units: Units) -> Result<Worked, CalcError> {
+pub fn thread_data(thread: &ThreadSize, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     let mut worked = basic(thread, units)?;
     worked.note("Basic sizes without allowance or tolerance; the class of fit adds them.");
     Ok(worked)
@@ -122,17 +122,27 @@ pub fn thread_data(thread: &Thread, units: Units) -> Result<Worked, CalcError> {
 ///
 /// # Errors
 /// When the thread cannot be, or the standard has no limits for its class.
-pub fn named_thread(name: &Designation, starts: u32, units: Units) -> Result<Worked, CalcError> {
+pub fn named_thread(
+    name: &ThreadDesignation,
+    starts: u32,
+    units: AnswerUnit,
+) -> Result<WorkedCalculation, CalcError> {
     let mut worked = match name.form {
-        Form::Metric | Form::Unified => sixty(name, starts, units)?,
-        Form::Npt | Form::Nptf | Form::G | Form::R => pipe::worked(name, starts, units)?,
+        ThreadForm::Metric | ThreadForm::Unified => sixty(name, starts, units)?,
+        ThreadForm::Npt | ThreadForm::Nptf | ThreadForm::G | ThreadForm::R => {
+            pipe::worked(name, starts, units)?
+        }
     };
     worked.notes.extend(name.notes.iter().cloned());
     Ok(worked)
 }
 
 /// A thread of the 60° profile by its name.
-fn sixty(name: &Designation, starts: u32, units: Units) -> Result<Worked, CalcError> {
+fn sixty(
+    name: &ThreadDesignation,
+    starts: u32,
+    units: AnswerUnit,
+) -> Result<WorkedCalculation, CalcError> {
     let thread = name.thread(starts)?;
     if name.classes.is_empty() {
         return thread_data(&thread, units);
@@ -144,11 +154,13 @@ fn sixty(name: &Designation, starts: u32, units: Units) -> Result<Worked, CalcEr
     worked.note("D, D2, D1 and d3 are basic sizes; the limits of the class follow them.");
     for class in &name.classes {
         match class {
-            Class::Unified { grade, place } => {
+            FitClass::Unified { grade, place } => {
                 unified::limits(&mut worked, &thread, *grade, *place)
             }
-            Class::Metric { pitch, crest } => metric::limits(&mut worked, &thread, *pitch, *crest)?,
-            Class::Pipe { .. } => {}
+            FitClass::Metric { pitch, crest } => {
+                metric::limits(&mut worked, &thread, *pitch, *crest)?
+            }
+            FitClass::Pipe { .. } => {}
         }
     }
     if units != name.units {
@@ -161,19 +173,19 @@ fn sixty(name: &Designation, starts: u32, units: Units) -> Result<Worked, CalcEr
     Ok(worked)
 }
 
-fn basic(thread: &Thread, units: Units) -> Result<Worked, CalcError> {
+fn basic(thread: &ThreadSize, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     thread.check(units)?;
-    let Thread { major, pitch, starts } = *thread;
-    let mut worked = Worked::new("Thread, 60° profile (UN and ISO metric)", units);
-    worked.given("D", "major (nominal) diameter", Kind::Length, major);
-    worked.given("P", "pitch", Kind::Length, pitch);
-    worked.given("n", "starts", Kind::Number, f64::from(starts));
+    let ThreadSize { major, pitch, starts } = *thread;
+    let mut worked = WorkedCalculation::new("Thread, 60° profile (UN and ISO metric)", units);
+    worked.given("D", "major (nominal) diameter", QuantityKind::Length, major);
+    worked.given("P", "pitch", QuantityKind::Length, pitch);
+    worked.given("n", "starts", QuantityKind::Number, f64::from(starts));
     let (d, p) = (units.number(major), units.number(pitch));
-    let length = Kind::Length;
-    if units == Units::Inch {
+    let length = QuantityKind::Length;
+    if units == AnswerUnit::Inch {
         let tpi = 25.4 / pitch;
         let filled = format!("1/{p}");
-        worked.way("TPI", "threads per inch", Kind::Number, tpi, "1/P", filled);
+        worked.way("TPI", "threads per inch", QuantityKind::Number, tpi, "1/P", filled);
     }
     let lead = pitch * f64::from(starts);
     worked.result("L", "lead: Z in one turn", length, lead, "n·P", format!("{starts}·{p}"));
@@ -206,7 +218,7 @@ fn basic(thread: &Thread, units: Units) -> Result<Worked, CalcError> {
     worked.result(
         "φ",
         "helix angle at the pitch diameter",
-        Kind::Angle,
+        QuantityKind::Angle,
         atan(lead / (PI * middle)),
         "atan(L/(π·D2))",
         format!("atan({}/(π·{}))", units.number(lead), units.number(middle)),

@@ -1,20 +1,20 @@
 //! Names of threads as people write them.
 
 use super::class;
-use super::designation::{Designation, Form, no_thread};
+use super::designation::{ThreadDesignation, ThreadForm, no_thread};
 use super::pipe;
-use super::series::{Series, coarse};
+use super::series::{UnifiedSeries, coarse};
 use super::words::{after_letters, diameter, leading_number, number, words};
 use crate::error::CalcError;
-use crate::numbers::{Units, trimmed};
+use crate::numbers::{AnswerUnit, trimmed};
 
-impl Designation {
+impl ThreadDesignation {
     /// Reads a name, in capital or small letters: `M` diameter `x` pitch in millimetres, inches `-`
     /// threads per inch, or a pipe thread by its size; then series, classes and `LH`.
     ///
     /// # Errors
     /// When it is no thread, or names a class or a pitch that does not exist.
-    pub fn read(text: &str) -> Result<Designation, CalcError> {
+    pub fn read(text: &str) -> Result<ThreadDesignation, CalcError> {
         let words = words(text).ok_or_else(|| no_thread(text))?;
         let mut name = match words.first().map(|word| word.to_ascii_uppercase()).as_deref() {
             None => return Err(no_thread(text)),
@@ -27,7 +27,7 @@ impl Designation {
         if !size(name.major) || !size(name.pitch) {
             return Err(no_thread(text));
         }
-        name.classes.sort_by_key(|class| class.place() == super::Where::Inside);
+        name.classes.sort_by_key(|class| class.place() == super::ThreadLocation::Inside);
         Ok(name)
     }
 }
@@ -39,7 +39,7 @@ fn unknown_form(text: &str, form: &str) -> CalcError {
     )
 }
 
-fn metric(text: &str, words: &[String]) -> Result<Designation, CalcError> {
+fn metric(text: &str, words: &[String]) -> Result<ThreadDesignation, CalcError> {
     let (first, mut rest) = words.split_first().ok_or_else(|| no_thread(text))?;
     let major = number(first).ok_or_else(|| no_thread(text))?;
     let mut notes = Vec::new();
@@ -59,7 +59,7 @@ fn metric(text: &str, words: &[String]) -> Result<Designation, CalcError> {
             pitch
         }
     };
-    let mut name = Designation::new(major, pitch, Units::Millimetre, Form::Metric);
+    let mut name = ThreadDesignation::new(major, pitch, AnswerUnit::Millimetre, ThreadForm::Metric);
     name.notes = notes;
     for word in rest {
         if name.take_hand(word)? {
@@ -94,7 +94,7 @@ fn doubtful_case(text: &str, class: &str) -> Option<String> {
     None
 }
 
-fn inch(text: &str, words: &[String]) -> Result<Designation, CalcError> {
+fn inch(text: &str, words: &[String]) -> Result<ThreadDesignation, CalcError> {
     let wrong = || no_thread(text);
     let marked = words[0] == "#";
     let words = if marked { &words[1..] } else { words };
@@ -119,7 +119,8 @@ fn inch(text: &str, words: &[String]) -> Result<Designation, CalcError> {
             trimmed(inches, 3)
         ));
     }
-    let mut name = Designation::new(inches * 25.4, 25.4 / tpi, Units::Inch, Form::Unified);
+    let mut name =
+        ThreadDesignation::new(inches * 25.4, 25.4 / tpi, AnswerUnit::Inch, ThreadForm::Unified);
     name.notes = notes;
     inch_rest(&mut name, &rest, inches, tpi)?;
     Ok(name)
@@ -127,7 +128,7 @@ fn inch(text: &str, words: &[String]) -> Result<Designation, CalcError> {
 
 /// Series, classes and hand after the threads per inch.
 fn inch_rest(
-    name: &mut Designation,
+    name: &mut ThreadDesignation,
     rest: &[&str],
     inches: f64,
     tpi: f64,
@@ -147,7 +148,7 @@ fn inch_rest(
             continue;
         }
         let letters = upper.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
-        if let Some(series) = Series::read(letters) {
+        if let Some(series) = UnifiedSeries::read(letters) {
             let own = number(&upper[..upper.len() - letters.len()]).or(constant.take());
             if own.is_some_and(|own| (own - tpi).abs() > 1e-9) {
                 return Err(CalcError::new(

@@ -1,14 +1,14 @@
 //! Pipe threads: NPT and NPTF (ASME B1.20.1, B1.20.3), G (ISO 228-1) and R (ISO 7-1).
 
-use super::class::{self, Class};
-use super::designation::{Designation, Form, no_thread};
+use super::class::{self, FitClass};
+use super::designation::{ThreadDesignation, ThreadForm, no_thread};
 use super::pipe_sizes::{G, NPT, PipeSize, TOLERANCES};
 use super::words::diameter;
 use crate::error::CalcError;
-use crate::figure::{Figure, Style};
+use crate::figure::{Figure, LineStyle};
 use crate::math::{atan, tan};
-use crate::numbers::{Units, trimmed};
-use crate::worked::{Kind, Worked};
+use crate::numbers::{AnswerUnit, trimmed};
+use crate::worked::{QuantityKind, WorkedCalculation};
 use chordal_geometry::Vec2;
 
 const INCH: f64 = 25.4;
@@ -16,39 +16,39 @@ const INCH: f64 = 25.4;
 const WHITWORTH: f64 = 0.640_327;
 
 /// The form, when one of the words is a pipe thread's.
-pub(super) fn form(words: &[String]) -> Option<Form> {
+pub(super) fn form(words: &[String]) -> Option<ThreadForm> {
     words.iter().find_map(|word| read_form(word))
 }
 
-fn read_form(word: &str) -> Option<Form> {
+fn read_form(word: &str) -> Option<ThreadForm> {
     match word.to_ascii_uppercase().as_str() {
-        "NPT" => Some(Form::Npt),
-        "NPTF" => Some(Form::Nptf),
-        "G" | "BSPP" | "BSP" => Some(Form::G),
-        "R" | "RC" | "BSPT" => Some(Form::R),
+        "NPT" => Some(ThreadForm::Npt),
+        "NPTF" => Some(ThreadForm::Nptf),
+        "G" | "BSPP" | "BSP" => Some(ThreadForm::G),
+        "R" | "RC" | "BSPT" => Some(ThreadForm::R),
         _ => None,
     }
 }
 
 /// What the form is called, and where its sizes are.
-const fn source(form: Form) -> (&'static str, &'static str) {
+const fn source(form: ThreadForm) -> (&'static str, &'static str) {
     match form {
-        Form::Npt => ("NPT", "ASME B1.20.1"),
-        Form::Nptf => ("NPTF", "ASME B1.20.3"),
-        Form::R => ("R", "ISO 7-1"),
+        ThreadForm::Npt => ("NPT", "ASME B1.20.1"),
+        ThreadForm::Nptf => ("NPTF", "ASME B1.20.3"),
+        ThreadForm::R => ("R", "ISO 7-1"),
         _ => ("G", "ISO 228-1"),
     }
 }
 
 /// Reads the name of a pipe thread: its size, threads per inch where they are given, class A or B.
-pub(super) fn read(text: &str, words: &[String]) -> Result<Designation, CalcError> {
+pub(super) fn read(text: &str, words: &[String]) -> Result<ThreadDesignation, CalcError> {
     let form = form(words).ok_or_else(|| no_thread(text))?;
     let rest = without_form(words, form);
     let (asked, used) = diameter(&rest).ok_or_else(|| no_thread(text))?;
     let found = find(form, asked)?;
-    let inch = matches!(form, Form::Npt | Form::Nptf);
-    let (unit, units) = if inch { (INCH, Units::Inch) } else { (1.0, Units::Millimetre) };
-    let mut name = Designation::new(found.major * unit, INCH / found.tpi, units, form);
+    let inch = matches!(form, ThreadForm::Npt | ThreadForm::Nptf);
+    let (unit, units) = if inch { (INCH, AnswerUnit::Inch) } else { (1.0, AnswerUnit::Millimetre) };
+    let mut name = ThreadDesignation::new(found.major * unit, INCH / found.tpi, units, form);
     name.pipe = Some(found);
     let mut at = used;
     if let Some((tpi, words)) = diameter(&rest[used..]) {
@@ -66,8 +66,8 @@ pub(super) fn read(text: &str, words: &[String]) -> Result<Designation, CalcErro
         match upper.as_str() {
             _ if name.take_hand(&upper)? => {}
             "TPI" => {}
-            "A" | "B" if form == Form::G => {
-                class::add(&mut name.classes, Class::Pipe { wide: upper == "B" })?;
+            "A" | "B" if form == ThreadForm::G => {
+                class::add(&mut name.classes, FitClass::Pipe { wide: upper == "B" })?;
             }
             _ => {
                 return Err(CalcError::new(
@@ -81,10 +81,10 @@ pub(super) fn read(text: &str, words: &[String]) -> Result<Designation, CalcErro
 }
 
 /// The words without those of the form; `1/2A` of a G thread becomes two.
-fn without_form(words: &[String], form: Form) -> Vec<String> {
+fn without_form(words: &[String], form: ThreadForm) -> Vec<String> {
     let mut rest = Vec::new();
     for word in words.iter().filter(|word| read_form(word).is_none()) {
-        if form != Form::G {
+        if form != ThreadForm::G {
             rest.push(word.clone());
             continue;
         }
@@ -95,12 +95,12 @@ fn without_form(words: &[String], form: Form) -> Vec<String> {
     rest
 }
 
-fn find(form: Form, asked: f64) -> Result<&'static PipeSize, CalcError> {
+fn find(form: ThreadForm, asked: f64) -> Result<&'static PipeSize, CalcError> {
     let table: &'static [PipeSize] = match form {
-        Form::Npt | Form::Nptf => &NPT,
+        ThreadForm::Npt | ThreadForm::Nptf => &NPT,
         _ => &G,
     };
-    let has = |own: &&PipeSize| form != Form::R || own.gauge > 0.0;
+    let has = |own: &&PipeSize| form != ThreadForm::R || own.gauge > 0.0;
     let found = table.iter().filter(has).find(|own| (own.size - asked).abs() < 1e-6);
     found.ok_or_else(|| {
         let names: Vec<&str> = table.iter().filter(has).map(|own| own.name).collect();
@@ -113,7 +113,11 @@ fn find(form: Form, asked: f64) -> Result<&'static PipeSize, CalcError> {
 }
 
 /// Sizes of a pipe thread.
-pub(super) fn worked(name: &Designation, starts: u32, units: Units) -> Result<Worked, CalcError> {
+pub(super) fn worked(
+    name: &ThreadDesignation,
+    starts: u32,
+    units: AnswerUnit,
+) -> Result<WorkedCalculation, CalcError> {
     let found = name.pipe.ok_or_else(|| no_thread("the size of the pipe thread is missing"))?;
     if starts != 1 {
         return Err(CalcError::new(
@@ -122,18 +126,19 @@ pub(super) fn worked(name: &Designation, starts: u32, units: Units) -> Result<Wo
         ));
     }
     let (kind, standard) = source(name.form);
-    let mut worked = Worked::new(format!("Pipe thread {} {kind} ({standard})", found.name), units);
-    let inch = matches!(name.form, Form::Npt | Form::Nptf);
+    let mut worked =
+        WorkedCalculation::new(format!("Pipe thread {} {kind} ({standard})", found.name), units);
+    let inch = matches!(name.form, ThreadForm::Npt | ThreadForm::Nptf);
     let meaning = match name.form {
-        Form::Npt | Form::Nptf => "outside diameter of the pipe",
-        Form::R => "major diameter at the gauge plane",
+        ThreadForm::Npt | ThreadForm::Nptf => "outside diameter of the pipe",
+        ThreadForm::R => "major diameter at the gauge plane",
         _ => "major diameter",
     };
-    worked.given("D", meaning, Kind::Length, name.major);
-    worked.given("TPI", "threads per inch", Kind::Number, found.tpi);
+    worked.given("D", meaning, QuantityKind::Length, name.major);
+    worked.given("TPI", "threads per inch", QuantityKind::Number, found.tpi);
     let filled = format!("1/{} in", trimmed(found.tpi, 3));
-    worked.result("P", "pitch", Kind::Length, name.pitch, "1/TPI", filled);
-    if name.form != Form::G {
+    worked.result("P", "pitch", QuantityKind::Length, name.pitch, "1/TPI", filled);
+    if name.form != ThreadForm::G {
         taper(&mut worked);
     }
     if inch {
@@ -141,7 +146,7 @@ pub(super) fn worked(name: &Designation, starts: u32, units: Units) -> Result<Wo
     } else {
         whitworth(&mut worked, name, found);
     }
-    if name.form == Form::Nptf {
+    if name.form == ThreadForm::Nptf {
         worked.note(
             "NPTF has the diameters, pitch and taper of NPT; its crests and roots are cut to seal (ASME \
              B1.20.3), so h and the minor diameters differ a little. Check with gauges.",
@@ -149,20 +154,27 @@ pub(super) fn worked(name: &Designation, starts: u32, units: Units) -> Result<Wo
     }
     worked.note("thread-mill writes no program for it: only for parallel 60° threads.");
     let (height, half) = if inch { (0.8, 30f64) } else { (WHITWORTH, 27.5) };
-    let slope = if name.form == Form::G { 0.0 } else { 1.0 / 32.0 };
+    let slope = if name.form == ThreadForm::G { 0.0 } else { 1.0 / 32.0 };
     worked.figure = profile(name.pitch, height, half.to_radians(), slope, units);
     Ok(worked)
 }
 
-fn taper(worked: &mut Worked) {
+fn taper(worked: &mut WorkedCalculation) {
     let value = 1.0 / 16.0;
-    worked.result("k", "taper on the diameter", Kind::Number, value, "1:16", "1/16".into());
+    worked.result("k", "taper on the diameter", QuantityKind::Number, value, "1:16", "1/16".into());
     let angle = atan(1.0 / 32.0);
-    worked.result("α", "angle to the axis", Kind::Angle, angle, "atan(k/2)", "atan(1/32)".into());
+    worked.result(
+        "α",
+        "angle to the axis",
+        QuantityKind::Angle,
+        angle,
+        "atan(k/2)",
+        "atan(1/32)".into(),
+    );
 }
 
 /// Sizes of NPT by the formulas of ASME B1.20.1, which are in inches.
-fn npt(worked: &mut Worked, found: &PipeSize) {
+fn npt(worked: &mut WorkedCalculation, found: &PipeSize) {
     let PipeSize { major: d, tpi, gauge, .. } = *found;
     let p = 1.0 / tpi;
     let n = |value: f64| trimmed(value, 5);
@@ -170,7 +182,7 @@ fn npt(worked: &mut Worked, found: &PipeSize) {
     let large = small + gauge / 16.0;
     let height = 0.8 * p;
     let mut give = |symbol: &str, meaning: &str, inches: f64, formula: &str, filled: String| {
-        worked.result(symbol, meaning, Kind::Length, inches * INCH, formula, filled);
+        worked.result(symbol, meaning, QuantityKind::Length, inches * INCH, formula, filled);
     };
     let table = "ASME B1.20.1, table 2";
     give("L1", "engagement by hand", gauge, table, table.into());
@@ -190,7 +202,7 @@ fn npt(worked: &mut Worked, found: &PipeSize) {
 }
 
 /// Sizes of G and R, which have one profile.
-fn whitworth(worked: &mut Worked, name: &Designation, found: &PipeSize) {
+fn whitworth(worked: &mut WorkedCalculation, name: &ThreadDesignation, found: &PipeSize) {
     let (d, p) = (name.major, name.pitch);
     let units = worked.units;
     let n = |mm: f64| units.number(mm);
@@ -198,13 +210,13 @@ fn whitworth(worked: &mut Worked, name: &Designation, found: &PipeSize) {
     let height = (WHITWORTH * p * 1000.0).round() / 1000.0;
     let (middle, minor) = (d - height, d - 2.0 * height);
     let mut give = |symbol: &str, meaning: &str, mm: f64, formula: &str, filled: String| {
-        worked.result(symbol, meaning, Kind::Length, mm, formula, filled);
+        worked.result(symbol, meaning, QuantityKind::Length, mm, formula, filled);
     };
     let formula = "0.640327·P, to 0.001 mm";
     give("h", "depth of the thread", height, formula, format!("0.640327·{}", n(p)));
     give("D2", "pitch diameter", middle, "D − h", format!("{} − {}", n(d), n(height)));
     give("D1", "minor diameter", minor, "D − 2·h", format!("{} − 2·{}", n(d), n(height)));
-    if name.form == Form::R {
+    if name.form == ThreadForm::R {
         let gauge = found.gauge;
         give("L", "gauge length", gauge, "ISO 7-1, table 1", "ISO 7-1, table 1".into());
         for (symbol, meaning, large) in [
@@ -223,8 +235,8 @@ fn whitworth(worked: &mut Worked, name: &Designation, found: &PipeSize) {
 
 /// Limits of a G thread: the hole's always, the pipe's of the class that is named.
 fn parallel_limits(
-    worked: &mut Worked,
-    name: &Designation,
+    worked: &mut WorkedCalculation,
+    name: &ThreadDesignation,
     found: &PipeSize,
     [middle, minor]: [f64; 2],
 ) {
@@ -235,12 +247,12 @@ fn parallel_limits(
     let mut give = |symbol: &str, meaning: &str, base: f64, add: f64, formula: &str| {
         let sign = if add < 0.0 { '−' } else { '+' };
         let filled = format!("{} {sign} {}", units.number(base), units.number(add.abs()));
-        worked.result(symbol, meaning, Kind::Length, base + add, formula, filled);
+        worked.result(symbol, meaning, QuantityKind::Length, base + add, formula, filled);
     };
     give("D1max", "minor diameter of the hole, most", minor, hole, "D1 + TD1 (ISO 228-1)");
     give("D2max", "pitch diameter of the hole, most", middle, pitch, "D2 + TD2 (ISO 228-1)");
     for class in &name.classes {
-        let Class::Pipe { wide } = class else { continue };
+        let FitClass::Pipe { wide } = class else { continue };
         let tolerance = if *wide { 2.0 * pitch } else { pitch };
         give("dmin", "major diameter outside, least", d, -crest, "D − Td (ISO 228-1)");
         let meaning = format!("pitch diameter outside, least, class {class}");
@@ -249,7 +261,7 @@ fn parallel_limits(
 }
 
 /// Two pitches of a thread so many pitches high, with its slope to the axis.
-fn profile(pitch: f64, height: f64, half: f64, slope: f64, units: Units) -> Figure {
+fn profile(pitch: f64, height: f64, half: f64, slope: f64, units: AnswerUnit) -> Figure {
     let mut figure = Figure::default();
     let depth = height * pitch;
     let flank = depth * tan(half);
@@ -265,15 +277,15 @@ fn profile(pitch: f64, height: f64, half: f64, slope: f64, units: Units) -> Figu
             at(middle + crest + flank, -depth),
         ];
         if let Some(last) = last {
-            figure.line(last, points[0], Style::Part);
+            figure.line(last, points[0], LineStyle::Part);
         }
         for pair in points.windows(2) {
-            figure.line(pair[0], pair[1], Style::Part);
+            figure.line(pair[0], pair[1], LineStyle::Part);
         }
         last = Some(points[3]);
     }
     let (left, right) = (-0.75 * pitch, 2.75 * pitch);
-    figure.line(at(left, -depth / 2.0), at(right, -depth / 2.0), Style::Path);
+    figure.line(at(left, -depth / 2.0), at(right, -depth / 2.0), LineStyle::Path);
     let up = 0.42 * pitch;
     figure.width(at(0.0, 0.0), at(pitch, 0.0), up, format!("P {}", units.number(pitch)));
     let text = format!("h {}", units.number(depth));

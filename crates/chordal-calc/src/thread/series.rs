@@ -4,9 +4,9 @@
 use crate::numbers::trimmed;
 
 /// Diameters, in, with their threads per inch.
-type Table = &'static [(f64, f64)];
+type ThreadTable = &'static [(f64, f64)];
 
-const UNC: Table = &[
+const UNC: ThreadTable = &[
     (0.073, 64.0),
     (0.086, 56.0),
     (0.099, 48.0),
@@ -42,7 +42,7 @@ const UNC: Table = &[
     (4.0, 4.0),
 ];
 
-const UNF: Table = &[
+const UNF: ThreadTable = &[
     (0.06, 80.0),
     (0.073, 72.0),
     (0.086, 64.0),
@@ -69,7 +69,7 @@ const UNF: Table = &[
     (1.5, 12.0),
 ];
 
-const UNEF: Table = &[
+const UNEF: ThreadTable = &[
     (0.216, 32.0),
     (0.25, 32.0),
     (0.3125, 32.0),
@@ -155,7 +155,7 @@ const COARSE: &[(f64, f64)] = &[
 
 /// A series of unified threads, as a name says it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Series {
+pub enum UnifiedSeries {
     /// Coarse.
     Unc,
     /// Fine.
@@ -168,36 +168,37 @@ pub enum Series {
     Uns,
 }
 
-impl Series {
+impl UnifiedSeries {
     /// A series by its name. R after UN is the rounded root, which changes no size here; NC, NF and NEF
     /// are the older names.
-    pub(super) fn read(name: &str) -> Option<Series> {
+    pub(super) fn read(name: &str) -> Option<UnifiedSeries> {
         match name {
-            "UNC" | "UNRC" | "NC" => Some(Series::Unc),
-            "UNF" | "UNRF" | "NF" => Some(Series::Unf),
-            "UNEF" | "UNREF" | "NEF" => Some(Series::Unef),
-            "UN" | "UNR" => Some(Series::Un),
-            "UNS" | "UNRS" | "NS" => Some(Series::Uns),
+            "UNC" | "UNRC" | "NC" => Some(UnifiedSeries::Unc),
+            "UNF" | "UNRF" | "NF" => Some(UnifiedSeries::Unf),
+            "UNEF" | "UNREF" | "NEF" => Some(UnifiedSeries::Unef),
+            "UN" | "UNR" => Some(UnifiedSeries::Un),
+            "UNS" | "UNRS" | "NS" => Some(UnifiedSeries::Uns),
             _ => None,
         }
     }
 
     /// The series that has this thread; diameter in inches.
-    pub(super) fn of(diameter: f64, tpi: f64) -> Series {
-        let within = |table: Table| threads(table, diameter).is_some_and(|own| same(own, tpi));
+    pub(super) fn of(diameter: f64, tpi: f64) -> UnifiedSeries {
+        let within =
+            |table: ThreadTable| threads(table, diameter).is_some_and(|own| same(own, tpi));
         let constant = CONSTANT.iter().any(|(own, least, most)| {
             same(*own, tpi) && diameter >= least - 1e-6 && diameter <= most + 1e-6
         });
         if within(UNC) {
-            Series::Unc
+            UnifiedSeries::Unc
         } else if within(UNF) {
-            Series::Unf
+            UnifiedSeries::Unf
         } else if within(UNEF) {
-            Series::Unef
+            UnifiedSeries::Unef
         } else if constant && has_size(diameter) {
-            Series::Un
+            UnifiedSeries::Un
         } else {
-            Series::Uns
+            UnifiedSeries::Uns
         }
     }
 
@@ -205,34 +206,34 @@ impl Series {
     /// pitches (ASME B1.1, paragraph 5.1).
     pub(super) fn engages_by_diameter(self, tpi: f64) -> bool {
         match self {
-            Series::Unc | Series::Unf => true,
-            Series::Un => tpi <= 8.0 + 1e-6,
-            Series::Unef | Series::Uns => false,
+            UnifiedSeries::Unc | UnifiedSeries::Unf => true,
+            UnifiedSeries::Un => tpi <= 8.0 + 1e-6,
+            UnifiedSeries::Unef | UnifiedSeries::Uns => false,
         }
     }
 
     fn text(self, tpi: f64) -> String {
         match self {
-            Series::Unc => "UNC".into(),
-            Series::Unf => "UNF".into(),
-            Series::Unef => "UNEF".into(),
-            Series::Un => format!("{}-UN", trimmed(tpi, 3)),
-            Series::Uns => "UNS (special, in no standard series)".into(),
+            UnifiedSeries::Unc => "UNC".into(),
+            UnifiedSeries::Unf => "UNF".into(),
+            UnifiedSeries::Unef => "UNEF".into(),
+            UnifiedSeries::Un => format!("{}-UN", trimmed(tpi, 3)),
+            UnifiedSeries::Uns => "UNS (special, in no standard series)".into(),
         }
     }
 
-    const fn table(self) -> Option<Table> {
+    const fn table(self) -> Option<ThreadTable> {
         match self {
-            Series::Unc => Some(UNC),
-            Series::Unf => Some(UNF),
-            Series::Unef => Some(UNEF),
-            Series::Un | Series::Uns => None,
+            UnifiedSeries::Unc => Some(UNC),
+            UnifiedSeries::Unf => Some(UNF),
+            UnifiedSeries::Unef => Some(UNEF),
+            UnifiedSeries::Un | UnifiedSeries::Uns => None,
         }
     }
 
     /// What to say when a name has another series than its sizes.
     pub(super) fn misnamed(self, diameter: f64, tpi: f64) -> Option<String> {
-        let right = Series::of(diameter, tpi);
+        let right = UnifiedSeries::of(diameter, tpi);
         if right == self {
             return None;
         }
@@ -256,7 +257,7 @@ pub(super) fn coarse(diameter: f64) -> Option<f64> {
     threads(COARSE, diameter)
 }
 
-fn threads(table: Table, diameter: f64) -> Option<f64> {
+fn threads(table: ThreadTable, diameter: f64) -> Option<f64> {
     table.iter().find(|(own, _)| same(*own, diameter)).map(|(_, threads)| *threads)
 }
 

@@ -3,18 +3,18 @@
 //! The standard adds rounded numbers: tolerances and allowance have four decimals before they are
 //! added, so its tables come out to the last digit. All formulas are in inches.
 
-use super::series::Series;
-use super::{H, INSIDE, MIDDLE, Thread, Where};
+use super::series::UnifiedSeries;
+use super::{H, INSIDE, MIDDLE, ThreadLocation, ThreadSize};
 use crate::math::{cbrt, sqrt};
 use crate::numbers::trimmed;
-use crate::worked::{Kind, Worked};
+use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// Diameter from which minor diameters of holes have three decimals: number 6, in.
 const THREE_DECIMALS: f64 = 0.138;
 const INCH: f64 = 25.4;
 
 /// A thread in inches.
-struct Sizes {
+struct UnifiedThreadSizes {
     d: f64,
     p: f64,
     tpi: f64,
@@ -25,19 +25,19 @@ struct Sizes {
     by_diameter: bool,
 }
 
-impl Sizes {
-    fn of(thread: &Thread) -> Sizes {
+impl UnifiedThreadSizes {
+    fn of(thread: &ThreadSize) -> UnifiedThreadSizes {
         let (d, p) = (thread.major / INCH, thread.pitch / INCH);
         let tpi = 1.0 / p;
-        let by_diameter = Series::of(d, tpi).engages_by_diameter(tpi);
+        let by_diameter = UnifiedSeries::of(d, tpi).engages_by_diameter(tpi);
         let le = if by_diameter { d } else { 9.0 * p };
         let t2 = rounded(0.0015 * cbrt(d) + 0.0015 * sqrt(le) + 0.015 * two_thirds(p), 6);
-        Sizes { d, p, tpi, t2, le, by_diameter }
+        UnifiedThreadSizes { d, p, tpi, t2, le, by_diameter }
     }
 
     /// Tolerance of the minor diameter of a hole.
     fn minor(&self, grade: u8) -> f64 {
-        let Sizes { d, p, tpi, .. } = *self;
+        let UnifiedThreadSizes { d, p, tpi, .. } = *self;
         let usual = 0.25 * p - 0.4 * p * p;
         let small = (0.05 * two_thirds(p) + 0.03 * p / d - 0.002).min(0.394 * p);
         match grade {
@@ -68,17 +68,22 @@ fn allowance(t2: f64) -> f64 {
 }
 
 /// Adds the limits of a class.
-pub(super) fn limits(worked: &mut Worked, thread: &Thread, grade: u8, place: Where) {
-    let sizes = Sizes::of(thread);
+pub(super) fn limits(
+    worked: &mut WorkedCalculation,
+    thread: &ThreadSize,
+    grade: u8,
+    place: ThreadLocation,
+) {
+    let sizes = UnifiedThreadSizes::of(thread);
     measure(worked, &sizes);
     match place {
-        Where::Outside => outside(worked, &sizes, grade),
-        Where::Inside => inside(worked, &sizes, grade),
+        ThreadLocation::Outside => outside(worked, &sizes, grade),
+        ThreadLocation::Inside => inside(worked, &sizes, grade),
     }
 }
 
 /// What all classes share; a pair of classes shows it once.
-fn measure(worked: &mut Worked, sizes: &Sizes) {
+fn measure(worked: &mut WorkedCalculation, sizes: &UnifiedThreadSizes) {
     if worked.step("T2").is_some() {
         return;
     }
@@ -88,7 +93,7 @@ fn measure(worked: &mut Worked, sizes: &Sizes) {
     } else {
         ("9·P", format!("9·{}", number(sizes.p)))
     };
-    let length = Kind::Length;
+    let length = QuantityKind::Length;
     worked.way("Le", "length of engagement", length, sizes.le * INCH, formula, filled);
     let filled = format!(
         "0.0015·∛{d} + 0.0015·√{le} + 0.015·∛{p}²",
@@ -106,9 +111,9 @@ fn measure(worked: &mut Worked, sizes: &Sizes) {
     );
 }
 
-fn outside(worked: &mut Worked, sizes: &Sizes, grade: u8) {
-    let Sizes { d, p, t2, .. } = *sizes;
-    let length = Kind::Length;
+fn outside(worked: &mut WorkedCalculation, sizes: &UnifiedThreadSizes, grade: u8) {
+    let UnifiedThreadSizes { d, p, t2, .. } = *sizes;
+    let length = QuantityKind::Length;
     let n = |value: f64| trimmed(value, 6);
     let class = format!("{grade}A");
     let allowance = if grade == 3 { 0.0 } else { allowance(t2) };
@@ -190,7 +195,7 @@ fn outside(worked: &mut Worked, sizes: &Sizes, grade: u8) {
 }
 
 /// The formula of the minor diameter's tolerance, for people.
-fn minor_formula(sizes: &Sizes, grade: u8) -> &'static str {
+fn minor_formula(sizes: &UnifiedThreadSizes, grade: u8) -> &'static str {
     match grade {
         3 if sizes.tpi > 13.0 - 1e-6 => {
             "0.05·∛P² + 0.03·P/D − 0.002, at most 0.394·P, at least 0.23·P − 1.5·P²"
@@ -204,9 +209,9 @@ fn minor_formula(sizes: &Sizes, grade: u8) -> &'static str {
     }
 }
 
-fn inside(worked: &mut Worked, sizes: &Sizes, grade: u8) {
-    let Sizes { d, p, t2, .. } = *sizes;
-    let length = Kind::Length;
+fn inside(worked: &mut WorkedCalculation, sizes: &UnifiedThreadSizes, grade: u8) {
+    let UnifiedThreadSizes { d, p, t2, .. } = *sizes;
+    let length = QuantityKind::Length;
     let n = |value: f64| trimmed(value, 6);
     let class = format!("{grade}B");
     let (share, share_formula) = match grade {

@@ -2,13 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use chordal_archive::{ArchiveError, Disk, Done, Journal, Options, check_all, walk};
+use chordal_archive::{
+    ArchiveError, ArchiveOptions, ArchiveTotals, DiskFiles, TableJournal, check_all, walk,
+};
 
-use super::progress::Meter;
-use super::{Machines, jobs};
-use crate::failure::{Failure, Verdict};
+use super::progress::ProgressMeter;
+use super::{ArchiveMachines, jobs};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::numbers::{counted, grouped};
-use crate::terminal::{BOLD, Terminal, style};
+use crate::terminal::{BOLD, TerminalSupport, style};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -56,49 +58,56 @@ pub struct Args {
     progress: bool,
 
     #[command(flatten)]
-    machines: Machines,
+    machines: ArchiveMachines,
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     for argument in &args.folders {
         // What is not there at all is a slip; what is there and cannot be read gets its row.
-        argument.metadata().map_err(|error| Failure::read(argument.to_string_lossy(), &error))?;
+        argument
+            .metadata()
+            .map_err(|error| CommandFailure::read(argument.to_string_lossy(), &error))?;
     }
     keep_programs(&args.out)?;
-    let disk = Disk::new(args.machines.request(args.setup.as_deref()), &args.folders)?;
-    let found = walk(&args.folders, &[args.out.clone(), Journal::folder_of(&args.out)]);
+    let disk = DiskFiles::new(args.machines.request(args.setup.as_deref()), &args.folders)?;
+    let found = walk(&args.folders, &[args.out.clone(), TableJournal::folder_of(&args.out)]);
     if found.is_empty() {
-        return Err(Failure::wrong("there is no file in the folders", "name a folder of programs"));
+        return Err(CommandFailure::wrong(
+            "there is no file in the folders",
+            "name a folder of programs",
+        ));
     }
-    let meter = Meter::new(found.len(), args.progress, terminal);
-    let options = Options { plan: !args.no_plan, stock: args.stock };
+    let meter = ProgressMeter::new(found.len(), args.progress, terminal);
+    let options = ArchiveOptions { plan: !args.no_plan, stock: args.stock };
     let jobs = jobs(args.jobs);
     let done = check_all(&found, &args.out, jobs, options, || disk.again(), &meter);
     meter.finish();
     let done = done.map_err(failure)?;
     terminal.tell(&text(&done, &args.out, terminal));
     let is_clean = done.with_errors + done.with_warnings + done.not_proved + done.failed == 0;
-    Ok(if is_clean { Verdict::Clean } else { Verdict::Problems })
+    Ok(if is_clean { ExitVerdict::Clean } else { ExitVerdict::Problems })
 }
 
 /// The table must be a Parquet file, so that a typing error does not overwrite a program.
-pub fn keep_programs(out: &Path) -> Result<(), Failure> {
+pub fn keep_programs(out: &Path) -> Result<(), CommandFailure> {
     let ending = out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("parquet"));
     if ending && !out.is_dir() {
         return Ok(());
     }
     let message = format!("the table cannot be {}", out.display());
-    Err(Failure::wrong(message, "give it a name that ends in .parquet"))
+    Err(CommandFailure::wrong(message, "give it a name that ends in .parquet"))
 }
 
-pub fn failure(error: ArchiveError) -> Failure {
+pub fn failure(error: ArchiveError) -> CommandFailure {
     match error {
-        ArchiveError::Write { path, error } => Failure::write(path.to_string_lossy(), &error),
-        other => Failure::Use { message: other.to_string(), help: None },
+        ArchiveError::Write { path, error } => {
+            CommandFailure::write(path.to_string_lossy(), &error)
+        }
+        other => CommandFailure::Use { message: other.to_string(), help: None },
     }
 }
 
-fn text(done: &Done, out: &Path, terminal: Terminal) -> String {
+fn text(done: &ArchiveTotals, out: &Path, terminal: TerminalSupport) -> String {
     let parts = [
         (done.with_errors, "with errors"),
         (done.with_warnings, "with warnings"),

@@ -7,21 +7,21 @@ mod progress;
 use std::path::{Path, PathBuf};
 
 use chordal::machine::ControlName;
-use chordal_load::{Given, Request};
+use chordal_load::{Request, RequestedMachine};
 
-use crate::failure::{Failure, Verdict};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::options::{BlockDeleteName, block_delete_of};
-use crate::terminal::Terminal;
+use crate::terminal::TerminalSupport;
 
 /// Checks whole archives of programs, and compares them
 #[derive(clap::Args)]
 pub struct Args {
     #[command(subcommand)]
-    command: Command,
+    command: ArchiveCommand,
 }
 
 #[derive(clap::Subcommand)]
-enum Command {
+enum ArchiveCommand {
     Check(check::Args),
     /// The same as `chordal diff`
     Diff(diff::Args),
@@ -30,7 +30,7 @@ enum Command {
 /// What the programs of an archive are run on.
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Machine")]
-pub struct Machines {
+pub struct ArchiveMachines {
     /// The machine of all programs: a built-in name or a machine file
     ///
     /// Without it, `chordal.toml` in the program's folder decides, or else the control is recognized
@@ -63,13 +63,13 @@ pub struct Machines {
     max_blocks: Option<u64>,
 }
 
-impl Machines {
+impl ArchiveMachines {
     /// With the setup file, which names the machine, where there is one.
     pub fn request(&self, setup: Option<&Path>) -> Request {
         let setup = setup.map(|setup| setup.to_string_lossy().into_owned());
-        let named = setup.or_else(|| self.machine.clone()).map(Given::Name);
+        let named = setup.or_else(|| self.machine.clone()).map(RequestedMachine::Name);
         Request {
-            machine: named.or(self.control.map(Given::Control)),
+            machine: named.or(self.control.map(RequestedMachine::Control)),
             set: self.set.clone(),
             settings: self.settings.clone(),
             tools: self.tools.clone(),
@@ -86,9 +86,9 @@ pub fn jobs(asked: Option<usize>) -> usize {
     asked.unwrap_or_else(all).max(1)
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     match &args.command {
-        Command::Check(args) => check::run(args, terminal),
-        Command::Diff(args) => diff::run(args, terminal),
+        ArchiveCommand::Check(args) => check::run(args, terminal),
+        ArchiveCommand::Diff(args) => diff::run(args, terminal),
     }
 }

@@ -6,19 +6,19 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::numbers::grouped;
-use crate::terminal::Terminal;
+use crate::terminal::TerminalSupport;
 
 /// How often a line is written where there is no terminal.
 const EVERY: Duration = Duration::from_secs(5);
 
 /// How far an archive is: a bar on a terminal, lines where they are asked for, else nothing.
-pub struct Meter {
+pub struct ProgressMeter {
     bar: ProgressBar,
-    lines: Option<Mutex<Lines>>,
-    terminal: Terminal,
+    lines: Option<Mutex<ProgressLines>>,
+    terminal: TerminalSupport,
 }
 
-struct Lines {
+struct ProgressLines {
     files: u64,
     done: u64,
     /// Files and bytes that this run did itself: what the rate is made of.
@@ -27,8 +27,8 @@ struct Lines {
     told: Instant,
 }
 
-impl Meter {
-    pub fn new(files: usize, asked: bool, terminal: Terminal) -> Meter {
+impl ProgressMeter {
+    pub fn new(files: usize, asked: bool, terminal: TerminalSupport) -> ProgressMeter {
         let target = ProgressDrawTarget::stderr();
         let drawn = !target.is_hidden() && files > 1;
         let bar = if drawn {
@@ -41,8 +41,9 @@ impl Meter {
             bar.set_style(style);
         }
         let now = Instant::now();
-        let lines = Lines { files: files as u64, done: 0, own: (0, 0), began: now, told: now };
-        Meter { bar, lines: (asked && !drawn).then(|| Mutex::new(lines)), terminal }
+        let lines =
+            ProgressLines { files: files as u64, done: 0, own: (0, 0), began: now, told: now };
+        ProgressMeter { bar, lines: (asked && !drawn).then(|| Mutex::new(lines)), terminal }
     }
 
     pub fn finish(&self) {
@@ -50,7 +51,7 @@ impl Meter {
     }
 }
 
-impl chordal_archive::Progress for Meter {
+impl chordal_archive::ArchiveProgress for ProgressMeter {
     fn file(&self, bytes: u64, anew: bool) {
         self.bar.inc(1);
         let Some(Ok(mut lines)) = self.lines.as_ref().map(Mutex::lock) else { return };
@@ -66,7 +67,7 @@ impl chordal_archive::Progress for Meter {
     }
 }
 
-impl Lines {
+impl ProgressLines {
     fn text(&self) -> String {
         let seconds = self.began.elapsed().as_secs_f64().max(1e-9);
         let rate = self.own.0 as f64 / seconds;

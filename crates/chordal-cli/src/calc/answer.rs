@@ -2,25 +2,25 @@
 
 use std::path::{Path, PathBuf};
 
-use chordal_calc::{CalcError, Worked};
+use chordal_calc::{CalcError, WorkedCalculation};
 use chordal_export::{PlotOptions, figure_png, figure_svg, worked_json, worked_text};
 use clap::ValueEnum;
 
 use super::quantity::UnitsName;
-use crate::failure::Failure;
+use crate::failure::CommandFailure;
 use crate::output::write_whole;
 use crate::terminal::say;
 
 /// What every calculation takes.
 #[derive(clap::Args)]
-pub struct Answer {
+pub struct CalculationOutput {
     /// Units of the answer, and of numbers without a unit
     #[arg(long, value_enum)]
     pub units: Option<UnitsName>,
 
     /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
-    pub format: Format,
+    pub format: CalculationFormat,
 
     /// Writes the figure, as .svg or .png; may be repeated
     #[arg(short, long = "output", value_name = "FILE")]
@@ -28,7 +28,7 @@ pub struct Answer {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-pub enum Format {
+pub enum CalculationFormat {
     /// Text for the reader
     Text,
     /// JSON for programs
@@ -40,33 +40,36 @@ const SHEET: (u32, u32) = (1200, 800);
 
 /// What a file's ending asks for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Picture {
+pub enum FigureFormat {
     Svg,
     Png,
 }
 
 /// The kind of picture; `None` for another ending.
-pub fn picture(path: &Path) -> Option<Picture> {
+pub fn picture(path: &Path) -> Option<FigureFormat> {
     let ending = path.extension()?.to_string_lossy().to_ascii_lowercase();
     match ending.as_str() {
-        "svg" => Some(Picture::Svg),
-        "png" => Some(Picture::Png),
+        "svg" => Some(FigureFormat::Svg),
+        "png" => Some(FigureFormat::Png),
         _ => None,
     }
 }
 
 /// What cannot be, as a wrong use.
-pub fn refused(error: CalcError) -> Failure {
-    Failure::wrong(error.message, error.help)
+pub fn refused(error: CalcError) -> CommandFailure {
+    CommandFailure::wrong(error.message, error.help)
 }
 
 /// Writes the answer and its figures.
-pub fn give(worked: Result<Worked, CalcError>, answer: &Answer) -> Result<(), Failure> {
+pub fn give(
+    worked: Result<WorkedCalculation, CalcError>,
+    answer: &CalculationOutput,
+) -> Result<(), CommandFailure> {
     let worked = worked.map_err(refused)?;
     let mut pictures = Vec::new();
     for path in &answer.outputs {
         let kind = picture(path).ok_or_else(|| {
-            Failure::wrong(
+            CommandFailure::wrong(
                 format!("a figure cannot be written as {}", path.display()),
                 "the extensions are .svg and .png",
             )
@@ -77,21 +80,27 @@ pub fn give(worked: Result<Worked, CalcError>, answer: &Answer) -> Result<(), Fa
         draw(&worked, path, kind)?;
     }
     match answer.format {
-        Format::Text => say(&worked_text(&worked)),
-        Format::Json => say(&worked_json(&worked, None)),
+        CalculationFormat::Text => say(&worked_text(&worked)),
+        CalculationFormat::Json => say(&worked_json(&worked, None)),
     }
 }
 
 /// Writes the figure of a calculation.
-pub fn draw(worked: &Worked, path: &Path, kind: Picture) -> Result<(), Failure> {
+pub fn draw(
+    worked: &WorkedCalculation,
+    path: &Path,
+    kind: FigureFormat,
+) -> Result<(), CommandFailure> {
     let (width_px, height_px) = SHEET;
     let options = PlotOptions { width_px, height_px, ..PlotOptions::default() };
     let content = match kind {
-        Picture::Svg => figure_svg(worked, &options).into_bytes(),
-        Picture::Png => figure_png(worked, &options).map_err(|error| Failure::Write {
-            file: path.to_string_lossy().into_owned(),
-            reason: error.to_string(),
-        })?,
+        FigureFormat::Svg => figure_svg(worked, &options).into_bytes(),
+        FigureFormat::Png => {
+            figure_png(worked, &options).map_err(|error| CommandFailure::Write {
+                file: path.to_string_lossy().into_owned(),
+                reason: error.to_string(),
+            })?
+        }
     };
     write_whole(path, &content)
 }

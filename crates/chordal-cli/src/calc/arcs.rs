@@ -1,19 +1,19 @@
 //! Corners with arcs, arcs from angles, chords of arcs.
 
-use chordal::geometry::{Direction, Vec2};
+use chordal::geometry::{TurnDirection, Vec2};
 use chordal_calc::{
     ArcArc, ArcPoints, ChordCount, LineArc, arc_points, arc_with_arc, chord_count, line_with_arc,
 };
 use clap::ValueEnum;
 
-use super::answer::{Answer, give};
+use super::answer::{CalculationOutput, give};
 use super::corners::SideName;
-use super::quantity::{Numbers, Written, angle, length};
-use crate::failure::Failure;
+use super::quantity::{UnitReader, WrittenQuantity, angle, length};
+use crate::failure::CommandFailure;
 
 /// On which side of an arc the cutter is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum In {
+enum ArcSide {
     /// Within the arc's circle
     Inside,
     /// Around it
@@ -40,19 +40,19 @@ Examples:
 pub struct LineArcArgs {
     /// Radius of the arc
     #[arg(long, short, value_name = "LENGTH", value_parser = length)]
-    radius: Written,
+    radius: WrittenQuantity,
 
     /// Distance of the line from the arc's centre
     #[arg(long, value_name = "LENGTH", value_parser = length)]
-    height: Written,
+    height: WrittenQuantity,
 
     /// Diameter of the tool
     #[arg(long, short, value_name = "DIAMETER", value_parser = length)]
-    tool: Written,
+    tool: WrittenQuantity,
 
     /// Where the cutter is, seen from the arc
     #[arg(long, value_enum, default_value = "inside")]
-    arc: In,
+    arc: ArcSide,
 
     /// Where the cutter is, seen from the line
     #[arg(long, value_enum, default_value = "near")]
@@ -60,20 +60,20 @@ pub struct LineArcArgs {
 
     /// The corner along the line from the arc's centre, if the drawing gives it
     #[arg(long, value_name = "LENGTH", value_parser = length)]
-    corner: Option<Written>,
+    corner: Option<WrittenQuantity>,
 
     #[command(flatten)]
-    answer: Answer,
+    answer: CalculationOutput,
 }
 
-pub fn line_arc(args: &LineArcArgs) -> Result<(), Failure> {
+pub fn line_arc(args: &LineArcArgs) -> Result<(), CommandFailure> {
     let written = [Some(&args.radius), Some(&args.height), Some(&args.tool), args.corner.as_ref()];
-    let numbers = Numbers::new(args.answer.units, written);
+    let numbers = UnitReader::new(args.answer.units, written);
     let ask = LineArc {
         cutter_radius: numbers.of(&args.tool)? / 2.0,
         radius: numbers.of(&args.radius)?,
         height: numbers.of(&args.height)?,
-        inside: args.arc == In::Inside,
+        inside: args.arc == ArcSide::Inside,
         toward: args.line == LineSide::Near,
         corner: numbers.maybe(args.corner.as_ref())?,
     };
@@ -92,47 +92,47 @@ Examples:
 pub struct ArcArcArgs {
     /// Radius of the first arc
     #[arg(long, value_name = "LENGTH", value_parser = length)]
-    radius1: Written,
+    radius1: WrittenQuantity,
 
     /// Radius of the second arc
     #[arg(long, value_name = "LENGTH", value_parser = length)]
-    radius2: Written,
+    radius2: WrittenQuantity,
 
     /// The second centre from the first, along X
     #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
-    dx: Written,
+    dx: WrittenQuantity,
 
     /// The second centre from the first, along Y
     #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
-    dy: Option<Written>,
+    dy: Option<WrittenQuantity>,
 
     /// Diameter of the tool
     #[arg(long, short, value_name = "DIAMETER", value_parser = length)]
-    tool: Written,
+    tool: WrittenQuantity,
 
     /// Where the cutter is, seen from the first arc
     #[arg(long, value_enum, default_value = "outside")]
-    arc1: In,
+    arc1: ArcSide,
 
     /// Where the cutter is, seen from the second arc
     #[arg(long, value_enum, default_value = "outside")]
-    arc2: In,
+    arc2: ArcSide,
 
     /// Which crossing, seen from the first centre towards the second
     #[arg(long, value_enum, default_value = "left")]
     crossing: SideName,
 
     #[command(flatten)]
-    answer: Answer,
+    answer: CalculationOutput,
 }
 
-pub fn arc_arc(args: &ArcArcArgs) -> Result<(), Failure> {
+pub fn arc_arc(args: &ArcArcArgs) -> Result<(), CommandFailure> {
     let written = [&args.radius1, &args.radius2, &args.dx, &args.tool].map(Some);
-    let numbers = Numbers::new(args.answer.units, written.into_iter().chain([args.dy.as_ref()]));
+    let numbers = UnitReader::new(args.answer.units, written.into_iter().chain([args.dy.as_ref()]));
     let ask = ArcArc {
         cutter_radius: numbers.of(&args.tool)? / 2.0,
         radii: [numbers.of(&args.radius1)?, numbers.of(&args.radius2)?],
-        inside: [args.arc1 == In::Inside, args.arc2 == In::Inside],
+        inside: [args.arc1 == ArcSide::Inside, args.arc2 == ArcSide::Inside],
         apart: [numbers.of(&args.dx)?, numbers.maybe(args.dy.as_ref())?.unwrap_or(0.0)],
         side: args.crossing.into(),
     };
@@ -150,7 +150,7 @@ Examples:
 pub struct ArcArgs {
     /// Radius of the arc
     #[arg(long, short, value_name = "LENGTH", value_parser = length)]
-    radius: Written,
+    radius: WrittenQuantity,
 
     /// Direction from the centre to the start, from the X axis
     #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true)]
@@ -166,20 +166,20 @@ pub struct ArcArgs {
 
     /// X of the start; 0 when left out
     #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
-    start_x: Option<Written>,
+    start_x: Option<WrittenQuantity>,
 
     /// Y of the start; 0 when left out
     #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
-    start_y: Option<Written>,
+    start_y: Option<WrittenQuantity>,
 
     #[command(flatten)]
-    answer: Answer,
+    answer: CalculationOutput,
 }
 
-pub fn arc(args: &ArcArgs) -> Result<(), Failure> {
+pub fn arc(args: &ArcArgs) -> Result<(), CommandFailure> {
     let written = [Some(&args.radius), args.start_x.as_ref(), args.start_y.as_ref()];
-    let numbers = Numbers::new(args.answer.units, written);
-    let start = |own: &Option<Written>| -> Result<f64, Failure> {
+    let numbers = UnitReader::new(args.answer.units, written);
+    let start = |own: &Option<WrittenQuantity>| -> Result<f64, CommandFailure> {
         Ok(numbers.maybe(own.as_ref())?.unwrap_or(0.0))
     };
     let ask = ArcPoints {
@@ -187,7 +187,7 @@ pub fn arc(args: &ArcArgs) -> Result<(), Failure> {
         radius: numbers.of(&args.radius)?,
         from: args.from,
         to: args.to,
-        direction: if args.cw { Direction::Cw } else { Direction::Ccw },
+        direction: if args.cw { TurnDirection::Cw } else { TurnDirection::Ccw },
     };
     give(arc_points(&ask, numbers.units), &args.answer)
 }
@@ -203,22 +203,22 @@ Examples:
 pub struct ChordsArgs {
     /// Radius of the arc
     #[arg(long, short, value_name = "LENGTH", value_parser = length)]
-    radius: Written,
+    radius: WrittenQuantity,
 
     /// How far a chord may be from the arc
     #[arg(long, value_name = "LENGTH", value_parser = length)]
-    tolerance: Written,
+    tolerance: WrittenQuantity,
 
     /// Angle of the arc
     #[arg(long, value_name = "ANGLE", default_value = "360deg", value_parser = angle)]
     sweep: f64,
 
     #[command(flatten)]
-    answer: Answer,
+    answer: CalculationOutput,
 }
 
-pub fn chords(args: &ChordsArgs) -> Result<(), Failure> {
-    let numbers = Numbers::new(args.answer.units, [Some(&args.radius), Some(&args.tolerance)]);
+pub fn chords(args: &ChordsArgs) -> Result<(), CommandFailure> {
+    let numbers = UnitReader::new(args.answer.units, [Some(&args.radius), Some(&args.tolerance)]);
     let ask = ChordCount {
         radius: numbers.of(&args.radius)?,
         tolerance: numbers.of(&args.tolerance)?,

@@ -1,13 +1,14 @@
 //! Where the cutter stands at a corner of lines, and at a tangent point.
 
 use chordal_calc::{
-    Axis, Bend, LineAxis, Side, Tangent, TwoLines, corner_of_lines, corner_with_axis, tangent_point,
+    CornerSide, LineAxis, PlaneAxis, TangentTransition, TravelSide, TwoLines, corner_of_lines,
+    corner_with_axis, tangent_point,
 };
 use clap::ValueEnum;
 
-use super::answer::{Answer, give};
-use super::quantity::{Numbers, Written, angle, length};
-use crate::failure::Failure;
+use super::answer::{CalculationOutput, give};
+use super::quantity::{UnitReader, WrittenQuantity, angle, length};
+use crate::failure::CommandFailure;
 
 const CORNER_EXAMPLES: &str = "\
 Examples:
@@ -25,7 +26,7 @@ pub struct CornerArgs {
 
     /// Diameter of the tool
     #[arg(long, short, value_name = "DIAMETER", value_parser = length)]
-    tool: Written,
+    tool: WrittenQuantity,
 
     /// The axis of the other line
     #[arg(long, value_enum, default_value = "x")]
@@ -37,10 +38,10 @@ pub struct CornerArgs {
 
     /// Distance that the slanted line goes across the axis: gives the end of the line
     #[arg(long, value_name = "LENGTH", value_parser = length)]
-    rise: Option<Written>,
+    rise: Option<WrittenQuantity>,
 
     #[command(flatten)]
-    answer: Answer,
+    answer: CalculationOutput,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -60,22 +61,22 @@ pub enum SideName {
     Right,
 }
 
-impl From<SideName> for Side {
-    fn from(name: SideName) -> Side {
+impl From<SideName> for TravelSide {
+    fn from(name: SideName) -> TravelSide {
         match name {
-            SideName::Left => Side::Left,
-            SideName::Right => Side::Right,
+            SideName::Left => TravelSide::Left,
+            SideName::Right => TravelSide::Right,
         }
     }
 }
 
-pub fn corner(args: &CornerArgs) -> Result<(), Failure> {
-    let numbers = Numbers::new(args.answer.units, [Some(&args.tool), args.rise.as_ref()]);
+pub fn corner(args: &CornerArgs) -> Result<(), CommandFailure> {
+    let numbers = UnitReader::new(args.answer.units, [Some(&args.tool), args.rise.as_ref()]);
     let ask = LineAxis {
         cutter_radius: numbers.of(&args.tool)? / 2.0,
         angle: args.angle,
-        axis: if args.axis == AxisName::X { Axis::X } else { Axis::Y },
-        bend: if args.inside { Bend::Inside } else { Bend::Outside },
+        axis: if args.axis == AxisName::X { PlaneAxis::X } else { PlaneAxis::Y },
+        bend: if args.inside { CornerSide::Inside } else { CornerSide::Outside },
         rise: numbers.maybe(args.rise.as_ref())?,
     };
     give(corner_with_axis(&ask, numbers.units), &args.answer)
@@ -100,18 +101,18 @@ pub struct TwoAnglesArgs {
 
     /// Diameter of the tool
     #[arg(long, short, value_name = "DIAMETER", value_parser = length)]
-    tool: Written,
+    tool: WrittenQuantity,
 
     /// Side of the cutter, seen along its travel
     #[arg(long, value_enum, default_value = "left")]
     side: SideName,
 
     #[command(flatten)]
-    answer: Answer,
+    answer: CalculationOutput,
 }
 
-pub fn two_angles(args: &TwoAnglesArgs) -> Result<(), Failure> {
-    let numbers = Numbers::new(args.answer.units, [Some(&args.tool)]);
+pub fn two_angles(args: &TwoAnglesArgs) -> Result<(), CommandFailure> {
+    let numbers = UnitReader::new(args.answer.units, [Some(&args.tool)]);
     let ask = TwoLines {
         cutter_radius: numbers.of(&args.tool)? / 2.0,
         a: args.a,
@@ -135,19 +136,19 @@ pub struct TangentArgs {
 
     /// Diameter of the tool
     #[arg(long, short, value_name = "DIAMETER", value_parser = length)]
-    tool: Written,
+    tool: WrittenQuantity,
 
     /// Side of the cutter, seen along its travel
     #[arg(long, value_enum, default_value = "left")]
     side: SideName,
 
     #[command(flatten)]
-    answer: Answer,
+    answer: CalculationOutput,
 }
 
-pub fn tangent(args: &TangentArgs) -> Result<(), Failure> {
-    let numbers = Numbers::new(args.answer.units, [Some(&args.tool)]);
-    let ask = Tangent {
+pub fn tangent(args: &TangentArgs) -> Result<(), CommandFailure> {
+    let numbers = UnitReader::new(args.answer.units, [Some(&args.tool)]);
+    let ask = TangentTransition {
         cutter_radius: numbers.of(&args.tool)? / 2.0,
         angle: args.angle,
         side: args.side.into(),

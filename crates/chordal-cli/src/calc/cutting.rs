@@ -1,11 +1,11 @@
 //! Speeds and feeds.
 
-use chordal::machine::{Dimension, QuantityError, parse_quantity};
-use chordal_calc::{Cutting, EdgeSpeed, ToolFeed, Units, cutting};
+use chordal::machine::{QuantityDimension, QuantityError, parse_quantity};
+use chordal_calc::{AnswerUnit, CuttingData, EdgeSpeed, ToolFeed, cutting};
 
-use super::answer::{Answer, give};
-use super::quantity::{Numbers, Written, feed, length, spindle};
-use crate::failure::Failure;
+use super::answer::{CalculationOutput, give};
+use super::quantity::{UnitReader, WrittenQuantity, feed, length, spindle};
+use crate::failure::CommandFailure;
 use crate::options::wrong_quantity;
 
 const EXAMPLES: &str = "\
@@ -21,7 +21,7 @@ Examples:
 pub struct Args {
     /// Diameter of the tool
     #[arg(long, short, value_name = "DIAMETER", value_parser = length)]
-    tool: Written,
+    tool: WrittenQuantity,
 
     /// Cutting speed, such as 120m/min or 400sfm
     #[arg(long, value_name = "SPEED", value_parser = surface, required_unless_present = "spindle")]
@@ -37,22 +37,22 @@ pub struct Args {
 
     /// Feed of a tooth
     #[arg(long, value_name = "LENGTH", value_parser = length, requires = "teeth")]
-    per_tooth: Option<Written>,
+    per_tooth: Option<WrittenQuantity>,
 
     /// Feed instead of the feed of a tooth
     #[arg(long, value_name = "FEED", value_parser = feed, requires = "teeth", conflicts_with = "per_tooth")]
-    feed: Option<Written>,
+    feed: Option<WrittenQuantity>,
 
     /// Width of the cut, across the feed
     #[arg(long, value_name = "LENGTH", value_parser = length)]
-    width: Option<Written>,
+    width: Option<WrittenQuantity>,
 
     /// Depth of the cut, along the tool
     #[arg(long, value_name = "LENGTH", value_parser = length)]
-    depth: Option<Written>,
+    depth: Option<WrittenQuantity>,
 
     #[command(flatten)]
-    answer: Answer,
+    answer: CalculationOutput,
 }
 
 /// `120m/min`, `400sfm`, `400ft/min`: mm/s, and whether it is in feet.
@@ -60,7 +60,7 @@ fn surface(text: &str) -> Result<(f64, bool), String> {
     let lower = text.trim().to_ascii_lowercase();
     let feet = lower.strip_suffix("sfm").map(|number| format!("{number} ft/min"));
     let is_feet = feet.is_some() || lower.contains("ft");
-    match parse_quantity(&feet.unwrap_or(lower), Dimension::Velocity) {
+    match parse_quantity(&feet.unwrap_or(lower), QuantityDimension::Velocity) {
         Ok(value) => Ok((value, is_feet)),
         Err(QuantityError::NoUnit { text, .. }) => {
             Err(format!("`{text}` has no unit: write {text}m/min or {text}sfm"))
@@ -69,7 +69,7 @@ fn surface(text: &str) -> Result<(f64, bool), String> {
     }
 }
 
-pub fn run(args: &Args) -> Result<(), Failure> {
+pub fn run(args: &Args) -> Result<(), CommandFailure> {
     let written = [
         Some(&args.tool),
         args.per_tooth.as_ref(),
@@ -77,9 +77,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         args.width.as_ref(),
         args.depth.as_ref(),
     ];
-    let mut numbers = Numbers::new(args.answer.units, written);
+    let mut numbers = UnitReader::new(args.answer.units, written);
     if args.answer.units.is_none() && args.surface.is_some_and(|(_, feet)| feet) {
-        numbers.units = Units::Inch;
+        numbers.units = AnswerUnit::Inch;
     }
     let tool_feed = match (&args.per_tooth, &args.feed) {
         (Some(tooth), _) => Some(ToolFeed::PerTooth(numbers.of(tooth)?)),
@@ -90,10 +90,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         (Some((surface, _)), _) => EdgeSpeed::Surface(surface),
         (None, Some(rpm)) => EdgeSpeed::Spindle(rpm),
         (None, None) => {
-            return Err(Failure::wrong("no speed is given", "give --surface or --spindle"));
+            return Err(CommandFailure::wrong("no speed is given", "give --surface or --spindle"));
         }
     };
-    let ask = Cutting {
+    let ask = CuttingData {
         diameter: numbers.of(&args.tool)?,
         speed,
         feed: tool_feed.zip(args.teeth),

@@ -1,12 +1,12 @@
 //! Holes: on a circle, and before a tap.
 
 use chordal::geometry::Vec2;
-use chordal_calc::{BoltCircle, Form, TapDrill, bolt_circle, tap_drill};
+use chordal_calc::{BoltCircle, TapDrill, ThreadForm, bolt_circle, tap_drill};
 
-use super::answer::{Answer, give};
-use super::quantity::{Numbers, Written, angle, length};
-use super::thread::Size;
-use crate::failure::Failure;
+use super::answer::{CalculationOutput, give};
+use super::quantity::{UnitReader, WrittenQuantity, angle, length};
+use super::thread::ThreadSizeArgs;
+use crate::failure::CommandFailure;
 
 const CIRCLE_EXAMPLES: &str = "\
 Examples:
@@ -20,7 +20,7 @@ Examples:
 pub struct BoltCircleArgs {
     /// Diameter of the circle
     #[arg(long, short, value_name = "LENGTH", value_parser = length)]
-    diameter: Written,
+    diameter: WrittenQuantity,
 
     /// Number of holes
     #[arg(long, value_name = "N")]
@@ -36,19 +36,19 @@ pub struct BoltCircleArgs {
 
     /// X of the centre; 0 when left out
     #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
-    center_x: Option<Written>,
+    center_x: Option<WrittenQuantity>,
 
     /// Y of the centre; 0 when left out
     #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
-    center_y: Option<Written>,
+    center_y: Option<WrittenQuantity>,
 
     #[command(flatten)]
-    answer: Answer,
+    answer: CalculationOutput,
 }
 
-pub fn circle(args: &BoltCircleArgs) -> Result<(), Failure> {
+pub fn circle(args: &BoltCircleArgs) -> Result<(), CommandFailure> {
     let written = [Some(&args.diameter), args.center_x.as_ref(), args.center_y.as_ref()];
-    let numbers = Numbers::new(args.answer.units, written);
+    let numbers = UnitReader::new(args.answer.units, written);
     let x = numbers.maybe(args.center_x.as_ref())?.unwrap_or(0.0);
     let y = numbers.maybe(args.center_y.as_ref())?.unwrap_or(0.0);
     let ask = BoltCircle {
@@ -72,7 +72,7 @@ Examples:
 #[command(after_help = TAP_EXAMPLES)]
 pub struct TapDrillArgs {
     #[command(flatten)]
-    size: Size,
+    size: ThreadSizeArgs,
 
     /// Share of the full thread profile
     #[arg(long, value_name = "PERCENT", default_value = "75")]
@@ -83,14 +83,15 @@ pub struct TapDrillArgs {
     forming: bool,
 
     #[command(flatten)]
-    answer: Answer,
+    answer: CalculationOutput,
 }
 
-pub fn tap_drill_of(args: &TapDrillArgs) -> Result<(), Failure> {
+pub fn tap_drill_of(args: &TapDrillArgs) -> Result<(), CommandFailure> {
     let asked = args.size.read(args.answer.units)?;
-    let pipe = |form| matches!(form, Form::Npt | Form::Nptf | Form::G | Form::R);
+    let pipe =
+        |form| matches!(form, ThreadForm::Npt | ThreadForm::Nptf | ThreadForm::G | ThreadForm::R);
     if asked.name.as_ref().is_some_and(|name| pipe(name.form)) {
-        return Err(Failure::wrong(
+        return Err(CommandFailure::wrong(
             "the share of a profile of 60° says nothing of a pipe thread",
             "the tap's maker names its drill; `chordal calc thread` gives the sizes of the thread",
         ));

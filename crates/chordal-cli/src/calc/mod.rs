@@ -12,7 +12,7 @@ mod thread_mill;
 
 use clap::Subcommand;
 
-use crate::failure::{Failure, Verdict};
+use crate::failure::{CommandFailure, ExitVerdict};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -33,11 +33,11 @@ A tool is given by its diameter.";
 #[command(after_help = EXAMPLES, subcommand_required = true, arg_required_else_help = true)]
 pub struct Args {
     #[command(subcommand)]
-    subject: Subject,
+    subject: CalculationSubject,
 }
 
 #[derive(Subcommand)]
-enum Subject {
+enum CalculationSubject {
     Corner(corners::CornerArgs),
     TwoAngles(corners::TwoAnglesArgs),
     Tangent(corners::TangentArgs),
@@ -52,20 +52,20 @@ enum Subject {
     ThreadMill(thread_mill::Args),
 }
 
-pub fn run(args: &Args) -> Result<Verdict, Failure> {
+pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     match &args.subject {
-        Subject::Corner(args) => corners::corner(args),
-        Subject::TwoAngles(args) => corners::two_angles(args),
-        Subject::Tangent(args) => corners::tangent(args),
-        Subject::LineArc(args) => arcs::line_arc(args),
-        Subject::ArcArc(args) => arcs::arc_arc(args),
-        Subject::Arc(args) => arcs::arc(args),
-        Subject::Chords(args) => arcs::chords(args),
-        Subject::BoltCircle(args) => holes::circle(args),
-        Subject::Speeds(args) => cutting::run(args),
-        Subject::TapDrill(args) => holes::tap_drill_of(args),
-        Subject::Thread(args) => thread::run(args),
-        Subject::ThreadMill(args) => thread_mill::run(args),
+        CalculationSubject::Corner(args) => corners::corner(args),
+        CalculationSubject::TwoAngles(args) => corners::two_angles(args),
+        CalculationSubject::Tangent(args) => corners::tangent(args),
+        CalculationSubject::LineArc(args) => arcs::line_arc(args),
+        CalculationSubject::ArcArc(args) => arcs::arc_arc(args),
+        CalculationSubject::Arc(args) => arcs::arc(args),
+        CalculationSubject::Chords(args) => arcs::chords(args),
+        CalculationSubject::BoltCircle(args) => holes::circle(args),
+        CalculationSubject::Speeds(args) => cutting::run(args),
+        CalculationSubject::TapDrill(args) => holes::tap_drill_of(args),
+        CalculationSubject::Thread(args) => thread::run(args),
+        CalculationSubject::ThreadMill(args) => thread_mill::run(args),
     }?;
-    Ok(Verdict::Clean)
+    Ok(ExitVerdict::Clean)
 }

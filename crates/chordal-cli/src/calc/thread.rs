@@ -1,10 +1,10 @@
 //! Threads by name or by size.
 
-use chordal_calc::{Designation, Thread, Units, named_thread, thread_data};
+use chordal_calc::{AnswerUnit, ThreadDesignation, ThreadSize, named_thread, thread_data};
 
-use super::answer::{Answer, give, refused};
-use super::quantity::{Numbers, UnitsName, Written, length};
-use crate::failure::Failure;
+use super::answer::{CalculationOutput, give, refused};
+use super::quantity::{UnitReader, UnitsName, WrittenQuantity, length};
+use crate::failure::CommandFailure;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,30 +22,30 @@ Examples:
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     #[command(flatten)]
-    size: Size,
+    size: ThreadSizeArgs,
 
     /// Number of starts
     #[arg(long, value_name = "N", default_value = "1")]
     starts: u32,
 
     #[command(flatten)]
-    answer: Answer,
+    answer: CalculationOutput,
 }
 
 /// Which thread.
 #[derive(clap::Args)]
-pub struct Size {
+pub struct ThreadSizeArgs {
     /// Its name: M30x2, 1.5-8, "1 1/16-28 UN-2A", #10-24, "1/2 NPT"; a class gives its limits
     #[arg(value_name = "THREAD")]
     name: Option<String>,
 
     /// Major (nominal) diameter, if no name is given
     #[arg(long, value_name = "LENGTH", value_parser = length, conflicts_with = "name")]
-    diameter: Option<Written>,
+    diameter: Option<WrittenQuantity>,
 
     /// Distance from crest to crest
     #[arg(long, value_name = "LENGTH", value_parser = length, conflicts_with_all = ["name", "tpi"])]
-    pitch: Option<Written>,
+    pitch: Option<WrittenQuantity>,
 
     /// Threads per inch
     #[arg(long, value_name = "N", conflicts_with = "name")]
@@ -53,63 +53,65 @@ pub struct Size {
 }
 
 /// A thread as it was asked for.
-pub struct Asked {
+pub struct ThreadRequest {
     /// What the name says, where it has one.
-    pub name: Option<Designation>,
+    pub name: Option<ThreadDesignation>,
     size: Option<(f64, f64)>,
     /// Its numbers in its own unit unless another is asked for.
-    pub numbers: Numbers,
+    pub numbers: UnitReader,
 }
 
-impl Asked {
+impl ThreadRequest {
     /// The thread with so many starts, for what needs the 60° profile.
-    pub fn thread(&self, starts: u32) -> Result<Thread, Failure> {
+    pub fn thread(&self, starts: u32) -> Result<ThreadSize, CommandFailure> {
         match (&self.name, self.size) {
             (Some(name), _) => name.thread(starts).map_err(refused),
-            (None, Some((major, pitch))) => Ok(Thread { major, pitch, starts }),
+            (None, Some((major, pitch))) => Ok(ThreadSize { major, pitch, starts }),
             (None, None) => Err(not_said()),
         }
     }
 }
 
-fn not_said() -> Failure {
-    Failure::wrong(
+fn not_said() -> CommandFailure {
+    CommandFailure::wrong(
         "no thread is given",
         "give its name, such as M30x2 or 1.5-8, or --diameter with --pitch or --tpi",
     )
 }
 
-impl Size {
+impl ThreadSizeArgs {
     /// The thread, by its name or by its sizes.
-    pub fn read(&self, asked: Option<UnitsName>) -> Result<Asked, Failure> {
+    pub fn read(&self, asked: Option<UnitsName>) -> Result<ThreadRequest, CommandFailure> {
         if let Some(name) = &self.name {
-            let name = Designation::read(name).map_err(refused)?;
-            let mut numbers = Numbers::new(asked, []);
+            let name = ThreadDesignation::read(name).map_err(refused)?;
+            let mut numbers = UnitReader::new(asked, []);
             if asked.is_none() {
                 numbers.units = name.units;
             }
-            return Ok(Asked { name: Some(name), size: None, numbers });
+            return Ok(ThreadRequest { name: Some(name), size: None, numbers });
         }
         let written = [self.diameter.as_ref(), self.pitch.as_ref()];
-        let mut numbers = Numbers::new(asked, written);
+        let mut numbers = UnitReader::new(asked, written);
         if asked.is_none() && self.tpi.is_some() {
-            numbers.units = Units::Inch;
+            numbers.units = AnswerUnit::Inch;
         }
         let pitch = self.pitch(&numbers)?;
         match (&self.diameter, pitch) {
-            (Some(diameter), Some(pitch)) => {
-                Ok(Asked { name: None, size: Some((numbers.of(diameter)?, pitch)), numbers })
-            }
+            (Some(diameter), Some(pitch)) => Ok(ThreadRequest {
+                name: None,
+                size: Some((numbers.of(diameter)?, pitch)),
+                numbers,
+            }),
             _ => Err(not_said()),
         }
     }
 
     /// --pitch, or that of --tpi, mm.
-    fn pitch(&self, numbers: &Numbers) -> Result<Option<f64>, Failure> {
+    fn pitch(&self, numbers: &UnitReader) -> Result<Option<f64>, CommandFailure> {
         match (&self.pitch, self.tpi) {
             (Some(pitch), _) => Ok(Some(numbers.of(pitch)?)),
             (None, Some(tpi)) if tpi > 0.0 && tpi.is_finite() => Ok(Some(25.4 / tpi)),
-            (None, Some(tpi)) => Err(Failure::wrong(
+            (None, Some(tpi)) => Err(CommandFailure::wrong(
                 format!("{tpi} threads per inch are not possible"),
                 "give a number above zero",
             )),
@@ -118,7 +120,7 @@ impl Size {
     }
 }
 
-pub fn run(args: &Args) -> Result<(), Failure> {
+pub fn run(args: &Args) -> Result<(), CommandFailure> {
     let asked = args.size.read(args.answer.units)?;
     let units = asked.numbers.units;
     let worked = match &asked.name {

@@ -3,14 +3,17 @@
 use std::path::PathBuf;
 
 use chordal::machine::ControlName;
-use chordal_calc::{Cut, Cutter, Hand, Ramp, ThreadMill, Units, Where, thread_mill};
+use chordal_calc::{
+    AnswerUnit, MillingDirection, RampSweep, ThreadHand, ThreadLocation, ThreadMill,
+    ThreadMillCutter, thread_mill,
+};
 use chordal_export::{worked_json, worked_text};
 use clap::ValueEnum;
 
-use super::answer::{Format, draw, picture, refused};
-use super::quantity::{UnitsName, Written, feed, length, spindle};
-use super::thread::{Asked, Size};
-use crate::failure::Failure;
+use super::answer::{CalculationFormat, draw, picture, refused};
+use super::quantity::{UnitsName, WrittenQuantity, feed, length, spindle};
+use super::thread::{ThreadRequest, ThreadSizeArgs};
+use crate::failure::CommandFailure;
 use crate::output::write_whole;
 use crate::terminal::say;
 
@@ -30,7 +33,7 @@ is climb cut upwards in a hole (G3) and downwards on a boss (G2), with the spind
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     #[command(flatten)]
-    size: Size,
+    size: ThreadSizeArgs,
 
     /// The control that runs the program: fadal, haas, fanuc, mitsubishi, linuxcnc
     #[arg(long, value_parser = control)]
@@ -58,19 +61,19 @@ pub struct Args {
 
     /// Part of a turn for the lead-in and for the lead-out, with the same part of the pitch
     #[arg(long, value_parser = ramp, value_name = "1/8|1/4")]
-    ramp: Option<Ramp>,
+    ramp: Option<RampSweep>,
 
     /// Diameter over the teeth of the tool
     #[arg(long, short, value_name = "DIAMETER", value_parser = length)]
-    tool: Written,
+    tool: WrittenQuantity,
 
     /// How far the thread reaches below Z0
     #[arg(long, value_name = "LENGTH", value_parser = length)]
-    depth: Written,
+    depth: WrittenQuantity,
 
     /// Feed at the cutting diameter; the feed of the tool centre is computed
     #[arg(long, value_name = "FEED", value_parser = feed)]
-    feed: Written,
+    feed: WrittenQuantity,
 
     /// Spindle speed
     #[arg(long, value_name = "RPM", value_parser = spindle)]
@@ -78,7 +81,7 @@ pub struct Args {
 
     /// Root diameter of an outside thread, if it is not that of the basic profile
     #[arg(long, value_name = "LENGTH", value_parser = length)]
-    root: Option<Written>,
+    root: Option<WrittenQuantity>,
 
     /// Writes G41 or G42 with D for the wear of the tool
     #[arg(long)]
@@ -86,11 +89,11 @@ pub struct Args {
 
     /// Largest wear that D may hold; default: 0.01 in or 0.25 mm
     #[arg(long, value_name = "LENGTH", value_parser = length, requires = "compensation")]
-    wear: Option<Written>,
+    wear: Option<WrittenQuantity>,
 
     /// Height of rapids above Z0; default: 0.1 in or 2.5 mm
     #[arg(long, value_name = "LENGTH", value_parser = length)]
-    clearance: Option<Written>,
+    clearance: Option<WrittenQuantity>,
 
     /// Number of the tool, of its H and its D
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=99))]
@@ -106,7 +109,7 @@ pub struct Args {
 
     /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
-    format: Format,
+    format: CalculationFormat,
 
     /// Writes the program (.nc, .tap, …), or its figure (.svg, .png); may be repeated
     #[arg(short, long = "output", value_name = "FILE")]
@@ -137,15 +140,15 @@ fn control(text: &str) -> Result<ControlName, String> {
     })
 }
 
-fn ramp(text: &str) -> Result<Ramp, String> {
+fn ramp(text: &str) -> Result<RampSweep, String> {
     match text {
-        "1/8" => Ok(Ramp::Eighth),
-        "1/4" => Ok(Ramp::Quarter),
+        "1/8" => Ok(RampSweep::Eighth),
+        "1/4" => Ok(RampSweep::Quarter),
         _ => Err("a ramp is 1/8 or 1/4 of a turn".to_string()),
     }
 }
 
-pub fn run(args: &Args) -> Result<(), Failure> {
+pub fn run(args: &Args) -> Result<(), CommandFailure> {
     let asked = args.size.read(args.units)?;
     let mut program = thread_mill(&ask(args, &asked)?).map_err(refused)?;
     if let Some(name) = &asked.name {
@@ -164,8 +167,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         written.push(path);
     }
     match args.format {
-        Format::Json => say(&worked_json(&program.worked, Some(&program.text))),
-        Format::Text if program_written => {
+        CalculationFormat::Json => say(&worked_json(&program.worked, Some(&program.text))),
+        CalculationFormat::Text if program_written => {
             let mut text = worked_text(&program.worked);
             for path in written {
                 text.push_str(&format!("\n  written {}", path.display()));
@@ -173,37 +176,45 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             text.push('\n');
             say(&text)
         }
-        Format::Text => say(&program.text),
+        CalculationFormat::Text => say(&program.text),
     }
 }
 
 /// The hand of `--hand` or of the name, which have to agree.
-fn hand(args: &Args, asked: &Asked) -> Result<Hand, Failure> {
+fn hand(args: &Args, asked: &ThreadRequest) -> Result<ThreadHand, CommandFailure> {
     let said = args.hand.map(|hand| match hand {
-        HandName::Right => Hand::Right,
-        HandName::Left => Hand::Left,
+        HandName::Right => ThreadHand::Right,
+        HandName::Left => ThreadHand::Left,
     });
     let named = asked.name.as_ref().and_then(|name| name.hand);
     match (said, named) {
-        (Some(said), Some(named)) if said != named => Err(Failure::wrong(
+        (Some(said), Some(named)) if said != named => Err(CommandFailure::wrong(
             "the name of the thread and --hand give different hands",
             "leave out --hand, or LH or RH",
         )),
-        _ => Ok(said.or(named).unwrap_or(Hand::Right)),
+        _ => Ok(said.or(named).unwrap_or(ThreadHand::Right)),
     }
 }
 
-fn ask(args: &Args, asked: &Asked) -> Result<ThreadMill, Failure> {
+fn ask(args: &Args, asked: &ThreadRequest) -> Result<ThreadMill, CommandFailure> {
     let numbers = &asked.numbers;
-    let inch = numbers.units == Units::Inch;
+    let inch = numbers.units == AnswerUnit::Inch;
     let usual = |inches: f64, mm: f64| if inch { inches * 25.4 } else { mm };
     let wear = numbers.maybe(args.wear.as_ref())?.unwrap_or(usual(0.01, 0.25));
     Ok(ThreadMill {
         thread: asked.thread(1)?,
-        place: if args.outside { Where::Outside } else { Where::Inside },
+        place: if args.outside { ThreadLocation::Outside } else { ThreadLocation::Inside },
         hand: hand(args, asked)?,
-        cutter: if args.cutter == CutterName::Hob { Cutter::Hob } else { Cutter::Single },
-        cut: if args.conventional { Cut::Conventional } else { Cut::Climb },
+        cutter: if args.cutter == CutterName::Hob {
+            ThreadMillCutter::Hob
+        } else {
+            ThreadMillCutter::Single
+        },
+        cut: if args.conventional {
+            MillingDirection::Conventional
+        } else {
+            MillingDirection::Climb
+        },
         ramp: args.ramp,
         root: numbers.maybe(args.root.as_ref())?,
         tool_diameter: numbers.of(&args.tool)?,

@@ -5,12 +5,12 @@ mod wire;
 use std::path::Path;
 
 use chordal_ask::setup_of;
-use chordal_editor::Setup;
+use chordal_editor::EditorSetup;
 use chordal_load::Request;
-use chordal_lsp::{Opener, serve};
+use chordal_lsp::{SetupFinder, serve};
 
-use crate::failure::{Failure, Verdict};
-use crate::options::Common;
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::CommonArgs;
 
 const EXAMPLES: &str = "\
 Editors start it and talk to it over standard input and output; docs/editors.md shows how to
@@ -25,33 +25,33 @@ pub struct Args {
     stdio: bool,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 /// Loads texts of an editor as the other commands load files.
-struct Files {
+struct EditorFiles {
     request: Request,
 }
 
-impl Opener for Files {
+impl SetupFinder for EditorFiles {
     fn open(
         &self,
         path: Option<&Path>,
         text: &[u8],
         machine: Option<&str>,
-    ) -> Result<Setup, String> {
+    ) -> Result<EditorSetup, String> {
         setup_of(path, text, machine, self.request.clone())
     }
 }
 
-pub fn run(args: Args) -> Result<Verdict, Failure> {
+pub fn run(args: Args) -> Result<ExitVerdict, CommandFailure> {
     let Args { stdio: _, common } = args;
     let (connection, writer) = wire::connect();
-    let served = serve(&connection, &Files { request: common.request() });
+    let served = serve(&connection, &EditorFiles { request: common.request() });
     drop(connection);
     if let Ok(written) = writer.join() {
         written?;
     }
-    served.map_err(|error| Failure::Use { message: error.to_string(), help: None })?;
-    Ok(Verdict::Clean)
+    served.map_err(|error| CommandFailure::Use { message: error.to_string(), help: None })?;
+    Ok(ExitVerdict::Clean)
 }

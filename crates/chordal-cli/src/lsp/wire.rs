@@ -16,7 +16,7 @@ const LONGEST_HEADER: u64 = 1 << 13;
 
 /// What came.
 #[derive(Debug, PartialEq)]
-enum Came {
+enum WireEvent {
     /// A message, not looked at.
     Body(Vec<u8>),
     /// Something else, and what is wrong with it.
@@ -50,7 +50,7 @@ pub fn connect() -> (Connection, JoinHandle<io::Result<()>>) {
 fn next(input: &mut impl BufRead, out: &mut impl Write) -> Option<Message> {
     loop {
         let (id, code, why) = match came(input) {
-            Ok(Came::Body(body)) => match serde_json::from_slice::<Value>(&body) {
+            Ok(WireEvent::Body(body)) => match serde_json::from_slice::<Value>(&body) {
                 Ok(value) => {
                     let id = value.get("id").cloned().unwrap_or_default();
                     match serde_json::from_value(value) {
@@ -60,8 +60,8 @@ fn next(input: &mut impl BufRead, out: &mut impl Write) -> Option<Message> {
                 }
                 Err(error) => (Value::Null, ErrorCode::ParseError, error.to_string()),
             },
-            Ok(Came::Wrong(why)) => (Value::Null, ErrorCode::ParseError, why),
-            Ok(Came::End) | Err(_) => return None,
+            Ok(WireEvent::Wrong(why)) => (Value::Null, ErrorCode::ParseError, why),
+            Ok(WireEvent::End) | Err(_) => return None,
         };
         refuse(out, &id, code, &format!("the message cannot be read: {why}"));
     }
@@ -76,19 +76,19 @@ fn refuse(out: &mut impl Write, id: &Value, code: ErrorCode, message: &str) {
 }
 
 /// A header and what follows it.
-fn came(input: &mut impl BufRead) -> io::Result<Came> {
+fn came(input: &mut impl BufRead) -> io::Result<WireEvent> {
     let mut size = None;
     let mut wrong = None;
     loop {
         let mut line = Vec::new();
         if input.take(LONGEST_HEADER).read_until(b'\n', &mut line)? == 0 {
-            return Ok(Came::End);
+            return Ok(WireEvent::End);
         }
         let line = line.trim_ascii();
         if line.is_empty() {
             match (size, wrong) {
                 (Some(size), _) => return body(input, size),
-                (None, Some(wrong)) => return Ok(Came::Wrong(wrong)),
+                (None, Some(wrong)) => return Ok(WireEvent::Wrong(wrong)),
                 // Lines without anything between two messages.
                 (None, None) => wrong = None,
             }
@@ -111,15 +111,15 @@ fn came(input: &mut impl BufRead) -> io::Result<Came> {
     }
 }
 
-fn body(input: &mut impl BufRead, size: usize) -> io::Result<Came> {
+fn body(input: &mut impl BufRead, size: usize) -> io::Result<WireEvent> {
     let mut rest = input.take(size as u64);
     if size > LONGEST {
         io::copy(&mut rest, &mut io::sink())?;
-        return Ok(Came::Wrong(format!("{size} bytes; at most {LONGEST} are read")));
+        return Ok(WireEvent::Wrong(format!("{size} bytes; at most {LONGEST} are read")));
     }
     let mut bytes = Vec::new();
     rest.read_to_end(&mut bytes)?;
-    Ok(if bytes.len() < size { Came::End } else { Came::Body(bytes) })
+    Ok(if bytes.len() < size { WireEvent::End } else { WireEvent::Body(bytes) })
 }
 
 #[cfg(test)]
@@ -143,7 +143,7 @@ mod tests {
         }
         let mut refused = Vec::new();
         let mut out = out.as_slice();
-        while let Ok(Came::Body(body)) = came(&mut out) {
+        while let Ok(WireEvent::Body(body)) = came(&mut out) {
             let answer: Value = serde_json::from_slice(&body).unwrap();
             let code = answer["error"]["code"].as_i64().unwrap();
             refused.push((answer["id"].clone(), code));

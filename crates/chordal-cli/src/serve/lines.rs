@@ -8,11 +8,11 @@ use chordal_ask::Failure;
 const LONGEST: u64 = 1 << 28;
 
 /// A line without its end, or why it cannot be taken.
-pub type Line = Result<Vec<u8>, Failure>;
+pub type InputLine = Result<Vec<u8>, Failure>;
 
 /// Reads lines until the input ends or `take` does not want more. Empty lines are left out; of a line that is
 /// too long the rest is read over.
-pub fn read(input: &mut impl BufRead, mut take: impl FnMut(Line) -> bool) {
+pub fn read(input: &mut impl BufRead, mut take: impl FnMut(InputLine) -> bool) {
     loop {
         let mut line = Vec::new();
         let read = input.take(LONGEST).read_until(b'\n', &mut line);

@@ -2,28 +2,28 @@
 
 use std::path::PathBuf;
 
-use chordal_ask::{Failure, Files, Program, ProgramOptions, Request, options};
+use chordal_ask::{Failure, FileAccess, Program, ProgramOptions, Request, options};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
-use super::stamp::Stamp;
+use super::stamp::FileStamp;
 
 /// A line.
-pub enum Message {
+pub enum ServeMessage {
     /// A question.
-    Ask(Box<Question>),
+    Ask(Box<PendingQuestion>),
     /// The question of this number is not to be answered, or not again.
     Cancel(Value),
 }
 
 /// A question as it waits for its answer.
 #[derive(Clone)]
-pub struct Question {
+pub struct PendingQuestion {
     /// What the answer is to carry: a number or a text.
     pub id: Value,
     /// `check`, `time`.
     pub ask: String,
-    programs: Vec<Asked>,
+    programs: Vec<ServeRequest>,
     options: Value,
     /// It is answered again whenever a file of it changes.
     pub is_watched: bool,
@@ -33,7 +33,7 @@ pub struct Question {
 
 /// A program of a question.
 #[derive(Clone)]
-struct Asked {
+struct ServeRequest {
     file: Option<String>,
     text: Option<String>,
     options: Value,
@@ -42,7 +42,7 @@ struct Asked {
 /// The object of a line.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Object {
+struct MessageObject {
     #[serde(default, rename = "id")]
     _id: Value,
     ask: Option<String>,
@@ -60,53 +60,58 @@ const FORM: &str =
     r#"a question is {"id":1,"ask":"check","program":{"file":"part.nc"}}; see docs/serve.md"#;
 
 /// A line that is not a question: its `id`, as far as it can be read, and what is wrong.
-pub struct Refused {
+pub struct RejectedLine {
     pub id: Value,
     pub told: Failure,
 }
 
-impl Refused {
-    fn of(id: &Value, told: Failure) -> Box<Refused> {
-        Box::new(Refused { id: id.clone(), told })
+impl RejectedLine {
+    fn of(id: &Value, told: Failure) -> Box<RejectedLine> {
+        Box::new(RejectedLine { id: id.clone(), told })
     }
 }
 
-impl Message {
+impl ServeMessage {
     /// Reads a line.
-    pub fn read(line: &[u8]) -> Result<Message, Box<Refused>> {
+    pub fn read(line: &[u8]) -> Result<ServeMessage, Box<RejectedLine>> {
         let wrong = |message: String| Failure::wrong(message, FORM);
         let value: Value = serde_json::from_slice(line).map_err(|error| {
-            Refused::of(&Value::Null, wrong(format!("the line is not JSON: {error}")))
+            RejectedLine::of(&Value::Null, wrong(format!("the line is not JSON: {error}")))
         })?;
         let id = value.get("id").cloned().unwrap_or_default();
-        let object: Object = serde_json::from_value(value).map_err(|error| {
-            Refused::of(&id, wrong(format!("the line is not a question: {error}")))
+        let object: MessageObject = serde_json::from_value(value).map_err(|error| {
+            RejectedLine::of(&id, wrong(format!("the line is not a question: {error}")))
         })?;
         if !(id.is_null() || id.is_number() || id.is_string()) {
-            return Err(Refused::of(&Value::Null, wrong("`id` is not a number or a text".into())));
+            return Err(RejectedLine::of(
+                &Value::Null,
+                wrong("`id` is not a number or a text".into()),
+            ));
         }
         match (object.ask, object.cancel) {
             (Some(ask), None) => {
                 let given = object.program.into_iter().chain(object.programs);
-                let programs = given.map(Asked::of).collect::<Result<Vec<_>, _>>();
-                let programs = programs.map_err(|told| Refused::of(&id, told))?;
+                let programs = given.map(ServeRequest::of).collect::<Result<Vec<_>, _>>();
+                let programs = programs.map_err(|told| RejectedLine::of(&id, told))?;
                 let options = Value::Object(object.options);
                 let is_watched = object.watch;
                 if is_watched && programs.iter().all(|program| program.file.is_none()) {
                     let told = Failure::wrong("there is no file to watch", FORM);
-                    return Err(Refused::of(&id, told));
+                    return Err(RejectedLine::of(&id, told));
                 }
-                let question = Question { id, ask, programs, options, is_watched, times: 0 };
-                Ok(Message::Ask(Box::new(question)))
+                let question = PendingQuestion { id, ask, programs, options, is_watched, times: 0 };
+                Ok(ServeMessage::Ask(Box::new(question)))
             }
-            (None, Some(cancelled)) => Ok(Message::Cancel(cancelled)),
-            _ => Err(Refused::of(&id, wrong("the line needs either `ask` or `cancel`".into()))),
+            (None, Some(cancelled)) => Ok(ServeMessage::Cancel(cancelled)),
+            _ => {
+                Err(RejectedLine::of(&id, wrong("the line needs either `ask` or `cancel`".into())))
+            }
         }
     }
 }
 
-impl Asked {
-    fn of(mut object: Map<String, Value>) -> Result<Asked, Failure> {
+impl ServeRequest {
+    fn of(mut object: Map<String, Value>) -> Result<ServeRequest, Failure> {
         let mut take = |key: &str| match object.remove(key) {
             None => Ok(None),
             Some(Value::String(text)) => Ok(Some(text)),
@@ -116,14 +121,14 @@ impl Asked {
         if file.is_none() && text.is_none() {
             return Err(Failure::wrong("a program needs a `file` or its `text`", FORM));
         }
-        Ok(Asked { file, text, options: Value::Object(object) })
+        Ok(ServeRequest { file, text, options: Value::Object(object) })
     }
 }
 
-impl Question {
+impl PendingQuestion {
     /// The request, with the files of the disk.
     pub fn request(&self) -> Result<Request, Failure> {
-        let program = |asked: &Asked| {
+        let program = |asked: &ServeRequest| {
             let mut given: ProgramOptions = options(&self.ask, asked.options.clone())?;
             given.name = asked.file.clone().or(given.name);
             let text = asked.text.clone().map(String::into_bytes);
@@ -132,14 +137,14 @@ impl Question {
         Ok(Request {
             ask: self.ask.clone(),
             programs: self.programs.iter().map(program).collect::<Result<_, Failure>>()?,
-            files: Files::Disk,
+            files: FileAccess::Disk,
             options: self.options.clone(),
         })
     }
 
     /// The files of the programs as they are now.
-    pub fn stamps(&self) -> Vec<Stamp> {
+    pub fn stamps(&self) -> Vec<FileStamp> {
         let files = self.programs.iter().filter_map(|program| program.file.as_ref());
-        files.map(|file| Stamp::of(PathBuf::from(file))).collect()
+        files.map(|file| FileStamp::of(PathBuf::from(file))).collect()
     }
 }

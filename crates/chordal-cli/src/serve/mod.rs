@@ -17,9 +17,9 @@ use std::time::Duration;
 use chordal_ask::{Failure as Unanswered, ask, inline};
 use serde_json::{Value, json};
 
-use crate::failure::{Failure, Verdict};
-use message::{Message, Question};
-use watching::Watching;
+use crate::failure::{CommandFailure, ExitVerdict};
+use message::{PendingQuestion, ServeMessage};
+use watching::WatchList;
 
 const EXAMPLES: &str = "\
 Each line of standard input is a question, a JSON object; each line of standard output is an answer:
@@ -46,27 +46,28 @@ const PROTOCOL: &str = "chordal.serve/1";
 /// How often the files of watched questions are looked at.
 const LOOK: Duration = Duration::from_millis(100);
 
-pub fn run(args: &Args) -> Result<Verdict, Failure> {
+pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     let Args { stdio: _ } = args;
     let (send, lines) = channel();
     std::thread::spawn(move || {
         lines::read(&mut io::stdin().lock(), |line| send.send(line).is_ok())
     });
     // Standard output belongs to the answers: the words of a panic go to standard error, as always.
-    let mut serving = Serving { lines, waiting: VecDeque::new(), watching: Watching::default() };
+    let mut serving =
+        ServeSession { lines, waiting: VecDeque::new(), watching: WatchList::default() };
     serving.tell(&json!({ "protocol": PROTOCOL, "version": env!("CARGO_PKG_VERSION") }))?;
     serving.until_the_end()?;
-    Ok(Verdict::Clean)
+    Ok(ExitVerdict::Clean)
 }
 
-struct Serving {
-    lines: Receiver<lines::Line>,
-    waiting: VecDeque<Question>,
-    watching: Watching,
+struct ServeSession {
+    lines: Receiver<lines::InputLine>,
+    waiting: VecDeque<PendingQuestion>,
+    watching: WatchList,
 }
 
-impl Serving {
-    fn until_the_end(&mut self) -> Result<(), Failure> {
+impl ServeSession {
+    fn until_the_end(&mut self) -> Result<(), CommandFailure> {
         loop {
             let is_open = self.take_lines()?;
             if let Some(question) = self.waiting.pop_front().or_else(|| self.watching.changed()) {
@@ -79,7 +80,7 @@ impl Serving {
 
     /// Takes what was asked in the meantime; waits for it where there is nothing to do. False when
     /// no more can come.
-    fn take_lines(&mut self) -> Result<bool, Failure> {
+    fn take_lines(&mut self) -> Result<bool, CommandFailure> {
         let wait = match (self.waiting.is_empty(), self.watching.is_empty()) {
             (false, _) => Duration::ZERO,
             (true, false) => LOOK,
@@ -96,14 +97,14 @@ impl Serving {
         }
     }
 
-    fn take(&mut self, line: lines::Line) -> Result<(), Failure> {
+    fn take(&mut self, line: lines::InputLine) -> Result<(), CommandFailure> {
         let line = match line {
             Ok(line) => line,
             Err(told) => return self.tell(&json!({ "id": null, "error": told.json() })),
         };
-        match Message::read(&line) {
-            Ok(Message::Ask(question)) => self.waiting.push_back(*question),
-            Ok(Message::Cancel(id)) => {
+        match ServeMessage::read(&line) {
+            Ok(ServeMessage::Ask(question)) => self.waiting.push_back(*question),
+            Ok(ServeMessage::Cancel(id)) => {
                 let before = self.waiting.len();
                 self.waiting.retain(|question| question.id != id);
                 let was_known = self.watching.forget(&id) || self.waiting.len() < before;
@@ -116,7 +117,7 @@ impl Serving {
         Ok(())
     }
 
-    fn answer(&mut self, question: Question) -> Result<(), Failure> {
+    fn answer(&mut self, question: PendingQuestion) -> Result<(), CommandFailure> {
         let mut told = json!({ "id": question.id, "ask": question.ask });
         if question.times > 0 {
             told["again"] = json!(question.times);
@@ -133,15 +134,15 @@ impl Serving {
         self.tell(&told)
     }
 
-    fn tell(&self, message: &Value) -> Result<(), Failure> {
+    fn tell(&self, message: &Value) -> Result<(), CommandFailure> {
         let mut out = io::stdout().lock();
         let written = writeln!(out, "{message}").and_then(|()| out.flush());
-        written.map_err(|error| Failure::write("standard output", &error))
+        written.map_err(|error| CommandFailure::write("standard output", &error))
     }
 }
 
 /// A panic ends the answer, not the service.
-fn answer(question: &Question) -> Result<Value, Unanswered> {
+fn answer(question: &PendingQuestion) -> Result<Value, Unanswered> {
     let asked = || question.request().and_then(ask).map(inline);
     catch_unwind(AssertUnwindSafe(asked)).unwrap_or_else(|payload| {
         let told = payload.downcast_ref::<String>().map(String::as_str);

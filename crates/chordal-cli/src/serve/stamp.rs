@@ -6,17 +6,17 @@ use std::time::SystemTime;
 
 /// A file as a look at it shows it.
 #[derive(Clone, PartialEq)]
-pub struct Stamp {
+pub struct FileStamp {
     path: PathBuf,
     /// Length and time; nothing where there is no file.
     found: Option<(u64, Option<SystemTime>)>,
 }
 
-impl Stamp {
+impl FileStamp {
     /// A file as it is now.
-    pub fn of(path: PathBuf) -> Stamp {
+    pub fn of(path: PathBuf) -> FileStamp {
         let about = fs::metadata(&path).ok();
         let found = about.map(|about| (about.len(), about.modified().ok()));
-        Stamp { path, found }
+        FileStamp { path, found }
     }
 }

@@ -4,35 +4,35 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use super::message::Question;
-use super::stamp::Stamp;
+use super::message::PendingQuestion;
+use super::stamp::FileStamp;
 
 /// A file that is being written is read when it has been left alone for so long.
 const SETTLED: Duration = Duration::from_millis(100);
 
 /// The watched questions.
 #[derive(Default)]
-pub struct Watching(Vec<Watched>);
+pub struct WatchList(Vec<WatchedQuestion>);
 
-struct Watched {
-    question: Question,
+struct WatchedQuestion {
+    question: PendingQuestion,
     /// The files as they were when they were read.
-    read: Vec<Stamp>,
+    read: Vec<FileStamp>,
     /// The files as they were at the last look, and since when.
-    seen: Vec<Stamp>,
+    seen: Vec<FileStamp>,
     since: Instant,
 }
 
-impl Watching {
+impl WatchList {
     /// Nothing is watched.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
     /// Watches the files of a question.
-    pub fn keep(&mut self, question: Question, read: Vec<Stamp>) {
+    pub fn keep(&mut self, question: PendingQuestion, read: Vec<FileStamp>) {
         let (seen, since) = (read.clone(), Instant::now());
-        self.0.push(Watched { question, read, seen, since });
+        self.0.push(WatchedQuestion { question, read, seen, since });
     }
 
     /// Watches no longer; false where nothing was watched.
@@ -43,15 +43,15 @@ impl Watching {
     }
 
     /// A question whose files have changed and are left alone since.
-    pub fn changed(&mut self) -> Option<Question> {
-        let place = self.0.iter_mut().position(Watched::has_changed)?;
+    pub fn changed(&mut self) -> Option<PendingQuestion> {
+        let place = self.0.iter_mut().position(WatchedQuestion::has_changed)?;
         let mut question = self.0.remove(place).question;
         question.times += 1;
         Some(question)
     }
 }
 
-impl Watched {
+impl WatchedQuestion {
     fn has_changed(&mut self) -> bool {
         let now = self.question.stamps();
         if now != self.seen {

@@ -19,22 +19,22 @@ const LOOK: Duration = Duration::from_millis(5);
 const HEARTBEAT: &str = "* PONG 10000\n";
 
 /// The clients of a port.
-pub struct Clients {
+pub struct StreamClients {
     listener: TcpListener,
-    connected: Vec<Client>,
+    connected: Vec<StreamClient>,
     is_blocking: bool,
 }
 
-struct Client {
+struct StreamClient {
     stream: TcpStream,
     /// It has got everything that was observed before it came.
     is_told: bool,
 }
 
-impl Clients {
+impl StreamClients {
     /// Nobody yet.
-    pub fn of(listener: TcpListener) -> Clients {
-        Clients { listener, connected: Vec::new(), is_blocking: true }
+    pub fn of(listener: TcpListener) -> StreamClients {
+        StreamClients { listener, connected: Vec::new(), is_blocking: true }
     }
 
     /// Waits until somebody listens.
@@ -93,12 +93,12 @@ impl Clients {
             .and_then(|()| stream.set_read_timeout(Some(Duration::from_millis(1))))
             .and_then(|()| stream.set_nodelay(true));
         if ready.is_ok() {
-            self.connected.push(Client { stream, is_told: false });
+            self.connected.push(StreamClient { stream, is_told: false });
         }
     }
 }
 
-impl Client {
+impl StreamClient {
     /// Answers `* PING`; everything else is read over. False where it has gone.
     fn answer(&mut self) -> bool {
         let mut bytes = [0; 256];

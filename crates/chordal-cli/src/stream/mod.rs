@@ -10,14 +10,14 @@ use std::time::{Duration, Instant};
 use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::motion::{Level, Sample, Sampling};
 use chordal::{Job, Report};
-use chordal_export::report::{self, Detail};
+use chordal_export::report::{self, ReportDetail};
 
-use crate::failure::{Failure, Verdict};
-use crate::options::Common;
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::CommonArgs;
 use crate::programs::{load_one, recognized};
 use crate::sample::{failure, period, verdict};
-use crate::terminal::{Terminal, say};
-use clients::Clients;
+use crate::terminal::{TerminalSupport, say};
+use clients::StreamClients;
 use shdr::Observations;
 
 const EXAMPLES: &str = "\
@@ -54,19 +54,19 @@ pub struct Args {
     repeat: bool,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 /// Looks at the axes that a client could not keep up with.
 const SHORTEST_S: f64 = 1e-3;
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     if !(args.rate > 0.0 && args.rate <= 1e4) {
         let message = format!("a rate of {} is not between 0 and 10000", args.rate);
-        return Err(Failure::wrong(message, "1 is as fast as the machine"));
+        return Err(CommandFailure::wrong(message, "1 is as fast as the machine"));
     }
     if args.period < SHORTEST_S {
-        return Err(Failure::wrong(
+        return Err(CommandFailure::wrong(
             "the period is below 1 ms",
             "setpoints to a file: chordal sample",
         ));
@@ -75,17 +75,18 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let job = loaded.job()?;
     let report = job.report();
     terminal.tell(&recognized(&loaded));
-    terminal.tell(&report::text(&report, job.sources(), terminal.err, Detail::default()));
+    terminal.tell(&report::text(&report, job.sources(), terminal.err, ReportDetail::default()));
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(|error| {
         let message = format!("port {} of 127.0.0.1 cannot be used: {error}", args.port);
-        Failure::wrong(message, "take another --port; 0 takes a free one")
+        CommandFailure::wrong(message, "take another --port; 0 takes a free one")
     })?;
-    let address = listener.local_addr().map_err(|error| Failure::write("the port", &error))?;
+    let address =
+        listener.local_addr().map_err(|error| CommandFailure::write("the port", &error))?;
     say(&format!("{address}\n"))?;
-    let mut clients = Clients::of(listener);
+    let mut clients = StreamClients::of(listener);
     clients.wait_for_one();
     loop {
-        Playing::new(args, &job, &report, &mut clients).play(args, &job)?;
+        StreamPlayback::new(args, &job, &report, &mut clients).play(args, &job)?;
         if !args.repeat {
             return Ok(verdict(&report));
         }
@@ -93,8 +94,8 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
 }
 
 /// A run on its way to the clients.
-struct Playing<'a, 'b> {
-    clients: &'a mut Clients,
+struct StreamPlayback<'a, 'b> {
+    clients: &'a mut StreamClients,
     observations: Observations,
     job: &'a Job<'b>,
     axes: Vec<usize>,
@@ -103,13 +104,13 @@ struct Playing<'a, 'b> {
     line: u32,
 }
 
-impl<'a, 'b> Playing<'a, 'b> {
+impl<'a, 'b> StreamPlayback<'a, 'b> {
     fn new(
         args: &Args,
         job: &'a Job<'b>,
         report: &Report,
-        clients: &'a mut Clients,
-    ) -> Playing<'a, 'b> {
+        clients: &'a mut StreamClients,
+    ) -> StreamPlayback<'a, 'b> {
         let mut observations = Observations::default();
         observations.set("avail", "AVAILABLE");
         observations.set("mode", "AUTOMATIC");
@@ -119,10 +120,10 @@ impl<'a, 'b> Playing<'a, 'b> {
         let moved = report.summary.axes.iter().filter_map(|axis| AXIS_LETTERS.find(axis.letter));
         let axes = (0..3).chain(moved.filter(|axis| *axis >= 3 && *axis < AXES)).collect();
         let (began, rate) = (Instant::now(), args.rate);
-        Playing { clients, observations, job, axes, began, rate, line: 0 }
+        StreamPlayback { clients, observations, job, axes, began, rate, line: 0 }
     }
 
-    fn play(mut self, args: &Args, job: &Job<'_>) -> Result<(), Failure> {
+    fn play(mut self, args: &Args, job: &Job<'_>) -> Result<(), CommandFailure> {
         let period_s = args.period * args.rate;
         let sampling = Sampling { period_s, level: Level::Fast, most: u64::MAX };
         let sampled = job.setpoints(&sampling, |sample, line| self.show(sample, line));

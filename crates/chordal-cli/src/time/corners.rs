@@ -2,7 +2,7 @@
 
 use chordal::Job;
 use chordal::control::{
-    COMMON_SETTINGS, Field, PathField, Setting, StartMode, Units as ProgramUnits,
+    COMMON_SETTINGS, PathField, Setting, SettingField, StartMode, Units as ProgramUnits,
 };
 use chordal::time::TimeReport;
 use chordal_export::{junctions_text, short_blocks_text};
@@ -73,6 +73,6 @@ fn default(job: &Job, units: ProgramUnits) -> String {
 
 /// The setting of a rule: the control's own name before the common one.
 fn setting(job: &Job, field: PathField) -> Option<&'static Setting> {
-    let of = |setting: &&Setting| setting.field == Field::Path(field);
+    let of = |setting: &&Setting| setting.field == SettingField::Path(field);
     job.control().table.settings.iter().find(of).or_else(|| COMMON_SETTINGS.iter().find(of))
 }

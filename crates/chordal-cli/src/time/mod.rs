@@ -14,13 +14,13 @@ use chordal::time::{Again, TimeQuestion};
 use chordal_export::{PlotOptions, time_json};
 use clap::ValueEnum;
 
-use self::picture::Picture;
-use crate::failure::{Failure, Verdict};
-use crate::options::{AnswerFormat, Common};
+use self::picture::TimePicture;
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::options::{AnswerFormat, CommonArgs};
 use crate::programs::load_one;
 use crate::rows::tell;
 use crate::summary::subtitle;
-use crate::terminal::{Terminal, say};
+use crate::terminal::{TerminalSupport, say};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -74,7 +74,7 @@ pub struct Args {
     operations: OperationName,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 /// Where operations begin.
@@ -113,8 +113,9 @@ impl From<LevelName> for Level {
     }
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let picture = args.output.as_deref().map(|path| Picture::new(path, &args.file)).transpose()?;
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
+    let picture =
+        args.output.as_deref().map(|path| TimePicture::new(path, &args.file)).transpose()?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     let options = MotionOptions {
@@ -145,6 +146,6 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
 }
 
 /// A limit nothing can be planned with.
-pub fn wrong_limit(error: &LimitError) -> Failure {
-    Failure::wrong(error.to_string(), "correct it in the machine file, or with --set")
+pub fn wrong_limit(error: &LimitError) -> CommandFailure {
+    CommandFailure::wrong(error.to_string(), "correct it in the machine file, or with --set")
 }

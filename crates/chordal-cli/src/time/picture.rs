@@ -8,37 +8,37 @@ use chordal::time::Timed;
 use chordal_export::numbers::short;
 use chordal_export::{MotionPlot, PlotOptions};
 
-use crate::failure::Failure;
+use crate::failure::CommandFailure;
 use crate::output::write_whole;
 use crate::time::wrong_limit;
 
 /// Where a picture goes, and in which format.
-pub struct Picture {
+pub struct TimePicture {
     path: PathBuf,
     png: bool,
 }
 
-impl Picture {
+impl TimePicture {
     /// A picture whose format its ending says; it does not take the place of the program.
-    pub fn new(path: &Path, program: &Path) -> Result<Picture, Failure> {
+    pub fn new(path: &Path, program: &Path) -> Result<TimePicture, CommandFailure> {
         let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
         let png = match ending.as_ref().and_then(|ending| ending.to_str()) {
             Some("svg") => false,
             Some("png") => true,
             _ => {
-                return Err(Failure::wrong(
+                return Err(CommandFailure::wrong(
                     format!("the extension of {} is not a picture format", path.display()),
                     "the extensions are .svg and .png",
                 ));
             }
         };
         if path.canonicalize().is_ok_and(|own| program.canonicalize().is_ok_and(|p| p == own)) {
-            return Err(Failure::wrong(
+            return Err(CommandFailure::wrong(
                 format!("{} is the program", path.display()),
                 "give the picture another name",
             ));
         }
-        Ok(Picture { path: path.to_path_buf(), png })
+        Ok(TimePicture { path: path.to_path_buf(), png })
     }
 
     /// Plans once more, draws and writes.
@@ -49,7 +49,7 @@ impl Picture {
         timed: &Timed,
         inch: bool,
         plot: &PlotOptions,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), CommandFailure> {
         let time_s = timed.time.total_s();
         let drawing = MotionPlot::new(&timed.motion.limits.cut, inch).lasting(time_s);
         let period_s = MotionPlot::period_s(time_s);
@@ -59,12 +59,12 @@ impl Picture {
             // Said, because what lies between two setpoints is not drawn.
             plot.subtitle += &format!(" · a setpoint every {} ms", short(1000.0 * period_s, 1));
         }
-        let (plot, mut drawing) = (&plot, Drawing(drawing));
+        let (plot, mut drawing) = (&plot, PictureSink(drawing));
         job.plan(options, &mut drawing).map_err(|error| wrong_limit(&error))?;
         drawing.0.finish();
         let picture = if self.png {
             let drawn = drawing.0.png(plot);
-            drawn.map_err(|error| Failure::Use { message: error.to_string(), help: None })?
+            drawn.map_err(|error| CommandFailure::Use { message: error.to_string(), help: None })?
         } else {
             drawing.0.svg(plot).into_bytes()
         };
@@ -72,9 +72,9 @@ impl Picture {
     }
 }
 
-struct Drawing(MotionPlot);
+struct PictureSink(MotionPlot);
 
-impl PlanSink for Drawing {
+impl PlanSink for PictureSink {
     fn step(&mut self, step: Step<'_>, sources: &Sources) {
         self.0.step(step, sources);
     }

@@ -3,13 +3,16 @@
 use std::path::Path;
 
 use chordal::Job;
-use chordal_load::Files;
-use chordal_rewrite::{HeightMap, MapError, Refusal, Transformed, Warp, Warped, warp};
+use chordal_load::FileAccess;
+use chordal_rewrite::{
+    HeightCorrection, HeightMap, HeightOptions, MapError, TransformRefusal, TransformedProgram,
+    warp,
+};
 use clap::ValueEnum;
 
-use super::{Unit, length, position};
-use crate::failure::Failure;
-use crate::numbers::{Units, grouped, short};
+use super::{TargetUnit, length, position};
+use crate::failure::CommandFailure;
+use crate::numbers::{SummaryUnits, grouped, short};
 
 /// A surface that may be so far off is none.
 const MOST_TOLERANCE_MM: f64 = 10.0;
@@ -19,7 +22,7 @@ const MOST_TOLERANCE_MM: f64 = 10.0;
 pub(super) struct MapArgs {
     /// Units of the map; without it, those of the program
     #[arg(long, value_enum, requires = "heights")]
-    heights_units: Option<Unit>,
+    heights_units: Option<TargetUnit>,
 
     /// The place whose height is taken for zero, where Z was set; without it, heights count as measured
     #[arg(long, value_name = "X,Y", requires = "heights", allow_hyphen_values = true)]
@@ -31,30 +34,38 @@ pub(super) struct MapArgs {
 
     /// A cut beyond the map: refused, or the edge of the map goes on
     #[arg(long, value_enum, default_value = "refuse", requires = "heights")]
-    heights_outside: Outside,
+    heights_outside: OutsideMapPolicy,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Outside {
+enum OutsideMapPolicy {
     Refuse,
     Clamp,
 }
 
 /// A map that was read, and how to use it.
-pub(super) struct Bent {
+pub(super) struct HeightMapInput {
     map: HeightMap,
-    how: Warp,
+    how: HeightOptions,
     /// Of the program.
-    units: Units,
+    units: SummaryUnits,
     /// Of the map.
-    map_units: Units,
+    map_units: SummaryUnits,
 }
 
-impl Bent {
-    pub(super) fn read(path: &Path, args: &MapArgs, units: Units) -> Result<Bent, Failure> {
-        let map_units = args.heights_units.map_or(units, |unit| Units::of(unit == Unit::Inch));
-        let bytes = Files::Disk.bytes(path).map_err(|error| {
-            Failure::wrong(format!("{}: {error}", path.display()), "name a file that can be read")
+impl HeightMapInput {
+    pub(super) fn read(
+        path: &Path,
+        args: &MapArgs,
+        units: SummaryUnits,
+    ) -> Result<HeightMapInput, CommandFailure> {
+        let map_units =
+            args.heights_units.map_or(units, |unit| SummaryUnits::of(unit == TargetUnit::Inch));
+        let bytes = FileAccess::Disk.bytes(path).map_err(|error| {
+            CommandFailure::wrong(
+                format!("{}: {error}", path.display()),
+                "name a file that can be read",
+            )
         })?;
         let map =
             HeightMap::read(&bytes, map_units.length_mm()).map_err(|error| wrong(path, error))?;
@@ -65,7 +76,7 @@ impl Bent {
                 let outside = map.outside(at);
                 if outside > 0.0 {
                     let far = outside / units.length_mm();
-                    return Err(Failure::wrong(
+                    return Err(CommandFailure::wrong(
                         format!("`{text}` lies {far:.3} {} beyond the map", units.length_unit()),
                         "name a place of the map",
                     ));
@@ -79,23 +90,28 @@ impl Bent {
             Some(text) => length(text, units)?,
         };
         if !(tolerance_mm > 0.0 && tolerance_mm <= MOST_TOLERANCE_MM) {
-            return Err(Failure::wrong(
+            return Err(CommandFailure::wrong(
                 format!("a tolerance lies above zero and within {MOST_TOLERANCE_MM} mm"),
                 "write a length, such as 0.01mm",
             ));
         }
-        let how = Warp { tolerance_mm, clamp: args.heights_outside == Outside::Clamp };
-        Ok(Bent { map, how, units, map_units })
+        let how =
+            HeightOptions { tolerance_mm, clamp: args.heights_outside == OutsideMapPolicy::Clamp };
+        Ok(HeightMapInput { map, how, units, map_units })
     }
 
     /// A program bent over the map.
-    pub(super) fn warp(&self, job: &Job) -> Result<Transformed, Refusal> {
+    pub(super) fn warp(&self, job: &Job) -> Result<TransformedProgram, TransformRefusal> {
         let warped = warp(job, &self.map, &self.how)?;
         Ok(self.described(warped))
     }
 
     /// The same for a program that was changed before; where that is not proved it is left so.
-    pub(super) fn warp_on(&self, job: &Job, mut done: Transformed) -> Result<Transformed, Refusal> {
+    pub(super) fn warp_on(
+        &self,
+        job: &Job,
+        mut done: TransformedProgram,
+    ) -> Result<TransformedProgram, TransformRefusal> {
         if !done.certificate.holds() {
             return Ok(done);
         }
@@ -110,8 +126,8 @@ impl Bent {
         Ok(done)
     }
 
-    fn described(&self, warped: Warped) -> Transformed {
-        let Warped { mut done, heights_mm, moves } = warped;
+    fn described(&self, warped: HeightCorrection) -> TransformedProgram {
+        let HeightCorrection { mut done, heights_mm, moves } = warped;
         let unit = self.units.length_mm();
         let name = self.units.length_unit();
         let digits = if unit == 1.0 { 3 } else { 4 };
@@ -129,8 +145,8 @@ impl Bent {
             number(high)
         );
         map += match self.map_units {
-            Units::Inch => "; the file is in inches",
-            Units::Millimetre => "; the file is in millimetres",
+            SummaryUnits::Inch => "; the file is in inches",
+            SummaryUnits::Millimetre => "; the file is in millimetres",
         };
         done.notes.insert(0, map);
         if let Some([low, high]) = heights_mm {
@@ -146,8 +162,8 @@ impl Bent {
     }
 }
 
-fn wrong(path: &Path, error: MapError) -> Failure {
+fn wrong(path: &Path, error: MapError) -> CommandFailure {
     let place = error.line.map_or(String::new(), |line| format!(":{line}"));
     let words = if error.text.is_empty() { String::new() } else { format!(" in `{}`", error.text) };
-    Failure::wrong(format!("{}{place}: {}{words}", path.display(), error.what), error.help)
+    CommandFailure::wrong(format!("{}{place}: {}{words}", path.display(), error.what), error.help)
 }

@@ -8,21 +8,23 @@ use std::path::PathBuf;
 
 use chordal::Job;
 use chordal::control::Units as TextUnits;
-use chordal::machine::Dimension;
-use chordal_compare::Options;
+use chordal::machine::QuantityDimension;
+use chordal_compare::ComparisonOptions;
 use chordal_export::{comparison_text, refusal_json, transformed_json};
 use chordal_load::Loaded;
-use chordal_rewrite::{ArcForm, By, Refusal, Step, Transformed, transform};
+use chordal_rewrite::{
+    ArcForm, SplitBy, TransformRefusal, TransformStep, TransformedProgram, transform,
+};
 use clap::ValueEnum;
 
-use crate::failure::{Failure, Verdict};
-use crate::numbers::{Units, counted};
-use crate::options::{AnswerFormat, Common, quantity};
-use crate::out::Out;
+use crate::failure::{CommandFailure, ExitVerdict};
+use crate::numbers::{SummaryUnits, counted};
+use crate::options::{AnswerFormat, CommonArgs, quantity};
+use crate::out::RowOutput;
 use crate::programs::{load_one, recognized};
-use crate::terminal::{Terminal, say};
+use crate::terminal::{TerminalSupport, say};
 use crate::unified::unified;
-use crate::view::{self, Made};
+use crate::view::{self, GeneratedProgram};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -53,11 +55,11 @@ pub struct Args {
 
     /// Writes every length in this unit
     #[arg(long, value_enum)]
-    units: Option<Unit>,
+    units: Option<TargetUnit>,
 
     /// Changes the sign of X or of Y
     #[arg(long, value_name = "x|y", value_enum, ignore_case = true)]
-    mirror: Option<Mirror>,
+    mirror: Option<MirrorAxis>,
 
     /// Rotates the path about Z, in degrees, counter-clockwise
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
@@ -85,7 +87,7 @@ pub struct Args {
 
     /// Writes arcs by R or by I J K
     #[arg(long, value_name = "FORM", value_enum)]
-    arcs: Option<Arcs>,
+    arcs: Option<ArcFormArg>,
 
     /// Writes arcs and spirals as chords within this length
     #[arg(long, value_name = "LENGTH")]
@@ -128,7 +130,7 @@ pub struct Args {
 
     /// Writes the program in parts of at most this many bytes (32000 or 32k), or one part for each tool (`tool`)
     #[arg(long, value_name = "BYTES|tool", value_parser = parted)]
-    split: Option<By>,
+    split: Option<SplitBy>,
 
     /// Writes the new program; without it, only the difference is shown
     #[arg(long, short, value_name = "OUT")]
@@ -151,23 +153,23 @@ pub struct Args {
     format: AnswerFormat,
 
     #[command(flatten)]
-    common: Common,
+    common: CommonArgs,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Unit {
+enum TargetUnit {
     Mm,
     Inch,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Mirror {
+enum MirrorAxis {
     X,
     Y,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Arcs {
+enum ArcFormArg {
     Radius,
     Center,
 }
@@ -193,24 +195,24 @@ fn part(text: &str) -> Result<f64, String> {
 }
 
 /// `32000`, `32k`, `tool`.
-fn parted(text: &str) -> Result<By, String> {
+fn parted(text: &str) -> Result<SplitBy, String> {
     let lower = text.trim().to_ascii_lowercase();
     if lower == "tool" {
-        return Ok(By::Tool);
+        return Ok(SplitBy::Tool);
     }
     let (number, times) =
         lower.strip_suffix('k').map_or((lower.as_str(), 1), |number| (number, 1000));
     match number.trim().parse::<usize>().ok().and_then(|number| number.checked_mul(times)) {
-        Some(bytes) if bytes > 0 => Ok(By::Bytes(bytes)),
+        Some(bytes) if bytes > 0 => Ok(SplitBy::Bytes(bytes)),
         _ => Err("write a number of bytes, such as 32000 or 32k, or the word `tool`".into()),
     }
 }
 
 /// A length with its unit, or in those of the program.
-fn length(text: &str, units: Units) -> Result<f64, Failure> {
+fn length(text: &str, units: SummaryUnits) -> Result<f64, CommandFailure> {
     let bare = text.trim().parse::<f64>().map(|value| value * units.length_mm()).map_err(|_| ());
-    bare.or_else(|()| quantity(text, Dimension::Length)).map_err(|error| {
-        Failure::wrong(
+    bare.or_else(|()| quantity(text, QuantityDimension::Length)).map_err(|error| {
+        CommandFailure::wrong(
             format!("`{text}` is not a length: {error}"),
             "write it like 5, 5mm or 0.2in",
         )
@@ -218,9 +220,9 @@ fn length(text: &str, units: Units) -> Result<f64, Failure> {
 }
 
 /// `X,Y`, each with its unit, or in those of the program; mm.
-fn position(text: &str, units: Units) -> Result<[f64; 2], Failure> {
+fn position(text: &str, units: SummaryUnits) -> Result<[f64; 2], CommandFailure> {
     let Some((x, y)) = text.split_once(',') else {
-        return Err(Failure::wrong(
+        return Err(CommandFailure::wrong(
             format!("`{text}` is not a position"),
             "write X and Y with a comma between them, such as 1.5,-2",
         ));
@@ -228,63 +230,71 @@ fn position(text: &str, units: Units) -> Result<[f64; 2], Failure> {
     Ok([length(x, units)?, length(y, units)?])
 }
 
-fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
+fn steps(args: &Args, units: SummaryUnits) -> Result<Vec<TransformStep>, CommandFailure> {
     let mut steps = Vec::new();
     steps.extend(args.units.map(|unit| {
-        Step::Units(if unit == Unit::Mm { TextUnits::Millimetre } else { TextUnits::Inch })
+        TransformStep::Units(if unit == TargetUnit::Mm {
+            TextUnits::Millimetre
+        } else {
+            TextUnits::Inch
+        })
     }));
     steps.extend(args.mirror.map(|mirror| match mirror {
-        Mirror::X => Step::MirrorX,
-        Mirror::Y => Step::MirrorY,
+        MirrorAxis::X => TransformStep::MirrorX,
+        MirrorAxis::Y => TransformStep::MirrorY,
     }));
     if let Some(degrees) = args.rotate {
         let mut about = [0.0; 2];
         if let Some(text) = &args.about {
             about = position(text, units)?;
         }
-        steps.push(Step::Rotate { angle: degrees.to_radians(), about });
+        steps.push(TransformStep::Rotate { angle: degrees.to_radians(), about });
     }
-    steps.extend(args.scale.map(Step::Scale));
+    steps.extend(args.scale.map(TransformStep::Scale));
     let shift = shift(&args.shift, units)?;
-    steps.extend(shift.map(Step::Shift));
+    steps.extend(shift.map(TransformStep::Shift));
     if args.feed.is_some() || args.speed.is_some() {
         let (feed, speed) = (args.feed.unwrap_or(1.0), args.speed.unwrap_or(1.0));
-        steps.push(Step::Rates { feed, speed });
+        steps.push(TransformStep::Rates { feed, speed });
     }
-    let tolerance = |text: &Option<String>| -> Result<Option<f64>, Failure> {
+    let tolerance = |text: &Option<String>| -> Result<Option<f64>, CommandFailure> {
         let Some(text) = text else { return Ok(None) };
         match length(text, units)? {
             mm if mm > 0.0 => Ok(Some(mm)),
-            _ => Err(Failure::wrong(
+            _ => Err(CommandFailure::wrong(
                 format!("`{text}` is not a tolerance"),
                 "write a length above zero, such as 0.01mm",
             )),
         }
     };
-    steps.extend(tolerance(&args.chords)?.map(Step::Chords));
-    steps.extend(tolerance(&args.simplify)?.map(Step::Simplify));
+    steps.extend(tolerance(&args.chords)?.map(TransformStep::Chords));
+    steps.extend(tolerance(&args.simplify)?.map(TransformStep::Simplify));
     steps.extend(
         tolerance(&args.fit)?
-            .map(|tolerance| Step::Fit { tolerance, feed_tolerance: args.feed_tolerance }),
+            .map(|tolerance| TransformStep::Fit { tolerance, feed_tolerance: args.feed_tolerance }),
     );
     steps.extend(args.arcs.map(|form| {
-        Step::Arcs(if form == Arcs::Radius { ArcForm::Radius } else { ArcForm::Center })
+        TransformStep::Arcs(if form == ArcFormArg::Radius {
+            ArcForm::Radius
+        } else {
+            ArcForm::Center
+        })
     }));
-    steps.extend(args.strip_comments.then_some(Step::StripComments));
-    steps.extend(args.no_numbers.then_some(Step::NoNumbers));
+    steps.extend(args.strip_comments.then_some(TransformStep::StripComments));
+    steps.extend(args.no_numbers.then_some(TransformStep::NoNumbers));
     if let Some(text) = &args.renumber {
         let (first, step) = text.split_once(',').unwrap_or((text, "10"));
         let (Ok(first), Ok(step)) = (first.trim().parse(), step.trim().parse()) else {
-            return Err(Failure::wrong(
+            return Err(CommandFailure::wrong(
                 format!("`{text}` is not a numbering"),
                 "write the first number and the step, such as 100,5",
             ));
         };
-        steps.push(Step::Renumber { first, step });
+        steps.push(TransformStep::Renumber { first, step });
     }
-    steps.extend(args.shrink.map(Step::Shrink));
+    steps.extend(args.shrink.map(TransformStep::Shrink));
     if steps.is_empty() && args.split.is_none() && args.heights.is_none() {
-        return Err(Failure::wrong(
+        return Err(CommandFailure::wrong(
             "there is nothing to do",
             "give a change, such as --shift X5; `chordal transform --help` lists them",
         ));
@@ -292,12 +302,12 @@ fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
     Ok(steps)
 }
 
-fn shift(words: &[String], units: Units) -> Result<Option<[f64; 3]>, Failure> {
+fn shift(words: &[String], units: SummaryUnits) -> Result<Option<[f64; 3]>, CommandFailure> {
     let mut by = [0.0; 3];
     for word in words {
         let axis = word.chars().next().and_then(|axis| "XYZ".find(axis.to_ascii_uppercase()));
         let Some(axis) = axis else {
-            return Err(Failure::wrong(
+            return Err(CommandFailure::wrong(
                 format!("`{word}` has no axis letter"),
                 "write the axis before the distance, such as X5 or Z-0.1in",
             ));
@@ -307,16 +317,17 @@ fn shift(words: &[String], units: Units) -> Result<Option<[f64; 3]>, Failure> {
     Ok((!words.is_empty()).then_some(by))
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     terminal.tell(&recognized(&loaded));
-    let units = Units::of(job.report().summary.inch);
+    let units = SummaryUnits::of(job.report().summary.inch);
     let steps = steps(args, units)?;
-    let bent = args.heights.as_ref().map(|path| heights::Bent::read(path, &args.map, units));
+    let bent =
+        args.heights.as_ref().map(|path| heights::HeightMapInput::read(path, &args.map, units));
     let bent = bent.transpose()?;
     if let (Some(by), true, None) = (args.split, steps.is_empty(), &bent) {
-        return split::run(&job, by, &Asked { args, loaded: &loaded }, None);
+        return split::run(&job, by, &TransformRequest { args, loaded: &loaded }, None);
     }
     let changed = match (&bent, steps.is_empty()) {
         (Some(bent), true) => bent.warp(&job),
@@ -330,18 +341,23 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
                 AnswerFormat::Text => say(&refused(&refusal, loaded.name()))?,
                 AnswerFormat::Json => say(&refusal_json(&refusal, loaded.name()))?,
             }
-            return Ok(Verdict::Problems);
+            return Ok(ExitVerdict::Problems);
         }
     };
     let holds = done.certificate.holds();
     if let (Some(by), true) = (args.split, holds || args.unproved) {
         let new = job.with_text(done.text.clone());
-        return split::run(&new, by, &Asked { args, loaded: &loaded }, Some((&done, &job)));
+        return split::run(
+            &new,
+            by,
+            &TransformRequest { args, loaded: &loaded },
+            Some((&done, &job)),
+        );
     }
     let is_written = !args.dry_run && (holds || args.unproved);
     let out = args.output.as_ref().filter(|_| is_written);
     if let Some(path) = out {
-        let mut out = Out::open(Some(path), &args.file, Plain::Nc)?;
+        let mut out = RowOutput::open(Some(path), &args.file, TransformTextFormat::Nc)?;
         out.write_all(&done.text)?;
         out.put()?;
     }
@@ -355,32 +371,32 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     }
     if args.view {
         let machine = loaded.machine().clone();
-        let (file, options) = (out.map(PathBuf::as_path), Options::default());
-        let made = Made { how: "changed", file, text: done.text, machine, options };
+        let (file, options) = (out.map(PathBuf::as_path), ComparisonOptions::default());
+        let made = GeneratedProgram { how: "changed", file, text: done.text, machine, options };
         view::beside(&args.file, loaded.text(), &args.common, made, terminal)?;
     }
-    Ok(if holds { Verdict::Clean } else { Verdict::Problems })
+    Ok(if holds { ExitVerdict::Clean } else { ExitVerdict::Problems })
 }
 
 /// What was asked for, of which program.
-struct Asked<'a> {
+struct TransformRequest<'a> {
     args: &'a Args,
     loaded: &'a Loaded,
 }
 
 /// Text has one format.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Plain {
+enum TransformTextFormat {
     Nc,
 }
 
-impl crate::out::Format for Plain {
+impl crate::out::FileFormat for TransformTextFormat {
     fn columns(self) -> Option<chordal_export::columns::ColumnFormat> {
         None
     }
 }
 
-fn refused(refusal: &Refusal, name: &str) -> String {
+fn refused(refusal: &TransformRefusal, name: &str) -> String {
     let words = match refusal.text.as_str() {
         "" => String::new(),
         words => format!("  | {words}\n"),
@@ -392,7 +408,7 @@ fn refused(refusal: &Refusal, name: &str) -> String {
 }
 
 fn text(
-    done: &Transformed,
+    done: &TransformedProgram,
     loaded: &Loaded,
     jobs: [&Job; 2],
     args: &Args,
@@ -411,7 +427,7 @@ fn text(
 }
 
 /// What changes, and the proof.
-fn difference(done: &Transformed, loaded: &Loaded, jobs: [&Job; 2]) -> String {
+fn difference(done: &TransformedProgram, loaded: &Loaded, jobs: [&Job; 2]) -> String {
     let difference = unified(loaded.name(), loaded.text(), &done.text);
     let mut text = if difference.is_empty() { "nothing changes\n".into() } else { difference };
     text += &format!("\n{}", counted(done.changes.len() as u64, "change", "changes"));

@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 use chordal::Job;
 use chordal::syntax::is_program_name;
 use chordal_export::{comparison_text, refusal_json, split_json};
-use chordal_rewrite::{By, Part, Split, Transformed, split};
+use chordal_rewrite::{ProgramPart, SplitBy, SplitProgram, TransformedProgram, split};
 
-use super::{Asked, Plain, difference, refused};
-use crate::failure::{Failure, Verdict};
+use super::{TransformRequest, TransformTextFormat, difference, refused};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::numbers::{counted, grouped};
 use crate::options::AnswerFormat;
-use crate::out::Out;
+use crate::out::RowOutput;
 use crate::terminal::say;
 
 /// So many parts are shown with the lines that they begin with.
@@ -21,11 +21,11 @@ const MOST_SHOWN: usize = 8;
 /// Parts a program, which may have been changed before.
 pub fn run(
     job: &Job,
-    by: By,
-    asked: &Asked,
-    before: Option<(&Transformed, &Job)>,
-) -> Result<Verdict, Failure> {
-    let Asked { args, loaded } = asked;
+    by: SplitBy,
+    asked: &TransformRequest,
+    before: Option<(&TransformedProgram, &Job)>,
+) -> Result<ExitVerdict, CommandFailure> {
+    let TransformRequest { args, loaded } = asked;
     let done = match split(job, by) {
         Ok(done) => done,
         Err(refusal) => {
@@ -33,7 +33,7 @@ pub fn run(
                 AnswerFormat::Text => say(&refused(&refusal, loaded.name()))?,
                 AnswerFormat::Json => say(&refusal_json(&refusal, loaded.name()))?,
             }
-            return Ok(Verdict::Problems);
+            return Ok(ExitVerdict::Problems);
         }
     };
     let holds = done.certificate.holds();
@@ -56,7 +56,7 @@ pub fn run(
             say(&split_json(&done, changed, [old, job], &names))?;
         }
     }
-    Ok(if holds { Verdict::Clean } else { Verdict::Problems })
+    Ok(if holds { ExitVerdict::Clean } else { ExitVerdict::Problems })
 }
 
 /// `part-1.nc` and so on, as wide as the last number.
@@ -69,21 +69,27 @@ fn names(path: &Path, count: usize) -> Vec<PathBuf> {
 }
 
 /// No file is put in its place before all are written.
-fn write(names: &[PathBuf], parts: &[Part], program: &Path) -> Result<(), Failure> {
+fn write(names: &[PathBuf], parts: &[ProgramPart], program: &Path) -> Result<(), CommandFailure> {
     let mut outs = Vec::new();
     for (name, part) in names.iter().zip(parts) {
-        let mut out = Out::open(Some(name), program, Plain::Nc)?;
+        let mut out = RowOutput::open(Some(name), program, TransformTextFormat::Nc)?;
         out.write_all(&part.text)?;
         outs.push(out);
     }
-    outs.into_iter().try_for_each(Out::put)
+    outs.into_iter().try_for_each(RowOutput::put)
 }
 
-fn text(done: &Split, job: &Job, by: By, asked: &Asked, written: &[PathBuf]) -> String {
+fn text(
+    done: &SplitProgram,
+    job: &Job,
+    by: SplitBy,
+    asked: &TransformRequest,
+    written: &[PathBuf],
+) -> String {
     let count = counted(done.parts.len() as u64, "part", "parts");
     let mut text = match by {
-        By::Bytes(most) => format!("{count} of at most {} bytes\n", grouped(most as u64)),
-        By::Tool => format!("{count}, split before every tool change\n"),
+        SplitBy::Bytes(most) => format!("{count} of at most {} bytes\n", grouped(most as u64)),
+        SplitBy::Tool => format!("{count}, split before every tool change\n"),
     };
     for (index, part) in done.parts.iter().enumerate() {
         let number = part

@@ -20,7 +20,7 @@ mod tests {
     use chordal_kernel::rules::TurnCycle;
 
     use crate::action::{Action, OnceCode};
-    use crate::table::Group;
+    use crate::table::CodeGroup;
 
     #[test]
     fn codes_are_in_order_and_unique() {
@@ -36,7 +36,7 @@ mod tests {
     fn the_group_of_motion_codes_holds_all_of_them_and_what_stays_in_force_like_them() {
         for table in ALL {
             for row in table.g_codes {
-                let is_motion = row.group == Group::Motion;
+                let is_motion = row.group == CodeGroup::Motion;
                 let moves = matches!(
                     row.action,
                     Action::Motion(_) | Action::Once(OnceCode::Turning(TurnCycle::LineThread))

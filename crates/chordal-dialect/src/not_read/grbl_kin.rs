@@ -1,7 +1,7 @@
 //! Programs of firmwares that read otherwise than GRBL does: Smoothieware, TinyG and their like.
 
 use super::NotRead;
-use crate::recognition::{Evidence, Sign, evidence};
+use crate::recognition::{RecognitionEvidence, RecognitionSign, evidence};
 use chordal_machine::ControlName;
 
 pub(super) const GRBL_KIN: NotRead = NotRead {
@@ -16,7 +16,7 @@ pub(super) const GRBL_KIN: NotRead = NotRead {
 
 const NAMES: &[&str] = &["SMOOTHIEWARE", "SMOOTHIE", "TINYG", "G2CORE", "ONEFINITY", "CARVERA"];
 
-const SIGNS: &[Evidence] = &[
-    evidence(Sign::Header(NAMES), 16, "the header names a kin of GRBL"),
-    evidence(Sign::Comment(NAMES), 12, "a comment names a kin of GRBL"),
+const SIGNS: &[RecognitionEvidence] = &[
+    evidence(RecognitionSign::Header(NAMES), 16, "the header names a kin of GRBL"),
+    evidence(RecognitionSign::Comment(NAMES), 12, "a comment names a kin of GRBL"),
 ];

@@ -1,7 +1,7 @@
 //! Heidenhain conversational programs.
 
 use super::NotRead;
-use crate::recognition::{Evidence, Sign, evidence};
+use crate::recognition::{RecognitionEvidence, RecognitionSign, evidence};
 use chordal_machine::ControlName;
 
 pub(super) const HEIDENHAIN: NotRead = NotRead {
@@ -14,20 +14,24 @@ pub(super) const HEIDENHAIN: NotRead = NotRead {
     shown_on: ControlName::Fanuc,
 };
 
-const SIGNS: &[Evidence] = &[
-    evidence(Sign::Code(&["BEGIN PGM"]), 20, "BEGIN PGM"),
-    evidence(Sign::Code(&["END PGM"]), 10, "END PGM"),
-    evidence(Sign::Code(&["TOOL CALL"]), 8, "TOOL CALL"),
-    evidence(Sign::Code(&["CYCL DEF", "CYCLE DEF"]), 8, "CYCL DEF"),
-    evidence(Sign::Code(&["BLK FORM"]), 8, "BLK FORM"),
-    evidence(Sign::Code(&["FMAX", "F MAX"]), 6, "FMAX is a rapid"),
-    evidence(Sign::Code(&["DR+", "DR-"]), 4, "DR+ turns an arc"),
-    evidence(Sign::Code(&["CALL LBL", "LBL "]), 4, "LBL is a label"),
+const SIGNS: &[RecognitionEvidence] = &[
+    evidence(RecognitionSign::Code(&["BEGIN PGM"]), 20, "BEGIN PGM"),
+    evidence(RecognitionSign::Code(&["END PGM"]), 10, "END PGM"),
+    evidence(RecognitionSign::Code(&["TOOL CALL"]), 8, "TOOL CALL"),
+    evidence(RecognitionSign::Code(&["CYCL DEF", "CYCLE DEF"]), 8, "CYCL DEF"),
+    evidence(RecognitionSign::Code(&["BLK FORM"]), 8, "BLK FORM"),
+    evidence(RecognitionSign::Code(&["FMAX", "F MAX"]), 6, "FMAX is a rapid"),
+    evidence(RecognitionSign::Code(&["DR+", "DR-"]), 4, "DR+ turns an arc"),
+    evidence(RecognitionSign::Code(&["CALL LBL", "LBL "]), 4, "LBL is a label"),
     evidence(
-        Sign::Code(&["L X+", "L X-", "L Z+", "L Z-", "L Y+", "L Y-", "L IX", "L IZ"]),
+        RecognitionSign::Code(&["L X+", "L X-", "L Z+", "L Z-", "L Y+", "L Y-", "L IX", "L IZ"]),
         5,
         "L is a straight cut",
     ),
-    evidence(Sign::Code(&["CC X", "CC Y", "CC IX"]), 3, "CC is a centre"),
-    evidence(Sign::Code(&["FN 0:", "FN0:", "FN 1:", "FN 9:", "FN 18:"]), 6, "FN calculates"),
+    evidence(RecognitionSign::Code(&["CC X", "CC Y", "CC IX"]), 3, "CC is a centre"),
+    evidence(
+        RecognitionSign::Code(&["FN 0:", "FN0:", "FN 1:", "FN 9:", "FN 18:"]),
+        6,
+        "FN calculates",
+    ),
 ];

@@ -1,7 +1,7 @@
 //! Programs of ISG kernels, as many machines of wood and laser have them.
 
 use super::NotRead;
-use crate::recognition::{Evidence, Form, Sign, evidence};
+use crate::recognition::{RecognitionEvidence, RecognitionSign, TextForm, evidence};
 use chordal_machine::ControlName;
 
 pub(super) const ISG: NotRead = NotRead {
@@ -14,10 +14,10 @@ pub(super) const ISG: NotRead = NotRead {
     shown_on: ControlName::Fanuc,
 };
 
-const SIGNS: &[Evidence] = &[
-    evidence(Sign::Comment(&["ISG", "ISG-STUTTGART"]), 4, "a comment names ISG"),
+const SIGNS: &[RecognitionEvidence] = &[
+    evidence(RecognitionSign::Comment(&["ISG", "ISG-STUTTGART"]), 4, "a comment names ISG"),
     evidence(
-        Sign::Begins(&[
+        RecognitionSign::Begins(&[
             "$IF ",
             "$ELSE",
             "$ENDIF",
@@ -34,20 +34,24 @@ const SIGNS: &[Evidence] = &[
         8,
         "statements begin with $, as $IF",
     ),
-    evidence(Sign::Line(&["#VAR", "#ENDVAR", "#VAR ", "#ENDVAR "]), 9, "#VAR declares variables"),
     evidence(
-        Sign::Code(&["V.L.", "V.P.", "V.S.", "V.G.", "V.A.", "V.E.", "V.CYC."]),
+        RecognitionSign::Line(&["#VAR", "#ENDVAR", "#VAR ", "#ENDVAR "]),
+        9,
+        "#VAR declares variables",
+    ),
+    evidence(
+        RecognitionSign::Code(&["V.L.", "V.P.", "V.S.", "V.G.", "V.A.", "V.E.", "V.CYC."]),
         8,
         "variables as V.P.NAME",
     ),
-    evidence(Sign::Begins(&["%L "]), 7, "%L heads a subprogram"),
+    evidence(RecognitionSign::Begins(&["%L "]), 7, "%L heads a subprogram"),
     evidence(
-        Sign::Code(&["L CYCLE [", "L CYCLE[", "LL CYCLE"]),
+        RecognitionSign::Code(&["L CYCLE [", "L CYCLE[", "LL CYCLE"]),
         10,
         "L CYCLE [NAME=…] calls a cycle",
     ),
     evidence(
-        Sign::Code(&[
+        RecognitionSign::Code(&[
             "#COMMENT BEGIN",
             "#COMMENT END",
             "#CONTOUR MODE",
@@ -63,6 +67,6 @@ const SIGNS: &[Evidence] = &[
         6,
         "commands begin with #, as #CONTOUR MODE",
     ),
-    evidence(Sign::Form(Form::OWord), -8, "O words are flow control"),
-    evidence(Sign::Form(Form::MacroStatement), -6, "variables are numbered"),
+    evidence(RecognitionSign::Form(TextForm::OWord), -8, "O words are flow control"),
+    evidence(RecognitionSign::Form(TextForm::MacroStatement), -6, "variables are numbered"),
 ];

@@ -18,7 +18,7 @@ mod wire_edm;
 
 use chordal_machine::ControlName;
 
-use crate::recognition::Evidence;
+use crate::recognition::RecognitionEvidence;
 
 /// A language that is not read.
 #[derive(Debug)]
@@ -30,11 +30,11 @@ pub struct NotRead {
     /// What is said of it: `lathe programs are not followed yet`.
     pub why: &'static str,
     /// The signs that decide whether a text is in this language.
-    pub signs: &'static [Evidence],
+    pub signs: &'static [RecognitionEvidence],
     /// So much they must weigh together.
     pub needed: i32,
     /// Signs that tell it from others of its kind. They count once the text is in the language.
-    pub own: &'static [Evidence],
+    pub own: &'static [RecognitionEvidence],
     /// The control that the text is shown on: its comments and words, not its motion.
     pub shown_on: ControlName,
 }

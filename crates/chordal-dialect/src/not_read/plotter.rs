@@ -1,7 +1,7 @@
 //! Programs of plotters and engravers: HPGL and Roland RML.
 
 use super::NotRead;
-use crate::recognition::{Evidence, Form, Sign, evidence};
+use crate::recognition::{RecognitionEvidence, RecognitionSign, TextForm, evidence};
 use chordal_machine::ControlName;
 
 pub(super) const PLOTTER: NotRead = NotRead {
@@ -14,22 +14,30 @@ pub(super) const PLOTTER: NotRead = NotRead {
     shown_on: ControlName::Grbl,
 };
 
-const SIGNS: &[Evidence] = &[
-    evidence(Sign::Begins(&["IN;"]), 8, "IN starts a plot"),
-    evidence(Sign::Begins(&["PU?", "PU;", "PU-"]), 6, "PU moves with the pen up"),
-    evidence(Sign::Begins(&["PD?", "PD;", "PD-"]), 6, "PD draws"),
+const SIGNS: &[RecognitionEvidence] = &[
+    evidence(RecognitionSign::Begins(&["IN;"]), 8, "IN starts a plot"),
+    evidence(RecognitionSign::Begins(&["PU?", "PU;", "PU-"]), 6, "PU moves with the pen up"),
+    evidence(RecognitionSign::Begins(&["PD?", "PD;", "PD-"]), 6, "PD draws"),
     evidence(
-        Sign::Begins(&["PA;", "PA?", "PR;", "PR?"]),
+        RecognitionSign::Begins(&["PA;", "PA?", "PR;", "PR?"]),
         4,
         "PA and PR choose absolute and relative moves",
     ),
-    evidence(Sign::Begins(&["SP?"]), 3, "SP chooses a pen"),
-    evidence(Sign::Begins(&[";;^IN", "^IN;", "^DF;"]), 10, "^IN starts a program of Roland"),
+    evidence(RecognitionSign::Begins(&["SP?"]), 3, "SP chooses a pen"),
     evidence(
-        Sign::Begins(&["^PA", "^PR", "!MC?", "!PZ", "!VZ", "!RC"]),
+        RecognitionSign::Begins(&[";;^IN", "^IN;", "^DF;"]),
+        10,
+        "^IN starts a program of Roland",
+    ),
+    evidence(
+        RecognitionSign::Begins(&["^PA", "^PR", "!MC?", "!PZ", "!VZ", "!RC"]),
         6,
         "commands begin with ^ and !",
     ),
-    evidence(Sign::Begins(&["!PG;"]), 4, "!PG ends the page"),
-    evidence(Sign::Form(Form::CommaCoordinates), 6, "Z has three whole numbers with commas"),
+    evidence(RecognitionSign::Begins(&["!PG;"]), 4, "!PG ends the page"),
+    evidence(
+        RecognitionSign::Form(TextForm::CommaCoordinates),
+        6,
+        "Z has three whole numbers with commas",
+    ),
 ];

@@ -1,7 +1,7 @@
 //! Programs of 3D printers: plastic is pressed out, and nothing is cut.
 
 use super::NotRead;
-use crate::recognition::{Evidence, Form, Sign, evidence};
+use crate::recognition::{RecognitionEvidence, RecognitionSign, TextForm, evidence};
 use chordal_machine::ControlName;
 
 pub(super) const PRINTER: NotRead = NotRead {
@@ -28,15 +28,15 @@ const SLICERS: &[&str] = &[
     "FLAVOR:REPRAP",
 ];
 
-const SIGNS: &[Evidence] = &[
-    evidence(Sign::Comment(SLICERS), 9, "a comment names a slicer"),
-    evidence(Sign::Block("M104|M109|M140|M190 S"), 7, "M104 and M140 set temperatures"),
-    evidence(Sign::Block("M82|M83 !X !Y !G"), 3, "M82 and M83 say how E counts"),
-    evidence(Sign::Block("G0|G1 E:dec X|Y"), 6, "E is the length of filament"),
-    evidence(Sign::Block("G92 E"), 5, "G92 E sets the filament"),
-    evidence(Sign::Block("G29 !X !Y"), 2, "G29 levels the bed"),
+const SIGNS: &[RecognitionEvidence] = &[
+    evidence(RecognitionSign::Comment(SLICERS), 9, "a comment names a slicer"),
+    evidence(RecognitionSign::Block("M104|M109|M140|M190 S"), 7, "M104 and M140 set temperatures"),
+    evidence(RecognitionSign::Block("M82|M83 !X !Y !G"), 3, "M82 and M83 say how E counts"),
+    evidence(RecognitionSign::Block("G0|G1 E:dec X|Y"), 6, "E is the length of filament"),
+    evidence(RecognitionSign::Block("G92 E"), 5, "G92 E sets the filament"),
+    evidence(RecognitionSign::Block("G29 !X !Y"), 2, "G29 levels the bed"),
     evidence(
-        Sign::Begins(&[
+        RecognitionSign::Begins(&[
             ";LAYER:",
             ";LAYER_C",
             "; LAYER ?",
@@ -49,7 +49,11 @@ const SIGNS: &[Evidence] = &[
         5,
         "comments name layers",
     ),
-    evidence(Sign::Comment(&["EXTRUSION WIDTH", "FILAMENT USED"]), 4, "comments name filament"),
-    evidence(Sign::Block("G43"), -6, "G43 applies the tool length"),
-    evidence(Sign::Form(Form::MacroStatement), -6, "macro statements"),
+    evidence(
+        RecognitionSign::Comment(&["EXTRUSION WIDTH", "FILAMENT USED"]),
+        4,
+        "comments name filament",
+    ),
+    evidence(RecognitionSign::Block("G43"), -6, "G43 applies the tool length"),
+    evidence(RecognitionSign::Form(TextForm::MacroStatement), -6, "macro statements"),
 ];

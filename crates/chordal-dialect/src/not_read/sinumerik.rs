@@ -1,7 +1,7 @@
 //! Programs of SINUMERIK 840D and 828D.
 
 use super::NotRead;
-use crate::recognition::{Evidence, Form, Sign, evidence};
+use crate::recognition::{RecognitionEvidence, RecognitionSign, TextForm, evidence};
 use chordal_machine::ControlName;
 
 pub(super) const SINUMERIK: NotRead = NotRead {
@@ -16,68 +16,82 @@ pub(super) const SINUMERIK: NotRead = NotRead {
 
 const NAMES: &[&str] = &["SINUMERIK", "SIEMENS", "840D", "828D", "810D", "SHOPMILL", "840DSL"];
 
-const SIGNS: &[Evidence] = &[
-    evidence(Sign::Code(&["%_N_"]), 20, "%_N_ heads the program"),
-    evidence(Sign::Comment(&["$PATH=/"]), 20, ";$PATH says its folder"),
-    evidence(Sign::Header(NAMES), 10, "the header names a Sinumerik"),
-    evidence(Sign::Comment(NAMES), 7, "a comment names a Sinumerik"),
+const SIGNS: &[RecognitionEvidence] = &[
+    evidence(RecognitionSign::Code(&["%_N_"]), 20, "%_N_ heads the program"),
+    evidence(RecognitionSign::Comment(&["$PATH=/"]), 20, ";$PATH says its folder"),
+    evidence(RecognitionSign::Header(NAMES), 10, "the header names a Sinumerik"),
+    evidence(RecognitionSign::Comment(NAMES), 7, "a comment names a Sinumerik"),
     evidence(
-        Sign::Code(&["=AC(", "=IC(", "=DC(", "=ACP(", "=ACN("]),
+        RecognitionSign::Code(&["=AC(", "=IC(", "=DC(", "=ACP(", "=ACN("]),
         8,
         "X=AC(…) is one absolute word",
     ),
-    evidence(Sign::Code(&["CR="]), 7, "CR= is a radius"),
-    evidence(Sign::Code(&["TURN="]), 5, "TURN= counts turns"),
-    evidence(Sign::Code(&["MCALL"]), 8, "MCALL calls a cycle at each position"),
+    evidence(RecognitionSign::Code(&["CR="]), 7, "CR= is a radius"),
+    evidence(RecognitionSign::Code(&["TURN="]), 5, "TURN= counts turns"),
+    evidence(RecognitionSign::Code(&["MCALL"]), 8, "MCALL calls a cycle at each position"),
     evidence(
-        Sign::Code(&[
+        RecognitionSign::Code(&[
             "CYCLE8", "CYCLE7", "CYCLE6", "CYCLE9", "POCKET3(", "POCKET4(", "HOLES1(", "HOLES2(",
             "SLOT1(",
         ]),
         8,
         "a cycle is called by its name",
     ),
-    evidence(Sign::Code(&["GOTOF", "GOTOB"]), 8, "GOTOF and GOTOB jump"),
-    evidence(Sign::Code(&["SUPA"]), 7, "SUPA switches frames off"),
-    evidence(Sign::Code(&["T=\""]), 8, "a tool is called by its name"),
-    evidence(Sign::Code(&["MSG(\"", "MSG (\""]), 8, "MSG(\"…\") speaks to the operator"),
+    evidence(RecognitionSign::Code(&["GOTOF", "GOTOB"]), 8, "GOTOF and GOTOB jump"),
+    evidence(RecognitionSign::Code(&["SUPA"]), 7, "SUPA switches frames off"),
+    evidence(RecognitionSign::Code(&["T=\""]), 8, "a tool is called by its name"),
+    evidence(RecognitionSign::Code(&["MSG(\"", "MSG (\""]), 8, "MSG(\"…\") speaks to the operator"),
     evidence(
-        Sign::Code(&["DEF REAL", "DEF INT", "DEF BOOL", "DEF STRING", "DEF AXIS"]),
+        RecognitionSign::Code(&["DEF REAL", "DEF INT", "DEF BOOL", "DEF STRING", "DEF AXIS"]),
         8,
         "DEF declares a variable",
     ),
-    evidence(Sign::Code(&["TRAFOOF", "TRAORI", "TRANSMIT", "TRACYL"]), 8, "TRAORI and TRAFOOF"),
     evidence(
-        Sign::Code(&["WORKPIECE(", "GROUP_BEGIN", "GROUP_END"]),
+        RecognitionSign::Code(&["TRAFOOF", "TRAORI", "TRANSMIT", "TRACYL"]),
+        8,
+        "TRAORI and TRAFOOF",
+    ),
+    evidence(
+        RecognitionSign::Code(&["WORKPIECE(", "GROUP_BEGIN", "GROUP_END"]),
         8,
         "WORKPIECE(…) and GROUP_BEGIN",
     ),
     evidence(
-        Sign::Code(&[
+        RecognitionSign::Code(&[
             "COMPCAD", "COMPOF", "COMPCURV", "FFWON", "FFWOF", "SOFT", "BRISK", "CFTCP", "STOPRE",
             "ORIWKS",
         ]),
         5,
         "words as FFWON and STOPRE",
     ),
-    evidence(Sign::Code(&["DIAMON", "DIAMOF", "LIMS=", "SETMS"]), 7, "words as DIAMON and LIMS"),
     evidence(
-        Sign::Code(&["ATRANS", "AROT ", "TRANS X", "TRANS Z", "ROT Z", "ROT RPL", "MIRROR X"]),
+        RecognitionSign::Code(&["DIAMON", "DIAMOF", "LIMS=", "SETMS"]),
+        7,
+        "words as DIAMON and LIMS",
+    ),
+    evidence(
+        RecognitionSign::Code(&[
+            "ATRANS", "AROT ", "TRANS X", "TRANS Z", "ROT Z", "ROT RPL", "MIRROR X",
+        ]),
         5,
         "TRANS and ROT move the frame",
     ),
     evidence(
-        Sign::Code(&["$TC_DP", "$P_", "$AA_", "$MC_", "$A_"]),
+        RecognitionSign::Code(&["$TC_DP", "$P_", "$AA_", "$MC_", "$A_"]),
         8,
         "system variables begin with $",
     ),
-    evidence(Sign::Form(Form::ParameterIsSet), 4, "R1= sets a parameter"),
-    evidence(Sign::Form(Form::EqualsAddress), 3, "words have an equals sign"),
-    evidence(Sign::Block("G500|G505..599"), 3, "G500 to G599 choose a work offset"),
-    evidence(Sign::Block("G450|G451"), 4, "G450 and G451 are corners of compensation"),
-    evidence(Sign::Block("G641|G642"), 3, "G642 rounds corners"),
-    evidence(Sign::Form(Form::SemicolonComments), 2, "comments after semicolons"),
-    evidence(Sign::Code(&["ENDIF", "ENDWHILE", "ENDFOR", "ENDLOOP"]), 1, "ENDIF ends a branch"),
-    evidence(Sign::Form(Form::OWord), -20, "O words are flow control"),
-    evidence(Sign::Form(Form::MacroStatement), -4, "variables are numbered"),
+    evidence(RecognitionSign::Form(TextForm::ParameterIsSet), 4, "R1= sets a parameter"),
+    evidence(RecognitionSign::Form(TextForm::EqualsAddress), 3, "words have an equals sign"),
+    evidence(RecognitionSign::Block("G500|G505..599"), 3, "G500 to G599 choose a work offset"),
+    evidence(RecognitionSign::Block("G450|G451"), 4, "G450 and G451 are corners of compensation"),
+    evidence(RecognitionSign::Block("G641|G642"), 3, "G642 rounds corners"),
+    evidence(RecognitionSign::Form(TextForm::SemicolonComments), 2, "comments after semicolons"),
+    evidence(
+        RecognitionSign::Code(&["ENDIF", "ENDWHILE", "ENDFOR", "ENDLOOP"]),
+        1,
+        "ENDIF ends a branch",
+    ),
+    evidence(RecognitionSign::Form(TextForm::OWord), -20, "O words are flow control"),
+    evidence(RecognitionSign::Form(TextForm::MacroStatement), -4, "variables are numbered"),
 ];

@@ -1,7 +1,7 @@
 //! Programs of machines that erode with a wire.
 
 use super::NotRead;
-use crate::recognition::{Evidence, Form, Sign, evidence};
+use crate::recognition::{RecognitionEvidence, RecognitionSign, TextForm, evidence};
 use chordal_machine::ControlName;
 
 pub(super) const WIRE_EDM: NotRead = NotRead {
@@ -14,33 +14,37 @@ pub(super) const WIRE_EDM: NotRead = NotRead {
     shown_on: ControlName::Fanuc,
 };
 
-const SIGNS: &[Evidence] = &[
+const SIGNS: &[RecognitionEvidence] = &[
     evidence(
-        Sign::Comment(&["WIRE EDM", "WEDM", "WIRE CUT", "WIRE"]),
+        RecognitionSign::Comment(&["WIRE EDM", "WEDM", "WIRE CUT", "WIRE"]),
         3,
         "a comment names the wire",
     ),
     evidence(
-        Sign::Block("S<100 D !G !M !X !Y !T"),
+        RecognitionSign::Block("S<100 D !G !M !X !Y !T"),
         5,
         "S1 D1 chooses the condition and the offset",
     ),
-    evidence(Sign::Line(&["M60"]), 3, "M60 threads the wire"),
-    evidence(Sign::Line(&["M50"]), 3, "M50 cuts the wire"),
-    evidence(Sign::Block("G51 T !P !X !Y"), 4, "G51 T leans the wire"),
-    evidence(Sign::Block("G52 T !X !Y"), 4, "G52 T leans the wire"),
-    evidence(Sign::Block("G92 X Y !Z !S"), 2, "G92 sets the start hole"),
-    evidence(Sign::Form(Form::HParameter), 6, "H175 = … sets an offset"),
-    evidence(Sign::Block("G41|G42 H !D !G43"), 3, "H is the offset of the wire"),
-    evidence(Sign::Line(&["L???"]), 2, "L heads the program"),
-    evidence(Sign::Line(&["E????", "E???"]), 2, "E chooses the condition"),
+    evidence(RecognitionSign::Line(&["M60"]), 3, "M60 threads the wire"),
+    evidence(RecognitionSign::Line(&["M50"]), 3, "M50 cuts the wire"),
+    evidence(RecognitionSign::Block("G51 T !P !X !Y"), 4, "G51 T leans the wire"),
+    evidence(RecognitionSign::Block("G52 T !X !Y"), 4, "G52 T leans the wire"),
+    evidence(RecognitionSign::Block("G92 X Y !Z !S"), 2, "G92 sets the start hole"),
+    evidence(RecognitionSign::Form(TextForm::HParameter), 6, "H175 = … sets an offset"),
+    evidence(RecognitionSign::Block("G41|G42 H !D !G43"), 3, "H is the offset of the wire"),
+    evidence(RecognitionSign::Line(&["L???"]), 2, "L heads the program"),
+    evidence(RecognitionSign::Line(&["E????", "E???"]), 2, "E chooses the condition"),
     evidence(
-        Sign::Line(&["M80", "M82", "M84"]),
+        RecognitionSign::Line(&["M80", "M82", "M84"]),
         3,
         "M80, M82 and M84 switch water, wire and current",
     ),
-    evidence(Sign::Letters { used: "XY", unused: "Z", least: 3 }, 2, "X and Y, and never Z"),
-    evidence(Sign::Block("Z !G92"), -6, "moves in Z"),
-    evidence(Sign::Block("M6 T"), -6, "M6 changes the tool"),
-    evidence(Sign::Block("S>99"), -6, "a spindle turns"),
+    evidence(
+        RecognitionSign::Letters { used: "XY", unused: "Z", least: 3 },
+        2,
+        "X and Y, and never Z",
+    ),
+    evidence(RecognitionSign::Block("Z !G92"), -6, "moves in Z"),
+    evidence(RecognitionSign::Block("M6 T"), -6, "M6 changes the tool"),
+    evidence(RecognitionSign::Block("S>99"), -6, "a spindle turns"),
 ];

@@ -4,7 +4,7 @@ use chordal_kernel::rules::*;
 use chordal_machine::SettingValue;
 
 use super::choices::{Choices, SWITCH, choose, mm_text, name_of};
-use super::{Certainty, Field, Setting, setting};
+use super::{Certainty, Setting, SettingField, setting};
 use crate::parameters::Parameters;
 
 /// The rule that a setting changes.
@@ -40,10 +40,10 @@ pub enum CompensationField {
 
 const ALONE: Choices<AloneAction> =
     &[("waits", AloneAction::Waits), ("perpendicular", AloneAction::Perpendicular)];
-const REPEATED: Choices<Repeated> = &[
-    ("ignored", Repeated::Ignored),
-    ("perpendicular", Repeated::Perpendicular),
-    ("refused", Repeated::Refused),
+const REPEATED: Choices<RepeatedCodeRule> = &[
+    ("ignored", RepeatedCodeRule::Ignored),
+    ("perpendicular", RepeatedCodeRule::Perpendicular),
+    ("refused", RepeatedCodeRule::Refused),
 ];
 const SIDE_CHANGES: Choices<SideChange> = &[
     ("crossing", SideChange::Crossing),
@@ -51,10 +51,10 @@ const SIDE_CHANGES: Choices<SideChange> = &[
     ("refused-on-line", SideChange::RefusedOnLine),
     ("refused", SideChange::Refused),
 ];
-const ALLOWANCES: Choices<Allowance> = &[
-    ("allowed", Allowance::Allowed),
-    ("ignored", Allowance::Ignored),
-    ("refused", Allowance::Refused),
+const ALLOWANCES: Choices<AllowanceRule> = &[
+    ("allowed", AllowanceRule::Allowed),
+    ("ignored", AllowanceRule::Ignored),
+    ("refused", AllowanceRule::Refused),
 ];
 const LEADS: Choices<LeadLength> = &[
     ("any", LeadLength::Any),
@@ -66,13 +66,14 @@ const PLANES: Choices<CompensationPlanes> = &[
     ("not-yz", CompensationPlanes::NotYz),
     ("xy", CompensationPlanes::XyOnly),
 ];
-const CHECKS: Choices<Interference> = &[
-    ("direction", Interference::Direction),
-    ("arc-angle", Interference::ArcAngle),
-    ("vectors", Interference::Vectors),
-    ("strict", Interference::Strict),
+const CHECKS: Choices<InterferenceSearch> = &[
+    ("direction", InterferenceSearch::Direction),
+    ("arc-angle", InterferenceSearch::ArcAngle),
+    ("vectors", InterferenceSearch::Vectors),
+    ("strict", InterferenceSearch::Strict),
 ];
-const REMEDIES: Choices<Remedy> = &[("alarm", Remedy::Alarm), ("avoid", Remedy::Avoid)];
+const REMEDIES: Choices<InterferenceRemedy> =
+    &[("alarm", InterferenceRemedy::Alarm), ("avoid", InterferenceRemedy::Avoid)];
 const EQUAL: Choices<bool> = &[("refused", true), ("allowed", false)];
 const SPIRALS: Choices<SpiralCompensation> =
     &[("refused", SpiralCompensation::Refused), ("circles", SpiralCompensation::ByCircles)];
@@ -173,7 +174,7 @@ pub const COMMON: &[Setting] = &[
 ];
 
 const fn plain(name: &'static str, field: CompensationField, text: &'static str) -> Setting {
-    setting(name, Field::Compensation(field), &[], text, Certainty::Unknown, "")
+    setting(name, SettingField::Compensation(field), &[], text, Certainty::Unknown, "")
 }
 
 /// Sets one rule; the error says what it takes.

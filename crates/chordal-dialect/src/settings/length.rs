@@ -3,7 +3,7 @@
 use chordal_kernel::rules::{LengthWithoutNumber, ToolLengths};
 
 use super::choices::{choose, name_of};
-use super::{Certainty, Field, Setting, common, setting};
+use super::{Certainty, Setting, SettingField, common, setting};
 use crate::parameters::Parameters;
 
 /// The rule of tool lengths that a setting changes.
@@ -22,22 +22,22 @@ pub enum LengthField {
 pub(super) const COMMON: &[Setting] = &[
     common(
         "tool_lengths",
-        Field::Length(LengthField::Source),
+        SettingField::Length(LengthField::Source),
         "where the length of a tool comes from: `table` (a code of the program), `touched-off` (the work offset is set with each tool) or `absent`",
     ),
     common(
         "length_without_h",
-        Field::Length(LengthField::WithoutNumber),
+        SettingField::Length(LengthField::WithoutNumber),
         "G43 without H: the length that is `in-force` (none at power-on), or that of the `tool` in the spindle",
     ),
     common(
         "length_in_increment",
-        Field::Length(LengthField::InIncrement),
+        SettingField::Length(LengthField::InIncrement),
         "`G91 G43 Z-32. H1`: the length is `added` to the way of Z, or `not-added`",
     ),
     setting(
         "length_with_h0",
-        Field::Length(LengthField::OfZero),
+        SettingField::Length(LengthField::OfZero),
         &[],
         "`G43 H0`: `none` is in force, or the length of the `tool` in the spindle",
         Certainty::Documented,
@@ -45,7 +45,7 @@ pub(super) const COMMON: &[Setting] = &[
     ),
     setting(
         "length_at_tool_change",
-        Field::Length(LengthField::AtToolChange),
+        SettingField::Length(LengthField::AtToolChange),
         &[],
         "a change of tools: the length in force is `kept` or `ended`",
         Certainty::Trade,
@@ -53,7 +53,7 @@ pub(super) const COMMON: &[Setting] = &[
     ),
     setting(
         "length_at_reference_return",
-        Field::Length(LengthField::AtReferenceReturn),
+        SettingField::Length(LengthField::AtReferenceReturn),
         &[],
         "G28 or G30 with Z: the length in force is `kept` or `ended`",
         Certainty::Trade,
@@ -61,7 +61,7 @@ pub(super) const COMMON: &[Setting] = &[
     ),
     setting(
         "length_at_machine_move",
-        Field::Length(LengthField::AtMachineMove),
+        SettingField::Length(LengthField::AtMachineMove),
         &[],
         "G53 with Z: the length in force is `kept` or `ended`",
         Certainty::Trade,

@@ -12,7 +12,7 @@ mod turning;
 
 use chordal_command::{FeedAlong, RapidPath, Units};
 use chordal_kernel::rules::*;
-use chordal_machine::{Machine, Setting as Given, SettingValue};
+use chordal_machine::{Machine, SettingEntry as Given, SettingValue};
 
 use self::choices::{choose, mm_text, name_of};
 pub use self::compensation::CompensationField;
@@ -43,7 +43,7 @@ pub enum Certainty {
 /// The parameter that a setting changes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 #[allow(missing_docs, reason = "each names a field of `Parameters`")]
-pub enum Field {
+pub enum SettingField {
     Units,
     StartMotion,
     StartDistance,
@@ -138,7 +138,7 @@ pub struct Setting {
     /// The name in the manual, or a plain one that all controls share.
     pub name: &'static str,
     /// What it changes.
-    pub field: Field,
+    pub field: SettingField,
     /// Each value's own word and the common word it stands for (`"1"` → `"plane"`); empty
     /// where the common words or a quantity are written.
     pub values: &'static [(&'static str, &'static str)],
@@ -173,144 +173,168 @@ pub const COMMON: &[Setting] = &{
 };
 
 const GENERAL: &[Setting] = &[
-    common("units", Field::Units, "units at power-on: `inch` or `mm`"),
-    common("start_motion", Field::StartMotion, "motion at power-on: `rapid` or `linear`"),
-    common("start_distance", Field::StartDistance, "`absolute` or `incremental` at power-on"),
+    common("units", SettingField::Units, "units at power-on: `inch` or `mm`"),
+    common("start_motion", SettingField::StartMotion, "motion at power-on: `rapid` or `linear`"),
+    common(
+        "start_distance",
+        SettingField::StartDistance,
+        "`absolute` or `incremental` at power-on",
+    ),
     common(
         "decimal_point",
-        Field::DecimalPoint,
+        SettingField::DecimalPoint,
         "a number without a point: `least-increment` (X10 is 0.001 in) or `calculator` (X10 is ten)",
     ),
     common(
         "excess_decimals",
-        Field::ExcessDecimals,
+        SettingField::ExcessDecimals,
         "decimals beyond the least increment (X1.23456 in inch): `cut`, `rounded`, `exact`, or `unknown` (exact, with a note)",
     ),
     common(
         "spindle_at_tool_change",
-        Field::SpindleAtToolChange,
+        SettingField::SpindleAtToolChange,
         "a tool change (M6, or T of a turret) stops the spindle (`stops`), or it turns on (`turns`)",
     ),
     common(
         "most_digits",
-        Field::MostDigits,
+        SettingField::MostDigits,
         "largest number of digits of a length; 0 for no limit",
     ),
-    common("feed_digits_inch", Field::FeedDigits, "decimals of an inch F written without a point"),
-    common("arc_center", Field::ArcCenter, "I J K: `from-start`, `absolute` or `from-center`"),
-    common("plane_codes", Field::PlaneCodes, "`standard`, or `swapped` (G18 is YZ, G19 is ZX)"),
+    common(
+        "feed_digits_inch",
+        SettingField::FeedDigits,
+        "decimals of an inch F written without a point",
+    ),
+    common(
+        "arc_center",
+        SettingField::ArcCenter,
+        "I J K: `from-start`, `absolute` or `from-center`",
+    ),
+    common(
+        "plane_codes",
+        SettingField::PlaneCodes,
+        "`standard`, or `swapped` (G18 is YZ, G19 is ZX)",
+    ),
     common(
         "radius_error_tolerance",
-        Field::RadiusErrorTolerance,
+        SettingField::RadiusErrorTolerance,
         "largest difference of an arc's radii at start and end",
     ),
     common(
         "arc_mismatch",
-        Field::ArcMismatch,
+        SettingField::ArcMismatch,
         "within the tolerance: `spiral` to the end, or `arc-then-line`",
     ),
     common(
         "semicircle_tolerance",
-        Field::SemicircleTolerance,
+        SettingField::SemicircleTolerance,
         "chord - 2R up to here puts the centre in the middle of the chord, as where R is rounded: a length, or `two-increments` (0.0002 in, 0.002 mm)",
     ),
     common(
         "near_semicircle",
-        Field::NearSemicircle,
+        SettingField::NearSemicircle,
         "2R longer than the chord by no more than `semicircle_tolerance`: the centre is `computed`, or in the `middle` of the chord",
     ),
-    common("helix_feed", Field::HelixFeed, "F of a helix along the `path` or in the `plane`"),
+    common(
+        "helix_feed",
+        SettingField::HelixFeed,
+        "F of a helix along the `path` or in the `plane`",
+    ),
     common(
         "rotary_feed",
-        Field::RotaryFeed(RotaryFeedField::Measure),
+        SettingField::RotaryFeed(RotaryFeedField::Measure),
         "F of a line with rotary axes counts `linear-axes`, all axes with `degrees-as-units` or `degrees-as-mm`, or all axes `on-diameter`",
     ),
     common(
         "rotary_diameter_4th",
-        Field::RotaryFeed(RotaryFeedField::FourthDiameter),
+        SettingField::RotaryFeed(RotaryFeedField::FourthDiameter),
         "diameter on which F `on-diameter` counts A, or B where there is no A",
     ),
     common(
         "rotary_diameter_5th",
-        Field::RotaryFeed(RotaryFeedField::FifthDiameter),
+        SettingField::RotaryFeed(RotaryFeedField::FifthDiameter),
         "diameter on which F `on-diameter` counts C, or B where there is an A",
     ),
     common(
         "spiral",
-        Field::Spiral,
+        SettingField::Spiral,
         "spiral commands: `none`, `pitches`, `increment-height-count` or `increment-count`",
     ),
     common(
         "spiral_on_ray",
-        Field::SpiralOnRay,
+        SettingField::SpiralOnRay,
         "a spiral with L whose start and end are on one ray from the centre: L1 is `no-turn` or a `full-turn`",
     ),
     common(
         "rotary_in_arc",
-        Field::RotaryInArc,
+        SettingField::RotaryInArc,
         "a rotary axis in the block of an arc: `allowed` or `refused`",
     ),
     common(
         "omitted_center",
-        Field::OmittedCenter,
+        SettingField::OmittedCenter,
         "a missing centre word, where centres are coordinates: that of the `start`, or `zero`",
     ),
     common(
         "machine_move",
-        Field::MachineMove,
+        SettingField::MachineMove,
         "a move of G53 is a `rapid`, or uses the active motion code (`in-force`)",
     ),
     common(
         "rapid_disarms_arc",
-        Field::RapidDisarmsArc,
+        SettingField::RapidDisarmsArc,
         "G0 cancels the direction that G2 or G3 gave, where they only give a direction: `on` or `off`",
     ),
     common(
         "spiral_end_tolerance",
-        Field::SpiralEndTolerance,
+        SettingField::SpiralEndTolerance,
         "largest distance of a computed spiral end from the programmed one",
     ),
     common(
         "center_and_radius",
-        Field::CenterAndRadius,
+        SettingField::CenterAndRadius,
         "both in a block: `radius-wins` or `refused`",
     ),
     common(
         "full_circle_by_radius",
-        Field::FullCircleByRadius,
+        SettingField::FullCircleByRadius,
         "`refused`, `no-motion` or `straight`",
     ),
-    common("rapid", Field::Rapid, "rapids: `dog-leg` or `straight`"),
-    common("max_radius", Field::MaxRadius, "largest radius of an arc"),
+    common("rapid", SettingField::Rapid, "rapids: `dog-leg` or `straight`"),
+    common("max_radius", SettingField::MaxRadius, "largest radius of an arc"),
     common(
         "max_radius_compensated",
-        Field::MaxRadiusCompensated,
+        SettingField::MaxRadiusCompensated,
         "largest radius of an arc with cutter compensation",
     ),
-    common("radius_offsets", Field::RadiusOffsets, "the offset table holds `diameter` or `radius`"),
+    common(
+        "radius_offsets",
+        SettingField::RadiusOffsets,
+        "the offset table holds `diameter` or `radius`",
+    ),
     common(
         "outside_corner",
-        Field::OutsideCorner,
+        SettingField::OutsideCorner,
         "outside corners with compensation: `linear` or `arc`",
     ),
     common(
         "compensation_entry",
-        Field::CompensationEntry,
+        SettingField::CompensationEntry,
         "start and end of compensation: `A`, `B` or `contour`",
     ),
-    common("nesting", Field::Nesting, "largest number of nested calls"),
-    common("chip_break", Field::ChipBreak, "lift of a chip-breaking peck (G73)"),
-    common("peck_clearance", Field::PeckClearance, "clearance of a full-retract peck (G83)"),
+    common("nesting", SettingField::Nesting, "largest number of nested calls"),
+    common("chip_break", SettingField::ChipBreak, "lift of a chip-breaking peck (G73)"),
+    common("peck_clearance", SettingField::PeckClearance, "clearance of a full-retract peck (G83)"),
 ];
 
-const fn common(name: &'static str, field: Field, text: &'static str) -> Setting {
+const fn common(name: &'static str, field: SettingField, text: &'static str) -> Setting {
     Setting { name, field, values: &[], text, certainty: Certainty::Documented, source: "" }
 }
 
 /// Writes a row of a control's own settings.
 pub const fn setting(
     name: &'static str,
-    field: Field,
+    field: SettingField,
     values: &'static [(&'static str, &'static str)],
     text: &'static str,
     certainty: Certainty,
@@ -402,7 +426,12 @@ fn shown(value: &SettingValue) -> String {
 }
 
 /// Sets one parameter; the error says what it takes.
-fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Result<(), String> {
+fn set(
+    p: &mut Parameters,
+    field: SettingField,
+    word: &str,
+    value: &SettingValue,
+) -> Result<(), String> {
     let length = || {
         value
             .as_length_mm()
@@ -418,56 +447,56 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         _ => Err("`on` or `off`".to_string()),
     };
     match field {
-        Field::Units => {
+        SettingField::Units => {
             p.rules.units = choose(word, &[("inch", Units::Inch), ("mm", Units::Millimetre)])?
         }
-        Field::StartMotion => {
+        SettingField::StartMotion => {
             p.rules.starts_linear = choose(word, &[("rapid", false), ("linear", true)])?
         }
-        Field::StartDistance => {
+        SettingField::StartDistance => {
             p.rules.starts_incremental =
                 choose(word, &[("absolute", false), ("incremental", true)])?;
         }
-        Field::DecimalPoint => p.decimal_point = choose(word, DECIMAL_POINTS)?,
-        Field::FeedDigits => p.feed_digits_inch = count()?.min(6) as u8,
-        Field::ArcCenter => p.rules.arc.arc_center = choose(word, ARC_CENTERS)?,
-        Field::PlaneCodes => {
+        SettingField::DecimalPoint => p.decimal_point = choose(word, DECIMAL_POINTS)?,
+        SettingField::FeedDigits => p.feed_digits_inch = count()?.min(6) as u8,
+        SettingField::ArcCenter => p.rules.arc.arc_center = choose(word, ARC_CENTERS)?,
+        SettingField::PlaneCodes => {
             p.plane_codes = choose(
                 word,
                 &[("standard", PlaneCodes::Standard), ("swapped", PlaneCodes::Swapped)],
             )?;
         }
-        Field::RadiusErrorTolerance => p.rules.arc.radius_error_tolerance_mm = length()?,
-        Field::ArcMismatch => {
+        SettingField::RadiusErrorTolerance => p.rules.arc.radius_error_tolerance_mm = length()?,
+        SettingField::ArcMismatch => {
             p.rules.arc.arc_mismatch = choose(
                 word,
                 &[("spiral", ArcMismatch::Spiral), ("arc-then-line", ArcMismatch::ArcThenLine)],
             )?;
         }
-        Field::SemicircleTolerance if word == "two-increments" => {
+        SettingField::SemicircleTolerance if word == "two-increments" => {
             p.rules.arc.semicircle_tolerance_mm = None
         }
-        Field::SemicircleTolerance => p.rules.arc.semicircle_tolerance_mm = Some(length()?),
-        Field::NearSemicircle => {
+        SettingField::SemicircleTolerance => p.rules.arc.semicircle_tolerance_mm = Some(length()?),
+        SettingField::NearSemicircle => {
             p.rules.arc.semicircle_of_long_radius = choose(word, NEAR_SEMICIRCLES)?;
         }
-        Field::ExcessDecimals => p.excess_decimals = choose(word, EXCESS_DECIMALS)?,
-        Field::SpindleAtToolChange => {
+        SettingField::ExcessDecimals => p.excess_decimals = choose(word, EXCESS_DECIMALS)?,
+        SettingField::SpindleAtToolChange => {
             p.rules.spindle_stops_at_tool_change = choose(word, SPINDLE_AT_TOOL_CHANGE)?;
         }
-        Field::MostDigits => p.most_digits = count()?.min(18) as u8,
-        Field::HelixFeed => {
+        SettingField::MostDigits => p.most_digits = count()?.min(18) as u8,
+        SettingField::HelixFeed => {
             p.rules.arc.helix_feed =
                 choose(word, &[("path", FeedAlong::Path), ("plane", FeedAlong::Plane)])?;
         }
-        Field::Spiral => p.rules.arc.spiral = choose(word, SPIRALS)?,
-        Field::SpiralEndTolerance => p.rules.arc.spiral_end_tolerance_mm = length()?,
-        Field::SpiralOnRay => p.rules.arc.spiral_on_ray = choose(word, SPIRAL_ON_RAY)?,
-        Field::RotaryInArc => p.rules.arc.rotary_in_arc = choose(word, ROTARY_IN_ARC)?,
-        Field::OmittedCenter => p.rules.arc.omitted_center = choose(word, OMITTED_CENTER)?,
-        Field::MachineMove => p.rules.machine_move_is_rapid = choose(word, MACHINE_MOVES)?,
-        Field::RapidDisarmsArc => p.rapid_disarms_arc = flag()?,
-        Field::CenterAndRadius => {
+        SettingField::Spiral => p.rules.arc.spiral = choose(word, SPIRALS)?,
+        SettingField::SpiralEndTolerance => p.rules.arc.spiral_end_tolerance_mm = length()?,
+        SettingField::SpiralOnRay => p.rules.arc.spiral_on_ray = choose(word, SPIRAL_ON_RAY)?,
+        SettingField::RotaryInArc => p.rules.arc.rotary_in_arc = choose(word, ROTARY_IN_ARC)?,
+        SettingField::OmittedCenter => p.rules.arc.omitted_center = choose(word, OMITTED_CENTER)?,
+        SettingField::MachineMove => p.rules.machine_move_is_rapid = choose(word, MACHINE_MOVES)?,
+        SettingField::RapidDisarmsArc => p.rapid_disarms_arc = flag()?,
+        SettingField::CenterAndRadius => {
             p.center_and_radius = choose(
                 word,
                 &[
@@ -476,17 +505,17 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
                 ],
             )?;
         }
-        Field::ArcWithoutCenter => {
+        SettingField::ArcWithoutCenter => {
             p.arc_without_center_is_line = choose(word, ARCS_WITHOUT_CENTER)?;
         }
-        Field::FullCircleByRadius => {
+        SettingField::FullCircleByRadius => {
             p.rules.arc.full_circle_by_radius = choose(word, FULL_CIRCLES_BY_RADIUS)?;
         }
-        Field::Rapid => {
+        SettingField::Rapid => {
             p.rules.rapid =
                 choose(word, &[("dog-leg", RapidPath::DogLeg), ("straight", RapidPath::Straight)])?;
         }
-        Field::RapidFeed => {
+        SettingField::RapidFeed => {
             p.rules.rapid_feed = match (word, value) {
                 ("programmed", _) => RapidFeed::Programmed,
                 (_, SettingValue::Integer(speed @ 1..=1_000_000)) => {
@@ -498,70 +527,72 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
                 _ => return Err("a feed in mm/min, or `programmed`".to_string()),
             };
         }
-        Field::PowerLetter => p.power_letter = flag()?.then_some(b'P'),
-        Field::MaxRadius => p.rules.arc.max_radius_mm = length()?,
-        Field::MaxRadiusCompensated => p.rules.arc.max_radius_compensated_mm = length()?,
-        Field::RadiusOffsets => {
+        SettingField::PowerLetter => p.power_letter = flag()?.then_some(b'P'),
+        SettingField::MaxRadius => p.rules.arc.max_radius_mm = length()?,
+        SettingField::MaxRadiusCompensated => p.rules.arc.max_radius_compensated_mm = length()?,
+        SettingField::RadiusOffsets => {
             p.rules.radius_offsets = choose(
                 word,
                 &[("diameter", OffsetKind::Diameter), ("radius", OffsetKind::Radius)],
             )?;
         }
-        Field::OutsideCorner => p.rules.outside_corner = choose(word, OUTSIDE_CORNERS)?,
-        Field::CompensationEntry => {
+        SettingField::OutsideCorner => p.rules.outside_corner = choose(word, OUTSIDE_CORNERS)?,
+        SettingField::CompensationEntry => {
             p.rules.compensation_entry = choose(word, COMPENSATION_ENTRIES)?
         }
-        Field::LengthByHAlone => p.length_by_h_alone = flag()?,
-        Field::Nesting => p.nesting = count()?.clamp(1, 100),
-        Field::PackedCalls => p.packed_calls = flag()?,
-        Field::ChipBreak => p.rules.chip_break_mm = length()?,
-        Field::PeckClearance => p.rules.peck_clearance_mm = length()?,
-        Field::LengthMustMatchTool => p.length_must_match_tool = flag()?,
-        Field::UnitCodes => p.unit_codes = choose(word, UNIT_CODES)?,
-        Field::ReturnLabelInCallee => p.return_label_in_callee = flag()?,
-        Field::PocketStepover if word == "no limit" => p.rules.pocket_stepover_mm = f64::INFINITY,
-        Field::PocketStepover => {
+        SettingField::LengthByHAlone => p.length_by_h_alone = flag()?,
+        SettingField::Nesting => p.nesting = count()?.clamp(1, 100),
+        SettingField::PackedCalls => p.packed_calls = flag()?,
+        SettingField::ChipBreak => p.rules.chip_break_mm = length()?,
+        SettingField::PeckClearance => p.rules.peck_clearance_mm = length()?,
+        SettingField::LengthMustMatchTool => p.length_must_match_tool = flag()?,
+        SettingField::UnitCodes => p.unit_codes = choose(word, UNIT_CODES)?,
+        SettingField::ReturnLabelInCallee => p.return_label_in_callee = flag()?,
+        SettingField::PocketStepover if word == "no limit" => {
+            p.rules.pocket_stepover_mm = f64::INFINITY
+        }
+        SettingField::PocketStepover => {
             p.rules.pocket_stepover_mm = length().and_then(|step| match step > 0.0 {
                 true => Ok(step),
                 false => Err("a length above zero, or `no limit`".to_string()),
             })?;
         }
-        Field::FixedRoutineCount => p.fixed_routine_count = choose(word, ROUTINE_COUNTS)?,
-        Field::BoreDiameterRegister => p.bore_diameter_register = choose(word, REGISTERS)?,
-        Field::Cycle(rule) => cycle::set(p, rule, word, value)?,
-        Field::Compensation(rule) => compensation::set(p, rule, word, value)?,
-        Field::Path(rule) => path_mode::set(p, rule, word, value)?,
-        Field::Frame(rule) => frame::set(p, rule, word, value)?,
-        Field::RotaryFeed(rule) => rotary_feed::set(p, rule, word, length)?,
-        Field::Turning(rule) => turning::set(p, rule, word, value)?,
-        Field::Length(rule) => length::set(p, rule, word)?,
-        Field::StartRadii => p.starts_with_radii = choose(word, X_WORDS)?,
-        Field::FaceX => p.face_x_radius = choose(word, X_WORDS)?,
-        Field::LiveToolP => p.live_tool_p = count()?,
-        Field::SecondSpindleP => p.second_spindle_p = count()?,
-        Field::WaitCode { last } => p.wait_codes[usize::from(last)] = count()?,
-        Field::OffsetMemory => p.offset_memory = choose(word, OFFSET_MEMORIES)?,
-        Field::ToolChanger => p.tool_change = choose(word, TOOL_CHANGERS)?,
-        Field::Build(option) => *p.build.option_mut(option) = flag()?,
-        Field::AfterRefusal => p.goes_on_after_refusal = choose(word, AFTER_REFUSAL)?,
-        Field::CodeSystem => {
+        SettingField::FixedRoutineCount => p.fixed_routine_count = choose(word, ROUTINE_COUNTS)?,
+        SettingField::BoreDiameterRegister => p.bore_diameter_register = choose(word, REGISTERS)?,
+        SettingField::Cycle(rule) => cycle::set(p, rule, word, value)?,
+        SettingField::Compensation(rule) => compensation::set(p, rule, word, value)?,
+        SettingField::Path(rule) => path_mode::set(p, rule, word, value)?,
+        SettingField::Frame(rule) => frame::set(p, rule, word, value)?,
+        SettingField::RotaryFeed(rule) => rotary_feed::set(p, rule, word, length)?,
+        SettingField::Turning(rule) => turning::set(p, rule, word, value)?,
+        SettingField::Length(rule) => length::set(p, rule, word)?,
+        SettingField::StartRadii => p.starts_with_radii = choose(word, X_WORDS)?,
+        SettingField::FaceX => p.face_x_radius = choose(word, X_WORDS)?,
+        SettingField::LiveToolP => p.live_tool_p = count()?,
+        SettingField::SecondSpindleP => p.second_spindle_p = count()?,
+        SettingField::WaitCode { last } => p.wait_codes[usize::from(last)] = count()?,
+        SettingField::OffsetMemory => p.offset_memory = choose(word, OFFSET_MEMORIES)?,
+        SettingField::ToolChanger => p.tool_change = choose(word, TOOL_CHANGERS)?,
+        SettingField::Build(option) => *p.build.option_mut(option) = flag()?,
+        SettingField::AfterRefusal => p.goes_on_after_refusal = choose(word, AFTER_REFUSAL)?,
+        SettingField::CodeSystem => {
             p.code_system = choose(word, CODE_SYSTEMS)?;
             // Inch and millimetres are G70 and G71 in C.
             p.unit_codes = if p.code_system == 2 { UnitCodes::G70 } else { UnitCodes::G20 };
             let example = if p.code_system == 0 { "G50 S2500" } else { "G92 S2500" };
             p.rules.turning.speed_limit_example = example;
         }
-        Field::DwellUnit => p.dwell_factor = choose(word, DWELL_UNITS)?,
-        Field::MacroAngles => {
+        SettingField::DwellUnit => p.dwell_factor = choose(word, DWELL_UNITS)?,
+        SettingField::MacroAngles => {
             p.macro_angles_full_circle = choose(word, MACRO_ANGLES)?;
         }
-        Field::AliasG(_) | Field::AliasM(_) | Field::AliasSubprogram(_) => {
+        SettingField::AliasG(_) | SettingField::AliasM(_) | SettingField::AliasSubprogram(_) => {
             let code = count()?.min(6000) as u16;
             p.aliases.any |= code > 0;
             match field {
-                Field::AliasG(at) => p.aliases.g[at as usize] = code,
-                Field::AliasM(at) => p.aliases.m[at as usize] = code,
-                Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize] = code,
+                SettingField::AliasG(at) => p.aliases.g[at as usize] = code,
+                SettingField::AliasM(at) => p.aliases.m[at as usize] = code,
+                SettingField::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize] = code,
                 _ => {}
             }
         }
@@ -570,102 +601,108 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
 }
 
 /// The present value of a parameter, as a machine file writes it.
-pub fn value_text(p: &Parameters, field: Field) -> String {
+pub fn value_text(p: &Parameters, field: SettingField) -> String {
     let on = |flag: bool| if flag { "on" } else { "off" }.to_string();
     match field {
-        Field::Units => if p.rules.units == Units::Inch { "inch" } else { "mm" }.into(),
-        Field::StartMotion => if p.rules.starts_linear { "linear" } else { "rapid" }.into(),
-        Field::StartDistance => {
+        SettingField::Units => if p.rules.units == Units::Inch { "inch" } else { "mm" }.into(),
+        SettingField::StartMotion => if p.rules.starts_linear { "linear" } else { "rapid" }.into(),
+        SettingField::StartDistance => {
             if p.rules.starts_incremental { "incremental" } else { "absolute" }.into()
         }
-        Field::DecimalPoint => name_of(p.decimal_point, DECIMAL_POINTS),
-        Field::FeedDigits => p.feed_digits_inch.to_string(),
-        Field::ArcCenter => name_of(p.rules.arc.arc_center, ARC_CENTERS),
-        Field::PlaneCodes => {
+        SettingField::DecimalPoint => name_of(p.decimal_point, DECIMAL_POINTS),
+        SettingField::FeedDigits => p.feed_digits_inch.to_string(),
+        SettingField::ArcCenter => name_of(p.rules.arc.arc_center, ARC_CENTERS),
+        SettingField::PlaneCodes => {
             if p.plane_codes == PlaneCodes::Standard { "standard" } else { "swapped" }.into()
         }
-        Field::RadiusErrorTolerance => mm_text(p.rules.arc.radius_error_tolerance_mm),
-        Field::ArcMismatch => {
+        SettingField::RadiusErrorTolerance => mm_text(p.rules.arc.radius_error_tolerance_mm),
+        SettingField::ArcMismatch => {
             if p.rules.arc.arc_mismatch == ArcMismatch::Spiral { "spiral" } else { "arc-then-line" }
                 .into()
         }
-        Field::SemicircleTolerance => match p.rules.arc.semicircle_tolerance_mm {
+        SettingField::SemicircleTolerance => match p.rules.arc.semicircle_tolerance_mm {
             Some(tolerance) => mm_text(tolerance),
             None => "two-increments".into(),
         },
-        Field::NearSemicircle => name_of(p.rules.arc.semicircle_of_long_radius, NEAR_SEMICIRCLES),
-        Field::ExcessDecimals => name_of(p.excess_decimals, EXCESS_DECIMALS),
-        Field::SpindleAtToolChange => {
+        SettingField::NearSemicircle => {
+            name_of(p.rules.arc.semicircle_of_long_radius, NEAR_SEMICIRCLES)
+        }
+        SettingField::ExcessDecimals => name_of(p.excess_decimals, EXCESS_DECIMALS),
+        SettingField::SpindleAtToolChange => {
             name_of(p.rules.spindle_stops_at_tool_change, SPINDLE_AT_TOOL_CHANGE)
         }
-        Field::MostDigits => p.most_digits.to_string(),
-        Field::HelixFeed => {
+        SettingField::MostDigits => p.most_digits.to_string(),
+        SettingField::HelixFeed => {
             if p.rules.arc.helix_feed == FeedAlong::Path { "path" } else { "plane" }.into()
         }
-        Field::Spiral => name_of(p.rules.arc.spiral, SPIRALS),
-        Field::SpiralEndTolerance => mm_text(p.rules.arc.spiral_end_tolerance_mm),
-        Field::SpiralOnRay => name_of(p.rules.arc.spiral_on_ray, SPIRAL_ON_RAY),
-        Field::RotaryInArc => name_of(p.rules.arc.rotary_in_arc, ROTARY_IN_ARC),
-        Field::OmittedCenter => name_of(p.rules.arc.omitted_center, OMITTED_CENTER),
-        Field::MachineMove => name_of(p.rules.machine_move_is_rapid, MACHINE_MOVES),
-        Field::RapidDisarmsArc => on(p.rapid_disarms_arc),
-        Field::CenterAndRadius => {
+        SettingField::Spiral => name_of(p.rules.arc.spiral, SPIRALS),
+        SettingField::SpiralEndTolerance => mm_text(p.rules.arc.spiral_end_tolerance_mm),
+        SettingField::SpiralOnRay => name_of(p.rules.arc.spiral_on_ray, SPIRAL_ON_RAY),
+        SettingField::RotaryInArc => name_of(p.rules.arc.rotary_in_arc, ROTARY_IN_ARC),
+        SettingField::OmittedCenter => name_of(p.rules.arc.omitted_center, OMITTED_CENTER),
+        SettingField::MachineMove => name_of(p.rules.machine_move_is_rapid, MACHINE_MOVES),
+        SettingField::RapidDisarmsArc => on(p.rapid_disarms_arc),
+        SettingField::CenterAndRadius => {
             let wins = p.center_and_radius == CenterAndRadius::RadiusWins;
             if wins { "radius-wins" } else { "refused" }.into()
         }
-        Field::ArcWithoutCenter => name_of(p.arc_without_center_is_line, ARCS_WITHOUT_CENTER),
-        Field::FullCircleByRadius => {
+        SettingField::ArcWithoutCenter => {
+            name_of(p.arc_without_center_is_line, ARCS_WITHOUT_CENTER)
+        }
+        SettingField::FullCircleByRadius => {
             name_of(p.rules.arc.full_circle_by_radius, FULL_CIRCLES_BY_RADIUS)
         }
-        Field::Rapid => {
+        SettingField::Rapid => {
             if p.rules.rapid == RapidPath::DogLeg { "dog-leg" } else { "straight" }.into()
         }
-        Field::RapidFeed => match p.rules.rapid_feed {
+        SettingField::RapidFeed => match p.rules.rapid_feed {
             RapidFeed::OfMachine => "machine".into(),
             RapidFeed::Programmed => "programmed".into(),
             RapidFeed::Fixed(speed) => (speed * 60.0).to_string(),
         },
-        Field::PowerLetter => on(p.power_letter.is_some()),
-        Field::MaxRadius => mm_text(p.rules.arc.max_radius_mm),
-        Field::MaxRadiusCompensated => mm_text(p.rules.arc.max_radius_compensated_mm),
-        Field::RadiusOffsets => {
+        SettingField::PowerLetter => on(p.power_letter.is_some()),
+        SettingField::MaxRadius => mm_text(p.rules.arc.max_radius_mm),
+        SettingField::MaxRadiusCompensated => mm_text(p.rules.arc.max_radius_compensated_mm),
+        SettingField::RadiusOffsets => {
             if p.rules.radius_offsets == OffsetKind::Diameter { "diameter" } else { "radius" }
                 .into()
         }
-        Field::OutsideCorner => name_of(p.rules.outside_corner, OUTSIDE_CORNERS),
-        Field::CompensationEntry => name_of(p.rules.compensation_entry, COMPENSATION_ENTRIES),
-        Field::LengthByHAlone => on(p.length_by_h_alone),
-        Field::Nesting => p.nesting.to_string(),
-        Field::PackedCalls => on(p.packed_calls),
-        Field::ChipBreak => mm_text(p.rules.chip_break_mm),
-        Field::PeckClearance => mm_text(p.rules.peck_clearance_mm),
-        Field::LengthMustMatchTool => on(p.length_must_match_tool),
-        Field::UnitCodes => name_of(p.unit_codes, UNIT_CODES),
-        Field::ReturnLabelInCallee => on(p.return_label_in_callee),
-        Field::PocketStepover => mm_text(p.rules.pocket_stepover_mm),
-        Field::FixedRoutineCount => name_of(p.fixed_routine_count, ROUTINE_COUNTS),
-        Field::BoreDiameterRegister => name_of(p.bore_diameter_register, REGISTERS),
-        Field::Cycle(rule) => cycle::value_text(p, rule),
-        Field::Compensation(rule) => compensation::value_text(p, rule),
-        Field::Path(rule) => path_mode::value_text(p, rule),
-        Field::Frame(rule) => frame::value_text(p, rule),
-        Field::RotaryFeed(rule) => rotary_feed::value_text(p, rule),
-        Field::Turning(rule) => turning::value_text(p, rule),
-        Field::Length(rule) => length::value_text(p, rule),
-        Field::StartRadii => name_of(p.starts_with_radii, X_WORDS),
-        Field::FaceX => name_of(p.face_x_radius, X_WORDS),
-        Field::LiveToolP => p.live_tool_p.to_string(),
-        Field::SecondSpindleP => p.second_spindle_p.to_string(),
-        Field::WaitCode { last } => p.wait_codes[usize::from(last)].to_string(),
-        Field::OffsetMemory => name_of(p.offset_memory, OFFSET_MEMORIES),
-        Field::ToolChanger => name_of(p.tool_change, TOOL_CHANGERS),
-        Field::Build(option) => on(p.build.has(option)),
-        Field::AfterRefusal => name_of(p.goes_on_after_refusal, AFTER_REFUSAL),
-        Field::CodeSystem => name_of(p.code_system, CODE_SYSTEMS),
-        Field::DwellUnit => name_of(p.dwell_factor, DWELL_UNITS),
-        Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
-        Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
-        Field::AliasM(at) => p.aliases.m[at as usize].to_string(),
-        Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize].to_string(),
+        SettingField::OutsideCorner => name_of(p.rules.outside_corner, OUTSIDE_CORNERS),
+        SettingField::CompensationEntry => {
+            name_of(p.rules.compensation_entry, COMPENSATION_ENTRIES)
+        }
+        SettingField::LengthByHAlone => on(p.length_by_h_alone),
+        SettingField::Nesting => p.nesting.to_string(),
+        SettingField::PackedCalls => on(p.packed_calls),
+        SettingField::ChipBreak => mm_text(p.rules.chip_break_mm),
+        SettingField::PeckClearance => mm_text(p.rules.peck_clearance_mm),
+        SettingField::LengthMustMatchTool => on(p.length_must_match_tool),
+        SettingField::UnitCodes => name_of(p.unit_codes, UNIT_CODES),
+        SettingField::ReturnLabelInCallee => on(p.return_label_in_callee),
+        SettingField::PocketStepover => mm_text(p.rules.pocket_stepover_mm),
+        SettingField::FixedRoutineCount => name_of(p.fixed_routine_count, ROUTINE_COUNTS),
+        SettingField::BoreDiameterRegister => name_of(p.bore_diameter_register, REGISTERS),
+        SettingField::Cycle(rule) => cycle::value_text(p, rule),
+        SettingField::Compensation(rule) => compensation::value_text(p, rule),
+        SettingField::Path(rule) => path_mode::value_text(p, rule),
+        SettingField::Frame(rule) => frame::value_text(p, rule),
+        SettingField::RotaryFeed(rule) => rotary_feed::value_text(p, rule),
+        SettingField::Turning(rule) => turning::value_text(p, rule),
+        SettingField::Length(rule) => length::value_text(p, rule),
+        SettingField::StartRadii => name_of(p.starts_with_radii, X_WORDS),
+        SettingField::FaceX => name_of(p.face_x_radius, X_WORDS),
+        SettingField::LiveToolP => p.live_tool_p.to_string(),
+        SettingField::SecondSpindleP => p.second_spindle_p.to_string(),
+        SettingField::WaitCode { last } => p.wait_codes[usize::from(last)].to_string(),
+        SettingField::OffsetMemory => name_of(p.offset_memory, OFFSET_MEMORIES),
+        SettingField::ToolChanger => name_of(p.tool_change, TOOL_CHANGERS),
+        SettingField::Build(option) => on(p.build.has(option)),
+        SettingField::AfterRefusal => name_of(p.goes_on_after_refusal, AFTER_REFUSAL),
+        SettingField::CodeSystem => name_of(p.code_system, CODE_SYSTEMS),
+        SettingField::DwellUnit => name_of(p.dwell_factor, DWELL_UNITS),
+        SettingField::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
+        SettingField::AliasG(at) => p.aliases.g[at as usize].to_string(),
+        SettingField::AliasM(at) => p.aliases.m[at as usize].to_string(),
+        SettingField::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize].to_string(),
     }
 }

@@ -4,7 +4,7 @@ use chordal_kernel::rules::*;
 use chordal_machine::SettingValue;
 
 use super::choices::{Choices, SWITCH, choose, mm_text, name_of};
-use super::{Certainty, Field, Setting, setting};
+use super::{Certainty, Setting, SettingField, setting};
 use crate::parameters::Parameters;
 
 /// The rule that a setting changes.
@@ -85,7 +85,7 @@ pub const COMMON: &[Setting] = &[
 /// The distance in G64, of controls that name none.
 pub const CORNER_ROUNDING: Setting = setting(
     "corner rounding",
-    Field::Path(PathField::Rounding),
+    SettingField::Path(PathField::Rounding),
     &[],
     "how far from a corner the tool passes in G64; `none`: `[motion] corner_tolerance`",
     Certainty::Unknown,
@@ -96,7 +96,7 @@ pub const CORNER_ROUNDING: Setting = setting(
 pub const fn short_blocks(certainty: Certainty, source: &'static str) -> Setting {
     setting(
         "short blocks",
-        Field::Path(PathField::ShortBlocks),
+        SettingField::Path(PathField::ShortBlocks),
         &[],
         "many short blocks become one smooth curve within the tolerance: `joined`, `look-ahead` (only in \
          look-ahead and high-accuracy modes) or `apart` (each corner is passed by itself)",
@@ -111,7 +111,7 @@ const fn plain(
     text: &'static str,
     certainty: Certainty,
 ) -> Setting {
-    Setting { name, field: Field::Path(field), values: &[], text, certainty, source: "" }
+    Setting { name, field: SettingField::Path(field), values: &[], text, certainty, source: "" }
 }
 
 /// Sets one rule; the error says what it takes.

@@ -2,14 +2,14 @@
 
 use chordal::Code;
 
-use super::{View, without_places};
+use super::{ControlView, without_places};
 
 /// A text of an alarm that is looked for has at least so many letters.
 const LEAST_LETTERS: usize = 8;
 
 /// An alarm by its number (`alarm 304`, `PS0010`, `P70`) or by its text, on each control that has it; `None`
 /// where no control shows such an alarm for what Chordal finds.
-pub fn alarm_text(word: &str, views: &[View]) -> Option<String> {
+pub fn alarm_text(word: &str, views: &[ControlView]) -> Option<String> {
     let word = word.trim().to_uppercase();
     let mut text = String::new();
     for view in views {
@@ -35,7 +35,7 @@ pub fn alarm_text(word: &str, views: &[View]) -> Option<String> {
 }
 
 /// The alarms of a control, each with the messages that it stands for.
-fn alarms(view: &View) -> Vec<(&'static str, Vec<Code>)> {
+fn alarms(view: &ControlView) -> Vec<(&'static str, Vec<Code>)> {
     let mut alarms: Vec<(&str, Vec<Code>)> = Vec::new();
     for &(code, text) in view.table.alarms {
         match alarms.iter_mut().find(|(known, _)| *known == text) {
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn alarms_are_found_by_number_and_by_text() {
-        let views = View::all();
+        let views = ControlView::all();
         let found = |word: &str| alarm_text(word, &views).unwrap_or_default();
         assert!(
             found("PS0010").starts_with("Fanuc: PS0010 IMPROPER G-CODE\n"),

@@ -1,17 +1,17 @@
 //! What a G or M code does on a control, from its row of the table.
 
 use chordal::control::table::{
-    ArcTurns, CodeRow, ControlTable, DataTarget, Group, MotionModality, code_name,
+    ArcTurns, CodeGroup, CodeRow, ControlTable, DataTarget, MotionModality, code_name,
 };
 use chordal::control::{Action, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode};
-use chordal::control::{Certainty, Field, SurfaceCode, SurfaceWord};
+use chordal::control::{Certainty, SettingField, SurfaceCode, SurfaceWord};
 use chordal::control::{CycleKind, ToolValue, TurnCycle, TurnPass, TurningField};
 use chordal::syntax::Letters;
 
 use crate::meaning::alarm_codes::alarms;
 use crate::meaning::form::{example, word_rows};
 use crate::meaning::word::dwell_text;
-use crate::meaning::{Facts, View, own_value, sections, settings, some, without_places};
+use crate::meaning::{ControlView, FactLines, own_value, sections, settings, some, without_places};
 
 /// The codes of a table under a letter.
 pub fn codes(table: &ControlTable, letter: u8) -> &'static [CodeRow] {
@@ -19,8 +19,8 @@ pub fn codes(table: &ControlTable, letter: u8) -> &'static [CodeRow] {
 }
 
 /// The code on each control; `None` when it is nowhere.
-pub fn code_text(letter: u8, code: u16, views: &[View]) -> Option<String> {
-    let on = |view: &View| {
+pub fn code_text(letter: u8, code: u16, views: &[ControlView]) -> Option<String> {
+    let on = |view: &ControlView| {
         let row = codes(view.table, letter).iter().find(|row| row.code == code)?;
         Some(row_text(letter, row, view, views.len() > 1))
     };
@@ -28,15 +28,15 @@ pub fn code_text(letter: u8, code: u16, views: &[View]) -> Option<String> {
 }
 
 /// The code on one control in few words; `None` when it has none.
-pub fn code_brief(letter: u8, code: u16, view: &View) -> Option<String> {
+pub fn code_brief(letter: u8, code: u16, view: &ControlView) -> Option<String> {
     let row = codes(view.table, letter).iter().find(|row| row.code == code)?;
     let title = view.table.title;
     Some(format!("{} on {title}:{}", code_name(letter, code), row_text(letter, row, view, true)))
 }
 
 /// What a code does on a control; in few words where there are `several`.
-fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
-    let mut facts = Facts::new(row.title);
+fn row_text(letter: u8, row: &CodeRow, view: &ControlView, several: bool) -> String {
+    let mut facts = FactLines::new(row.title);
     if row.action.is_left_out() {
         let note = match row.action == Action::NotFollowed {
             true => {
@@ -70,9 +70,10 @@ fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
         Action::Motion(MotionCode::ArcCw) | Action::Motion(MotionCode::ArcCcw)
     );
     match row.group {
-        Group::OneShot => facts.add("holds", "only in its own block"),
-        Group::Auxiliary | Group::Stopping | Group::Calling | Group::ToolChange => {}
-        Group::Motion if arc && view.table.motion == MotionModality::Armed => {
+        CodeGroup::OneShot => facts.add("holds", "only in its own block"),
+        CodeGroup::Auxiliary | CodeGroup::Stopping | CodeGroup::Calling | CodeGroup::ToolChange => {
+        }
+        CodeGroup::Motion if arc && view.table.motion == MotionModality::Armed => {
             facts.add(
                 "holds",
                 "as the direction of every block with a centre or a radius; other blocks move as G1",
@@ -123,7 +124,7 @@ fn beside(action: Action) -> &'static str {
 }
 
 /// What the table says of an action in addition to its settings.
-fn facts_of_action(action: Action, view: &View, several: bool, facts: &mut Facts) {
+fn facts_of_action(action: Action, view: &ControlView, several: bool, facts: &mut FactLines) {
     if action == Action::Once(OnceCode::Dwell) {
         for word in view.table.dwell_words(&view.parameters).filter(|_| several) {
             facts.add("time", &dwell_text(word));
@@ -163,7 +164,7 @@ fn facts_of_action(action: Action, view: &View, several: bool, facts: &mut Facts
 }
 
 /// How coordinates on a face or a cylinder are written, what may not come there, and how sure that is.
-fn surface_facts(code: SurfaceCode, view: &View, facts: &mut Facts) {
+fn surface_facts(code: SurfaceCode, view: &ControlView, facts: &mut FactLines) {
     let rules = match code {
         SurfaceCode::Face => view.table.face,
         SurfaceCode::Cylinder => view.table.cylinder,
@@ -223,8 +224,8 @@ pub(crate) fn target_name(target: DataTarget) -> &'static str {
 }
 
 /// The settings that change what an action does.
-fn fields_of(action: Action) -> &'static [Field] {
-    use Field as F;
+fn fields_of(action: Action) -> &'static [SettingField] {
+    use SettingField as F;
     match action {
         Action::Motion(code) => match code {
             MotionCode::Rapid => &[F::Rapid],
@@ -283,7 +284,7 @@ fn fields_of(action: Action) -> &'static [Field] {
     }
 }
 
-fn settings_of_turning(cycle: TurnCycle) -> &'static [Field] {
+fn settings_of_turning(cycle: TurnCycle) -> &'static [SettingField] {
     use TurningField as T;
     match cycle {
         TurnCycle::Finish
@@ -293,26 +294,26 @@ fn settings_of_turning(cycle: TurnCycle) -> &'static [Field] {
         | TurnCycle::RoughFaceSubroutine(_)
         | TurnCycle::LineThread => &[],
         TurnCycle::Rough | TurnCycle::RoughFace => &[
-            Field::Turning(T::RoughDepth),
-            Field::Turning(T::RoughRetract),
-            Field::Turning(T::FirstLevel),
+            SettingField::Turning(T::RoughDepth),
+            SettingField::Turning(T::RoughRetract),
+            SettingField::Turning(T::FirstLevel),
         ],
-        TurnCycle::PeckZ | TurnCycle::PeckX => &[Field::Turning(T::PeckRetract)],
+        TurnCycle::PeckZ | TurnCycle::PeckX => &[SettingField::Turning(T::PeckRetract)],
         TurnCycle::Thread => &[
-            Field::Turning(T::ThreadExit),
-            Field::Turning(T::ThreadLeast),
-            Field::Turning(T::ThreadFinish),
-            Field::Turning(T::ThreadFinishPasses),
-            Field::Turning(T::ThreadAngle),
+            SettingField::Turning(T::ThreadExit),
+            SettingField::Turning(T::ThreadLeast),
+            SettingField::Turning(T::ThreadFinish),
+            SettingField::Turning(T::ThreadFinishPasses),
+            SettingField::Turning(T::ThreadAngle),
         ],
     }
 }
 
-fn settings_of_mode(code: ModeCode) -> &'static [Field] {
+fn settings_of_mode(code: ModeCode) -> &'static [SettingField] {
     match code {
-        ModeCode::PlaneXy | ModeCode::PlaneZx | ModeCode::PlaneYz => &[Field::PlaneCodes],
+        ModeCode::PlaneXy | ModeCode::PlaneZx | ModeCode::PlaneYz => &[SettingField::PlaneCodes],
         ModeCode::CompensationLeft | ModeCode::CompensationRight => {
-            &[Field::RadiusOffsets, Field::MaxRadiusCompensated]
+            &[SettingField::RadiusOffsets, SettingField::MaxRadiusCompensated]
         }
         ModeCode::CompensationOff
         | ModeCode::CompensationLeftBy
@@ -336,12 +337,12 @@ fn settings_of_mode(code: ModeCode) -> &'static [Field] {
         | ModeCode::ModalSubroutine
         | ModeCode::ModalCallOff
         | ModeCode::DataLinesOff => &[],
-        ModeCode::ThreadExit { .. } => &[Field::Turning(TurningField::ThreadExit)],
+        ModeCode::ThreadExit { .. } => &[SettingField::Turning(TurningField::ThreadExit)],
     }
 }
 
 /// `ToolLength` → `tool length`.
-pub fn group_name(group: Group) -> String {
+pub fn group_name(group: CodeGroup) -> String {
     let mut name = String::new();
     for letter in format!("{group:?}").chars() {
         if letter.is_uppercase() && !name.is_empty() {

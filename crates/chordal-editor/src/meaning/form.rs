@@ -7,11 +7,11 @@ use chordal::control::{
 };
 use chordal::geometry::Plane;
 
-use crate::meaning::{View, word_meaning};
+use crate::meaning::{ControlView, word_meaning};
 
 /// A block with the code as a program would have it, in millimetres, that runs without an error on the
 /// control. None for codes that stand alone, and for those that need more than a block.
-pub fn example(letter: u8, row: &CodeRow, view: &View) -> Option<String> {
+pub fn example(letter: u8, row: &CodeRow, view: &ControlView) -> Option<String> {
     let code = code_name(letter, row.code);
     let turns = !view.parameters.increments.is_empty();
     // A lathe whose words are those of its mills, but for the plane.
@@ -138,7 +138,7 @@ fn of_call(call: CallCode) -> Option<&'static str> {
     })
 }
 
-fn of_once(once: OnceCode, view: &View) -> Option<String> {
+fn of_once(once: OnceCode, view: &ControlView) -> Option<String> {
     Some(match once {
         OnceCode::Dwell => {
             let word = view.table.dwell_words(&view.parameters).next()?;
@@ -187,7 +187,7 @@ fn of_once(once: OnceCode, view: &View) -> Option<String> {
     })
 }
 
-fn of_cycle(kind: CycleKind, row: &CodeRow, view: &View) -> String {
+fn of_cycle(kind: CycleKind, row: &CodeRow, view: &ControlView) -> String {
     let cycles = view.parameters.rules.cycles;
     let level = if view.table.lexicon.registers { "R0+2." } else { "R2." };
     let radial = view.table.radial_cycles.contains(&row.code);
@@ -223,7 +223,7 @@ fn of_cycle(kind: CycleKind, row: &CodeRow, view: &View) -> String {
 }
 
 /// What the words of a code mean, those that mean the same together: `Q` `depth of each peck`.
-pub fn word_rows(row: &CodeRow, view: &View) -> Vec<(String, String)> {
+pub fn word_rows(row: &CodeRow, view: &ControlView) -> Vec<(String, String)> {
     let mut rows: Vec<(String, String)> = Vec::new();
     let mut idle = String::new();
     for letter in row.words.iter() {

@@ -1,15 +1,15 @@
 //! What an address letter means on a control, gathered from its table.
 
 use chordal::control::Action;
-use chordal::control::Field;
-use chordal::control::table::{ArcTurns, CodeRow, LineRepeat, Subroutines, code_name};
+use chordal::control::SettingField;
+use chordal::control::table::{ArcTurns, CodeRow, LineRepeat, SubroutineForm, code_name};
 
 use crate::meaning::code::codes;
 use crate::meaning::word::{dwell_text, word_meaning};
-use crate::meaning::{View, own_value, sections, settings, some};
+use crate::meaning::{ControlView, own_value, sections, settings, some};
 
 /// The letter on each control; `None` when it has a meaning nowhere.
-pub fn letter_text(letter: u8, views: &[View]) -> Option<String> {
+pub fn letter_text(letter: u8, views: &[ControlView]) -> Option<String> {
     sections(&char::from(letter).to_string(), views, |view| {
         let mut meanings = letter_meanings(letter, view);
         if views.len() == 1 {
@@ -25,8 +25,8 @@ pub fn letter_text(letter: u8, views: &[View]) -> Option<String> {
 }
 
 /// What a letter means by itself on a control, whichever code stands in its block.
-pub fn letter_meanings(letter: u8, view: &View) -> Vec<String> {
-    let View { table, parameters } = view;
+pub fn letter_meanings(letter: u8, view: &ControlView) -> Vec<String> {
+    let ControlView { table, parameters } = view;
     let name = char::from(letter);
     let mut meanings: Vec<String> = Vec::new();
     let mut add = |text: &str| meanings.push(text.to_string());
@@ -51,7 +51,7 @@ pub fn letter_meanings(letter: u8, view: &View) -> Vec<String> {
             add("a rotary axis, in degrees");
         }
         b'I' | b'J' | b'K' => {
-            for setting in settings(table, &[Field::ArcCenter]) {
+            for setting in settings(table, &[SettingField::ArcCenter]) {
                 let value = own_value(setting, parameters);
                 add(&format!("centre of an arc, along {}: {value}", axis_of(letter)));
             }
@@ -76,7 +76,7 @@ pub fn letter_meanings(letter: u8, view: &View) -> Vec<String> {
             LineRepeat::MainProgram => add("repeats its block, in the main program only"),
             LineRepeat::Anywhere => add("repeats its block"),
         }
-        if table.subroutines == Subroutines::LetterL {
+        if table.subroutines == SubroutineForm::LetterL {
             add("alone: L100 begins subroutine 1, L203 calls subroutine 2 three times");
         }
     }
@@ -103,7 +103,7 @@ pub fn letter_meanings(letter: u8, view: &View) -> Vec<String> {
 }
 
 /// What the letter means next to the codes that take it, those that say the same together.
-fn with_codes(letter: u8, view: &View) -> Vec<String> {
+fn with_codes(letter: u8, view: &ControlView) -> Vec<String> {
     let mut meanings: Vec<(String, Vec<String>)> = Vec::new();
     for (code, row) in rows_with(letter, view) {
         let Some(meaning) = word_meaning(row, letter, view) else { continue };
@@ -120,7 +120,7 @@ fn with_codes(letter: u8, view: &View) -> Vec<String> {
 }
 
 /// The rows of codes that take the letter.
-fn rows_with(letter: u8, view: &View) -> impl Iterator<Item = (u8, &'static CodeRow)> {
+fn rows_with(letter: u8, view: &ControlView) -> impl Iterator<Item = (u8, &'static CodeRow)> {
     let table = view.table;
     [b'G', b'M']
         .into_iter()
@@ -130,7 +130,7 @@ fn rows_with(letter: u8, view: &View) -> impl Iterator<Item = (u8, &'static Code
 }
 
 /// The codes that take the letter.
-fn takers(letter: u8, view: &View) -> Option<String> {
+fn takers(letter: u8, view: &ControlView) -> Option<String> {
     let takers: Vec<String> =
         rows_with(letter, view).map(|(code, row)| code_name(code, row.code)).collect();
     (!takers.is_empty()).then(|| format!("taken by {}", some(&takers)))

@@ -12,7 +12,8 @@ mod word;
 use chordal::Code;
 use chordal::control::table::ControlTable;
 use chordal::control::{
-    COMMON_SETTINGS, CONTROLS, Control, Field, Parameters, Setting, telling_number, value_text,
+    COMMON_SETTINGS, CONTROLS, Control, Parameters, Setting, SettingField, telling_number,
+    value_text,
 };
 
 pub use alarm::alarm_text;
@@ -26,22 +27,26 @@ pub use word::word_meaning;
 
 /// A control to explain on.
 #[derive(Clone, Debug)]
-pub struct View {
+pub struct ControlView {
     /// Its table.
     pub table: &'static ControlTable,
     /// Its habits, settings of the machine counted.
     pub parameters: Parameters,
 }
 
-impl View {
+impl ControlView {
     /// As a machine has it.
-    pub fn of(control: &Control) -> View {
-        View { table: control.table, parameters: control.parameters }
+    pub fn of(control: &Control) -> ControlView {
+        ControlView { table: control.table, parameters: control.parameters }
     }
 
     /// All controls as they are without a machine's settings.
-    pub fn all() -> Vec<View> {
-        CONTROLS.iter().copied().map(|table| View { table, parameters: table.parameters }).collect()
+    pub fn all() -> Vec<ControlView> {
+        CONTROLS
+            .iter()
+            .copied()
+            .map(|table| ControlView { table, parameters: table.parameters })
+            .collect()
     }
 }
 
@@ -96,12 +101,12 @@ pub fn one_letter(word: &str) -> Option<u8> {
 }
 
 /// A setting on each control that has it; `None` when none has.
-pub fn setting_text(word: &str, views: &[View]) -> Option<String> {
-    let on = |view: &View| {
+pub fn setting_text(word: &str, views: &[ControlView]) -> Option<String> {
+    let on = |view: &ControlView| {
         let settings = view.table.settings.iter().chain(COMMON_SETTINGS);
         let found = settings.into_iter().find(|setting| setting.name.eq_ignore_ascii_case(word))?;
         let value = own_value(found, &view.parameters);
-        let mut facts = Facts::new(found.text);
+        let mut facts = FactLines::new(found.text);
         facts.add("value", &value);
         if !found.source.is_empty() {
             facts.add("source", found.source);
@@ -115,8 +120,8 @@ pub fn setting_text(word: &str, views: &[View]) -> Option<String> {
 /// say nothing. `None` when none says anything.
 pub(crate) fn sections(
     name: &str,
-    views: &[View],
-    on: impl Fn(&View) -> Option<String>,
+    views: &[ControlView],
+    on: impl Fn(&ControlView) -> Option<String>,
 ) -> Option<String> {
     let mut sections: Vec<(Vec<&str>, String)> = Vec::new();
     let mut without = Vec::new();
@@ -144,15 +149,15 @@ pub(crate) fn sections(
 }
 
 /// Lines of facts with their labels on the left; a label is not said twice in a row.
-pub(crate) struct Facts {
+pub(crate) struct FactLines {
     pub text: String,
     label: &'static str,
 }
 
-impl Facts {
+impl FactLines {
     /// A text that begins after the title.
-    pub fn new(first: &str) -> Facts {
-        Facts { text: format!(" {first}\n"), label: "" }
+    pub fn new(first: &str) -> FactLines {
+        FactLines { text: format!(" {first}\n"), label: "" }
     }
 
     /// Adds a line.
@@ -164,8 +169,8 @@ impl Facts {
 }
 
 /// For each field its setting: the control's own name before the common one.
-pub(crate) fn settings(table: &ControlTable, fields: &[Field]) -> Vec<&'static Setting> {
-    let of = |field: &Field| {
+pub(crate) fn settings(table: &ControlTable, fields: &[SettingField]) -> Vec<&'static Setting> {
+    let of = |field: &SettingField| {
         let own = table.settings.iter().find(|setting| setting.field == *field);
         own.or_else(|| COMMON_SETTINGS.iter().find(|setting| setting.field == *field))
     };

@@ -1,15 +1,15 @@
 //! What a letter with its number means where the number itself says something: L9601, R0, E1, H0.
 
-use chordal::control::table::{FixedRoutine, LineRepeat, Subroutines};
-use chordal::geometry::Direction;
+use chordal::control::table::{FixedRoutine, LineRepeat, SubroutineForm};
+use chordal::geometry::TurnDirection;
 
-use crate::meaning::{View, letter_meanings, sections};
+use crate::meaning::{ControlView, letter_meanings, sections};
 
 /// Pages of numbers that name a subroutine and a count: the last two digits are the count.
 const COUNTS: u32 = 100;
 
 /// The word on each control; `None` where it is no letter with a number, or where the letter means nothing.
-pub fn number_text(word: &str, views: &[View]) -> Option<String> {
+pub fn number_text(word: &str, views: &[ControlView]) -> Option<String> {
     let (letter, number) = parts(word)?;
     let name = format!("{}{}", char::from(letter), word.trim()[1..].trim());
     sections(&name, views, |view| {
@@ -37,7 +37,7 @@ fn parts(word: &str) -> Option<(u8, f64)> {
 }
 
 /// What this number says.
-fn own_meaning(letter: u8, number: f64, view: &View) -> Option<String> {
+fn own_meaning(letter: u8, number: f64, view: &ControlView) -> Option<String> {
     let whole =
         (number >= 0.0 && number.fract() == 0.0 && number < 1e9).then_some(number as u32)?;
     match letter {
@@ -62,7 +62,7 @@ fn own_meaning(letter: u8, number: f64, view: &View) -> Option<String> {
     }
 }
 
-fn no_length(view: &View) -> String {
+fn no_length(view: &ControlView) -> String {
     let rules = view.parameters.rules.length;
     match rules.zero_is_of_tool {
         true => "the length of the tool in the spindle, with G43".into(),
@@ -71,9 +71,9 @@ fn no_length(view: &View) -> String {
 }
 
 /// L: the count of its block, or where subroutines are named by it a call.
-fn repeats_or_calls(number: u32, view: &View) -> Option<String> {
+fn repeats_or_calls(number: u32, view: &ControlView) -> Option<String> {
     let table = view.table;
-    if table.subroutines == Subroutines::LetterL && number >= COUNTS {
+    if table.subroutines == SubroutineForm::LetterL && number >= COUNTS {
         let (called, count) = (number / COUNTS, number % COUNTS);
         let routine = table.fixed_routines.iter().find(|(own, _)| *own == called);
         if let Some((_, routine)) = routine {
@@ -95,9 +95,9 @@ fn repeats_or_calls(number: u32, view: &View) -> Option<String> {
 }
 
 fn routine_text(routine: FixedRoutine, count: u32) -> String {
-    let way = |direction: Direction| match direction {
-        Direction::Ccw => "counter-clockwise",
-        Direction::Cw => "clockwise",
+    let way = |direction: TurnDirection| match direction {
+        TurnDirection::Ccw => "counter-clockwise",
+        TurnDirection::Cw => "clockwise",
     };
     let times = match count {
         1 => "once".to_string(),

@@ -12,10 +12,10 @@ use chordal::control::{
 
 use chordal::machine::AXIS_LETTERS;
 
-use crate::meaning::View;
+use crate::meaning::ControlView;
 
 /// The meaning of a letter in the block of a code; `None` where it is accepted and does nothing to the path.
-pub fn word_meaning(row: &CodeRow, letter: u8, view: &View) -> Option<String> {
+pub fn word_meaning(row: &CodeRow, letter: u8, view: &ControlView) -> Option<String> {
     match row.action {
         Action::Once(code) => once(code, letter, view),
         Action::Motion(code) => motion(code, letter, view),
@@ -35,7 +35,7 @@ pub fn word_meaning(row: &CodeRow, letter: u8, view: &View) -> Option<String> {
     }
 }
 
-fn motion(code: MotionCode, letter: u8, view: &View) -> Option<String> {
+fn motion(code: MotionCode, letter: u8, view: &ControlView) -> Option<String> {
     match code {
         MotionCode::Rapid => None,
         MotionCode::Linear if !view.parameters.corners_of_lines => None,
@@ -160,7 +160,7 @@ fn spline(form: SplineForm, letter: u8) -> Option<&'static str> {
     })
 }
 
-fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
+fn once(code: OnceCode, letter: u8, view: &ControlView) -> Option<String> {
     let text = match code {
         OnceCode::Dwell => return dwell(letter, view),
         OnceCode::SetData => return set_data(letter, view),
@@ -387,7 +387,7 @@ fn before(code: BeforeCode, letter: u8) -> Option<&'static str> {
     }
 }
 
-fn called(code: CallCode, letter: u8, view: &View) -> Option<String> {
+fn called(code: CallCode, letter: u8, view: &ControlView) -> Option<String> {
     let text = match code {
         CallCode::CallProgram => return call(letter, view),
         CallCode::CallLabel => match letter {
@@ -421,13 +421,13 @@ pub fn dwell_text(word: DwellWord) -> String {
     }
 }
 
-fn dwell(letter: u8, view: &View) -> Option<String> {
+fn dwell(letter: u8, view: &ControlView) -> Option<String> {
     let word = view.table.dwell_words(&view.parameters).find(|word| word.letter == letter)?;
     Some(format!("time: {}", dwell_text(word)))
 }
 
 /// I, J and K: centre of an arc along X, Y or Z.
-fn center(letter: u8, view: &View) -> Option<String> {
+fn center(letter: u8, view: &ControlView) -> Option<String> {
     let axis = match letter {
         b'I' => 'X',
         b'J' => 'Y',
@@ -440,7 +440,7 @@ fn center(letter: u8, view: &View) -> Option<String> {
     })
 }
 
-fn arc(letter: u8, view: &View) -> Option<String> {
+fn arc(letter: u8, view: &ControlView) -> Option<String> {
     let form = view.parameters.rules.arc.spiral;
     let text = match (letter, form) {
         (b'I' | b'J' | b'K', SpiralForm::IncrementHeightCount) => {
@@ -471,7 +471,7 @@ fn arc(letter: u8, view: &View) -> Option<String> {
     Some(text.into())
 }
 
-fn call(letter: u8, view: &View) -> Option<String> {
+fn call(letter: u8, view: &ControlView) -> Option<String> {
     let text = match letter {
         b'P' if view.parameters.packed_calls => {
             "program number; with more than four digits the repeats come first: P51000 runs O1000 five times"
@@ -487,7 +487,7 @@ fn call(letter: u8, view: &View) -> Option<String> {
     Some(text.into())
 }
 
-fn set_data(letter: u8, view: &View) -> Option<String> {
+fn set_data(letter: u8, view: &ControlView) -> Option<String> {
     let targets = view.table.set_data;
     let writes = |wanted: DataTarget| targets.iter().any(|(_, target)| *target == wanted);
     let name = char::from(letter);
@@ -519,7 +519,7 @@ fn holes(pattern: HolePattern, letter: u8) -> Option<String> {
     Some(text.into())
 }
 
-fn cycle(kind: CycleKind, letter: u8, view: &View) -> Option<String> {
+fn cycle(kind: CycleKind, letter: u8, view: &ControlView) -> Option<String> {
     let rules = &view.parameters.rules.cycles;
     let text = match letter {
         b'R' if view.table.lexicon.registers => "R level, written R0+…: where feeding begins",
@@ -618,7 +618,7 @@ mod tests {
 
     /// What a letter means with a G code (ten times its number) on a control.
     fn says(control: &str, code: u16, letter: u8) -> Option<String> {
-        let view = View::all().into_iter().find(|view| view.table.name == control).unwrap();
+        let view = ControlView::all().into_iter().find(|view| view.table.name == control).unwrap();
         let row = codes(view.table, b'G').iter().find(|row| row.code == code).unwrap();
         word_meaning(row, letter, &view)
     }

@@ -2,17 +2,18 @@
 
 use chordal::Code;
 use chordal::control::Action;
-use chordal::control::table::{CodeRow, ControlTable, DataTarget, Group, code_name};
+use chordal::control::table::{CodeGroup, CodeRow, ControlTable, DataTarget, code_name};
 use chordal::control::{COMMON_SETTINGS, Certainty, Setting};
 
 use crate::meaning::{
-    View, codes, group_name, letter_meanings, own_value, target_name, without_places, word_rows,
+    ControlView, codes, group_name, letter_meanings, own_value, target_name, without_places,
+    word_rows,
 };
 use crate::reference::{HEAD, cell, diagnostics, not_carried_out, table_row};
 
 /// The page of a control.
 pub(super) fn page(table: &'static ControlTable) -> String {
-    let view = View { table, parameters: table.parameters };
+    let view = ControlView { table, parameters: table.parameters };
     let mut text = format!(
         "# {}\n\n{HEAD}\n\
          In a machine file: `control = \"{}\"`. Source: {}.\n\n\
@@ -48,7 +49,7 @@ fn runs(table: &'static ControlTable, letter: u8) -> Vec<&'static [CodeRow]> {
     runs.filter(|run| !run[0].action.is_left_out()).collect()
 }
 
-fn code_row(letter: u8, run: &[CodeRow], view: &View) -> String {
+fn code_row(letter: u8, run: &[CodeRow], view: &ControlView) -> String {
     let row = &run[0];
     let name = |row: &CodeRow| code_name(letter, row.code);
     let names = match run {
@@ -58,15 +59,18 @@ fn code_row(letter: u8, run: &[CodeRow], view: &View) -> String {
     };
     let group = match (row.action, row.group) {
         (Action::NoEffect, _) => "no effect on path or time".to_string(),
-        (_, Group::OneShot) => "this block only".into(),
-        (_, Group::Auxiliary | Group::Stopping | Group::Calling | Group::ToolChange) => "–".into(),
+        (_, CodeGroup::OneShot) => "this block only".into(),
+        (
+            _,
+            CodeGroup::Auxiliary | CodeGroup::Stopping | CodeGroup::Calling | CodeGroup::ToolChange,
+        ) => "–".into(),
         (_, group) => group_name(group),
     };
     table_row(&[names, cell(row.title), group, words(row, view)])
 }
 
 /// `Q` depth of each peck …
-fn words(row: &CodeRow, view: &View) -> String {
+fn words(row: &CodeRow, view: &ControlView) -> String {
     let lines = word_rows(row, view).into_iter().map(|(letters, meaning)| {
         let letters: Vec<String> = letters.split(' ').map(|letter| format!("`{letter}`")).collect();
         format!("{} {}", letters.join(" "), cell(&meaning))
@@ -129,7 +133,7 @@ fn not_here(table: &ControlTable) -> String {
     text
 }
 
-fn letters(view: &View) -> String {
+fn letters(view: &ControlView) -> String {
     let mut text = String::from(
         "\n## Letters\n\nWhat a letter means by itself. With a code, see the words of the code.\n\n\
          | letter | meaning |\n|---|---|\n",
@@ -144,7 +148,7 @@ fn letters(view: &View) -> String {
     text
 }
 
-fn settings(view: &View) -> String {
+fn settings(view: &ControlView) -> String {
     let mut text = String::from(
         "\n## Settings\n\n\
          Written in the machine file under `[settings]`. How sure: *documented* in a manual; *inferred* from\n\
@@ -167,7 +171,7 @@ fn settings(view: &View) -> String {
     text
 }
 
-fn setting_cells(setting: &Setting, view: &View) -> Vec<String> {
+fn setting_cells(setting: &Setting, view: &ControlView) -> Vec<String> {
     let values: Vec<String> = setting
         .values
         .iter()

@@ -5,7 +5,7 @@ use chordal::machine::{SchemaKey, schema_keys};
 use crate::reference::{HEAD, cell, table_row};
 
 /// A table of a machine file.
-struct Section {
+struct TableSection {
     /// What its keys begin with; empty for those outside of tables.
     table: &'static str,
     about: &'static str,
@@ -129,8 +129,8 @@ fn default_of(path: &str) -> &'static str {
     }
 }
 
-const SECTIONS: &[Section] = &[
-    Section {
+const SECTIONS: &[TableSection] = &[
+    TableSection {
         table: "",
         about: "",
         example: "
@@ -142,7 +142,7 @@ control = \"fanuc\"
 turret = \"front\"   # of a lathe
 turret_clearance = \"50 mm\"",
     },
-    Section {
+    TableSection {
         table: "axes",
         about: "Machine coordinates, as the control shows them. `chordal calibrate` fits acceleration and jerk to \
                 measured cycle times.",
@@ -159,7 +159,7 @@ programmed = \"radius\"          # \"diameter\" for X of a lathe
 [axes.A]
 max_velocity = \"100 deg/s\"",
     },
-    Section {
+    TableSection {
         table: "rotary",
         about: "Only pictures need this table.",
         example: "
@@ -169,7 +169,7 @@ reversed = false
 center.Y = \"0 mm\"
 center.Z = \"-50 mm\"",
     },
-    Section {
+    TableSection {
         table: "feed",
         about: "",
         example: "
@@ -177,13 +177,13 @@ center.Z = \"-50 mm\"",
 max = \"650 in/min\"
 max_rotary = \"5000 deg/min\"",
     },
-    Section { table: "rapid", about: "", example: "[rapid]\nshape = \"dog-leg\"" },
-    Section {
+    TableSection { table: "rapid", about: "", example: "[rapid]\nshape = \"dog-leg\"" },
+    TableSection {
         table: "spindle",
         about: "",
         example: "[spindle]\nmax = \"8100 rpm\"\nlive_max = \"6000 rpm\"\npower = \"30 hp\"",
     },
-    Section {
+    TableSection {
         table: "tools",
         about: "A table for each tool, or `--tools tool.tbl` with a tool table of LinuxCNC. `--settings dump.txt` takes what a \
                 GRBL machine prints for `$$`.",
@@ -237,7 +237,7 @@ width = \"3 mm\"
 lead_angle = \"6 deg\"
 facing = \"outside\"",
     },
-    Section {
+    TableSection {
         table: "work_offsets",
         about: "",
         example: "
@@ -249,23 +249,23 @@ Z = \"-20.5 in\"
 [work_offsets.\"G154 P1\"]
 X = \"-3 in\"",
     },
-    Section {
+    TableSection {
         table: "home",
         about: "",
         example: "[home]\nX = \"0 mm\"\nY = \"0 mm\"\nZ = \"0 mm\"",
     },
-    Section {
+    TableSection {
         table: "reference_points",
         about: "",
         example: "[reference_points.2]\nX = \"-381 mm\"\nZ = \"0 mm\"",
     },
-    Section {
+    TableSection {
         table: "switches",
         about: "The switches of the operator's panel.",
         example: "[switches]\nblock_delete = [1, 3]\noptional_stop = true",
     },
-    Section { table: "program", about: "", example: "[program]\nclearance = \"0.1 in\"" },
-    Section {
+    TableSection { table: "program", about: "", example: "[program]\nclearance = \"0.1 in\"" },
+    TableSection {
         table: "motion",
         about: "How the machine moves, where neither the program nor a setting of the control says it.",
         example: "
@@ -278,7 +278,7 @@ exact_path_tolerance = \"0.001 mm\"
 rapid_corner_tolerance = \"5 mm\"
 rotary_tolerance = \"0.01 deg\"",
     },
-    Section {
+    TableSection {
         table: "times",
         about: "What takes time besides moving.",
         example: "
@@ -289,7 +289,7 @@ spindle_orient = \"1 s\"
 probe = \"0.1 s\"
 m_code = \"0.2 s\"",
     },
-    Section {
+    TableSection {
         table: "macros",
         about: "What macro programs find when the program starts.",
         example: "
@@ -299,7 +299,7 @@ time = \"13:45:00\"
 inputs = [2, 0.5]
 variables.500 = 12.7",
     },
-    Section {
+    TableSection {
         table: "shop_codes",
         about: "Custom M codes, and programs that the control has and no file holds: probing and other macros of the machine \
 builder. A called program that neither a file nor this section has is an error (CH201), because nobody knows what it moves. \
@@ -318,17 +318,17 @@ time = \"1 s\"
 [shop_codes.O9810]
 blocks = \"G1 X#24 Y#25 Z#26 F#9\"",
     },
-    Section {
+    TableSection {
         table: "probe",
         about: "",
         example: "[probe]\nhit = \"end\"\n\n# or planes\n[probe.hit]\nZ = \"0 mm\"",
     },
-    Section {
+    TableSection {
         table: "settings",
         about: "",
         example: "[settings]\n\"No. 3410\" = \"0.02 mm\"\nradius_offsets = \"diameter\"",
     },
-    Section {
+    TableSection {
         table: "stock",
         about: "What `chordal stock` cuts ([stock](stock.md)). A setup file is a machine file that names its machine with `machine`.",
         example: "
@@ -350,7 +350,7 @@ turned_over = \"X\"
 material = \"aluminium\"
 ",
     },
-    Section {
+    TableSection {
         table: "materials",
         about: "Values of the shop for [power and torque](engagement.md#materials), by the words of `[stock] material`.",
         example: "
@@ -360,7 +360,7 @@ m_c = 0.18
 source = \"measured on the VF-2\"
 ",
     },
-    Section {
+    TableSection {
         table: "fixtures",
         about: "The same keys for each body that must not be touched.",
         example: "
@@ -371,7 +371,7 @@ to = { X = \"90 mm\", Y = \"80 mm\", Z = \"-15 mm\" }
 clearance = \"1 mm\"
 ",
     },
-    Section {
+    TableSection {
         table: "target",
         about: "The same keys for the part as it should be.",
         example: "

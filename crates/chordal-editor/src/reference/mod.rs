@@ -11,10 +11,10 @@ mod not_carried_out;
 use chordal::control::CONTROLS;
 
 /// A page: its path below the root of the project, and its text.
-pub type Page = (String, String);
+pub type ReferencePage = (String, String);
 
 /// All pages that are written from tables.
-pub fn pages() -> Vec<Page> {
+pub fn pages() -> Vec<ReferencePage> {
     let mut pages = vec![
         ("docs/machine-files.md".to_string(), machine_files::page()),
         ("docs/reference/diagnostics.md".to_string(), diagnostics::page()),

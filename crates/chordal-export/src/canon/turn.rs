@@ -11,14 +11,14 @@ const FLAT_MM: f64 = 1e-9;
 /// The turn about the zero of the work coordinate system, and what presets and shifts put between that and the zero of
 /// the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Turn {
+pub(super) struct CoordinateRotation {
     /// Counter-clockwise, degrees.
     pub(super) degrees: f64,
     /// The sum of G92 and G52, mm and rad.
     pub(super) preset: Position,
 }
 
-impl Turn {
+impl CoordinateRotation {
     fn acts(&self) -> bool {
         self.degrees % 360.0 != 0.0
     }

@@ -14,16 +14,16 @@ use chordal::SourceMap;
 
 /// Values of which rows may have none.
 #[derive(Debug)]
-struct Gaps<T> {
+struct NullableColumn<T> {
     values: Vec<T>,
     nulls: NullBufferBuilder,
     /// What lies where there is none.
     gap: T,
 }
 
-impl<T: Copy> Gaps<T> {
-    fn new(gap: T) -> Gaps<T> {
-        Gaps { values: Vec::new(), nulls: NullBufferBuilder::new(0), gap }
+impl<T: Copy> NullableColumn<T> {
+    fn new(gap: T) -> NullableColumn<T> {
+        NullableColumn { values: Vec::new(), nulls: NullBufferBuilder::new(0), gap }
     }
 
     /// The value of a row; rows before it that got none are gaps.
@@ -52,11 +52,11 @@ impl<T: Copy> Gaps<T> {
 
 /// Doubles. A gap is null, and NaN to who looks at the numbers alone.
 #[derive(Debug)]
-pub(super) struct Numbers(Gaps<f64>);
+pub(super) struct NumberColumn(NullableColumn<f64>);
 
-impl Numbers {
-    pub fn new() -> Numbers {
-        Numbers(Gaps::new(f64::NAN))
+impl NumberColumn {
+    pub fn new() -> NumberColumn {
+        NumberColumn(NullableColumn::new(f64::NAN))
     }
 
     /// The value of a row, where it is a number.
@@ -75,11 +75,11 @@ impl Numbers {
 
 /// Whole numbers from 0.
 #[derive(Debug)]
-pub(super) struct Integers(Gaps<u32>);
+pub(super) struct IntegerColumn(NullableColumn<u32>);
 
-impl Integers {
-    pub fn new() -> Integers {
-        Integers(Gaps::new(0))
+impl IntegerColumn {
+    pub fn new() -> IntegerColumn {
+        IntegerColumn(NullableColumn::new(0))
     }
 
     #[inline]
@@ -95,14 +95,14 @@ impl Integers {
 
 /// Words of a small set.
 #[derive(Debug)]
-pub(super) struct Words {
+pub(super) struct WordColumn {
     words: &'static [&'static str],
-    keys: Gaps<i8>,
+    keys: NullableColumn<i8>,
 }
 
-impl Words {
-    pub fn new(words: &'static [&'static str]) -> Words {
-        Words { words, keys: Gaps::new(0) }
+impl WordColumn {
+    pub fn new(words: &'static [&'static str]) -> WordColumn {
+        WordColumn { words, keys: NullableColumn::new(0) }
     }
 
     /// The word of a row, by its place in the set.
@@ -128,14 +128,14 @@ impl Words {
 
 /// Which text a row comes from.
 #[derive(Debug)]
-pub(super) struct Files<'a> {
+pub(super) struct FileColumn<'a> {
     sources: &'a SourceMap<'a>,
     keys: Vec<i16>,
 }
 
-impl<'a> Files<'a> {
-    pub fn of(job: &'a chordal::Job<'a>) -> Files<'a> {
-        Files { sources: job.sources(), keys: Vec::new() }
+impl<'a> FileColumn<'a> {
+    pub fn of(job: &'a chordal::Job<'a>) -> FileColumn<'a> {
+        FileColumn { sources: job.sources(), keys: Vec::new() }
     }
 
     #[inline]
@@ -155,11 +155,11 @@ impl<'a> Files<'a> {
 
 /// Yes and no.
 #[derive(Debug)]
-pub(super) struct Flags(Gaps<bool>);
+pub(super) struct FlagColumn(NullableColumn<bool>);
 
-impl Flags {
-    pub fn new() -> Flags {
-        Flags(Gaps::new(false))
+impl FlagColumn {
+    pub fn new() -> FlagColumn {
+        FlagColumn(NullableColumn::new(false))
     }
 
     #[inline]
@@ -175,14 +175,14 @@ impl Flags {
 
 /// Text.
 #[derive(Debug)]
-pub(super) struct Texts {
+pub(super) struct TextColumn {
     builder: StringBuilder,
     rows: usize,
 }
 
-impl Texts {
-    pub fn new() -> Texts {
-        Texts { builder: StringBuilder::with_capacity(0, 0), rows: 0 }
+impl TextColumn {
+    pub fn new() -> TextColumn {
+        TextColumn { builder: StringBuilder::with_capacity(0, 0), rows: 0 }
     }
 
     pub fn put(&mut self, row: usize, text: &str) {

@@ -9,12 +9,12 @@ use chordal::control::AxisMask;
 use chordal::geometry::{ChordError, ParamCurve, Placement, Vec3};
 use chordal::{Job, Segment, SegmentKind};
 
-use super::cells::{Files, Integers, Numbers, Words};
-use super::field::{Cell, Column, places, schema};
+use super::cells::{FileColumn, IntegerColumn, NumberColumn, WordColumn};
+use super::field::{CellType, Column, places, schema};
 #[cfg(feature = "files")]
 use super::file::ColumnFile;
 use super::path::{KINDS, kind_key};
-use super::rows::Rows;
+use super::rows::RowBatcher;
 use crate::chords::{error_mm, known_chords};
 
 /// Name and version of the columns of chords.
@@ -27,31 +27,31 @@ pub struct ChordColumns<'a> {
     tolerance_mm: f64,
     placement: Placement,
     rows: usize,
-    line: Integers,
-    file: Files<'a>,
-    kind: Words,
-    tool: Integers,
-    numbers: [Numbers; 8],
+    line: IntegerColumn,
+    file: FileColumn<'a>,
+    kind: WordColumn,
+    tool: IntegerColumn,
+    numbers: [NumberColumn; 8],
 }
 
 pub(super) fn columns() -> Vec<Column> {
     let mut columns = vec![
-        Column::new("line", Cell::Integer, "", "line of the block, from 1"),
-        Column::new("file", Cell::File, "", "the text that the block is in"),
-        Column::new("kind", Cell::Word, "", "kind of move of the chord"),
-        Column::new("tool", Cell::Integer, "", "the tool in the spindle"),
+        Column::new("line", CellType::Integer, "", "line of the block, from 1"),
+        Column::new("file", CellType::File, "", "the text that the block is in"),
+        Column::new("kind", CellType::Word, "", "kind of move of the chord"),
+        Column::new("tool", CellType::Integer, "", "the tool in the spindle"),
     ];
-    let places = |end, meaning| places(AxisMask::LINEAR, end, Cell::NumberOrGap, meaning);
+    let places = |end, meaning| places(AxisMask::LINEAR, end, CellType::NumberOrGap, meaning);
     columns.extend(places("from", "start of the chord, frame of the run, where known"));
     columns.extend(places("to", "end of the chord, frame of the run, where known"));
     columns.push(Column::new(
         "length_mm",
-        Cell::NumberOrGap,
+        CellType::NumberOrGap,
         "mm",
         "length of the chord, where known",
     ));
     let error = "largest distance of the curve from the chord";
-    columns.push(Column::new("error_mm", Cell::Number, "mm", error));
+    columns.push(Column::new("error_mm", CellType::Number, "mm", error));
     columns
 }
 
@@ -65,11 +65,11 @@ impl<'a> ChordColumns<'a> {
             tolerance_mm,
             placement,
             rows: 0,
-            line: Integers::new(),
-            file: Files::of(job),
-            kind: Words::new(KINDS),
-            tool: Integers::new(),
-            numbers: std::array::from_fn(|_| Numbers::new()),
+            line: IntegerColumn::new(),
+            file: FileColumn::of(job),
+            kind: WordColumn::new(KINDS),
+            tool: IntegerColumn::new(),
+            numbers: std::array::from_fn(|_| NumberColumn::new()),
         }
     }
 
@@ -112,7 +112,7 @@ impl<'a> ChordColumns<'a> {
     }
 }
 
-impl Rows for ChordColumns<'_> {
+impl RowBatcher for ChordColumns<'_> {
     fn rows(&self) -> usize {
         self.rows
     }

@@ -9,11 +9,11 @@ use chordal::geometry::ParamCurve;
 use chordal::path::curve_of;
 use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 
-use super::cells::{Files, Flags, Integers, Numbers, Texts, Words};
-use super::field::{Cell, Column, axes_of, places, schema};
-use super::rows::Rows;
+use super::cells::{FileColumn, FlagColumn, IntegerColumn, NumberColumn, TextColumn, WordColumn};
+use super::field::{CellType, Column, axes_of, places, schema};
+use super::rows::RowBatcher;
 use crate::motion::{
-    Written, feed_mode_word, path_feed, plane_word, side_word, spindle_word, spline_feed,
+    PositionScale, feed_mode_word, path_feed, plane_word, side_word, spindle_word, spline_feed,
     spline_length,
 };
 
@@ -63,40 +63,42 @@ pub struct CommandColumns<'a> {
     sources: &'a SourceMap<'a>,
     naming: chordal::control::WorkNaming,
     axes: Vec<usize>,
-    written: Written,
+    written: PositionScale,
     of_path: bool,
     rows: usize,
-    line: Integers,
-    file: Files<'a>,
-    kind: Words,
-    from: Vec<Numbers>,
-    to: Vec<Numbers>,
+    line: IntegerColumn,
+    file: FileColumn<'a>,
+    kind: WordColumn,
+    from: Vec<NumberColumn>,
+    to: Vec<NumberColumn>,
     arc: ArcCells,
-    length: Numbers,
-    feed: Numbers,
-    seconds: Numbers,
-    number: Integers,
-    state: Texts,
-    rpm: Numbers,
-    value: Numbers,
-    text: Texts,
-    side: Words,
-    radius: Numbers,
-    inserted: Flags,
+    length: NumberColumn,
+    feed: NumberColumn,
+    seconds: NumberColumn,
+    number: IntegerColumn,
+    state: TextColumn,
+    rpm: NumberColumn,
+    value: NumberColumn,
+    text: TextColumn,
+    side: WordColumn,
+    radius: NumberColumn,
+    inserted: FlagColumn,
 }
 
 #[derive(Debug)]
 struct ArcCells {
-    plane: Words,
-    center: [Numbers; 2],
-    direction: Words,
-    sweep: Numbers,
-    radii: [Numbers; 2],
+    plane: WordColumn,
+    center: [NumberColumn; 2],
+    direction: WordColumn,
+    sweep: NumberColumn,
+    radii: [NumberColumn; 2],
 }
 
 /// The columns of commands, those of the tool centre with what compensation did.
 pub(super) fn columns(axes: AxisMask, of_path: bool) -> Vec<Column> {
-    use Cell::{File, FlagOrGap, Integer, IntegerOrGap, NumberOrGap, TextOrGap, Word, WordOrGap};
+    use CellType::{
+        File, FlagOrGap, Integer, IntegerOrGap, NumberOrGap, TextOrGap, Word, WordOrGap,
+    };
     let column = Column::new;
     let mut columns = vec![
         column("line", Integer, "", "line of the block, from 1"),
@@ -167,31 +169,31 @@ impl<'a> CommandColumns<'a> {
         let axes = axes_of(job);
         let name = if of_path { TOOL_PATH_COLUMNS } else { COMMAND_COLUMNS };
         let axes_listed: Vec<usize> = axes.iter().map(|axis| axis as usize).collect();
-        let numbers = || axes_listed.iter().map(|_| Numbers::new()).collect::<Vec<_>>();
+        let numbers = || axes_listed.iter().map(|_| NumberColumn::new()).collect::<Vec<_>>();
         CommandColumns {
             schema: schema(job, name, &columns(axes, of_path), &[]),
             sources: job.sources(),
-            written: Written::of(job),
+            written: PositionScale::of(job),
             naming: job.control().table.work_names,
             of_path,
             rows: 0,
-            line: Integers::new(),
-            file: Files::of(job),
-            kind: Words::new(KINDS),
+            line: IntegerColumn::new(),
+            file: FileColumn::of(job),
+            kind: WordColumn::new(KINDS),
             from: numbers(),
             to: numbers(),
             arc: ArcCells::new(),
-            length: Numbers::new(),
-            feed: Numbers::new(),
-            seconds: Numbers::new(),
-            number: Integers::new(),
-            state: Texts::new(),
-            rpm: Numbers::new(),
-            value: Numbers::new(),
-            text: Texts::new(),
-            side: Words::new(SIDES),
-            radius: Numbers::new(),
-            inserted: Flags::new(),
+            length: NumberColumn::new(),
+            feed: NumberColumn::new(),
+            seconds: NumberColumn::new(),
+            number: IntegerColumn::new(),
+            state: TextColumn::new(),
+            rpm: NumberColumn::new(),
+            value: NumberColumn::new(),
+            text: TextColumn::new(),
+            side: WordColumn::new(SIDES),
+            radius: NumberColumn::new(),
+            inserted: FlagColumn::new(),
             axes: axes_listed,
         }
     }
@@ -271,7 +273,7 @@ impl<'a> CommandColumns<'a> {
     #[inline]
     fn ends(&mut self, motion: &Move) {
         let (row, written) = (self.rows, self.written);
-        let put = |columns: &mut [Numbers], position: &Position, known: AxisMask| {
+        let put = |columns: &mut [NumberColumn], position: &Position, known: AxisMask| {
             for (column, axis) in columns.iter_mut().zip(&self.axes) {
                 if known.has(*axis) {
                     column.put(row, written.place(*axis, position[*axis]));
@@ -409,7 +411,7 @@ impl<'a> CommandColumns<'a> {
     }
 }
 
-impl Rows for CommandColumns<'_> {
+impl RowBatcher for CommandColumns<'_> {
     fn rows(&self) -> usize {
         self.rows
     }
@@ -448,11 +450,11 @@ impl Rows for CommandColumns<'_> {
 impl ArcCells {
     fn new() -> ArcCells {
         ArcCells {
-            plane: Words::new(PLANES),
-            center: [Numbers::new(), Numbers::new()],
-            direction: Words::new(DIRECTIONS),
-            sweep: Numbers::new(),
-            radii: [Numbers::new(), Numbers::new()],
+            plane: WordColumn::new(PLANES),
+            center: [NumberColumn::new(), NumberColumn::new()],
+            direction: WordColumn::new(DIRECTIONS),
+            sweep: NumberColumn::new(),
+            radii: [NumberColumn::new(), NumberColumn::new()],
         }
     }
 

@@ -3,13 +3,13 @@
 use chordal::control::Origin;
 use chordal::stock::MoveEngagement;
 
-use super::moves::{Cut, Number, number};
+use super::moves::{CuttingMoveData, NumberSpec, number};
 
 /// Name and version of the columns of engagement.
 pub const ENGAGEMENT_COLUMNS: &str = "chordal.engagement-columns/1";
 
 /// Every number of a move.
-const NUMBERS: [Number<MoveEngagement>; 19] = [
+const NUMBERS: [NumberSpec<MoveEngagement>; 19] = [
     number("length_mm", "mm", "length of the move", |each| Some(each.length_mm)),
     number("engaged_mm", "mm", "how long the tool may be in material", |each| {
         Some(each.engaged_mm)
@@ -61,9 +61,9 @@ const NUMBERS: [Number<MoveEngagement>; 19] = [
     number("torque_nm", "N·m", "torque, an estimate to 30 %", |each| Some(each.effort?.torque_nm)),
 ];
 
-impl Cut for MoveEngagement {
+impl CuttingMoveData for MoveEngagement {
     const COLUMNS: &'static str = ENGAGEMENT_COLUMNS;
-    const NUMBERS: &'static [Number<MoveEngagement>] = &NUMBERS;
+    const NUMBERS: &'static [NumberSpec<MoveEngagement>] = &NUMBERS;
 
     fn origin(&self) -> Origin {
         self.origin

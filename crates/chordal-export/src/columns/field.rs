@@ -9,11 +9,11 @@ use chordal::control::AxisMask;
 use chordal::diagnostics::FileId;
 
 use crate::digest::sha256_hex;
-use crate::motion::Written;
+use crate::motion::PositionScale;
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Cell {
+pub(super) enum CellType {
     /// A double in every row.
     Number,
     /// A double, or a gap.
@@ -36,21 +36,21 @@ pub(super) enum Cell {
     TextOrGap,
 }
 
-impl Cell {
+impl CellType {
     pub fn data_type(self) -> DataType {
         let words = |key| DataType::Dictionary(Box::new(key), Box::new(DataType::Utf8));
         match self {
-            Cell::Number | Cell::NumberOrGap => DataType::Float64,
-            Cell::Integer | Cell::IntegerOrGap => DataType::UInt32,
-            Cell::Word | Cell::WordOrGap => words(DataType::Int8),
-            Cell::File => words(DataType::Int16),
-            Cell::Flag | Cell::FlagOrGap => DataType::Boolean,
-            Cell::TextOrGap => DataType::Utf8,
+            CellType::Number | CellType::NumberOrGap => DataType::Float64,
+            CellType::Integer | CellType::IntegerOrGap => DataType::UInt32,
+            CellType::Word | CellType::WordOrGap => words(DataType::Int8),
+            CellType::File => words(DataType::Int16),
+            CellType::Flag | CellType::FlagOrGap => DataType::Boolean,
+            CellType::TextOrGap => DataType::Utf8,
         }
     }
 
     pub fn has_gaps(self) -> bool {
-        use Cell::{FlagOrGap, IntegerOrGap, NumberOrGap, TextOrGap, WordOrGap};
+        use CellType::{FlagOrGap, IntegerOrGap, NumberOrGap, TextOrGap, WordOrGap};
         matches!(self, NumberOrGap | IntegerOrGap | WordOrGap | FlagOrGap | TextOrGap)
     }
 }
@@ -59,13 +59,13 @@ impl Cell {
 #[derive(Clone, Debug)]
 pub(super) struct Column {
     pub name: String,
-    pub cell: Cell,
+    pub cell: CellType,
     pub unit: &'static str,
     pub meaning: String,
 }
 
 impl Column {
-    pub fn new(name: &str, cell: Cell, unit: &'static str, meaning: &str) -> Column {
+    pub fn new(name: &str, cell: CellType, unit: &'static str, meaning: &str) -> Column {
         Column { name: name.into(), cell, unit, meaning: meaning.into() }
     }
 
@@ -79,7 +79,7 @@ impl Column {
 }
 
 /// The place of each axis, as `x_from_mm` or `a_from_deg`.
-pub(super) fn places(axes: AxisMask, end: &str, cell: Cell, meaning: &str) -> Vec<Column> {
+pub(super) fn places(axes: AxisMask, end: &str, cell: CellType, meaning: &str) -> Vec<Column> {
     let name = |axis: chordal::machine::Axis| {
         let unit = if axis.is_rotary() { "deg" } else { "mm" };
         let letter = axis.letter();
@@ -115,7 +115,7 @@ pub(super) fn schema(
         ("control", job.machine().control.as_str().to_string()),
     ];
     // A key of its own, so that nothing changes for a machine without diameters.
-    let diameters = Written::of(job).diameters();
+    let diameters = PositionScale::of(job).diameters();
     let diameters = (!diameters.is_empty()).then_some(("diameter", diameters));
     let more: Vec<_> = more.iter().cloned().chain(diameters).collect();
     schema_of(name, about, columns, &more)

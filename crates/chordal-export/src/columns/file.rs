@@ -10,7 +10,7 @@ use arrow_schema::{ArrowError, SchemaRef};
 use parquet::errors::ParquetError;
 
 use super::parquet::ParquetFile;
-use super::rows::{BATCH, Rows};
+use super::rows::{BATCH, RowBatcher};
 
 /// The formats of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,53 +25,53 @@ pub enum ColumnFormat {
 /// few thousand.
 pub struct ColumnFile<W, R> {
     rows: R,
-    table: Table,
-    out: Lent<W>,
+    table: TableWriter,
+    out: SharedOutput<W>,
 }
 
 /// A file of either format. What it writes to is a `dyn Write`, so that its code is made once.
-enum Table {
+enum TableWriter {
     Parquet(Box<ParquetFile>),
     Arrow(Box<FileWriter<Box<dyn Write + Send>>>),
 }
 
-impl Table {
+impl TableWriter {
     fn new(
         out: Box<dyn Write + Send>,
         format: ColumnFormat,
         schema: &SchemaRef,
-    ) -> io::Result<Table> {
+    ) -> io::Result<TableWriter> {
         Ok(match format {
             ColumnFormat::Parquet => {
-                Table::Parquet(Box::new(ParquetFile::new(out, schema).map_err(of_parquet)?))
+                TableWriter::Parquet(Box::new(ParquetFile::new(out, schema).map_err(of_parquet)?))
             }
             ColumnFormat::Arrow => {
-                Table::Arrow(Box::new(FileWriter::try_new(out, schema).map_err(of_arrow)?))
+                TableWriter::Arrow(Box::new(FileWriter::try_new(out, schema).map_err(of_arrow)?))
             }
         })
     }
 
     fn write(&mut self, batch: RecordBatch) -> io::Result<()> {
         match self {
-            Table::Parquet(out) => out.write(batch).map_err(of_parquet),
-            Table::Arrow(out) => out.write(&batch).map_err(of_arrow),
+            TableWriter::Parquet(out) => out.write(batch).map_err(of_parquet),
+            TableWriter::Arrow(out) => out.write(&batch).map_err(of_arrow),
         }
     }
 
     fn finish(self) -> io::Result<()> {
         match self {
-            Table::Parquet(out) => out.finish().map_err(of_parquet),
-            Table::Arrow(mut out) => out.finish().map_err(of_arrow),
+            TableWriter::Parquet(out) => out.finish().map_err(of_parquet),
+            TableWriter::Arrow(mut out) => out.finish().map_err(of_arrow),
         }
     }
 }
 
 /// An output lent to the writer of a table, and taken back from it.
-struct Lent<W>(Arc<Mutex<W>>);
+struct SharedOutput<W>(Arc<Mutex<W>>);
 
-impl<W> Lent<W> {
-    fn lend(&self) -> Lent<W> {
-        Lent(Arc::clone(&self.0))
+impl<W> SharedOutput<W> {
+    fn lend(&self) -> SharedOutput<W> {
+        SharedOutput(Arc::clone(&self.0))
     }
 
     fn with<T>(&self, what: impl FnOnce(&mut W) -> T) -> T {
@@ -86,7 +86,7 @@ impl<W> Lent<W> {
     }
 }
 
-impl<W: Write> Write for Lent<W> {
+impl<W: Write> Write for SharedOutput<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.with(|out| out.write(bytes))
     }
@@ -96,14 +96,14 @@ impl<W: Write> Write for Lent<W> {
     }
 }
 
-impl<W: Write + Send + 'static, R: Rows> ColumnFile<W, R> {
+impl<W: Write + Send + 'static, R: RowBatcher> ColumnFile<W, R> {
     /// Writes what stands before the rows.
     ///
     /// # Errors
     /// Those of the output.
     pub fn new(out: W, format: ColumnFormat, rows: R) -> io::Result<ColumnFile<W, R>> {
-        let out = Lent(Arc::new(Mutex::new(out)));
-        let table = Table::new(Box::new(out.lend()), format, rows.schema())?;
+        let out = SharedOutput(Arc::new(Mutex::new(out)));
+        let table = TableWriter::new(Box::new(out.lend()), format, rows.schema())?;
         Ok(ColumnFile { rows, table, out })
     }
 
@@ -145,8 +145,8 @@ impl<W: Write + Send + 'static, R: Rows> ColumnFile<W, R> {
 impl<W, R: fmt::Debug> fmt::Debug for ColumnFile<W, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let format = match self.table {
-            Table::Parquet(_) => ColumnFormat::Parquet,
-            Table::Arrow(_) => ColumnFormat::Arrow,
+            TableWriter::Parquet(_) => ColumnFormat::Parquet,
+            TableWriter::Arrow(_) => ColumnFormat::Arrow,
         };
         f.debug_struct("ColumnFile").field("rows", &self.rows).field("format", &format).finish()
     }

@@ -1,6 +1,6 @@
 //! Commands, path, chords and setpoints as columns: Arrow record batches.
 //!
-//! A builder ([`Rows`]) takes what a run pushes and gives a batch whenever it is asked, so that a
+//! A builder ([`RowBatcher`]) takes what a run pushes and gives a batch whenever it is asked, so that a
 //! caller holds as many rows as it wants: all of them, or a group of a file (`ColumnFile`). Lengths are mm, angles
 //! degrees, feeds mm/min, times s; every field says its unit, and the schema says its version,
 //! the program, the SHA-256 of its text, the machine and the control.
@@ -27,10 +27,10 @@ pub use commands::{COMMAND_COLUMNS, CommandColumns, TOOL_PATH_COLUMNS};
 pub use engagement::ENGAGEMENT_COLUMNS;
 #[cfg(feature = "files")]
 pub use file::{ColumnFile, ColumnFormat};
-pub use moves::{Cut, CutColumns, Number, cuts_csv};
+pub use moves::{CutColumns, CuttingMoveData, NumberSpec, cuts_csv};
 pub use path::{PATH_COLUMNS, PathColumns};
 pub use reference::column_reference;
-pub use rows::Rows;
+pub use rows::RowBatcher;
 pub use samples::SampleColumns;
 pub use section::{SECTION_COLUMNS, section_columns};
 pub use turning::TURNING_COLUMNS;

@@ -11,16 +11,16 @@ use chordal::Job;
 use chordal::control::Origin;
 use chordal::diagnostics::FileId;
 
-use super::cells::{Files, Integers, Numbers};
-use super::field::{Cell, Column, schema};
-use super::rows::Rows;
+use super::cells::{FileColumn, IntegerColumn, NumberColumn};
+use super::field::{CellType, Column, schema};
+use super::rows::RowBatcher;
 
 /// What is known of a move that cuts.
-pub trait Cut: Sized + 'static {
+pub trait CuttingMoveData: Sized + 'static {
     /// Name and version of its columns.
     const COLUMNS: &'static str;
     /// Every number of it.
-    const NUMBERS: &'static [Number<Self>];
+    const NUMBERS: &'static [NumberSpec<Self>];
 
     /// Its block.
     fn origin(&self) -> Origin;
@@ -31,7 +31,7 @@ pub trait Cut: Sized + 'static {
 
 /// A column of numbers: its name, its unit, what it means, its value.
 #[derive(Debug)]
-pub struct Number<T> {
+pub struct NumberSpec<T> {
     name: &'static str,
     unit: &'static str,
     meaning: &'static str,
@@ -43,50 +43,51 @@ pub(super) const fn number<T>(
     unit: &'static str,
     meaning: &'static str,
     value: fn(&T) -> Option<f64>,
-) -> Number<T> {
-    Number { name, unit, meaning, value }
+) -> NumberSpec<T> {
+    NumberSpec { name, unit, meaning, value }
 }
 
 /// The columns of a table of moves.
-pub(super) fn columns<T: Cut>() -> Vec<Column> {
+pub(super) fn columns<T: CuttingMoveData>() -> Vec<Column> {
     let mut columns = vec![
-        Column::new("line", Cell::Integer, "", "line of the block, from 1"),
-        Column::new("file", Cell::File, "", "the text that the block is in"),
-        Column::new("tool", Cell::Integer, "", "the tool in the spindle or turret"),
+        Column::new("line", CellType::Integer, "", "line of the block, from 1"),
+        Column::new("file", CellType::File, "", "the text that the block is in"),
+        Column::new("tool", CellType::Integer, "", "the tool in the spindle or turret"),
     ];
-    let number = |row: &Number<T>| Column::new(row.name, Cell::NumberOrGap, row.unit, row.meaning);
+    let number =
+        |row: &NumberSpec<T>| Column::new(row.name, CellType::NumberOrGap, row.unit, row.meaning);
     columns.extend(T::NUMBERS.iter().map(number));
     columns
 }
 
 /// Gathers moves that cut, one row each.
-pub struct CutColumns<'a, T: Cut> {
+pub struct CutColumns<'a, T: CuttingMoveData> {
     schema: SchemaRef,
     rows: usize,
-    line: Integers,
-    file: Files<'a>,
-    tool: Integers,
-    numbers: Vec<Numbers>,
+    line: IntegerColumn,
+    file: FileColumn<'a>,
+    tool: IntegerColumn,
+    numbers: Vec<NumberColumn>,
     of: PhantomData<fn(&T)>,
 }
 
-impl<T: Cut> fmt::Debug for CutColumns<'_, T> {
+impl<T: CuttingMoveData> fmt::Debug for CutColumns<'_, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut text = f.debug_struct("CutColumns");
         text.field("columns", &T::COLUMNS).field("rows", &self.rows).finish_non_exhaustive()
     }
 }
 
-impl<'a, T: Cut> CutColumns<'a, T> {
+impl<'a, T: CuttingMoveData> CutColumns<'a, T> {
     /// Columns for the cuts of a job.
     pub fn new(job: &'a Job<'a>) -> CutColumns<'a, T> {
         CutColumns {
             schema: schema(job, T::COLUMNS, &columns::<T>(), &[]),
             rows: 0,
-            line: Integers::new(),
-            file: Files::of(job),
-            tool: Integers::new(),
-            numbers: T::NUMBERS.iter().map(|_| Numbers::new()).collect(),
+            line: IntegerColumn::new(),
+            file: FileColumn::of(job),
+            tool: IntegerColumn::new(),
+            numbers: T::NUMBERS.iter().map(|_| NumberColumn::new()).collect(),
             of: PhantomData,
         }
     }
@@ -107,7 +108,7 @@ impl<'a, T: Cut> CutColumns<'a, T> {
     }
 }
 
-impl<T: Cut> Rows for CutColumns<'_, T> {
+impl<T: CuttingMoveData> RowBatcher for CutColumns<'_, T> {
     fn rows(&self) -> usize {
         self.rows
     }
@@ -128,7 +129,11 @@ impl<T: Cut> Rows for CutColumns<'_, T> {
 ///
 /// # Errors
 /// Those of the output.
-pub fn cuts_csv<T: Cut>(mut out: impl Write, job: &Job<'_>, moves: &[T]) -> io::Result<()> {
+pub fn cuts_csv<T: CuttingMoveData>(
+    mut out: impl Write,
+    job: &Job<'_>,
+    moves: &[T],
+) -> io::Result<()> {
     let names: Vec<String> = columns::<T>().into_iter().map(|column| column.name).collect();
     writeln!(out, "{}", names.join(","))?;
     let file = |id: FileId| {

@@ -70,7 +70,7 @@ impl ParquetFile {
         let Some(schema) = batches.first().map(RecordBatch::schema) else { return Ok(()) };
         let mut group = self.file.next_row_group()?;
         for (place, field) in schema.fields().iter().enumerate() {
-            let leaves: Vec<Vec<Leaf>> =
+            let leaves: Vec<Vec<ParquetLeaf>> =
                 batches.iter().map(|batch| leaves(field, batch.column(place))).collect();
             for leaf in 0..leaves[0].len() {
                 let missing = || ParquetError::General(format!("no column for {}", field.name()));
@@ -156,14 +156,14 @@ fn stored(field: &Field) -> Result<Type> {
 /// A place in a column of Parquet: how much of its path is there, at which level of its lists it
 /// goes on, and the value's place where there is one.
 #[derive(Clone, Copy)]
-struct Slot {
+struct ParquetSlot {
     definition: i16,
     repetition: i16,
     value: Option<usize>,
 }
 
 /// The values of one column of Parquet, and where they lie.
-struct Leaf {
+struct ParquetLeaf {
     values: ArrayRef,
     definition: Option<Vec<i16>>,
     repetition: Option<Vec<i16>>,
@@ -172,15 +172,16 @@ struct Leaf {
 }
 
 /// A column as the columns of Parquet that it becomes: a struct is one for each field.
-fn leaves(field: &Field, values: &ArrayRef) -> Vec<Leaf> {
+fn leaves(field: &Field, values: &ArrayRef) -> Vec<ParquetLeaf> {
     let rows = values.len();
     if let DataType::List(_) | DataType::Struct(_) = field.data_type() {
-        let slot = |row| Slot { definition: 0, repetition: 0, value: Some(row) };
+        let slot = |row| ParquetSlot { definition: 0, repetition: 0, value: Some(row) };
         let mut leaves = Vec::new();
         descend(field, values, (0..rows).map(slot).collect(), 0, &mut leaves);
         return leaves;
     }
-    let mut leaf = Leaf { values: values.clone(), definition: None, repetition: None, there: None };
+    let mut leaf =
+        ParquetLeaf { values: values.clone(), definition: None, repetition: None, there: None };
     if field.is_nullable() {
         let nulls = values.nulls().filter(|nulls| nulls.null_count() > 0);
         leaf.definition = Some(match nulls {
@@ -196,9 +197,9 @@ fn leaves(field: &Field, values: &ArrayRef) -> Vec<Leaf> {
 fn descend(
     field: &Field,
     values: &ArrayRef,
-    mut slots: Vec<Slot>,
+    mut slots: Vec<ParquetSlot>,
     lists: i16,
-    leaves: &mut Vec<Leaf>,
+    leaves: &mut Vec<ParquetLeaf>,
 ) {
     if field.is_nullable() {
         for slot in &mut slots {
@@ -215,11 +216,11 @@ fn descend(
                 let range =
                     slot.value.map(|value| offsets[value] as usize..offsets[value + 1] as usize);
                 let Some(range) = range.filter(|range| !range.is_empty()) else {
-                    inside.push(Slot { value: None, ..slot });
+                    inside.push(ParquetSlot { value: None, ..slot });
                     continue;
                 };
                 let first = range.start;
-                inside.extend(range.map(|value| Slot {
+                inside.extend(range.map(|value| ParquetSlot {
                     definition: slot.definition + 1,
                     repetition: if value == first { slot.repetition } else { lists + 1 },
                     value: Some(value),
@@ -232,7 +233,7 @@ fn descend(
                 descend(field, values, slots.clone(), lists, leaves);
             }
         }
-        _ => leaves.push(Leaf {
+        _ => leaves.push(ParquetLeaf {
             values: values.clone(),
             definition: Some(slots.iter().map(|slot| slot.definition).collect()),
             repetition: (lists > 0).then(|| slots.iter().map(|slot| slot.repetition).collect()),
@@ -241,7 +242,7 @@ fn descend(
     }
 }
 
-impl Leaf {
+impl ParquetLeaf {
     fn write(&self, column: &mut SerializedColumnWriter<'_>) -> Result<()> {
         match self.values.data_type() {
             DataType::Boolean => {

@@ -6,9 +6,9 @@ use chordal::control::AxisMask;
 use chordal::geometry::{Curve, ParamCurve, Vec3};
 use chordal::{Job, Segment, SegmentKind};
 
-use super::cells::{Files, Flags, Integers, Numbers, Words};
-use super::field::{Cell, Column, axes_of, of_axis, places, schema};
-use super::rows::Rows;
+use super::cells::{FileColumn, FlagColumn, IntegerColumn, NumberColumn, WordColumn};
+use super::field::{CellType, Column, axes_of, of_axis, places, schema};
+use super::rows::RowBatcher;
 
 /// Name and version of the columns of the exact path.
 pub const PATH_COLUMNS: &str = "chordal.path-columns/1";
@@ -31,24 +31,24 @@ pub struct PathColumns<'a> {
     schema: SchemaRef,
     axes: Vec<usize>,
     rows: usize,
-    line: Integers,
-    file: Files<'a>,
-    kind: Words,
-    tool: Integers,
-    known: Flags,
-    from: Vec<Numbers>,
-    to: Vec<Numbers>,
-    center: [Numbers; 3],
-    normal: [Numbers; 3],
-    radii: [Numbers; 2],
-    sweep: Numbers,
-    rise: Numbers,
-    length: Numbers,
-    seconds: Numbers,
+    line: IntegerColumn,
+    file: FileColumn<'a>,
+    kind: WordColumn,
+    tool: IntegerColumn,
+    known: FlagColumn,
+    from: Vec<NumberColumn>,
+    to: Vec<NumberColumn>,
+    center: [NumberColumn; 3],
+    normal: [NumberColumn; 3],
+    radii: [NumberColumn; 2],
+    sweep: NumberColumn,
+    rise: NumberColumn,
+    length: NumberColumn,
+    seconds: NumberColumn,
 }
 
 pub(super) fn columns(axes: AxisMask) -> Vec<Column> {
-    use Cell::{File, Flag, Integer, Number, NumberOrGap, Word};
+    use CellType::{File, Flag, Integer, Number, NumberOrGap, Word};
     let column = Column::new;
     let mut columns = vec![
         column("line", Integer, "", "line of the block, from 1"),
@@ -79,7 +79,7 @@ pub(super) fn columns(axes: AxisMask) -> Vec<Column> {
 }
 
 /// What a curve that turns has in addition to its ends.
-struct Turn {
+struct TurnFields {
     center: Vec3,
     normal: Vec3,
     radii: [f64; 2],
@@ -87,17 +87,17 @@ struct Turn {
     rise: f64,
 }
 
-fn turn_of(curve: &Curve) -> Option<Turn> {
+fn turn_of(curve: &Curve) -> Option<TurnFields> {
     match curve {
         Curve::Line(_) | Curve::Spline(_) => None,
-        Curve::Arc(arc) => Some(Turn {
+        Curve::Arc(arc) => Some(TurnFields {
             center: arc.center,
             normal: arc.w,
             radii: [arc.radius; 2],
             sweep: arc.sweep,
             rise: arc.rise,
         }),
-        Curve::Spiral(spiral) => Some(Turn {
+        Curve::Spiral(spiral) => Some(TurnFields {
             center: spiral.center,
             normal: spiral.w,
             radii: [spiral.radius_start, spiral.radius_end],
@@ -112,25 +112,25 @@ impl<'a> PathColumns<'a> {
     pub fn new(job: &'a Job<'a>) -> PathColumns<'a> {
         let axes = axes_of(job);
         let listed: Vec<usize> = axes.iter().map(|axis| axis as usize).collect();
-        let numbers = || listed.iter().map(|_| Numbers::new()).collect::<Vec<_>>();
-        let three = || std::array::from_fn(|_| Numbers::new());
+        let numbers = || listed.iter().map(|_| NumberColumn::new()).collect::<Vec<_>>();
+        let three = || std::array::from_fn(|_| NumberColumn::new());
         PathColumns {
             schema: schema(job, PATH_COLUMNS, &columns(axes), &[]),
             rows: 0,
-            line: Integers::new(),
-            file: Files::of(job),
-            kind: Words::new(KINDS),
-            tool: Integers::new(),
-            known: Flags::new(),
+            line: IntegerColumn::new(),
+            file: FileColumn::of(job),
+            kind: WordColumn::new(KINDS),
+            tool: IntegerColumn::new(),
+            known: FlagColumn::new(),
             from: numbers(),
             to: numbers(),
             center: three(),
             normal: three(),
-            radii: [Numbers::new(), Numbers::new()],
-            sweep: Numbers::new(),
-            rise: Numbers::new(),
-            length: Numbers::new(),
-            seconds: Numbers::new(),
+            radii: [NumberColumn::new(), NumberColumn::new()],
+            sweep: NumberColumn::new(),
+            rise: NumberColumn::new(),
+            length: NumberColumn::new(),
+            seconds: NumberColumn::new(),
             axes: listed,
         }
     }
@@ -142,7 +142,7 @@ impl<'a> PathColumns<'a> {
         if !(start.iter().chain(&end).all(|v| v.is_finite()) && segment.length_mm.is_finite()) {
             return;
         }
-        let put = |columns: &mut [Numbers], linear: [f64; 3], rotary: [f64; 3]| {
+        let put = |columns: &mut [NumberColumn], linear: [f64; 3], rotary: [f64; 3]| {
             for (column, axis) in columns.iter_mut().zip(&self.axes) {
                 let value = if *axis < 3 { linear[*axis] } else { rotary[*axis - 3] };
                 column.put(row, of_axis(*axis, value));
@@ -176,7 +176,7 @@ impl<'a> PathColumns<'a> {
     }
 }
 
-impl Rows for PathColumns<'_> {
+impl RowBatcher for PathColumns<'_> {
     fn rows(&self) -> usize {
         self.rows
     }

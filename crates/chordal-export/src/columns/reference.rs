@@ -5,7 +5,7 @@ use std::fmt::Write;
 use chordal::control::AxisMask;
 use chordal::stock::{MoveEngagement, TurnedMove};
 
-use super::field::{Cell, Column};
+use super::field::{CellType, Column};
 use super::{
     CHORD_COLUMNS, COMMAND_COLUMNS, ENGAGEMENT_COLUMNS, PATH_COLUMNS, SECTION_COLUMNS,
     TOOL_PATH_COLUMNS, TURNING_COLUMNS, chords, commands, moves, path, section,
@@ -54,8 +54,8 @@ pub fn column_reference() -> String {
         table(&mut page, title, name, &columns);
     }
     let setpoints: Vec<Column> = sample_columns(AxisMask::ALL)
-        .map(|(name, unit, meaning)| Column { name, cell: Cell::Number, unit, meaning })
-        .chain([Column::new("line", Cell::Integer, "", "line of the block, from 1")])
+        .map(|(name, unit, meaning)| Column { name, cell: CellType::Number, unit, meaning })
+        .chain([Column::new("line", CellType::Integer, "", "line of the block, from 1")])
         .collect();
     table(&mut page, "Setpoints", SAMPLE_SCHEMA, &setpoints);
     page
@@ -67,12 +67,12 @@ fn table(page: &mut String, title: &str, name: &str, columns: &[Column]) {
     for column in columns {
         let gap = if column.cell.has_gaps() { ", or a gap" } else { "" };
         let kind = match column.cell {
-            Cell::Number | Cell::NumberOrGap => "float64",
-            Cell::Integer | Cell::IntegerOrGap => "uint32",
-            Cell::Word | Cell::WordOrGap => "dictionary of words",
-            Cell::File => "dictionary of names",
-            Cell::Flag | Cell::FlagOrGap => "bool",
-            Cell::TextOrGap => "utf8",
+            CellType::Number | CellType::NumberOrGap => "float64",
+            CellType::Integer | CellType::IntegerOrGap => "uint32",
+            CellType::Word | CellType::WordOrGap => "dictionary of words",
+            CellType::File => "dictionary of names",
+            CellType::Flag | CellType::FlagOrGap => "bool",
+            CellType::TextOrGap => "utf8",
         };
         let Column { name, unit, meaning, .. } = column;
         let _ = writeln!(page, "| `{name}` | {kind}{gap} | {unit} | {meaning} |");

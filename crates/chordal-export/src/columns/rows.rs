@@ -7,7 +7,7 @@ use arrow_schema::{ArrowError, SchemaRef};
 pub(crate) const BATCH: usize = 1 << 13;
 
 /// What gathers rows and gives them as a batch when it is asked.
-pub trait Rows {
+pub trait RowBatcher {
     /// Rows gathered since the last batch.
     fn rows(&self) -> usize;
 

@@ -6,15 +6,15 @@ use arrow_array::{ArrayRef, Float64Array, RecordBatch, UInt32Array};
 use arrow_schema::{ArrowError, SchemaRef};
 use chordal::motion::Sample;
 
-use super::field::{Cell, Column, schema_of};
-use super::rows::{BATCH, Rows};
-use crate::setpoints::{SAMPLE_SCHEMA, SampleHead, Setpoint, sample_columns};
+use super::field::{CellType, Column, schema_of};
+use super::rows::{BATCH, RowBatcher};
+use crate::setpoints::{SAMPLE_SCHEMA, SampleHead, SetpointColumn, sample_columns};
 
 /// Gathers setpoints, one row each, and gives them as a batch when it is asked.
 #[derive(Debug)]
 pub struct SampleColumns {
     schema: SchemaRef,
-    columns: Vec<Setpoint>,
+    columns: Vec<SetpointColumn>,
     values: Vec<Vec<f64>>,
     lines: Vec<u32>,
 }
@@ -23,9 +23,9 @@ impl SampleColumns {
     /// Columns for setpoints.
     pub fn new(head: &SampleHead) -> SampleColumns {
         let mut columns: Vec<Column> = sample_columns(head.axes())
-            .map(|(name, unit, meaning)| Column { name, cell: Cell::Number, unit, meaning })
+            .map(|(name, unit, meaning)| Column { name, cell: CellType::Number, unit, meaning })
             .collect();
-        columns.push(Column::new("line", Cell::Integer, "", "line of the block, from 1"));
+        columns.push(Column::new("line", CellType::Integer, "", "line of the block, from 1"));
         let more = [("period_s", head.period_s.to_string())];
         let about = [
             ("program", head.program.clone()),
@@ -51,7 +51,7 @@ impl SampleColumns {
     }
 }
 
-impl Rows for SampleColumns {
+impl RowBatcher for SampleColumns {
     fn rows(&self) -> usize {
         self.lines.len()
     }

@@ -5,8 +5,8 @@ use arrow_schema::ArrowError;
 use chordal::Job;
 use chordal::stock::TurnedReport;
 
-use super::cells::{Flags, Integers, Numbers, Words};
-use super::field::{Cell, Column, schema};
+use super::cells::{FlagColumn, IntegerColumn, NumberColumn, WordColumn};
+use super::field::{CellType, Column, schema};
 
 /// Name and version of the columns of half sections.
 pub const SECTION_COLUMNS: &str = "chordal.section-columns/1";
@@ -14,35 +14,40 @@ pub const SECTION_COLUMNS: &str = "chordal.section-columns/1";
 const KINDS: &[&str] = &["line", "arc"];
 
 /// Name, unit and meaning of the numbers: those of arcs alone are gaps in lines.
-const NUMBERS: [(&str, Cell, &str, &str); 8] = [
-    ("z_from_mm", Cell::Number, "mm", "start along the axis"),
-    ("r_from_mm", Cell::Number, "mm", "start, distance from the axis: a radius"),
-    ("z_to_mm", Cell::Number, "mm", "end along the axis"),
-    ("r_to_mm", Cell::Number, "mm", "end, a radius"),
-    ("z_center_mm", Cell::NumberOrGap, "mm", "centre of an arc along the axis"),
-    ("r_center_mm", Cell::NumberOrGap, "mm", "centre of an arc, distance from the axis"),
-    ("radius_mm", Cell::NumberOrGap, "mm", "radius of an arc"),
-    ("sweep_deg", Cell::NumberOrGap, "deg", "angle of an arc, positive from z towards the radius"),
+const NUMBERS: [(&str, CellType, &str, &str); 8] = [
+    ("z_from_mm", CellType::Number, "mm", "start along the axis"),
+    ("r_from_mm", CellType::Number, "mm", "start, distance from the axis: a radius"),
+    ("z_to_mm", CellType::Number, "mm", "end along the axis"),
+    ("r_to_mm", CellType::Number, "mm", "end, a radius"),
+    ("z_center_mm", CellType::NumberOrGap, "mm", "centre of an arc along the axis"),
+    ("r_center_mm", CellType::NumberOrGap, "mm", "centre of an arc, distance from the axis"),
+    ("radius_mm", CellType::NumberOrGap, "mm", "radius of an arc"),
+    (
+        "sweep_deg",
+        CellType::NumberOrGap,
+        "deg",
+        "angle of an arc, positive from z towards the radius",
+    ),
 ];
 
 pub(super) fn columns() -> Vec<Column> {
     let mut columns = vec![
         Column::new(
             "part",
-            Cell::Integer,
+            CellType::Integer,
             "",
             "0 is in the chuck, 1 is the first that was cut off",
         ),
         Column::new(
             "loop",
-            Cell::Integer,
+            CellType::Integer,
             "",
             "loop of the part, from 0; the material is to its left",
         ),
-        Column::new("kind", Cell::Word, "", "line or arc"),
-        Column::new("tool", Cell::Integer, "", "the tool that made it; 0 is the stock"),
-        Column::new("line", Cell::IntegerOrGap, "", "line of the block that made it"),
-        Column::new("is_axis", Cell::Flag, "", "it lies on the axis: no surface"),
+        Column::new("kind", CellType::Word, "", "line or arc"),
+        Column::new("tool", CellType::Integer, "", "the tool that made it; 0 is the stock"),
+        Column::new("line", CellType::IntegerOrGap, "", "line of the block that made it"),
+        Column::new("is_axis", CellType::Flag, "", "it lies on the axis: no surface"),
     ];
     columns.extend(
         NUMBERS.iter().map(|(name, cell, unit, meaning)| Column::new(name, *cell, unit, meaning)),
@@ -56,9 +61,11 @@ pub(super) fn columns() -> Vec<Column> {
 /// None that a half section could cause.
 pub fn section_columns(job: &Job<'_>, found: &TurnedReport) -> Result<RecordBatch, ArrowError> {
     let mut rows = 0;
-    let (mut part, mut number, mut kind) = (Integers::new(), Integers::new(), Words::new(KINDS));
-    let (mut tool, mut line, mut is_axis) = (Integers::new(), Integers::new(), Flags::new());
-    let mut numbers: [Numbers; 8] = std::array::from_fn(|_| Numbers::new());
+    let (mut part, mut number, mut kind) =
+        (IntegerColumn::new(), IntegerColumn::new(), WordColumn::new(KINDS));
+    let (mut tool, mut line, mut is_axis) =
+        (IntegerColumn::new(), IntegerColumn::new(), FlagColumn::new());
+    let mut numbers: [NumberColumn; 8] = std::array::from_fn(|_| NumberColumn::new());
     for (which, section) in (0..).zip(found.sections()) {
         for (at, outline) in (0..).zip(section.outline()) {
             for segment in outline {

@@ -3,13 +3,13 @@
 use chordal::control::Origin;
 use chordal::stock::TurnedMove;
 
-use super::moves::{Cut, Number, number};
+use super::moves::{CuttingMoveData, NumberSpec, number};
 
 /// Name and version of the columns of turning.
 pub const TURNING_COLUMNS: &str = "chordal.turning-columns/1";
 
 /// Every number of a move.
-const NUMBERS: [Number<TurnedMove>; 11] = [
+const NUMBERS: [NumberSpec<TurnedMove>; 11] = [
     number("length_mm", "mm", "length of the move", |each| Some(each.length_mm)),
     number("engaged_mm", "mm", "how far the cut extends along the feed", |each| {
         Some(each.engaged_mm)
@@ -36,9 +36,9 @@ const NUMBERS: [Number<TurnedMove>; 11] = [
     number("power_kw", "kW", "power, an estimate to 30 %", |each| each.power_kw),
 ];
 
-impl Cut for TurnedMove {
+impl CuttingMoveData for TurnedMove {
     const COLUMNS: &'static str = TURNING_COLUMNS;
-    const NUMBERS: &'static [Number<TurnedMove>] = &NUMBERS;
+    const NUMBERS: &'static [NumberSpec<TurnedMove>] = &NUMBERS;
 
     fn origin(&self) -> Origin {
         self.origin

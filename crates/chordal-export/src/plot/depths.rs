@@ -8,7 +8,7 @@ const REACH: f64 = 1.5;
 const ENDS: f64 = 2.5;
 
 /// How near to the eye each pixel is, mm; minus infinity where nothing is.
-pub(super) struct Depths<'a> {
+pub(super) struct DepthBuffer<'a> {
     pub near: &'a [f64],
     pub width: usize,
     /// The side of a column, mm.
@@ -17,7 +17,7 @@ pub(super) struct Depths<'a> {
     pub pixel: f64,
 }
 
-impl Depths<'_> {
+impl DepthBuffer<'_> {
     /// The direction that each pixel of the surface has, on the sheet: to the right, up, to the eye.
     pub fn normals(&self) -> Vec<Vec3> {
         let across = self.smoothed(self.near, 1);
@@ -92,7 +92,7 @@ mod tests {
             x => (x / 4) as f64,
         };
         let near: Vec<f64> = (0..width * height).map(depth).collect();
-        let normals = Depths { near: &near, width, column: 1.0, pixel: 0.25 }.normals();
+        let normals = DepthBuffer { near: &near, width, column: 1.0, pixel: 0.25 }.normals();
         let expected = Vec3::new(-1.0, 0.0, 1.0).normalized().unwrap();
         for at in (14..28).map(|x| 15 * width + x) {
             assert!(normals[at].distance(expected) < 0.1, "{:?}", normals[at]);

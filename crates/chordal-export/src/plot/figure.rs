@@ -3,9 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use chordal::geometry::Vec2;
-use chordal_calc::{Figure, Mark, Style, Worked};
+use chordal_calc::{Figure, FigureElement, LineStyle, WorkedCalculation};
 
-use super::figure_labels::{Block, Px, extent, place};
+use super::figure_labels::{LabelBox, PixelPoint, extent, place};
 use super::palette::Palette;
 use super::text::{escape, px};
 use super::{PlotError, PlotOptions, render};
@@ -28,41 +28,41 @@ const SAMPLE: f64 = 4.0;
 const ARROW: f64 = 9.0;
 
 /// The sheet of a calculation as SVG. Sides below 200 px are drawn as 200.
-pub fn figure_svg(worked: &Worked, options: &PlotOptions) -> String {
-    Sheet::new(worked, options).draw()
+pub fn figure_svg(worked: &WorkedCalculation, options: &PlotOptions) -> String {
+    FigureSheet::new(worked, options).draw()
 }
 
 /// The sheet of a calculation as PNG.
 ///
 /// # Errors
 /// When the sheet has no reasonable size.
-pub fn figure_png(worked: &Worked, options: &PlotOptions) -> Result<Vec<u8>, PlotError> {
+pub fn figure_png(worked: &WorkedCalculation, options: &PlotOptions) -> Result<Vec<u8>, PlotError> {
     render(options.width_px, options.height_px, || figure_svg(worked, options))
 }
 
-struct Sheet<'a> {
-    worked: &'a Worked,
+struct FigureSheet<'a> {
+    worked: &'a WorkedCalculation,
     colors: &'static Palette,
     width: f64,
     height: f64,
     /// px of a unit.
     unit: f64,
     /// The drawing's room.
-    room: Block,
+    room: LabelBox,
     scale: f64,
     /// The middle of what is drawn, mm.
     middle: Vec2,
     out: String,
-    strokes: Vec<Px>,
-    names: Vec<(String, Px)>,
+    strokes: Vec<PixelPoint>,
+    names: Vec<(String, PixelPoint)>,
 }
 
-impl<'a> Sheet<'a> {
-    fn new(worked: &'a Worked, options: &PlotOptions) -> Sheet<'a> {
+impl<'a> FigureSheet<'a> {
+    fn new(worked: &'a WorkedCalculation, options: &PlotOptions) -> FigureSheet<'a> {
         let (width, height) =
             (f64::from(options.width_px).max(LEAST), f64::from(options.height_px).max(LEAST));
         let unit = (height / HEIGHT).min(width / 1.4 / HEIGHT).max(0.25);
-        let room = Block {
+        let room = LabelBox {
             left: MARGIN * unit,
             top: (MARGIN + HEAD) * unit,
             width: width * 0.62 - MARGIN * unit,
@@ -73,7 +73,7 @@ impl<'a> Sheet<'a> {
         let inside = 2.0 * AROUND * unit;
         let scale = ((room.width - inside).max(20.0) / wide)
             .min((room.height - inside).max(20.0) / high_mm);
-        Sheet {
+        FigureSheet {
             worked,
             colors: Palette::of(options.dark),
             width,
@@ -98,7 +98,7 @@ impl<'a> Sheet<'a> {
             escape(&self.worked.title),
             self.colors.sheet
         ));
-        let Block { left, top, width, height } = self.room;
+        let LabelBox { left, top, width, height } = self.room;
         self.out.push_str(&format!(
             "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n",
             px(left),
@@ -117,7 +117,7 @@ impl<'a> Sheet<'a> {
         self.out
     }
 
-    fn at(&self, point: Vec2) -> Px {
+    fn at(&self, point: Vec2) -> PixelPoint {
         let middle = self.room.middle();
         (
             middle.0 + (point.a - self.middle.a) * self.scale,
@@ -125,26 +125,26 @@ impl<'a> Sheet<'a> {
         )
     }
 
-    fn mark(&mut self, mark: &Mark) {
+    fn mark(&mut self, mark: &FigureElement) {
         match mark {
-            Mark::Line { from, to, style } => {
+            FigureElement::Line { from, to, style } => {
                 let (from, to) = (self.at(*from), self.at(*to));
                 self.stroke(&[from, to], &self.look(*style));
             }
-            Mark::Arc { center, radius, start, sweep, style } => {
+            FigureElement::Arc { center, radius, start, sweep, style } => {
                 let look = self.look(*style);
                 self.arc(*center, *radius, *start, *sweep, &look);
             }
-            Mark::Point { at, label } => self.point(*at, label),
-            Mark::Arrow { at, direction } => {
+            FigureElement::Point { at, label } => self.point(*at, label),
+            FigureElement::Arrow { at, direction } => {
                 let color = self.colors.tool(0);
                 let at = self.at(*at);
                 self.head(at, *direction, color, 1.25);
             }
-            Mark::Dimension { from, to, direction, through, text } => {
+            FigureElement::Dimension { from, to, direction, through, text } => {
                 self.dimension(*from, *to, *direction, *through, text);
             }
-            Mark::Angle { vertex, radius, start, sweep, text } => {
+            FigureElement::Angle { vertex, radius, start, sweep, text } => {
                 let look = self.thin();
                 self.arc(*vertex, *radius, *start, *sweep, &look);
                 let middle = *vertex + unit(start + sweep / 2.0) * *radius;
@@ -157,7 +157,7 @@ impl<'a> Sheet<'a> {
                 let middle = self.at(middle);
                 self.names.push((text.clone(), middle));
             }
-            Mark::Text { at, text } => {
+            FigureElement::Text { at, text } => {
                 let at = self.at(*at);
                 self.names.push((text.clone(), at));
             }
@@ -165,12 +165,12 @@ impl<'a> Sheet<'a> {
     }
 
     /// The attributes of a kind of line.
-    fn look(&self, style: Style) -> String {
+    fn look(&self, style: LineStyle) -> String {
         let (color, width, dash) = match style {
-            Style::Part => (self.colors.text, 2.6, ""),
-            Style::Path => (self.colors.tool(0), 2.0, "9 5"),
-            Style::Cutter => (self.colors.tool(1), 1.8, ""),
-            Style::Helper => (self.colors.faint, 1.0, "4 4"),
+            LineStyle::Part => (self.colors.text, 2.6, ""),
+            LineStyle::Path => (self.colors.tool(0), 2.0, "9 5"),
+            LineStyle::Cutter => (self.colors.tool(1), 1.8, ""),
+            LineStyle::Helper => (self.colors.faint, 1.0, "4 4"),
         };
         let dash: Vec<String> = dash
             .split_whitespace()
@@ -193,7 +193,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// A line through points, and what the texts have to know of it.
-    fn stroke(&mut self, points: &[Px], look: &str) {
+    fn stroke(&mut self, points: &[PixelPoint], look: &str) {
         let mut data = String::new();
         for (index, (x, y)) in points.iter().enumerate() {
             data.push_str(&format!("{}{} {}", if index == 0 { 'M' } else { 'L' }, px(*x), px(*y)));
@@ -214,7 +214,7 @@ impl<'a> Sheet<'a> {
         let pixels = (radius * self.scale).max(1.0);
         let step = 2.0 * (2.0 * 0.1 / pixels).sqrt();
         let count = (sweep.abs() / step).ceil().clamp(2.0, 2000.0);
-        let points: Vec<Px> = (0..=count as u32)
+        let points: Vec<PixelPoint> = (0..=count as u32)
             .map(|index| {
                 let angle = start + sweep * f64::from(index) / count;
                 self.at(center + unit(angle) * radius)
@@ -242,7 +242,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// An arrow head with its tip here.
-    fn head(&mut self, (x, y): Px, direction: f64, color: &str, size: f64) {
+    fn head(&mut self, (x, y): PixelPoint, direction: f64, color: &str, size: f64) {
         let length = ARROW * self.unit * size;
         let (sin, cos) = direction.sin_cos();
         // The sheet's y goes down.
@@ -290,7 +290,8 @@ impl<'a> Sheet<'a> {
         } else {
             // No room between: the arrows come from outside.
             let tail = 20.0 * self.unit / length.max(1e-9);
-            let beyond = |p: Px, q: Px| (p.0 + (p.0 - q.0) * tail, p.1 + (p.1 - q.1) * tail);
+            let beyond =
+                |p: PixelPoint, q: PixelPoint| (p.0 + (p.0 - q.0) * tail, p.1 + (p.1 - q.1) * tail);
             if length > 1e-9 {
                 self.stroke(&[beyond(a, b), beyond(b, a)], &look);
             }
@@ -433,19 +434,21 @@ fn bounds(figure: &Figure) -> (Vec2, Vec2) {
     };
     for mark in &figure.marks {
         match mark {
-            Mark::Line { from, to, .. } => {
+            FigureElement::Line { from, to, .. } => {
                 take(*from);
                 take(*to);
             }
-            Mark::Arc { center, radius, start, sweep, .. }
-            | Mark::Angle { vertex: center, radius, start, sweep, .. } => {
+            FigureElement::Arc { center, radius, start, sweep, .. }
+            | FigureElement::Angle { vertex: center, radius, start, sweep, .. } => {
                 let sweep = sweep.clamp(-TAU, TAU);
                 for index in 0..=64 {
                     take(*center + unit(start + sweep * f64::from(index) / 64.0) * *radius);
                 }
             }
-            Mark::Point { at, .. } | Mark::Arrow { at, .. } | Mark::Text { at, .. } => take(*at),
-            Mark::Dimension { from, to, direction, through, .. } => {
+            FigureElement::Point { at, .. }
+            | FigureElement::Arrow { at, .. }
+            | FigureElement::Text { at, .. } => take(*at),
+            FigureElement::Dimension { from, to, direction, through, .. } => {
                 let along = unit(*direction);
                 for point in [*from, *to] {
                     take(*through + along * (point - *through).dot(along));

@@ -1,27 +1,27 @@
 //! Where the texts of a figure stand: near what they name, on nothing else.
 
 /// A place on the sheet, px.
-pub(super) type Px = (f64, f64);
+pub(super) type PixelPoint = (f64, f64);
 
 /// A rectangle on the sheet, px.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Block {
+pub(super) struct LabelBox {
     pub left: f64,
     pub top: f64,
     pub width: f64,
     pub height: f64,
 }
 
-impl Block {
-    fn around(middle: Px, width: f64, height: f64) -> Block {
-        Block { left: middle.0 - width / 2.0, top: middle.1 - height / 2.0, width, height }
+impl LabelBox {
+    fn around(middle: PixelPoint, width: f64, height: f64) -> LabelBox {
+        LabelBox { left: middle.0 - width / 2.0, top: middle.1 - height / 2.0, width, height }
     }
 
-    pub fn middle(&self) -> Px {
+    pub fn middle(&self) -> PixelPoint {
         (self.left + self.width / 2.0, self.top + self.height / 2.0)
     }
 
-    fn holds(&self, (x, y): Px, margin: f64) -> bool {
+    fn holds(&self, (x, y): PixelPoint, margin: f64) -> bool {
         x > self.left - margin
             && x < self.left + self.width + margin
             && y > self.top - margin
@@ -29,7 +29,7 @@ impl Block {
     }
 
     /// How much of it lies in another, px².
-    fn shares(&self, other: &Block, margin: f64) -> f64 {
+    fn shares(&self, other: &LabelBox, margin: f64) -> f64 {
         let overlap = |a: f64, a_size: f64, b: f64, b_size: f64| {
             ((a + a_size).min(b + b_size) - a.max(b) + margin).max(0.0)
         };
@@ -38,7 +38,7 @@ impl Block {
     }
 
     /// How far it reaches out of another, px.
-    fn outside(&self, room: &Block) -> f64 {
+    fn outside(&self, room: &LabelBox) -> f64 {
         (room.left - self.left).max(0.0)
             + (room.top - self.top).max(0.0)
             + (self.left + self.width - room.left - room.width).max(0.0)
@@ -48,17 +48,17 @@ impl Block {
 
 /// A text on the sheet.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Label {
+pub(super) struct PlacedLabel {
     pub text: String,
     /// What it names.
-    pub anchor: Px,
+    pub anchor: PixelPoint,
     /// Where it stands.
-    pub block: Block,
+    pub block: LabelBox,
 }
 
-impl Label {
+impl PlacedLabel {
     /// A line from the text to what it names helps when they are apart.
-    pub fn leader(&self) -> Option<Px> {
+    pub fn leader(&self) -> Option<PixelPoint> {
         let block = &self.block;
         let (x, y) = self.anchor;
         let near = (
@@ -76,18 +76,23 @@ const DISTANCES: [f64; 8] = [5.0, 9.0, 15.0, 24.0, 36.0, 54.0, 80.0, 120.0];
 const LETTER: f64 = 0.56;
 
 /// The room a text takes, px.
-pub(super) fn extent(text: &str, size: f64) -> Px {
+pub(super) fn extent(text: &str, size: f64) -> PixelPoint {
     (text.chars().count() as f64 * size * LETTER, size * 1.15)
 }
 
 /// Places texts one after the other, each where it covers the least.
 ///
 /// `strokes` are points of all lines, a few px apart.
-pub(super) fn place(names: &[(String, Px)], strokes: &[Px], room: &Block, size: f64) -> Vec<Label> {
-    let mut labels: Vec<Label> = Vec::new();
+pub(super) fn place(
+    names: &[(String, PixelPoint)],
+    strokes: &[PixelPoint],
+    room: &LabelBox,
+    size: f64,
+) -> Vec<PlacedLabel> {
+    let mut labels: Vec<PlacedLabel> = Vec::new();
     for (text, anchor) in names {
         let (width, height) = extent(text, size);
-        let mut best: Option<(f64, Block)> = None;
+        let mut best: Option<(f64, LabelBox)> = None;
         for distance in DISTANCES {
             for direction in 0..DIRECTIONS {
                 let angle = f64::from(direction) * std::f64::consts::TAU / f64::from(DIRECTIONS);
@@ -97,7 +102,7 @@ pub(super) fn place(names: &[(String, Px)], strokes: &[Px], room: &Block, size: 
                     anchor.0 + cos * (width / 2.0 + distance),
                     anchor.1 - sin * (height / 2.0 + distance),
                 );
-                let block = Block::around(middle, width, height);
+                let block = LabelBox::around(middle, width, height);
                 let cost = cost(&block, distance, strokes, &labels, room);
                 if best.as_ref().is_none_or(|(least, _)| cost < *least) {
                     best = Some((cost, block));
@@ -105,13 +110,19 @@ pub(super) fn place(names: &[(String, Px)], strokes: &[Px], room: &Block, size: 
             }
         }
         if let Some((_, block)) = best {
-            labels.push(Label { text: text.clone(), anchor: *anchor, block });
+            labels.push(PlacedLabel { text: text.clone(), anchor: *anchor, block });
         }
     }
     labels
 }
 
-fn cost(block: &Block, distance: f64, strokes: &[Px], labels: &[Label], room: &Block) -> f64 {
+fn cost(
+    block: &LabelBox,
+    distance: f64,
+    strokes: &[PixelPoint],
+    labels: &[PlacedLabel],
+    room: &LabelBox,
+) -> f64 {
     let crossed = strokes.iter().filter(|point| block.holds(**point, 2.0)).count();
     let texts: f64 = labels.iter().map(|label| label.block.shares(&block.clone(), 4.0)).sum();
     // What a later text names stays visible as well: its anchor is one of the strokes.

@@ -4,7 +4,7 @@ use chordal::geometry::{Aabb, Vec3};
 
 use super::palette::Palette;
 use super::text::{label, px};
-use super::view::{Panel, Rect};
+use super::view::{PixelRect, ViewPanel};
 
 /// Millimetres of an inch.
 pub(super) const INCH: f64 = 25.4;
@@ -14,7 +14,7 @@ const MOST_TICKS: f64 = 200.0;
 
 /// The steps of the grid, the same in all views.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Grid {
+pub(super) struct GridSteps {
     /// Distance of lines, mm.
     pub step: f64,
     inch: bool,
@@ -23,9 +23,9 @@ pub(super) struct Grid {
     decimals: usize,
 }
 
-impl Grid {
+impl GridSteps {
     /// A step of 1, 2 or 5 times a power of ten of which the numbers have room.
-    pub fn new(panel: &Panel, unit: f64, inch: bool, bounds: &Aabb) -> Grid {
+    pub fn new(panel: &ViewPanel, unit: f64, inch: bool, bounds: &Aabb) -> GridSteps {
         let unit_mm = if inch { INCH } else { 1.0 };
         let scale = panel.scale * unit_mm;
         let largest = [bounds.min, bounds.max]
@@ -41,7 +41,7 @@ impl Grid {
                 let characters = digits + decimals as f64 + if decimals > 0 { 1.0 } else { 0.0 };
                 let room = (characters * 7.4 + 16.0).max(44.0) * unit;
                 if step * scale >= room || power > 15 {
-                    return Grid { step: step * unit_mm, inch, unit_mm, decimals };
+                    return GridSteps { step: step * unit_mm, inch, unit_mm, decimals };
                 }
             }
             power += 1;
@@ -71,8 +71,14 @@ impl Grid {
 }
 
 /// Draws what lies under the path: ground, grid, numbers and axes.
-pub(super) fn under(out: &mut String, panel: &Panel, grid: &Grid, unit: f64, colors: &Palette) {
-    let Rect { x, y, width, height } = panel.rect;
+pub(super) fn under(
+    out: &mut String,
+    panel: &ViewPanel,
+    grid: &GridSteps,
+    unit: f64,
+    colors: &Palette,
+) {
+    let PixelRect { x, y, width, height } = panel.rect;
     out.push_str(&format!(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
         px(x),
@@ -88,7 +94,7 @@ pub(super) fn under(out: &mut String, panel: &Panel, grid: &Grid, unit: f64, col
     triad(out, panel, unit, colors);
 }
 
-fn lines(out: &mut String, panel: &Panel, grid: &Grid, unit: f64, colors: &Palette) {
+fn lines(out: &mut String, panel: &ViewPanel, grid: &GridSteps, unit: f64, colors: &Palette) {
     let rect = panel.rect;
     let (mut thin, mut zero) = (String::new(), String::new());
     for (mm, at) in across(panel, grid) {
@@ -110,7 +116,7 @@ fn lines(out: &mut String, panel: &Panel, grid: &Grid, unit: f64, colors: &Palet
 }
 
 /// Numbers below and to the left.
-fn numbers(out: &mut String, panel: &Panel, grid: &Grid, unit: f64, colors: &Palette) {
+fn numbers(out: &mut String, panel: &ViewPanel, grid: &GridSteps, unit: f64, colors: &Palette) {
     let rect = panel.rect;
     let size = px(13.0 * unit);
     let fill = colors.faint;
@@ -131,13 +137,13 @@ fn numbers(out: &mut String, panel: &Panel, grid: &Grid, unit: f64, colors: &Pal
     out.push_str("</g>\n");
 }
 
-fn across(panel: &Panel, grid: &Grid) -> Vec<(f64, f64)> {
+fn across(panel: &ViewPanel, grid: &GridSteps) -> Vec<(f64, f64)> {
     let half = 0.5 * panel.rect.width / panel.scale;
     let middle = panel.middle.0;
     grid.lines(middle - half, middle + half).into_iter().map(|mm| (mm, panel.across(mm))).collect()
 }
 
-fn down(panel: &Panel, grid: &Grid) -> Vec<(f64, f64)> {
+fn down(panel: &ViewPanel, grid: &GridSteps) -> Vec<(f64, f64)> {
     let half = 0.5 * panel.rect.height / panel.scale;
     let middle = panel.middle.1;
     grid.lines(middle - half, middle + half).into_iter().map(|mm| (mm, panel.down(mm))).collect()
@@ -146,8 +152,8 @@ fn down(panel: &Panel, grid: &Grid) -> Vec<(f64, f64)> {
 /// A net on the floor of the isometric view.
 pub(super) fn floor(
     out: &mut String,
-    panel: &Panel,
-    grid: &Grid,
+    panel: &ViewPanel,
+    grid: &GridSteps,
     bounds: &Aabb,
     unit: f64,
     colors: &Palette,
@@ -178,8 +184,8 @@ pub(super) fn floor(
 }
 
 /// Draws what lies over the path: border and title.
-pub(super) fn over(out: &mut String, panel: &Panel, unit: f64, colors: &Palette) {
-    let Rect { x, y, width, height } = panel.rect;
+pub(super) fn over(out: &mut String, panel: &ViewPanel, unit: f64, colors: &Palette) {
+    let PixelRect { x, y, width, height } = panel.rect;
     out.push_str(&format!(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"{}\" \
          stroke-width=\"{}\"/>\n",
@@ -201,7 +207,7 @@ pub(super) fn over(out: &mut String, panel: &Panel, unit: f64, colors: &Palette)
 }
 
 /// The axes with their letters, in the corner and under the path.
-fn triad(out: &mut String, panel: &Panel, unit: f64, colors: &Palette) {
+fn triad(out: &mut String, panel: &ViewPanel, unit: f64, colors: &Palette) {
     let length = 34.0 * unit;
     let view = &panel.view;
     let directions = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| view.project(axis));
@@ -255,7 +261,7 @@ fn arrow(
 }
 
 /// The zero point of the program, where the view holds it: a circle with two black quarters.
-pub(super) fn origin(out: &mut String, panel: &Panel, unit: f64, colors: &Palette) {
+pub(super) fn origin(out: &mut String, panel: &ViewPanel, unit: f64, colors: &Palette) {
     let at = panel.place(Vec3::ZERO);
     let radius = 6.5 * unit;
     if !panel.rect.holds(at, -radius) {

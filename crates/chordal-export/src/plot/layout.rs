@@ -2,7 +2,7 @@
 
 use chordal::geometry::{Aabb, Vec3};
 
-use super::view::{FACE, FRONT, ISOMETRIC, Panel, Rect, SIDE, TOP, TURNED, View};
+use super::view::{FACE, FRONT, ISOMETRIC, PixelRect, SIDE, TOP, TURNED, ViewDirection, ViewPanel};
 
 /// Measures in units: a unit is a pixel on a sheet of 1600 by 1131.
 pub(super) const MARGIN: f64 = 30.0;
@@ -19,9 +19,9 @@ const FACE_SHARE: f64 = 0.4;
 const INSIDE: f64 = 22.0;
 
 /// The least share of the room that a column or row of views gets.
-const LEAST: Share = Share { left: 0.3, right: 0.2, upper: 0.35, lower: 0.14 };
+const LEAST: PanelShare = PanelShare { left: 0.3, right: 0.2, upper: 0.35, lower: 0.14 };
 
-struct Share {
+struct PanelShare {
     left: f64,
     right: f64,
     upper: f64,
@@ -30,24 +30,24 @@ struct Share {
 
 /// The sheet.
 #[derive(Debug)]
-pub(super) struct Layout {
+pub(super) struct SheetLayout {
     pub width: f64,
     pub height: f64,
     /// px for each unit.
     pub unit: f64,
     /// Top, front, right and isometric; of a lathe one, and the face where a path leaves the plane of Z and X.
-    pub panels: Vec<Panel>,
+    pub panels: Vec<ViewPanel>,
 }
 
-impl Layout {
+impl SheetLayout {
     /// px for each unit on a sheet.
     pub fn unit(width: f64, height: f64) -> f64 {
         (width * height / (1600.0 * 1131.0)).sqrt().min(width / 900.0).max(0.6)
     }
 
     /// Places the views of a box; `legend` is the height of the legend in units.
-    pub fn new(width: f64, height: f64, bounds: &Aabb, legend: f64) -> Layout {
-        let unit = Layout::unit(width, height);
+    pub fn new(width: f64, height: f64, bounds: &Aabb, legend: f64) -> SheetLayout {
+        let unit = SheetLayout::unit(width, height);
         let size = drawable(bounds.size());
         let room = (
             width - (2.0 * MARGIN + 2.0 * TICKS_LEFT + BETWEEN) * unit,
@@ -55,8 +55,8 @@ impl Layout {
                 - (2.0 * MARGIN + HEADER + 2.0 * (TITLE + TICKS_BELOW) + BETWEEN + legend) * unit,
         );
         let inside = 2.0 * INSIDE * unit;
-        let columns = Track::new(room.0, (size.x, LEAST.left), (size.y, LEAST.right), inside);
-        let rows = Track::new(room.1, (size.y, LEAST.upper), (size.z, LEAST.lower), inside);
+        let columns = LayoutTrack::new(room.0, (size.x, LEAST.left), (size.y, LEAST.right), inside);
+        let rows = LayoutTrack::new(room.1, (size.y, LEAST.upper), (size.z, LEAST.lower), inside);
         let scale = columns.scale().min(rows.scale());
         let (left, right) = columns.sizes(scale);
         let (upper, lower) = rows.sizes(scale);
@@ -65,23 +65,23 @@ impl Layout {
         let x2 = x + left + (TICKS_LEFT + BETWEEN) * unit;
         let y = (MARGIN + HEADER + TITLE) * unit;
         let y2 = y + upper + (TICKS_BELOW + TITLE + BETWEEN) * unit;
-        let rect = |x, y, width, height| Rect { x, y, width, height };
+        let rect = |x, y, width, height| PixelRect { x, y, width, height };
         let panels = vec![
             panel(TOP, rect(x, y, left, upper), scale, bounds),
             panel(FRONT, rect(x, y2, left, lower), scale, bounds),
             panel(SIDE, rect(x2, y2, right, lower), scale, bounds),
             filling(ISOMETRIC, rect(x2, y, right, upper), bounds, inside),
         ];
-        Layout { width, height, unit, panels }
+        SheetLayout { width, height, unit, panels }
     }
 }
 
-impl Layout {
+impl SheetLayout {
     /// One view for what turns, and one of the face where live tools mill.
-    pub fn turned(width: f64, height: f64, bounds: &Aabb, legend: f64) -> Layout {
-        let unit = Layout::unit(width, height);
+    pub fn turned(width: f64, height: f64, bounds: &Aabb, legend: f64) -> SheetLayout {
+        let unit = SheetLayout::unit(width, height);
         let (x, y) = ((MARGIN + TICKS_LEFT) * unit, (MARGIN + HEADER + TITLE) * unit);
-        let rect = Rect {
+        let rect = PixelRect {
             x,
             y,
             width: (width - x - MARGIN * unit).max(20.0),
@@ -89,7 +89,7 @@ impl Layout {
         };
         let inside = 2.0 * INSIDE * unit;
         if bounds.size().y <= FLAT_MM {
-            return Layout {
+            return SheetLayout {
                 width,
                 height,
                 unit,
@@ -99,28 +99,34 @@ impl Layout {
         let between = (TICKS_LEFT + BETWEEN) * unit;
         let face = ((rect.width - between) * FACE_SHARE).max(10.0);
         let section = (rect.width - between - face).max(10.0);
-        let left = Rect { width: section, ..rect };
-        let right = Rect { x: x + section + between, width: face, ..rect };
+        let left = PixelRect { width: section, ..rect };
+        let right = PixelRect { x: x + section + between, width: face, ..rect };
         let panels =
             vec![filling(TURNED, left, bounds, inside), filling(FACE, right, bounds, inside)];
-        Layout { width, height, unit, panels }
+        SheetLayout { width, height, unit, panels }
     }
 }
 
 /// A view alone on its sheet.
-pub(super) fn single(view: View, width: f64, height: f64, bounds: &Aabb, unit: f64) -> Panel {
+pub(super) fn single(
+    view: ViewDirection,
+    width: f64,
+    height: f64,
+    bounds: &Aabb,
+    unit: f64,
+) -> ViewPanel {
     let (left, below) = if view.along_axes { (TICKS_LEFT, TICKS_BELOW) } else { (1.0, 1.0) };
     let (x, y) = (left * unit, TITLE * unit);
-    let rect = Rect { x, y, width: width - x - unit, height: height - y - below * unit };
+    let rect = PixelRect { x, y, width: width - x - unit, height: height - y - below * unit };
     filling(view, rect, bounds, 2.0 * INSIDE * unit)
 }
 
-fn panel(view: View, rect: Rect, scale: f64, bounds: &Aabb) -> Panel {
-    Panel { view, rect, scale, middle: view.extent(bounds).middle() }
+fn panel(view: ViewDirection, rect: PixelRect, scale: f64, bounds: &Aabb) -> ViewPanel {
+    ViewPanel { view, rect, scale, middle: view.extent(bounds).middle() }
 }
 
 /// A view with a scale of its own: it fills its place.
-fn filling(view: View, rect: Rect, bounds: &Aabb, inside: f64) -> Panel {
+fn filling(view: ViewDirection, rect: PixelRect, bounds: &Aabb, inside: f64) -> ViewPanel {
     let middle = (bounds.min + bounds.max) * 0.5;
     let half = drawable(bounds.size()) * 0.5;
     let extent = view.extent(&Aabb { min: middle - half, max: middle + half });
@@ -138,17 +144,17 @@ fn drawable(size: Vec3) -> Vec3 {
 }
 
 /// Two columns, or two rows.
-struct Track {
+struct LayoutTrack {
     room: f64,
     first: (f64, f64),
     second: (f64, f64),
     inside: f64,
 }
 
-impl Track {
+impl LayoutTrack {
     /// `first` and `second`: the extent in mm, and the least share of the room.
-    fn new(room: f64, first: (f64, f64), second: (f64, f64), inside: f64) -> Track {
-        Track { room: room.max(20.0), first, second, inside }
+    fn new(room: f64, first: (f64, f64), second: (f64, f64), inside: f64) -> LayoutTrack {
+        LayoutTrack { room: room.max(20.0), first, second, inside }
     }
 
     fn needs(&self, scale: f64) -> (f64, f64) {

@@ -28,9 +28,9 @@ use resvg::usvg;
 pub use figure::{figure_png, figure_svg};
 pub use motion::MotionPlot;
 pub use page::{PageTool, PageView, Viewpoint};
-use relief::Relief;
+use relief::StockRelief;
 pub use section::{page_section, section_png, section_svg};
-use store::Store;
+use store::PathStore;
 
 /// What stands on the sheet in addition to the path, and how large it is.
 #[derive(Clone, Debug)]
@@ -84,18 +84,18 @@ const MOST_PIXELS: u64 = 128 << 20;
 /// edge of the views.
 #[derive(Debug)]
 pub struct Plot {
-    store: Store,
+    store: PathStore,
     inch: bool,
     /// Of a lathe: one view, with the half section of what is left where it is known.
-    turned: Option<turned::Turned>,
+    turned: Option<turned::TurnedStockPlot>,
 }
 
 impl Plot {
     /// An empty drawing for a job, numbered in the units of the job's control.
     pub fn new(job: &Job) -> Plot {
         let inch = job.control().parameters.rules.units == Units::Inch;
-        let turned = job.turns().then(turned::Turned::default);
-        Plot { store: Store::new(job.control().table.work_names), inch, turned }
+        let turned = job.turns().then(turned::TurnedStockPlot::default);
+        Plot { store: PathStore::new(job.control().table.work_names), inch, turned }
     }
 
     /// The same for a picture file. Where the spindle may be a laser, and one tool cuts with several values of S, the
@@ -130,12 +130,12 @@ impl Plot {
 
     /// Draws the stock that is left, shaded, under the path.
     pub fn set_stock(&mut self, found: &StockReport) {
-        self.store.stock = Some(Relief::of(found));
+        self.store.stock = Some(StockRelief::of(found));
     }
 
     /// Draws what is left of turned stock under the path of a lathe.
     pub fn set_section(&mut self, found: &TurnedReport) {
-        self.turned = Some(turned::Turned::of(found));
+        self.turned = Some(turned::TurnedStockPlot::of(found));
     }
 
     /// Whether this is the picture of a lathe: one view, Z to the right and X up.

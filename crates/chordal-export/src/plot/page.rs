@@ -3,12 +3,12 @@
 use chordal::geometry::Aabb;
 
 use super::Plot;
-use super::frame::{self, Grid};
+use super::frame::{self, GridSteps};
 use super::layout::single;
 use super::palette::Palette;
 use super::sheet::{clip, ground, tool_dash, under_path, view};
 use super::text::px;
-use super::view::{FRONT, ISOMETRIC, Panel, SIDE, TOP, TURNED, View};
+use super::view::{FRONT, ISOMETRIC, SIDE, TOP, TURNED, ViewDirection, ViewPanel};
 
 /// Bytes of path data of a view beyond which it is drawn coarser: a page is mailed and printed.
 const MOST_BYTES: usize = 1 << 20;
@@ -31,7 +31,7 @@ pub enum Viewpoint {
 }
 
 impl Viewpoint {
-    fn view(self) -> View {
+    fn view(self) -> ViewDirection {
         match self {
             Viewpoint::Top => TOP,
             Viewpoint::Front => FRONT,
@@ -53,9 +53,9 @@ pub struct PageView {
 }
 
 /// A view that is begun.
-struct Opened {
+struct OpenPanel {
     svg: String,
-    panel: Panel,
+    panel: ViewPanel,
     /// The step of its grid.
     grid: String,
     unit: f64,
@@ -77,7 +77,7 @@ impl Plot {
         let turned = self.turned.as_ref().filter(|_| from == Viewpoint::Turned);
         let (bounds, index) = (self.store.extent()?, from as usize);
         let bounds = turned.map_or(bounds, |turned| turned.around(bounds));
-        let Opened { mut svg, panel, grid, unit } =
+        let OpenPanel { mut svg, panel, grid, unit } =
             self.opened(from, [width_px, height_px], &bounds, (index, "Path of the tool"));
         if let Some(turned) = turned {
             under_path(&mut svg, &turned.svg(&panel, unit, Palette::page()), index);
@@ -92,7 +92,7 @@ impl Plot {
         let stock = self.store.stock.as_ref()?;
         // Ids of its own: the views of the path may stand on the same page.
         let index = VIEWS + from as usize;
-        let Opened { mut svg, panel, grid, unit } = self.opened(
+        let OpenPanel { mut svg, panel, grid, unit } = self.opened(
             from,
             [width_px, height_px],
             &stock.bounds(),
@@ -110,11 +110,11 @@ impl Plot {
         [width_px, height_px]: [u32; 2],
         bounds: &Aabb,
         (index, what): (usize, &str),
-    ) -> Opened {
+    ) -> OpenPanel {
         let (width, height) = (f64::from(width_px.max(200)), f64::from(height_px.max(200)));
         let (unit, colors) = (1.0, Palette::page());
         let panel = single(from.view(), width, height, bounds, unit);
-        let grid = Grid::new(&panel, unit, self.inch, bounds);
+        let grid = GridSteps::new(&panel, unit, self.inch, bounds);
         let mut svg = format!(
             "<svg viewBox=\"0 0 {} {}\" role=\"img\" \
              aria-label=\"{what}, {}\"><defs>",
@@ -127,7 +127,7 @@ impl Plot {
         ground(&mut svg, &panel, index, &grid, bounds, unit, colors);
         let stock = self.store.stock.as_ref().and_then(|stock| stock.draw(&panel, false));
         svg.extend(stock.map(|drawn| drawn.svg()));
-        Opened { svg, panel, grid: grid.text(), unit }
+        OpenPanel { svg, panel, grid: grid.text(), unit }
     }
 
     /// The tools that cut, in the order of their first use.

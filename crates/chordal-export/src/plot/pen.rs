@@ -5,11 +5,11 @@ use std::f64::consts::{PI, TAU};
 
 use chordal::geometry::{Arc, Curve, ParamCurve, Placement, Vec3};
 
-use super::store::{Piece, Store};
+use super::store::{PathStore, StoredPiece};
 use super::text::push_px;
-use super::view::{Panel, Rect};
+use super::view::{PixelRect, ViewPanel};
 
-type Point = (f64, f64);
+type PenPoint = (f64, f64);
 
 /// Lines shorter than this are left out, px: a printer shows no more.
 const FINEST_PX: f64 = 0.35;
@@ -28,19 +28,19 @@ const COARSEST_PX: f64 = 8.0;
 
 /// The paths of a view.
 #[derive(Debug)]
-pub(super) struct Paths {
+pub(super) struct ViewPaths {
     pub rapids: String,
     /// By the index of the tool.
     pub tools: Vec<String>,
 }
 
-impl Paths {
+impl ViewPaths {
     /// Draws a path as finely as the sheet shows it, or coarser when that takes more than so
     /// many bytes.
-    pub fn of(store: &Store, panel: &Panel, unit: f64, most_bytes: usize) -> Paths {
+    pub fn of(store: &PathStore, panel: &ViewPanel, unit: f64, most_bytes: usize) -> ViewPaths {
         let mut resolution = FINEST_PX * unit.max(1.0);
         loop {
-            let paths = Paths::at(store, panel, unit, resolution);
+            let paths = ViewPaths::at(store, panel, unit, resolution);
             let bytes = paths.rapids.len() + paths.tools.iter().map(String::len).sum::<usize>();
             if bytes <= most_bytes || resolution >= COARSEST_PX {
                 return paths;
@@ -49,11 +49,11 @@ impl Paths {
         }
     }
 
-    fn at(store: &Store, panel: &Panel, unit: f64, resolution: f64) -> Paths {
-        let mut rapids = Pen::new(panel, unit, resolution);
+    fn at(store: &PathStore, panel: &ViewPanel, unit: f64, resolution: f64) -> ViewPaths {
+        let mut rapids = PanelPen::new(panel, unit, resolution);
         let groups = store.groups();
-        let mut tools: Vec<Pen> =
-            groups.list.iter().map(|_| Pen::new(panel, unit, resolution)).collect();
+        let mut tools: Vec<PanelPen> =
+            groups.list.iter().map(|_| PanelPen::new(panel, unit, resolution)).collect();
         for (run, pieces) in store.runs() {
             let pen = match run.tool {
                 Some(index) => &mut tools[groups.of_tool[index]],
@@ -62,29 +62,29 @@ impl Paths {
             pen.begin(run.start);
             for piece in pieces {
                 match piece {
-                    Piece::To(point) => pen.line_to(panel.place(*point)),
-                    Piece::Curve(number) => pen.curve(store.curve(*number)),
+                    StoredPiece::To(point) => pen.line_to(panel.place(*point)),
+                    StoredPiece::Curve(number) => pen.curve(store.curve(*number)),
                 }
             }
             pen.end(run.tool.is_some());
         }
-        Paths { rapids: rapids.data, tools: tools.into_iter().map(|pen| pen.data).collect() }
+        ViewPaths { rapids: rapids.data, tools: tools.into_iter().map(|pen| pen.data).collect() }
     }
 }
 
-struct Pen<'p> {
-    panel: &'p Panel,
-    clip: Rect,
+struct PanelPen<'p> {
+    panel: &'p ViewPanel,
+    clip: PixelRect,
     /// px for each unit of the sheet.
     unit: f64,
     resolution: f64,
     data: String,
     /// Where the path data ends, if a line may go on from there.
-    at: Option<Point>,
+    at: Option<PenPoint>,
     /// How far of the path is drawn.
-    drawn: Point,
+    drawn: PenPoint,
     /// Where the path is.
-    here: Point,
+    here: PenPoint,
     /// Nothing of this run was drawn yet.
     empty: bool,
     /// What was drawn already, in steps of the resolution: a contour milled at ten depths is
@@ -92,17 +92,17 @@ struct Pen<'p> {
     seen: HashSet<[u16; 6]>,
 }
 
-impl<'p> Pen<'p> {
-    fn new(panel: &'p Panel, unit: f64, resolution: f64) -> Pen<'p> {
+impl<'p> PanelPen<'p> {
+    fn new(panel: &'p ViewPanel, unit: f64, resolution: f64) -> PanelPen<'p> {
         let reach = 4.0;
         let rect = panel.rect;
-        let clip = Rect {
+        let clip = PixelRect {
             x: rect.x - reach,
             y: rect.y - reach,
             width: rect.width + 2.0 * reach,
             height: rect.height + 2.0 * reach,
         };
-        Pen {
+        PanelPen {
             panel,
             clip,
             unit,
@@ -122,7 +122,7 @@ impl<'p> Pen<'p> {
         self.empty = true;
     }
 
-    fn line_to(&mut self, to: Point) {
+    fn line_to(&mut self, to: PenPoint) {
         self.here = to;
         if distance(self.drawn, to) >= self.resolution {
             self.flush();
@@ -137,7 +137,7 @@ impl<'p> Pen<'p> {
         }
     }
 
-    fn line(&mut self, from: Point, to: Point) {
+    fn line(&mut self, from: PenPoint, to: PenPoint) {
         self.empty = false;
         let Some((from, to)) = self.clip.clip(from, to) else { return };
         if !self.is_new(from, to, (0.0, 0.0)) {
@@ -149,14 +149,14 @@ impl<'p> Pen<'p> {
         self.at = Some(to);
     }
 
-    fn start_at(&mut self, from: Point) {
+    fn start_at(&mut self, from: PenPoint) {
         if self.at != Some(from) {
             self.data.push('M');
             self.point(from);
         }
     }
 
-    fn point(&mut self, (x, y): Point) {
+    fn point(&mut self, (x, y): PenPoint) {
         push_px(&mut self.data, x);
         if y >= 0.0 {
             self.data.push(' ');
@@ -165,7 +165,7 @@ impl<'p> Pen<'p> {
     }
 
     /// A small circle.
-    fn dot(&mut self, (x, y): Point) {
+    fn dot(&mut self, (x, y): PenPoint) {
         let radius = DOT_PX * self.unit;
         self.data.push('M');
         self.point((x - radius, y));
@@ -190,10 +190,10 @@ impl<'p> Pen<'p> {
     }
 
     /// True the first time something between these points is drawn.
-    fn is_new(&mut self, a: Point, b: Point, via: Point) -> bool {
+    fn is_new(&mut self, a: PenPoint, b: PenPoint, via: PenPoint) -> bool {
         let step = self.resolution.max(0.5);
         let (x, y) = (self.clip.x, self.clip.y);
-        let cell = |p: Point| [((p.0 - x) / step) as u16, ((p.1 - y) / step) as u16];
+        let cell = |p: PenPoint| [((p.0 - x) / step) as u16, ((p.1 - y) / step) as u16];
         let (mut a, mut b, via) = (cell(a), cell(b), cell(via));
         if a > b {
             std::mem::swap(&mut a, &mut b);
@@ -229,7 +229,7 @@ impl<'p> Pen<'p> {
             self.panel.place(arc.center + (arc.u * angle.cos() + v * angle.sin()) * arc.radius)
         };
         let whole = turn < arc.sweep.abs();
-        let corners: Vec<(Point, Point)> = (0..parts as usize)
+        let corners: Vec<(PenPoint, PenPoint)> = (0..parts as usize)
             .map(|part| {
                 let middle = on_circle((part as f64 + 0.5) / parts);
                 let last = part + 1 == parts as usize && !whole;
@@ -246,7 +246,7 @@ impl<'p> Pen<'p> {
         self.drawn = end;
     }
 
-    fn arc(&mut self, from: Point, to: Point, middle: Point, radius: f64, ccw: bool) {
+    fn arc(&mut self, from: PenPoint, to: PenPoint, middle: PenPoint, radius: f64, ccw: bool) {
         self.empty = false;
         let reach = 2.0 * LARGEST_RADIUS_PX;
         if !(self.clip.holds(from, reach) && self.clip.holds(to, reach)) {
@@ -278,6 +278,6 @@ impl<'p> Pen<'p> {
     }
 }
 
-fn distance(a: Point, b: Point) -> f64 {
+fn distance(a: PenPoint, b: PenPoint) -> f64 {
     (a.0 - b.0).hypot(a.1 - b.1)
 }

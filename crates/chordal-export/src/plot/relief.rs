@@ -7,9 +7,9 @@ use chordal::stock::StockReport;
 use chordal::stock::mesh::Mesh;
 use resvg::tiny_skia::{Pixmap, PixmapPaint, PremultipliedColorU8, Transform};
 
-use super::depths::Depths;
+use super::depths::DepthBuffer;
 use super::text::px;
-use super::view::{Panel, Rect};
+use super::view::{PixelRect, ViewPanel};
 
 /// Tops and undersides are joined that differ by no more than this share of a column.
 const JOINED: f64 = 0.1;
@@ -30,7 +30,7 @@ const DARK_STOCK: Vec3 = Vec3::new(112.0, 116.0, 122.0);
 /// The surface of a stock: corners in the middle of columns, and a ring at the bottom around them, which makes
 /// the walls.
 #[derive(Debug)]
-pub(super) struct Relief {
+pub(super) struct StockRelief {
     bounds: Aabb,
     /// Where the corners are, mm.
     x: Vec<f64>,
@@ -44,9 +44,9 @@ pub(super) struct Relief {
     solid: Option<Mesh>,
 }
 
-impl Relief {
+impl StockRelief {
     /// Of what is left: the height in the middle of each column.
-    pub fn of(found: &StockReport) -> Relief {
+    pub fn of(found: &StockReport) -> StockRelief {
         let grid = found.stock.grid();
         let bounds = grid.bounds();
         let [columns, rows] = grid.cells().map(|cells| cells as usize);
@@ -77,7 +77,7 @@ impl Relief {
             found.surface(JOINED * grid.resolution()).ok()
         });
         let solid = surface.flatten().map(|surface| surface.mesh);
-        Relief { bounds, x, y, z, lowest, column: grid.resolution(), solid }
+        StockRelief { bounds, x, y, z, lowest, column: grid.resolution(), solid }
     }
 
     /// The box of the stock before the first cut.
@@ -104,12 +104,12 @@ impl Relief {
     /// Draws the tops of the columns, with walls between them.
     fn draw_tops(
         &self,
-        canvas: &mut Canvas,
-        corner: &impl Fn(Vec3, Vec3) -> Corner,
+        canvas: &mut ReliefCanvas,
+        corner: &impl Fn(Vec3, Vec3) -> ReliefVertex,
         shade: &impl Fn(Vec3, f64) -> Vec3,
     ) {
         let columns = self.x.len();
-        let rows: Vec<Vec<Corner>> = (0..self.y.len())
+        let rows: Vec<Vec<ReliefVertex>> = (0..self.y.len())
             .map(|row| {
                 let corner =
                     |column: usize| corner(self.corner(column, row), self.normal(column, row));
@@ -121,7 +121,7 @@ impl Relief {
                 let [a, b] = [&pair[0][column], &pair[0][column + 1]];
                 let [c, d] = [&pair[1][column], &pair[1][column + 1]];
                 // Along the diagonal that is less steep: walls are straight then.
-                let rise = |a: &Corner, b: &Corner| (a.near - b.near).abs();
+                let rise = |a: &ReliefVertex, b: &ReliefVertex| (a.near - b.near).abs();
                 let triangles = if rise(a, d) > rise(b, c) {
                     [[a, b, c], [b, d, c]]
                 } else {
@@ -137,11 +137,11 @@ impl Relief {
     }
 
     /// Draws it as a panel sees it; `None` where the panel has no size.
-    pub fn draw(&self, panel: &Panel, dark: bool) -> Option<Drawn> {
-        let Rect { width, height, .. } = panel.rect;
+    pub fn draw(&self, panel: &ViewPanel, dark: bool) -> Option<DrawnRelief> {
+        let PixelRect { width, height, .. } = panel.rect;
         let fine = FINE.min(LONGEST / width.max(height));
         let size = |length: f64| (length * fine).ceil().max(1.0) as u32;
-        let mut canvas = Canvas::new(size(width), size(height));
+        let mut canvas = ReliefCanvas::new(size(width), size(height));
         let base = if dark { DARK_STOCK } else { LIGHT_STOCK };
         let eye = panel.view.eye();
         let light = panel.view.right * LIGHT.x + panel.view.up * LIGHT.y + eye * LIGHT.z;
@@ -153,7 +153,7 @@ impl Relief {
         let corner = |at: Vec3, normal: Vec3| {
             let (x, y) = panel.place(at);
             let deep = ((self.bounds.max.z - at.z) / span).clamp(0.0, 1.0);
-            Corner {
+            ReliefVertex {
                 x: (x - panel.rect.x) * fine,
                 y: (y - panel.rect.y) * fine,
                 near: eye.dot(at),
@@ -166,7 +166,7 @@ impl Relief {
             Some(mesh) => draw_solid(mesh, self.column, panel, &mut canvas, &corner, base),
             None => self.draw_tops(&mut canvas, &corner, &shade),
         }
-        Some(Drawn { rect: panel.rect, fine, pixmap: canvas.into_pixmap()? })
+        Some(DrawnRelief { rect: panel.rect, fine, pixmap: canvas.into_pixmap()? })
     }
 }
 
@@ -174,9 +174,9 @@ impl Relief {
 fn draw_solid(
     mesh: &Mesh,
     column: f64,
-    panel: &Panel,
-    canvas: &mut Canvas,
-    corner: &impl Fn(Vec3, Vec3) -> Corner,
+    panel: &ViewPanel,
+    canvas: &mut ReliefCanvas,
+    corner: &impl Fn(Vec3, Vec3) -> ReliefVertex,
     base: Vec3,
 ) {
     let eye = panel.view.eye();
@@ -190,7 +190,7 @@ fn draw_solid(
     let [from, to] = [Vec3::ZERO, panel.view.right].map(|at| corner(at, eye));
     let (near, width) = (&canvas.near, canvas.width as usize);
     let pixel = 1.0 / (to.x - from.x).abs();
-    let normals = Depths { near, width, column, pixel }.normals();
+    let normals = DepthBuffer { near, width, column, pixel }.normals();
     let some = || near.iter().copied().filter(|near| near.is_finite());
     let (nearest, farthest) =
         (some().fold(f64::NEG_INFINITY, f64::max), some().fold(f64::INFINITY, f64::min));
@@ -203,7 +203,7 @@ fn draw_solid(
     }
 }
 
-struct Corner {
+struct ReliefVertex {
     x: f64,
     y: f64,
     /// How near to the eye, mm.
@@ -215,26 +215,31 @@ struct Corner {
 }
 
 /// Pixels with how near to the eye they are.
-struct Canvas {
+struct ReliefCanvas {
     width: u32,
     height: u32,
     near: Vec<f64>,
     color: Vec<[u8; 3]>,
 }
 
-impl Canvas {
-    fn new(width: u32, height: u32) -> Canvas {
+impl ReliefCanvas {
+    fn new(width: u32, height: u32) -> ReliefCanvas {
         let count = width as usize * height as usize;
-        Canvas { width, height, near: vec![f64::NEG_INFINITY; count], color: vec![[0; 3]; count] }
+        ReliefCanvas {
+            width,
+            height,
+            near: vec![f64::NEG_INFINITY; count],
+            color: vec![[0; 3]; count],
+        }
     }
 
-    fn triangle(&mut self, [a, b, c]: [&Corner; 3], shade: &impl Fn(Vec3, f64) -> Vec3) {
+    fn triangle(&mut self, [a, b, c]: [&ReliefVertex; 3], shade: &impl Fn(Vec3, f64) -> Vec3) {
         let area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
         if area.is_nan() || area.abs() <= 1e-9 {
             return;
         }
-        let least = |of: fn(&Corner) -> f64| of(a).min(of(b)).min(of(c));
-        let most = |of: fn(&Corner) -> f64| of(a).max(of(b)).max(of(c));
+        let least = |of: fn(&ReliefVertex) -> f64| of(a).min(of(b)).min(of(c));
+        let most = |of: fn(&ReliefVertex) -> f64| of(a).max(of(b)).max(of(c));
         let range = |low: f64, high: f64, count: u32| {
             let from = (low - 0.5).ceil().max(0.0) as u32;
             let to = ((high - 0.5).floor() + 1.0).clamp(0.0, f64::from(count)) as u32;
@@ -243,7 +248,7 @@ impl Canvas {
         for y in range(least(|at| at.y), most(|at| at.y), self.height) {
             for x in range(least(|at| at.x), most(|at| at.x), self.width) {
                 let (px, py) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
-                let part = |from: &Corner, to: &Corner| {
+                let part = |from: &ReliefVertex, to: &ReliefVertex| {
                     ((to.x - from.x) * (py - from.y) - (px - from.x) * (to.y - from.y)) / area
                 };
                 let [u, v, w] = [part(b, c), part(c, a), part(a, b)];
@@ -279,13 +284,13 @@ impl Canvas {
 }
 
 /// A picture of the stock in its place on the sheet.
-pub(super) struct Drawn {
-    rect: Rect,
+pub(super) struct DrawnRelief {
+    rect: PixelRect,
     fine: f64,
     pixmap: Pixmap,
 }
 
-impl Drawn {
+impl DrawnRelief {
     /// As an element of an SVG; nothing where it cannot be written.
     pub fn svg(&self) -> String {
         let Ok(png) = self.pixmap.encode_png() else { return String::new() };

@@ -3,7 +3,7 @@
 
 use chordal::geometry::Vec2;
 use chordal::stock::TurnedReport;
-use chordal::stock::section::{Region, Segment};
+use chordal::stock::section::{OutlineSegment, Region};
 
 use super::palette::Palette;
 use super::sheet::{shorten, text_width};
@@ -29,7 +29,7 @@ const SHORT: f64 = 0.05;
 pub fn section_svg(found: &TurnedReport, options: &PlotOptions) -> String {
     let (width, height) =
         (f64::from(options.width_px.max(200)), f64::from(options.height_px.max(200)));
-    let sheet = Sheet::new(found, width, height, options);
+    let sheet = SectionSheet::new(found, width, height, options);
     sheet.svg(found, options)
 }
 
@@ -50,7 +50,8 @@ const PAGE_ABOVE: f64 = 34.0;
 /// [`Plot::page_colors`](super::Plot::page_colors) explains. Sides below 200 px are drawn as 200.
 pub fn page_section(found: &TurnedReport, width_px: u32, height_px: u32) -> String {
     let (width, height) = (f64::from(width_px.max(200)), f64::from(height_px.max(200)));
-    let sheet = Sheet::fitted(found, [width, height], PAGE_UNIT, PAGE_ABOVE, Palette::page());
+    let sheet =
+        SectionSheet::fitted(found, [width, height], PAGE_UNIT, PAGE_ABOVE, Palette::page());
     let mut out = format!(
         "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Half section of what is left\">\n",
         px(width),
@@ -61,7 +62,7 @@ pub fn page_section(found: &TurnedReport, width_px: u32, height_px: u32) -> Stri
     out
 }
 
-struct Sheet {
+struct SectionSheet {
     width: f64,
     height: f64,
     unit: f64,
@@ -75,10 +76,10 @@ struct Sheet {
     inch: bool,
 }
 
-impl Sheet {
-    fn new(found: &TurnedReport, width: f64, height: f64, options: &PlotOptions) -> Sheet {
+impl SectionSheet {
+    fn new(found: &TurnedReport, width: f64, height: f64, options: &PlotOptions) -> SectionSheet {
         let unit = (width * height / (1600.0 * 1131.0)).sqrt().min(width / 900.0).max(0.5);
-        Sheet::fitted(found, [width, height], unit, ABOVE, Palette::of(options.dark))
+        SectionSheet::fitted(found, [width, height], unit, ABOVE, Palette::of(options.dark))
     }
 
     /// The part as large as it can be with so many units above it.
@@ -88,7 +89,7 @@ impl Sheet {
         unit: f64,
         above: f64,
         colors: &'static Palette,
-    ) -> Sheet {
+    ) -> SectionSheet {
         let (low, high) = bounds(found);
         let room_x = (width - (LEFT + RIGHT) * unit).max(40.0);
         let room_y = (height - (above + BELOW) * unit).max(40.0);
@@ -96,7 +97,7 @@ impl Sheet {
         let scale = (room_x / long).min(room_y / (2.0 * top));
         let left = LEFT * unit + 0.5 * (room_x - long * scale);
         let axis = above * unit + 0.5 * room_y;
-        Sheet {
+        SectionSheet {
             width,
             height,
             unit,
@@ -239,7 +240,7 @@ impl Sheet {
     }
 
     /// What is seen of a part from outside, below the axis: its silhouette, and its edges.
-    fn outside(&self, section: &Region, loops: &[Vec<Segment>]) -> (String, String) {
+    fn outside(&self, section: &Region, loops: &[Vec<OutlineSegment>]) -> (String, String) {
         let (mut fill, mut edges) = (String::new(), String::new());
         let at = |p: Vec2| {
             let (x, y) = self.below(p);
@@ -396,7 +397,7 @@ fn bounds(found: &TurnedReport) -> (Vec2, Vec2) {
     .unwrap_or(none)
 }
 
-fn middle(segment: &Segment) -> Vec2 {
+fn middle(segment: &OutlineSegment) -> Vec2 {
     let Some(bend) = segment.bend else { return (segment.start + segment.end) * 0.5 };
     let (sine, cosine) = (0.5 * segment.sweep()).sin_cos();
     let to = segment.start - bend.center;

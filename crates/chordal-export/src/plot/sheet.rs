@@ -3,15 +3,15 @@
 use chordal::geometry::{Aabb, Vec3};
 use resvg::tiny_skia::Pixmap;
 
-use super::frame::{self, Grid, INCH};
-use super::layout::{Layout, MARGIN};
+use super::frame::{self, GridSteps, INCH};
+use super::layout::{MARGIN, SheetLayout};
 use super::palette::Palette;
-use super::pen::Paths;
-use super::relief::Drawn;
-use super::store::{Group, Store, Stroke};
+use super::pen::ViewPaths;
+use super::relief::DrawnRelief;
+use super::store::{CutGroup, CutStroke, PathStore};
 use super::text::{escape, label, px};
-use super::turned::Turned;
-use super::view::{Panel, Rect};
+use super::turned::TurnedStockPlot;
+use super::view::{PixelRect, ViewPanel};
 use super::{PlotError, PlotOptions, draw_onto, png_of, usvg_options};
 
 /// Rows of the legend; tools for which there is no room are counted.
@@ -23,20 +23,20 @@ const ROW: f64 = 25.0;
 const MOST_BYTES: usize = 3 << 20;
 
 /// A sheet in layers: what lies under the stock, the stock, and what lies over it.
-pub(super) struct Layers {
+pub(super) struct SheetLayers {
     /// The root element with its definitions.
     head: String,
     under: String,
-    stock: Vec<Drawn>,
+    stock: Vec<DrawnRelief>,
     over: String,
 }
 
 const END: &str = "</svg>\n";
 
-impl Layers {
+impl SheetLayers {
     /// All in one.
     pub fn svg(self) -> String {
-        let stock: String = self.stock.iter().map(Drawn::svg).collect();
+        let stock: String = self.stock.iter().map(DrawnRelief::svg).collect();
         [self.head, self.under, stock, self.over, END.to_string()].concat()
     }
 
@@ -44,7 +44,7 @@ impl Layers {
     pub fn pixels(self, width: u32, height: u32) -> Result<Vec<u8>, PlotError> {
         let mut pixmap = Pixmap::new(width, height).ok_or(PlotError::Size(width, height))?;
         let options = usvg_options();
-        let Layers { head, under, stock, over } = self;
+        let SheetLayers { head, under, stock, over } = self;
         if stock.is_empty() {
             draw_onto(&mut pixmap, &[&head, &under, &over, END].concat(), &options)?;
             return png_of(&pixmap);
@@ -60,26 +60,26 @@ impl Layers {
 
 /// The whole sheet.
 pub(super) fn layers(
-    store: &Store,
-    turned: Option<&Turned>,
+    store: &PathStore,
+    turned: Option<&TurnedStockPlot>,
     inch: bool,
     options: &PlotOptions,
-) -> Layers {
+) -> SheetLayers {
     let colors = Palette::of(options.dark);
     let (width, height) =
         (f64::from(options.width_px.max(200)), f64::from(options.height_px.max(200)));
-    let unit = Layout::unit(width, height);
-    let legend = Legend::new(store, inch, width, unit);
+    let unit = SheetLayout::unit(width, height);
+    let legend = SheetLegend::new(store, inch, width, unit);
     let bounds = match (store.extent(), turned) {
         (Some(bounds), Some(turned)) => Some(turned.around(bounds)),
         (bounds, _) => bounds,
     };
     let drawn = bounds.unwrap_or(Aabb { min: Vec3::ZERO, max: Vec3::ZERO });
     let layout = match turned {
-        Some(_) => Layout::turned(width, height, &drawn, legend.height()),
-        None => Layout::new(width, height, &drawn, legend.height()),
+        Some(_) => SheetLayout::turned(width, height, &drawn, legend.height()),
+        None => SheetLayout::new(width, height, &drawn, legend.height()),
     };
-    let grid = Grid::new(&layout.panels[0], unit, inch, &drawn);
+    let grid = GridSteps::new(&layout.panels[0], unit, inch, &drawn);
 
     let (mut head, mut under, mut over) = (String::new(), String::new(), String::new());
     open(&mut head, &layout, options);
@@ -100,10 +100,10 @@ pub(super) fn layers(
         }
         None => nothing(&mut over, store, &layout, colors),
     }
-    Layers { head, under, stock, over }
+    SheetLayers { head, under, stock, over }
 }
 
-fn open(out: &mut String, layout: &Layout, options: &PlotOptions) {
+fn open(out: &mut String, layout: &SheetLayout, options: &PlotOptions) {
     let (width, height) = (px(layout.width), px(layout.height));
     out.push_str(&format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
@@ -118,7 +118,7 @@ fn open(out: &mut String, layout: &Layout, options: &PlotOptions) {
     out.push_str("</defs>\n");
 }
 
-fn sheet(out: &mut String, layout: &Layout, colors: &Palette) {
+fn sheet(out: &mut String, layout: &SheetLayout, colors: &Palette) {
     let (width, height) = (px(layout.width), px(layout.height));
     out.push_str(&format!(
         "<rect width=\"{width}\" height=\"{height}\" fill=\"{}\"/>\n",
@@ -127,8 +127,8 @@ fn sheet(out: &mut String, layout: &Layout, colors: &Palette) {
 }
 
 /// The clip path of a view.
-pub(super) fn clip(out: &mut String, panel: &Panel, index: usize) {
-    let Rect { x, y, width, height } = panel.rect;
+pub(super) fn clip(out: &mut String, panel: &ViewPanel, index: usize) {
+    let PixelRect { x, y, width, height } = panel.rect;
     out.push_str(&format!(
         "<clipPath id=\"view{index}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\
          </clipPath>\n",
@@ -142,9 +142,9 @@ pub(super) fn clip(out: &mut String, panel: &Panel, index: usize) {
 /// File, machine, extents.
 fn caption(
     out: &mut String,
-    store: &Store,
-    layout: &Layout,
-    grid: &Grid,
+    store: &PathStore,
+    layout: &SheetLayout,
+    grid: &GridSteps,
     inch: bool,
     options: &PlotOptions,
     colors: &Palette,
@@ -178,7 +178,7 @@ fn caption(
 }
 
 /// The extents of the cuts and the step of the grid.
-fn extents(store: &Store, is_turned: bool, grid: &Grid, inch: bool) -> Vec<String> {
+fn extents(store: &PathStore, is_turned: bool, grid: &GridSteps, inch: bool) -> Vec<String> {
     let mut lines = Vec::new();
     let (factor, word, decimals) = if inch { (INCH, "in", 4) } else { (1.0, "mm", 3) };
     if let Some(cuts) = store.cut_extent() {
@@ -209,9 +209,9 @@ fn extents(store: &Store, is_turned: bool, grid: &Grid, inch: bool) -> Vec<Strin
 /// What lies under everything in a view.
 pub(super) fn ground(
     out: &mut String,
-    panel: &Panel,
+    panel: &ViewPanel,
     index: usize,
-    grid: &Grid,
+    grid: &GridSteps,
     bounds: &Aabb,
     unit: f64,
     colors: &Palette,
@@ -232,8 +232,8 @@ pub(super) fn under_path(out: &mut String, drawn: &str, index: usize) {
 /// A view with everything in it that lies over the ground and the stock.
 pub(super) fn view(
     out: &mut String,
-    store: &Store,
-    panel: &Panel,
+    store: &PathStore,
+    panel: &ViewPanel,
     index: usize,
     unit: f64,
     most_bytes: usize,
@@ -249,13 +249,13 @@ pub(super) fn view(
 
 fn paths(
     out: &mut String,
-    store: &Store,
-    panel: &Panel,
+    store: &PathStore,
+    panel: &ViewPanel,
     unit: f64,
     most_bytes: usize,
     colors: &Palette,
 ) {
-    let paths = Paths::of(store, panel, unit, most_bytes);
+    let paths = ViewPaths::of(store, panel, unit, most_bytes);
     if !paths.rapids.is_empty() {
         out.push_str(&format!(
             "<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{} {}\"/>\n",
@@ -285,18 +285,18 @@ fn paths(
 }
 
 /// The colour of a group of cuts.
-fn stroke_color(colors: &Palette, stroke: Stroke) -> &'static str {
+fn stroke_color(colors: &Palette, stroke: CutStroke) -> &'static str {
     match stroke {
-        Stroke::Tool(index) => colors.tool(index),
-        Stroke::Off => colors.rapid,
-        Stroke::Step(step) => colors.step(step),
+        CutStroke::Tool(index) => colors.tool(index),
+        CutStroke::Off => colors.rapid,
+        CutStroke::Step(step) => colors.step(step),
     }
 }
 
-fn stroke_dash(colors: &Palette, stroke: Stroke, unit: f64) -> String {
+fn stroke_dash(colors: &Palette, stroke: CutStroke, unit: f64) -> String {
     match stroke {
-        Stroke::Tool(index) => tool_dash(colors, index, unit),
-        Stroke::Off | Stroke::Step(_) => String::new(),
+        CutStroke::Tool(index) => tool_dash(colors, index, unit),
+        CutStroke::Off | CutStroke::Step(_) => String::new(),
     }
 }
 
@@ -311,7 +311,7 @@ pub(super) fn tool_dash(colors: &Palette, index: usize, unit: f64) -> String {
 }
 
 /// Thinner lines where they lie close together, so that they do not run into one another.
-fn stroke_width(store: &Store, panel: &Panel, unit: f64) -> f64 {
+fn stroke_width(store: &PathStore, panel: &ViewPanel, unit: f64) -> f64 {
     let area = panel.rect.width * panel.rect.height;
     let covered = store.cut_mm() * panel.scale * 2.0 * unit / area;
     let width = 2.0 - 1.3 * ((covered - 0.12) / 0.6).clamp(0.0, 1.0);
@@ -319,7 +319,7 @@ fn stroke_width(store: &Store, panel: &Panel, unit: f64) -> f64 {
 }
 
 /// Begin and end of the path.
-fn ends(out: &mut String, store: &Store, panel: &Panel, unit: f64, colors: &Palette) {
+fn ends(out: &mut String, store: &PathStore, panel: &ViewPanel, unit: f64, colors: &Palette) {
     let Some((start, end)) = store.ends() else { return };
     let (start, end) = (panel.place(start), panel.place(end));
     if panel.rect.holds(end, 0.0) {
@@ -354,7 +354,7 @@ fn end_mark(out: &mut String, at: (f64, f64), unit: f64, colors: &Palette) {
 }
 
 /// The sheet of a program that does not move.
-fn nothing(out: &mut String, store: &Store, layout: &Layout, colors: &Palette) {
+fn nothing(out: &mut String, store: &PathStore, layout: &SheetLayout, colors: &Palette) {
     let unit = layout.unit;
     let text = if store.has_unknown() {
         "no motion at a known position relative to the part"
@@ -381,8 +381,8 @@ fn nothing(out: &mut String, store: &Store, layout: &Layout, colors: &Palette) {
 
 /// What a sign of the legend is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Sign {
-    Cut(Stroke),
+enum LegendSign {
+    Cut(CutStroke),
     Rapid,
     Start,
     End,
@@ -390,8 +390,8 @@ enum Sign {
 }
 
 #[derive(Debug)]
-struct Entry {
-    sign: Sign,
+struct LegendEntry {
+    sign: LegendSign,
     text: String,
     /// From the left, units.
     x: f64,
@@ -399,17 +399,17 @@ struct Entry {
 }
 
 #[derive(Debug)]
-struct Legend {
-    entries: Vec<Entry>,
+struct SheetLegend {
+    entries: Vec<LegendEntry>,
 }
 
 /// Width of a sign with its gap, units.
 const SIGN: f64 = 38.0;
 const LEGEND_TEXT: f64 = 15.0;
 
-impl Legend {
-    fn new(store: &Store, inch: bool, width: f64, unit: f64) -> Legend {
-        let mut legend = Legend { entries: Vec::new() };
+impl SheetLegend {
+    fn new(store: &PathStore, inch: bool, width: f64, unit: f64) -> SheetLegend {
+        let mut legend = SheetLegend { entries: Vec::new() };
         if store.extent().is_none() {
             return legend;
         }
@@ -417,17 +417,17 @@ impl Legend {
             if inch { format!("{} in", measure(mm / INCH)) } else { format!("{} mm", measure(mm)) }
         };
         let room = width / unit - 2.0 * MARGIN;
-        legend.add(Sign::Start, "start".into(), room);
-        legend.add(Sign::End, "end".into(), room);
+        legend.add(LegendSign::Start, "start".into(), room);
+        legend.add(LegendSign::End, "end".into(), room);
         if let Some(mm) = store.rapid_mm() {
-            legend.add(Sign::Rapid, format!("rapid {}", length(mm)), room);
+            legend.add(LegendSign::Rapid, format!("rapid {}", length(mm)), room);
         }
-        let groups: Vec<Group> = store.groups().list.into_iter().filter(is_listed).collect();
+        let groups: Vec<CutGroup> = store.groups().list.into_iter().filter(is_listed).collect();
         for (index, group) in groups.iter().enumerate() {
             let text = format!("{}  {}", group.name, length(group.cut_mm));
-            if !legend.add(Sign::Cut(group.stroke), text, room - 140.0) {
+            if !legend.add(LegendSign::Cut(group.stroke), text, room - 140.0) {
                 let text = format!("and {} more tools", groups.len() - index);
-                legend.add(Sign::None, text, f64::INFINITY);
+                legend.add(LegendSign::None, text, f64::INFINITY);
                 break;
             }
         }
@@ -435,7 +435,7 @@ impl Legend {
     }
 
     /// Adds an entry, on the next row where this one is full; false when there is no row.
-    fn add(&mut self, sign: Sign, text: String, room: f64) -> bool {
+    fn add(&mut self, sign: LegendSign, text: String, room: f64) -> bool {
         let (mut x, mut row) = match self.entries.last() {
             Some(last) => (last.x + SIGN + text_width(&last.text, LEGEND_TEXT) + 26.0, last.row),
             None => (0.0, 0),
@@ -449,7 +449,7 @@ impl Legend {
             }
             (x, row) = (0.0, row + 1);
         }
-        self.entries.push(Entry { sign, text, x, row });
+        self.entries.push(LegendEntry { sign, text, x, row });
         true
     }
 
@@ -458,14 +458,14 @@ impl Legend {
         self.entries.last().map_or(0.0, |last| 14.0 + ROW * (last.row + 1) as f64)
     }
 
-    fn draw(&self, out: &mut String, layout: &Layout, colors: &Palette) {
+    fn draw(&self, out: &mut String, layout: &SheetLayout, colors: &Palette) {
         let unit = layout.unit;
         let top = layout.height - (MARGIN + self.height() - 20.0) * unit;
         for entry in &self.entries {
             let x = (MARGIN + entry.x) * unit;
             let y = top + (entry.row as f64 + 0.5) * ROW * unit;
             sign(out, entry.sign, (x, y), unit, colors);
-            let offset = if entry.sign == Sign::None { 0.0 } else { SIGN };
+            let offset = if entry.sign == LegendSign::None { 0.0 } else { SIGN };
             out.push_str(&format!(
                 "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\">{}</text>\n",
                 px(x + offset * unit),
@@ -479,11 +479,11 @@ impl Legend {
 }
 
 /// Steps of power that nothing was cut with are not listed.
-fn is_listed(group: &Group) -> bool {
-    group.cut_mm > 0.0 || matches!(group.stroke, Stroke::Tool(_))
+fn is_listed(group: &CutGroup) -> bool {
+    group.cut_mm > 0.0 || matches!(group.stroke, CutStroke::Tool(_))
 }
 
-fn sign(out: &mut String, sign: Sign, (x, y): (f64, f64), unit: f64, colors: &Palette) {
+fn sign(out: &mut String, sign: LegendSign, (x, y): (f64, f64), unit: f64, colors: &Palette) {
     let middle = (x + 20.0 * unit, y);
     let line = |color: &str, width: f64, dash: &str| {
         format!(
@@ -496,17 +496,17 @@ fn sign(out: &mut String, sign: Sign, (x, y): (f64, f64), unit: f64, colors: &Pa
         )
     };
     match sign {
-        Sign::Cut(stroke) => {
+        LegendSign::Cut(stroke) => {
             let color = stroke_color(colors, stroke);
             out.push_str(&line(color, 3.5, &stroke_dash(colors, stroke, unit)));
         }
-        Sign::Rapid => {
+        LegendSign::Rapid => {
             let dash = format!(" stroke-dasharray=\"{} {}\"", px(6.0 * unit), px(4.0 * unit));
             out.push_str(&line(colors.rapid, 1.2, &dash));
         }
-        Sign::Start => start_mark(out, middle, unit, colors),
-        Sign::End => end_mark(out, middle, unit, colors),
-        Sign::None => {}
+        LegendSign::Start => start_mark(out, middle, unit, colors),
+        LegendSign::End => end_mark(out, middle, unit, colors),
+        LegendSign::None => {}
     }
 }
 

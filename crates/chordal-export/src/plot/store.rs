@@ -5,7 +5,7 @@ use chordal::geometry::{Aabb, Curve, ParamCurve, Vec3};
 use chordal::path::{NotNamed, UnrelatedZero};
 use chordal::{Segment, SegmentKind};
 
-use super::relief::Relief;
+use super::relief::StockRelief;
 use crate::not_drawn::{left_out_texts, not_named_texts};
 
 /// Pieces after which the path is thinned for the first time.
@@ -17,7 +17,7 @@ const BEYOND: f64 = 0.18;
 
 /// A piece after the point where the one before ended.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Piece {
+pub(super) enum StoredPiece {
     /// A straight line to a point.
     To(Vec3),
     /// The curve of this number.
@@ -26,8 +26,8 @@ pub(super) enum Piece {
 
 /// Pieces one after the other, of one tool.
 #[derive(Clone, Debug)]
-pub(super) struct Run {
-    /// Index of the tool in [`Store::tools`]; `None` for rapids.
+pub(super) struct ToolRun {
+    /// Index of the tool in [`PathStore::tools`]; `None` for rapids.
     pub tool: Option<usize>,
     pub start: Vec3,
     /// Its first piece; it ends where the next run begins.
@@ -36,7 +36,7 @@ pub(super) struct Run {
 
 /// A tool, and the power that it has cut with where that is drawn.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tool {
+pub(super) struct PlottedTool {
     pub number: u32,
     power: f64,
     pub cut_mm: f64,
@@ -44,7 +44,7 @@ pub(super) struct Tool {
 
 /// How a group of cuts is drawn.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Stroke {
+pub(super) enum CutStroke {
     /// As this tool of the order of use.
     Tool(usize),
     /// As the rapids: a laser that is off.
@@ -55,19 +55,19 @@ pub(super) enum Stroke {
 
 /// Cuts that are drawn alike.
 #[derive(Clone, Debug)]
-pub(super) struct Group {
+pub(super) struct CutGroup {
     /// As the picture names them, and as the legend does.
     pub id: String,
     pub name: String,
     pub cut_mm: f64,
-    pub stroke: Stroke,
+    pub stroke: CutStroke,
 }
 
 /// What is drawn alike: the tools, or steps of power.
 #[derive(Clone, Debug)]
-pub(super) struct Groups {
-    pub list: Vec<Group>,
-    /// The group of each tool of [`Store::tools`].
+pub(super) struct CutGroups {
+    pub list: Vec<CutGroup>,
+    /// The group of each tool of [`PathStore::tools`].
     pub of_tool: Vec<usize>,
 }
 
@@ -76,11 +76,11 @@ const STEPS: usize = 5;
 
 /// The path, thinned when it grows large.
 #[derive(Debug)]
-pub(super) struct Store {
-    runs: Vec<Run>,
-    pieces: Vec<Piece>,
+pub(super) struct PathStore {
+    runs: Vec<ToolRun>,
+    pieces: Vec<StoredPiece>,
     curves: Vec<Curve>,
-    tools: Vec<Tool>,
+    tools: Vec<PlottedTool>,
     rapid_mm: f64,
     cuts: Aabb,
     rapids: Aabb,
@@ -97,15 +97,15 @@ pub(super) struct Store {
     /// Two programs in one picture, by these names, not tools.
     pub overlay: Option<[String; 2]>,
     /// The stock that is left.
-    pub stock: Option<Relief>,
+    pub stock: Option<StockRelief>,
     /// One tool with several powers is drawn by them: a laser.
     pub by_power: bool,
 }
 
-impl Store {
+impl PathStore {
     /// Nothing yet, of a control that calls its work offsets so.
-    pub fn new(naming: WorkNaming) -> Store {
-        Store {
+    pub fn new(naming: WorkNaming) -> PathStore {
+        PathStore {
             runs: Vec::new(),
             pieces: Vec::new(),
             curves: Vec::new(),
@@ -158,14 +158,14 @@ impl Store {
         self.start.get_or_insert(start);
         let goes_on = self.runs.last().is_some_and(|run| run.tool == tool) && self.end == start;
         if !goes_on {
-            self.runs.push(Run { tool, start, first: self.pieces.len() });
+            self.runs.push(ToolRun { tool, start, first: self.pieces.len() });
         }
         self.end = end;
         self.pieces.push(match segment.curve {
-            Curve::Line(_) => Piece::To(end),
+            Curve::Line(_) => StoredPiece::To(end),
             curve => {
                 self.curves.push(curve);
-                Piece::Curve(self.curves.len() as u32 - 1)
+                StoredPiece::Curve(self.curves.len() as u32 - 1)
             }
         });
         if self.pieces.len() >= self.limit {
@@ -174,24 +174,24 @@ impl Store {
     }
 
     /// What is drawn alike.
-    pub fn groups(&self) -> Groups {
+    pub fn groups(&self) -> CutGroups {
         let most = self.tools.iter().map(|tool| tool.power).fold(0.0, f64::max);
         if self.has_powers() && most > 0.0 {
             return self.steps_of_power(most);
         }
-        let mut list: Vec<Group> = Vec::new();
+        let mut list: Vec<CutGroup> = Vec::new();
         let mut of_tool = Vec::new();
         for tool in &self.tools {
             let id = format!("tool-{}", tool.number);
             let place = list.iter().position(|group| group.id == id).unwrap_or_else(|| {
-                let stroke = Stroke::Tool(list.len());
-                list.push(Group { id, name: self.name(tool), cut_mm: 0.0, stroke });
+                let stroke = CutStroke::Tool(list.len());
+                list.push(CutGroup { id, name: self.name(tool), cut_mm: 0.0, stroke });
                 list.len() - 1
             });
             list[place].cut_mm += tool.cut_mm;
             of_tool.push(place);
         }
-        Groups { list, of_tool }
+        CutGroups { list, of_tool }
     }
 
     /// A tool has cut with more than one power.
@@ -205,7 +205,7 @@ impl Store {
     }
 
     /// From nothing to the most, in equal steps.
-    fn steps_of_power(&self, most: f64) -> Groups {
+    fn steps_of_power(&self, most: f64) -> CutGroups {
         let of_tool: Vec<usize> = self
             .tools
             .iter()
@@ -216,16 +216,16 @@ impl Store {
                 let own = self.tools.iter().zip(&of_tool).filter(|(_, of)| **of == step);
                 let powers = own.clone().map(|(tool, _)| tool.power);
                 let name = if step == 0 { "S0, off".to_string() } else { named(powers) };
-                let stroke = if step == 0 { Stroke::Off } else { Stroke::Step(step - 1) };
+                let stroke = if step == 0 { CutStroke::Off } else { CutStroke::Step(step - 1) };
                 let cut_mm = own.map(|(tool, _)| tool.cut_mm).sum();
-                Group { id: format!("power-{step}"), name, cut_mm, stroke }
+                CutGroup { id: format!("power-{step}"), name, cut_mm, stroke }
             })
             .collect();
-        Groups { list, of_tool }
+        CutGroups { list, of_tool }
     }
 
     /// What the legend calls a tool.
-    pub fn name(&self, tool: &Tool) -> String {
+    pub fn name(&self, tool: &PlottedTool) -> String {
         match (&self.overlay, tool.number) {
             (Some(names), number) => names[usize::from(number > 1)].clone(),
             (None, 0) => "no tool".into(),
@@ -239,7 +239,7 @@ impl Store {
         match self.tools.iter().rposition(|tool| tool.number == number && tool.power == power) {
             Some(index) => index,
             None => {
-                self.tools.push(Tool { number, power, cut_mm: 0.0 });
+                self.tools.push(PlottedTool { number, power, cut_mm: 0.0 });
                 self.tools.len() - 1
             }
         }
@@ -261,23 +261,23 @@ impl Store {
     /// Leaves out corners and curves that no drawing shows.
     fn thin(&mut self) {
         let reach = self.extent().map_or(0.0, |extent| extent.size().length() * DETAIL);
-        let old = std::mem::replace(self, Store::new(self.naming));
+        let old = std::mem::replace(self, PathStore::new(self.naming));
         self.tools = old.tools;
         self.curves = Vec::new();
         for (index, run) in old.runs.iter().enumerate() {
             let until = old.runs.get(index + 1).map_or(old.pieces.len(), |next| next.first);
-            self.runs.push(Run { first: self.pieces.len(), ..run.clone() });
+            self.runs.push(ToolRun { first: self.pieces.len(), ..run.clone() });
             let mut at = run.start;
             for (place, piece) in old.pieces[run.first..until].iter().enumerate() {
                 let last = run.first + place + 1 == until;
                 let curve = match piece {
-                    Piece::To(_) => None,
-                    Piece::Curve(number) => Some(old.curves[*number as usize]),
+                    StoredPiece::To(_) => None,
+                    StoredPiece::Curve(number) => Some(old.curves[*number as usize]),
                 };
                 let end = match (piece, &curve) {
                     (_, Some(curve)) => curve.end(),
-                    (Piece::To(point), _) => *point,
-                    (Piece::Curve(_), None) => at,
+                    (StoredPiece::To(point), _) => *point,
+                    (StoredPiece::Curve(_), None) => at,
                 };
                 let size =
                     curve.map_or((end - at).length(), |curve| curve.bounds().size().length());
@@ -288,9 +288,9 @@ impl Store {
                 self.pieces.push(match curve {
                     Some(curve) if size >= reach => {
                         self.curves.push(curve);
-                        Piece::Curve(self.curves.len() as u32 - 1)
+                        StoredPiece::Curve(self.curves.len() as u32 - 1)
                     }
-                    _ => Piece::To(end),
+                    _ => StoredPiece::To(end),
                 });
             }
         }
@@ -304,7 +304,7 @@ impl Store {
     }
 
     /// The runs with their pieces.
-    pub fn runs(&self) -> impl Iterator<Item = (&Run, &[Piece])> {
+    pub fn runs(&self) -> impl Iterator<Item = (&ToolRun, &[StoredPiece])> {
         self.runs.iter().enumerate().map(|(index, run)| {
             let until = self.runs.get(index + 1).map_or(self.pieces.len(), |next| next.first);
             (run, &self.pieces[run.first..until])
@@ -317,7 +317,7 @@ impl Store {
     }
 
     /// The tools that cut, in the order of their first use.
-    pub fn tools(&self) -> &[Tool] {
+    pub fn tools(&self) -> &[PlottedTool] {
         &self.tools
     }
 
@@ -355,7 +355,7 @@ impl Store {
 
     /// The box that is drawn: the cuts, the rapids near them, and the stock.
     pub fn extent(&self) -> Option<Aabb> {
-        let stock = self.stock.as_ref().map(Relief::bounds);
+        let stock = self.stock.as_ref().map(StockRelief::bounds);
         match (self.path_extent(), stock) {
             (Some(path), Some(stock)) => Some(path.union(stock)),
             (path, stock) => path.or(stock),

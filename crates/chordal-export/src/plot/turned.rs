@@ -2,24 +2,24 @@
 
 use chordal::geometry::{Aabb, Vec2, Vec3};
 use chordal::stock::TurnedReport;
-use chordal::stock::section::{Region, Segment};
+use chordal::stock::section::{OutlineSegment, Region};
 
 use super::palette::Palette;
 use super::text::{push_px, px};
-use super::view::Panel;
+use super::view::ViewPanel;
 
 /// What is left, what was there, and where threads are whose grooves are not known.
 #[derive(Debug, Default)]
-pub(super) struct Turned {
-    before: Vec<Vec<Segment>>,
-    left: Vec<Vec<Segment>>,
-    threads: Vec<Vec<Segment>>,
+pub(super) struct TurnedStockPlot {
+    before: Vec<Vec<OutlineSegment>>,
+    left: Vec<Vec<OutlineSegment>>,
+    threads: Vec<Vec<OutlineSegment>>,
     bounds: Option<(Vec2, Vec2)>,
 }
 
-impl Turned {
-    pub fn of(found: &TurnedReport) -> Turned {
-        Turned {
+impl TurnedStockPlot {
+    pub fn of(found: &TurnedReport) -> TurnedStockPlot {
+        TurnedStockPlot {
             before: found.before.shape(),
             left: found.threaded_sections().iter().flat_map(Region::shape).collect(),
             threads: found
@@ -46,10 +46,10 @@ impl Turned {
     }
 
     /// The half section in a view, X up.
-    pub fn svg(&self, panel: &Panel, unit: f64, colors: &Palette) -> String {
+    pub fn svg(&self, panel: &ViewPanel, unit: f64, colors: &Palette) -> String {
         let place = |p: Vec2| panel.place(Vec3::new(p.b, 0.0, p.a));
         let mut out = String::new();
-        let mut path = |loops: &[Vec<Segment>], style: &str| {
+        let mut path = |loops: &[Vec<OutlineSegment>], style: &str| {
             if !loops.is_empty() {
                 let data = path_data(loops, panel.scale, place, false);
                 out.push_str(&format!("<path d=\"{data}\" {style}/>\n"));
@@ -92,7 +92,7 @@ impl Turned {
 
 /// Loops as the data of a path; `scale` is px for each mm. Mirrored at the axis the senses of arcs turn round.
 pub(super) fn path_data(
-    loops: &[Vec<Segment>],
+    loops: &[Vec<OutlineSegment>],
     scale: f64,
     place: impl Fn(Vec2) -> (f64, f64),
     mirrored: bool,
@@ -119,7 +119,7 @@ fn point(data: &mut String, letter: char, at: (f64, f64)) {
 /// A segment after the point where it begins.
 pub(super) fn segment_data(
     data: &mut String,
-    segment: &Segment,
+    segment: &OutlineSegment,
     scale: f64,
     place: &impl Fn(Vec2) -> (f64, f64),
     mirrored: bool,

@@ -4,7 +4,7 @@ use chordal::geometry::{Aabb, Vec3};
 
 /// A direction to look in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct View {
+pub(super) struct ViewDirection {
     pub title: &'static str,
     /// What goes to the right on the sheet.
     pub right: Vec3,
@@ -17,16 +17,16 @@ pub(super) struct View {
 }
 
 /// From above.
-pub(super) const TOP: View =
-    View { title: "Top", right: Vec3::X, up: Vec3::Y, along_axes: true, doubled: false };
+pub(super) const TOP: ViewDirection =
+    ViewDirection { title: "Top", right: Vec3::X, up: Vec3::Y, along_axes: true, doubled: false };
 /// From the operator's place.
-pub(super) const FRONT: View =
-    View { title: "Front", right: Vec3::X, up: Vec3::Z, along_axes: true, doubled: false };
+pub(super) const FRONT: ViewDirection =
+    ViewDirection { title: "Front", right: Vec3::X, up: Vec3::Z, along_axes: true, doubled: false };
 /// From the right.
-pub(super) const SIDE: View =
-    View { title: "Right", right: Vec3::Y, up: Vec3::Z, along_axes: true, doubled: false };
+pub(super) const SIDE: ViewDirection =
+    ViewDirection { title: "Right", right: Vec3::Y, up: Vec3::Z, along_axes: true, doubled: false };
 /// Of a lathe: the axis of the part to the right, away from it up.
-pub(super) const TURNED: View = View {
+pub(super) const TURNED: ViewDirection = ViewDirection {
     title: "Z and X, diameters",
     right: Vec3::Z,
     up: Vec3::X,
@@ -35,7 +35,7 @@ pub(super) const TURNED: View = View {
 };
 
 /// Of a lathe with live tools: the face from the tailstock, and the shell of a cylinder rolled out flat.
-pub(super) const FACE: View = View {
+pub(super) const FACE: ViewDirection = ViewDirection {
     title: "X and Y, radii: face, shell rolled out",
     right: Vec3::X,
     up: Vec3::Y,
@@ -49,7 +49,7 @@ const SIXTH: f64 = 0.408_248_290_463_863;
 const TWO_THIRDS: f64 = 0.816_496_580_927_726;
 
 /// From the front, the right and above, all alike.
-pub(super) const ISOMETRIC: View = View {
+pub(super) const ISOMETRIC: ViewDirection = ViewDirection {
     title: "Isometric",
     right: Vec3::new(HALF, HALF, 0.0),
     up: Vec3::new(-SIXTH, SIXTH, TWO_THIRDS),
@@ -57,7 +57,7 @@ pub(super) const ISOMETRIC: View = View {
     doubled: false,
 };
 
-impl View {
+impl ViewDirection {
     /// Where a point comes to lie, mm to the right and up.
     #[inline]
     pub fn project(&self, p: Vec3) -> (f64, f64) {
@@ -70,8 +70,8 @@ impl View {
     }
 
     /// The extent of a box: left, right, bottom, top.
-    pub fn extent(&self, bounds: &Aabb) -> Extent {
-        let mut extent = Extent::NOTHING;
+    pub fn extent(&self, bounds: &Aabb) -> ViewExtent {
+        let mut extent = ViewExtent::NOTHING;
         for corner in corners(bounds) {
             let (x, y) = self.project(corner);
             extent.left = extent.left.min(x);
@@ -85,15 +85,15 @@ impl View {
 
 /// A rectangle in mm, as the views see it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Extent {
+pub(super) struct ViewExtent {
     pub left: f64,
     pub right: f64,
     pub bottom: f64,
     pub top: f64,
 }
 
-impl Extent {
-    const NOTHING: Extent = Extent {
+impl ViewExtent {
+    const NOTHING: ViewExtent = ViewExtent {
         left: f64::INFINITY,
         right: f64::NEG_INFINITY,
         bottom: f64::INFINITY,
@@ -123,14 +123,14 @@ fn corners(bounds: &Aabb) -> impl Iterator<Item = Vec3> {
 
 /// A rectangle on the sheet, px; y goes down.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rect {
+pub(super) struct PixelRect {
     pub x: f64,
     pub y: f64,
     pub width: f64,
     pub height: f64,
 }
 
-impl Rect {
+impl PixelRect {
     pub fn right(&self) -> f64 {
         self.x + self.width
     }
@@ -177,16 +177,16 @@ impl Rect {
 
 /// A view in its place on the sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Panel {
-    pub view: View,
-    pub rect: Rect,
+pub(super) struct ViewPanel {
+    pub view: ViewDirection,
+    pub rect: PixelRect,
     /// px for each mm.
     pub scale: f64,
     /// What lies in the middle of the rectangle, mm.
     pub middle: (f64, f64),
 }
 
-impl Panel {
+impl ViewPanel {
     /// Where a point comes to lie, px.
     #[inline]
     pub fn place(&self, p: Vec3) -> (f64, f64) {
@@ -219,7 +219,7 @@ mod tests {
 
     #[test]
     fn lines_are_clipped() {
-        let rect = Rect { x: 0.0, y: 0.0, width: 10.0, height: 10.0 };
+        let rect = PixelRect { x: 0.0, y: 0.0, width: 10.0, height: 10.0 };
         assert_eq!(rect.clip((-5.0, 5.0), (20.0, 5.0)), Some(((0.0, 5.0), (10.0, 5.0))));
         assert_eq!(rect.clip((-5.0, 5.0), (-1.0, 5.0)), None);
         assert_eq!(rect.clip((5.0, -5.0), (5.0, -1.0)), None);

@@ -15,7 +15,7 @@ const NEAR: u32 = 3;
 
 /// Words to underline.
 #[derive(Clone, Debug)]
-pub(crate) struct Mark {
+pub(crate) struct ExcerptMark {
     pub span: Span,
     pub text: String,
     pub primary: bool,
@@ -23,17 +23,17 @@ pub(crate) struct Mark {
 
 /// Consecutive lines of one file with marks in them.
 #[derive(Debug)]
-struct Excerpt {
+struct SourceExcerpt {
     file: FileId,
     first_line: u32,
     text: String,
     marks: Vec<(Range<usize>, String, bool)>,
-    corrections: Vec<Correction>,
+    corrections: Vec<ColumnCorrection>,
 }
 
 /// A column as the renderer counts it in a cut line, and as it is in the text.
 #[derive(Debug)]
-struct Correction {
+struct ColumnCorrection {
     line: u32,
     shown: usize,
     column: u32,
@@ -41,14 +41,14 @@ struct Correction {
 
 /// The excerpts of a problem, the one with the cause first.
 #[derive(Debug, Default)]
-pub(crate) struct Excerpts {
-    excerpts: Vec<Excerpt>,
+pub(crate) struct ProblemExcerpts {
+    excerpts: Vec<SourceExcerpt>,
 }
 
-impl Excerpts {
+impl ProblemExcerpts {
     /// Cuts the lines of all marks out of their texts.
-    pub fn new(marks: &[Mark], sources: &SourceMap) -> Excerpts {
-        let mut places: Vec<(FileId, u32, &Mark)> = marks
+    pub fn new(marks: &[ExcerptMark], sources: &SourceMap) -> ProblemExcerpts {
+        let mut places: Vec<(FileId, u32, &ExcerptMark)> = marks
             .iter()
             .filter(|mark| mark.span != Span::default())
             .filter_map(|mark| {
@@ -58,14 +58,14 @@ impl Excerpts {
             })
             .collect();
         places.sort_by_key(|(file, line, _)| (*file, *line));
-        let mut excerpts: Vec<Excerpt> = Vec::new();
+        let mut excerpts: Vec<SourceExcerpt> = Vec::new();
         for group in places.chunk_by(|a, b| a.0 == b.0 && b.1 - a.1 <= NEAR) {
             if let Some(source) = sources.get(group[0].0) {
-                excerpts.push(Excerpt::new(group, source));
+                excerpts.push(SourceExcerpt::new(group, source));
             }
         }
         excerpts.sort_by_key(|excerpt| !excerpt.marks.iter().any(|mark| mark.2));
-        Excerpts { excerpts }
+        ProblemExcerpts { excerpts }
     }
 
     /// As annotated snippets.
@@ -92,7 +92,7 @@ impl Excerpts {
     pub fn correct(&self, mut text: String, sources: &SourceMap) -> String {
         for excerpt in &self.excerpts {
             let name = sources.get(excerpt.file).map_or("", Source::name);
-            for Correction { line, shown, column } in &excerpt.corrections {
+            for ColumnCorrection { line, shown, column } in &excerpt.corrections {
                 let wrong = format!("{name}:{line}:{shown}\n");
                 text = text.replacen(&wrong, &format!("{name}:{line}:{column}\n"), 1);
             }
@@ -107,14 +107,14 @@ impl Excerpts {
     }
 }
 
-impl Excerpt {
-    fn new(group: &[(FileId, u32, &Mark)], source: &Source) -> Excerpt {
+impl SourceExcerpt {
+    fn new(group: &[(FileId, u32, &ExcerptMark)], source: &Source) -> SourceExcerpt {
         let (file, first_line, _) = group[0];
         let last_line = group[group.len() - 1].1;
         let (text, marks, corrections) = Default::default();
-        let mut excerpt = Excerpt { file, first_line, text, marks, corrections };
+        let mut excerpt = SourceExcerpt { file, first_line, text, marks, corrections };
         for line in first_line..=last_line {
-            let marks: Vec<&Mark> =
+            let marks: Vec<&ExcerptMark> =
                 group.iter().filter(|place| place.1 == line).map(|place| place.2).collect();
             if line > first_line {
                 excerpt.text.push('\n');
@@ -125,7 +125,7 @@ impl Excerpt {
     }
 
     /// Appends a line, cut around its marks.
-    fn line(&mut self, source: &Source, line: u32, marks: &[&Mark]) {
+    fn line(&mut self, source: &Source, line: u32, marks: &[&ExcerptMark]) {
         let start = source.line_start(line);
         let bytes = source.line_text(line);
         let local = |range: TextRange| {
@@ -135,14 +135,14 @@ impl Excerpt {
         };
         let chosen = marks.iter().find(|mark| mark.primary).or(marks.first());
         let focus = chosen.map_or(0..0, |mark| local(mark.span.range));
-        let window = Window::new(bytes, focus);
+        let window = LineWindow::new(bytes, focus);
         if let Some(mark) = chosen
             && window.text.starts_with('…')
         {
             let at = window.map(local(mark.span.range)).start;
             let shown = window.text[..at].chars().count() + 1;
             let column = source.line_column(mark.span.range.start).column;
-            self.corrections.push(Correction { line, shown, column });
+            self.corrections.push(ColumnCorrection { line, shown, column });
         }
         let base = self.text.len();
         self.text.push_str(&window.text);
@@ -155,14 +155,14 @@ impl Excerpt {
 }
 
 /// A piece of a line as text, and where its bytes went.
-struct Window {
+struct LineWindow {
     text: String,
     /// Offset in the line and in `text` of each character, in order, and of the end.
     places: Vec<(usize, usize)>,
 }
 
-impl Window {
-    fn new(line: &[u8], focus: Range<usize>) -> Window {
+impl LineWindow {
+    fn new(line: &[u8], focus: Range<usize>) -> LineWindow {
         // A character has at most four bytes; the surplus is cut by characters below.
         let reach = 4 * (REACH + 1);
         let focus = focus.start..focus.end.min(focus.start + LONGEST);
@@ -180,10 +180,15 @@ impl Window {
         let cut_before = from > 0 || first > 0;
         let cut_after = to < line.len() || last < characters.len();
         let end = characters.get(last).map_or(to, |(at, _)| *at);
-        Window::of(&characters[first..last], end, cut_before, cut_after)
+        LineWindow::of(&characters[first..last], end, cut_before, cut_after)
     }
 
-    fn of(characters: &[(usize, char)], end: usize, cut_before: bool, cut_after: bool) -> Window {
+    fn of(
+        characters: &[(usize, char)],
+        end: usize,
+        cut_before: bool,
+        cut_after: bool,
+    ) -> LineWindow {
         let mut text = String::new();
         if cut_before {
             text.push('…');
@@ -197,7 +202,7 @@ impl Window {
         if cut_after {
             text.push('…');
         }
-        Window { text, places }
+        LineWindow { text, places }
     }
 
     /// A range of the line's bytes in the text; the nearest edge where it was cut.
@@ -239,7 +244,7 @@ mod tests {
     use super::*;
 
     fn window(line: &[u8], focus: Range<usize>) -> (String, String) {
-        let window = Window::new(line, focus.clone());
+        let window = LineWindow::new(line, focus.clone());
         let range = window.map(focus);
         let words = window.text[range].to_string();
         (window.text, words)

@@ -12,14 +12,14 @@ use crate::digest::sha256_hex;
 /// A Code Quality report of any number of programs: GitLab shows the problems of a merge request
 /// next to the lines.
 #[derive(Debug, Default)]
-pub struct Gitlab {
+pub struct GitlabReport {
     problems: Vec<Value>,
 }
 
-impl Gitlab {
+impl GitlabReport {
     /// An empty report.
-    pub fn new() -> Gitlab {
-        Gitlab::default()
+    pub fn new() -> GitlabReport {
+        GitlabReport::default()
     }
 
     /// Adds the problems of a program.

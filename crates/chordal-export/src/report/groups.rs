@@ -11,7 +11,7 @@ const MOST_NAMED: usize = 8;
 
 /// The problems of one code and severity.
 #[derive(Debug)]
-pub(crate) struct Problems<'r> {
+pub(crate) struct ProblemGroup<'r> {
     pub severity: Severity,
     pub code: Code,
     /// By place, as the report has them.
@@ -20,7 +20,7 @@ pub(crate) struct Problems<'r> {
     pub dropped: u64,
 }
 
-impl Problems<'_> {
+impl ProblemGroup<'_> {
     /// All of them.
     pub fn count(&self) -> u64 {
         self.kept.len() as u64 + self.dropped
@@ -28,13 +28,15 @@ impl Problems<'_> {
 }
 
 /// The problems of a report by code: errors, then warnings, then notes; within a severity by the first place.
-pub(crate) fn groups(report: &Report) -> Vec<Problems<'_>> {
-    let mut groups: Vec<Problems> = Vec::new();
+pub(crate) fn groups(report: &Report) -> Vec<ProblemGroup<'_>> {
+    let mut groups: Vec<ProblemGroup> = Vec::new();
     for diagnostic in &report.diagnostics {
         let (severity, code) = (diagnostic.severity, diagnostic.code);
         match groups.iter_mut().find(|group| (group.severity, group.code) == (severity, code)) {
             Some(group) => group.kept.push(diagnostic),
-            None => groups.push(Problems { severity, code, kept: vec![diagnostic], dropped: 0 }),
+            None => {
+                groups.push(ProblemGroup { severity, code, kept: vec![diagnostic], dropped: 0 })
+            }
         }
     }
     groups.sort_by_key(|group| std::cmp::Reverse(group.severity));

@@ -2,13 +2,17 @@
 
 use chordal::control::Recognition;
 use chordal::diagnostics::{Applicability, Fix};
-use chordal::{Diagnostic, Reading, ReadingChoices, Report, SourceMap, Span};
+use chordal::{Diagnostic, ProgramReading, ReadingChoices, Report, SourceMap, Span};
 use serde_json::{Map, Value, json};
 
 use super::place::{call_text, place};
 
 /// The members of the object that say on what the program was read.
-fn insert_reading(object: &mut Map<String, Value>, reading: &Reading<'_>, sources: &SourceMap<'_>) {
+fn insert_reading(
+    object: &mut Map<String, Value>,
+    reading: &ProgramReading<'_>,
+    sources: &SourceMap<'_>,
+) {
     let found = reading.recognition;
     let signs = found.into_iter().flat_map(Recognition::evidence);
     let evidence: Value = signs
@@ -54,7 +58,12 @@ fn readings_value(choices: &ReadingChoices, sources: &SourceMap) -> Value {
 /// All problems of a run as one JSON object, schema `chordal.diagnostics/1`; `file` is the
 /// name of the program. Lines and columns count from 1, columns in characters; ends are one
 /// past the last. `start` and `end` are offsets in bytes.
-pub fn json(report: &Report, sources: &SourceMap, file: &str, reading: &Reading<'_>) -> String {
+pub fn json(
+    report: &Report,
+    sources: &SourceMap,
+    file: &str,
+    reading: &ProgramReading<'_>,
+) -> String {
     let object = problems("chordal.diagnostics/1", report, sources, file, reading);
     format!("{:#}\n", Value::Object(object))
 }
@@ -72,7 +81,7 @@ pub(super) fn problems(
     report: &Report,
     sources: &SourceMap,
     file: &str,
-    reading: &Reading<'_>,
+    reading: &ProgramReading<'_>,
 ) -> Map<String, Value> {
     let diagnostics: Vec<Value> =
         report.diagnostics.iter().map(|diagnostic| problem(diagnostic, sources)).collect();

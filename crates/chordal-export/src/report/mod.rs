@@ -11,12 +11,12 @@ mod summary;
 mod text;
 
 pub use github::github;
-pub use gitlab::Gitlab;
+pub use gitlab::GitlabReport;
 pub use json::{files_json, json};
-pub use place::{Place, place};
-pub use sarif::Sarif;
+pub use place::{SourceLocation, place};
+pub use sarif::SarifReport;
 pub use summary::{RunOf, summary_json};
-pub use text::{Detail, excerpt, one, text};
+pub use text::{ReportDetail, excerpt, one, text};
 
-pub(crate) use excerpt::{Excerpts, Mark};
+pub(crate) use excerpt::{ExcerptMark, ProblemExcerpts};
 pub(crate) use text::renderer;

@@ -5,7 +5,7 @@ use chordal::{SourceMap, Span};
 
 /// A span as file, lines and columns. The end is the column after the last character.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Place<'a> {
+pub struct SourceLocation<'a> {
     /// The name of the text.
     pub file: &'a str,
     /// Its first character.
@@ -16,7 +16,7 @@ pub struct Place<'a> {
 
 /// The place of a span; `None` for the span that stands for the program as a whole, and
 /// outside the text.
-pub fn place<'a>(span: Span, sources: &'a SourceMap) -> Option<Place<'a>> {
+pub fn place<'a>(span: Span, sources: &'a SourceMap) -> Option<SourceLocation<'a>> {
     if span == Span::default() {
         return None;
     }
@@ -26,7 +26,7 @@ pub fn place<'a>(span: Span, sources: &'a SourceMap) -> Option<Place<'a>> {
     }
     let start = source.line_column(span.range.start);
     let end = source.line_column(span.range.end.max(span.range.start));
-    Some(Place { file: source.name(), start, end })
+    Some(SourceLocation { file: source.name(), start, end })
 }
 
 /// The block of a call: its place, and its text for people.

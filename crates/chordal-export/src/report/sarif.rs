@@ -9,15 +9,15 @@ use super::place::{call_text, place};
 /// A SARIF 2.1.0 log of any number of programs: one run, with the whole registry as its
 /// rules.
 #[derive(Debug, Default)]
-pub struct Sarif {
+pub struct SarifReport {
     results: Vec<Value>,
     notifications: Vec<Value>,
 }
 
-impl Sarif {
+impl SarifReport {
     /// An empty log.
-    pub fn new() -> Sarif {
-        Sarif::default()
+    pub fn new() -> SarifReport {
+        SarifReport::default()
     }
 
     /// Adds the problems of a program.

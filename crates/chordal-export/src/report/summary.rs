@@ -7,7 +7,7 @@ use chordal::machine::ToolShape;
 use chordal::stock::StockLeft;
 use chordal::time::Timed;
 use chordal::tool_comments::{KnownTool, known_tools};
-use chordal::{AxisTravel, Job, Reading, Report, ToolUse};
+use chordal::{AxisTravel, Job, ProgramReading, Report, ToolUse};
 use serde_json::{Value, json};
 
 use super::json::problems;
@@ -27,7 +27,12 @@ pub struct RunOf<'a> {
 /// A run with its problems as one JSON object, schema `chordal.summary/1`: the members of
 /// [`json`](super::json()), `summary`, and with a stock `stock` as in `chordal.stock/1`. Lengths in mm, angles in
 /// degrees, times in s, feeds in mm/min; `time_s` is null where the run was not planned.
-pub fn summary_json(run: &RunOf<'_>, job: &Job, file: &str, reading: &Reading<'_>) -> String {
+pub fn summary_json(
+    run: &RunOf<'_>,
+    job: &Job,
+    file: &str,
+    reading: &ProgramReading<'_>,
+) -> String {
     let RunOf { report, timed, stock } = *run;
     let mut object = problems("chordal.summary/1", report, job.sources(), file, reading);
     object.insert("summary".into(), summary(report, job, timed));

@@ -1,11 +1,11 @@
 //! Problems as text for people.
 
 use annotate_snippets::{Element, Group, Level, Origin, Patch, Renderer, Snippet};
-use chordal::diagnostics::{Applicability, Counts, Fix};
+use chordal::diagnostics::{Applicability, Fix, SeverityCounts};
 use chordal::{Diagnostic, Report, Severity, SourceMap, Span};
 
-use super::excerpt::{Excerpts, Mark};
-use super::groups::{Problems, groups, lines_of};
+use super::excerpt::{ExcerptMark, ProblemExcerpts};
+use super::groups::{ProblemGroup, groups, lines_of};
 use super::place::{call_text, place};
 use crate::numbers::grouped;
 
@@ -14,7 +14,7 @@ const MOST_CALLS: usize = 6;
 
 /// How much is shown of the problems.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Detail {
+pub enum ReportDetail {
     /// One line for each code, without the words of the program.
     Lines,
     /// What fits a screen: the first place of a code in full, of the others the lines. Of a few errors three
@@ -33,22 +33,22 @@ const FEW_ERRORS: u64 = 6;
 /// Codes with a place in full, of those that fit a screen.
 const MOST_CODES: usize = 4;
 
-impl Detail {
+impl ReportDetail {
     /// How many places of a code are shown in full: of the code with this index, in a run with so many errors.
     fn places(self, severity: Severity, index: usize, errors: u64) -> usize {
         match (self, severity) {
-            (Detail::Lines, _) => 0,
-            (Detail::First, Severity::Error) if errors <= FEW_ERRORS => 3,
-            (Detail::First, _) => usize::from(index < MOST_CODES),
-            (Detail::Places(most), _) => most.max(1),
-            (Detail::All, _) => usize::MAX,
+            (ReportDetail::Lines, _) => 0,
+            (ReportDetail::First, Severity::Error) if errors <= FEW_ERRORS => 3,
+            (ReportDetail::First, _) => usize::from(index < MOST_CODES),
+            (ReportDetail::Places(most), _) => most.max(1),
+            (ReportDetail::All, _) => usize::MAX,
         }
     }
 }
 
 /// The problems of a run as text for people: by code, errors first, with the lines they are in, and how many
 /// there are. Empty when there are none.
-pub fn text(report: &Report, sources: &SourceMap, color: bool, detail: Detail) -> String {
+pub fn text(report: &Report, sources: &SourceMap, color: bool, detail: ReportDetail) -> String {
     let mut out = String::new();
     let mut brief = 0;
     for (index, group) in groups(report).into_iter().enumerate() {
@@ -60,7 +60,7 @@ pub fn text(report: &Report, sources: &SourceMap, color: bool, detail: Detail) -
             most => out.push_str(&group_text(&group, sources, color, most)),
         }
     }
-    if brief > 0 && detail == Detail::First {
+    if brief > 0 && detail == ReportDetail::First {
         out.push('\n');
     }
     out.push_str(&closing(&report.counts));
@@ -71,7 +71,7 @@ pub fn text(report: &Report, sources: &SourceMap, color: bool, detail: Detail) -
 }
 
 /// The first places of a code in full, and where the others are.
-fn group_text(group: &Problems<'_>, sources: &SourceMap, color: bool, most: usize) -> String {
+fn group_text(group: &ProblemGroup<'_>, sources: &SourceMap, color: bool, most: usize) -> String {
     let (shown, hidden) = group.kept.split_at(most.min(group.kept.len()));
     let mut out = String::new();
     for (index, diagnostic) in shown.iter().enumerate() {
@@ -95,7 +95,7 @@ fn gutter(text: &str) -> String {
 }
 
 /// `part.nc:33: warning[CH414]: the path turns by … (796 places)`.
-fn line(group: &Problems<'_>, sources: &SourceMap) -> String {
+fn line(group: &ProblemGroup<'_>, sources: &SourceMap) -> String {
     let Some(first) = group.kept.first() else { return String::new() };
     let at = match place(first.primary.span, sources) {
         Some(place) => format!("{}:{}: ", clean(place.file), place.start.line),
@@ -114,7 +114,7 @@ pub fn one(diagnostic: &Diagnostic, sources: &SourceMap, color: bool) -> String 
     let message = clean(&diagnostic.message);
     let title = level(diagnostic.severity).primary_title(message).id(diagnostic.code.id());
     let mut group = Group::with_title(title);
-    let excerpts = Excerpts::new(&marks(diagnostic), sources);
+    let excerpts = ProblemExcerpts::new(&marks(diagnostic), sources);
     if place(diagnostic.primary.span, sources).is_none()
         && let Some(source) = sources.get(diagnostic.primary.span.file)
     {
@@ -135,7 +135,7 @@ pub fn one(diagnostic: &Diagnostic, sources: &SourceMap, color: bool) -> String 
 /// The lines of a problem with its words underlined, without its message and what follows; empty
 /// where it has no place in a text.
 pub fn excerpt(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
-    let excerpts = Excerpts::new(&marks(diagnostic), sources);
+    let excerpts = ProblemExcerpts::new(&marks(diagnostic), sources);
     if excerpts.first().is_none() {
         return String::new();
     }
@@ -161,13 +161,13 @@ fn level(severity: Severity) -> Level<'static> {
     }
 }
 
-fn marks(diagnostic: &Diagnostic) -> Vec<Mark> {
-    let primary = Mark {
+fn marks(diagnostic: &Diagnostic) -> Vec<ExcerptMark> {
+    let primary = ExcerptMark {
         span: diagnostic.primary.span,
         text: clean(&diagnostic.primary.text),
         primary: true,
     };
-    let others = diagnostic.secondary.iter().map(|label| Mark {
+    let others = diagnostic.secondary.iter().map(|label| ExcerptMark {
         span: label.span,
         text: clean(&label.text),
         primary: false,
@@ -203,14 +203,14 @@ fn called_from(call: Span, sources: &SourceMap) -> String {
     format!("called from {file}line {}: {words}", place.start.line)
 }
 
-fn fix_excerpts(fix: &Fix, sources: &SourceMap) -> Excerpts {
-    let mark = Mark { span: fix.span, text: String::new(), primary: true };
-    Excerpts::new(&[mark], sources)
+fn fix_excerpts(fix: &Fix, sources: &SourceMap) -> ProblemExcerpts {
+    let mark = ExcerptMark { span: fix.span, text: String::new(), primary: true };
+    ProblemExcerpts::new(&[mark], sources)
 }
 
 /// The fix as a help with the line as it would be. Where the words that go are more than the
 /// line shows, only its title.
-fn suggestion<'f>(fix: &'f Fix, excerpts: &'f Excerpts, sources: &SourceMap) -> Group<'f> {
+fn suggestion<'f>(fix: &'f Fix, excerpts: &'f ProblemExcerpts, sources: &SourceMap) -> Group<'f> {
     let title = match fix.applicability {
         Applicability::Safe => clean(&fix.title),
         Applicability::Unsafe => format!("{} (check it first)", clean(&fix.title)),
@@ -236,7 +236,7 @@ fn not_verified(file: &str, line: u32, is_path_lost: bool) -> String {
 }
 
 /// `2 errors, 1 warning`.
-fn closing(counts: &Counts) -> String {
+fn closing(counts: &SeverityCounts) -> String {
     let parts: Vec<String> =
         [(counts.errors, "error"), (counts.warnings, "warning"), (counts.notes, "note")]
             .into_iter()
@@ -260,9 +260,9 @@ mod tests {
 
     #[test]
     fn counts_are_words() {
-        let counts = Counts { errors: 2, warnings: 1, notes: 0 };
+        let counts = SeverityCounts { errors: 2, warnings: 1, notes: 0 };
         assert_eq!(closing(&counts), "2 errors, 1 warning\n");
-        assert_eq!(closing(&Counts::default()), "");
+        assert_eq!(closing(&SeverityCounts::default()), "");
         assert_eq!(grouped(9_912), "9,912");
         assert_eq!(grouped(1_234_567), "1,234,567");
     }

@@ -35,20 +35,20 @@ pub enum SampleFormat {
 
 /// Writes setpoints one after the other, and holds no more of them than a group of rows.
 #[derive(Debug)]
-pub struct SampleWriter<W: Write + Send + 'static>(Kind<W>);
+pub struct SampleWriter<W: Write + Send + 'static>(SampleFileFormat<W>);
 
 #[derive(Debug)]
-enum Kind<W: Write + Send + 'static> {
+enum SampleFileFormat<W: Write + Send + 'static> {
     Text(TextRows<W>),
     #[cfg(feature = "files")]
     Columns(Box<ColumnFile<W, SampleColumns>>),
 }
 
 #[cfg(feature = "files")]
-impl<W: Write + Send + 'static> Kind<W> {
-    fn columns(out: W, format: ColumnFormat, head: &SampleHead) -> io::Result<Kind<W>> {
+impl<W: Write + Send + 'static> SampleFileFormat<W> {
+    fn columns(out: W, format: ColumnFormat, head: &SampleHead) -> io::Result<SampleFileFormat<W>> {
         let file = ColumnFile::new(out, format, SampleColumns::new(head))?;
-        Ok(Kind::Columns(Box::new(file)))
+        Ok(SampleFileFormat::Columns(Box::new(file)))
     }
 }
 
@@ -59,12 +59,12 @@ impl<W: Write + Send + 'static> SampleWriter<W> {
     /// Those of the output.
     pub fn new(out: W, format: SampleFormat, head: &SampleHead) -> io::Result<SampleWriter<W>> {
         Ok(SampleWriter(match format {
-            SampleFormat::Csv => Kind::Text(TextRows::csv(out, head)?),
-            SampleFormat::Jsonl => Kind::Text(TextRows::jsonl(out, head)?),
+            SampleFormat::Csv => SampleFileFormat::Text(TextRows::csv(out, head)?),
+            SampleFormat::Jsonl => SampleFileFormat::Text(TextRows::jsonl(out, head)?),
             #[cfg(feature = "files")]
-            SampleFormat::Parquet => Kind::columns(out, ColumnFormat::Parquet, head)?,
+            SampleFormat::Parquet => SampleFileFormat::columns(out, ColumnFormat::Parquet, head)?,
             #[cfg(feature = "files")]
-            SampleFormat::Arrow => Kind::columns(out, ColumnFormat::Arrow, head)?,
+            SampleFormat::Arrow => SampleFileFormat::columns(out, ColumnFormat::Arrow, head)?,
         }))
     }
 
@@ -74,9 +74,9 @@ impl<W: Write + Send + 'static> SampleWriter<W> {
     /// Those of the output.
     pub fn sample(&mut self, sample: &Sample, line: u32) -> io::Result<()> {
         match &mut self.0 {
-            Kind::Text(out) => out.sample(sample, line),
+            SampleFileFormat::Text(out) => out.sample(sample, line),
             #[cfg(feature = "files")]
-            Kind::Columns(out) => out.put(|rows| rows.sample(sample, line)),
+            SampleFileFormat::Columns(out) => out.put(|rows| rows.sample(sample, line)),
         }
     }
 
@@ -86,9 +86,9 @@ impl<W: Write + Send + 'static> SampleWriter<W> {
     /// Those of the output.
     pub fn finish(self) -> io::Result<W> {
         let mut out = match self.0 {
-            Kind::Text(out) => out.finish(),
+            SampleFileFormat::Text(out) => out.finish(),
             #[cfg(feature = "files")]
-            Kind::Columns(out) => out.finish(),
+            SampleFileFormat::Columns(out) => out.finish(),
         }?;
         out.flush()?;
         Ok(out)

@@ -4,9 +4,9 @@ use std::io::{self, Write};
 
 use chordal::motion::Sample;
 
-use crate::json::Object;
+use crate::json::JsonObject;
 use crate::number::{push_finite, push_integer, push_number};
-use crate::setpoints::{SAMPLE_SCHEMA, SampleHead, Setpoint};
+use crate::setpoints::{SAMPLE_SCHEMA, SampleHead, SetpointColumn};
 
 /// Bytes that are gathered before they are written.
 const BLOCK: usize = 1 << 16;
@@ -15,7 +15,7 @@ const BLOCK: usize = 1 << 16;
 pub(super) struct TextRows<W> {
     out: W,
     rows: Vec<u8>,
-    columns: Vec<Setpoint>,
+    columns: Vec<SetpointColumn>,
     /// What stands before the value of each column in a JSON object; empty for CSV.
     names: Vec<Vec<u8>>,
 }
@@ -35,7 +35,7 @@ impl<W: Write> TextRows<W> {
     pub fn jsonl(out: W, head: &SampleHead) -> io::Result<TextRows<W>> {
         let columns = head.columns();
         let mut rows = Vec::with_capacity(2 * BLOCK);
-        let mut header = Object::open(&mut rows);
+        let mut header = JsonObject::open(&mut rows);
         header.word("schema", SAMPLE_SCHEMA);
         for (name, unit) in [("length_unit", "mm"), ("angle_unit", "deg"), ("time_unit", "s")] {
             header.word(name, unit);
@@ -47,7 +47,7 @@ impl<W: Write> TextRows<W> {
         header.word("program_sha256", &head.program_sha256);
         header.close();
         rows.push(b'\n');
-        let name = |(index, column): (usize, &Setpoint)| {
+        let name = |(index, column): (usize, &SetpointColumn)| {
             format!("{}\"{}\":", if index == 0 { '{' } else { ',' }, column.name).into_bytes()
         };
         let names = columns.iter().enumerate().map(name).collect();

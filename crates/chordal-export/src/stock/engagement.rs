@@ -3,15 +3,17 @@
 use std::fmt::Write as _;
 
 use chordal::control::{Units, telling_number};
-use chordal::stock::{Between, EngagementReport, MoveEngagement, NoMaterial, Peak, ToolEngagement};
+use chordal::stock::{
+    BoundedValue, EngagementReport, LoadPeak, MoveEngagement, NoMaterial, ToolEngagement,
+};
 use serde_json::{Value, json};
 
 use super::json::{between, problem, rounded};
 
 /// Numbers in the units of a program.
-struct Words(Units);
+struct EngagementUnits(Units);
 
-impl Words {
+impl EngagementUnits {
     fn length(&self, mm: f64) -> String {
         match self.0 {
             Units::Inch => format!("{} in", telling_number(mm / 25.4, 3)),
@@ -56,11 +58,11 @@ const NM_OF_INLB: f64 = 0.112_984_829_027_616_7;
 
 /// The answer for people, in the units of the program; the problems are printed apart.
 pub fn engagement_text(found: &EngagementReport) -> String {
-    let words = Words(found.units);
+    let words = EngagementUnits(found.units);
     let mut text = String::new();
     for tool in &found.tools {
         let _ = writeln!(text, "{}", head(tool));
-        let mut row = |name: &str, peak: Peak, say: &dyn Fn(f64) -> String| {
+        let mut row = |name: &str, peak: LoadPeak, say: &dyn Fn(f64) -> String| {
             let _ = writeln!(
                 text,
                 "  {name:<13} {:<14} typical {:<14} line {}",
@@ -158,11 +160,11 @@ fn head(tool: &ToolEngagement) -> String {
     format!("tool {}{teeth}: {} moves, {seconds} s in material", tool.number, tool.moves)
 }
 
-fn bounds(value: Between, scale: f64) -> Value {
+fn bounds(value: BoundedValue, scale: f64) -> Value {
     between(value.least * scale, value.most * scale)
 }
 
-fn peak(peak: Peak, scale: f64) -> Value {
+fn peak(peak: LoadPeak, scale: f64) -> Value {
     json!({
         "peak": rounded(peak.peak * scale),
         "typical": rounded(peak.typical * scale),

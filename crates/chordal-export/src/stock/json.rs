@@ -1,7 +1,7 @@
 //! A run on stock as one JSON object.
 
 use chordal::Code;
-use chordal::stock::{Amount, StockReport};
+use chordal::stock::{StockReport, VolumeInterval};
 use serde_json::{Map, Value, json};
 
 /// To a millionth: smaller digits are rounding of sums.
@@ -14,7 +14,7 @@ pub(super) fn between(least: f64, most: f64) -> Value {
     json!({ "least": rounded(least), "most": rounded(most) })
 }
 
-fn bounds(amount: Amount) -> Value {
+fn bounds(amount: VolumeInterval) -> Value {
     between(amount.least, amount.most)
 }
 

@@ -1,6 +1,6 @@
 //! A run on stock in words.
 
-use chordal::stock::{Amount, StockReport, StockVerdict};
+use chordal::stock::{StockReport, StockVerdict, VolumeInterval};
 use chordal::{Code, Report, Severity};
 
 use crate::numbers::duration;
@@ -22,7 +22,7 @@ pub fn stock_text(found: &StockReport) -> String {
     let length = |mm: f64| {
         if inch { format!("{:.4} in", mm / 25.4) } else { format!("{mm:.3} mm") }
     };
-    let volume = |amount: Amount, inch| stock_volume([amount.least, amount.most], inch);
+    let volume = |amount: VolumeInterval, inch| stock_volume([amount.least, amount.most], inch);
     let mut text = format!("removed     {}\n", volume(found.removed_mm3, inch));
     text += &format!("left        {}\n", volume(found.left_mm3, inch));
     text += &format!("resolution  {}\n", length(found.resolution_mm));

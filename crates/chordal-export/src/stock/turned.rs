@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 
 use chordal::geometry::{Vec2, Vec3};
 use chordal::stock::mesh::{LengthUnit, Mesh, write};
-use chordal::stock::section::{Region, Segment};
-use chordal::stock::{Amount, StockVerdict, TurnedMove, TurnedReport};
+use chordal::stock::section::{OutlineSegment, Region};
+use chordal::stock::{StockVerdict, TurnedMove, TurnedReport, VolumeInterval};
 use serde_json::{Map, Value, json};
 
 use super::json::problem;
@@ -26,11 +26,11 @@ fn rounded(value: f64) -> f64 {
     (value * 1e9).round() / 1e9
 }
 
-fn volume_of(amount: Amount, inch: bool) -> String {
+fn volume_of(amount: VolumeInterval, inch: bool) -> String {
     stock_volume([amount.least, amount.most], inch)
 }
 
-fn bounds(amount: Amount) -> Value {
+fn bounds(amount: VolumeInterval) -> Value {
     json!({ "least": rounded(amount.least), "most": rounded(amount.most) })
 }
 
@@ -111,14 +111,14 @@ pub fn turned_verdict_text(verdict: StockVerdict) -> &'static str {
     }
 }
 
-fn exactly(value: f64) -> Amount {
-    Amount { least: value, most: value }
+fn exactly(value: f64) -> VolumeInterval {
+    VolumeInterval { least: value, most: value }
 }
 
 /// The outline of a half section: loops of segments, each with its end, and of an arc centre and sense.
 fn loops(region: &Region) -> Value {
     let point = |p: Vec2| json!([rounded(p.a), rounded(p.b)]);
-    let segment = |segment: &Segment| match segment.bend {
+    let segment = |segment: &OutlineSegment| match segment.bend {
         None => json!({ "to": point(segment.end) }),
         Some(bend) => json!({
             "to": point(segment.end),
@@ -303,7 +303,7 @@ pub fn section_dxf(found: &TurnedReport) -> Vec<u8> {
 }
 
 /// The name of an entity and its numbers.
-fn entity(segment: &Segment) -> (&'static str, Vec<(u32, f64)>) {
+fn entity(segment: &OutlineSegment) -> (&'static str, Vec<(u32, f64)>) {
     let Some(bend) = segment.bend else {
         let (start, end) = (segment.start, segment.end);
         return ("LINE", vec![(10, start.a), (20, start.b), (11, end.a), (21, end.b)]);
@@ -381,7 +381,7 @@ fn ring(corner: Vec2, vertices: &mut Vec<Vec3>) -> (u32, u32) {
 }
 
 /// Corners of an outline with chords instead of arcs; what lies on the axis has none between its ends.
-fn chords(outline: &[Segment]) -> Vec<Vec2> {
+fn chords(outline: &[OutlineSegment]) -> Vec<Vec2> {
     let mut corners = Vec::new();
     for segment in outline {
         corners.push(segment.start);

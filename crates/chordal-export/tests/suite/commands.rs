@@ -5,7 +5,7 @@ use chordal::control::{ArcShape, AxisMask, Feed, FeedAlong, FeedMode, Move, Orig
 use chordal::geometry::Plane;
 use chordal::machine::AXES;
 use chordal::{Command, CommandKind, Job};
-use chordal_export::{Canon, CommandCsv, CommandJsonLines};
+use chordal_export::{CanonWriter, CommandCsv, CommandJsonLines};
 
 use crate::common::{SMALL, job};
 
@@ -42,7 +42,7 @@ fn csv_of_a_small_job() {
 #[test]
 fn canonical_text_of_a_small_job() {
     let job = job("linuxcnc-mill", "small.nc", SMALL);
-    let mut writer = Canon::new(Vec::new(), &job).unwrap();
+    let mut writer = CanonWriter::new(Vec::new(), &job).unwrap();
     commands(&job).iter().for_each(|command| writer.command(command).unwrap());
     insta::assert_snapshot!(text(writer.finish().unwrap()));
 }
@@ -117,7 +117,7 @@ fn every_line_is_an_object_of_the_schema() {
 #[test]
 fn turns_and_unequal_radii_are_told_in_canonical_text() {
     let job = job("linuxcnc-mill", "small.nc", SMALL);
-    let mut writer = Canon::new(Vec::new(), &job).unwrap();
+    let mut writer = CanonWriter::new(Vec::new(), &job).unwrap();
     writer.command(&helix(-2.5 * TAU, 10.0, FEED)).unwrap();
     writer.command(&helix(TAU, 12.0, FEED)).unwrap();
     let text = text(writer.finish().unwrap());
@@ -203,7 +203,7 @@ fn splines_are_of_a_kind_of_their_own() {
     let csv = text(writer.finish().unwrap());
     assert_eq!(csv.lines().filter(|line| line.contains(",spline,")).count(), 2);
 
-    let mut writer = Canon::new(Vec::new(), &job).unwrap();
+    let mut writer = CanonWriter::new(Vec::new(), &job).unwrap();
     commands.iter().for_each(|command| writer.command(command).unwrap());
     let canon = text(writer.finish().unwrap());
     let first = "N3 NURBS_FEED(4, 0.000000, 0.000000, 1.000000, 0.000000, 3.000000, 1.000000, ";
@@ -248,7 +248,7 @@ fn canonical_places_are_those_before_a_turn_with_its_frame() {
         G3 X8 Y2.5 I2 J0\nG52 X-3 Z4\nG1 X5 Y1 Z-2\nG18 G2 X9 Z-2 I2 K0\nG55\nG10 L2 P2 R180\nG0 X2 Y7 Z3\n\
         G18 G3 X-4 Z3 I-3 K0\nG19 G2 Y7 Z3 J2.5 K-1\nG92.1\nG17 G0 X1 Y2 Z8\nM2\n";
     let job = job("linuxcnc-mill", "turned.ngc", program);
-    let mut writer = Canon::new(Vec::new(), &job).unwrap();
+    let mut writer = CanonWriter::new(Vec::new(), &job).unwrap();
     commands(&job).iter().for_each(|command| writer.command(command).unwrap());
     let text = text(writer.finish().unwrap());
     let printed = "\

@@ -1,6 +1,6 @@
 //! The sheets of calculations: every text stands where it can be read.
 
-use chordal::geometry::{Direction, Vec2};
+use chordal::geometry::{TurnDirection, Vec2};
 use chordal::machine::ControlName;
 use chordal_calc::*;
 use chordal_export::{PlotError, PlotOptions, figure_png, figure_svg};
@@ -30,7 +30,7 @@ fn texts(svg: &str) -> Vec<([f64; 4], String)> {
 }
 
 #[track_caller]
-fn readable(worked: &Worked) {
+fn readable(worked: &WorkedCalculation) {
     let svg = figure_svg(worked, &options());
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
     let texts = texts(&svg);
@@ -51,22 +51,24 @@ fn readable(worked: &Worked) {
 #[test]
 fn corners() {
     for degrees in [2, 15, 30, 45, 60, 75, 90, 120, 150, 170] {
-        for (axis, bend) in [(Axis::X, Bend::Outside), (Axis::Y, Bend::Inside)] {
+        for (axis, bend) in
+            [(PlaneAxis::X, CornerSide::Outside), (PlaneAxis::Y, CornerSide::Inside)]
+        {
             let angle = f64::from(degrees).to_radians();
             let ask = LineAxis { cutter_radius: 6.35, angle, axis, bend, rise: None };
-            readable(&corner_with_axis(&ask, Units::Inch).unwrap());
+            readable(&corner_with_axis(&ask, AnswerUnit::Inch).unwrap());
         }
         for b in [-160, -90, -20, 0, 10, 45, 90, 135, 200] {
             if (b + degrees) % 180 == 0 || (b - degrees) % 180 == 0 {
                 continue;
             }
             let (a, b) = (f64::from(degrees).to_radians(), f64::from(b).to_radians());
-            for side in [Side::Left, Side::Right] {
+            for side in [TravelSide::Left, TravelSide::Right] {
                 let ask = TwoLines { cutter_radius: 6.35, a, b, side };
-                readable(&corner_of_lines(&ask, Units::Inch).unwrap());
+                readable(&corner_of_lines(&ask, AnswerUnit::Inch).unwrap());
             }
-            let ask = Tangent { cutter_radius: 5.0, angle: b, side: Side::Right };
-            readable(&tangent_point(&ask, Units::Millimetre).unwrap());
+            let ask = TangentTransition { cutter_radius: 5.0, angle: b, side: TravelSide::Right };
+            readable(&tangent_point(&ask, AnswerUnit::Millimetre).unwrap());
         }
     }
 }
@@ -78,13 +80,13 @@ fn arcs() {
             for height in [0.0, 3.0, 12.0, 20.0] {
                 let (cutter_radius, radius) = (4.0, 31.0);
                 let ask = LineArc { cutter_radius, radius, height, inside, toward, corner: None };
-                readable(&line_with_arc(&ask, Units::Millimetre).unwrap());
+                readable(&line_with_arc(&ask, AnswerUnit::Millimetre).unwrap());
             }
             for apart in [[30.0, 0.0], [0.0, -30.0], [-22.0, 22.0]] {
                 let inside = [inside, toward];
-                let side = Side::Right;
+                let side = TravelSide::Right;
                 let ask = ArcArc { cutter_radius: 3.0, radii: [30.0, 20.0], inside, apart, side };
-                readable(&arc_with_arc(&ask, Units::Inch).unwrap());
+                readable(&arc_with_arc(&ask, AnswerUnit::Inch).unwrap());
             }
         }
     }
@@ -95,15 +97,15 @@ fn arcs() {
                 radius: 20.0,
                 from: f64::from(from).to_radians(),
                 to: f64::from(to).to_radians(),
-                direction: Direction::Cw,
+                direction: TurnDirection::Cw,
             };
-            readable(&arc_points(&ask, Units::Millimetre).unwrap());
+            readable(&arc_points(&ask, AnswerUnit::Millimetre).unwrap());
         }
     }
     for tolerance in [4.0, 0.5, 1e-3] {
         for sweep in [0.3, 1.5, 6.2] {
             let ask = ChordCount { radius: 10.0, tolerance, sweep };
-            readable(&chord_count(&ask, Units::Millimetre).unwrap());
+            readable(&chord_count(&ask, AnswerUnit::Millimetre).unwrap());
         }
     }
 }
@@ -111,17 +113,17 @@ fn arcs() {
 #[test]
 fn threads() {
     for (major, pitch) in [(38.1, 3.175), (6.0, 1.0), (100.0, 1.0), (3.0, 0.5)] {
-        let thread = Thread { major, pitch, starts: 1 };
-        for units in [Units::Inch, Units::Millimetre] {
+        let thread = ThreadSize { major, pitch, starts: 1 };
+        for units in [AnswerUnit::Inch, AnswerUnit::Millimetre] {
             readable(&thread_data(&thread, units).unwrap());
-            for place in [Where::Inside, Where::Outside] {
-                for ramp in [None, Some(Ramp::Quarter)] {
+            for place in [ThreadLocation::Inside, ThreadLocation::Outside] {
+                for ramp in [None, Some(RampSweep::Quarter)] {
                     let ask = ThreadMill {
                         thread,
                         place,
-                        hand: Hand::Left,
-                        cutter: Cutter::Single,
-                        cut: Cut::Climb,
+                        hand: ThreadHand::Left,
+                        cutter: ThreadMillCutter::Single,
+                        cut: MillingDirection::Climb,
                         ramp,
                         root: None,
                         tool_diameter: major * 0.6,
@@ -145,7 +147,7 @@ fn threads() {
 #[test]
 fn a_sheet_has_a_size() {
     let ask = ChordCount { radius: 10.0, tolerance: 0.5, sweep: 1.0 };
-    let worked = chord_count(&ask, Units::Millimetre).unwrap();
+    let worked = chord_count(&ask, AnswerUnit::Millimetre).unwrap();
     let size = |width_px, height_px| {
         figure_png(&worked, &PlotOptions { width_px, height_px, ..PlotOptions::default() })
     };

@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use chordal::geometry::Placement;
 use chordal::{Segment, SegmentKind};
-use chordal_export::{ChordWriter, Dxf};
+use chordal_export::{ChordWriter, DxfWriter};
 
 use crate::common::{SMALL, job};
 
@@ -80,7 +80,7 @@ fn number(entity: &BTreeMap<u32, String>, code: u32) -> f64 {
 
 #[test]
 fn dxf_holds_true_arcs() {
-    let mut writer = Dxf::new(Vec::new(), &job("linuxcnc-mill", "small.nc", SMALL)).unwrap();
+    let mut writer = DxfWriter::new(Vec::new(), &job("linuxcnc-mill", "small.nc", SMALL)).unwrap();
     let segments: Vec<Segment> = segments();
     segments.iter().for_each(|segment| writer.segment(segment).unwrap());
     let text = String::from_utf8(writer.finish().unwrap()).unwrap();
@@ -114,7 +114,7 @@ fn dxf_holds_true_arcs() {
 fn what_is_not_known_is_no_entity() {
     let text = b"G21 G18 G90\nS900 M3\nG1 X10. Z-5. F100.\nX20. Z-10.\nM30\n";
     let job = job("haas-vf2", "profile.nc", text);
-    let mut dxf = Dxf::new(Vec::new(), &job).unwrap();
+    let mut dxf = DxfWriter::new(Vec::new(), &job).unwrap();
     job.path(|segment| dxf.segment(segment).unwrap());
     // X and Z of the first move come from nowhere; Y is never named, and lies at zero.
     let text = String::from_utf8(dxf.finish().unwrap()).unwrap();
@@ -129,7 +129,7 @@ pub const TWO_OFFSETS: &[u8] = b"G21 G17 G90\nS900 M3\nG54 G0 X0 Y0\nZ5.\nG1 Z-1
 #[test]
 fn a_work_offset_of_unknown_relation_is_no_entity() {
     let job = job("haas-vf2", "two.nc", TWO_OFFSETS);
-    let mut dxf = Dxf::new(Vec::new(), &job).unwrap();
+    let mut dxf = DxfWriter::new(Vec::new(), &job).unwrap();
     job.path(|segment| dxf.segment(segment).unwrap());
     let text = String::from_utf8(dxf.finish().unwrap()).unwrap();
     let entities = entities(&text);

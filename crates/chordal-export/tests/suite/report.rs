@@ -1,5 +1,5 @@
 use chordal::diagnostics::{Applicability, Collector, FileId, Fix};
-use chordal::{Code, Diagnostic, Machine, Reading, Report, Source, SourceMap, Span};
+use chordal::{Code, Diagnostic, Machine, ProgramReading, Report, Source, SourceMap, Span};
 use chordal_export::{machine_error_text, report};
 
 use crate::common::{WRONG, job};
@@ -7,13 +7,18 @@ use crate::common::{WRONG, job};
 #[test]
 fn text_of_wrong_blocks() {
     let job = job("haas-vf2", "wrong.nc", WRONG);
-    insta::assert_snapshot!(report::text(&job.report(), job.sources(), false, report::Detail::All));
+    insta::assert_snapshot!(report::text(
+        &job.report(),
+        job.sources(),
+        false,
+        report::ReportDetail::All
+    ));
 }
 
 #[test]
 fn json_of_wrong_blocks() {
     let job = job("haas-vf2", "wrong.nc", WRONG);
-    let reading = Reading {
+    let reading = ProgramReading {
         machine: Some("haas-vf2"),
         control: "haas",
         from: "given",
@@ -118,7 +123,7 @@ fn what_was_dropped_is_counted() {
         diagnostics: collector.into_sorted(),
         outcomes: Vec::new(),
     };
-    let text = report::text(&report, &sources, false, report::Detail::First);
+    let text = report::text(&report, &sources, false, report::ReportDetail::First);
     let tail: Vec<&str> = text.lines().rev().take(3).collect();
     assert_eq!(tail, ["9,990 warnings", "", "  = also CH305: 9,989 more places"]);
 }
@@ -138,7 +143,7 @@ fn sarif_has_the_keys_that_consumers_ask() {
     let (sources, diagnostic) = long_line();
     let mut long = job.report();
     long.diagnostics = vec![diagnostic];
-    let mut sarif = report::Sarif::new();
+    let mut sarif = report::SarifReport::new();
     sarif.add(&job.report(), job.sources());
     sarif.add(&long, &sources);
     let log: serde_json::Value = serde_json::from_str(&sarif.finish()).unwrap();

@@ -1,13 +1,13 @@
 //! What a code is to a firmware: who takes the axis words, and which mode it changes.
 
 use chordal_dialect::{
-    Action, CodeRow, Control, Group, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode,
+    Action, CodeGroup, CodeRow, Control, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode,
     code_number,
 };
 use chordal_syntax::Decimal;
 
 use super::line::ReadWord;
-use super::memory::{FirmwareMotion, Modes};
+use super::memory::{FirmwareModes, FirmwareMotion};
 
 /// What takes the axis words of a block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -91,7 +91,7 @@ pub(super) fn ends_motion(row: &CodeRow) -> bool {
     row.action == Action::Mode(ModeCode::CancelCycle)
 }
 
-impl Modes {
+impl FirmwareModes {
     /// What a code changes.
     pub fn take(&mut self, row: &CodeRow) {
         if let Some(motion) = row.action.motion() {
@@ -129,11 +129,11 @@ impl Modes {
                 | ReadingCode::Diameters
                 | ReadingCode::Radii => {}
             }
-        } else if row.group == Group::Plane {
+        } else if row.group == CodeGroup::Plane {
             self.plane = usize::from(row.code / 10 - 17);
-        } else if row.group == Group::ReturnLevel {
+        } else if row.group == CodeGroup::ReturnLevel {
             self.return_to_r = row.action == Action::Mode(ModeCode::ReturnToR);
-        } else if row.group == Group::WorkOffset {
+        } else if row.group == CodeGroup::WorkOffset {
             // G59.1 comes after G59.
             self.system = usize::from(row.code / 10 - 54 + row.code % 10);
         }

@@ -3,9 +3,9 @@
 
 use chordal_command::AxisMask;
 use chordal_diagnostics::TextRange;
-use chordal_dialect::firmware::{Firmware, NeededWords, Refusal};
+use chordal_dialect::firmware::{Firmware, FirmwareError, NeededWords};
 use chordal_dialect::{
-    Action, BeforeCode, CodeRow, Control, Group, LengthCode, MotionCode, OnceCode, ToolChanger,
+    Action, BeforeCode, CodeGroup, CodeRow, Control, LengthCode, MotionCode, OnceCode, ToolChanger,
 };
 use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Decimal, Letters};
@@ -13,8 +13,8 @@ use chordal_syntax::{Decimal, Letters};
 use super::codes::{
     AxisUse, axis_use, byte, ends_motion, in_inch, is_machine_move, tenths, whole_number,
 };
-use super::line::{Fault, ReadWord};
-use super::memory::{FirmwareMotion, Memory, Modes};
+use super::line::{LineFault, ReadWord};
+use super::memory::{FirmwareMemory, FirmwareModes, FirmwareMotion};
 
 pub(super) const MM_PER_INCH: f32 = 25.4;
 /// Letters whose values are not below zero.
@@ -30,32 +30,32 @@ const JOG_CODES: [u16; 5] = [200, 210, 530, 900, 910];
 
 /// A block that the firmware carries out.
 #[derive(Debug)]
-pub(super) struct Accepted {
+pub(super) struct AcceptedBlock {
     /// What acts, with the numbers that the firmware takes.
     pub words: Vec<ReadWord>,
     /// Words that pass, and that nothing uses.
     pub dropped: Vec<ReadWord>,
     /// What it remembers then.
-    pub after: Memory,
+    pub after: FirmwareMemory,
 }
 
 /// A block while it is judged.
-pub(super) struct Judged<'a> {
+pub(super) struct BlockCheck<'a> {
     pub control: &'a Control,
     pub firmware: &'a Firmware,
-    pub before: &'a Memory,
+    pub before: &'a FirmwareMemory,
     pub words: Vec<ReadWord>,
     /// The letter of each code and its row.
     pub codes: Vec<(u8, &'static CodeRow)>,
     pub written: Letters,
     /// Words that nothing has used yet.
     pub left: Letters,
-    pub modes: Modes,
+    pub modes: FirmwareModes,
     pub axis_use: Option<AxisUse>,
     pub once: Option<OnceCode>,
     pub stores: Option<usize>,
     pub length: Option<LengthCode>,
-    pub groups: Vec<Group>,
+    pub groups: Vec<CodeGroup>,
     pub whole: TextRange,
 }
 
@@ -64,14 +64,14 @@ pub(super) struct Judged<'a> {
 /// # Errors
 /// Its first mistake.
 pub(super) fn judge(
-    words: impl Iterator<Item = Result<ReadWord, Fault>>,
+    words: impl Iterator<Item = Result<ReadWord, LineFault>>,
     whole: TextRange,
     control: &Control,
     firmware: &Firmware,
-    before: &Memory,
+    before: &FirmwareMemory,
     jog: bool,
-) -> Result<Accepted, Fault> {
-    let mut judged = Judged {
+) -> Result<AcceptedBlock, LineFault> {
+    let mut judged = BlockCheck {
         control,
         firmware,
         before,
@@ -96,8 +96,8 @@ pub(super) fn judge(
     judged.block(jog)
 }
 
-impl Judged<'_> {
-    fn word(&mut self, word: ReadWord) -> Result<(), Fault> {
+impl BlockCheck<'_> {
+    fn word(&mut self, word: ReadWord) -> Result<(), LineFault> {
         let number = match word.letter {
             b'G' | b'M' => tenths(self.code(&word)?.code),
             letter => {
@@ -109,21 +109,21 @@ impl Judged<'_> {
         Ok(())
     }
 
-    fn value(&mut self, word: &ReadWord, letter: u8) -> Result<(), Fault> {
-        let refuse = |refusal| Err(Fault::new(refusal, word.range));
+    fn value(&mut self, word: &ReadWord, letter: u8) -> Result<(), LineFault> {
+        let refuse = |refusal| Err(LineFault::new(refusal, word.range));
         if !self.firmware.line.letters.union(self.axis_letters()).has(letter) {
-            return refuse(Refusal::Unknown);
+            return refuse(FirmwareError::Unknown);
         }
         if letter == b'T' && word.value > self.firmware.largest[1] as f32 {
-            return refuse(Refusal::ToolNumber);
+            return refuse(FirmwareError::ToolNumber);
         }
         if self.written.has(letter) {
-            return refuse(Refusal::Repeated);
+            return refuse(FirmwareError::Repeated);
         }
         if NOT_NEGATIVE.has(letter) && word.value < 0.0 {
             // A way to a control point goes in either direction; which motion it is is known at the end of the block.
             if letter != b'P' || !self.has_splines() {
-                return refuse(Refusal::Negative);
+                return refuse(FirmwareError::Negative);
             }
         }
         self.written.insert(letter);
@@ -136,8 +136,8 @@ impl Judged<'_> {
         self.control.table.g_codes.iter().any(is_spline)
     }
 
-    fn code(&mut self, word: &ReadWord) -> Result<&'static CodeRow, Fault> {
-        let refuse = |refusal| Err(Fault::new(refusal, word.range));
+    fn code(&mut self, word: &ReadWord) -> Result<&'static CodeRow, LineFault> {
+        let refuse = |refusal| Err(LineFault::new(refusal, word.range));
         let row = self.row(word);
         // Motions and lengths ask for the axis words before their fraction is looked at.
         let axis_use = match &row {
@@ -146,16 +146,16 @@ impl Judged<'_> {
         };
         if axis_use.is_some() {
             if self.axis_use.is_some() && !self.passes_reference(&row) {
-                return refuse(Refusal::AxisConflict);
+                return refuse(FirmwareError::AxisConflict);
             }
             self.axis_use = if self.axis_use.is_some() { Some(AxisUse::Once) } else { axis_use };
         }
         let row = row?;
         // G38.2 and its like are motions here, and G80 is none of them.
         let is_motion = axis_use == Some(AxisUse::Motion) || ends_motion(row);
-        let group = if is_motion { Group::Motion } else { row.group };
-        if self.groups.contains(&group) && group != Group::Auxiliary {
-            return refuse(Refusal::SameGroup);
+        let group = if is_motion { CodeGroup::Motion } else { row.group };
+        if self.groups.contains(&group) && group != CodeGroup::Auxiliary {
+            return refuse(FirmwareError::SameGroup);
         }
         self.groups.push(group);
         self.codes.push((word.letter, row));
@@ -169,7 +169,7 @@ impl Judged<'_> {
     }
 
     /// A motion and a return to a stored point in one block, where the point takes the axis words.
-    fn passes_reference(&self, row: &Result<&'static CodeRow, Fault>) -> bool {
+    fn passes_reference(&self, row: &Result<&'static CodeRow, LineFault>) -> bool {
         let returns =
             |row: &CodeRow| matches!(row.action.once(), Some(OnceCode::ReturnToReference { .. }));
         let moves = |row: &CodeRow| row.action.is_plain_motion();
@@ -186,7 +186,7 @@ impl Judged<'_> {
     }
 
     /// The row of a code, whose number counts in hundredths.
-    fn row(&self, word: &ReadWord) -> Result<&'static CodeRow, Fault> {
+    fn row(&self, word: &ReadWord) -> Result<&'static CodeRow, LineFault> {
         let number = whole_number(word.value);
         let any = word.letter == b'G' && self.firmware.any_fraction.contains(&number);
         let part = if any { 0.0 } else { word.value - word.value.trunc() };
@@ -201,16 +201,21 @@ impl Judged<'_> {
         let takes_fractions = word.letter == b'G' && self.firmware.with_fractions.contains(&number);
         let is_known = word.letter == b'M' || of(number * 10).is_some() && !takes_fractions;
         match row {
-            Some(row) if self.is_left_out(row) => Err(Fault::new(Refusal::Unknown, word.range)),
+            Some(row) if self.is_left_out(row) => {
+                Err(LineFault::new(FirmwareError::Unknown, word.range))
+            }
             Some(row) => Ok(row),
-            None if hundredths != 0 && is_known => Err(Fault::new(Refusal::Fraction, word.range)),
-            None => Err(Fault::new(Refusal::Unknown, word.range)),
+            None if hundredths != 0 && is_known => {
+                Err(LineFault::new(FirmwareError::Fraction, word.range))
+            }
+            None => Err(LineFault::new(FirmwareError::Unknown, word.range)),
         }
     }
 
     /// A tool change, where nobody changes tools.
     fn is_left_out(&self, row: &CodeRow) -> bool {
-        self.control.parameters.tool_change == ToolChanger::Nobody && row.group == Group::ToolChange
+        self.control.parameters.tool_change == ToolChanger::Nobody
+            && row.group == CodeGroup::ToolChange
     }
 
     pub fn number(&self, letter: u8) -> Option<f32> {
@@ -223,17 +228,17 @@ impl Judged<'_> {
         self.words.iter().find(has).map_or(self.whole, |word| word.range)
     }
 
-    pub fn refuse<T>(&self, refusal: Refusal, letters: &str) -> Result<T, Fault> {
-        Err(Fault::new(refusal, self.place(letters)))
+    pub fn refuse<T>(&self, refusal: FirmwareError, letters: &str) -> Result<T, LineFault> {
+        Err(LineFault::new(refusal, self.place(letters)))
     }
 
     pub fn refuse_measured<T>(
         &self,
-        refusal: Refusal,
+        refusal: FirmwareError,
         letters: &str,
         measured: String,
-    ) -> Result<T, Fault> {
-        Err(Fault { measured: Some(measured), ..Fault::new(refusal, self.place(letters)) })
+    ) -> Result<T, LineFault> {
+        Err(LineFault { measured: Some(measured), ..LineFault::new(refusal, self.place(letters)) })
     }
 
     pub fn use_up(&mut self, letters: Letters) {
@@ -257,21 +262,21 @@ impl Judged<'_> {
         letters
     }
 
-    fn block(mut self, jog: bool) -> Result<Accepted, Fault> {
+    fn block(mut self, jog: bool) -> Result<AcceptedBlock, LineFault> {
         if self.has_axes() && self.axis_use.is_none() {
             self.axis_use = Some(AxisUse::Motion);
         }
         if self.number(b'N').is_some_and(|n| n.trunc() > self.firmware.largest[0] as f32) {
-            return self.refuse(Refusal::LineNumber, "N");
+            return self.refuse(FirmwareError::LineNumber, "N");
         }
         let is_spline = matches!(self.modes.motion, FirmwareMotion::Spline(_));
         if !is_spline && self.number(b'P').is_some_and(|p| p < 0.0) {
-            return self.refuse(Refusal::Negative, "P");
+            return self.refuse(FirmwareError::Negative, "P");
         }
         let feed = self.feed(jog)?;
         if self.once == Some(OnceCode::Dwell) {
             if !self.written.has(b'P') {
-                return self.refuse(Refusal::NoValue, "G");
+                return self.refuse(FirmwareError::NoValue, "G");
             }
             self.use_up(Letters::of("P"));
         }
@@ -291,7 +296,7 @@ impl Judged<'_> {
         }
         if self.left != Letters::NONE {
             let letters: String = self.left.iter().collect();
-            return self.refuse(Refusal::Unused, &letters);
+            return self.refuse(FirmwareError::Unused, &letters);
         }
         if jog {
             self.check_jog()?;
@@ -305,13 +310,13 @@ impl Judged<'_> {
     }
 
     /// Words that codes cannot be without, and those that they take.
-    fn needed_words(&mut self) -> Result<(), Fault> {
+    fn needed_words(&mut self) -> Result<(), LineFault> {
         for (letter, row) in self.codes.clone() {
             let is_own = |(of, code, _): &&NeededWords| *of == letter && *code == row.code;
             if let Some((_, _, words)) = self.firmware.needs.iter().find(is_own)
                 && !Letters::of(words).within(self.written)
             {
-                return self.refuse(Refusal::NoValue, if letter == b'G' { "G" } else { "M" });
+                return self.refuse(FirmwareError::NoValue, if letter == b'G' { "G" } else { "M" });
             }
             // What moves or writes asks for its words itself.
             let by_itself = row.action.motion().is_some()
@@ -324,7 +329,7 @@ impl Judged<'_> {
         Ok(())
     }
 
-    fn take_length(&self, after: &mut Memory) -> Result<(), Fault> {
+    fn take_length(&self, after: &mut FirmwareMemory) -> Result<(), LineFault> {
         match self.length {
             Some(LengthCode::Cancel) => after.length = [0.0; 3],
             Some(LengthCode::FromAxes) => {
@@ -332,7 +337,7 @@ impl Judged<'_> {
                 let others = self.axis_letters().without(axes);
                 if !self.written.meets(axes) || self.written.meets(others) {
                     let letters: String = others.iter().chain(['G']).collect();
-                    return self.refuse(Refusal::LengthAxis, &letters);
+                    return self.refuse(FirmwareError::LengthAxis, &letters);
                 }
                 for (axis, length) in after.length.iter_mut().enumerate() {
                     *length = self.axis(axis).unwrap_or(*length);
@@ -345,7 +350,7 @@ impl Judged<'_> {
     }
 
     /// M70 to M73.
-    fn keep_modes(&self, after: &mut Memory) {
+    fn keep_modes(&self, after: &mut FirmwareMemory) {
         for (_, row) in &self.codes {
             let Action::Before(code) = row.action else { continue };
             match code {
@@ -355,7 +360,7 @@ impl Judged<'_> {
                 BeforeCode::ForgetModes => after.kept = None,
                 BeforeCode::RestoreModes => {
                     if let Some((modes, feed)) = after.kept {
-                        after.modes = Modes { motion: after.modes.motion, ..modes };
+                        after.modes = FirmwareModes { motion: after.modes.motion, ..modes };
                         after.feed = feed;
                     }
                 }
@@ -375,7 +380,7 @@ impl Judged<'_> {
     }
 
     /// The words that act.
-    fn accepted(self, after: Memory) -> Accepted {
+    fn accepted(self, after: FirmwareMemory) -> AcceptedBlock {
         let unused = self.unused();
         // Next to a tool length nothing moves, and G53 has nothing to say.
         let stays = self.axis_use == Some(AxisUse::Length);
@@ -399,7 +404,7 @@ impl Judged<'_> {
                 _ => {}
             }
         }
-        Accepted { words, dropped, after }
+        AcceptedBlock { words, dropped, after }
     }
 
     /// Letters of words that pass and have no effect: axes next to G49, a centre outside the plane.
@@ -427,7 +432,7 @@ impl Judged<'_> {
             | FirmwareMotion::Cycle
             | FirmwareMotion::None => return None,
         };
-        let is_written = self.groups.contains(&Group::Motion);
+        let is_written = self.groups.contains(&CodeGroup::Motion);
         if is_written || self.axis_use != Some(AxisUse::Motion) {
             return None;
         }
@@ -436,26 +441,26 @@ impl Judged<'_> {
         Some(ReadWord { letter: b'G', value, number, range })
     }
 
-    fn check_jog(&self) -> Result<(), Fault> {
+    fn check_jog(&self) -> Result<(), LineFault> {
         for word in &self.words {
             let is_code = word.letter == b'G' && JOG_CODES.contains(&((word.value * 10.0) as u16));
             if !is_code
                 && (matches!(word.letter, b'G' | b'M')
                     || !JOG.union(self.axis_letters()).has(word.letter))
             {
-                return Err(Fault::new(Refusal::JogWords, word.range));
+                return Err(LineFault::new(FirmwareError::JogWords, word.range));
             }
         }
-        if self.has_axes() { Ok(()) } else { self.refuse(Refusal::JogWords, "") }
+        if self.has_axes() { Ok(()) } else { self.refuse(FirmwareError::JogWords, "") }
     }
 
     /// The feed in force, mm/min or 1/min: nothing is kept in and after G93.
-    fn feed(&self, jog: bool) -> Result<f32, Fault> {
+    fn feed(&self, jog: bool) -> Result<f32, LineFault> {
         let own = self.number(b'F');
         if self.modes.inverse {
             let cuts = !matches!(self.modes.motion, FirmwareMotion::None | FirmwareMotion::Rapid);
             if self.axis_use == Some(AxisUse::Motion) && cuts && own.is_none() {
-                return self.refuse(Refusal::NoFeed, "G");
+                return self.refuse(FirmwareError::NoFeed, "G");
             }
             return Ok(own.unwrap_or(0.0));
         }

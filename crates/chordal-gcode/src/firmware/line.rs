@@ -1,7 +1,7 @@
 //! A line as a firmware reads it: what it drops, and numbers of few digits in single precision.
 
 use chordal_diagnostics::TextRange;
-use chordal_dialect::firmware::{LineRules, Refusal, Slash};
+use chordal_dialect::firmware::{FirmwareError, LineRules, SlashMeaning};
 use chordal_syntax::Decimal;
 
 /// A word: its value as the firmware computes with it, and as it was read.
@@ -15,27 +15,27 @@ pub(super) struct ReadWord {
 
 /// What is wrong, and where, with what was measured.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) struct Fault {
-    pub refusal: Refusal,
+pub(crate) struct LineFault {
+    pub refusal: FirmwareError,
     pub range: TextRange,
     pub measured: Option<String>,
 }
 
-impl Fault {
-    pub fn new(refusal: Refusal, range: TextRange) -> Fault {
-        Fault { refusal, range, measured: None }
+impl LineFault {
+    pub fn new(refusal: FirmwareError, range: TextRange) -> LineFault {
+        LineFault { refusal, range, measured: None }
     }
 }
 
 /// The characters of a line that count, each with its offset in the text.
 #[derive(Debug)]
-pub(super) struct Line<'a> {
+pub(super) struct FirmwareLine<'a> {
     characters: Vec<(u8, u32)>,
     at: usize,
     rules: &'a LineRules,
 }
 
-impl<'a> Line<'a> {
+impl<'a> FirmwareLine<'a> {
     /// Drops blanks and comments, and slashes where they are not kept: a comment in parentheses ends at the first `)`
     /// or with the line. `deletes`: block delete is on.
     ///
@@ -46,8 +46,8 @@ impl<'a> Line<'a> {
         from: u32,
         rules: &'a LineRules,
         deletes: bool,
-    ) -> Result<Line<'a>, Fault> {
-        let mut line = Line { characters: Vec::new(), at: 0, rules };
+    ) -> Result<FirmwareLine<'a>, LineFault> {
+        let mut line = FirmwareLine { characters: Vec::new(), at: 0, rules };
         let mut in_comment = false;
         for (byte, offset) in text.iter().zip(from..) {
             match byte {
@@ -58,8 +58,9 @@ impl<'a> Line<'a> {
                 0..=b' ' => {}
                 // Taken out of the stream as they arrive: status, feed hold, resume.
                 b'?' | b'!' | b'~' => {}
-                b'/' if rules.slash != Slash::Kept => {
-                    let takes_line = line.is_empty() && rules.slash == Slash::Deletes && deletes;
+                b'/' if rules.slash != SlashMeaning::Kept => {
+                    let takes_line =
+                        line.is_empty() && rules.slash == SlashMeaning::Deletes && deletes;
                     if takes_line {
                         return Ok(line);
                     }
@@ -74,9 +75,9 @@ impl<'a> Line<'a> {
                 Some((_, first)) if !rules.counts_blanks => *first,
                 _ => from + rules.longest as u32,
             };
-            return Err(Fault {
+            return Err(LineFault {
                 measured: Some(format!("it has {counted}")),
-                ..Fault::new(Refusal::TooLong, TextRange::new(first, first + 1))
+                ..LineFault::new(FirmwareError::TooLong, TextRange::new(first, first + 1))
             });
         }
         Ok(line)
@@ -108,15 +109,15 @@ impl<'a> Line<'a> {
     }
 
     /// The next word.
-    pub fn word(&mut self) -> Option<Result<ReadWord, Fault>> {
+    pub fn word(&mut self) -> Option<Result<ReadWord, LineFault>> {
         let (letter, begin) = self.peek()?;
         let own = TextRange::new(begin, begin + 1);
         if !letter.is_ascii_uppercase() {
-            return Some(Err(Fault::new(Refusal::NoLetter, own)));
+            return Some(Err(LineFault::new(FirmwareError::NoLetter, own)));
         }
         self.at += 1;
         let Some((value, number)) = self.number() else {
-            return Some(Err(Fault::new(Refusal::NoNumber, own)));
+            return Some(Err(LineFault::new(FirmwareError::NoNumber, own)));
         };
         let (_, last) = self.characters[self.at - 1];
         Some(Ok(ReadWord { letter, value, number, range: TextRange::new(begin, last + 1) }))

@@ -19,7 +19,7 @@ pub(super) enum FirmwareMotion {
 
 /// Its modes.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Modes {
+pub(super) struct FirmwareModes {
     pub motion: FirmwareMotion,
     /// F is 1 divided by the minutes of the block.
     pub inverse: bool,
@@ -33,7 +33,7 @@ pub(super) struct Modes {
     pub return_to_r: bool,
 }
 
-impl Modes {
+impl FirmwareModes {
     /// The axes of the plane.
     pub fn plane_axes(&self) -> [usize; 2] {
         [[0, 1], [2, 0], [1, 2]][self.plane.min(2)]
@@ -57,8 +57,8 @@ impl HoleMemory {
 
 /// Everything that its verdicts depend on; mm, mm/min.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Memory {
-    pub modes: Modes,
+pub(super) struct FirmwareMemory {
+    pub modes: FirmwareModes,
     /// 0 for none.
     pub feed: f32,
     /// Machine coordinates.
@@ -75,13 +75,13 @@ pub(super) struct Memory {
     /// The cycle that is active.
     pub hole: Option<HoleMemory>,
     /// Modes and feed that M70 keeps.
-    pub kept: Option<(Modes, f32)>,
+    pub kept: Option<(FirmwareModes, f32)>,
 }
 
-impl Memory {
+impl FirmwareMemory {
     /// At power-on.
-    pub fn new(position: [f32; 3], systems: Vec<[f32; 3]>) -> Memory {
-        let modes = Modes {
+    pub fn new(position: [f32; 3], systems: Vec<[f32; 3]>) -> FirmwareMemory {
+        let modes = FirmwareModes {
             motion: FirmwareMotion::Rapid,
             inverse: false,
             inch: false,
@@ -90,7 +90,7 @@ impl Memory {
             system: 0,
             return_to_r: false,
         };
-        Memory {
+        FirmwareMemory {
             modes,
             feed: 0.0,
             position,

@@ -21,20 +21,20 @@ mod once;
 
 use chordal_diagnostics::TextRange;
 use chordal_dialect::Control;
-use chordal_dialect::firmware::{Firmware, Refusal};
-use chordal_syntax::{Block, BlockKind, Decimal, Value, Word};
+use chordal_dialect::firmware::{Firmware, FirmwareError};
+use chordal_syntax::{Block, BlockKind, Decimal, Word, WordValue};
 
-use judge::Accepted;
-pub(crate) use line::Fault;
-use line::{Line, ReadWord};
-use memory::Memory;
+use judge::AcceptedBlock;
+pub(crate) use line::LineFault;
+use line::{FirmwareLine, ReadWord};
+use memory::FirmwareMemory;
 
 /// System commands without a value.
 const COMMANDS: [&str; 9] = ["$", "#", "G", "I", "N", "H", "X", "C", "SLP"];
 
 /// What a line is to the firmware.
 #[derive(Debug)]
-pub(crate) enum Verdict {
+pub(crate) enum FirmwareAnswer {
     /// Nothing on it, or a command that moves nothing.
     Nothing,
     /// Words that act: the block has them now. Of those that it has no more nothing comes (axis words next to G49, a centre outside the plane).
@@ -46,21 +46,21 @@ pub(crate) enum Verdict {
     /// `$120=400`: a setting.
     Setting,
     /// It is refused.
-    Refused(Fault),
+    Refused(LineFault),
 }
 
 /// A firmware at work.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Judge {
-    memory: Memory,
+pub(crate) struct FirmwareChecker {
+    memory: FirmwareMemory,
 }
 
-impl Judge {
+impl FirmwareChecker {
     /// At power-on, mm: where the machine is, and its work offsets.
-    pub fn new(position: [f64; 3], systems: &[[f64; 3]]) -> Judge {
+    pub fn new(position: [f64; 3], systems: &[[f64; 3]]) -> FirmwareChecker {
         let single = |place: &[f64; 3]| place.map(|value| value as f32);
         let systems = systems.iter().map(single).collect();
-        Judge { memory: Memory::new(single(&position), systems) }
+        FirmwareChecker { memory: FirmwareMemory::new(single(&position), systems) }
     }
 
     /// Machine coordinates as the firmware counts them, mm.
@@ -94,7 +94,7 @@ impl Judge {
         firmware: &Firmware,
         deletes: bool,
         resolved: bool,
-    ) -> Verdict {
+    ) -> FirmwareAnswer {
         let whole = block.range;
         let verdict = match resolved {
             true => self.resolved(block, control, firmware),
@@ -109,9 +109,9 @@ impl Judge {
             Ok(Some(accepted)) => {
                 self.memory = accepted.after;
                 accepted.words.iter().for_each(|word| block.push(word_of(word)));
-                Verdict::Words(accepted.dropped.iter().map(word_of).collect())
+                FirmwareAnswer::Words(accepted.dropped.iter().map(word_of).collect())
             }
-            Ok(None) => Verdict::Nothing,
+            Ok(None) => FirmwareAnswer::Nothing,
             Err(verdict) => verdict,
         }
     }
@@ -123,9 +123,9 @@ impl Judge {
         control: &Control,
         firmware: &Firmware,
         deletes: bool,
-    ) -> Result<Option<Accepted>, Verdict> {
-        let mut line =
-            Line::of(text, whole.start, &firmware.line, deletes).map_err(Verdict::Refused)?;
+    ) -> Result<Option<AcceptedBlock>, FirmwareAnswer> {
+        let mut line = FirmwareLine::of(text, whole.start, &firmware.line, deletes)
+            .map_err(FirmwareAnswer::Refused)?;
         if line.is_empty() || line.is_mark() {
             return Ok(None);
         }
@@ -134,7 +134,7 @@ impl Judge {
         }
         let words = std::iter::from_fn(|| line.word());
         let accepted = judge::judge(words, whole, control, firmware, &self.memory, false);
-        accepted.map(Some).map_err(Verdict::Refused)
+        accepted.map(Some).map_err(FirmwareAnswer::Refused)
     }
 
     /// Judges words whose expressions have their values.
@@ -143,7 +143,7 @@ impl Judge {
         block: &Block,
         control: &Control,
         firmware: &Firmware,
-    ) -> Result<Option<Accepted>, Verdict> {
+    ) -> Result<Option<AcceptedBlock>, FirmwareAnswer> {
         let read = block.words.iter().filter_map(|word| {
             let number = word.number()?;
             Some(Ok(ReadWord {
@@ -154,40 +154,44 @@ impl Judge {
             }))
         });
         let accepted = judge::judge(read, block.range, control, firmware, &self.memory, false);
-        accepted.map(Some).map_err(Verdict::Refused)
+        accepted.map(Some).map_err(FirmwareAnswer::Refused)
     }
 
     fn command(
         &mut self,
         command: &str,
-        line: &mut Line,
+        line: &mut FirmwareLine,
         whole: TextRange,
         control: &Control,
         firmware: &Firmware,
-    ) -> Verdict {
+    ) -> FirmwareAnswer {
         if command.starts_with("J=") {
             line.skip("$J=".len());
             let words = std::iter::from_fn(|| line.word());
             return match judge::judge(words, whole, control, firmware, &self.memory, true) {
                 Ok(accepted) => {
                     self.memory.position = accepted.after.position;
-                    Verdict::Jog(accepted.words.iter().map(word_of).collect())
+                    FirmwareAnswer::Jog(accepted.words.iter().map(word_of).collect())
                 }
-                Err(fault) => Verdict::Refused(fault),
+                Err(fault) => FirmwareAnswer::Refused(fault),
             };
         }
         if command == "H" {
-            return Verdict::Homing;
+            return FirmwareAnswer::Homing;
         }
         let (name, value) = command.split_once('=').unwrap_or((command, ""));
         let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
         let is_text = matches!(name, "N0" | "N1" | "RST") && !value.is_empty();
         match command {
-            _ if COMMANDS.contains(&command) || command.is_empty() => Verdict::Nothing,
-            _ if is_text || is_number(name) && value.parse::<f32>().is_ok() => Verdict::Setting,
-            _ if firmware.line.named_commands && !is_number(name) => Verdict::Setting,
-            _ if is_number(name) => Verdict::Refused(Fault::new(Refusal::NoNumber, whole)),
-            _ => Verdict::Refused(Fault::new(Refusal::UnknownCommand, whole)),
+            _ if COMMANDS.contains(&command) || command.is_empty() => FirmwareAnswer::Nothing,
+            _ if is_text || is_number(name) && value.parse::<f32>().is_ok() => {
+                FirmwareAnswer::Setting
+            }
+            _ if firmware.line.named_commands && !is_number(name) => FirmwareAnswer::Setting,
+            _ if is_number(name) => {
+                FirmwareAnswer::Refused(LineFault::new(FirmwareError::NoNumber, whole))
+            }
+            _ => FirmwareAnswer::Refused(LineFault::new(FirmwareError::UnknownCommand, whole)),
         }
     }
 }
@@ -198,6 +202,6 @@ fn word_of(read: &ReadWord) -> Word {
         b'N' | b'T' => Decimal::integer(read.value.trunc() as i64),
         _ => read.number,
     };
-    let value = Value::Number(number);
+    let value = WordValue::Number(number);
     Word { letter: read.letter, register: None, comma: false, value, range: read.range }
 }

@@ -1,18 +1,23 @@
 //! The motion of a block: what it asks of the words, and where it ends.
 
-use chordal_dialect::firmware::Refusal;
+use chordal_dialect::firmware::FirmwareError;
 use chordal_dialect::table::ArcTurns;
 use chordal_kernel::rules::CycleKind;
 use chordal_syntax::Letters;
 
 use super::codes::AxisUse;
-use super::judge::{Judged, MM_PER_INCH};
-use super::line::Fault;
-use super::memory::{FirmwareMotion, HoleMemory, Memory};
+use super::judge::{BlockCheck, MM_PER_INCH};
+use super::line::LineFault;
+use super::memory::{FirmwareMemory, FirmwareMotion, HoleMemory};
 
-impl Judged<'_> {
+impl BlockCheck<'_> {
     /// The motion in force, and the position after it.
-    pub fn motion(&mut self, after: &mut Memory, target: [f32; 3], feed: f32) -> Result<(), Fault> {
+    pub fn motion(
+        &mut self,
+        after: &mut FirmwareMemory,
+        target: [f32; 3],
+        feed: f32,
+    ) -> Result<(), LineFault> {
         let motion = self.modes.motion;
         if motion != FirmwareMotion::Cycle {
             after.hole = None;
@@ -21,7 +26,7 @@ impl Judged<'_> {
             let passes =
                 self.firmware.block.cancel_beside_once && self.axis_use != Some(AxisUse::Motion);
             return if self.has_axes() && !passes {
-                self.refuse(Refusal::AxesWithoutMotion, "XYZ")
+                self.refuse(FirmwareError::AxesWithoutMotion, "XYZ")
             } else {
                 Ok(())
             };
@@ -30,7 +35,7 @@ impl Judged<'_> {
             return Ok(());
         }
         if motion != FirmwareMotion::Rapid && feed == 0.0 {
-            return self.refuse(Refusal::NoFeed, "GXYZ");
+            return self.refuse(FirmwareError::NoFeed, "GXYZ");
         }
         match motion {
             FirmwareMotion::None => {}
@@ -48,10 +53,10 @@ impl Judged<'_> {
             }
             FirmwareMotion::Probe(_) => {
                 if !self.has_axes() {
-                    return self.refuse(Refusal::NoAxes, "G");
+                    return self.refuse(FirmwareError::NoAxes, "G");
                 }
                 if target == after.position {
-                    return self.refuse(Refusal::SamePlace, "XYZ");
+                    return self.refuse(FirmwareError::SamePlace, "XYZ");
                 }
             }
         }
@@ -60,15 +65,15 @@ impl Judged<'_> {
     }
 
     /// A spline by one block: the control points of a first one, and the end.
-    fn spline(&mut self) -> Result<(), Fault> {
+    fn spline(&mut self) -> Result<(), LineFault> {
         if self.modes.plane != 0 {
-            return self.refuse(Refusal::SplinePlane, "G");
+            return self.refuse(FirmwareError::SplinePlane, "G");
         }
         if !self.has_axes() {
-            return self.refuse(Refusal::NoAxes, "G");
+            return self.refuse(FirmwareError::NoAxes, "G");
         }
         if self.written.has(b'Z') {
-            return self.refuse(Refusal::AxisConflict, "Z");
+            return self.refuse(FirmwareError::AxisConflict, "Z");
         }
         let row = self.codes.iter().find_map(|(_, row)| row.action.motion().map(|_| *row));
         let is_cubic = match row {
@@ -82,7 +87,7 @@ impl Judged<'_> {
             (true, true) => "PQ",
         };
         if !Letters::of(needed).within(self.written) {
-            return self.refuse(Refusal::NoValue, "G");
+            return self.refuse(FirmwareError::NoValue, "G");
         }
         self.use_up(Letters::of(if is_cubic { "IJPQ" } else { "IJ" }));
         Ok(())
@@ -93,7 +98,11 @@ impl Judged<'_> {
     }
 
     /// A canned cycle: the words that it needs, and where the tool is after it.
-    fn cycle(&mut self, after: &mut Memory, target: [f32; 3]) -> Result<[f32; 3], Fault> {
+    fn cycle(
+        &mut self,
+        after: &mut FirmwareMemory,
+        target: [f32; 3],
+    ) -> Result<[f32; 3], LineFault> {
         let [a, b] = self.modes.plane_axes();
         let axis = 3 - a - b;
         let from = after.position;
@@ -105,11 +114,11 @@ impl Judged<'_> {
         let depth = self.axis(axis);
         if kept.is_none() && !(self.written.has(b'R') && depth.is_some()) {
             let measured = format!("R and {}", char::from(b"XYZ"[axis]));
-            return self.refuse_measured(Refusal::NoValue, "G", measured);
+            return self.refuse_measured(FirmwareError::NoValue, "G", measured);
         }
         let count = self.number(b'L').unwrap_or(1.0).trunc();
         if count < 1.0 {
-            return self.refuse(Refusal::NotPositive, "L");
+            return self.refuse(FirmwareError::NotPositive, "L");
         }
         let incremental = self.modes.incremental;
         let r = match self.number(b'R').map(|r| r * unit) {
@@ -126,7 +135,7 @@ impl Judged<'_> {
         self.cycle_words(letters)?;
         if r < z {
             return self.refuse_measured(
-                Refusal::LevelOrder,
+                FirmwareError::LevelOrder,
                 "RZ",
                 format!("R is {} mm below it", z - r),
             );
@@ -144,7 +153,7 @@ impl Judged<'_> {
     }
 
     /// The words that the cycle of this block needs beyond R and its depth.
-    fn cycle_words(&self, had: Letters) -> Result<(), Fault> {
+    fn cycle_words(&self, had: Letters) -> Result<(), LineFault> {
         let Some(kind) = self.codes.iter().find_map(|(_, row)| row.action.cycle()) else {
             return Ok(());
         };
@@ -162,15 +171,15 @@ impl Judged<'_> {
             | CycleKind::BoreInOut => "",
         };
         if needed == "Q" && self.number(b'Q').is_some_and(|q| q <= 0.0) {
-            return self.refuse(Refusal::NotPositive, "Q");
+            return self.refuse(FirmwareError::NotPositive, "Q");
         }
         match Letters::of(needed).within(had) {
             true => Ok(()),
-            false => self.refuse_measured(Refusal::NoValue, "G", needed.to_string()),
+            false => self.refuse_measured(FirmwareError::NoValue, "G", needed.to_string()),
         }
     }
 
-    fn arc(&mut self, from: [f32; 3], to: [f32; 3]) -> Result<(), Fault> {
+    fn arc(&mut self, from: [f32; 3], to: [f32; 3]) -> Result<(), LineFault> {
         if self.control.table.arc_turns != ArcTurns::None {
             self.use_up(Letters::of("P"));
         }
@@ -178,7 +187,7 @@ impl Judged<'_> {
             && !self.written.has(b'R')
             && self.written.meets(Letters::of("IJK"));
         if !self.has_axes() && !is_bare {
-            return self.refuse(Refusal::NoAxes, "G");
+            return self.refuse(FirmwareError::NoAxes, "G");
         }
         let [a, b] = self.modes.plane_axes();
         let letters = |of: &[u8; 3]| {
@@ -187,25 +196,25 @@ impl Judged<'_> {
             letters
         };
         if !self.written.meets(letters(b"XYZ")) && !is_bare {
-            return self.refuse(Refusal::NoPlaneAxes, "XYZ");
+            return self.refuse(FirmwareError::NoPlaneAxes, "XYZ");
         }
         let unit = if self.modes.inch { MM_PER_INCH } else { 1.0 };
         let (x, y) = (to[a] - from[a], to[b] - from[b]);
         if let Some(radius) = self.number(b'R') {
             self.use_up(Letters::of("R"));
             if from == to {
-                return self.refuse(Refusal::SamePlace, "R");
+                return self.refuse(FirmwareError::SamePlace, "R");
             }
             let radius = radius * unit;
             if 4.0 * radius * radius - x * x - y * y < 0.0 {
                 let half = 0.5 * (x * x + y * y).sqrt();
                 let measured = format!("R is {radius} mm, and half the distance {half} mm");
-                return self.refuse_measured(Refusal::Radius, "R", measured);
+                return self.refuse_measured(FirmwareError::Radius, "R", measured);
             }
             return Ok(());
         }
         if !self.written.meets(letters(b"IJK")) {
-            return self.refuse(Refusal::NoCenter, "IJKG");
+            return self.refuse(FirmwareError::NoCenter, "IJKG");
         }
         self.use_up(Letters::of("IJK"));
         let center = |axis: usize| self.number(b"IJK"[axis]).unwrap_or(0.0) * unit;
@@ -220,7 +229,7 @@ impl Judged<'_> {
                 "the radius is {radius} mm at the start and {at_end} mm at the end: {off} mm apart, and {allowed} \
                  mm are allowed"
             );
-            return self.refuse_measured(Refusal::OffCircle, "IJK", measured);
+            return self.refuse_measured(FirmwareError::OffCircle, "IJK", measured);
         }
         Ok(())
     }

@@ -1,25 +1,25 @@
 //! Codes that take the axis words of their block, and what they write.
 
 use chordal_dialect::OnceCode;
-use chordal_dialect::firmware::Refusal;
+use chordal_dialect::firmware::FirmwareError;
 use chordal_dialect::table::DataTarget;
 use chordal_syntax::Letters;
 
 use super::codes::{AxisUse, byte};
-use super::judge::Judged;
-use super::line::Fault;
-use super::memory::{FirmwareMotion, Memory};
+use super::judge::BlockCheck;
+use super::line::LineFault;
+use super::memory::{FirmwareMemory, FirmwareMotion};
 
-impl Judged<'_> {
+impl BlockCheck<'_> {
     /// Codes that take the axis words, and those that store a place; where the block goes.
-    pub fn once_codes(&mut self, after: &mut Memory) -> Result<[f32; 3], Fault> {
+    pub fn once_codes(&mut self, after: &mut FirmwareMemory) -> Result<[f32; 3], LineFault> {
         if self.once == Some(OnceCode::SetData) {
             self.set_data(after)?;
             return Ok(after.position);
         }
         if self.once == Some(OnceCode::PresetPosition) {
             if !self.has_axes() {
-                return self.refuse(Refusal::NoAxes, "G");
+                return self.refuse(FirmwareError::NoAxes, "G");
             }
             for axis in 0..3 {
                 if let Some(value) = self.axis(axis) {
@@ -66,12 +66,12 @@ impl Judged<'_> {
         let cuts_straight =
             matches!(self.modes.motion, FirmwareMotion::Rapid | FirmwareMotion::Linear);
         if self.once == Some(OnceCode::MachineCoordinates) && !cuts_straight {
-            return self.refuse(Refusal::MachineMotion, "G");
+            return self.refuse(FirmwareError::MachineMotion, "G");
         }
         Ok(target)
     }
 
-    fn set_data(&mut self, after: &mut Memory) -> Result<(), Fault> {
+    fn set_data(&mut self, after: &mut FirmwareMemory) -> Result<(), LineFault> {
         let kind = byte(self.number(b'L').unwrap_or(0.0));
         let rows = self.control.table.set_data;
         let row =
@@ -82,10 +82,10 @@ impl Judged<'_> {
             return Ok(());
         }
         if !self.has_axes() && !matches!(target, Some(DataTarget::ToolTable)) {
-            return self.refuse(Refusal::NoAxes, "G");
+            return self.refuse(FirmwareError::NoAxes, "G");
         }
         if !self.written.meets(Letters::of("PL")) {
-            return self.refuse(Refusal::NoValue, "G");
+            return self.refuse(FirmwareError::NoValue, "G");
         }
         let of_tool = matches!(
             target,
@@ -99,12 +99,12 @@ impl Judged<'_> {
         }
         let system = self.number(b'P').unwrap_or(0.0).trunc();
         if system > self.firmware.largest[2] as f32 {
-            return self.refuse(Refusal::WorkOffset, "P");
+            return self.refuse(FirmwareError::WorkOffset, "P");
         }
         let from_position = target == Some(DataTarget::WorkOffsetFromPosition);
         let given = target == Some(DataTarget::WorkOffset);
         if !given && !from_position || given && self.written.has(b'R') {
-            return self.refuse(Refusal::Unknown, "LG");
+            return self.refuse(FirmwareError::Unknown, "LG");
         }
         self.use_up(Letters::of("PL"));
         let index = match system as usize {

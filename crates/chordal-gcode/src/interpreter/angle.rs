@@ -2,7 +2,7 @@
 
 use chordal_command::{AxisMask, Origin, Position};
 use chordal_diagnostics::TextRange;
-use chordal_kernel::{Corner, Motion};
+use chordal_kernel::{CornerRequest, ModalMotion};
 use chordal_machine::Axis;
 use chordal_syntax::{Block, Word};
 
@@ -19,7 +19,7 @@ pub(super) struct OpenLine {
     degrees: f64,
     feed: Option<f64>,
     /// The rounding or chamfer at its end.
-    corner: Option<Corner>,
+    corner: Option<CornerRequest>,
 }
 
 fn angle_word(block: &Block) -> Option<&Word> {
@@ -45,7 +45,7 @@ impl Interpreter<'_> {
                 target[Z] = from[Z] + (target[X] - from[X]) / tangent;
             }
             (true, true) => return,
-            (false, false) if self.kernel.state.motion == Motion::Linear => {
+            (false, false) if self.kernel.state.motion == ModalMotion::Linear => {
                 self.lose_open_line("the next block does not end it");
                 let corner = self.kernel.take_asked_corner();
                 let feed = self.kernel.state.feed;
@@ -66,7 +66,7 @@ impl Interpreter<'_> {
     pub(super) fn end_open_line(&mut self, block: &Block, target: &Position, named: AxisMask) {
         let Some(open) = self.open_line.take() else { return };
         let angle = angle_word(block).copied().and_then(|word| self.literal(&word));
-        let whole = named.has(X) && named.has(Z) && self.kernel.state.motion == Motion::Linear;
+        let whole = named.has(X) && named.has(Z) && self.kernel.state.motion == ModalMotion::Linear;
         let Some(angle) = angle.filter(|_| whole) else {
             self.open_line = Some(open);
             return self.lose_open_line("the next block needs G1, X, Z and `,A`");

@@ -4,9 +4,9 @@ use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::CenterAndRadius;
 use chordal_dialect::table::ArcTurns;
-use chordal_geometry::{Direction, Plane};
+use chordal_geometry::{Plane, TurnDirection};
 use chordal_kernel::ArcWords;
-use chordal_kernel::Motion;
+use chordal_kernel::ModalMotion;
 use chordal_kernel::rules::SpiralForm;
 use chordal_syntax::{Block, Letters, Word};
 
@@ -46,7 +46,7 @@ impl Interpreter<'_> {
     pub(super) fn arc_block(
         &mut self,
         block: &Block,
-        direction: Direction,
+        direction: TurnDirection,
         mut target: Position,
         named: AxisMask,
         explicit: bool,
@@ -192,7 +192,7 @@ impl Interpreter<'_> {
     /// Fadal: G2 or G3 in a block without a centre is a line.
     pub(super) fn report_line_for_arc(&mut self, block: &Block) {
         let span = self.words_span(block, Letters::of("G"));
-        let rapid = self.kernel.state.motion == Motion::Rapid;
+        let rapid = self.kernel.state.motion == ModalMotion::Rapid;
         let message = if rapid {
             "G2 or G3 without a centre, and G0 is active: this control makes a rapid"
         } else {
@@ -229,8 +229,8 @@ impl Interpreter<'_> {
     #[inline]
     pub(super) fn watch_rapid_after_arc(&mut self, block: &Block, arc: bool, meant: bool) {
         let before = self.kernel.state.arc_over_rapid;
-        self.kernel.state.arc_over_rapid = arc && self.kernel.state.motion == Motion::Rapid;
-        if before && !meant && self.kernel.state.motion == Motion::Rapid {
+        self.kernel.state.arc_over_rapid = arc && self.kernel.state.motion == ModalMotion::Rapid;
+        if before && !meant && self.kernel.state.motion == ModalMotion::Rapid {
             self.report_rapid_after_arc(block);
         }
     }

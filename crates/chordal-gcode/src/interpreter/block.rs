@@ -1,14 +1,14 @@
 //! One block: its codes are gathered, judged, and taken in the order a control takes them.
 
 use chordal_command::AxisMask;
-use chordal_dialect::table::{LineRepeat, Subroutines};
+use chordal_dialect::table::{LineRepeat, SubroutineForm};
 use chordal_dialect::{Action, BeforeCode, LengthCode, OnceCode};
-use chordal_dialect::{CodeRow, Group, UnitCodes, code_number};
+use chordal_dialect::{CodeGroup, CodeRow, UnitCodes, code_number};
 use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Letters, Word};
 
 use super::conflicts::ALWAYS;
-use super::{EndReason, Flow, Interpreter};
+use super::{BlockFlow, EndReason, Interpreter};
 
 /// Letters of a block that only moves: no mode, no table, no call.
 const PLAIN: Letters = Letters::of("NXYZABCFIJKG");
@@ -17,13 +17,13 @@ const AXES: Letters = Letters::of(AXIS_LETTERS);
 
 impl Interpreter<'_> {
     /// Carries out the words of a block.
-    pub(super) fn carry_out(&mut self, block: &Block) -> Flow {
+    pub(super) fn carry_out(&mut self, block: &Block) -> BlockFlow {
         if block.channel.is_some() {
             self.check_channel(block);
         }
         self.check_numbers(block);
         if self.plain_motion(block) {
-            return Flow::Next;
+            return BlockFlow::Next;
         }
         if let Some(flow) = self.macro_call(block) {
             return flow;
@@ -137,7 +137,7 @@ impl Interpreter<'_> {
         let systems = self.control.table.systems;
         let (name, row) = systems.iter().find_map(|system| {
             let mut rows = system.codes.iter();
-            let row = rows.find(|row| row.code == code && row.group == Group::FeedMode)?;
+            let row = rows.find(|row| row.code == code && row.group == CodeGroup::FeedMode)?;
             Some((system.name, row))
         })?;
         self.report_other_system(word, row, name);
@@ -157,14 +157,14 @@ impl Interpreter<'_> {
     fn has_unit_code(&self, row: &CodeRow) -> bool {
         let by_g70 = row.code >= 700;
         match self.control.parameters.unit_codes {
-            _ if row.group != Group::Units => true,
+            _ if row.group != CodeGroup::Units => true,
             UnitCodes::Both => true,
             UnitCodes::G20 => !by_g70,
             UnitCodes::G70 => by_g70,
         }
     }
 
-    fn carry_out_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> Flow {
+    fn carry_out_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> BlockFlow {
         // What an unknown code would have done with the words is not known; the tool still
         // goes to the end point that they name.
         let code_words = block.all(b'G').count() + block.all(b'M').count();
@@ -195,7 +195,7 @@ impl Interpreter<'_> {
         &mut self,
         block: &Block,
         codes: &[(&'static CodeRow, usize)],
-    ) -> Flow {
+    ) -> BlockFlow {
         for (row, at) in codes {
             if let Action::Before(code) = row.action {
                 self.keep_modes(block, code, *at);
@@ -211,7 +211,7 @@ impl Interpreter<'_> {
         let own_side =
             codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::GeneralPocket));
         for (row, at) in codes {
-            if !(own_side && row.group == Group::Compensation) {
+            if !(own_side && row.group == CodeGroup::Compensation) {
                 self.take_mode(block, row, *at);
             }
         }
@@ -291,9 +291,9 @@ impl Interpreter<'_> {
         block: &Block,
         codes: &[(&'static CodeRow, usize)],
         claims: Letters,
-    ) -> Option<Flow> {
+    ) -> Option<BlockFlow> {
         let table = self.control.table;
-        let calls = table.subroutines == Subroutines::LetterL;
+        let calls = table.subroutines == SubroutineForm::LetterL;
         let taken = claims.has(b'L') && !(calls && self.cycle_counts_in_l(block, codes));
         if taken || !block.letters().has(b'L') {
             return None;
@@ -304,14 +304,14 @@ impl Interpreter<'_> {
         if claims.has(b'L') && count < 100 {
             return None;
         }
-        if table.subroutines == Subroutines::LetterL && count >= 100 {
+        if table.subroutines == SubroutineForm::LetterL && count >= 100 {
             let mut claims = claims;
             claims.insert(b'L');
             self.check_unused(block, claims);
             self.take_registers(block);
             self.take_letters(block, codes);
             if self.fixed_routine(block, &word, count) {
-                return Some(Flow::Next);
+                return Some(BlockFlow::Next);
             }
             if self.kernel.state.cycle.is_some() {
                 self.next_hole_beside_call(block);
@@ -322,7 +322,7 @@ impl Interpreter<'_> {
                 }
             }
             self.call_subroutine(&word, count);
-            return Some(Flow::Next);
+            return Some(BlockFlow::Next);
         }
         if table.line_repeat == LineRepeat::None {
             return None;
@@ -337,12 +337,12 @@ impl Interpreter<'_> {
         self.warn_of_repeated_modal_subroutine(block, times);
         for pass in 0..times {
             if pass > 0 && !self.kernel.count_repeated() {
-                return Some(Flow::End(EndReason::Budget));
+                return Some(BlockFlow::End(EndReason::Budget));
             }
-            if let end @ Flow::End(_) = self.block_without_repeats(block, codes) {
+            if let end @ BlockFlow::End(_) = self.block_without_repeats(block, codes) {
                 return Some(end);
             }
         }
-        Some(Flow::Next)
+        Some(BlockFlow::Next)
     }
 }

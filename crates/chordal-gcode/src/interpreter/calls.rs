@@ -1,15 +1,15 @@
 //! Subprograms, subroutines, local calls, returns and their limits.
 
-use chordal_dialect::table::Subroutines;
+use chordal_dialect::table::SubroutineForm;
 use chordal_dialect::{Action, AfterCode, code_number};
 use std::collections::HashMap;
 
 use chordal_command::SpindleState;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
-use chordal_syntax::{Block, Letters, Position as TextPosition, Word, is_program_name};
+use chordal_syntax::{Block, BlockPosition as TextPosition, Letters, Word, is_program_name};
 
-use super::shop::Given;
-use super::{EndReason, Flow, Frame, Interpreter};
+use super::shop::CustomCodeCall;
+use super::{BlockFlow, CallFrame, EndReason, Interpreter};
 
 /// Fixed subroutines of the L form: L91… to L99….
 const FIXED: std::ops::RangeInclusive<u32> = 91..=99;
@@ -18,7 +18,7 @@ impl Interpreter<'_> {
     /// The count of a repeat, cut to what the control allows.
     /// Reads the L100, L200 … sections that stand before the main program.
     pub(super) fn read_subroutine_section(&mut self) {
-        if self.control.table.subroutines == Subroutines::None {
+        if self.control.table.subroutines == SubroutineForm::None {
             return;
         }
         let begin = self.reader.position();
@@ -176,7 +176,7 @@ impl Interpreter<'_> {
         }
         let (number, repeats) = self.unpacked(written, times);
         let Some(program) = self.library.find(number, self.file) else {
-            let given = Given { block: Some(block), arguments: &[] };
+            let given = CustomCodeCall { block: Some(block), arguments: &[] };
             if self.shop_program(&word, number, repeats, given).is_none() {
                 self.report_missing_program(&word, number);
             }
@@ -312,7 +312,7 @@ impl Interpreter<'_> {
         let reader = std::mem::replace(&mut self.reader, callee);
         let caller = std::mem::replace(&mut self.program, program);
         self.file = self.program_at(program).file;
-        self.frames.push(Frame {
+        self.frames.push(CallFrame {
             reader,
             program: caller,
             path,
@@ -347,7 +347,7 @@ impl Interpreter<'_> {
     }
 
     /// M99.
-    pub(super) fn return_from_program(&mut self, block: &Block, at: usize) -> Flow {
+    pub(super) fn return_from_program(&mut self, block: &Block, at: usize) -> BlockFlow {
         let label = match block.letters().has(b'P') {
             true => self.count_of(block, b'P').map(i64::from),
             false => None,
@@ -356,16 +356,16 @@ impl Interpreter<'_> {
         if in_call && !(label.is_some() && self.control.parameters.return_label_in_callee) {
             self.leave(label.map(|label| (block, label)));
             if self.lost_jump {
-                return Flow::End(EndReason::LostJump);
+                return BlockFlow::End(EndReason::LostJump);
             }
-            return Flow::Next;
+            return BlockFlow::Next;
         }
         match label {
             Some(label) => self.jump(block, at, label),
             None => {
                 let span = self.span(block.words[at].range);
                 self.report_repeat(span, "M99 in the main program");
-                Flow::End(EndReason::Repeats)
+                BlockFlow::End(EndReason::Repeats)
             }
         }
     }
@@ -392,7 +392,7 @@ impl Interpreter<'_> {
     }
 
     /// A jump within the running program.
-    fn jump(&mut self, block: &Block, at: usize, label: i64) -> Flow {
+    fn jump(&mut self, block: &Block, at: usize, label: i64) -> BlockFlow {
         let taken = self.jumps.entry(block.range.start).or_insert(0);
         *taken += 1;
         // Nothing but positions changes between two passes, so the second one through the
@@ -404,16 +404,16 @@ impl Interpreter<'_> {
                     .label("stopped here")
                     .help("nothing ends the loop: check the N number it jumps to"),
             );
-            return Flow::End(EndReason::Repeats);
+            return BlockFlow::End(EndReason::Repeats);
         }
         match self.label(self.program, label) {
             Some(position) => {
                 self.go_to(position);
-                Flow::Next
+                BlockFlow::Next
             }
             None => {
                 self.report_missing_label(block, b'P', &label.to_string());
-                Flow::End(EndReason::LostJump)
+                BlockFlow::End(EndReason::LostJump)
             }
         }
     }

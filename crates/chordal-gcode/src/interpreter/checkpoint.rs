@@ -3,19 +3,19 @@
 use std::any::Any;
 use std::collections::BTreeMap;
 
-use chordal_command::{CallPath, Side};
-use chordal_diagnostics::{FileId, Shift, TextRange};
-use chordal_dialect::Scale;
-use chordal_kernel::{Checkpoint, KernelMemory, Memory};
+use chordal_command::{CallPath, CompensationSide};
+use chordal_diagnostics::{FileId, TextRange, TextShift};
+use chordal_dialect::LiteralScale;
+use chordal_kernel::{Checkpoint, CheckpointMemory, KernelMemory};
 use chordal_machine::PerAxis;
-use chordal_syntax::{Decimal, Position as TextPosition};
+use chordal_syntax::{BlockPosition as TextPosition, Decimal};
 
 use super::context::KeptModes;
 use super::macros::MacroMemory;
 use super::spatial::SpatialState;
 use super::spline::SplineMemory;
-use super::{Interpreter, Reported};
-use crate::firmware::Judge;
+use super::{Interpreter, ReportedOnce};
+use crate::firmware::FirmwareChecker;
 
 /// With more chains of calls a checkpoint would cost more than it saves.
 const MOST_CALL_PATHS: usize = 1000;
@@ -24,14 +24,14 @@ const MOST_CALL_PATHS: usize = 1000;
 #[derive(Clone, Debug, PartialEq)]
 struct BlockMemory {
     kernel: KernelMemory,
-    scale: Scale,
+    scale: LiteralScale,
     per_word: PerAxis<f64>,
     registers: [Option<Decimal>; 10],
     subroutines: BTreeMap<u32, TextPosition>,
     missing: Vec<u32>,
     data_lines: bool,
     sequence: Option<Decimal>,
-    reported: Reported,
+    reported: ReportedOnce,
     lost_jump: bool,
     units_said: bool,
     carried_out: bool,
@@ -40,16 +40,16 @@ struct BlockMemory {
     macros: MacroMemory,
     spatial: SpatialState,
     spline: SplineMemory,
-    judge: Option<Judge>,
+    judge: Option<FirmwareChecker>,
 }
 
-impl Memory for BlockMemory {
-    fn is_like(&self, other: &dyn Memory) -> bool {
+impl CheckpointMemory for BlockMemory {
+    fn is_like(&self, other: &dyn CheckpointMemory) -> bool {
         let Some(other) = other.as_any().downcast_ref::<BlockMemory>() else { return false };
         self.kernel.is_at(&other.kernel) && self == other
     }
 
-    fn shift(&mut self, shift: &Shift) -> Option<()> {
+    fn shift(&mut self, shift: &TextShift) -> Option<()> {
         self.kernel.shift(shift)?;
         for head in self.subroutines.values_mut() {
             (head.offset, head.line) = shift.place(head.offset, head.line)?;
@@ -57,7 +57,7 @@ impl Memory for BlockMemory {
         self.macros.shift(shift)
     }
 
-    fn copy(&self) -> Box<dyn Memory> {
+    fn copy(&self) -> Box<dyn CheckpointMemory> {
         Box::new(self.clone())
     }
 
@@ -75,7 +75,7 @@ impl Interpreter<'_> {
             && self.kernel.call == CallPath::default()
             && self.jumps.is_empty()
             && self.repeat_until == 0
-            && self.kernel.state.side == Side::Off
+            && self.kernel.state.side == CompensationSide::Off
             && self.stopped.is_none()
             && !self.in_remark
             && !self.kernel.waits_at_corner()
@@ -99,7 +99,7 @@ impl Interpreter<'_> {
             data_lines: self.data_lines,
             sequence: self.sequence,
             // Whoever collects keeps the first of them, so that it does not decide about what follows.
-            reported: Reported { excess_decimals: false, ..self.reported.clone() },
+            reported: ReportedOnce { excess_decimals: false, ..self.reported.clone() },
             lost_jump: self.lost_jump,
             units_said: self.units_said,
             carried_out: self.carried_out,

@@ -10,12 +10,12 @@ use chordal_dialect::{Action, BeforeCode, CallCode, CodeRow, CommandLine};
 use chordal_dialect::{ModeCode, OnceCode, ReadingCode, code_number};
 use chordal_geometry::Plane;
 use chordal_machine::AXIS_LETTERS;
-use chordal_syntax::{Block, BlockKind, Decimal, Letters, Value, Word};
+use chordal_syntax::{Block, BlockKind, Decimal, Letters, Word, WordValue};
 
-use super::{Flow, Interpreter};
+use super::{BlockFlow, Interpreter};
 
 /// The characters of a line that count, each with its offset in the text.
-struct Line {
+struct CommandLineText {
     characters: Vec<(u8, u32)>,
     at: usize,
     lower_case: bool,
@@ -23,7 +23,7 @@ struct Line {
 
 /// What is read of a line.
 #[derive(Default)]
-struct Read {
+struct CommandLineWords {
     /// The words of its command.
     words: Vec<Word>,
     /// Codes after it, which do nothing.
@@ -40,8 +40,8 @@ struct Read {
     unknown: Option<(u8, Option<Decimal>)>,
 }
 
-impl Line {
-    fn of(text: &[u8], from: u32, parentheses: bool, lower_case: bool) -> Line {
+impl CommandLineText {
+    fn of(text: &[u8], from: u32, parentheses: bool, lower_case: bool) -> CommandLineText {
         let mut characters = Vec::with_capacity(text.len());
         let mut in_comment = false;
         for (byte, offset) in text.iter().zip(from..) {
@@ -53,7 +53,7 @@ impl Line {
                 _ => characters.push((*byte, offset)),
             }
         }
-        Line { characters, at: 0, lower_case }
+        CommandLineText { characters, at: 0, lower_case }
     }
 
     fn peek(&self) -> Option<u8> {
@@ -126,13 +126,13 @@ impl Line {
 }
 
 fn word(letter: u8, number: Decimal, range: TextRange) -> Word {
-    Word { letter, register: None, comma: false, value: Value::Number(number), range }
+    Word { letter, register: None, comma: false, value: WordValue::Number(number), range }
 }
 
 impl Interpreter<'_> {
     /// Gives the block of a line the words of its command. What follows where there is none to carry out; nothing where
     /// the block goes on.
-    pub(super) fn take_command_line(&mut self, block: &mut Block) -> Option<Flow> {
+    pub(super) fn take_command_line(&mut self, block: &mut Block) -> Option<BlockFlow> {
         let rules = self.control.table.command_line?;
         let build = self.control.parameters.build;
         let text = self.reader.text();
@@ -143,7 +143,7 @@ impl Interpreter<'_> {
         let length = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
         let whole = TextRange::new(block.range.start, (start + length) as u32);
         let (parentheses, lower_case) = (build.parentheses, build.lower_case);
-        let mut line = Line::of(whole.slice(text), whole.start, parentheses, lower_case);
+        let mut line = CommandLineText::of(whole.slice(text), whole.start, parentheses, lower_case);
         // A slip of the finger is one, however the firmware reads it.
         let slips = std::mem::take(&mut block.problems);
         block.delete = None;
@@ -151,7 +151,7 @@ impl Interpreter<'_> {
         block.kind = BlockKind::Words;
         block.truncate(0);
         if goes_on {
-            return Some(Flow::Next);
+            return Some(BlockFlow::Next);
         }
         line.skip_blanks();
         let number = line.line_number();
@@ -163,16 +163,16 @@ impl Interpreter<'_> {
             line.characters.pop();
         }
         if line.ends() {
-            return Some(Flow::Next);
+            return Some(BlockFlow::Next);
         }
         let from = line.at;
-        let mut read = Read::default();
+        let mut read = CommandLineWords::default();
         self.read_command(&mut line, rules, &mut read);
         if let Some((letter, number)) = read.unknown {
             line.at = line.characters.len();
             let range = line.range(from);
             self.report_unknown_command(rules, range, letter, number);
-            return Some(Flow::Next);
+            return Some(BlockFlow::Next);
         }
         if read.are_numbers {
             // What is no number in a comment or a checksum is none of these.
@@ -200,7 +200,12 @@ impl Interpreter<'_> {
     }
 
     /// One command with its words.
-    fn read_command(&self, line: &mut Line, rules: &CommandLine, read: &mut Read) {
+    fn read_command(
+        &self,
+        line: &mut CommandLineText,
+        rules: &CommandLine,
+        read: &mut CommandLineWords,
+    ) {
         let from = line.at;
         let letter = line.letter().unwrap_or(0);
         let goes_on = self.control.parameters.build.has(BuildOption::MotionModes)
@@ -259,10 +264,10 @@ impl Interpreter<'_> {
 
     fn read_words(
         &self,
-        line: &mut Line,
+        line: &mut CommandLineText,
         rules: &CommandLine,
         code: Option<(u8, u16)>,
-        read: &mut Read,
+        read: &mut CommandLineWords,
     ) {
         let takes = self.letters_of_command(rules, code);
         // What is not carried out has no use for its words, and they move nothing.

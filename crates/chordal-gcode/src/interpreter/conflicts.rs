@@ -4,8 +4,8 @@
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::table::MotionModality;
 use chordal_dialect::{Action, ModeCode, MotionCode, OnceCode};
-use chordal_dialect::{CodeRow, Group};
-use chordal_kernel::Motion;
+use chordal_dialect::{CodeGroup, CodeRow};
+use chordal_kernel::ModalMotion;
 use chordal_kernel::rules::{SpiralForm, TurnCycle};
 use chordal_syntax::{Block, Letters};
 
@@ -255,16 +255,18 @@ impl Interpreter<'_> {
     /// What a block without a motion code may have because of the motion in force.
     pub(super) fn modal_arc_words(&self) -> Option<Letters> {
         let code = match self.kernel.state.motion {
-            Motion::Arc(_) => 20,
-            Motion::Linear if self.control.parameters.corners_of_lines => 10,
-            Motion::Spiral(_) => 21,
-            Motion::Turn(_) | Motion::Thread if !self.control.parameters.increments.is_empty() => {
+            ModalMotion::Arc(_) => 20,
+            ModalMotion::Linear if self.control.parameters.corners_of_lines => 10,
+            ModalMotion::Spiral(_) => 21,
+            ModalMotion::Turn(_) | ModalMotion::Thread
+                if !self.control.parameters.increments.is_empty() =>
+            {
                 return self.motion_in_force_words();
             }
-            Motion::ThreadPasses => return self.motion_in_force_words(),
-            Motion::Thread => 330,
-            Motion::RigidTap => 331,
-            Motion::Spline(form) => {
+            ModalMotion::ThreadPasses => return self.motion_in_force_words(),
+            ModalMotion::Thread => 330,
+            ModalMotion::RigidTap => 331,
+            ModalMotion::Spline(form) => {
                 let code = Action::Motion(MotionCode::Spline(form));
                 let rows = self.control.table.g_codes.iter();
                 return rows
@@ -339,17 +341,20 @@ impl Interpreter<'_> {
 /// Codes of one group that stand in one block against the rules.
 fn excludes(first: &CodeRow, second: &CodeRow, distance_left_to_right: bool) -> bool {
     match second.group {
-        Group::Distance => !distance_left_to_right && first.code != second.code,
-        Group::OneShot => first.takes_axes() && second.takes_axes(),
-        Group::Auxiliary | Group::Calling | Group::Coolant | Group::Spindle => false,
+        CodeGroup::Distance => !distance_left_to_right && first.code != second.code,
+        CodeGroup::OneShot => first.takes_axes() && second.takes_axes(),
+        CodeGroup::Auxiliary | CodeGroup::Calling | CodeGroup::Coolant | CodeGroup::Spindle => {
+            false
+        }
         _ => first.code != second.code,
     }
 }
 
 /// Two codes that take the axis words of a block for themselves, one of them a frame.
 fn share(first: &CodeRow, second: &CodeRow) -> bool {
-    let frame =
-        |row: &CodeRow| matches!(row.group, Group::Scaling | Group::Rotation | Group::Mirror);
+    let frame = |row: &CodeRow| {
+        matches!(row.group, CodeGroup::Scaling | CodeGroup::Rotation | CodeGroup::Mirror)
+    };
     let takes = |row: &CodeRow| row.action.once().is_some() && row.takes_axes();
     takes(first) && takes(second) && (frame(first) || frame(second)) && first.group != second.group
 }

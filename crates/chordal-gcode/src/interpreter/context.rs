@@ -1,6 +1,8 @@
 //! The modes that a program keeps and brings back: M70 to M73 (LinuxCNC).
 
-use chordal_command::{Coolant, FeedMode, Overrides, Side, SpindleState, Units, WorkName};
+use chordal_command::{
+    CompensationSide, Coolant, FeedMode, Overrides, SpindleState, Units, WorkName,
+};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::BeforeCode;
 use chordal_geometry::Plane;
@@ -18,17 +20,17 @@ pub(super) struct KeptModes {
     depth: usize,
     /// They come back at the return.
     until_return: bool,
-    modes: Modes,
+    modes: WordModes,
 }
 
 /// What is kept. Motion code and position are not among it.
 #[derive(Clone, Debug, PartialEq)]
-struct Modes {
+struct WordModes {
     units: Units,
     /// What a word of X is multiplied by.
     per_x: f64,
     plane: Plane,
-    side: Side,
+    side: CompensationSide,
     incremental: bool,
     arc_center: ArcCenter,
     feed_mode: FeedMode,
@@ -81,10 +83,10 @@ impl Interpreter<'_> {
         }
     }
 
-    fn modes_in_force(&self) -> Modes {
+    fn modes_in_force(&self) -> WordModes {
         let state = &self.kernel.state;
         let tool = state.offsets.tool_in_force();
-        Modes {
+        WordModes {
             units: state.units,
             per_x: self.per_word[0],
             plane: state.plane,
@@ -124,13 +126,13 @@ impl Interpreter<'_> {
         }
     }
 
-    fn bring_back(&mut self, block: &Block, modes: Modes) {
+    fn bring_back(&mut self, block: &Block, modes: WordModes) {
         let span = self.span(block.range);
         self.set_units(modes.units);
         self.per_word[0] = modes.per_x;
         if self.kernel.state.side != modes.side {
             self.kernel.state.side = modes.side;
-            let number = (modes.side != Side::Off).then_some(self.kernel.state.tool);
+            let number = (modes.side != CompensationSide::Off).then_some(self.kernel.state.tool);
             self.kernel.emit_compensation(number, None, span);
         }
         self.kernel.set_plane(span, modes.plane);

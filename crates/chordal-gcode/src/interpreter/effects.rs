@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use chordal_command::{CommandKind, Effect, WorkName};
-use chordal_dialect::macros::Held;
+use chordal_dialect::macros::VariableRetention;
 use chordal_dialect::{Action, AfterCode, BeforeCode, CodeRow};
 use chordal_kernel::WrittenOffset;
 use chordal_machine::{AXES, AXIS_LETTERS, PerAxis};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
-use crate::macros::value::Value;
+use crate::macros::value::MacroValue;
 
 /// Letters whose value is a length where it stands beside a code that is not simulated (G22).
 const LENGTHS: Letters = Letters::of("XYZUVWIJK");
@@ -22,7 +22,7 @@ const WORDS_OF_OPEN_CODES: Letters = Letters::of("PQR");
 
 /// What the control holds as it was told last.
 #[derive(Clone, Default, Debug)]
-pub(super) struct Told {
+pub(super) struct WrittenState {
     pub(super) variables: BTreeMap<u32, f64>,
     pub(super) references: [PerAxis<Option<f64>>; 2],
 }
@@ -37,7 +37,8 @@ impl Interpreter<'_> {
 
     /// What the control holds now was told.
     pub(super) fn take_values_as_told(&mut self) {
-        self.told = Told { variables: self.macros.kept.clone(), references: self.references };
+        self.told =
+            WrittenState { variables: self.macros.kept.clone(), references: self.references };
     }
 
     fn tell(&mut self, effect: Effect) {
@@ -148,14 +149,18 @@ impl Interpreter<'_> {
         if !self.macros.used {
             return;
         }
-        let ranges = self.rules().common.iter().filter(|range| range.held == Held::OverPowerOff);
+        let ranges = self
+            .rules()
+            .common
+            .iter()
+            .filter(|range| range.held == VariableRetention::OverPowerOff);
         let own = ranges.filter(|range| range.stored == range.first);
         for number in own.flat_map(|range| range.first..=range.last) {
             let given = self.machine.macros.variables.get(&number).copied();
             let value = match self.macros.store.read(number) {
-                Ok(Value::Number(value)) => Some(value),
-                Ok(Value::Vacant) => None,
-                Ok(Value::Unknown(_)) | Err(_) => continue,
+                Ok(MacroValue::Number(value)) => Some(value),
+                Ok(MacroValue::Vacant) => None,
+                Ok(MacroValue::Unknown(_)) | Err(_) => continue,
             };
             if value != given {
                 self.tell_variable(number, value);

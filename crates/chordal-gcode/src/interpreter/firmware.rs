@@ -3,13 +3,13 @@
 use chordal_command::{AxisMask, FeedMode, WorkName};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::firmware::Firmware;
-use chordal_dialect::{Action, Group, MotionCode, ToolChanger};
+use chordal_dialect::{Action, CodeGroup, MotionCode, ToolChanger};
 use chordal_kernel::EndReason;
 use chordal_machine::Axis;
-use chordal_syntax::{Block, BlockKind, Decimal, Value, Word};
+use chordal_syntax::{Block, BlockKind, Decimal, Word, WordValue};
 
-use super::{Flow, Interpreter};
-use crate::firmware::{Fault, Judge, Verdict};
+use super::{BlockFlow, Interpreter};
+use crate::firmware::{FirmwareAnswer, FirmwareChecker, LineFault};
 
 impl Interpreter<'_> {
     /// With the firmware of the control at power-on, where it has one.
@@ -25,7 +25,7 @@ impl Interpreter<'_> {
                 [0, 1, 2].map(|axis| state.offsets.work_value(&key, axis).unwrap_or(0.0))
             })
             .collect();
-        self.judge = Some(Judge::new(place, &systems));
+        self.judge = Some(FirmwareChecker::new(place, &systems));
         self
     }
 
@@ -45,7 +45,7 @@ impl Interpreter<'_> {
     }
 
     /// What follows where the firmware does not let a block act; nothing where it does, with its own words.
-    pub(super) fn judged_by_firmware(&mut self, block: &mut Block) -> Option<Flow> {
+    pub(super) fn judged_by_firmware(&mut self, block: &mut Block) -> Option<BlockFlow> {
         let firmware = self.control.table.firmware?;
         let build = self.control.parameters.build;
         let resolved = build.expressions && block.expressions;
@@ -72,25 +72,25 @@ impl Interpreter<'_> {
         let verdict =
             self.judge.as_mut()?.take(block, text, self.control, firmware, deletes, resolved);
         match verdict {
-            Verdict::Words(dropped) => {
+            FirmwareAnswer::Words(dropped) => {
                 self.check_change_by_sender(block);
                 dropped.iter().for_each(|word| self.unused_word(word));
                 return None;
             }
-            Verdict::Nothing => {}
+            FirmwareAnswer::Nothing => {}
             // It begins there: the switches are its reference.
-            Verdict::Homing if !self.carried_out => {}
-            Verdict::Homing => self.home_machine(),
-            Verdict::Jog(words) => self.jog(block, words),
-            Verdict::Setting => self.report_setting_in_program(block),
-            Verdict::Refused(fault) => {
+            FirmwareAnswer::Homing if !self.carried_out => {}
+            FirmwareAnswer::Homing => self.home_machine(),
+            FirmwareAnswer::Jog(words) => self.jog(block, words),
+            FirmwareAnswer::Setting => self.report_setting_in_program(block),
+            FirmwareAnswer::Refused(fault) => {
                 self.report_refusal(firmware, fault);
                 if !self.control.parameters.goes_on_after_refusal {
-                    return Some(Flow::End(EndReason::Alarm));
+                    return Some(BlockFlow::End(EndReason::Alarm));
                 }
             }
         }
-        Some(Flow::Next)
+        Some(BlockFlow::Next)
     }
 
     /// A jog moves straight at its own feed, in its own units and distance mode; nothing of it stays.
@@ -102,7 +102,7 @@ impl Interpreter<'_> {
         let linear = Action::Motion(MotionCode::Linear);
         let rows = self.control.table.g_codes;
         let code = rows.iter().find(|row| row.action == linear).map_or(10, |row| row.code);
-        let number = Value::Number(Decimal::integer(i64::from(code / 10)));
+        let number = WordValue::Number(Decimal::integer(i64::from(code / 10)));
         let range = block.range;
         block.push(Word { letter: b'G', register: None, comma: false, value: number, range });
         words.into_iter().for_each(|word| block.push(word));
@@ -125,7 +125,7 @@ impl Interpreter<'_> {
         }
         let changes = |word: &&Word| {
             word.letter == b'M'
-                && self.control.row_of(word).is_some_and(|row| row.group == Group::ToolChange)
+                && self.control.row_of(word).is_some_and(|row| row.group == CodeGroup::ToolChange)
         };
         let Some(word) = block.words.iter().find(changes) else { return };
         let span = self.span(word.range);
@@ -143,7 +143,7 @@ impl Interpreter<'_> {
     }
 
     #[cold]
-    fn report_refusal(&mut self, firmware: &Firmware, fault: Fault) {
+    fn report_refusal(&mut self, firmware: &Firmware, fault: LineFault) {
         let Some(row) = firmware.row(fault.refusal) else { return };
         let title = self.control.table.title;
         let message = match fault.measured {
@@ -178,7 +178,7 @@ mod tests {
     use chordal_diagnostics::{Diagnostic, Severity, Source, SourceMap};
     use chordal_dialect::Control;
     use chordal_kernel::RunSink;
-    use chordal_machine::{Machine, Setting, SettingValue};
+    use chordal_machine::{Machine, SettingEntry, SettingValue};
 
     use super::*;
     use crate::interpreter::RunOptions;
@@ -220,13 +220,13 @@ mod tests {
     fn ran(text: &str) -> Ran {
         let mut machine = Machine::from_builtin("grbl").expect("a machine");
         let value = SettingValue::Text("nobody".into());
-        machine.settings.insert("M6".into(), Setting { value, location: None });
+        machine.settings.insert("M6".into(), SettingEntry { value, location: None });
         ran_on(machine, text)
     }
 
     fn ran_on(mut machine: Machine, text: &str) -> Ran {
         let value = SettingValue::Text("continue".into());
-        machine.settings.insert("on error".into(), Setting { value, location: None });
+        machine.settings.insert("on error".into(), SettingEntry { value, location: None });
         let (control, errors) = Control::of(&machine);
         assert!(errors.is_empty(), "{errors:?}");
         let mut sources = SourceMap::new();

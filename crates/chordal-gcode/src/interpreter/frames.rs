@@ -1,11 +1,11 @@
 //! Words of mirror, scaling, rotation and polar coordinates.
 
-use chordal_command::{AxisMask, Position, Side};
+use chordal_command::{AxisMask, CompensationSide, Position};
 use chordal_diagnostics::{Code, Diagnostic};
-use chordal_dialect::{Action, CodeRow, Group, OnceCode, code_number};
+use chordal_dialect::{Action, CodeGroup, CodeRow, OnceCode, code_number};
 use chordal_geometry::Plane;
 use chordal_kernel::PolarWords;
-use chordal_kernel::frames::Factors;
+use chordal_kernel::frames::ScaleFactors;
 use chordal_machine::AXES;
 use chordal_syntax::{Block, Letters};
 
@@ -57,13 +57,13 @@ impl Interpreter<'_> {
         let rotary = self.control.parameters.rules.frames.scales_rotary;
         self.unused_axes(block, |axis, _| axis < 3 || rotary);
         let factors = if block.letters().has(b'P') {
-            self.factor_of(block, b'P').map_or(Factors::Omitted, Factors::Common)
+            self.factor_of(block, b'P').map_or(ScaleFactors::Omitted, ScaleFactors::Common)
         } else if self.control.parameters.rules.frames.factors_by_vector
             && block.letters().meets(Letters::of("IJK"))
         {
-            Factors::Each([b'I', b'J', b'K'].map(|letter| self.factor_of(block, letter)))
+            ScaleFactors::Each([b'I', b'J', b'K'].map(|letter| self.factor_of(block, letter)))
         } else {
-            Factors::Omitted
+            ScaleFactors::Omitted
         };
         self.kernel.scale(&self.at(block), &center, factors);
     }
@@ -76,7 +76,7 @@ impl Interpreter<'_> {
             let message = "a scaling without a factor".to_string();
             return self.kernel.missing_word(span, message, "write the factors with X, Y and Z");
         }
-        self.kernel.scale(&self.at(block), &[Some(0.0); AXES], Factors::Each(each));
+        self.kernel.scale(&self.at(block), &[Some(0.0); AXES], ScaleFactors::Each(each));
     }
 
     /// A block while words are multiplied: of lines, of arcs by their centre, and of what has no lengths it is
@@ -91,20 +91,20 @@ impl Interpreter<'_> {
         if !by_axes || state.frames.scaling().is_none() {
             return;
         }
-        let has_no_lengths = |group: Group| {
+        let has_no_lengths = |group: CodeGroup| {
             matches!(
                 group,
-                Group::Distance
-                    | Group::ArcDistance
-                    | Group::FeedMode
-                    | Group::SpindleMode
-                    | Group::Scaling
-                    | Group::PathMode
-                    | Group::Stopping
-                    | Group::Spindle
-                    | Group::Coolant
-                    | Group::ToolChange
-                    | Group::Calling
+                CodeGroup::Distance
+                    | CodeGroup::ArcDistance
+                    | CodeGroup::FeedMode
+                    | CodeGroup::SpindleMode
+                    | CodeGroup::Scaling
+                    | CodeGroup::PathMode
+                    | CodeGroup::Stopping
+                    | CodeGroup::Spindle
+                    | CodeGroup::Coolant
+                    | CodeGroup::ToolChange
+                    | CodeGroup::Calling
             )
         };
         let known = |row: &CodeRow| {
@@ -115,7 +115,7 @@ impl Interpreter<'_> {
         let unknown = codes.iter().any(|(row, _)| !known(row));
         let lengths = block.letters().meets(Letters::of("RUVWABC"));
         let frames = state.frames.rotation().is_some() || state.polar.is_some();
-        let cuts = state.side != Side::Off || state.cycle.is_some();
+        let cuts = state.side != CompensationSide::Off || state.cycle.is_some();
         if !block.is_idle() && (unknown || lengths || frames || cuts) {
             let message =
                 "words are multiplied (G51), which is followed for lines and arcs by I, J, K alone";

@@ -1,6 +1,6 @@
 //! The codes in force, by the control's own numbers.
 
-use chordal_command::{FeedMode, Side, Units};
+use chordal_command::{CompensationSide, FeedMode, Units};
 use chordal_dialect::Control;
 use chordal_dialect::{Action, ModeCode, ReadingCode};
 use chordal_geometry::Plane;
@@ -31,9 +31,9 @@ pub(super) fn codes_in_force(state: &State, control: &Control) -> Vec<String> {
         Units::Millimetre => Action::Reading(ReadingCode::Millimetre),
     });
     actions.push(match state.side {
-        Side::Off => Action::Mode(ModeCode::CompensationOff),
-        Side::Left => Action::Mode(ModeCode::CompensationLeft),
-        Side::Right => Action::Mode(ModeCode::CompensationRight),
+        CompensationSide::Off => Action::Mode(ModeCode::CompensationOff),
+        CompensationSide::Left => Action::Mode(ModeCode::CompensationLeft),
+        CompensationSide::Right => Action::Mode(ModeCode::CompensationRight),
     });
     if state.cycle.is_some() {
         actions.push(if state.return_to_r {

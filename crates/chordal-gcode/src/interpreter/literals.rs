@@ -3,7 +3,7 @@
 use chordal_diagnostics::{Applicability, Code, Diagnostic, Fix};
 use chordal_dialect::{DecimalPoint, ExcessDecimals};
 use chordal_machine::AXIS_LETTERS;
-use chordal_syntax::{Block, Decimal, Letters, Value, Word};
+use chordal_syntax::{Block, Decimal, Letters, Word, WordValue};
 
 use super::Interpreter;
 
@@ -42,8 +42,8 @@ impl Interpreter<'_> {
     #[inline(always)]
     pub(super) fn literal(&self, word: &Word) -> Option<Decimal> {
         match word.value {
-            Value::Number(number) => Some(number),
-            Value::Register { index, negative } => {
+            WordValue::Number(number) => Some(number),
+            WordValue::Register { index, negative } => {
                 let mut value = self.registers[index as usize]?;
                 if negative {
                     value.mantissa = -value.mantissa;
@@ -51,7 +51,7 @@ impl Interpreter<'_> {
                 }
                 Some(value)
             }
-            Value::Expression(_) | Value::Missing => None,
+            WordValue::Expression(_) | WordValue::Missing => None,
         }
     }
 

@@ -50,22 +50,24 @@ mod work_offsets;
 
 pub use self::calls::subroutine_head;
 
-use chordal_command::{AxisMask, CallPath, CallPaths, CommandKind, Origin, Side, Units, WorkName};
+use chordal_command::{
+    AxisMask, CallPath, CallPaths, CommandKind, CompensationSide, Origin, Units, WorkName,
+};
 use chordal_dialect::macros::MacroForm;
 use chordal_dialect::{CodeRow, Control};
 use chordal_kernel::{Modal, Offsets, State};
 use in_force::codes_in_force;
-use statement::At;
+use statement::BlockStatement;
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use chordal_diagnostics::{Code, FileId, Span, TextRange};
-use chordal_dialect::Scale;
-use chordal_kernel::{Checkpoint, EndReason, Kernel, Outcome, Ran, RunSink};
+use chordal_dialect::LiteralScale;
+use chordal_kernel::{Checkpoint, CompletedRun, EndReason, Kernel, Outcome, RunSink};
 use chordal_machine::{AXES, Machine, PerAxis};
-use chordal_syntax::{Block, BlockKind, BlockReader, Decimal, Position as TextPosition};
+use chordal_syntax::{Block, BlockKind, BlockPosition as TextPosition, BlockReader, Decimal};
 
-use crate::firmware::Judge;
+use crate::firmware::FirmwareChecker;
 use crate::library::{Library, Program};
 use crate::macro_alone::missing_call;
 use crate::run_options::RunOptions;
@@ -77,13 +79,13 @@ const BLOCKS_PER_ASKING: u64 = 1024;
 const USUAL_WORDS: usize = 12;
 
 /// What follows a block.
-enum Flow {
+enum BlockFlow {
     Next,
     End(EndReason),
 }
 
 /// A call that has not returned.
-struct Frame<'a> {
+struct CallFrame<'a> {
     /// Where to go on.
     reader: BlockReader<'a>,
     program: usize,
@@ -95,7 +97,7 @@ struct Frame<'a> {
     /// The called thing is an L subroutine.
     subroutine: bool,
     /// Loops of the caller.
-    loops: Vec<macros::Loop>,
+    loops: Vec<macros::ActiveLoop>,
     /// Modal macro calls in force in the caller.
     modal_calls: usize,
     /// The called program has local variables of its own.
@@ -118,7 +120,7 @@ struct Interpreter<'a> {
     /// The control at work.
     kernel: Kernel<'a>,
     /// How literals become millimetres in the units in force.
-    scale: Scale,
+    scale: LiteralScale,
     /// What a word of an axis is multiplied by to be a place: 1, or a half of a diameter.
     per_word: PerAxis<f64>,
     /// Registers R0 to R9 (Fadal). `None`: it holds what was in it before the program.
@@ -126,7 +128,7 @@ struct Interpreter<'a> {
     reader: BlockReader<'a>,
     program: usize,
     file: FileId,
-    frames: Vec<Frame<'a>>,
+    frames: Vec<CallFrame<'a>>,
     /// L subroutines of the main program: number → first block.
     subroutines: BTreeMap<u32, TextPosition>,
     /// N numbers of each program that was jumped in.
@@ -139,7 +141,7 @@ struct Interpreter<'a> {
     /// The last N number, for alarms.
     sequence: Option<Decimal>,
     codes: Vec<(&'static CodeRow, usize)>,
-    reported: Reported,
+    reported: ReportedOnce,
     lost_jump: bool,
     /// The program has said its units: they are not those of power-on.
     units_said: bool,
@@ -174,16 +176,16 @@ struct Interpreter<'a> {
     /// Reference points that the program has stored: machine position, mm and rad.
     references: [PerAxis<Option<f64>>; 2],
     /// The firmware that judges blocks as a whole, where the control has one.
-    judge: Option<Judge>,
+    judge: Option<FirmwareChecker>,
     /// What of the first text was read since the last rest beside the blocks one after the other.
     looked: Cell<Option<TextRange>>,
     /// Values of the control as they were told last.
-    told: effects::Told,
+    told: effects::WrittenState,
 }
 
 /// What was reported once and is not reported for every block.
 #[derive(Clone, Default, Debug, PartialEq)]
-struct Reported {
+struct ReportedOnce {
     axes: AxisMask,
     /// M codes that nothing says anything about.
     open_codes: BTreeSet<i64>,
@@ -229,7 +231,7 @@ pub fn run_from<'a>(
     options: &'a RunOptions,
     sink: &'a mut (dyn RunSink + 'a),
     from: Option<&Checkpoint>,
-) -> Option<Ran> {
+) -> Option<CompletedRun> {
     let mut interpreter = Interpreter::new(library, program, machine, control, options, sink);
     if let Some(checkpoint) = from {
         interpreter.take_up(checkpoint);
@@ -292,7 +294,7 @@ impl<'a> Interpreter<'a> {
             machine,
             options,
             kernel,
-            scale: Scale::new(control.parameters.rules.units, &control.parameters),
+            scale: LiteralScale::new(control.parameters.rules.units, &control.parameters),
             per_word,
             registers: [None; 10],
             reader: library.reader(library.programs()[program], control.table.lexicon),
@@ -309,7 +311,7 @@ impl<'a> Interpreter<'a> {
             data_lines: false,
             sequence: None,
             codes: Vec::new(),
-            reported: Reported::default(),
+            reported: ReportedOnce::default(),
             lost_jump: false,
             units_said: false,
             units_of_feed: None,
@@ -328,13 +330,13 @@ impl<'a> Interpreter<'a> {
             references: macros::given_references(machine, control),
             judge: None,
             looked: Cell::new(None),
-            told: effects::Told::default(),
+            told: effects::WrittenState::default(),
         }
         .with_judge()
         .with_values_told()
     }
 
-    fn outcome(mut self) -> Option<Ran> {
+    fn outcome(mut self) -> Option<CompletedRun> {
         let end = self.run()?;
         self.finish(end);
         let outcome = Outcome {
@@ -343,7 +345,7 @@ impl<'a> Interpreter<'a> {
             calls: self.kernel.calls,
             missing_programs: self.missing,
         };
-        Some(Ran { outcome, looked: self.looked.take() })
+        Some(CompletedRun { outcome, looked: self.looked.take() })
     }
 
     /// Why it ended; nothing when the sink has ended it at a rest.
@@ -392,8 +394,8 @@ impl<'a> Interpreter<'a> {
                 self.kernel.block_done(&|state| Modal::of(state, codes_in_force(state, control)));
             }
             match flow {
-                Flow::Next => {}
-                Flow::End(reason) => return Some(reason),
+                BlockFlow::Next => {}
+                BlockFlow::End(reason) => return Some(reason),
             }
         }
     }
@@ -428,7 +430,7 @@ impl<'a> Interpreter<'a> {
     }
 
     #[inline]
-    fn execute(&mut self, block: &mut Block) -> Flow {
+    fn execute(&mut self, block: &mut Block) -> BlockFlow {
         self.blocks += 1;
         self.kernel.origin = Origin {
             span: Span { file: self.file, range: block.range },
@@ -466,14 +468,14 @@ impl<'a> Interpreter<'a> {
         match block.kind {
             BlockKind::Words => {}
             BlockKind::Percent => return self.percent(block),
-            BlockKind::Folder => return Flow::Next,
+            BlockKind::Folder => return BlockFlow::Next,
             BlockKind::Macro(range) => {
                 let form = self.rules().form;
                 if block.delete.is_some() {
                     self.note_deletable(block);
                 }
                 if form != MacroForm::None && self.is_deleted(block) {
-                    return Flow::Next;
+                    return BlockFlow::Next;
                 }
                 match form {
                     MacroForm::Blocks => return self.macro_block(block),
@@ -483,7 +485,7 @@ impl<'a> Interpreter<'a> {
                 }
                 self.report_macro(range);
                 if block.words.is_empty() {
-                    return Flow::Next;
+                    return BlockFlow::Next;
                 }
             }
         }
@@ -496,10 +498,10 @@ impl<'a> Interpreter<'a> {
             }
         }
         if block.is_idle() {
-            return Flow::Next;
+            return BlockFlow::Next;
         }
         if self.data_lines && self.is_data_line(block) {
-            return Flow::Next;
+            return BlockFlow::Next;
         }
         if let Some(number) = block.word(b'N').and_then(|word| word.number()) {
             self.sequence = Some(number);
@@ -511,9 +513,9 @@ impl<'a> Interpreter<'a> {
         }
         if self.is_next_subroutine_head(block) {
             self.leave(None);
-            return Flow::Next;
+            return BlockFlow::Next;
         }
-        if self.kernel.state.side != Side::Off {
+        if self.kernel.state.side != CompensationSide::Off {
             return self.carry_out_compensated(block);
         }
         self.carry_out(block)
@@ -551,17 +553,17 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Controls count the blocks that move nothing while compensation is on.
-    fn carry_out_compensated(&mut self, block: &Block) -> Flow {
+    fn carry_out_compensated(&mut self, block: &Block) -> BlockFlow {
         let before = self.kernel.state.position;
         let flow = self.carry_out(block);
-        if self.kernel.state.side != Side::Off && self.kernel.state.position == before {
+        if self.kernel.state.side != CompensationSide::Off && self.kernel.state.position == before {
             self.kernel.emit(CommandKind::Idle);
         }
         flow
     }
 
     /// A percent sign ends the tape, once something stood before it.
-    fn percent(&mut self, block: &Block) -> Flow {
+    fn percent(&mut self, block: &Block) -> BlockFlow {
         if !self.carried_out {
             self.begun_by_percent = true;
         } else if self.frames.is_empty() {
@@ -569,9 +571,9 @@ impl<'a> Interpreter<'a> {
                 self.report_lone_percent(block);
             }
             self.ended_by_percent = true;
-            return Flow::End(EndReason::EndOfText);
+            return BlockFlow::End(EndReason::EndOfText);
         }
-        Flow::Next
+        BlockFlow::Next
     }
 
     /// A program of the library, or one that the shop's answers have brought.
@@ -587,8 +589,8 @@ impl<'a> Interpreter<'a> {
 
     /// The block as the kernel sees it.
     #[inline]
-    fn at<'b>(&self, block: &'b Block) -> At<'b> {
-        At { block, file: self.file }
+    fn at<'b>(&self, block: &'b Block) -> BlockStatement<'b> {
+        BlockStatement { block, file: self.file }
     }
 
     fn span(&self, range: TextRange) -> Span {

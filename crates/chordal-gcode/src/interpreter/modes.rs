@@ -1,19 +1,19 @@
 //! The modes that a block sets: those its numbers are read by, those its motion obeys, and what
 //! comes after the motion.
 
-use chordal_command::{CommandKind, FeedMode, Side, SpindleState, Units, WorkName};
+use chordal_command::{CommandKind, CompensationSide, FeedMode, SpindleState, Units, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::{
     Action, AfterCode, BeforeCode, BlockStep, CallCode, LengthCode, ModeCode, OnceCode, ReadingCode,
 };
-use chordal_dialect::{CodeRow, Group, PlaneCodes, Scale, code_number};
+use chordal_dialect::{CodeGroup, CodeRow, LiteralScale, PlaneCodes, code_number};
 use chordal_geometry::Plane;
 use chordal_kernel::LengthOffset;
 use chordal_kernel::rules::{ArcCenter, LengthWithoutNumber};
 use chordal_machine::Axis;
 use chordal_syntax::Block;
 
-use super::{EndReason, Flow, Interpreter};
+use super::{BlockFlow, EndReason, Interpreter};
 
 const Z: usize = Axis::Z as usize;
 
@@ -56,7 +56,7 @@ impl Interpreter<'_> {
 
     pub(super) fn set_units(&mut self, units: Units) {
         self.kernel.set_units(units);
-        self.scale = Scale::new(units, &self.control.parameters);
+        self.scale = LiteralScale::new(units, &self.control.parameters);
     }
 
     /// E, F, S, T, D, and M6, spindle and coolant on.
@@ -106,9 +106,9 @@ impl Interpreter<'_> {
             self.kernel.state.unknown.radius_offset = false;
             let before = self.kernel.state.radius_offset.replace(number);
             // A G41 or G42 in the same block tells it by itself.
-            if self.kernel.state.side != Side::Off
+            if self.kernel.state.side != CompensationSide::Off
                 && before != Some(number)
-                && !codes.iter().any(|(row, _)| row.group == Group::Compensation)
+                && !codes.iter().any(|(row, _)| row.group == CodeGroup::Compensation)
             {
                 self.change_compensation_offset(block);
             }
@@ -243,12 +243,16 @@ impl Interpreter<'_> {
             ModeCode::PlaneXy => self.set_plane(block, at, Plane::Xy),
             ModeCode::PlaneZx => self.set_plane(block, at, Plane::Zx),
             ModeCode::PlaneYz => self.set_plane(block, at, Plane::Yz),
-            ModeCode::CompensationOff => self.set_compensation(block, at, Side::Off),
-            ModeCode::CompensationLeft => self.set_compensation(block, at, Side::Left),
-            ModeCode::CompensationRight => self.set_compensation(block, at, Side::Right),
-            ModeCode::CompensationLeftBy => self.compensation_by_diameter(block, at, Side::Left),
+            ModeCode::CompensationOff => self.set_compensation(block, at, CompensationSide::Off),
+            ModeCode::CompensationLeft => self.set_compensation(block, at, CompensationSide::Left),
+            ModeCode::CompensationRight => {
+                self.set_compensation(block, at, CompensationSide::Right)
+            }
+            ModeCode::CompensationLeftBy => {
+                self.compensation_by_diameter(block, at, CompensationSide::Left)
+            }
             ModeCode::CompensationRightBy => {
-                self.compensation_by_diameter(block, at, Side::Right);
+                self.compensation_by_diameter(block, at, CompensationSide::Right);
             }
             ModeCode::StoreReference { second } => self.store_reference(second),
             ModeCode::CornerArc => self.corner_arc(block, false),
@@ -334,7 +338,7 @@ impl Interpreter<'_> {
 
     /// G43, G44, G49 and H.
     pub(super) fn take_length(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
-        let length_code = codes.iter().rev().find(|(row, _)| row.group == Group::ToolLength);
+        let length_code = codes.iter().rev().find(|(row, _)| row.group == CodeGroup::ToolLength);
         let by_code = length_code.map(|(row, _)| row.action);
         // On lathes H moves C by an increment.
         let moves = self.control.parameters.increments.iter().any(|(letter, _)| *letter == b'H');
@@ -346,7 +350,7 @@ impl Interpreter<'_> {
             let none = LengthOffset { number: None, minus: false };
             return self.kernel.set_length(&self.at(block), none);
         }
-        let called = codes.iter().any(|(row, _)| row.group == Group::Calling) || writes;
+        let called = codes.iter().any(|(row, _)| row.group == CodeGroup::Calling) || writes;
         if called {
             return;
         }
@@ -499,7 +503,7 @@ impl Interpreter<'_> {
         &mut self,
         block: &Block,
         codes: &[(&'static CodeRow, usize)],
-    ) -> Flow {
+    ) -> BlockFlow {
         if self.kernel.state.path.once {
             self.kernel.end_exact_stop_once();
         }
@@ -512,7 +516,8 @@ impl Interpreter<'_> {
                 Action::Reading(ReadingCode::Incremental) => self.kernel.set_incremental(true),
                 Action::After(_) if self.is_switched_before(row) => {}
                 Action::After(code) => {
-                    if let end @ Flow::End(_) = self.take_code_after_motion(block, codes, code, *at)
+                    if let end @ BlockFlow::End(_) =
+                        self.take_code_after_motion(block, codes, code, *at)
                     {
                         return end;
                     }
@@ -532,7 +537,7 @@ impl Interpreter<'_> {
                 | Action::NotFollowed => {}
             }
         }
-        Flow::Next
+        BlockFlow::Next
     }
 
     fn take_code_after_motion(
@@ -541,7 +546,7 @@ impl Interpreter<'_> {
         codes: &[(&'static CodeRow, usize)],
         code: AfterCode,
         at: usize,
-    ) -> Flow {
+    ) -> BlockFlow {
         match code {
             AfterCode::SpindleStop
             | AfterCode::LiveToolStop
@@ -554,18 +559,18 @@ impl Interpreter<'_> {
                 self.kernel.set_live_tool(None);
                 self.kernel.set_spindle(SpindleState::Off);
                 self.kernel.emit(CommandKind::End);
-                return Flow::End(EndReason::ProgramEnd);
+                return BlockFlow::End(EndReason::ProgramEnd);
             }
             AfterCode::ProgramAgain => {
                 let span = self.span(block.words[at].range);
                 let name = self.code_text(block, at);
                 self.report_repeat(span, &name);
-                return Flow::End(EndReason::Repeats);
+                return BlockFlow::End(EndReason::Repeats);
             }
             AfterCode::ShopCode => self.carry_out_shop_code(block, codes, at),
             AfterCode::RunCycleHere => self.run_cycle_here(block, at),
         }
-        Flow::Next
+        BlockFlow::Next
     }
 
     fn take_call(&mut self, block: &Block, code: CallCode, at: usize) {

@@ -4,9 +4,9 @@ use chordal_command::{AxisMask, FeedMode, Position, Units, number_text};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_dialect::table::MotionModality;
 use chordal_dialect::{Action, MotionCode, ReadingCode};
-use chordal_geometry::Direction;
+use chordal_geometry::TurnDirection;
 use chordal_kernel::rules::{CycleKind, TurnCycle};
-use chordal_kernel::{Motion, SplineForm};
+use chordal_kernel::{ModalMotion, SplineForm};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
@@ -155,7 +155,7 @@ impl Interpreter<'_> {
             }
             self.take_motion_code(action);
         }
-        if let Motion::Spline(form) = self.kernel.state.motion {
+        if let ModalMotion::Spline(form) = self.kernel.state.motion {
             self.spline_block(block, form, explicit.is_some());
             // G5 and G5.1 hold for their block.
             if form != SplineForm::Points {
@@ -172,23 +172,23 @@ impl Interpreter<'_> {
     pub(super) fn take_motion_code(&mut self, code: MotionCode) {
         let armed = self.control.table.motion == MotionModality::Armed;
         let motion = match code {
-            MotionCode::Rapid => Motion::Rapid,
-            MotionCode::Linear => Motion::Linear,
-            MotionCode::ArcCw => Motion::Arc(Direction::Cw),
-            MotionCode::ArcCcw => Motion::Arc(Direction::Ccw),
-            MotionCode::SpiralCw => Motion::Spiral(Direction::Cw),
-            MotionCode::SpiralCcw => Motion::Spiral(Direction::Ccw),
-            MotionCode::Thread => Motion::Thread,
-            MotionCode::RigidTap => Motion::RigidTap,
-            MotionCode::Spline(form) => Motion::Spline(form),
-            MotionCode::SplineEnd => Motion::None,
-            MotionCode::Turn(pass) => Motion::Turn(pass),
+            MotionCode::Rapid => ModalMotion::Rapid,
+            MotionCode::Linear => ModalMotion::Linear,
+            MotionCode::ArcCw => ModalMotion::Arc(TurnDirection::Cw),
+            MotionCode::ArcCcw => ModalMotion::Arc(TurnDirection::Ccw),
+            MotionCode::SpiralCw => ModalMotion::Spiral(TurnDirection::Cw),
+            MotionCode::SpiralCcw => ModalMotion::Spiral(TurnDirection::Ccw),
+            MotionCode::Thread => ModalMotion::Thread,
+            MotionCode::RigidTap => ModalMotion::RigidTap,
+            MotionCode::Spline(form) => ModalMotion::Spline(form),
+            MotionCode::SplineEnd => ModalMotion::None,
+            MotionCode::Turn(pass) => ModalMotion::Turn(pass),
         };
         match motion {
             // G2 and G3 arm a direction and leave G0 or G1 in force.
-            Motion::Arc(direction) if armed => self.kernel.state.armed = Some(direction),
-            Motion::Rapid if armed && self.control.parameters.rapid_disarms_arc => {
-                (self.kernel.state.motion, self.kernel.state.armed) = (Motion::Rapid, None);
+            ModalMotion::Arc(direction) if armed => self.kernel.state.armed = Some(direction),
+            ModalMotion::Rapid if armed && self.control.parameters.rapid_disarms_arc => {
+                (self.kernel.state.motion, self.kernel.state.armed) = (ModalMotion::Rapid, None);
             }
             other => self.kernel.state.motion = other,
         }
@@ -204,7 +204,7 @@ impl Interpreter<'_> {
             self.end_open_line(block, &target, named);
         }
         if named == AxisMask::NONE
-            && (!arc_words || matches!(self.kernel.state.motion, Motion::Turn(_)))
+            && (!arc_words || matches!(self.kernel.state.motion, ModalMotion::Turn(_)))
         {
             return;
         }
@@ -215,24 +215,24 @@ impl Interpreter<'_> {
             self.check_surface_motion(block, explicit);
         }
         match self.kernel.state.motion {
-            Motion::Rapid | Motion::Linear => {
+            ModalMotion::Rapid | ModalMotion::Linear => {
                 if named != AxisMask::NONE {
                     self.kernel.straight(&self.at(block), target, named);
                 }
             }
-            Motion::Arc(direction) => {
+            ModalMotion::Arc(direction) => {
                 let direction = self.direction_on_surface(direction);
                 self.arc_block(block, direction, target, named, explicit);
             }
-            Motion::Spiral(direction) => self.spiral_block(block, direction, target, named),
-            Motion::Thread => self.thread_block(block, target, named, false),
-            Motion::RigidTap => self.thread_block(block, target, named, true),
-            Motion::Turn(pass) => self.turn_block(block, pass, target, named, explicit),
-            Motion::Probe { must_hit } => self.probe_move(block, 0, must_hit),
-            Motion::ThreadPasses => self.turning_cycle(block, 0, TurnCycle::LineThread),
+            ModalMotion::Spiral(direction) => self.spiral_block(block, direction, target, named),
+            ModalMotion::Thread => self.thread_block(block, target, named, false),
+            ModalMotion::RigidTap => self.thread_block(block, target, named, true),
+            ModalMotion::Turn(pass) => self.turn_block(block, pass, target, named, explicit),
+            ModalMotion::Probe { must_hit } => self.probe_move(block, 0, must_hit),
+            ModalMotion::ThreadPasses => self.turning_cycle(block, 0, TurnCycle::LineThread),
             // Carried out before: its words are others.
-            Motion::Spline(_) => {}
-            Motion::None => self.report_no_motion(block, target, named),
+            ModalMotion::Spline(_) => {}
+            ModalMotion::None => self.report_no_motion(block, target, named),
         }
     }
 

@@ -1,16 +1,16 @@
 //! Work offsets, tool length, compensation, G10, tools, spindle, coolant, registers.
 
-use chordal_command::{CommandKind, Side, Units, WorkName};
+use chordal_command::{CommandKind, CompensationSide, Units, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_dialect::table::{DataTarget, MotionModality};
 use chordal_dialect::{Action, ModeCode, MotionCode};
-use chordal_dialect::{Group, ToolWord};
+use chordal_dialect::{CodeGroup, ToolWord};
 use chordal_kernel::LengthOffset;
-use chordal_kernel::Motion;
+use chordal_kernel::ModalMotion;
 use chordal_kernel::ToolValue;
 use chordal_kernel::rules::LeadLength;
 use chordal_machine::{AXIS_LETTERS, Axis, PerAxis};
-use chordal_syntax::{Block, Letters, Value};
+use chordal_syntax::{Block, Letters, WordValue};
 
 use super::Interpreter;
 use super::work_offsets::counted;
@@ -86,26 +86,26 @@ impl Interpreter<'_> {
     }
 
     /// G40, G41, G42.
-    pub(super) fn set_compensation(&mut self, block: &Block, at: usize, side: Side) {
+    pub(super) fn set_compensation(&mut self, block: &Block, at: usize, side: CompensationSide) {
         let before = self.kernel.state.side;
-        if side == Side::Off && before == Side::Off {
+        if side == CompensationSide::Off && before == CompensationSide::Off {
             return;
         }
         let span = self.span(block.words[at].range);
         self.check_compensation_move(block, side, span);
         let number = self.compensation_number(block);
         let unknown = self.kernel.state.unknown.radius_offset;
-        let without = side != Side::Off && number.is_none() && !unknown;
+        let without = side != CompensationSide::Off && number.is_none() && !unknown;
         // Where that is no alarm, D0 is in force from power-on.
         let refused = self.control.table.alarm(Code::CompensationWithoutOffset).is_some();
         if without {
             self.report_no_offset_number(span, refused);
         }
-        if before == Side::Off {
+        if before == CompensationSide::Off {
             self.note_contour_of_call(block);
         }
         self.kernel.state.side = self.side_on_surface(side);
-        if before == Side::Off {
+        if before == CompensationSide::Off {
             self.check_lead_in_words(block, span);
         }
         let toward = self.compensation_direction(block);
@@ -124,9 +124,14 @@ impl Interpreter<'_> {
     }
 
     /// G41.1 and G42.1: D is the tool's diameter; below zero the tool goes on the other side.
-    pub(super) fn compensation_by_diameter(&mut self, block: &Block, at: usize, side: Side) {
+    pub(super) fn compensation_by_diameter(
+        &mut self,
+        block: &Block,
+        at: usize,
+        side: CompensationSide,
+    ) {
         let span = self.span(block.words[at].range);
-        let name = if side == Side::Left { "G41.1" } else { "G42.1" };
+        let name = if side == CompensationSide::Left { "G41.1" } else { "G42.1" };
         let Some(diameter) = self.length_of(block, b'D') else {
             let diagnostic = Diagnostic::new(Code::MissingWord, span, format!("{name} without D"))
                 .help("give the diameter of the tool with D");
@@ -145,12 +150,12 @@ impl Interpreter<'_> {
             );
         }
         let side = match side {
-            Side::Left if diameter < 0.0 => Side::Right,
-            Side::Right if diameter < 0.0 => Side::Left,
+            CompensationSide::Left if diameter < 0.0 => CompensationSide::Right,
+            CompensationSide::Right if diameter < 0.0 => CompensationSide::Left,
             side => side,
         };
         self.check_compensation_move(block, side, span);
-        if self.kernel.state.side == Side::Off {
+        if self.kernel.state.side == CompensationSide::Off {
             self.note_contour_of_call(block);
         }
         self.kernel.state.side = side;
@@ -236,7 +241,7 @@ impl Interpreter<'_> {
 
     /// G39: the direction of what follows, by I J K, or by the axes where they are not moved.
     pub(super) fn corner_arc(&mut self, block: &Block, own_block: bool) {
-        if self.kernel.state.side == Side::Off {
+        if self.kernel.state.side == CompensationSide::Off {
             if own_block {
                 self.unused_axes(block, |_, _| false);
             }
@@ -283,14 +288,14 @@ impl Interpreter<'_> {
     }
 
     /// Compensation goes on and off along a straight move.
-    fn check_compensation_move(&mut self, block: &Block, side: Side, span: Span) {
+    fn check_compensation_move(&mut self, block: &Block, side: CompensationSide, span: Span) {
         // A change of side is no start.
-        let on = self.kernel.state.side != Side::Off;
+        let on = self.kernel.state.side != CompensationSide::Off;
         let may_start = on || self.control.parameters.rules.compensation.start_on_arc;
-        if (side != Side::Off && may_start) || !self.moves_on_arc(block) {
+        if (side != CompensationSide::Off && may_start) || !self.moves_on_arc(block) {
             return;
         }
-        let what = if side == Side::Off { "ends" } else { "starts" };
+        let what = if side == CompensationSide::Off { "ends" } else { "starts" };
         self.kernel.report(
             Diagnostic::new(
                 Code::CompensationOnArc,
@@ -298,7 +303,7 @@ impl Interpreter<'_> {
                 format!("cutter compensation {what} on an arc"),
             )
             .label("this block is an arc")
-            .help(if side == Side::Off {
+            .help(if side == CompensationSide::Off {
                 "put G40 on a straight move away from the contour"
             } else {
                 "put G41 or G42 on a straight move to the contour"
@@ -315,7 +320,7 @@ impl Interpreter<'_> {
         let moves = arc_words || block.letters().meets(Letters::of("XYZ"));
         let own = block.all(b'G').filter_map(|word| {
             let row = self.control.g_code(chordal_dialect::code_number(word.number()?)?)?;
-            (row.group == Group::Motion).then_some(row.action)
+            (row.group == CodeGroup::Motion).then_some(row.action)
         });
         moves
             && match own.last() {
@@ -323,7 +328,9 @@ impl Interpreter<'_> {
                     action,
                     Action::Motion(MotionCode::Rapid) | Action::Motion(MotionCode::Linear)
                 ),
-                None => !matches!(self.kernel.state.motion, Motion::Rapid | Motion::Linear),
+                None => {
+                    !matches!(self.kernel.state.motion, ModalMotion::Rapid | ModalMotion::Linear)
+                }
             }
     }
 
@@ -568,7 +575,7 @@ impl Interpreter<'_> {
         }
         for word in block.words.iter() {
             if let Some(index) = word.register
-                && !matches!(word.value, Value::Missing)
+                && !matches!(word.value, WordValue::Missing)
                 && let Some(value) = self.literal(word)
             {
                 self.registers[index as usize] = Some(value);

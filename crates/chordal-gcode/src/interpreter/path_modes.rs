@@ -3,7 +3,7 @@
 use chordal_command::{CommandKind, PathMode};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::PathCode;
-use chordal_dialect::{CodeRow, Group};
+use chordal_dialect::{CodeGroup, CodeRow};
 use chordal_syntax::Block;
 
 use super::Interpreter;
@@ -51,7 +51,7 @@ impl Interpreter<'_> {
             PathCode::Smoothness => self.smoothness(block),
         }
         self.kernel.emit(CommandKind::PathMode(self.kernel.state.path.in_force()));
-        if row.group == Group::PathMode {
+        if row.group == CodeGroup::PathMode {
             self.kernel.set_tapping_mode(code == PathCode::Tapping);
         }
     }

@@ -1,12 +1,12 @@
 //! One-shot codes that take the axis words: dwell, reference points, machine coordinates,
 //! presets and shifts.
 
-use chordal_command::{AxisMask, CommandKind, Side};
+use chordal_command::{AxisMask, CommandKind, CompensationSide};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
-use chordal_dialect::{Action, CodeRow, Group, OnceCode};
-use chordal_geometry::Direction;
-use chordal_kernel::Motion;
-use chordal_kernel::rules::{Allowance, TurnCycle};
+use chordal_dialect::{Action, CodeGroup, CodeRow, OnceCode};
+use chordal_geometry::TurnDirection;
+use chordal_kernel::ModalMotion;
+use chordal_kernel::rules::{AllowanceRule, TurnCycle};
 use chordal_machine::{AXES, PerAxis};
 use chordal_syntax::{Block, Decimal, Word};
 
@@ -15,9 +15,9 @@ use super::literals::{AXIS_OF, trim};
 
 impl Interpreter<'_> {
     /// A code that the table has among the motion codes stays in force, and the next block with axes repeats it.
-    fn keep_in_force(&mut self, code: OnceCode, motion: Motion) {
+    fn keep_in_force(&mut self, code: OnceCode, motion: ModalMotion) {
         let rows = self.control.table.g_codes;
-        let is = |row: &CodeRow| row.action == Action::Once(code) && row.group == Group::Motion;
+        let is = |row: &CodeRow| row.action == Action::Once(code) && row.group == CodeGroup::Motion;
         if rows.iter().any(is) {
             self.kernel.end_cycle_if(true);
             self.kernel.state.motion = motion;
@@ -32,7 +32,7 @@ impl Interpreter<'_> {
                 | OnceCode::Home
                 | OnceCode::MachineCoordinates
         );
-        if to_machine && self.kernel.state.side != Side::Off {
+        if to_machine && self.kernel.state.side != CompensationSide::Off {
             self.reference_in_compensation(block, at);
         }
         if code.works_with_places() {
@@ -54,7 +54,7 @@ impl Interpreter<'_> {
             OnceCode::Home => self.home(block),
             OnceCode::Pattern(pattern) => self.pattern(block, at, pattern),
             OnceCode::Probe { must_hit } => {
-                self.keep_in_force(code, Motion::Probe { must_hit });
+                self.keep_in_force(code, ModalMotion::Probe { must_hit });
                 self.probe_move(block, at, must_hit);
             }
             OnceCode::LocalShift | OnceCode::PresetPosition if self.lacks_axes(block) => {
@@ -112,13 +112,13 @@ impl Interpreter<'_> {
             OnceCode::Scaling => self.scaling(block, at),
             OnceCode::Mirror { at_zero } => self.mirror(block, at, at_zero),
             OnceCode::MirrorOff => self.mirror_off(block),
-            OnceCode::CircularPocketCw => self.circular_pocket(block, at, Direction::Cw),
-            OnceCode::CircularPocketCcw => self.circular_pocket(block, at, Direction::Ccw),
+            OnceCode::CircularPocketCw => self.circular_pocket(block, at, TurnDirection::Cw),
+            OnceCode::CircularPocketCcw => self.circular_pocket(block, at, TurnDirection::Ccw),
             OnceCode::GeneralPocket => self.general_pocket(block, at),
             OnceCode::CornerArcAlone => self.corner_arc(block, true),
             OnceCode::Turning(cycle) => {
                 if cycle == TurnCycle::LineThread {
-                    self.keep_in_force(code, Motion::ThreadPasses);
+                    self.keep_in_force(code, ModalMotion::ThreadPasses);
                 }
                 self.turning_cycle(block, at, cycle);
             }
@@ -134,7 +134,7 @@ impl Interpreter<'_> {
 
     fn may_use_machine_coordinates(&self) -> bool {
         !self.control.parameters.strict_words
-            || matches!(self.kernel.state.motion, Motion::Rapid | Motion::Linear)
+            || matches!(self.kernel.state.motion, ModalMotion::Rapid | ModalMotion::Linear)
                 && self.kernel.state.cycle.is_none()
     }
 
@@ -204,7 +204,7 @@ impl Interpreter<'_> {
     /// G28, G29, G30 and G53 while the tool is beside the contour.
     fn reference_in_compensation(&mut self, block: &Block, at: usize) {
         let refused =
-            self.control.parameters.rules.compensation.coordinate_change == Allowance::Refused;
+            self.control.parameters.rules.compensation.coordinate_change == AllowanceRule::Refused;
         let (first, second, _) = self.kernel.state.plane.axes();
         let named = self.axis_words(block);
         if !refused && named[first].is_none() && named[second].is_none() {

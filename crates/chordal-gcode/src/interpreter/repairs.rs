@@ -8,7 +8,7 @@ use chordal_command::Position;
 use chordal_diagnostics::{Applicability, Fix, TextRange};
 use chordal_geometry::{ArcSweep, Plane};
 use chordal_kernel::{ArcWords, MisfitArc};
-use chordal_syntax::{Block, BlockKind, BlockReader, Decimal, Value, Word};
+use chordal_syntax::{Block, BlockKind, BlockReader, Decimal, Word, WordValue};
 
 use super::Interpreter;
 use super::arc::center_letters;
@@ -23,7 +23,7 @@ const MOST_LINES_BACK: usize = 3;
 
 /// What a slip of the hand does to a word; the simplest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-enum Slip {
+enum TypingError {
     /// A sign too many, or one that is missing.
     Sign,
     /// I for J, X for Y.
@@ -38,31 +38,31 @@ enum Slip {
     Number,
 }
 
-impl Slip {
+impl TypingError {
     /// How far off the arc must be, in least increments: the more words are tried, the further.
     fn least_error(self) -> f64 {
         match self {
-            Slip::Sign | Slip::Letter | Slip::Number => 5.0,
-            Slip::Swapped | Slip::Point => 50.0,
-            Slip::Digit => 1000.0,
+            TypingError::Sign | TypingError::Letter | TypingError::Number => 5.0,
+            TypingError::Swapped | TypingError::Point => 50.0,
+            TypingError::Digit => 1000.0,
         }
     }
 
     /// How far apart the radii of a true arc may be, in least increments: each of its six words is rounded to one.
     fn most_error(self) -> f64 {
-        if self == Slip::Digit { 1.0 } else { 1.5 }
+        if self == TypingError::Digit { 1.0 } else { 1.5 }
     }
 
     /// Among so many trials that one may agree by chance.
     fn is_last_resort(self) -> bool {
-        self == Slip::Digit
+        self == TypingError::Digit
     }
 }
 
 /// A word as it might have been meant.
 #[derive(Clone, Debug)]
-struct Trial {
-    slip: Slip,
+struct WordVariant {
+    slip: TypingError,
     /// Its place among the words of its block.
     at: usize,
     letter: u8,
@@ -71,8 +71,8 @@ struct Trial {
 }
 
 /// A trial that makes a true arc.
-struct Repair {
-    slip: Slip,
+struct ArcRepair {
+    slip: TypingError,
     in_block_before: bool,
     error: f64,
     radius: f64,
@@ -112,7 +112,7 @@ impl Interpreter<'_> {
     }
 
     /// The changes that make it true, the simplest first.
-    fn repairs(&mut self, block: &Block, misfit: &MisfitArc) -> Vec<Repair> {
+    fn repairs(&mut self, block: &Block, misfit: &MisfitArc) -> Vec<ArcRepair> {
         let state = &self.kernel.state;
         let is_plain = state.frames.is_plain() && state.polar.is_none() && state.surface.is_none();
         let words = plain_words(block);
@@ -123,13 +123,13 @@ impl Interpreter<'_> {
         let before = self.block_before(block).map(|before| plain_words(&before));
         let increment = self.control.parameters.rules.least_increment(self.kernel.state.units);
         let error = radius_error(&self.sweep_of(&words, &misfit.start, misfit));
-        let mut found: Vec<Repair> = Vec::new();
-        let mut keep = |trial: &Trial, word: Word, is_before: bool, sweep: ArcSweep| {
+        let mut found: Vec<ArcRepair> = Vec::new();
+        let mut keep = |trial: &WordVariant, word: Word, is_before: bool, sweep: ArcSweep| {
             let is_true = error >= trial.slip.least_error() * increment
                 && radius_error(&sweep) <= trial.slip.most_error() * increment * (1.0 + 1e-6)
                 && sweep.radius_start.min(sweep.radius_end) > 10.0 * increment;
             if is_true {
-                found.push(Repair {
+                found.push(ArcRepair {
                     slip: trial.slip,
                     in_block_before: is_before,
                     error: radius_error(&sweep),
@@ -222,7 +222,12 @@ impl Interpreter<'_> {
     }
 
     /// Where the arc begins if a word of the block before is another one; nothing where that word did not bring the tool there.
-    fn start_after(&self, words: &[Word], trial: &Trial, misfit: &MisfitArc) -> Option<Position> {
+    fn start_after(
+        &self,
+        words: &[Word],
+        trial: &WordVariant,
+        misfit: &MisfitArc,
+    ) -> Option<Position> {
         let word = words[trial.at];
         let axis = usize::from(AXIS_OF[usize::from(word.letter)]);
         let (a, b, _) = misfit.plane.axes();
@@ -256,7 +261,7 @@ impl Interpreter<'_> {
         for start in lines.take(MOST_LINES_BACK) {
             let mut reader = BlockReader::new(&text[..end], self.file, self.control.table.lexicon);
             let mut before = Block::new();
-            reader.seek(chordal_syntax::Position { offset: start as u32, line: 1 });
+            reader.seek(chordal_syntax::BlockPosition { offset: start as u32, line: 1 });
             if !reader.read(&mut before) || before.range.start as usize >= end {
                 continue;
             }
@@ -291,25 +296,25 @@ fn plain_words(block: &Block) -> Vec<Word> {
 }
 
 /// The words with one of them changed; nothing where the text is no number.
-fn changed(words: &[Word], trial: &Trial) -> Option<Vec<Word>> {
+fn changed(words: &[Word], trial: &WordVariant) -> Option<Vec<Word>> {
     let mut words = words.to_vec();
     let number = Decimal::parse(trial.text.as_bytes())?;
     words[trial.at].letter = trial.letter;
-    words[trial.at].value = Value::Number(number);
+    words[trial.at].value = WordValue::Number(number);
     Some(words)
 }
 
 /// Every word as it might have been meant.
-fn trials(words: &[Word], text: &[u8], plane: Plane) -> Vec<Trial> {
+fn trials(words: &[Word], text: &[u8], plane: Plane) -> Vec<WordVariant> {
     let mut trials = Vec::new();
     for (at, word) in words.iter().enumerate() {
         let Some(number) = number_text(word, text) else { continue };
         let mut put = |slip, letter, text: String| {
-            trials.push(Trial { slip, at, letter, text });
+            trials.push(WordVariant { slip, at, letter, text });
         };
         for letter in other_letters(word.letter, plane) {
             if words.iter().all(|other| other.letter != letter) {
-                put(Slip::Letter, letter, number.clone());
+                put(TypingError::Letter, letter, number.clone());
             }
         }
         if word.number().is_some_and(Decimal::is_zero) {
@@ -320,17 +325,17 @@ fn trials(words: &[Word], text: &[u8], plane: Plane) -> Vec<Trial> {
             None => ("", number.as_str()),
         };
         let other_sign = if sign == "-" { digits.to_string() } else { format!("-{digits}") };
-        put(Slip::Sign, word.letter, other_sign);
+        put(TypingError::Sign, word.letter, other_sign);
         for (slip, digits) in slips_of_digits(digits) {
             put(slip, word.letter, format!("{sign}{digits}"));
         }
-        put(Slip::Number, word.letter, "0".into());
+        put(TypingError::Number, word.letter, "0".into());
     }
     trials
 }
 
 /// A number with digits that have changed places, another place of its point, another digit.
-fn slips_of_digits(digits: &str) -> Vec<(Slip, String)> {
+fn slips_of_digits(digits: &str) -> Vec<(TypingError, String)> {
     let bytes = digits.as_bytes();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap_or_default();
     let places: Vec<usize> = (0..bytes.len()).filter(|at| bytes[*at].is_ascii_digit()).collect();
@@ -338,14 +343,14 @@ fn slips_of_digits(digits: &str) -> Vec<(Slip, String)> {
     for pair in places.windows(2).filter(|pair| bytes[pair[0]] != bytes[pair[1]]) {
         let mut swapped = bytes.to_vec();
         swapped.swap(pair[0], pair[1]);
-        found.push((Slip::Swapped, text(swapped)));
+        found.push((TypingError::Swapped, text(swapped)));
     }
     if let Some(point) = bytes.iter().position(|byte| *byte == b'.') {
         for other in [point.checked_sub(1), Some(point + 1)].into_iter().flatten() {
             if other < bytes.len() {
                 let mut moved = bytes.to_vec();
                 moved.swap(point, other);
-                found.push((Slip::Point, text(moved)));
+                found.push((TypingError::Point, text(moved)));
             }
         }
     }
@@ -353,7 +358,7 @@ fn slips_of_digits(digits: &str) -> Vec<(Slip, String)> {
         for digit in (b'0'..=b'9').filter(|digit| *digit != bytes[place]) {
             let mut other = bytes.to_vec();
             other[place] = digit;
-            found.push((Slip::Digit, text(other)));
+            found.push((TypingError::Digit, text(other)));
         }
     }
     found

@@ -1,9 +1,9 @@
 //! Diagnostics that need the state of the run.
 
-use chordal_command::Side;
+use chordal_command::CompensationSide;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
 use chordal_dialect::{Action, MotionCode, OnceCode};
-use chordal_dialect::{CodeRow, CycleField, Field, ToolWord, code_name, code_number};
+use chordal_dialect::{CodeRow, CycleField, SettingField, ToolWord, code_name, code_number};
 use chordal_syntax::{Block, BlockKind, Letters, Word};
 
 use super::Interpreter;
@@ -56,7 +56,8 @@ impl Interpreter<'_> {
             return;
         }
         let name = row.name(b'G');
-        let setting = self.control.table.settings.iter().find(|row| row.field == Field::CodeSystem);
+        let setting =
+            self.control.table.settings.iter().find(|row| row.field == SettingField::CodeSystem);
         let setting = setting.map_or("the system of G codes", |setting| setting.name);
         self.kernel.report(
             Diagnostic::new(
@@ -129,7 +130,7 @@ impl Interpreter<'_> {
     /// For an L where cycles count with another letter.
     fn repeat_word_help(&self, letter: u8) -> Option<String> {
         let own = self.control.parameters.rules.cycles.repeat_letter;
-        let field = Field::Cycle(CycleField::RepeatLetter);
+        let field = SettingField::Cycle(CycleField::RepeatLetter);
         let setting = self.control.table.settings.iter().find(|row| row.field == field)?;
         let (own, name) = (own as char, setting.name);
         (letter == b'L' && own != 'L').then(|| {
@@ -286,7 +287,8 @@ impl Interpreter<'_> {
         if self.words_of(arc).has(letter) {
             return None;
         }
-        let setting = table.settings.iter().find(|setting| setting.field == Field::Spiral)?;
+        let setting =
+            table.settings.iter().find(|setting| setting.field == SettingField::Spiral)?;
         let here = match table.g_code(21).map(|row| row.action) {
             Some(Action::Motion(MotionCode::SpiralCw)) => "a spiral is G2.1 or G3.1 with P here; ",
             _ => "",
@@ -460,7 +462,7 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn report_compensation_at_end(&mut self) {
-        if self.kernel.state.side == Side::Off {
+        if self.kernel.state.side == CompensationSide::Off {
             return;
         }
         self.kernel.report(

@@ -2,22 +2,22 @@
 
 use chordal_command::{CommandKind, SpindleState};
 use chordal_dialect::{Action, AfterCode, CallCode};
-use chordal_dialect::{CodeRow, Group};
+use chordal_dialect::{CodeGroup, CodeRow};
 use std::collections::HashMap;
 use std::sync::Arc;
 
 use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
-use chordal_syntax::{Block, Decimal, Letters, Position as TextPosition, ProgramHead, Word};
+use chordal_syntax::{Block, BlockPosition as TextPosition, Decimal, Letters, ProgramHead, Word};
 
 use super::Interpreter;
 use super::literals::AXIS_OF;
 use crate::library::Program;
-use crate::shop::{ShopAnswer, ShopCall, ShopCode};
+use crate::shop::{CustomCode, ShopAnswer, ShopCall};
 
 /// Stands for the row that the table does not have. The words that no other code takes are its own.
 static SHOP_CODE: CodeRow = CodeRow {
     code: 0,
-    group: Group::Auxiliary,
+    group: CodeGroup::Auxiliary,
     action: Action::After(AfterCode::ShopCode),
     words: Letters::of("EIJKLPQRUVW"),
     title: "a custom M code",
@@ -28,7 +28,7 @@ pub(super) struct ShopState {
     main: usize,
     asked: u32,
     /// The answers for the block under way, by the place of their words.
-    answers: Vec<(usize, ShopCode, ShopAnswer)>,
+    answers: Vec<(usize, CustomCode, ShopAnswer)>,
     /// An unknown M code takes the words of the block under way as the arguments of a macro.
     pub takes_words: bool,
     /// Texts that were answered.
@@ -38,7 +38,7 @@ pub(super) struct ShopState {
 
 /// What a call hands on: the words of its block, or the arguments that they make.
 #[derive(Clone, Copy)]
-pub(super) struct Given<'g> {
+pub(super) struct CustomCodeCall<'g> {
     pub block: Option<&'g Block>,
     pub arguments: &'g [(u32, f64)],
 }
@@ -67,7 +67,7 @@ impl ShopState {
         self.programs[index]
     }
 
-    fn take(&mut self, at: usize) -> Option<(ShopCode, ShopAnswer)> {
+    fn take(&mut self, at: usize) -> Option<(CustomCode, ShopAnswer)> {
         let place = self.answers.iter().position(|(place, ..)| *place == at)?;
         let (_, code, answer) = self.answers.swap_remove(place);
         Some((code, answer))
@@ -87,8 +87,8 @@ impl Interpreter<'_> {
         at: usize,
         tenths: u16,
     ) -> Option<&'static CodeRow> {
-        let code = ShopCode::M(tenths);
-        let answer = self.ask_shop(code, Given { block: Some(block), arguments: &[] });
+        let code = CustomCode::M(tenths);
+        let answer = self.ask_shop(code, CustomCodeCall { block: Some(block), arguments: &[] });
         if answer == ShopAnswer::NotMine {
             return None;
         }
@@ -199,9 +199,9 @@ impl Interpreter<'_> {
         word: &Word,
         number: u32,
         repeats: u32,
-        given: Given<'_>,
+        given: CustomCodeCall<'_>,
     ) -> Option<bool> {
-        let code = ShopCode::Program(number);
+        let code = CustomCode::Program(number);
         let answer = self.ask_shop(code, given);
         if answer == ShopAnswer::NotMine {
             return None;
@@ -211,7 +211,7 @@ impl Interpreter<'_> {
     }
 
     /// The run's own hook comes first, then what the machine file says.
-    fn ask_shop(&mut self, code: ShopCode, given: Given<'_>) -> ShopAnswer {
+    fn ask_shop(&mut self, code: CustomCode, given: CustomCodeCall<'_>) -> ShopAnswer {
         if let Some(shop) = &self.options.shop_codes {
             let words = self.given_words(given.block);
             let sources = self.library.sources();
@@ -240,11 +240,11 @@ impl Interpreter<'_> {
             }
         }
         let own = match code {
-            ShopCode::M(tenths) if tenths.is_multiple_of(10) => {
+            CustomCode::M(tenths) if tenths.is_multiple_of(10) => {
                 self.machine.shop_codes.get(&(tenths / 10))
             }
-            ShopCode::M(_) => None,
-            ShopCode::Program(number) => self.machine.shop_programs.get(&number),
+            CustomCode::M(_) => None,
+            CustomCode::Program(number) => self.machine.shop_programs.get(&number),
         };
         own.map_or(ShopAnswer::NotMine, |own| match &own.blocks {
             Some(blocks) => ShopAnswer::text(blocks),
@@ -266,7 +266,7 @@ impl Interpreter<'_> {
     fn take_shop_answer(
         &mut self,
         word: &Word,
-        code: ShopCode,
+        code: CustomCode,
         answer: ShopAnswer,
         repeats: u32,
     ) -> bool {
@@ -284,7 +284,7 @@ impl Interpreter<'_> {
         }
     }
 
-    fn shop_wait(&mut self, word: &Word, code: ShopCode, seconds: f64, label: Option<Arc<str>>) {
+    fn shop_wait(&mut self, word: &Word, code: CustomCode, seconds: f64, label: Option<Arc<str>>) {
         if !(seconds >= 0.0 && seconds.is_finite()) {
             return self.refuse_shop_code(
                 word,
@@ -298,7 +298,7 @@ impl Interpreter<'_> {
         }
     }
 
-    fn refuse_shop_code(&mut self, word: &Word, code: ShopCode, why: &str) {
+    fn refuse_shop_code(&mut self, word: &Word, code: CustomCode, why: &str) {
         self.kernel.report(
             Diagnostic::new(
                 Code::ShopCodeRefused,
@@ -311,7 +311,7 @@ impl Interpreter<'_> {
     }
 
     /// Goes into an answered text as into a subprogram.
-    fn enter_shop_text(&mut self, word: &Word, code: ShopCode, text: &str, repeats: u32) -> bool {
+    fn enter_shop_text(&mut self, word: &Word, code: CustomCode, text: &str, repeats: u32) -> bool {
         let Some(file) = self.library.sources().append(&format!("custom code {code}"), text) else {
             let why = "its blocks are more text than a run accepts (10,000 texts, 64 MiB)";
             self.refuse_shop_code(word, code, why);
@@ -328,13 +328,13 @@ impl Interpreter<'_> {
 
     /// The place of a text among the programs of this run; each is noted once, so that its labels
     /// are searched once.
-    fn shop_program_index(&mut self, file: FileId, code: ShopCode, end: u32) -> usize {
+    fn shop_program_index(&mut self, file: FileId, code: CustomCode, end: u32) -> usize {
         let own = self.library.programs().len();
         let programs = &mut self.shop.programs;
         let place = *self.shop.by_file.entry(file).or_insert_with(|| {
             let number = match code {
-                ShopCode::Program(number) => Some(number),
-                ShopCode::M(_) => None,
+                CustomCode::Program(number) => Some(number),
+                CustomCode::M(_) => None,
             };
             let start = TextPosition { offset: 0, line: 1 };
             let head = ProgramHead { number, head: TextRange::new(0, 0), start, end };

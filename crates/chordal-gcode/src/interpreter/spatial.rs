@@ -1,10 +1,10 @@
 //! A rotation about an axis in space (G68 with I, J and K) and an offset in space (G41 with I, J and K).
 //! Neither is followed; what the control refuses about them is reported.
 
-use chordal_command::Side;
+use chordal_command::CompensationSide;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::{Action, LengthCode, ModeCode, OnceCode, SpatialRules};
-use chordal_dialect::{CodeRow, Group};
+use chordal_dialect::{CodeGroup, CodeRow};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
@@ -84,7 +84,7 @@ impl Interpreter<'_> {
             let message = format!("{name} while an offset in space (G41 with I, J and K) is on");
             self.report_spatial(block, at, message, "cancel the offset with G40 before", alarm);
         }
-        if row.group == Group::Compensation {
+        if row.group == CodeGroup::Compensation {
             let on = row.action != Action::Mode(ModeCode::CompensationOff);
             let whole = b"IJK".iter().all(|letter| block.letters().has(*letter));
             self.spatial.offset = rules.scaling_in_offset.is_some() && on && whole;
@@ -92,7 +92,7 @@ impl Interpreter<'_> {
                 self.not_followed(&block.words[at], "an offset in space by I, J and K");
             }
         }
-        let lengths = row.group == Group::ToolLength;
+        let lengths = row.group == CodeGroup::ToolLength;
         if row.action == Action::Length(LengthCode::Cancel) {
             self.spatial.length_code = None;
         } else if lengths
@@ -106,7 +106,7 @@ impl Interpreter<'_> {
                 "end the rotation with G69 before, or start the length offset inside it alone";
             self.report_spatial(block, at, message, help, alarm);
         }
-        if row.group == Group::Rotation && !begins && active {
+        if row.group == CodeGroup::Rotation && !begins && active {
             self.end_spatial(block, at, rules);
         }
     }
@@ -135,7 +135,9 @@ impl Interpreter<'_> {
             let message = format!("{name} names {first} and {second}, which are parallel");
             self.report_spatial(block, at, message, "name one of them", alarm);
         }
-        if let Some(alarm) = rules.in_compensation.filter(|_| self.kernel.state.side != Side::Off) {
+        if let Some(alarm) =
+            rules.in_compensation.filter(|_| self.kernel.state.side != CompensationSide::Off)
+        {
             let message = "a rotation in space begins while cutter compensation is on".to_string();
             self.report_spatial(block, at, message, "cancel compensation with G40 before", alarm);
         }

@@ -2,7 +2,7 @@
 
 use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic};
-use chordal_geometry::Direction;
+use chordal_geometry::TurnDirection;
 use chordal_kernel::SpiralWords;
 use chordal_kernel::rules::SpiralForm;
 use chordal_syntax::{Block, Letters};
@@ -15,7 +15,7 @@ impl Interpreter<'_> {
     pub(super) fn spiral_block(
         &mut self,
         block: &Block,
-        direction: Direction,
+        direction: TurnDirection,
         target: Position,
         named: AxisMask,
     ) {
@@ -43,7 +43,7 @@ impl Interpreter<'_> {
     pub(super) fn spiral_of_type_two(
         &mut self,
         block: &Block,
-        direction: Direction,
+        direction: TurnDirection,
         target: Position,
         named: AxisMask,
     ) {
@@ -67,7 +67,7 @@ impl Interpreter<'_> {
         self.kernel.spiral_by_increment(&at, &spiral, target, named);
     }
 
-    fn spiral_words(&mut self, block: &Block, direction: Direction) -> SpiralWords {
+    fn spiral_words(&mut self, block: &Block, direction: TurnDirection) -> SpiralWords {
         let (a, b, _) = center_letters(self.kernel.state.plane);
         let letters = block.letters();
         let by_radius = letters.has(b'R');
@@ -112,7 +112,7 @@ impl Interpreter<'_> {
         if form != SpiralForm::IncrementHeightCount || block.letters().has(b'R') {
             return false;
         }
-        let spiral = self.spiral_words(block, Direction::Ccw);
+        let spiral = self.spiral_words(block, TurnDirection::Ccw);
         let [from, to] = self.kernel.radii(spiral.center, target);
         spiral.centered && (from - to).abs() > tolerance_mm
     }

@@ -1,10 +1,10 @@
 //! Splines: G5 and G5.1 by one block, G5.2 to G5.3 by control points.
 
-use chordal_command::{AxisMask, Position, Side};
+use chordal_command::{AxisMask, CompensationSide, Position};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_dialect::{Action, MotionCode};
 use chordal_geometry::{Plane, Spline, SplinePiece, Vec3};
-use chordal_kernel::{Motion, SplineForm};
+use chordal_kernel::{ModalMotion, SplineForm};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
@@ -201,8 +201,8 @@ impl Interpreter<'_> {
     pub(super) fn end_spline(&mut self, block: &Block) {
         let span = self.span(block.range);
         let open = self.spline.open.take();
-        let is_open = self.kernel.state.motion == Motion::Spline(SplineForm::Points);
-        self.kernel.state.motion = Motion::None;
+        let is_open = self.kernel.state.motion == ModalMotion::Spline(SplineForm::Points);
+        self.kernel.state.motion = ModalMotion::None;
         let (_, named) = self.target(block);
         if named != AxisMask::NONE {
             self.report_spline(
@@ -281,7 +281,7 @@ impl Interpreter<'_> {
                 ),
                 "move the other axes in a block of their own",
             );
-        } else if before != Side::Off {
+        } else if before != CompensationSide::Off {
             self.report_spline(
                 Code::SplineInCompensation,
                 self.span(block.range),
@@ -296,7 +296,7 @@ impl Interpreter<'_> {
 
     /// A motion code while a NURBS is open throws its points away.
     pub(super) fn watch_open_spline(&mut self, block: &Block, code: MotionCode) {
-        let is_open = self.kernel.state.motion == Motion::Spline(SplineForm::Points);
+        let is_open = self.kernel.state.motion == ModalMotion::Spline(SplineForm::Points);
         let goes_on = match code {
             MotionCode::Spline(SplineForm::Points) => is_open,
             MotionCode::SplineEnd => true,

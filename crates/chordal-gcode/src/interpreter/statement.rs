@@ -2,13 +2,13 @@
 
 use chordal_diagnostics::{FileId, Span, TextRange};
 use chordal_geometry::Plane;
-use chordal_kernel::{Statement, What};
+use chordal_kernel::{Statement, WordMeaning};
 use chordal_machine::Axis;
 use chordal_syntax::{Block, Letters};
 
 /// A block of a file.
 #[derive(Clone, Copy)]
-pub(super) struct At<'b> {
+pub(super) struct BlockStatement<'b> {
     pub block: &'b Block,
     pub file: FileId,
 }
@@ -24,35 +24,35 @@ fn letter_of_axis(axis: usize) -> u8 {
 }
 
 /// The letters that say something; the first is the one it is called by.
-fn letters(what: What) -> Vec<u8> {
+fn letters(what: WordMeaning) -> Vec<u8> {
     match what {
-        What::Axes(axes) => axes.iter().map(|axis| axis.letter() as u8).collect(),
-        What::Center => b"IJK".to_vec(),
-        What::CenterOrRadius => b"IJKR".to_vec(),
-        What::EndAndCenter(plane) => {
+        WordMeaning::Axes(axes) => axes.iter().map(|axis| axis.letter() as u8).collect(),
+        WordMeaning::Center => b"IJK".to_vec(),
+        WordMeaning::CenterOrRadius => b"IJKR".to_vec(),
+        WordMeaning::EndAndCenter(plane) => {
             let (a, b, _) = plane.axes();
             [letter_of_axis(a), letter_of_axis(b), b'I', b'J', b'K'].to_vec()
         }
-        What::Height(plane) => vec![b"IJK"[plane.axes().2]],
-        What::Increment => vec![b'Q'],
-        What::Count => vec![b'L'],
-        What::Angle => vec![b'R'],
-        What::Pitches => vec![b'P'],
-        What::LengthOffset => vec![b'H'],
-        What::FirstCircle => vec![b'I'],
-        What::LastCircle => vec![b'K'],
-        What::Stepover => b"IJ".to_vec(),
-        What::Steps => b"IJQ".to_vec(),
+        WordMeaning::Height(plane) => vec![b"IJK"[plane.axes().2]],
+        WordMeaning::Increment => vec![b'Q'],
+        WordMeaning::Count => vec![b'L'],
+        WordMeaning::Angle => vec![b'R'],
+        WordMeaning::Pitches => vec![b'P'],
+        WordMeaning::LengthOffset => vec![b'H'],
+        WordMeaning::FirstCircle => vec![b'I'],
+        WordMeaning::LastCircle => vec![b'K'],
+        WordMeaning::Stepover => b"IJ".to_vec(),
+        WordMeaning::Steps => b"IJQ".to_vec(),
     }
 }
 
-fn set_of(what: What) -> Letters {
+fn set_of(what: WordMeaning) -> Letters {
     let mut set = Letters::NONE;
     letters(what).into_iter().for_each(|letter| set.insert(letter));
     set
 }
 
-impl At<'_> {
+impl BlockStatement<'_> {
     /// The span over the words of some letters, or of the whole block.
     pub fn span_of(&self, letters: Letters) -> Span {
         let words = self.block.words.iter().filter(|word| letters.has(word.letter));
@@ -61,17 +61,17 @@ impl At<'_> {
     }
 }
 
-impl Statement for At<'_> {
+impl Statement for BlockStatement<'_> {
     fn span(&self) -> Span {
         self.block.range.in_file(self.file)
     }
 
     #[cold]
-    fn words(&self, what: What) -> Span {
+    fn words(&self, what: WordMeaning) -> Span {
         self.span_of(set_of(what))
     }
 
-    fn name(&self, what: What) -> &'static str {
+    fn name(&self, what: WordMeaning) -> &'static str {
         letters(what).first().map_or("", |letter| NAMES[usize::from(letter - b'A')])
     }
 
@@ -80,12 +80,12 @@ impl Statement for At<'_> {
         [a, b].map(|axis| ["I", "J", "K"][axis])
     }
 
-    fn number(&self, what: What) -> Option<String> {
+    fn number(&self, what: WordMeaning) -> Option<String> {
         let letter = *letters(what).first()?;
         Some(self.block.last(letter)?.number()?.to_string())
     }
 
-    fn has(&self, what: What) -> bool {
+    fn has(&self, what: WordMeaning) -> bool {
         self.block.letters().meets(set_of(what))
     }
 

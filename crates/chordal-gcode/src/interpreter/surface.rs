@@ -1,13 +1,13 @@
 //! Polar and cylindrical interpolation: the codes that begin and end it, what may come meanwhile, and the words of moves.
 
-use chordal_command::{AxisMask, Position, RotarySurface, Side, SurfaceShape};
+use chordal_command::{AxisMask, CompensationSide, Position, RotarySurface, SurfaceShape};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_dialect::{
     Action, CodeRow, ModeCode, MotionCode, OnceCode, ReadingCode, SurfaceCode, SurfaceRules,
     SurfaceWord,
 };
-use chordal_geometry::{Direction, Plane};
-use chordal_kernel::{Motion, NewSurface, SurfacePlane, SurfaceState};
+use chordal_geometry::{Plane, TurnDirection};
+use chordal_kernel::{ModalMotion, NewSurface, SurfacePlane, SurfaceState};
 use chordal_machine::{AXIS_LETTERS, Axis};
 use chordal_syntax::{Block, Letters, Word};
 
@@ -297,35 +297,35 @@ impl Interpreter<'_> {
         let span = self.span(block.range);
         let name = self.surface_name();
         match self.kernel.state.motion {
-            Motion::Linear => {}
-            Motion::Rapid if rules.rapid || explicit => {}
-            Motion::Rapid => {
+            ModalMotion::Linear => {}
+            ModalMotion::Rapid if rules.rapid || explicit => {}
+            ModalMotion::Rapid => {
                 let message = format!("a rapid in {name}: G0 is active from before");
                 self.refuse_on_surface(span, message, rules.code);
             }
-            Motion::Arc(_) if state.plane == SurfacePlane::Other => {
+            ModalMotion::Arc(_) if state.plane == SurfacePlane::Other => {
                 let message = format!("an arc in {name} in a plane without the rotary axis");
                 let help =
                     "choose the plane of the axis of the cylinder and the rotary axis before";
                 self.refuse_surface(span, message, help, rules.mode);
                 self.lose_path(block.range, "this arc is not followed".into());
             }
-            Motion::Arc(_) if !rules.centers && block.letters().meets(CENTERS) => {
+            ModalMotion::Arc(_) if !rules.centers && block.letters().meets(CENTERS) => {
                 let words = self.words_span(block, CENTERS);
                 let message = format!("an arc in {name} with I, J or K: only R gives its centre");
                 let help = "write the radius with R";
                 self.refuse_surface(words, message, help, rules.mode);
                 self.lose_path(block.range, "this arc is not followed".into());
             }
-            Motion::Arc(_) => {}
-            Motion::Spiral(_)
-            | Motion::Thread
-            | Motion::RigidTap
-            | Motion::Probe { .. }
-            | Motion::ThreadPasses
-            | Motion::Turn(_)
-            | Motion::Spline(_)
-            | Motion::None => {
+            ModalMotion::Arc(_) => {}
+            ModalMotion::Spiral(_)
+            | ModalMotion::Thread
+            | ModalMotion::RigidTap
+            | ModalMotion::Probe { .. }
+            | ModalMotion::ThreadPasses
+            | ModalMotion::Turn(_)
+            | ModalMotion::Spline(_)
+            | ModalMotion::None => {
                 let message = format!("in {name} only straight cuts and arcs are possible");
                 self.refuse_on_surface(span, message, rules.code);
                 self.lose_path(block.range, "this move is not followed".into());
@@ -334,19 +334,19 @@ impl Interpreter<'_> {
     }
 
     /// G2 for G3 where the plane of the program has the axes of the surface in the other order.
-    pub(super) fn direction_on_surface(&self, direction: Direction) -> Direction {
+    pub(super) fn direction_on_surface(&self, direction: TurnDirection) -> TurnDirection {
         match (self.kernel.state.surface.map(|state| state.plane), direction) {
-            (Some(SurfacePlane::Swapped), Direction::Cw) => Direction::Ccw,
-            (Some(SurfacePlane::Swapped), Direction::Ccw) => Direction::Cw,
+            (Some(SurfacePlane::Swapped), TurnDirection::Cw) => TurnDirection::Ccw,
+            (Some(SurfacePlane::Swapped), TurnDirection::Ccw) => TurnDirection::Cw,
             (_, direction) => direction,
         }
     }
 
     /// G41 for G42 likewise.
-    pub(super) fn side_on_surface(&self, side: Side) -> Side {
+    pub(super) fn side_on_surface(&self, side: CompensationSide) -> CompensationSide {
         match (self.kernel.state.surface.map(|state| state.plane), side) {
-            (Some(SurfacePlane::Swapped), Side::Left) => Side::Right,
-            (Some(SurfacePlane::Swapped), Side::Right) => Side::Left,
+            (Some(SurfacePlane::Swapped), CompensationSide::Left) => CompensationSide::Right,
+            (Some(SurfacePlane::Swapped), CompensationSide::Right) => CompensationSide::Left,
             (_, side) => side,
         }
     }

@@ -9,7 +9,7 @@ use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 use super::thread_height::ThreadSizes;
-use super::turning_contour::Contour;
+use super::turning_contour::ContourBlocks;
 
 const X: usize = 0;
 const Z: usize = 2;
@@ -183,7 +183,7 @@ impl Interpreter<'_> {
     }
 
     /// Type II: by the axes of the contour's first block, or by a letter.
-    fn cuts_pockets(&mut self, block: &Block, contour: &Contour) -> bool {
+    fn cuts_pockets(&mut self, block: &Block, contour: &ContourBlocks) -> bool {
         let word = self.control.parameters.rules.turning.pockets_by.and_then(|by| block.last(by));
         match word.and_then(|word| self.literal(word)) {
             Some(number) => number.mantissa != 0,

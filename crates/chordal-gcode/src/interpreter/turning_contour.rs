@@ -1,19 +1,19 @@
 //! The blocks between P and Q that a cycle of a lathe takes as its contour.
 
-use chordal_command::Side;
+use chordal_command::CompensationSide;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::table::TurnFault;
 use chordal_dialect::{Action, OnceCode, code_number};
-use chordal_kernel::Profile;
-use chordal_syntax::{Block, Letters, Position as TextPosition};
+use chordal_kernel::ContourProfile;
+use chordal_syntax::{Block, BlockPosition as TextPosition, Letters};
 
-use super::{EndReason, Flow, Interpreter};
+use super::{BlockFlow, EndReason, Interpreter};
 
 const X: usize = 0;
 const Z: usize = 2;
 
 /// The blocks of a contour.
-pub(super) struct Contour {
+pub(super) struct ContourBlocks {
     /// The first one.
     pub first: TextPosition,
     /// It names both axes, be it by W0.
@@ -30,7 +30,7 @@ impl Interpreter<'_> {
     pub(super) fn contour_goes_on(
         &mut self,
         block: &Block,
-        profile: &Profile,
+        profile: &ContourProfile,
         along_x: bool,
     ) -> bool {
         let axis = usize::from(!along_x);
@@ -64,7 +64,12 @@ impl Interpreter<'_> {
     }
 
     /// The blocks from N P to N Q, of a cycle that roughs or finishes them.
-    pub(super) fn contour(&mut self, block: &Block, at: usize, finishes: bool) -> Option<Contour> {
+    pub(super) fn contour(
+        &mut self,
+        block: &Block,
+        at: usize,
+        finishes: bool,
+    ) -> Option<ContourBlocks> {
         if self.control.parameters.rules.turning.contour_program
             && let Some(word) = block.last(b'A').copied()
         {
@@ -116,14 +121,18 @@ impl Interpreter<'_> {
         reader.read(&mut found);
         let letters = found.letters();
         let names_both = letters.meets(Letters::of("XU")) && letters.meets(Letters::of("ZW"));
-        Some(Contour { first, names_both, end })
+        Some(ContourBlocks { first, names_both, end })
     }
 
     /// Carries out the blocks of a contour for its moves alone: nothing else of them stays.
-    pub(super) fn read_contour(&mut self, block: &Block, at: usize) -> Option<(Contour, Profile)> {
+    pub(super) fn read_contour(
+        &mut self,
+        block: &Block,
+        at: usize,
+    ) -> Option<(ContourBlocks, ContourProfile)> {
         let contour = self.contour(block, at, false)?;
         let commands = self.collect_contour(&contour, block, None);
-        let profile = Profile::of(&commands);
+        let profile = ContourProfile::of(&commands);
         if profile.as_ref().is_none_or(|profile| profile.edges.is_empty()) {
             let span = self.span(block.range);
             let message = "the contour of this cycle has no moves".to_string();
@@ -142,7 +151,7 @@ impl Interpreter<'_> {
     /// The commands of a contour that begins at `start`, where that is not the tool's place; nothing of them is carried out.
     pub(super) fn collect_contour(
         &mut self,
-        contour: &Contour,
+        contour: &ContourBlocks,
         block: &Block,
         start: Option<[f64; 2]>,
     ) -> Vec<chordal_command::Command> {
@@ -151,7 +160,7 @@ impl Interpreter<'_> {
         // Feed and spindle are those of the cycle's block.
         self.kernel.reported.missing_feed = true;
         self.kernel.reported.spindle_for_tool = Some(self.kernel.state.tool);
-        self.kernel.state.side = Side::Off;
+        self.kernel.state.side = CompensationSide::Off;
         if let Some([x, z]) = start {
             (self.kernel.state.position[X], self.kernel.state.position[Z]) = (x, z);
         }
@@ -165,14 +174,14 @@ impl Interpreter<'_> {
     }
 
     /// A program continues after the contour, where that stands after the cycle.
-    pub(super) fn continue_after(&mut self, contour: &Contour) {
+    pub(super) fn continue_after(&mut self, contour: &ContourBlocks) {
         if contour.end.offset > self.reader.position().offset {
             self.reader.seek(contour.end);
         }
     }
 
     /// Carries out the blocks of a contour, and continues after the block of the cycle.
-    pub(super) fn run_contour(&mut self, contour: &Contour, cycle: &Block) {
+    pub(super) fn run_contour(&mut self, contour: &ContourBlocks, cycle: &Block) {
         let here = self.reader.position();
         let origin = self.kernel.origin;
         self.reader.seek(contour.first);
@@ -205,7 +214,7 @@ impl Interpreter<'_> {
             if self.kernel.reads_contour_words() && !self.read_as_contour(&mut block) {
                 continue;
             }
-            if let Flow::End(EndReason::Budget) = self.execute(&mut block) {
+            if let BlockFlow::End(EndReason::Budget) = self.execute(&mut block) {
                 break;
             }
             if block.commas || self.kernel.waits_at_corner() {

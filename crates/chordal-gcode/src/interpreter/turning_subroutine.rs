@@ -1,15 +1,15 @@
 //! Cycles of lathes whose contour is a subroutine, and threads from their drive line (LinuxCNC).
 
-use chordal_command::Side;
+use chordal_command::CompensationSide;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::Plane;
-use chordal_kernel::rules::Pockets;
-use chordal_kernel::{DescentFault, DescentWords, Edge, LineThreadWords};
+use chordal_kernel::rules::PocketHandling;
+use chordal_kernel::{ContourEdge, DescentFault, DescentWords, LineThreadWords};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 use super::thread_height::ThreadSizes;
-use super::turning_contour::Contour;
+use super::turning_contour::ContourBlocks;
 
 const X: usize = 0;
 const Z: usize = 2;
@@ -46,10 +46,10 @@ impl Interpreter<'_> {
         block: &Block,
         at: usize,
         along_x: bool,
-        pockets: Pockets,
+        pockets: PocketHandling,
     ) {
         let name = self.code_text(block, at);
-        if self.kernel.state.side != Side::Off {
+        if self.kernel.state.side != CompensationSide::Off {
             let span = self.span(block.words[at].range);
             let diagnostic = Diagnostic::new(
                 Code::CycleInCompensation,
@@ -112,7 +112,7 @@ impl Interpreter<'_> {
     }
 
     /// The moves between `sub` and `endsub` of the label that Q names.
-    fn contour_of_subroutine(&mut self, block: &Block, at: usize) -> Option<Vec<Edge>> {
+    fn contour_of_subroutine(&mut self, block: &Block, at: usize) -> Option<Vec<ContourEdge>> {
         let name = self.code_text(block, at);
         let span = self.span(block.words[at].range);
         let Some(word) = block.last(b'Q').copied() else {
@@ -143,9 +143,9 @@ impl Interpreter<'_> {
             return None;
         };
         let start = self.start_of_subroutine(block);
-        let contour = Contour { first, names_both: false, end };
+        let contour = ContourBlocks { first, names_both: false, end };
         let commands = self.collect_contour(&contour, block, Some(start));
-        Some(chordal_kernel::Profile::moves(&commands))
+        Some(chordal_kernel::ContourProfile::moves(&commands))
     }
 
     /// G76 P Z I J K.
@@ -156,7 +156,7 @@ impl Interpreter<'_> {
             self.kernel.state.spindle,
             chordal_command::SpindleState::Cw | chordal_command::SpindleState::Ccw
         );
-        if self.kernel.state.side != Side::Off {
+        if self.kernel.state.side != CompensationSide::Off {
             let diagnostic = Diagnostic::new(
                 Code::CycleInCompensation,
                 span,

@@ -1,6 +1,6 @@
 //! Turning tools: stations with their offsets, and what a program writes into them.
 
-use chordal_command::Side;
+use chordal_command::CompensationSide;
 use chordal_syntax::Block;
 
 use super::Interpreter;
@@ -34,7 +34,9 @@ impl Interpreter<'_> {
         if length != self.kernel.state.offsets.length() {
             self.kernel.set_length(&self.at(block), length);
         }
-        if self.kernel.state.side != Side::Off && before != self.kernel.state.radius_offset {
+        if self.kernel.state.side != CompensationSide::Off
+            && before != self.kernel.state.radius_offset
+        {
             let span = self.span(word.range);
             self.kernel.emit_compensation(self.kernel.state.radius_offset, None, span);
         }

@@ -53,7 +53,7 @@ pub(crate) fn letter_of(number: u32) -> Option<u8> {
 
 /// Gives each word its variable: A to Z of type I, and I, J, K in sets. A repeated I, J or K,
 /// or one out of order, starts the next set (Fanuc B-63684EN, 15.6.1).
-pub(crate) struct Assigner {
+pub(crate) struct ArgumentAssigner {
     set: u32,
     last: u8,
     sets: bool,
@@ -62,9 +62,9 @@ pub(crate) struct Assigner {
 /// Sets of I, J and K.
 const SETS: u32 = 10;
 
-impl Assigner {
-    pub fn new(sets: bool) -> Assigner {
-        Assigner { set: 1, last: 0, sets }
+impl ArgumentAssigner {
+    pub fn new(sets: bool) -> ArgumentAssigner {
+        ArgumentAssigner { set: 1, last: 0, sets }
     }
 
     /// The variable of the next word; `None` when the letter cannot be an argument.
@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     fn variables(letters: &str) -> Vec<u32> {
-        let mut assigner = Assigner::new(true);
+        let mut assigner = ArgumentAssigner::new(true);
         letters.bytes().map(|letter| assigner.next(letter).unwrap_or(0)).collect()
     }
 

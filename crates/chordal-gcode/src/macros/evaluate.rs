@@ -2,18 +2,22 @@
 
 use chordal_diagnostics::{Code, TextRange};
 use chordal_dialect::macros::MacroRules;
-use chordal_syntax::{Function, Op, Operator, Step};
+use chordal_syntax::{ExpressionStep, Function, Operator, StackOp};
 
-use super::functions::{self, Undefined};
-use super::value::{Cause, Value};
+use super::functions::{self, FunctionError};
+use super::value::{MacroValue, UnknownCause};
 
 /// What is read while an expression is evaluated.
-pub(crate) trait Variables {
+pub(crate) trait VariableReader {
     /// The variable of a number.
-    fn read(&mut self, number: f64, range: TextRange) -> Result<Value, Fault>;
+    fn read(&mut self, number: f64, range: TextRange) -> Result<MacroValue, EvaluationError>;
 
     /// The variable of a name.
-    fn read_named(&mut self, name: TextRange, range: TextRange) -> Result<Value, Fault>;
+    fn read_named(
+        &mut self,
+        name: TextRange,
+        range: TextRange,
+    ) -> Result<MacroValue, EvaluationError>;
 
     /// True when a named variable is set.
     fn is_set(&mut self, name: TextRange) -> bool;
@@ -24,7 +28,12 @@ pub(crate) trait Variables {
     }
 
     /// A variable written with letters: its place in the grammar's list, and its number.
-    fn read_letters(&mut self, letters: u8, number: f64, range: TextRange) -> Result<Value, Fault>;
+    fn read_letters(
+        &mut self,
+        letters: u8,
+        number: f64,
+        range: TextRange,
+    ) -> Result<MacroValue, EvaluationError>;
 
     /// Angles are radians, not degrees.
     fn radians(&self) -> bool {
@@ -34,26 +43,26 @@ pub(crate) trait Variables {
 
 /// Why an expression has no value.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) struct Fault {
+pub(crate) struct EvaluationError {
     pub code: Code,
     pub range: TextRange,
     pub message: String,
     pub help: &'static str,
 }
 
-impl Fault {
+impl EvaluationError {
     pub fn new(
         code: Code,
         range: TextRange,
         message: impl Into<String>,
         help: &'static str,
-    ) -> Fault {
-        Fault { code, range, message: message.into(), help }
+    ) -> EvaluationError {
+        EvaluationError { code, range, message: message.into(), help }
     }
 
     /// What could not be read has been told; there is nothing to tell again.
-    pub fn told(range: TextRange) -> Fault {
-        Fault::new(Code::BadExpression, range, "", "")
+    pub fn told(range: TextRange) -> EvaluationError {
+        EvaluationError::new(Code::BadExpression, range, "", "")
     }
 
     pub fn is_told(&self) -> bool {
@@ -63,64 +72,64 @@ impl Fault {
 
 /// How a value is used.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Purpose {
+pub(crate) struct ValuePurpose {
     /// ROUND goes to this many decimals: those of the address, inside a word.
     pub round_digits: Option<u8>,
     /// A comparison may be the value.
     pub condition: bool,
 }
 
-impl Purpose {
-    pub const CONDITION: Purpose = Purpose { round_digits: None, condition: true };
-    pub const VALUE: Purpose = Purpose { round_digits: None, condition: false };
+impl ValuePurpose {
+    pub const CONDITION: ValuePurpose = ValuePurpose { round_digits: None, condition: true };
+    pub const VALUE: ValuePurpose = ValuePurpose { round_digits: None, condition: false };
 }
 
 /// Evaluates; the stack is the caller's, to be used again.
 pub(crate) fn evaluate(
-    steps: &[Step],
+    steps: &[ExpressionStep],
     rules: &MacroRules,
-    purpose: Purpose,
-    stack: &mut Vec<Value>,
-    variables: &mut dyn Variables,
-) -> Result<Value, Fault> {
+    purpose: ValuePurpose,
+    stack: &mut Vec<MacroValue>,
+    variables: &mut dyn VariableReader,
+) -> Result<MacroValue, EvaluationError> {
     stack.clear();
     for (index, step) in steps.iter().enumerate() {
         let value = match step.op {
-            Op::Number(number) => Value::Number(number),
-            Op::Unreadable => return Err(Fault::told(step.range)),
-            Op::Read => match pop(stack).counted() {
-                Err(cause) => Value::Unknown(cause),
+            StackOp::Number(number) => MacroValue::Number(number),
+            StackOp::Unreadable => return Err(EvaluationError::told(step.range)),
+            StackOp::Read => match pop(stack).counted() {
+                Err(cause) => MacroValue::Unknown(cause),
                 Ok(number) if is_asked(steps, index) => truth(variables.is_number(number)),
                 Ok(number) => variables.read(number, step.range)?,
             },
-            Op::ReadNamed(name) if is_asked(steps, index) => truth(variables.is_set(name)),
-            Op::ReadNamed(name) => variables.read_named(name, step.range)?,
-            Op::Letters(letters) => match pop(stack).counted() {
-                Err(cause) => Value::Unknown(cause),
+            StackOp::ReadNamed(name) if is_asked(steps, index) => truth(variables.is_set(name)),
+            StackOp::ReadNamed(name) => variables.read_named(name, step.range)?,
+            StackOp::Letters(letters) => match pop(stack).counted() {
+                Err(cause) => MacroValue::Unknown(cause),
                 Ok(number) => variables.read_letters(letters, number, step.range)?,
             },
-            Op::Negate => match pop(stack).counted() {
-                Err(cause) => Value::Unknown(cause),
-                Ok(number) => Value::Number(-number),
+            StackOp::Negate => match pop(stack).counted() {
+                Err(cause) => MacroValue::Unknown(cause),
+                Ok(number) => MacroValue::Number(-number),
             },
-            Op::Binary(operator) => {
+            StackOp::Binary(operator) => {
                 let b = pop(stack);
                 let a = pop(stack);
                 check_comparison(operator, rules, purpose, step)?;
                 // Whatever is divided by zero is an alarm.
                 let divides = matches!(operator, Operator::Divide | Operator::Modulo);
                 if divides && b.known() == Some(0.0) {
-                    return Err(undefined_fault(Undefined::DivisionByZero, step));
+                    return Err(undefined_fault(FunctionError::DivisionByZero, step));
                 }
                 match unknown_of(a, b) {
-                    Some(cause) => Value::Unknown(cause),
+                    Some(cause) => MacroValue::Unknown(cause),
                     None => defined(functions::binary(operator, a, b, rules), step)?,
                 }
             }
-            Op::Call { function: Function::Exists, .. } => {
+            StackOp::Call { function: Function::Exists, .. } => {
                 let before = index.checked_sub(1).map(|index| steps[index].op);
-                if !matches!(before, Some(Op::Read | Op::ReadNamed(_))) {
-                    return Err(Fault::new(
+                if !matches!(before, Some(StackOp::Read | StackOp::ReadNamed(_))) {
+                    return Err(EvaluationError::new(
                         Code::BadExpression,
                         step.range,
                         "EXISTS needs a variable, not a value",
@@ -129,8 +138,8 @@ pub(crate) fn evaluate(
                 }
                 pop(stack)
             }
-            Op::Call { function, two: false } => match pop(stack).counted() {
-                Err(cause) => Value::Unknown(cause),
+            StackOp::Call { function, two: false } => match pop(stack).counted() {
+                Err(cause) => MacroValue::Unknown(cause),
                 Ok(x) => {
                     let radians = variables.radians();
                     let x = if radians && takes_angle(function) { x.to_degrees() } else { x };
@@ -142,12 +151,12 @@ pub(crate) fn evaluate(
                     )?
                 }
             },
-            Op::Call { function, two: true } => {
+            StackOp::Call { function, two: true } => {
                 let b = pop(stack);
                 let a = pop(stack);
                 match (a.counted(), b.counted()) {
                     (Ok(a), Ok(b)) => defined(functions::two(function, a, b, rules), step)?,
-                    (Err(cause), _) | (_, Err(cause)) => Value::Unknown(cause),
+                    (Err(cause), _) | (_, Err(cause)) => MacroValue::Unknown(cause),
                 }
             }
         };
@@ -157,38 +166,38 @@ pub(crate) fn evaluate(
 }
 
 /// Why one of two values is not known, the first one first.
-fn unknown_of(a: Value, b: Value) -> Option<Cause> {
+fn unknown_of(a: MacroValue, b: MacroValue) -> Option<UnknownCause> {
     a.counted().err().or(b.counted().err())
 }
 
-fn truth(holds: bool) -> Value {
-    Value::Number(if holds { 1.0 } else { 0.0 })
+fn truth(holds: bool) -> MacroValue {
+    MacroValue::Number(if holds { 1.0 } else { 0.0 })
 }
 
 /// Whether EXISTS asks for the variable of a step.
-fn is_asked(steps: &[Step], index: usize) -> bool {
+fn is_asked(steps: &[ExpressionStep], index: usize) -> bool {
     let next = steps.get(index + 1).map(|step| step.op);
-    matches!(next, Some(Op::Call { function: Function::Exists, .. }))
+    matches!(next, Some(StackOp::Call { function: Function::Exists, .. }))
 }
 
 fn takes_angle(function: Function) -> bool {
     matches!(function, Function::Sin | Function::Cos | Function::Tan)
 }
 
-fn pop(stack: &mut Vec<Value>) -> Value {
-    stack.pop().unwrap_or(Value::Vacant)
+fn pop(stack: &mut Vec<MacroValue>) -> MacroValue {
+    stack.pop().unwrap_or(MacroValue::Vacant)
 }
 
 fn check_comparison(
     operator: Operator,
     rules: &MacroRules,
-    purpose: Purpose,
-    step: &Step,
-) -> Result<(), Fault> {
+    purpose: ValuePurpose,
+    step: &ExpressionStep,
+) -> Result<(), EvaluationError> {
     if purpose.condition || rules.comparison_is_value || !operator.is_comparison() {
         return Ok(());
     }
-    Err(Fault::new(
+    Err(EvaluationError::new(
         Code::ConditionAsValue,
         step.range,
         "a comparison has no value that could be used as a number",
@@ -196,15 +205,18 @@ fn check_comparison(
     ))
 }
 
-fn defined(result: Result<f64, Undefined>, step: &Step) -> Result<Value, Fault> {
+fn defined(
+    result: Result<f64, FunctionError>,
+    step: &ExpressionStep,
+) -> Result<MacroValue, EvaluationError> {
     let value = match result {
         Ok(value) => value,
         Err(undefined) => return Err(undefined_fault(undefined, step)),
     };
     if value.is_finite() {
-        return Ok(Value::Number(value));
+        return Ok(MacroValue::Number(value));
     }
-    Err(Fault::new(
+    Err(EvaluationError::new(
         Code::NumberOverflow,
         step.range,
         "this value is too large for the control",
@@ -213,21 +225,21 @@ fn defined(result: Result<f64, Undefined>, step: &Step) -> Result<Value, Fault> 
 }
 
 #[cold]
-fn undefined_fault(undefined: Undefined, step: &Step) -> Fault {
+fn undefined_fault(undefined: FunctionError, step: &ExpressionStep) -> EvaluationError {
     match undefined {
-        Undefined::DivisionByZero => Fault::new(
+        FunctionError::DivisionByZero => EvaluationError::new(
             Code::DivisionByZero,
             step.range,
             "this divides by zero",
             "test the divisor with IF before; a variable that was never set counts as zero",
         ),
-        Undefined::Domain(x) => Fault::new(
+        FunctionError::Domain(x) => EvaluationError::new(
             Code::OutsideDomain,
             step.range,
             format!("this function has no value for {x}"),
             "test the argument with IF before",
         ),
-        Undefined::Unknown => Fault::new(
+        FunctionError::Unknown => EvaluationError::new(
             Code::UnsupportedMacro,
             step.range,
             "Chordal does not know the value of this function",

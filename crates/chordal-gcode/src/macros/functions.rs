@@ -1,13 +1,13 @@
 //! Functions and operators of macro languages. Angles are degrees.
 
-use chordal_dialect::macros::{Fix, Logic, MacroRules};
+use chordal_dialect::macros::{LogicRule, MacroRules, RoundingRule};
 use chordal_syntax::{Function, Operator};
 
-use super::value::{Value, equal};
+use super::value::{MacroValue, equal};
 
 /// Why there is no result.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) enum Undefined {
+pub(crate) enum FunctionError {
     DivisionByZero,
     /// The argument that the function has no value for.
     Domain(f64),
@@ -15,7 +15,7 @@ pub(crate) enum Undefined {
     Unknown,
 }
 
-type Outcome = Result<f64, Undefined>;
+type FunctionResult = Result<f64, FunctionError>;
 
 /// Sine and cosine of degrees, exact at multiples of 90.
 fn sin_cos(degrees: f64) -> (f64, f64) {
@@ -50,9 +50,9 @@ pub(crate) fn one(
     x: f64,
     rules: &MacroRules,
     word_digits: Option<u8>,
-) -> Outcome {
+) -> FunctionResult {
     let domain = |good: bool, value: f64| {
-        if good { Ok(value) } else { Err(Undefined::Domain(x)) }
+        if good { Ok(value) } else { Err(FunctionError::Domain(x)) }
     };
     match function {
         Function::Sin => Ok(sin_cos(x).0),
@@ -70,17 +70,17 @@ pub(crate) fn one(
         Function::Atan => Ok(libm::atan(x).to_degrees()),
         Function::Sqrt => domain(x >= 0.0, x.sqrt()),
         Function::Abs => Ok(x.abs()),
-        Function::Bin => from_bcd(x).ok_or(Undefined::Domain(x)),
-        Function::Bcd => to_bcd(x).ok_or(Undefined::Domain(x)),
+        Function::Bin => from_bcd(x).ok_or(FunctionError::Domain(x)),
+        Function::Bcd => to_bcd(x).ok_or(FunctionError::Domain(x)),
         // Inside a word ROUND goes to the address's increment, elsewhere to whole numbers.
         Function::Round => Ok(word_digits.map_or_else(|| round(x), |digits| round_to(x, digits))),
         Function::RoundPlaces => Ok(round_to(x, word_digits.unwrap_or(0))),
         Function::Fix => Ok(match rules.fix {
-            Fix::TowardZero => libm::trunc(x),
-            Fix::Floor => libm::floor(x),
+            RoundingRule::TowardZero => libm::trunc(x),
+            RoundingRule::Floor => libm::floor(x),
         }),
         Function::Fup => Ok(match rules.fix {
-            Fix::TowardZero if x < 0.0 => libm::floor(x),
+            RoundingRule::TowardZero if x < 0.0 => libm::floor(x),
             _ => libm::ceil(x),
         }),
         Function::Ln => domain(x > 0.0, libm::log(x)),
@@ -88,12 +88,12 @@ pub(crate) fn one(
         Function::AddPoint => Ok(x),
         Function::Sign => Ok(if x < 0.0 { -1.0 } else { 1.0 }),
         Function::Not => Ok(truth(x == 0.0)),
-        Function::Power | Function::Parameter | Function::Exists => Err(Undefined::Unknown),
+        Function::Power | Function::Parameter | Function::Exists => Err(FunctionError::Unknown),
     }
 }
 
 /// A function of two arguments.
-pub(crate) fn two(function: Function, a: f64, b: f64, rules: &MacroRules) -> Outcome {
+pub(crate) fn two(function: Function, a: f64, b: f64, rules: &MacroRules) -> FunctionResult {
     match function {
         Function::Atan => {
             let angle = libm::atan2(a, b).to_degrees();
@@ -101,26 +101,31 @@ pub(crate) fn two(function: Function, a: f64, b: f64, rules: &MacroRules) -> Out
             Ok(if full { angle + 360.0 } else { angle })
         }
         Function::Power => power(a, b),
-        _ => Err(Undefined::Unknown),
+        _ => Err(FunctionError::Unknown),
     }
 }
 
-fn power(a: f64, b: f64) -> Outcome {
+fn power(a: f64, b: f64) -> FunctionResult {
     let result = libm::pow(a, b);
-    if result.is_nan() || result.is_infinite() { Err(Undefined::Domain(a)) } else { Ok(result) }
+    if result.is_nan() || result.is_infinite() { Err(FunctionError::Domain(a)) } else { Ok(result) }
 }
 
 /// An operator on values that are known.
-pub(crate) fn binary(operator: Operator, a: Value, b: Value, rules: &MacroRules) -> Outcome {
+pub(crate) fn binary(
+    operator: Operator,
+    a: MacroValue,
+    b: MacroValue,
+    rules: &MacroRules,
+) -> FunctionResult {
     let near = rules.equal_tolerance;
     let (x, y) = (a.known().unwrap_or(0.0), b.known().unwrap_or(0.0));
     Ok(match operator {
         Operator::Add => x + y,
         Operator::Subtract => x - y,
         Operator::Multiply => x * y,
-        Operator::Divide if y == 0.0 => return Err(Undefined::DivisionByZero),
+        Operator::Divide if y == 0.0 => return Err(FunctionError::DivisionByZero),
         Operator::Divide => x / y,
-        Operator::Modulo if y == 0.0 => return Err(Undefined::DivisionByZero),
+        Operator::Modulo if y == 0.0 => return Err(FunctionError::DivisionByZero),
         Operator::Modulo => {
             let rest = libm::fmod(x, y);
             if rules.modulo_positive && rest < 0.0 { rest + y.abs() } else { rest }
@@ -137,8 +142,8 @@ pub(crate) fn binary(operator: Operator, a: Value, b: Value, rules: &MacroRules)
     })
 }
 
-fn logic(operator: Operator, x: f64, y: f64, logic: Logic) -> f64 {
-    if logic == Logic::Logical {
+fn logic(operator: Operator, x: f64, y: f64, logic: LogicRule) -> f64 {
+    if logic == LogicRule::Logical {
         let (a, b) = (x != 0.0, y != 0.0);
         return truth(match operator {
             Operator::And => a && b,

@@ -2,17 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use super::value::Value;
+use super::value::MacroValue;
 
 /// Most named variables of a run; a program that makes names without end is stopped here.
 const MOST_NAMES: usize = 100_000;
 
 /// Named variables by their names as [`normal`] writes them.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Names {
-    globals: BTreeMap<String, Value>,
+pub(crate) struct NamedVariables {
+    globals: BTreeMap<String, MacroValue>,
     /// Those of each call that has not returned, the main program's first.
-    levels: Vec<BTreeMap<String, Value>>,
+    levels: Vec<BTreeMap<String, MacroValue>>,
 }
 
 /// A name without blanks, in lower case: LinuxCNC tells no more apart.
@@ -22,15 +22,15 @@ pub(crate) fn normal(name: &[u8]) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-impl Names {
+impl NamedVariables {
     /// The value of a name, if it is set.
-    pub fn get(&self, name: &str) -> Option<Value> {
+    pub fn get(&self, name: &str) -> Option<MacroValue> {
         let names = if name.starts_with('_') { Some(&self.globals) } else { self.levels.last() };
         names?.get(name).copied()
     }
 
     /// Sets a name; false when there are too many.
-    pub fn set(&mut self, name: String, value: Value) -> bool {
+    pub fn set(&mut self, name: String, value: MacroValue) -> bool {
         let names = if name.starts_with('_') {
             &mut self.globals
         } else {
@@ -74,13 +74,16 @@ mod tests {
 
     #[test]
     fn locals_belong_to_their_call_and_globals_to_the_run() {
-        let mut names = Names::default();
-        names.set(normal(b"Depth Of Cut"), Value::Number(2.0));
-        names.set("_all".into(), Value::Number(3.0));
+        let mut names = NamedVariables::default();
+        names.set(normal(b"Depth Of Cut"), MacroValue::Number(2.0));
+        names.set("_all".into(), MacroValue::Number(3.0));
         names.enter();
-        assert_eq!((names.get("depthofcut"), names.get("_all")), (None, Some(Value::Number(3.0))));
-        names.set("depthofcut".into(), Value::Number(5.0));
+        assert_eq!(
+            (names.get("depthofcut"), names.get("_all")),
+            (None, Some(MacroValue::Number(3.0)))
+        );
+        names.set("depthofcut".into(), MacroValue::Number(5.0));
         names.leave();
-        assert_eq!(names.get("depthofcut"), Some(Value::Number(2.0)));
+        assert_eq!(names.get("depthofcut"), Some(MacroValue::Number(2.0)));
     }
 }

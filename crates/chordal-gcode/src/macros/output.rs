@@ -4,43 +4,43 @@ use chordal_diagnostics::TextRange;
 
 /// Places before and behind the point.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Format {
+pub(crate) struct NumberFormat {
     pub whole: u8,
     pub decimals: u8,
 }
 
 /// A part of the text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Part {
+pub(crate) enum OutputPart {
     Text(u8),
     /// A variable and its places; `None` where they cannot be read.
     Value {
         expression: TextRange,
-        format: Option<Format>,
+        format: Option<NumberFormat>,
     },
 }
 
 /// The next part of the text between the brackets of DPRNT; `*` is a blank, blanks are none.
-pub(crate) fn next_part(text: &[u8], rest: &mut TextRange) -> Option<Part> {
+pub(crate) fn next_part(text: &[u8], rest: &mut TextRange) -> Option<OutputPart> {
     loop {
         let byte = *rest.slice(text).first()?;
         match byte {
             b' ' | b'\t' => rest.start += 1,
             b'*' => {
                 rest.start += 1;
-                return Some(Part::Text(b' '));
+                return Some(OutputPart::Text(b' '));
             }
             b'#' => return Some(value(text, rest)),
             byte => {
                 rest.start += 1;
-                return Some(Part::Text(byte));
+                return Some(OutputPart::Text(byte));
             }
         }
     }
 }
 
 /// `#1[44]`, `#[#1+2][44]`, `##1[44]`.
-fn value(text: &[u8], rest: &mut TextRange) -> Part {
+fn value(text: &[u8], rest: &mut TextRange) -> OutputPart {
     let start = rest.start;
     let words = rest.slice(text);
     let mut at = words.iter().take_while(|b| matches!(b, b'#' | b' ')).count();
@@ -60,12 +60,12 @@ fn value(text: &[u8], rest: &mut TextRange) -> Part {
             .map(|b| b - b'0')
             .collect();
         if let [whole, decimals] = digits[..] {
-            format = Some(Format { whole, decimals });
+            format = Some(NumberFormat { whole, decimals });
         }
         at += length;
     }
     rest.start = start + at as u32;
-    Part::Value { expression, format }
+    OutputPart::Value { expression, format }
 }
 
 /// Length of a bracket with what it holds.
@@ -86,7 +86,7 @@ fn bracket(words: &[u8]) -> usize {
 
 /// Writes a number: rounded to its decimals, with zeros at the end, its whole part as wide as
 /// it needs. `blanks` fills the whole part up to its places (Fanuc); a Haas does not.
-pub(crate) fn write_number(line: &mut String, value: f64, format: Format, blanks: bool) {
+pub(crate) fn write_number(line: &mut String, value: f64, format: NumberFormat, blanks: bool) {
     let decimals = usize::from(format.decimals);
     let rounded = super::functions::round_to(value, format.decimals);
     let digits = format!("{:.decimals$}", rounded.abs());
@@ -111,7 +111,7 @@ mod tests {
 
     fn written(value: f64, whole: u8, decimals: u8, blanks: bool) -> String {
         let mut line = String::new();
-        write_number(&mut line, value, Format { whole, decimals }, blanks);
+        write_number(&mut line, value, NumberFormat { whole, decimals }, blanks);
         line
     }
 
@@ -140,18 +140,18 @@ mod tests {
         while let Some(part) = next_part(text, &mut rest) {
             parts.push(part);
         }
-        let value = |start, end, whole, decimals| Part::Value {
+        let value = |start, end, whole, decimals| OutputPart::Value {
             expression: TextRange::new(start, end),
-            format: Some(Format { whole, decimals }),
+            format: Some(NumberFormat { whole, decimals }),
         };
         let expected = [
-            Part::Text(b'X'),
-            Part::Text(b'-'),
+            OutputPart::Text(b'X'),
+            OutputPart::Text(b'-'),
             value(2, 4, 3, 5),
-            Part::Text(b' '),
-            Part::Text(b'T'),
+            OutputPart::Text(b' '),
+            OutputPart::Text(b'T'),
             value(10, 16, 2, 0),
-            Part::Text(b'/'),
+            OutputPart::Text(b'/'),
         ];
         assert_eq!(parts, expected);
     }
@@ -161,7 +161,7 @@ mod tests {
         for text in [&b"#1"[..], b"#1[4]", b"#1[", b"#1[444]"] {
             let mut rest = TextRange::new(0, text.len() as u32);
             let part = next_part(text, &mut rest);
-            assert!(matches!(part, Some(Part::Value { format: None, .. })), "{part:?}");
+            assert!(matches!(part, Some(OutputPart::Value { format: None, .. })), "{part:?}");
         }
     }
 }

@@ -5,34 +5,39 @@ use chordal_dialect::macros::MacroRules;
 use chordal_dialect::table;
 use chordal_syntax::{ExpressionParser, MacroGrammar};
 
-use super::evaluate::{Fault, Purpose, Variables, evaluate};
-use super::value::{Cause, Truth, Value};
+use super::evaluate::{EvaluationError, ValuePurpose, VariableReader, evaluate};
+use super::value::{MacroValue, Truth, UnknownCause};
 
 /// #1 = 1.00333, #2 = null, #20 = 4, #120 = 6; other variables hold their own number.
-struct Shelf;
+struct TestVariables;
 
-impl Variables for Shelf {
-    fn read(&mut self, number: f64, _: TextRange) -> Result<Value, Fault> {
+impl VariableReader for TestVariables {
+    fn read(&mut self, number: f64, _: TextRange) -> Result<MacroValue, EvaluationError> {
         Ok(match number as u32 {
-            0 | 2 => Value::Vacant,
-            1 => Value::Number(1.00333),
-            20 => Value::Number(4.0),
-            120 => Value::Number(6.0),
-            700 => Value::Unknown(Cause::Variable(700)),
-            _ => Value::Number(number),
+            0 | 2 => MacroValue::Vacant,
+            1 => MacroValue::Number(1.00333),
+            20 => MacroValue::Number(4.0),
+            120 => MacroValue::Number(6.0),
+            700 => MacroValue::Unknown(UnknownCause::Variable(700)),
+            _ => MacroValue::Number(number),
         })
     }
 
-    fn read_named(&mut self, name: TextRange, _: TextRange) -> Result<Value, Fault> {
-        Ok(Value::Number(f64::from(name.len())))
+    fn read_named(&mut self, name: TextRange, _: TextRange) -> Result<MacroValue, EvaluationError> {
+        Ok(MacroValue::Number(f64::from(name.len())))
     }
 
     fn is_set(&mut self, name: TextRange) -> bool {
         name.len() > 2
     }
 
-    fn read_letters(&mut self, letters: u8, number: f64, _: TextRange) -> Result<Value, Fault> {
-        Ok(Value::Number(f64::from(letters) * 1000.0 + number))
+    fn read_letters(
+        &mut self,
+        letters: u8,
+        number: f64,
+        _: TextRange,
+    ) -> Result<MacroValue, EvaluationError> {
+        Ok(MacroValue::Number(f64::from(letters) * 1000.0 + number))
     }
 
     fn radians(&self) -> bool {
@@ -44,8 +49,8 @@ fn run(
     text: &str,
     grammar: &'static MacroGrammar,
     rules: &MacroRules,
-    purpose: Purpose,
-) -> Result<Value, Code> {
+    purpose: ValuePurpose,
+) -> Result<MacroValue, Code> {
     let mut parser = ExpressionParser::new(text.as_bytes(), FileId(0), grammar);
     parser.start(text.as_bytes(), FileId(0), TextRange::new(0, text.len() as u32));
     let expression = parser.expression();
@@ -53,24 +58,25 @@ fn run(
         return Err(problem.code);
     }
     assert!(parser.rest().is_empty(), "{text}: left over at {:?}", parser.rest());
-    let result = evaluate(parser.steps(expression), rules, purpose, &mut Vec::new(), &mut Shelf);
+    let result =
+        evaluate(parser.steps(expression), rules, purpose, &mut Vec::new(), &mut TestVariables);
     result.map_err(|fault| fault.code)
 }
 
-fn fanuc(text: &str) -> Result<Value, Code> {
+fn fanuc(text: &str) -> Result<MacroValue, Code> {
     let table = table(chordal_machine::ControlName::Fanuc);
-    run(text, table.lexicon.grammar, table.macros, Purpose::VALUE)
+    run(text, table.lexicon.grammar, table.macros, ValuePurpose::VALUE)
 }
 
 fn condition(text: &str) -> bool {
     let table = table(chordal_machine::ControlName::Fanuc);
-    let value = run(text, table.lexicon.grammar, table.macros, Purpose::CONDITION);
+    let value = run(text, table.lexicon.grammar, table.macros, ValuePurpose::CONDITION);
     Truth::from(value.expect(text)) == Truth::Holds
 }
 
 fn haas(text: &str, digits: Option<u8>) -> f64 {
     let table = table(chordal_machine::ControlName::Haas);
-    let purpose = Purpose { round_digits: digits, condition: false };
+    let purpose = ValuePurpose { round_digits: digits, condition: false };
     run(text, table.lexicon.grammar, table.macros, purpose).expect(text).known().expect(text)
 }
 
@@ -126,10 +132,10 @@ fn rounding_inside_a_word_and_outside() {
 
 #[test]
 fn null_in_expressions() {
-    assert_eq!(fanuc("#0"), Ok(Value::Vacant));
-    assert_eq!(fanuc("#2"), Ok(Value::Vacant));
-    assert_eq!(fanuc("#2*10"), Ok(Value::Number(0.0)));
-    assert_eq!(fanuc("#2+#2"), Ok(Value::Number(0.0)));
+    assert_eq!(fanuc("#0"), Ok(MacroValue::Vacant));
+    assert_eq!(fanuc("#2"), Ok(MacroValue::Vacant));
+    assert_eq!(fanuc("#2*10"), Ok(MacroValue::Number(0.0)));
+    assert_eq!(fanuc("#2+#2"), Ok(MacroValue::Number(0.0)));
     for (text, holds) in [
         ("#2EQ#0", true),
         ("#2NE#0", false),
@@ -166,7 +172,7 @@ fn what_has_no_value() {
 
 #[test]
 fn what_is_computed_from_an_unknown_value_is_unknown() {
-    let unknown = Value::Unknown(Cause::Variable(700));
+    let unknown = MacroValue::Unknown(UnknownCause::Variable(700));
     for text in [
         "#700",
         "-#700",
@@ -189,8 +195,12 @@ fn what_is_computed_from_an_unknown_value_is_unknown() {
     assert_eq!(fanuc("#700MOD#2"), Err(Code::DivisionByZero));
     let table = table(chordal_machine::ControlName::Fanuc);
     for text in ["#700EQ#0", "#700NE#0", "[#700GT1]OR[1EQ1]", "[1EQ2]AND[#700LT1]"] {
-        let value = run(text, table.lexicon.grammar, table.macros, Purpose::CONDITION);
-        assert_eq!(value.map(Truth::from), Ok(Truth::Unknown(Cause::Variable(700))), "{text}");
+        let value = run(text, table.lexicon.grammar, table.macros, ValuePurpose::CONDITION);
+        assert_eq!(
+            value.map(Truth::from),
+            Ok(Truth::Unknown(UnknownCause::Variable(700))),
+            "{text}"
+        );
     }
 }
 
@@ -201,38 +211,39 @@ fn what_cannot_be_read() {
     assert_eq!(fanuc("(1+2)"), Err(Code::BadExpression));
     assert_eq!(fanuc("##20"), Err(Code::UnsupportedMacro));
     assert_eq!(fanuc("#<A>"), Err(Code::BadExpression));
-    assert_eq!(fanuc("[[[[[1]]]]]"), Ok(Value::Number(1.0)));
+    assert_eq!(fanuc("[[[[[1]]]]]"), Ok(MacroValue::Number(1.0)));
     assert_eq!(fanuc("[[[[[[1]]]]]]"), Err(Code::BracketsTooDeep));
     assert_eq!(fanuc("[[[[[SIN[1]]]]]]"), Err(Code::BracketsTooDeep));
     for text in ["[".repeat(100_000), "SIN[".repeat(100_000), "SIN".repeat(100_000)] {
         assert!(fanuc(&text).is_err());
     }
-    assert_eq!(fanuc(&format!("{}1", "-".repeat(100_001))), Ok(Value::Number(-1.0)));
-    assert_eq!(fanuc(&format!("0{}", "+1".repeat(100_000))), Ok(Value::Number(100_000.0)));
+    assert_eq!(fanuc(&format!("{}1", "-".repeat(100_001))), Ok(MacroValue::Number(-1.0)));
+    assert_eq!(fanuc(&format!("0{}", "+1".repeat(100_000))), Ok(MacroValue::Number(100_000.0)));
 }
 
 #[test]
 fn linuxcnc_reads_its_own_grammar() {
     let table = table(chordal_machine::ControlName::Linuxcnc);
     let value = |text: &str| {
-        run(text, table.lexicon.grammar, &MacroRules::NONE, Purpose::VALUE).expect(text)
+        run(text, table.lexicon.grammar, &MacroRules::NONE, ValuePurpose::VALUE).expect(text)
     };
-    assert_eq!(value("[2 ** 3 * 2]"), Value::Number(16.0));
-    assert_eq!(value("##20"), Value::Number(4.0));
-    assert_eq!(value("#<width>"), Value::Number(5.0));
-    assert_eq!(value("EXISTS[#<width>]"), Value::Number(1.0));
-    assert_eq!(value("[-7 MOD 3]"), Value::Number(2.0));
-    assert_eq!(value("FIX[-1.5]"), Value::Number(-2.0));
+    assert_eq!(value("[2 ** 3 * 2]"), MacroValue::Number(16.0));
+    assert_eq!(value("##20"), MacroValue::Number(4.0));
+    assert_eq!(value("#<width>"), MacroValue::Number(5.0));
+    assert_eq!(value("EXISTS[#<width>]"), MacroValue::Number(1.0));
+    assert_eq!(value("[-7 MOD 3]"), MacroValue::Number(2.0));
+    assert_eq!(value("FIX[-1.5]"), MacroValue::Number(-2.0));
     // Comparisons come before AND there: 6 AND [4 EQ 4].
-    assert_eq!(value("[#120 AND 4 EQ 4]"), Value::Number(1.0));
+    assert_eq!(value("[#120 AND 4 EQ 4]"), MacroValue::Number(1.0));
 }
 
 #[test]
 fn fadal_reads_its_own_grammar() {
     let grammar = &MacroGrammar::FADAL;
-    let value = |text: &str| run(text, grammar, &MacroRules::NONE, Purpose::VALUE).expect(text);
+    let value =
+        |text: &str| run(text, grammar, &MacroRules::NONE, ValuePurpose::VALUE).expect(text);
     let v = grammar.letter_variables.iter().position(|name| *name == "V").unwrap_or(0) as f64;
-    assert_eq!(value("V2+V(1+1)"), Value::Number(2.0 * (v * 1000.0 + 2.0)));
-    assert_eq!(value("2*(3+4)-SGN(0)"), Value::Number(13.0));
-    assert_eq!(value("INT(7.9)<|>7"), Value::Number(0.0));
+    assert_eq!(value("V2+V(1+1)"), MacroValue::Number(2.0 * (v * 1000.0 + 2.0)));
+    assert_eq!(value("2*(3+4)-SGN(0)"), MacroValue::Number(13.0));
+    assert_eq!(value("INT(7.9)<|>7"), MacroValue::Number(0.0));
 }

@@ -2,19 +2,19 @@
 
 /// A value of a variable or an expression.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) enum Value {
+pub(crate) enum MacroValue {
     /// Null: the value of a variable that was never written.
     Vacant,
     /// A number.
     Number(f64),
     /// Something that neither the program nor the machine file says. Whatever is computed from it is
     /// unknown as well.
-    Unknown(Cause),
+    Unknown(UnknownCause),
 }
 
 /// Where an unknown value comes from: what a user could give.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(crate) enum Cause {
+pub(crate) enum UnknownCause {
     /// A variable by its number.
     Variable(u32),
     /// A variable written with letters: its place in the grammar's list, and its number.
@@ -23,14 +23,14 @@ pub(crate) enum Cause {
     Name(u32),
 }
 
-impl Value {
+impl MacroValue {
     /// The number in arithmetic, where vacant counts as zero.
     #[inline]
-    pub fn counted(self) -> Result<f64, Cause> {
+    pub fn counted(self) -> Result<f64, UnknownCause> {
         match self {
-            Value::Vacant => Ok(0.0),
-            Value::Number(number) => Ok(number),
-            Value::Unknown(cause) => Err(cause),
+            MacroValue::Vacant => Ok(0.0),
+            MacroValue::Number(number) => Ok(number),
+            MacroValue::Unknown(cause) => Err(cause),
         }
     }
 
@@ -41,14 +41,14 @@ impl Value {
     }
 
     /// A number that only some runs know.
-    pub fn or_unknown(number: Option<f64>, cause: Cause) -> Value {
-        number.map_or(Value::Unknown(cause), Value::Number)
+    pub fn or_unknown(number: Option<f64>, cause: UnknownCause) -> MacroValue {
+        number.map_or(MacroValue::Unknown(cause), MacroValue::Number)
     }
 
     /// The same to the bit: 0 and −0 are not one value, and NaN is itself.
-    pub fn is_same(self, other: Value) -> bool {
+    pub fn is_same(self, other: MacroValue) -> bool {
         match (self, other) {
-            (Value::Number(a), Value::Number(b)) => a.to_bits() == b.to_bits(),
+            (MacroValue::Number(a), MacroValue::Number(b)) => a.to_bits() == b.to_bits(),
             (a, b) => a == b,
         }
     }
@@ -60,24 +60,24 @@ pub(crate) enum Truth {
     Holds,
     Fails,
     /// It depends on a value that is not known.
-    Unknown(Cause),
+    Unknown(UnknownCause),
 }
 
-impl From<Value> for Truth {
-    fn from(value: Value) -> Truth {
+impl From<MacroValue> for Truth {
+    fn from(value: MacroValue) -> Truth {
         match value {
-            Value::Number(number) if number != 0.0 => Truth::Holds,
-            Value::Number(_) | Value::Vacant => Truth::Fails,
-            Value::Unknown(cause) => Truth::Unknown(cause),
+            MacroValue::Number(number) if number != 0.0 => Truth::Holds,
+            MacroValue::Number(_) | MacroValue::Vacant => Truth::Fails,
+            MacroValue::Unknown(cause) => Truth::Unknown(cause),
         }
     }
 }
 
 /// EQ: null equals null and nothing else, not even zero (Mitsubishi M700V p. 389).
 #[inline]
-pub(crate) fn equal(a: Value, b: Value, tolerance: f64) -> bool {
+pub(crate) fn equal(a: MacroValue, b: MacroValue, tolerance: f64) -> bool {
     match (a, b) {
-        (Value::Number(a), Value::Number(b)) => a == b || (a - b).abs() < tolerance,
-        (a, b) => a == Value::Vacant && b == Value::Vacant,
+        (MacroValue::Number(a), MacroValue::Number(b)) => a == b || (a - b).abs() < tolerance,
+        (a, b) => a == MacroValue::Vacant && b == MacroValue::Vacant,
     }
 }

@@ -1,7 +1,7 @@
 //! Local and common variables.
 
-use super::value::{Cause, Value};
-use chordal_dialect::macros::{MacroRules, Unset, VariableRange};
+use super::value::{MacroValue, UnknownCause};
+use chordal_dialect::macros::{MacroRules, UnsetValue, VariableRange};
 
 /// Most local variables of a level.
 const LOCALS: usize = 64;
@@ -10,22 +10,22 @@ const LOCALS: usize = 64;
 #[derive(Clone, Debug)]
 pub(crate) struct VariableStore {
     /// The locals of each macro level; index 0 is not used.
-    levels: Vec<[Value; LOCALS]>,
+    levels: Vec<[MacroValue; LOCALS]>,
     locals: u32,
     /// One for each range of the table, made when it is first written. `None`: it holds what was in it
     /// before the program.
-    common: Vec<Vec<Option<Value>>>,
+    common: Vec<Vec<Option<MacroValue>>>,
     ranges: &'static [VariableRange],
-    unset: Value,
+    unset: MacroValue,
 }
 
 impl PartialEq for VariableStore {
     fn eq(&self, other: &VariableStore) -> bool {
-        let same = |a: &[Value], b: &[Value]| {
+        let same = |a: &[MacroValue], b: &[MacroValue]| {
             a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_same(*b))
         };
-        let same_common = |a: &[Option<Value>], b: &[Option<Value>]| {
-            let is_same = |(a, b): (&Option<Value>, &Option<Value>)| match (a, b) {
+        let same_common = |a: &[Option<MacroValue>], b: &[Option<MacroValue>]| {
+            let is_same = |(a, b): (&Option<MacroValue>, &Option<MacroValue>)| match (a, b) {
                 (Some(a), Some(b)) => a.is_same(*b),
                 (a, b) => a.is_none() && b.is_none(),
             };
@@ -45,8 +45,8 @@ pub(crate) struct NotHere;
 impl VariableStore {
     pub fn new(rules: &MacroRules) -> VariableStore {
         let unset = match rules.unset {
-            Unset::Null => Value::Vacant,
-            Unset::Zero => Value::Number(0.0),
+            UnsetValue::Null => MacroValue::Vacant,
+            UnsetValue::Zero => MacroValue::Number(0.0),
         };
         VariableStore {
             levels: Vec::new(),
@@ -63,7 +63,7 @@ impl VariableStore {
     }
 
     /// A macro call: a new level with its arguments.
-    pub fn enter(&mut self, arguments: &[(u32, Value)]) {
+    pub fn enter(&mut self, arguments: &[(u32, MacroValue)]) {
         if self.levels.is_empty() {
             self.levels.push([self.unset; LOCALS]);
         }
@@ -81,7 +81,7 @@ impl VariableStore {
     }
 
     /// All locals of this level, to hand them on or to put them back.
-    pub fn locals(&mut self) -> &mut [Value] {
+    pub fn locals(&mut self) -> &mut [MacroValue] {
         if self.levels.is_empty() {
             self.levels.push([self.unset; LOCALS]);
         }
@@ -89,7 +89,7 @@ impl VariableStore {
         &mut self.levels[last]
     }
 
-    fn set_local(&mut self, number: u32, value: Value) {
+    fn set_local(&mut self, number: u32, value: MacroValue) {
         if let Some(place) = self.locals().get_mut(number as usize) {
             *place = value;
         }
@@ -97,7 +97,7 @@ impl VariableStore {
 
     /// The value of a local or common variable. A common one keeps what was written by another program,
     /// some also over power-off: before this program writes it, nobody knows it.
-    pub fn read(&self, number: u32) -> Result<Value, NotHere> {
+    pub fn read(&self, number: u32) -> Result<MacroValue, NotHere> {
         if number == 0 {
             return Ok(self.unset);
         }
@@ -106,12 +106,12 @@ impl VariableStore {
         }
         let (range, at) = self.place(number)?;
         let written = self.common.get(range).and_then(|values| values.get(at)).copied().flatten();
-        Ok(written.unwrap_or(Value::Unknown(Cause::Variable(number))))
+        Ok(written.unwrap_or(MacroValue::Unknown(UnknownCause::Variable(number))))
     }
 
     /// Writes a local or common variable.
-    pub fn write(&mut self, number: u32, value: Value) -> Result<(), NotHere> {
-        let value = if value == Value::Vacant { self.unset } else { value };
+    pub fn write(&mut self, number: u32, value: MacroValue) -> Result<(), NotHere> {
+        let value = if value == MacroValue::Vacant { self.unset } else { value };
         if (1..=self.locals).contains(&number) {
             self.set_local(number, value);
             return Ok(());

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use chordal_dialect::not_read::{self, NotRead};
-use chordal_dialect::recognition::{Evidence, Form, Sign};
+use chordal_dialect::recognition::{RecognitionEvidence, RecognitionSign, TextForm};
 use chordal_machine::ControlName;
 
 use super::line::bit;
@@ -12,7 +12,7 @@ use super::pattern::Pattern;
 
 /// Whom a sign speaks for.
 #[derive(Clone, Copy, Debug)]
-pub enum Language {
+pub enum SignTarget {
     /// A control whose programs are read.
     Control(ControlName),
     /// A language that is not.
@@ -21,14 +21,14 @@ pub enum Language {
 
 /// A sign ready to be looked for.
 #[derive(Debug)]
-pub struct Entry {
-    pub evidence: &'static Evidence,
-    pub kind: Kind,
+pub struct SignEntry {
+    pub evidence: &'static RecognitionEvidence,
+    pub kind: SignMatcher,
 }
 
 /// How it is looked for.
 #[derive(Debug)]
-pub enum Kind {
+pub enum SignMatcher {
     Block(Pattern),
     Share { of: Pattern, among: Pattern, percent: (u8, u8) },
     Letters { used: u32, unused: u32, least: u32 },
@@ -37,13 +37,13 @@ pub enum Kind {
     Code(&'static [&'static str]),
     Codes(&'static [&'static str]),
     Begins { pieces: &'static [&'static str], whole: bool },
-    Form(Form),
+    Form(TextForm),
 }
 
 /// The signs of one language: a range of the entries, and where those begin that are only its own.
 #[derive(Debug)]
-pub struct Listed {
-    pub language: Language,
+pub struct LanguageSigns {
+    pub language: SignTarget,
     pub first: usize,
     pub own: usize,
     pub end: usize,
@@ -52,8 +52,8 @@ pub struct Listed {
 /// All languages and their signs.
 #[derive(Debug)]
 pub struct Catalog {
-    pub languages: Vec<Listed>,
-    pub entries: Vec<Entry>,
+    pub languages: Vec<LanguageSigns>,
+    pub entries: Vec<SignEntry>,
     /// By the first byte of a line in capitals: signs of beginnings that it may show, and their piece.
     pub beginnings: BTreeMap<u8, Vec<(usize, &'static str)>>,
 }
@@ -67,11 +67,11 @@ impl Catalog {
             Catalog { languages: Vec::new(), entries: Vec::new(), beginnings: BTreeMap::new() };
         for name in ControlName::ALL.iter().copied() {
             let table = chordal_dialect::table(name);
-            let kind: &[Evidence] = table.kind.map_or(&[], |kind| kind.signs);
-            catalog.add(Language::Control(name), kind, table.evidence);
+            let kind: &[RecognitionEvidence] = table.kind.map_or(&[], |kind| kind.signs);
+            catalog.add(SignTarget::Control(name), kind, table.evidence);
         }
         for language in not_read::ALL.iter().copied() {
-            catalog.add(Language::NotRead(language), language.signs, language.own);
+            catalog.add(SignTarget::NotRead(language), language.signs, language.own);
         }
         catalog.list_beginnings();
         catalog
@@ -79,7 +79,7 @@ impl Catalog {
 
     fn list_beginnings(&mut self) {
         for (index, entry) in self.entries.iter().enumerate() {
-            let Kind::Begins { pieces, .. } = entry.kind else { continue };
+            let SignMatcher::Begins { pieces, .. } = entry.kind else { continue };
             for piece in pieces {
                 let first = piece.as_bytes().first().copied().unwrap_or(0);
                 self.beginnings.entry(first).or_default().push((index, *piece));
@@ -87,34 +87,44 @@ impl Catalog {
         }
     }
 
-    fn add(&mut self, language: Language, signs: &'static [Evidence], own: &'static [Evidence]) {
+    fn add(
+        &mut self,
+        language: SignTarget,
+        signs: &'static [RecognitionEvidence],
+        own: &'static [RecognitionEvidence],
+    ) {
         let first = self.entries.len();
-        self.entries.extend(signs.iter().map(Entry::new));
+        self.entries.extend(signs.iter().map(SignEntry::new));
         let middle = self.entries.len();
-        self.entries.extend(own.iter().map(Entry::new));
-        self.languages.push(Listed { language, first, own: middle, end: self.entries.len() });
+        self.entries.extend(own.iter().map(SignEntry::new));
+        self.languages.push(LanguageSigns {
+            language,
+            first,
+            own: middle,
+            end: self.entries.len(),
+        });
     }
 }
 
-impl Entry {
-    fn new(evidence: &'static Evidence) -> Entry {
+impl SignEntry {
+    fn new(evidence: &'static RecognitionEvidence) -> SignEntry {
         let letters = |text: &str| text.bytes().fold(0, |all, letter| all | bit(letter));
         let kind = match evidence.sign {
-            Sign::Block(pattern) => Kind::Block(Pattern::new(pattern)),
-            Sign::Share { of, among, percent } => {
-                Kind::Share { of: Pattern::new(of), among: Pattern::new(among), percent }
+            RecognitionSign::Block(pattern) => SignMatcher::Block(Pattern::new(pattern)),
+            RecognitionSign::Share { of, among, percent } => {
+                SignMatcher::Share { of: Pattern::new(of), among: Pattern::new(among), percent }
             }
-            Sign::Letters { used, unused, least } => {
-                Kind::Letters { used: letters(used), unused: letters(unused), least }
+            RecognitionSign::Letters { used, unused, least } => {
+                SignMatcher::Letters { used: letters(used), unused: letters(unused), least }
             }
-            Sign::Comment(names) => Kind::Comment(names),
-            Sign::Header(names) => Kind::Header(names),
-            Sign::Code(pieces) => Kind::Code(pieces),
-            Sign::Codes(lines) => Kind::Codes(lines),
-            Sign::Begins(pieces) => Kind::Begins { pieces, whole: false },
-            Sign::Line(pieces) => Kind::Begins { pieces, whole: true },
-            Sign::Form(form) => Kind::Form(form),
+            RecognitionSign::Comment(names) => SignMatcher::Comment(names),
+            RecognitionSign::Header(names) => SignMatcher::Header(names),
+            RecognitionSign::Code(pieces) => SignMatcher::Code(pieces),
+            RecognitionSign::Codes(lines) => SignMatcher::Codes(lines),
+            RecognitionSign::Begins(pieces) => SignMatcher::Begins { pieces, whole: false },
+            RecognitionSign::Line(pieces) => SignMatcher::Begins { pieces, whole: true },
+            RecognitionSign::Form(form) => SignMatcher::Form(form),
         };
-        Entry { evidence, kind }
+        SignEntry { evidence, kind }
     }
 }

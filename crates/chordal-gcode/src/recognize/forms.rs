@@ -1,8 +1,8 @@
 //! Forms of a line that are no pattern of words.
 
-use chordal_dialect::recognition::Form;
+use chordal_dialect::recognition::TextForm;
 
-use super::line::Line;
+use super::line::SampleLine;
 
 /// The words of flow control after an O number.
 const FLOW: &[&[u8]] = &[
@@ -24,36 +24,36 @@ const FLOW: &[&[u8]] = &[
 ];
 
 /// The line has this form. Those of the whole text are not asked here.
-pub fn shows(form: Form, text: &[u8], line: &Line) -> bool {
+pub fn shows(form: TextForm, text: &[u8], line: &SampleLine) -> bool {
     let code = text[..line.code_end].trim_ascii();
     match form {
-        Form::Register => !line.macros && register(code),
-        Form::OpenComments => line.open,
-        Form::SemicolonComments => line.semicolon,
-        Form::OWord => o_word(code),
-        Form::NamedParameter => line.macros && memchr::memmem::find(code, b"#<").is_some(),
-        Form::HashLine => {
+        TextForm::Register => !line.macros && register(code),
+        TextForm::OpenComments => line.open,
+        TextForm::SemicolonComments => line.semicolon,
+        TextForm::OWord => o_word(code),
+        TextForm::NamedParameter => line.macros && memchr::memmem::find(code, b"#<").is_some(),
+        TextForm::HashLine => {
             matches!(after_n(code), [b'#', second, ..] if second.is_ascii_alphabetic() || *second == b':')
         }
-        Form::SubroutineHead => subroutine_head(line),
-        Form::MacroStatement => line.macros && numbered_variable(code),
-        Form::DollarLine => {
+        TextForm::SubroutineHead => subroutine_head(line),
+        TextForm::MacroStatement => line.macros && numbered_variable(code),
+        TextForm::DollarLine => {
             matches!(code, [b'$', second, ..] if second.is_ascii_uppercase() || second.is_ascii_digit())
         }
-        Form::ParameterIsSet => parameter(code, b'R', b"="),
-        Form::EqualsAddress => line.odd && equals_address(code),
-        Form::LParameter => line.odd && parameter(code, b'L', b"=<>"),
-        Form::HParameter => line.odd && parameter(code, b'H', b"="),
-        Form::StatementInParentheses => {
+        TextForm::ParameterIsSet => parameter(code, b'R', b"="),
+        TextForm::EqualsAddress => line.odd && equals_address(code),
+        TextForm::LParameter => line.odd && parameter(code, b'L', b"=<>"),
+        TextForm::HParameter => line.odd && parameter(code, b'H', b"="),
+        TextForm::StatementInParentheses => {
             line.comments.iter().any(|(from, to)| is_statement(&text[*from..*to]))
         }
-        Form::CommaCoordinates => comma_coordinates(text),
+        TextForm::CommaCoordinates => comma_coordinates(text),
         // Of the whole text.
-        Form::BareText
-        | Form::MixedNumbers
-        | Form::TrailingPoints
-        | Form::SmallControl
-        | Form::LengthWithoutTape => false,
+        TextForm::BareText
+        | TextForm::MixedNumbers
+        | TextForm::TrailingPoints
+        | TextForm::SmallControl
+        | TextForm::LengthWithoutTape => false,
     }
 }
 
@@ -97,7 +97,7 @@ fn after_n(code: &[u8]) -> &[u8] {
 }
 
 /// `L100` alone, in hundreds.
-fn subroutine_head(line: &Line) -> bool {
+fn subroutine_head(line: &SampleLine) -> bool {
     let mut words = line.words.iter().filter(|word| word.letter != b'N');
     match (words.next(), words.next()) {
         (Some(word), None) if word.letter == b'L' && !line.odd && word.decimals.is_none() => {
@@ -174,8 +174,8 @@ fn equals_address(code: &[u8]) -> bool {
 mod tests {
     use super::*;
 
-    fn has(form: Form, text: &str) -> bool {
-        let mut line = Line::default();
+    fn has(form: TextForm, text: &str) -> bool {
+        let mut line = SampleLine::default();
         line.read(text.as_bytes());
         shows(form, text.as_bytes(), &line)
     }
@@ -189,25 +189,35 @@ mod tests {
     #[test]
     fn forms() {
         for text in ["o100 sub", "N5 O<bolt> call [1]", "o7 endwhile"] {
-            assert!(has(Form::OWord, text), "{text}");
+            assert!(has(TextForm::OWord, text), "{text}");
         }
-        assert!(!has(Form::OWord, "O1000 (SUB)") && !has(Form::OWord, "O100"));
-        assert!(has(Form::MacroStatement, "IF[#100 EQ 1]GOTO 9"));
-        assert!(!has(Form::MacroStatement, "#<depth>=1"));
-        assert!(has(Form::Register, "R0+1.5 R1-.2") && !has(Form::Register, "X1. R2."));
-        assert!(has(Form::SubroutineHead, "N3 L100") && !has(Form::SubroutineHead, "L9401"));
-        assert!(has(Form::ParameterIsSet, "N10 R1=R2+5") && !has(Form::ParameterIsSet, "CR=5"));
-        assert!(has(Form::EqualsAddress, "G1 X=R1") && !has(Form::EqualsAddress, "#1=5"));
-        assert!(has(Form::LParameter, "G79 L0<5 N10") && has(Form::LParameter, "N5 L0 = 1"));
-        assert!(!has(Form::LParameter, "#<L1>=2") && !has(Form::LParameter, "VAL1=2"));
-        assert!(has(Form::HParameter, "H175 = 0.1600") && !has(Form::HParameter, "IF[H1EQ2]"));
+        assert!(!has(TextForm::OWord, "O1000 (SUB)") && !has(TextForm::OWord, "O100"));
+        assert!(has(TextForm::MacroStatement, "IF[#100 EQ 1]GOTO 9"));
+        assert!(!has(TextForm::MacroStatement, "#<depth>=1"));
+        assert!(has(TextForm::Register, "R0+1.5 R1-.2") && !has(TextForm::Register, "X1. R2."));
+        assert!(
+            has(TextForm::SubroutineHead, "N3 L100") && !has(TextForm::SubroutineHead, "L9401")
+        );
+        assert!(
+            has(TextForm::ParameterIsSet, "N10 R1=R2+5") && !has(TextForm::ParameterIsSet, "CR=5")
+        );
+        assert!(has(TextForm::EqualsAddress, "G1 X=R1") && !has(TextForm::EqualsAddress, "#1=5"));
+        assert!(
+            has(TextForm::LParameter, "G79 L0<5 N10") && has(TextForm::LParameter, "N5 L0 = 1")
+        );
+        assert!(!has(TextForm::LParameter, "#<L1>=2") && !has(TextForm::LParameter, "VAL1=2"));
+        assert!(
+            has(TextForm::HParameter, "H175 = 0.1600") && !has(TextForm::HParameter, "IF[H1EQ2]")
+        );
         for text in ["(P1=2)", "N10 (IF P1 EQ 2 GOTO N10)", "(GOTO N50)"] {
-            assert!(has(Form::StatementInParentheses, text), "{text}");
+            assert!(has(TextForm::StatementInParentheses, text), "{text}");
         }
-        assert!(!has(Form::StatementInParentheses, "(PART 1)"));
-        assert!(!has(Form::StatementInParentheses, "(IF PROBE FAILS)"));
-        assert!(has(Form::CommaCoordinates, "Z100,200,-50;"));
-        assert!(!has(Form::CommaCoordinates, "Z10;") && !has(Form::CommaCoordinates, "Z1,2,3"));
-        assert!(has(Form::DollarLine, "$H") && has(Form::HashLine, "N5 #V1=5"));
+        assert!(!has(TextForm::StatementInParentheses, "(PART 1)"));
+        assert!(!has(TextForm::StatementInParentheses, "(IF PROBE FAILS)"));
+        assert!(has(TextForm::CommaCoordinates, "Z100,200,-50;"));
+        assert!(
+            !has(TextForm::CommaCoordinates, "Z10;") && !has(TextForm::CommaCoordinates, "Z1,2,3")
+        );
+        assert!(has(TextForm::DollarLine, "$H") && has(TextForm::HashLine, "N5 #V1=5"));
     }
 }

@@ -5,7 +5,7 @@
 
 /// A word: a letter and its number, if it has a plain one.
 #[derive(Clone, Copy, Debug)]
-pub struct Word {
+pub struct SampleWord {
     /// In capitals.
     pub letter: u8,
     /// After a comma: `,R1`.
@@ -20,9 +20,9 @@ pub struct Word {
 
 /// One line.
 #[derive(Debug, Default)]
-pub struct Line {
+pub struct SampleLine {
     /// Its words in order.
-    pub words: Vec<Word>,
+    pub words: Vec<SampleWord>,
     /// The letters of the words, A in the lowest bit.
     pub letters: u32,
     /// Ranges of the comments within the line, without their marks.
@@ -46,7 +46,7 @@ pub fn bit(letter: u8) -> u32 {
     if letter.is_ascii_uppercase() { 1 << (letter - b'A') } else { 0 }
 }
 
-impl Line {
+impl SampleLine {
     /// Reads a line without its end.
     pub fn read(&mut self, line: &[u8]) {
         self.clear(line.len());
@@ -99,7 +99,7 @@ impl Line {
         let comma = line[..at].last() == Some(&b',');
         let (word, end) = number(line, at + 1);
         self.letters |= if comma { 0 } else { bit(letter) };
-        self.words.push(Word { letter, comma, ..word });
+        self.words.push(SampleWord { letter, comma, ..word });
         end
     }
 
@@ -158,7 +158,7 @@ fn end_of(line: &[u8], from: usize, byte: u8) -> Option<usize> {
 }
 
 /// The number at a place, blanks before it passed over, and where it ends. The letter is to be filled in.
-fn number(line: &[u8], from: usize) -> (Word, usize) {
+fn number(line: &[u8], from: usize) -> (SampleWord, usize) {
     let mut at = from;
     while line.get(at).is_some_and(|byte| matches!(byte, b' ' | b'\t')) {
         at += 1;
@@ -183,7 +183,7 @@ fn number(line: &[u8], from: usize) -> (Word, usize) {
     let value = if digits == 0 { f64::NAN } else { sign * mantissa / scale };
     // Without a number the letter stands alone; what follows is read on its own.
     let end = if digits == 0 { from } else { at };
-    (Word { letter: 0, comma: false, value, digits, decimals }, end)
+    (SampleWord { letter: 0, comma: false, value, digits, decimals }, end)
 }
 
 const TENS: [f64; 10] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
@@ -192,8 +192,8 @@ const TENS: [f64; 10] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
 mod tests {
     use super::*;
 
-    fn read(text: &str) -> (String, Line) {
-        let mut line = Line::default();
+    fn read(text: &str) -> (String, SampleLine) {
+        let mut line = SampleLine::default();
         line.read(text.as_bytes());
         let words: Vec<String> = line
             .words

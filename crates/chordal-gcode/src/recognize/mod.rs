@@ -12,12 +12,12 @@ mod style;
 mod tally;
 
 use chordal_dialect::not_read::NotRead;
-use chordal_dialect::recognition::{ASSUMED, CLEAR, Evidence, LEAD};
+use chordal_dialect::recognition::{ASSUMED, CLEAR, LEAD, RecognitionEvidence};
 use chordal_machine::ControlName;
 
-use catalog::{CATALOG, Language, Listed};
-use line::Line;
-use tally::Tally;
+use catalog::{CATALOG, LanguageSigns, SignTarget};
+use line::SampleLine;
+use tally::TextTally;
 
 /// A sign that was found.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -34,7 +34,7 @@ pub struct FoundSign {
     pub machine: Option<&'static str>,
 }
 
-impl Candidate {
+impl ControlCandidate {
     /// The built-in machine that its signs name, where it is not the usual one of the control.
     pub fn machine(&self) -> Option<&'static str> {
         self.signs.iter().find_map(|sign| sign.machine)
@@ -43,7 +43,7 @@ impl Candidate {
 
 /// A control or a language, and what speaks for it.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Candidate {
+pub struct ControlCandidate {
     /// Its name: that of a control, or `fanuc-lathe`, `heidenhain`.
     pub name: &'static str,
     /// Its name for people.
@@ -62,7 +62,7 @@ pub struct Candidate {
 
 /// How much the signs say.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Strength {
+pub enum EvidenceStrength {
     /// A name or forms that nobody else has, and nothing near.
     Sure,
     /// It leads clearly.
@@ -73,14 +73,14 @@ pub enum Strength {
     Assumed,
 }
 
-impl Strength {
+impl EvidenceStrength {
     /// In a word.
     pub fn as_str(self) -> &'static str {
         match self {
-            Strength::Sure => "sure",
-            Strength::Likely => "likely",
-            Strength::Weak => "weak",
-            Strength::Assumed => "assumed",
+            EvidenceStrength::Sure => "sure",
+            EvidenceStrength::Likely => "likely",
+            EvidenceStrength::Weak => "weak",
+            EvidenceStrength::Assumed => "assumed",
         }
     }
 }
@@ -89,7 +89,7 @@ impl Strength {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Recognition {
     /// All candidates, the first chosen. Those that are read are always there.
-    pub ranking: Vec<Candidate>,
+    pub ranking: Vec<ControlCandidate>,
 }
 
 /// The weight of a control whose machines are of another kind than the program is for.
@@ -100,7 +100,7 @@ const SURE: i32 = 6;
 
 impl Recognition {
     /// What was chosen.
-    pub fn chosen(&self) -> &Candidate {
+    pub fn chosen(&self) -> &ControlCandidate {
         &self.ranking[0]
     }
 
@@ -110,26 +110,26 @@ impl Recognition {
     }
 
     /// What comes next: by its signs, or by a run with no more errors than the chosen one.
-    pub fn runner_up(&self) -> Option<&Candidate> {
-        let speaks = |other: &&Candidate| other.weight > 0 || other.errors.is_some();
+    pub fn runner_up(&self) -> Option<&ControlCandidate> {
+        let speaks = |other: &&ControlCandidate| other.weight > 0 || other.errors.is_some();
         self.ranking.get(1).filter(speaks)
     }
 
     /// What speaks for it, the strongest first; empty where nothing does.
     pub fn evidence(&self) -> impl Iterator<Item = &FoundSign> {
-        let assumed = self.strength() == Strength::Assumed;
+        let assumed = self.strength() == EvidenceStrength::Assumed;
         self.chosen().signs.iter().filter(move |sign| !assumed && sign.weight > 0)
     }
 
     /// How much the signs say.
-    pub fn strength(&self) -> Strength {
+    pub fn strength(&self) -> EvidenceStrength {
         let chosen = self.chosen();
         match chosen.weight {
-            weight if weight >= SURE && self.lead() >= SURE => Strength::Sure,
-            _ if chosen.not_read => Strength::Likely,
-            weight if weight >= CLEAR && self.lead() >= LEAD => Strength::Likely,
-            weight if weight >= CLEAR => Strength::Weak,
-            _ => Strength::Assumed,
+            weight if weight >= SURE && self.lead() >= SURE => EvidenceStrength::Sure,
+            _ if chosen.not_read => EvidenceStrength::Likely,
+            weight if weight >= CLEAR && self.lead() >= LEAD => EvidenceStrength::Likely,
+            weight if weight >= CLEAR => EvidenceStrength::Weak,
+            _ => EvidenceStrength::Assumed,
         }
     }
 
@@ -137,12 +137,14 @@ impl Recognition {
     /// wrote it, and not for certain which control it is for.
     pub fn is_certain(&self) -> bool {
         let strongest = self.chosen().signs.first();
-        self.strength() == Strength::Sure && strongest.is_some_and(|sign| sign.weight >= SURE)
+        self.strength() == EvidenceStrength::Sure
+            && strongest.is_some_and(|sign| sign.weight >= SURE)
     }
 
     /// The signs decide; otherwise runs may.
     pub fn is_decided(&self) -> bool {
-        self.chosen().not_read || matches!(self.strength(), Strength::Sure | Strength::Likely)
+        self.chosen().not_read
+            || matches!(self.strength(), EvidenceStrength::Sure | EvidenceStrength::Likely)
     }
 
     /// By how much the first leads.
@@ -163,8 +165,8 @@ impl Recognition {
 /// Looks for the signs of all controls and weighs them.
 pub fn recognize(text: &[u8]) -> Recognition {
     let tally = tally(text);
-    let mut lines = Lines::new(text);
-    let mut ranking: Vec<Candidate> = CATALOG
+    let mut lines = LineNumbers::new(text);
+    let mut ranking: Vec<ControlCandidate> = CATALOG
         .languages
         .iter()
         .filter_map(|listed| candidate(listed, &tally, &mut lines))
@@ -176,15 +178,15 @@ pub fn recognize(text: &[u8]) -> Recognition {
         (-each.weight, !is_read_lathe, !each.not_read, each.control != ASSUMED)
     });
     let mut recognition = Recognition { ranking };
-    if recognition.strength() == Strength::Assumed {
+    if recognition.strength() == EvidenceStrength::Assumed {
         recognition.choose(ASSUMED.as_str());
     }
     recognition
 }
 
-fn tally(text: &[u8]) -> Tally {
-    let mut tally = Tally::new();
-    let mut line = Line::default();
+fn tally(text: &[u8]) -> TextTally {
+    let mut tally = TextTally::new();
+    let mut line = SampleLine::default();
     for part in sample::parts(text) {
         let mut at = part.start;
         while at < part.end {
@@ -204,12 +206,18 @@ fn tally(text: &[u8]) -> Tally {
 const LONGEST_LINE: usize = 512;
 
 /// What speaks for a language; nothing where it is one that is not read, and too little speaks for it.
-fn candidate(listed: &Listed, tally: &Tally, lines: &mut Lines) -> Option<Candidate> {
+fn candidate(
+    listed: &LanguageSigns,
+    tally: &TextTally,
+    lines: &mut LineNumbers,
+) -> Option<ControlCandidate> {
     let of = |range: std::ops::Range<usize>| found(range, tally);
     let mut signs = of(listed.first..listed.own);
     let (name, title, control, not_read) = match listed.language {
-        Language::Control(name) => (name.as_str(), chordal_dialect::table(name).title, name, None),
-        Language::NotRead(language) => {
+        SignTarget::Control(name) => {
+            (name.as_str(), chordal_dialect::table(name).title, name, None)
+        }
+        SignTarget::NotRead(language) => {
             (language.name, language.what, language.shown_on, Some(language))
         }
     };
@@ -233,7 +241,7 @@ fn candidate(listed: &Listed, tally: &Tally, lines: &mut Lines) -> Option<Candid
         })
         .collect();
     signs.sort_by_key(|sign| (-sign.weight, sign.offset));
-    Some(Candidate {
+    Some(ControlCandidate {
         name,
         title,
         control,
@@ -245,8 +253,11 @@ fn candidate(listed: &Listed, tally: &Tally, lines: &mut Lines) -> Option<Candid
 }
 
 /// Signs that were found and where. Of those with the same words the strongest.
-fn found(range: std::ops::Range<usize>, tally: &Tally) -> Vec<(&'static Evidence, usize)> {
-    let mut found: Vec<(&'static Evidence, usize)> = Vec::new();
+fn found(
+    range: std::ops::Range<usize>,
+    tally: &TextTally,
+) -> Vec<(&'static RecognitionEvidence, usize)> {
+    let mut found: Vec<(&'static RecognitionEvidence, usize)> = Vec::new();
     for index in range {
         let evidence = CATALOG.entries[index].evidence;
         let Some(at) = tally.found(index) else { continue };
@@ -259,22 +270,22 @@ fn found(range: std::ops::Range<usize>, tally: &Tally) -> Vec<(&'static Evidence
     found
 }
 
-fn weight(signs: &[(&'static Evidence, usize)]) -> i32 {
+fn weight(signs: &[(&'static RecognitionEvidence, usize)]) -> i32 {
     signs.iter().map(|(evidence, _)| evidence.weight).sum()
 }
 
 /// Numbers of lines by offset; places near the beginning are counted quickly.
-struct Lines<'a> {
+struct LineNumbers<'a> {
     text: &'a [u8],
     end: u8,
     known: std::collections::BTreeMap<usize, u32>,
 }
 
-impl<'a> Lines<'a> {
-    fn new(text: &'a [u8]) -> Lines<'a> {
+impl<'a> LineNumbers<'a> {
+    fn new(text: &'a [u8]) -> LineNumbers<'a> {
         let head = &text[..text.len().min(1 << 16)];
         let end = if memchr::memchr(b'\n', head).is_some() { b'\n' } else { b'\r' };
-        Lines { text, end, known: std::iter::once((0, 1)).collect() }
+        LineNumbers { text, end, known: std::iter::once((0, 1)).collect() }
     }
 
     /// From the nearest place before that was counted already.

@@ -1,33 +1,33 @@
 //! Patterns of words: `G28|G30 U|W !Y`. How they are written stands with `Sign::Block`.
 
-use super::line::{Line, Word, bit};
+use super::line::{SampleLine, SampleWord, bit};
 
 /// A pattern, read once.
 #[derive(Debug)]
 pub struct Pattern {
     /// Letters of which the line must have all.
     all: u32,
-    terms: Vec<Term>,
+    terms: Vec<PatternTerm>,
 }
 
 #[derive(Debug)]
-struct Term {
+struct PatternTerm {
     negated: bool,
     /// The letters of its alternatives.
     letters: u32,
-    alternatives: Vec<Alternative>,
+    alternatives: Vec<PatternAlternative>,
 }
 
 #[derive(Debug)]
-struct Alternative {
+struct PatternAlternative {
     letter: u8,
     comma: bool,
-    test: Test,
+    test: NumberTest,
 }
 
 /// What is asked of a number.
 #[derive(Debug)]
-enum Test {
+enum NumberTest {
     Any,
     Between(f64, f64),
     Below(f64),
@@ -45,7 +45,7 @@ const AXES: &[u8] = b"XYZUVWABC";
 impl Pattern {
     /// Reads a pattern.
     pub fn new(text: &str) -> Pattern {
-        let terms: Vec<Term> = text.split(' ').map(Term::new).collect();
+        let terms: Vec<PatternTerm> = text.split(' ').map(PatternTerm::new).collect();
         let single = terms.iter().filter(|term| !term.negated && term.letters.is_power_of_two());
         let all = single.fold(0, |all, term| all | term.letters);
         Pattern { all, terms }
@@ -53,29 +53,31 @@ impl Pattern {
 
     /// A line with words of these letters may fit.
     pub fn may_fit(&self, letters: u32) -> bool {
-        let possible = |term: &Term| term.negated || term.is_comma() || letters & term.letters != 0;
+        let possible =
+            |term: &PatternTerm| term.negated || term.is_comma() || letters & term.letters != 0;
         letters & self.all == self.all && self.terms.iter().all(possible)
     }
 
     /// The line has such words.
-    pub fn fits(&self, line: &Line) -> bool {
+    pub fn fits(&self, line: &SampleLine) -> bool {
         line.letters & self.all == self.all && self.terms.iter().all(|term| term.fits(line))
     }
 }
 
-impl Term {
-    fn new(text: &str) -> Term {
+impl PatternTerm {
+    fn new(text: &str) -> PatternTerm {
         let (negated, text) = match text.strip_prefix('!') {
             Some(rest) => (true, rest),
             None => (false, text),
         };
-        let alternatives: Vec<Alternative> = text.split('|').map(Alternative::new).collect();
+        let alternatives: Vec<PatternAlternative> =
+            text.split('|').map(PatternAlternative::new).collect();
         let letters = alternatives.iter().filter(|each| !each.comma);
         let letters = letters.fold(0, |all, each| all | bit(each.letter));
-        Term { negated, letters, alternatives }
+        PatternTerm { negated, letters, alternatives }
     }
 
-    fn fits(&self, line: &Line) -> bool {
+    fn fits(&self, line: &SampleLine) -> bool {
         let may = self.is_comma() || line.letters & self.letters != 0;
         let found = may
             && self
@@ -91,62 +93,62 @@ impl Term {
     }
 }
 
-impl Alternative {
-    fn new(text: &str) -> Alternative {
+impl PatternAlternative {
+    fn new(text: &str) -> PatternAlternative {
         let (comma, text) = match text.strip_prefix(',') {
             Some(rest) => (true, rest),
             None => (false, text),
         };
         let letter = text.as_bytes().first().copied().unwrap_or(0);
-        Alternative { letter, comma, test: Test::new(text.get(1..).unwrap_or("")) }
+        PatternAlternative { letter, comma, test: NumberTest::new(text.get(1..).unwrap_or("")) }
     }
 
-    fn fits(&self, word: &Word, line: &Line) -> bool {
+    fn fits(&self, word: &SampleWord, line: &SampleLine) -> bool {
         word.letter == self.letter && word.comma == self.comma && self.test.holds(word, line)
     }
 }
 
-impl Test {
-    fn new(text: &str) -> Test {
+impl NumberTest {
+    fn new(text: &str) -> NumberTest {
         let number = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
         if let Some((code, "bare")) = text.split_once(':') {
-            return Test::Bare(number(code));
+            return NumberTest::Bare(number(code));
         }
         if let Some(kind) = text.strip_prefix(':') {
             return match kind {
-                "int" => Test::WithoutPoint,
-                "dec" => Test::WithDecimals,
+                "int" => NumberTest::WithoutPoint,
+                "dec" => NumberTest::WithDecimals,
                 _ => {
                     let (from, to) = kind.split_once('-').unwrap_or((kind, kind));
-                    Test::Digits(from.parse().unwrap_or(0), to.parse().unwrap_or(0))
+                    NumberTest::Digits(from.parse().unwrap_or(0), to.parse().unwrap_or(0))
                 }
             };
         }
         if let Some(limit) = text.strip_prefix('<') {
-            return Test::Below(number(limit));
+            return NumberTest::Below(number(limit));
         }
         if let Some(limit) = text.strip_prefix('>') {
-            return Test::Above(number(limit));
+            return NumberTest::Above(number(limit));
         }
         match text.split_once("..") {
-            _ if text.is_empty() => Test::Any,
-            Some((from, to)) => Test::Between(number(from), number(to)),
-            None => Test::Between(number(text), number(text)),
+            _ if text.is_empty() => NumberTest::Any,
+            Some((from, to)) => NumberTest::Between(number(from), number(to)),
+            None => NumberTest::Between(number(text), number(text)),
         }
     }
 
-    fn holds(&self, word: &Word, line: &Line) -> bool {
+    fn holds(&self, word: &SampleWord, line: &SampleLine) -> bool {
         match self {
-            Test::Any => true,
-            Test::Between(from, to) => word.value >= *from && word.value <= *to,
-            Test::Below(limit) => word.value < *limit,
-            Test::Above(limit) => word.value > *limit,
-            Test::WithoutPoint => word.digits > 0 && word.decimals.is_none(),
-            Test::WithDecimals => word.decimals.is_some_and(|count| count > 0),
-            Test::Digits(from, to) => {
+            NumberTest::Any => true,
+            NumberTest::Between(from, to) => word.value >= *from && word.value <= *to,
+            NumberTest::Below(limit) => word.value < *limit,
+            NumberTest::Above(limit) => word.value > *limit,
+            NumberTest::WithoutPoint => word.digits > 0 && word.decimals.is_none(),
+            NumberTest::WithDecimals => word.decimals.is_some_and(|count| count > 0),
+            NumberTest::Digits(from, to) => {
                 word.decimals.is_none() && (*from..=*to).contains(&word.digits)
             }
-            Test::Bare(code) => {
+            NumberTest::Bare(code) => {
                 word.value == *code && AXES.iter().all(|axis| line.letters & bit(*axis) == 0)
             }
         }
@@ -160,7 +162,7 @@ mod tests {
     #[test]
     fn patterns() {
         let fits = |pattern: &str, text: &str| {
-            let mut line = Line::default();
+            let mut line = SampleLine::default();
             line.read(text.as_bytes());
             Pattern::new(pattern).fits(&line)
         };

@@ -1,6 +1,6 @@
 //! How a text is written as a whole: its numbers, and what it does without.
 
-use super::line::{Line, Word, bit};
+use super::line::{SampleLine, SampleWord, bit};
 
 /// The letters of axes whose numbers show how a post writes them.
 const AXES: &[u8] = b"XYZ";
@@ -28,7 +28,7 @@ pub struct TextStyle {
 
 impl TextStyle {
     /// Takes a line.
-    pub fn line(&mut self, text: &[u8], line: &Line, at: usize) {
+    pub fn line(&mut self, text: &[u8], line: &SampleLine, at: usize) {
         self.has_tape |= text.trim_ascii_start().first() == Some(&b'%');
         self.needs_more |= line.macros;
         let has = |letter: u8| line.letters & bit(letter) != 0;
@@ -47,7 +47,7 @@ impl TextStyle {
         }
     }
 
-    fn code(&mut self, word: &Word, has_h: bool, at: usize) {
+    fn code(&mut self, word: &SampleWord, has_h: bool, at: usize) {
         if word.value == 1.0 {
             self.first_feed.get_or_insert(at);
         }
@@ -60,7 +60,7 @@ impl TextStyle {
         }
     }
 
-    fn number(&mut self, word: &Word, axis: usize, at: usize) {
+    fn number(&mut self, word: &SampleWord, axis: usize, at: usize) {
         if word.value == 0.0 || word.value.is_nan() {
             return;
         }

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use chordal_dialect::recognition::{ABOUT_ANOTHER, ABOUT_THE_MACHINE, Form};
+use chordal_dialect::recognition::{ABOUT_ANOTHER, ABOUT_THE_MACHINE, TextForm};
 
-use super::catalog::{CATALOG, Kind};
+use super::catalog::{CATALOG, SignMatcher};
 use super::forms;
-use super::line::{Line, bit};
+use super::line::{SampleLine, bit};
 use super::style::TextStyle;
 
 /// Lines between two counts of the same kind: a share of fewer says nothing.
@@ -17,7 +17,7 @@ const WHOLE_LINE_WORDS: usize = 8;
 
 /// What was seen of one sign.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Seen {
+pub struct SignTally {
     /// Where it was seen first.
     pub at: Option<usize>,
     /// Lines that show it, or that count for a share.
@@ -27,8 +27,8 @@ pub struct Seen {
 
 /// Everything that was seen.
 #[derive(Debug)]
-pub struct Tally {
-    seen: Vec<Seen>,
+pub struct TextTally {
+    seen: Vec<SignTally>,
     /// Lines in which each letter stands, and where it stands first.
     letters: [(u32, usize); 26],
     open: (u32, u32),
@@ -45,10 +45,10 @@ fn is_about(comment: &[u8], words: &[&str]) -> bool {
     words.iter().any(|word| names(comment, word))
 }
 
-impl Tally {
-    pub fn new() -> Tally {
-        Tally {
-            seen: vec![Seen::default(); CATALOG.entries.len()],
+impl TextTally {
+    pub fn new() -> TextTally {
+        TextTally {
+            seen: vec![SignTally::default(); CATALOG.entries.len()],
             letters: [(0, 0); 26],
             open: (0, 0),
             possible: BTreeMap::new(),
@@ -59,7 +59,7 @@ impl Tally {
     }
 
     /// Takes a line that begins at an offset of the text.
-    pub fn line(&mut self, text: &[u8], line: &Line, at: usize) {
+    pub fn line(&mut self, text: &[u8], line: &SampleLine, at: usize) {
         if !line.words.is_empty() {
             self.words(line, at);
         }
@@ -82,7 +82,7 @@ impl Tally {
         self.whole_line(line, at);
     }
 
-    fn words(&mut self, line: &Line, at: usize) {
+    fn words(&mut self, line: &SampleLine, at: usize) {
         let mut left = line.letters;
         while left != 0 {
             let entry = &mut self.letters[left.trailing_zeros() as usize];
@@ -96,10 +96,10 @@ impl Tally {
         for index in possible.iter().copied() {
             let seen = &mut self.seen[index];
             match &CATALOG.entries[index].kind {
-                Kind::Block(pattern) if seen.at.is_none() && pattern.fits(line) => {
+                SignMatcher::Block(pattern) if seen.at.is_none() && pattern.fits(line) => {
                     seen.at = Some(at);
                 }
-                Kind::Share { of, among, .. } if among.fits(line) => {
+                SignMatcher::Share { of, among, .. } if among.fits(line) => {
                     seen.among += 1;
                     if of.fits(line) {
                         seen.of += 1;
@@ -112,7 +112,7 @@ impl Tally {
     }
 
     /// A line that is nothing but some codes.
-    fn whole_line(&mut self, line: &Line, at: usize) {
+    fn whole_line(&mut self, line: &SampleLine, at: usize) {
         // The codes that are looked for are short.
         if line.words.is_empty() || line.words.len() > WHOLE_LINE_WORDS || line.odd {
             return;
@@ -124,7 +124,7 @@ impl Tally {
             code.push_str(&word.value.to_string());
         }
         for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
-            if let Kind::Codes(lines) = entry.kind
+            if let SignMatcher::Codes(lines) = entry.kind
                 && seen.at.is_none()
                 && lines.contains(&code.as_str())
             {
@@ -134,11 +134,11 @@ impl Tally {
     }
 
     /// A line with names, brackets or the like.
-    fn odd(&mut self, text: &[u8], line: &Line, at: usize) {
+    fn odd(&mut self, text: &[u8], line: &SampleLine, at: usize) {
         self.upper.clear();
         self.upper.extend(text[..line.code_end].iter().map(u8::to_ascii_uppercase));
         for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
-            if let Kind::Code(pieces) = entry.kind
+            if let SignMatcher::Code(pieces) = entry.kind
                 && seen.at.is_none()
                 && pieces
                     .iter()
@@ -157,16 +157,17 @@ impl Tally {
         let Some(listed) = CATALOG.beginnings.get(&first.to_ascii_uppercase()) else { return };
         for (index, piece) in listed {
             let seen = &mut self.seen[*index];
-            let whole = matches!(CATALOG.entries[*index].kind, Kind::Begins { whole: true, .. });
+            let whole =
+                matches!(CATALOG.entries[*index].kind, SignMatcher::Begins { whole: true, .. });
             if seen.at.is_none() && forms::begins(text, piece, whole) {
                 seen.at = Some(at);
             }
         }
     }
 
-    fn forms(&mut self, text: &[u8], line: &Line, at: usize) {
+    fn forms(&mut self, text: &[u8], line: &SampleLine, at: usize) {
         for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
-            if let Kind::Form(form) = entry.kind
+            if let SignMatcher::Form(form) = entry.kind
                 && seen.at.is_none()
                 && forms::shows(form, text, line)
             {
@@ -184,8 +185,8 @@ impl Tally {
         for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
             let wanted = match entry.kind {
                 _ if seen.at.is_some() => continue,
-                Kind::Comment(words) if !other => words,
-                Kind::Header(words) if machine => words,
+                SignMatcher::Comment(words) if !other => words,
+                SignMatcher::Header(words) if machine => words,
                 _ => continue,
             };
             if is_about(&comment, wanted) {
@@ -199,26 +200,28 @@ impl Tally {
     pub fn found(&self, index: usize) -> Option<usize> {
         let seen = self.seen[index];
         match &CATALOG.entries[index].kind {
-            Kind::Share { percent: (from, to), .. } => {
+            SignMatcher::Share { percent: (from, to), .. } => {
                 let share = seen.of * 100;
                 let inside =
                     share >= seen.among * u32::from(*from) && share <= seen.among * u32::from(*to);
                 (seen.among >= FEWEST_OF_A_SHARE && inside).then_some(seen.at.unwrap_or(0))
             }
-            Kind::Letters { used, unused, least } => self.letters(*used, *unused, *least),
-            Kind::Form(Form::OpenComments) => seen.at.filter(|_| self.open.0 > self.open.1),
-            Kind::Form(Form::BareText) => self.bare.then_some(0),
-            Kind::Form(Form::MixedNumbers) => self.style.mixed_numbers(),
-            Kind::Form(Form::TrailingPoints) => self.style.trailing_points(),
-            Kind::Form(Form::SmallControl) => self.style.small_control(),
-            Kind::Form(Form::LengthWithoutTape) => self.style.length_without_tape(),
-            Kind::Block(_)
-            | Kind::Comment(_)
-            | Kind::Header(_)
-            | Kind::Code(_)
-            | Kind::Codes(_)
-            | Kind::Begins { .. }
-            | Kind::Form(_) => seen.at,
+            SignMatcher::Letters { used, unused, least } => self.letters(*used, *unused, *least),
+            SignMatcher::Form(TextForm::OpenComments) => {
+                seen.at.filter(|_| self.open.0 > self.open.1)
+            }
+            SignMatcher::Form(TextForm::BareText) => self.bare.then_some(0),
+            SignMatcher::Form(TextForm::MixedNumbers) => self.style.mixed_numbers(),
+            SignMatcher::Form(TextForm::TrailingPoints) => self.style.trailing_points(),
+            SignMatcher::Form(TextForm::SmallControl) => self.style.small_control(),
+            SignMatcher::Form(TextForm::LengthWithoutTape) => self.style.length_without_tape(),
+            SignMatcher::Block(_)
+            | SignMatcher::Comment(_)
+            | SignMatcher::Header(_)
+            | SignMatcher::Code(_)
+            | SignMatcher::Codes(_)
+            | SignMatcher::Begins { .. }
+            | SignMatcher::Form(_) => seen.at,
         }
     }
 
@@ -233,8 +236,8 @@ impl Tally {
 
 /// The signs of words that a line with these letters may show.
 fn possible(letters: u32) -> Vec<usize> {
-    let may = |(index, entry): (usize, &super::catalog::Entry)| match &entry.kind {
-        Kind::Block(pattern) | Kind::Share { among: pattern, .. } => {
+    let may = |(index, entry): (usize, &super::catalog::SignEntry)| match &entry.kind {
+        SignMatcher::Block(pattern) | SignMatcher::Share { among: pattern, .. } => {
             pattern.may_fit(letters).then_some(index)
         }
         _ => None,
@@ -243,7 +246,7 @@ fn possible(letters: u32) -> Vec<usize> {
 }
 
 /// What a small control would not take: `%`, a program number, a tool change, a length offset.
-fn shows_a_memory(text: &[u8], line: &Line) -> bool {
+fn shows_a_memory(text: &[u8], line: &SampleLine) -> bool {
     line.letters & (bit(b'O') | bit(b'H') | bit(b'T')) != 0
         || text.trim_ascii_start().first() == Some(&b'%')
         || line.words.iter().any(|word| word.letter == b'G' && word.value == 43.0)

@@ -3,12 +3,12 @@
 /// The terms of an equation: unknown and factor. The most are of a joint's: the places of three joints and
 /// the bulges of two pieces.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Terms {
+pub(super) struct EquationTerms {
     terms: [(usize, f64); 8],
     count: usize,
 }
 
-impl Terms {
+impl EquationTerms {
     pub(super) fn push(&mut self, unknown: usize, factor: f64) {
         self.terms[self.count] = (unknown, factor);
         self.count += 1;
@@ -19,7 +19,7 @@ impl Terms {
     }
 
     /// The product of two equations' factors, each unknown with its weight.
-    pub(super) fn product(&self, other: &Terms, weight: impl Fn(usize) -> f64) -> f64 {
+    pub(super) fn product(&self, other: &EquationTerms, weight: impl Fn(usize) -> f64) -> f64 {
         let mut sum = 0.0;
         for (one, a) in self.iter() {
             for (two, b) in other.iter() {
@@ -34,17 +34,23 @@ impl Terms {
 
 /// A symmetric system: of each row the diagonal and the entries after it, `W` in all.
 #[derive(Clone)]
-pub(super) struct Band<const W: usize> {
+pub(super) struct BandMatrix<const W: usize> {
     pub(super) rows: Vec<[f64; W]>,
 }
 
-impl<const W: usize> Band<W> {
-    pub(super) fn new(unknowns: usize) -> Band<W> {
-        Band { rows: vec![[0.0; W]; unknowns] }
+impl<const W: usize> BandMatrix<W> {
+    pub(super) fn new(unknowns: usize) -> BandMatrix<W> {
+        BandMatrix { rows: vec![[0.0; W]; unknowns] }
     }
 
     /// Adds an equation with a weight, as for the least sum of squares.
-    pub(super) fn add(&mut self, right: &mut [f64], terms: &Terms, value: f64, weight: f64) {
+    pub(super) fn add(
+        &mut self,
+        right: &mut [f64],
+        terms: &EquationTerms,
+        value: f64,
+        weight: f64,
+    ) {
         for (one, a) in terms.iter() {
             right[one] += weight * a * value;
             for (other, b) in terms.iter() {
@@ -56,7 +62,7 @@ impl<const W: usize> Band<W> {
     }
 
     /// Eliminates, without exchanges, as is sound for sums of squares.
-    pub(super) fn factored(mut self) -> Option<Factored<W>> {
+    pub(super) fn factored(mut self) -> Option<FactoredBand<W>> {
         let count = self.rows.len();
         for row in 0..count {
             let pivot = self.rows[row];
@@ -72,16 +78,16 @@ impl<const W: usize> Band<W> {
                 }
             }
         }
-        Some(Factored { rows: self.rows })
+        Some(FactoredBand { rows: self.rows })
     }
 }
 
 /// A system that was eliminated.
-pub(super) struct Factored<const W: usize> {
+pub(super) struct FactoredBand<const W: usize> {
     rows: Vec<[f64; W]>,
 }
 
-impl<const W: usize> Factored<W> {
+impl<const W: usize> FactoredBand<W> {
     pub(super) fn solve(&self, mut right: Vec<f64>) -> Vec<f64> {
         let count = self.rows.len();
         for row in 0..count {

@@ -2,8 +2,8 @@
 
 use crate::{Vec2, math};
 
-use super::Measure;
-use super::flat::{Flat, Piece, Shape};
+use super::FitMeasure;
+use super::flat::{FittedPiece, FittedShape, PlanarPoints};
 
 /// Points alone must not be further apart than this along an arc, radians: between them nothing says
 /// where the path is.
@@ -15,18 +15,25 @@ const WIDEST_STEP: f64 = math::PI / 4.0;
 /// The walk: a point of the path stands for the one of the piece at its foot, or for the furthest
 /// that was reached already. Distances along it are largest at the ends of chords, or where a chord
 /// is nearest to the centre.
-pub(super) fn deviation(flat: &Flat, piece: &Piece, measure: Measure, limit: f64) -> Option<f64> {
+pub(super) fn deviation(
+    flat: &PlanarPoints,
+    piece: &FittedPiece,
+    measure: FitMeasure,
+    limit: f64,
+) -> Option<f64> {
     let worst = match piece.shape {
-        Shape::Line => along_line(flat, piece, limit),
+        FittedShape::Line => along_line(flat, piece, limit),
         // No distance from what is no number would be found.
-        Shape::Arc { center, sweep } if !(center.dot(center) + sweep).is_finite() => None,
-        Shape::Arc { center, sweep } => along_arc(flat, piece, (center, sweep), measure, limit),
+        FittedShape::Arc { center, sweep } if !(center.dot(center) + sweep).is_finite() => None,
+        FittedShape::Arc { center, sweep } => {
+            along_arc(flat, piece, (center, sweep), measure, limit)
+        }
     };
     worst.filter(|worst| *worst <= limit && worst.is_finite())
 }
 
 /// The points of a part of the path: both its ends, and those between.
-fn points(flat: &Flat, span: [f64; 2]) -> impl Iterator<Item = (Vec2, f64)> + '_ {
+fn points(flat: &PlanarPoints, span: [f64; 2]) -> impl Iterator<Item = (Vec2, f64)> + '_ {
     let [from, to] = span;
     let (first, behind) = (from as usize + 1, math::ceil(to) as usize);
     let inner = (first..behind.max(first)).map(|index| (flat.at[index], flat.height[index]));
@@ -39,7 +46,7 @@ fn distance(a: (Vec2, f64), b: (Vec2, f64)) -> f64 {
     (flat.dot(flat) + high * high).sqrt()
 }
 
-fn along_line(flat: &Flat, piece: &Piece, limit: f64) -> Option<f64> {
+fn along_line(flat: &PlanarPoints, piece: &FittedPiece, limit: f64) -> Option<f64> {
     let (chord, rise) = (piece.chord(), piece.heights[1] - piece.heights[0]);
     let square = chord.dot(chord) + rise * rise;
     let at = |t: f64| (piece.ends[0] + chord * t, piece.heights[0] + rise * t);
@@ -63,10 +70,10 @@ fn along_line(flat: &Flat, piece: &Piece, limit: f64) -> Option<f64> {
 }
 
 fn along_arc(
-    flat: &Flat,
-    piece: &Piece,
+    flat: &PlanarPoints,
+    piece: &FittedPiece,
     (center, sweep): (Vec2, f64),
-    measure: Measure,
+    measure: FitMeasure,
     limit: f64,
 ) -> Option<f64> {
     let spoke = piece.ends[0] - center;
@@ -92,14 +99,14 @@ fn along_arc(
         let next = point.0 - center;
         let (turn, length) = (step(arm, next), next.length());
         angle += turn;
-        if turn.abs() > if measure == Measure::Points { WIDEST_STEP } else { 0.9 * math::PI } {
+        if turn.abs() > if measure == FitMeasure::Points { WIDEST_STEP } else { 0.9 * math::PI } {
             return None;
         }
         if angle <= reached {
             worst = worst.max(distance(point, at(reached)));
         } else {
             let mut off = (length - radius).abs().max((arm_length - radius).abs());
-            if measure == Measure::Chords {
+            if measure == FitMeasure::Chords {
                 off = off.max((least(arm, next) - radius).abs());
             }
             let mut high = (point.1 - piece.heights[0] - rise * angle.min(sweep)).abs();

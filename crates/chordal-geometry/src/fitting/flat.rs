@@ -2,11 +2,11 @@
 
 use crate::{Vec2, math};
 
-use super::Measure;
+use super::FitMeasure;
 
 /// A part of the points, in the coordinates of a plane. Of a closed path they go round twice, so that places
 /// may be counted on over its start.
-pub(super) struct Flat {
+pub(super) struct PlanarPoints {
     /// The last point of the path.
     last: usize,
     pub(super) at: Vec<Vec2>,
@@ -20,14 +20,14 @@ pub(super) struct Flat {
     pub(super) deep: Vec<bool>,
 }
 
-impl Flat {
+impl PlanarPoints {
     pub(super) fn new(
         mut at: Vec<Vec2>,
         mut height: Vec<f64>,
         is_closed: bool,
         tolerance: f64,
-        measure: Measure,
-    ) -> Flat {
+        measure: FitMeasure,
+    ) -> PlanarPoints {
         let last = at.len() - 1;
         if is_closed {
             at.extend_from_within(1..);
@@ -55,14 +55,14 @@ impl Flat {
         let depths: Vec<f64> = (0..chords).map(depth).collect();
         let mut stiff = vec![chords; at.len()];
         for index in (0..chords).rev() {
-            let is_stiff = depths[index] > 2.0 * tolerance && measure == Measure::Chords;
+            let is_stiff = depths[index] > 2.0 * tolerance && measure == FitMeasure::Chords;
             stiff[index] = if is_stiff { index } else { stiff[index + 1] };
         }
         let deep = depths
             .iter()
-            .map(|depth| measure == Measure::Chords && *depth > tolerance / 30.0)
+            .map(|depth| measure == FitMeasure::Chords && *depth > tolerance / 30.0)
             .collect();
-        Flat { last, at, height, along, stiff, deep }
+        PlanarPoints { last, at, height, along, stiff, deep }
     }
 
     pub(super) fn last(&self) -> usize {
@@ -165,16 +165,16 @@ pub(super) fn part(level: f64, a: f64, b: f64) -> f64 {
 
 /// A line or an arc between two points, and the part of the points that it stands for.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
+pub(super) struct FittedPiece {
     pub(super) ends: [Vec2; 2],
     pub(super) heights: [f64; 2],
-    pub(super) shape: Shape,
+    pub(super) shape: FittedShape,
     pub(super) span: [f64; 2],
     pub(super) deviation: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Shape {
+pub(super) enum FittedShape {
     Line,
     Arc {
         center: Vec2,
@@ -183,12 +183,12 @@ pub(super) enum Shape {
     },
 }
 
-impl Piece {
+impl FittedPiece {
     /// The line or arc from one point of the row to another whose direction turns by twice `half`
     /// (radians, positive counter-clockwise).
-    pub(super) fn between(flat: &Flat, from: usize, to: usize, half: f64) -> Piece {
+    pub(super) fn between(flat: &PlanarPoints, from: usize, to: usize, half: f64) -> FittedPiece {
         let ends = [flat.at[from], flat.at[to]];
-        Piece {
+        FittedPiece {
             ends,
             heights: [flat.height[from], flat.height[to]],
             shape: shape(ends, half),
@@ -204,8 +204,8 @@ impl Piece {
     /// Half of the angle by which the direction turns.
     pub(super) fn half(&self) -> f64 {
         match self.shape {
-            Shape::Line => 0.0,
-            Shape::Arc { sweep, .. } => sweep / 2.0,
+            FittedShape::Line => 0.0,
+            FittedShape::Arc { sweep, .. } => sweep / 2.0,
         }
     }
 
@@ -216,17 +216,17 @@ impl Piece {
     }
 
     pub(super) fn is_line(&self) -> bool {
-        self.shape == Shape::Line
+        self.shape == FittedShape::Line
     }
 }
 
 /// The arc between two points that turns by twice `half`; a line where that is zero.
-pub(super) fn shape(ends: [Vec2; 2], half: f64) -> Shape {
+pub(super) fn shape(ends: [Vec2; 2], half: f64) -> FittedShape {
     if half == 0.0 {
-        return Shape::Line;
+        return FittedShape::Line;
     }
     let chord = ends[1] - ends[0];
     let (sin, cos) = math::sin_cos(half);
     let middle = (ends[0] + ends[1]) * 0.5;
-    Shape::Arc { center: middle + chord.turned_left() * (0.5 * cos / sin), sweep: 2.0 * half }
+    FittedShape::Arc { center: middle + chord.turned_left() * (0.5 * cos / sin), sweep: 2.0 * half }
 }

@@ -21,7 +21,7 @@ pub use simplify::simplify;
 
 /// What the distance of a fitted path is measured from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Measure {
+pub enum FitMeasure {
     /// From the chords between the points: the path as it was written.
     #[default]
     Chords,
@@ -35,7 +35,7 @@ pub struct FitOptions {
     /// Largest distance of the new path from the old one, mm.
     pub tolerance: f64,
     /// What it is measured from.
-    pub measure: Measure,
+    pub measure: FitMeasure,
     /// Turns of the path by more than this, radians, are corners: they stay where they are.
     pub corner: f64,
     /// The plane of arcs; without it, whichever of the three the points lie in, and XY for helices.
@@ -53,7 +53,7 @@ impl FitOptions {
     pub fn within(tolerance: f64) -> FitOptions {
         FitOptions {
             tolerance,
-            measure: Measure::Chords,
+            measure: FitMeasure::Chords,
             corner: math::PI / 9.0,
             plane: None,
             tangent: true,
@@ -120,7 +120,7 @@ impl core::error::Error for FitError {}
 /// # Errors
 /// See [`FitError`].
 pub fn fit_path(points: &[Vec3], options: &FitOptions) -> Result<Vec<FitPiece>, FitError> {
-    let points = Points::of(points, options.tolerance)?;
+    let points = DistinctPoints::of(points, options.tolerance)?;
     let mut pieces = Vec::new();
     sections::fit(&points.at, options, &mut pieces);
     for piece in &mut pieces {
@@ -141,18 +141,18 @@ pub fn breaks(pieces: &[FitPiece]) -> impl Iterator<Item = (usize, f64)> + '_ {
 }
 
 /// Points without those that repeat the one before.
-struct Points {
+struct DistinctPoints {
     at: Vec<Vec3>,
     /// Which point of those given it is.
     index: Vec<usize>,
 }
 
-impl Points {
-    fn of(points: &[Vec3], tolerance: f64) -> Result<Points, FitError> {
+impl DistinctPoints {
+    fn of(points: &[Vec3], tolerance: f64) -> Result<DistinctPoints, FitError> {
         if !(tolerance > 0.0 && tolerance.is_finite()) {
             return Err(FitError::Tolerance(tolerance));
         }
-        let mut kept = Points { at: Vec::with_capacity(points.len()), index: Vec::new() };
+        let mut kept = DistinctPoints { at: Vec::with_capacity(points.len()), index: Vec::new() };
         for (index, point) in points.iter().enumerate() {
             if !point.is_finite() {
                 return Err(FitError::NotFinite(index));

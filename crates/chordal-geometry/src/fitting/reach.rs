@@ -2,9 +2,9 @@
 
 use crate::math;
 
-use super::Measure;
+use super::FitMeasure;
 use super::deviation::deviation;
-use super::flat::{Flat, Piece};
+use super::flat::{FittedPiece, PlanarPoints};
 
 /// Arcs turn by no more than this, radians: near a whole turn the ends say little about the centre.
 const MOST_HALF_TURN: f64 = 5.0 / 6.0 * math::PI;
@@ -19,7 +19,7 @@ const FINE_SAMPLES: usize = 200;
 
 /// At which points a piece is looked at.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Look {
+enum PointSampling {
     Some,
     All,
 }
@@ -65,17 +65,17 @@ fn search<T>(
 }
 
 /// Looks for pieces along a row of points.
-pub(super) struct Reach<'a> {
-    pub(super) flat: &'a Flat,
+pub(super) struct PieceFinder<'a> {
+    pub(super) flat: &'a PlanarPoints,
     pub(super) tolerance: f64,
-    pub(super) measure: Measure,
+    pub(super) measure: FitMeasure,
     pub(super) max_radius: f64,
 }
 
-impl Reach<'_> {
+impl PieceFinder<'_> {
     /// Lines and arcs from a point to another, each as long as it can be.
-    pub(super) fn chain(&self, [from, to]: [usize; 2]) -> Vec<Piece> {
-        let mut pieces: Vec<Piece> = Vec::new();
+    pub(super) fn chain(&self, [from, to]: [usize; 2]) -> Vec<FittedPiece> {
+        let mut pieces: Vec<FittedPiece> = Vec::new();
         let (mut at, mut hint) = (from, 1);
         while at < to {
             let piece = self.longest(at, to, hint);
@@ -88,7 +88,7 @@ impl Reach<'_> {
     }
 
     /// The longest line or arc from a point on.
-    fn longest(&self, from: usize, last: usize, hint: usize) -> Piece {
+    fn longest(&self, from: usize, last: usize, hint: usize) -> FittedPiece {
         let stiff = self.flat.stiff[from];
         let line =
             self.furthest(from, last, hint, |to, look| self.line(from, to, self.tolerance, look));
@@ -108,7 +108,7 @@ impl Reach<'_> {
         if self.length(&line) >= LINE_FOR_ARC * self.length(&arc) { straight() } else { arc }
     }
 
-    fn length(&self, piece: &Piece) -> f64 {
+    fn length(&self, piece: &FittedPiece) -> f64 {
         self.flat.length(piece.span[0] as usize, piece.span[1] as usize)
     }
 
@@ -119,48 +119,56 @@ impl Reach<'_> {
         from: usize,
         last: usize,
         hint: usize,
-        piece: impl Fn(usize, Look) -> Option<Piece>,
-    ) -> Piece {
-        let single = Piece::between(self.flat, from, from + 1, 0.0);
-        let found = search(from, last, hint, |to| piece(to, Look::Some));
+        piece: impl Fn(usize, PointSampling) -> Option<FittedPiece>,
+    ) -> FittedPiece {
+        let single = FittedPiece::between(self.flat, from, from + 1, 0.0);
+        let found = search(from, last, hint, |to| piece(to, PointSampling::Some));
         let Some((_, to)) = found else { return single };
         // It may be beyond between the points looked at: then mostly not by much.
         let nearer = |part: usize| from + (to - from) * part / 64;
         let tried = [64, 63, 62, 60, 56].map(nearer);
-        let measured = tried.into_iter().find_map(|to| piece(to, Look::All));
+        let measured = tried.into_iter().find_map(|to| piece(to, PointSampling::All));
         measured
-            .or_else(|| search(from, to, (to - from) / 2, |to| piece(to, Look::All)).map(|it| it.0))
+            .or_else(|| {
+                search(from, to, (to - from) / 2, |to| piece(to, PointSampling::All)).map(|it| it.0)
+            })
             .unwrap_or(single)
     }
 
-    fn line(&self, from: usize, to: usize, tolerance: f64, look: Look) -> Option<Piece> {
-        let piece = Piece::between(self.flat, from, to, 0.0);
-        if look == Look::Some {
+    fn line(
+        &self,
+        from: usize,
+        to: usize,
+        tolerance: f64,
+        look: PointSampling,
+    ) -> Option<FittedPiece> {
+        let piece = FittedPiece::between(self.flat, from, to, 0.0);
+        if look == PointSampling::Some {
             let (chord, at) = (piece.chord(), &self.flat.at);
             let most = tolerance * chord.length();
             let is_near = |index: usize| (at[index] - at[from]).cross(chord).abs() <= most;
             return samples(from, to, SAMPLES).all(is_near).then_some(piece);
         }
         let deviation = deviation(self.flat, &piece, self.measure, tolerance)?;
-        Some(Piece { deviation, ..piece })
+        Some(FittedPiece { deviation, ..piece })
     }
 
-    fn arc(&self, from: usize, to: usize, look: Look) -> Option<Piece> {
+    fn arc(&self, from: usize, to: usize, look: PointSampling) -> Option<FittedPiece> {
         if to - from < 2 {
             return None;
         }
-        let most = if look == Look::Some { SAMPLES } else { FINE_SAMPLES };
+        let most = if look == PointSampling::Some { SAMPLES } else { FINE_SAMPLES };
         let half = self.half_turn(from, to, most)?;
         let length = self.flat.at[from].distance(self.flat.at[to]);
         if length > 2.0 * self.max_radius * math::sin_cos(half).0.abs() {
             return None;
         }
-        let piece = Piece::between(self.flat, from, to, half);
-        if look == Look::Some {
+        let piece = FittedPiece::between(self.flat, from, to, half);
+        if look == PointSampling::Some {
             return Some(piece);
         }
         let deviation = deviation(self.flat, &piece, self.measure, self.tolerance)?;
-        Some(Piece { deviation, ..piece })
+        Some(FittedPiece { deviation, ..piece })
     }
 
     /// Half of the turn of the arc between two points that keeps furthest from the limits that the

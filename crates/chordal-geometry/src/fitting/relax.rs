@@ -7,9 +7,9 @@
 
 use crate::{Vec2, math};
 
-use super::band::{Band, Terms};
-use super::flat::Flat;
-use super::row::{Along, EACH, Row};
+use super::band::{BandMatrix, EquationTerms};
+use super::flat::PlanarPoints;
+use super::row::{EACH, JointDirections, PieceRow};
 
 /// Steps at most; a row is given up that keeps more than this part of what is outside over several of them.
 const STEPS: usize = 48;
@@ -26,24 +26,24 @@ const SLIDE: f64 = 16.0;
 
 /// What holds of a row in a strip.
 #[derive(Clone, Copy)]
-pub(super) struct Strip<'a> {
-    pub(super) flat: &'a Flat,
+pub(super) struct StripRow<'a> {
+    pub(super) flat: &'a PlanarPoints,
     /// Half of its width, mm.
     pub(super) width: f64,
 }
 
 /// How far points are outside.
 #[derive(Clone, Copy)]
-struct Outside {
+struct StripExcess {
     /// Of the squares.
     sum: f64,
     largest: f64,
 }
 
-impl Strip<'_> {
+impl StripRow<'_> {
     /// The row relaxed, tangent: and by how much it is outside at most, mm. `None` where that does not come
     /// to an end.
-    pub(super) fn relax(&self, row: &Row, is_rough: bool) -> Option<(Row, f64)> {
+    pub(super) fn relax(&self, row: &PieceRow, is_rough: bool) -> Option<(PieceRow, f64)> {
         let mut row = row.clone();
         if !row.is_sound() {
             return None;
@@ -83,7 +83,12 @@ impl Strip<'_> {
         Some((row, outside.largest))
     }
 
-    fn tried(&self, row: &Row, probes: &[Probe], change: &[f64]) -> Option<(Row, Outside)> {
+    fn tried(
+        &self,
+        row: &PieceRow,
+        probes: &[RowProbe],
+        change: &[f64],
+    ) -> Option<(PieceRow, StripExcess)> {
         let mut new = row.clone();
         new.change(change)?;
         new.make_tangent()?;
@@ -93,18 +98,18 @@ impl Strip<'_> {
     }
 
     /// Where the path is looked at: places that stay the same while joints move.
-    fn probes(&self, row: &Row) -> Vec<Probe> {
+    fn probes(&self, row: &PieceRow) -> Vec<RowProbe> {
         let mut probes = Vec::with_capacity(row.len() * (PROBES + 1));
         for span in row.places.windows(2) {
             self.flat.probes(span[0], span[1], PROBES, |place| {
-                probes.push(Probe { place, point: self.flat.point(place).0 });
+                probes.push(RowProbe { place, point: self.flat.point(place).0 });
             });
         }
         probes
     }
 
-    fn outside(&self, row: &Row, probes: &[Probe]) -> Outside {
-        let mut outside = Outside { sum: 0.0, largest: 0.0 };
+    fn outside(&self, row: &PieceRow, probes: &[RowProbe]) -> StripExcess {
+        let mut outside = StripExcess { sum: 0.0, largest: 0.0 };
         each(row, probes, |_, circle, point| {
             let by = circle.off(point).abs() - self.width;
             if by > 0.0 {
@@ -116,9 +121,15 @@ impl Strip<'_> {
     }
 
     /// The step that brings points nearer which are further off than `width`.
-    fn step(&self, row: &Row, probes: &[Probe], width: f64, damping: f64) -> Option<Vec<f64>> {
+    fn step(
+        &self,
+        row: &PieceRow,
+        probes: &[RowProbe],
+        width: f64,
+        damping: f64,
+    ) -> Option<Vec<f64>> {
         let unknowns = row.len() * EACH;
-        let (mut band, mut right) = (Band::<9>::new(unknowns), vec![0.0; unknowns]);
+        let (mut band, mut right) = (BandMatrix::<9>::new(unknowns), vec![0.0; unknowns]);
         let along = row.along();
         each(row, probes, |piece, circle, point| {
             let off = circle.off(point);
@@ -156,16 +167,16 @@ impl Strip<'_> {
 }
 
 /// A place of the path, and where it is.
-struct Probe {
+struct RowProbe {
     place: f64,
     point: Vec2,
 }
 
 /// Hands on every probe with the piece that it belongs to.
-fn each(row: &Row, probes: &[Probe], mut see: impl FnMut(usize, &Circle, Vec2)) {
+fn each(row: &PieceRow, probes: &[RowProbe], mut see: impl FnMut(usize, &SupportCircle, Vec2)) {
     let mut probes = probes.iter().peekable();
     for piece in 0..row.len() {
-        let circle = Circle::of(row, piece);
+        let circle = SupportCircle::of(row, piece);
         let is_last = piece + 1 == row.len();
         while let Some(probe) = probes.next_if(|it| is_last || it.place <= row.places[piece + 1]) {
             see(piece, &circle, probe.point);
@@ -175,9 +186,9 @@ fn each(row: &Row, probes: &[Probe], mut see: impl FnMut(usize, &Circle, Vec2)) 
 
 /// Takes one more equation into a solution, as Sherman and Morrison do.
 fn close(
-    factored: &super::band::Factored<9>,
+    factored: &super::band::FactoredBand<9>,
     change: &mut [f64],
-    terms: &Terms,
+    terms: &EquationTerms,
     off: f64,
     weight: f64,
 ) {
@@ -196,7 +207,7 @@ fn close(
 }
 
 /// A piece as the circle or line that it lies on.
-struct Circle {
+struct SupportCircle {
     ends: [Vec2; 2],
     chord: Vec2,
     length: f64,
@@ -204,12 +215,12 @@ struct Circle {
     cos: f64,
 }
 
-impl Circle {
-    fn of(row: &Row, piece: usize) -> Circle {
+impl SupportCircle {
+    fn of(row: &PieceRow, piece: usize) -> SupportCircle {
         let (sin, cos) = math::sin_cos(row.halves[piece]);
         let chord = row.chord(piece);
         let ends = [row.joints[piece], row.joints[piece + 1]];
-        Circle { ends, chord, length: chord.length(), sin, cos }
+        SupportCircle { ends, chord, length: chord.length(), sin, cos }
     }
 
     /// How far a point is to the left: its power by the circle, over the diameter.
@@ -219,13 +230,20 @@ impl Circle {
     }
 
     /// How that changes with the piece.
-    fn terms(&self, row: &Row, along: &Along, piece: usize, point: Vec2, off: f64) -> Terms {
+    fn terms(
+        &self,
+        row: &PieceRow,
+        along: &JointDirections,
+        piece: usize,
+        point: Vec2,
+        off: f64,
+    ) -> EquationTerms {
         let [v, w] = self.ends.map(|end| point - end);
         let part = 1.0 / self.length;
         let stretch = self.chord * (off * part * part);
         let first = (w.turned_left() * self.cos + w * self.sin) * part + stretch;
         let last = (v.turned_left() * -self.cos + v * self.sin) * part - stretch;
-        let mut terms = Terms::default();
+        let mut terms = EquationTerms::default();
         along.terms(piece, first, &mut terms);
         along.terms(piece + 1, last, &mut terms);
         if !row.lines[piece] {

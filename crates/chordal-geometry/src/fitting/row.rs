@@ -5,8 +5,8 @@
 
 use crate::{Vec2, math};
 
-use super::band::{Band, Terms};
-use super::flat::{Flat, Piece, part, shape};
+use super::band::{BandMatrix, EquationTerms};
+use super::flat::{FittedPiece, PlanarPoints, part, shape};
 
 /// Unknowns of a piece: its first joint's move off the path and along it, and the change of its bulge, all in
 /// millimetres.
@@ -21,7 +21,7 @@ const TANGENT: f64 = 1e-11;
 
 /// What may happen to a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Joint {
+pub(super) enum JointKind {
     /// It moves, and its pieces meet in one direction.
     Free,
     /// It stays; its pieces meet in one direction.
@@ -31,11 +31,11 @@ pub(super) enum Joint {
 }
 
 /// The directions in which free joints slide.
-pub(super) struct Along(Vec<Option<Vec2>>);
+pub(super) struct JointDirections(Vec<Option<Vec2>>);
 
-impl Along {
+impl JointDirections {
     /// What a joint's unknowns add to an equation, for a gradient by its place.
-    pub(super) fn terms(&self, joint: usize, gradient: Vec2, terms: &mut Terms) {
+    pub(super) fn terms(&self, joint: usize, gradient: Vec2, terms: &mut EquationTerms) {
         if let Some(along) = self.0[joint] {
             terms.push(joint * EACH, along.cross(gradient));
             terms.push(joint * EACH + 1, along.dot(gradient));
@@ -44,10 +44,10 @@ impl Along {
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct Row {
+pub(super) struct PieceRow {
     /// Where pieces begin; the last is the end. The outermost never move.
     pub(super) joints: Vec<Vec2>,
-    pub(super) kinds: Vec<Joint>,
+    pub(super) kinds: Vec<JointKind>,
     /// The places of the path that belong to the joints.
     pub(super) places: Vec<f64>,
     /// Half of the turn of each piece, positive counter-clockwise.
@@ -70,21 +70,21 @@ fn slope(chord: Vec2) -> Vec2 {
     chord.turned_left() * (1.0 / chord.dot(chord))
 }
 
-impl Row {
+impl PieceRow {
     /// A row of the pieces; those of `straight` stay lines. Joints between two of these are corners.
-    pub(super) fn of(pieces: &[Piece], straight: impl Fn(&Piece) -> bool) -> Row {
+    pub(super) fn of(pieces: &[FittedPiece], straight: impl Fn(&FittedPiece) -> bool) -> PieceRow {
         let lines: Vec<bool> = pieces.iter().map(straight).collect();
-        let mut kinds: Vec<Joint> = lines
+        let mut kinds: Vec<JointKind> = lines
             .windows(2)
-            .map(|pair| if pair[0] && pair[1] { Joint::Corner } else { Joint::Free })
+            .map(|pair| if pair[0] && pair[1] { JointKind::Corner } else { JointKind::Free })
             .collect();
-        kinds.insert(0, Joint::Corner);
-        kinds.push(Joint::Corner);
+        kinds.insert(0, JointKind::Corner);
+        kinds.push(JointKind::Corner);
         let last = &pieces[pieces.len() - 1];
         let heads = pieces.iter().map(|piece| (piece.ends[0], piece.span[0]));
         let (joints, places) = heads.chain([(last.ends[1], last.span[1])]).unzip();
-        let halves = pieces.iter().map(Piece::half).collect();
-        Row { joints, kinds, places, halves, lines, is_closed: false, directions: [None; 2] }
+        let halves = pieces.iter().map(FittedPiece::half).collect();
+        PieceRow { joints, kinds, places, halves, lines, is_closed: false, directions: [None; 2] }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -105,27 +105,27 @@ impl Row {
 
     /// The pieces from one joint to another, which keep the directions in which they meet the others. Joints of a
     /// closed row are counted on over its start.
-    pub(super) fn part(&self, from: usize, to: usize) -> Row {
+    pub(super) fn part(&self, from: usize, to: usize) -> PieceRow {
         let count = self.len();
         let is_closed = self.is_closed && from == 0 && to == count;
         let before = match from {
             0 if is_closed => None,
             0 if self.is_closed => Some(self.direction(count - 1, true)),
             0 => self.directions[0],
-            _ => (self.kinds[from] != Joint::Corner).then(|| self.direction(from - 1, true)),
+            _ => (self.kinds[from] != JointKind::Corner).then(|| self.direction(from - 1, true)),
         };
         let behind = match to {
             _ if is_closed => None,
             _ if self.is_closed && to >= count => Some(self.direction(to - count, false)),
             _ if to == count => self.directions[1],
-            _ => (self.kinds[to] != Joint::Corner).then(|| self.direction(to, false)),
+            _ => (self.kinds[to] != JointKind::Corner).then(|| self.direction(to, false)),
         };
         // What is taken once, and what after the start.
         let (once, again) = (from..to.min(count), 0..to.saturating_sub(count));
         let pieces = || once.clone().chain(again.clone());
         let joints = || from..=to;
         let joint = |at: usize| if at > count { at - count } else { at };
-        Row {
+        PieceRow {
             joints: joints().map(|at| self.joints[joint(at)]).collect(),
             kinds: joints().map(|at| self.kinds[joint(at)]).collect(),
             places: joints().map(|at| self.places[joint(at)] + self.round(at)).collect(),
@@ -142,13 +142,13 @@ impl Row {
     }
 
     /// The row with places that are smaller.
-    pub(super) fn moved_back(mut self, by: f64) -> Row {
+    pub(super) fn moved_back(mut self, by: f64) -> PieceRow {
         self.places.iter_mut().for_each(|place| *place -= by);
         self
     }
 
     /// Puts another row in the place of the pieces from one joint to another; it begins and ends there.
-    pub(super) fn replace(&mut self, from: usize, to: usize, new: &Row) {
+    pub(super) fn replace(&mut self, from: usize, to: usize, new: &PieceRow) {
         let inner = 1..new.len();
         self.joints.splice(from + 1..to, new.joints[inner.clone()].iter().copied());
         self.kinds.splice(from + 1..to, new.kinds[inner.clone()].iter().copied());
@@ -158,30 +158,34 @@ impl Row {
     }
 
     pub(super) fn is_free(&self, joint: usize) -> bool {
-        joint > 0 && joint < self.len() && self.kinds[joint] == Joint::Free
+        joint > 0 && joint < self.len() && self.kinds[joint] == JointKind::Free
     }
 
     /// The direction of the path at every joint that is free, about.
-    pub(super) fn along(&self) -> Along {
+    pub(super) fn along(&self) -> JointDirections {
         let unit = |piece: usize| self.chord(piece).normalized().unwrap_or(Vec2::ZERO);
         let units: Vec<Vec2> = (0..self.len()).map(unit).collect();
         let at = |joint: usize| {
             let along = || (units[joint - 1] + units[joint]).normalized().unwrap_or(Vec2::ZERO);
             self.is_free(joint).then(along)
         };
-        Along((0..=self.len()).map(at).collect())
+        JointDirections((0..=self.len()).map(at).collect())
     }
 
     /// The equation of a joint, and by how much it is not met; `None` where there is none. That of the two
     /// ends of a closed row is the first.
-    pub(super) fn equation(&self, joint: usize, along: &Along) -> Option<(Terms, f64)> {
+    pub(super) fn equation(
+        &self,
+        joint: usize,
+        along: &JointDirections,
+    ) -> Option<(EquationTerms, f64)> {
         let count = self.len();
-        let mut terms = Terms::default();
+        let mut terms = EquationTerms::default();
         let (before, behind) = match joint {
             0 if self.is_closed => (Some(count - 1), Some(0)),
             0 => (None, Some(0)),
             _ if joint == count => (Some(count - 1), None),
-            _ if self.kinds[joint] == Joint::Corner => return None,
+            _ if self.kinds[joint] == JointKind::Corner => return None,
             _ => (Some(joint - 1), Some(joint)),
         };
         // At an end one of the directions is given.
@@ -245,8 +249,9 @@ impl Row {
             let along = self.along();
             let equations: Vec<_> =
                 (0..=self.len()).map(|joint| self.equation(joint, &along)).collect();
-            let off =
-                |equation: &Option<(Terms, f64)>| equation.as_ref().map_or(0.0, |it| it.1.abs());
+            let off = |equation: &Option<(EquationTerms, f64)>| {
+                equation.as_ref().map_or(0.0, |it| it.1.abs())
+            };
             let largest = equations.iter().map(off).fold(0.0, f64::max);
             if largest <= TANGENT {
                 return Some(());
@@ -262,14 +267,14 @@ impl Row {
     }
 
     /// The least change that meets the equations, as far as they are linear: W·Aᵀ·λ with A·W·Aᵀ·λ = −off.
-    fn least_change(&self, equations: &[Option<(Terms, f64)>]) -> Option<Vec<f64>> {
+    fn least_change(&self, equations: &[Option<(EquationTerms, f64)>]) -> Option<Vec<f64>> {
         let weight = |unknown: usize| if unknown % EACH == 1 { SLIDE } else { 1.0 };
         // The equation that closes a row stands outside the band.
         let closing = equations[0].as_ref().filter(|_| self.is_closed);
         let inner =
             |joint: usize| equations[joint].as_ref().filter(|_| joint > 0 || closing.is_none());
         let count = equations.len();
-        let mut band = Band::<3>::new(count);
+        let mut band = BandMatrix::<3>::new(count);
         for (joint, row) in band.rows.iter_mut().enumerate() {
             let Some((terms, _)) = inner(joint) else {
                 row[0] = 1.0;
@@ -323,7 +328,7 @@ impl Row {
     }
 
     /// Finds the places of the path that belong to joints anew; `None` where they are not in order.
-    pub(super) fn settle(&mut self, flat: &Flat) -> Option<()> {
+    pub(super) fn settle(&mut self, flat: &PlanarPoints) -> Option<()> {
         for (joint, along) in self.along().0.iter().enumerate() {
             if let Some(along) = *along {
                 self.places[joint] = flat.foot(self.places[joint], self.joints[joint], along)?;
@@ -333,11 +338,11 @@ impl Row {
     }
 
     /// A piece as a curve, not measured.
-    pub(super) fn piece(&self, flat: &Flat, index: usize) -> Piece {
+    pub(super) fn piece(&self, flat: &PlanarPoints, index: usize) -> FittedPiece {
         let places = [index, index + 1].map(|joint| self.places[joint]);
         let ends = [index, index + 1].map(|joint| self.joints[joint]);
         let half = if self.lines[index] { 0.0 } else { self.halves[index] };
-        Piece {
+        FittedPiece {
             ends,
             heights: places.map(|place| flat.point(place).1),
             shape: shape(ends, half),
@@ -347,13 +352,13 @@ impl Row {
     }
 
     /// Makes two points the ends of the row; its first and last piece reach there.
-    pub(super) fn end_at(&mut self, flat: &Flat, [from, to]: [usize; 2]) {
+    pub(super) fn end_at(&mut self, flat: &PlanarPoints, [from, to]: [usize; 2]) {
         let last = self.len();
         self.is_closed = false;
         for (joint, point) in [(0, from), (last, to)] {
             self.joints[joint] = flat.at[point];
             self.places[joint] = point as f64;
-            self.kinds[joint] = Joint::Corner;
+            self.kinds[joint] = JointKind::Corner;
         }
         for piece in [0, last - 1] {
             let [from, to] = [piece, piece + 1].map(|joint| flat.length_at(self.places[joint]));
@@ -367,14 +372,20 @@ impl Row {
 
     /// Puts `count` arcs, each through three places of the path, where those between two joints were: as long
     /// as the old joints, or a density, ask.
-    pub(super) fn spread(&mut self, flat: &Flat, [from, to]: [usize; 2], count: usize, by: Spread) {
+    pub(super) fn spread(
+        &mut self,
+        flat: &PlanarPoints,
+        [from, to]: [usize; 2],
+        count: usize,
+        by: SpreadRule,
+    ) {
         let ends = [from, to].map(|joint| flat.length_at(self.places[joint]));
         let table = match by {
-            Spread::Joints => {
+            SpreadRule::Joints => {
                 let lengths = self.places[from..=to].iter().map(|place| flat.length_at(*place));
                 lengths.enumerate().map(|(joint, length)| (joint as f64, length)).collect()
             }
-            Spread::Density(density) => density.table(ends),
+            SpreadRule::Density(density) => density.table(ends),
         };
         let whole = table[table.len() - 1].0;
         let at = |joint: f64| {
@@ -388,7 +399,7 @@ impl Row {
         let places: Vec<f64> = inner.clone().map(|joint| at(joint as f64)).collect();
         self.joints.splice(from + 1..to, places.iter().map(|place| flat.point(*place).0));
         self.places.splice(from + 1..to, places);
-        self.kinds.splice(from + 1..to, inner.map(|_| Joint::Free));
+        self.kinds.splice(from + 1..to, inner.map(|_| JointKind::Free));
         self.lines.splice(from..to, (0..count).map(|_| false));
         let halves: Vec<f64> = (0..count)
             .map(|piece| {
@@ -402,17 +413,17 @@ impl Row {
 
 /// By what joints are spread.
 #[derive(Clone, Copy)]
-pub(super) enum Spread<'a> {
+pub(super) enum SpreadRule<'a> {
     /// By the lengths of the pieces that there were.
     Joints,
     /// By how many arcs the path asks for, where.
-    Density(&'a Density),
+    Density(&'a ArcDensity),
 }
 
 /// How many arcs the path asks for, where: the lengths up to the joints of a row of far shorter ones.
-pub(super) struct Density(pub(super) Vec<f64>);
+pub(super) struct ArcDensity(pub(super) Vec<f64>);
 
-impl Density {
+impl ArcDensity {
     pub(super) fn go_round_twice(&mut self) {
         let round = self.0[self.0.len() - 1];
         let again: Vec<f64> = self.0[1..].iter().map(|length| length + round).collect();

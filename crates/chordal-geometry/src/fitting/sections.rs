@@ -2,20 +2,20 @@
 
 use crate::{Arc, Curve, Line, Plane, Vec2, Vec3, math};
 
-use super::flat::{Flat, Piece, Shape};
-use super::smooth::{Ends, Fit};
+use super::flat::{FittedPiece, FittedShape, PlanarPoints};
+use super::smooth::{RowEnds, SectionFit};
 use super::{FitOptions, FitPiece};
 
 /// A part of the points without a corner, in one plane.
 #[derive(Clone, Copy, Debug)]
-struct Section {
+struct PlanarSection {
     from: usize,
     to: usize,
     plane: Plane,
 }
 
 /// The parts between corners, each in its plane.
-fn sections(points: &[Vec3], options: &FitOptions) -> Vec<Section> {
+fn sections(points: &[Vec3], options: &FitOptions) -> Vec<PlanarSection> {
     let mut sections = Vec::new();
     let mut from = 0;
     for index in 1..points.len() {
@@ -24,7 +24,7 @@ fn sections(points: &[Vec3], options: &FitOptions) -> Vec<Section> {
             continue;
         }
         match options.plane {
-            Some(plane) => sections.push(Section { from, to: index, plane }),
+            Some(plane) => sections.push(PlanarSection { from, to: index, plane }),
             None => by_plane(points, [from, index], options.tolerance, &mut sections),
         }
         from = index;
@@ -48,7 +48,12 @@ fn is_closed(points: &[Vec3], options: &FitOptions) -> bool {
 }
 
 /// Cuts a part where its plane changes. What lies in no plane is taken as turns about Z.
-fn by_plane(points: &[Vec3], [from, to]: [usize; 2], tolerance: f64, sections: &mut Vec<Section>) {
+fn by_plane(
+    points: &[Vec3],
+    [from, to]: [usize; 2],
+    tolerance: f64,
+    sections: &mut Vec<PlanarSection>,
+) {
     /// Fewer chords are not worth a plane of their own.
     const FEW: usize = 4;
     let level = 1e-6 + tolerance / 1000.0;
@@ -72,14 +77,14 @@ fn by_plane(points: &[Vec3], [from, to]: [usize; 2], tolerance: f64, sections: &
             continue;
         }
         if loose < at {
-            sections.push(Section { from: loose, to: at, plane: Plane::Xy });
+            sections.push(PlanarSection { from: loose, to: at, plane: Plane::Xy });
         }
-        sections.push(Section { from: at, to: at + best.0, plane: best.1 });
+        sections.push(PlanarSection { from: at, to: at + best.0, plane: best.1 });
         at += best.0;
         loose = at;
     }
     if loose < to {
-        sections.push(Section { from: loose, to, plane: Plane::Xy });
+        sections.push(PlanarSection { from: loose, to, plane: Plane::Xy });
     }
 }
 
@@ -90,7 +95,7 @@ pub(super) fn fit(points: &[Vec3], options: &FitOptions, pieces: &mut Vec<FitPie
     let mut first: Option<(Plane, Vec2)> = None;
     for (index, section) in sections.iter().enumerate() {
         let is_last = index + 1 == sections.len();
-        let ends = Ends {
+        let ends = RowEnds {
             is_closed: is_closed && sections.len() == 1,
             directions: [
                 None,
@@ -108,18 +113,18 @@ pub(super) fn fit(points: &[Vec3], options: &FitOptions, pieces: &mut Vec<FitPie
 
 fn fit_section(
     points: &[Vec3],
-    section: &Section,
-    ends: Ends,
+    section: &PlanarSection,
+    ends: RowEnds,
     options: &FitOptions,
     pieces: &mut Vec<FitPiece>,
-) -> Vec<Piece> {
+) -> Vec<FittedPiece> {
     let part = &points[section.from..=section.to];
     let at: Vec<Vec2> = part.iter().map(|point| section.plane.project(*point)).collect();
     let height = part.iter().map(|point| section.plane.height(*point)).collect();
-    let flat = Flat::new(at, height, ends.is_closed, options.tolerance, options.measure);
+    let flat = PlanarPoints::new(at, height, ends.is_closed, options.tolerance, options.measure);
     let row = match circle(&flat, options) {
         Some(one) => vec![one],
-        None => Fit::of(&flat, options).row(ends),
+        None => SectionFit::of(&flat, options).row(ends),
     };
     pieces.extend(row.iter().map(|piece| {
         let span = piece.span.map(|place| place + section.from as f64);
@@ -133,9 +138,9 @@ fn fit_section(
     row
 }
 
-fn curve(piece: &Piece, plane: Plane) -> Curve {
+fn curve(piece: &FittedPiece, plane: Plane) -> Curve {
     let [start, end] = [0, 1].map(|end| plane.point(piece.ends[end], piece.heights[end]));
-    let Shape::Arc { center, sweep } = piece.shape else {
+    let FittedShape::Arc { center, sweep } = piece.shape else {
         return Line::new(start, end).into();
     };
     let center = plane.point(center, piece.heights[0]);
@@ -146,7 +151,7 @@ fn curve(piece: &Piece, plane: Plane) -> Curve {
 }
 
 /// The whole circle, where the points go round once.
-fn circle(flat: &Flat, options: &FitOptions) -> Option<Piece> {
+fn circle(flat: &PlanarPoints, options: &FitOptions) -> Option<FittedPiece> {
     let last = flat.last();
     if last < 6 || flat.at[0] != flat.at[last] {
         return None;
@@ -160,9 +165,10 @@ fn circle(flat: &Flat, options: &FitOptions) -> Option<Piece> {
         return None;
     }
     let sweep = math::TAU * twice.signum();
-    let shape = Shape::Arc { center: a + to_center, sweep };
+    let shape = FittedShape::Arc { center: a + to_center, sweep };
     let heights = [flat.height[0], flat.height[last]];
-    let piece = Piece { ends: [a, a], heights, shape, span: [0.0, last as f64], deviation: 0.0 };
+    let piece =
+        FittedPiece { ends: [a, a], heights, shape, span: [0.0, last as f64], deviation: 0.0 };
     let deviation = super::deviation::deviation(flat, &piece, options.measure, options.tolerance)?;
-    Some(Piece { deviation, ..piece })
+    Some(FittedPiece { deviation, ..piece })
 }

@@ -2,7 +2,7 @@
 
 use crate::Vec3;
 
-use super::{FitError, Points};
+use super::{DistinctPoints, FitError};
 
 /// Numbers of those of `points` (mm) that are kept so that the path of chords through them is nowhere
 /// further than `tolerance` (mm) from that through all, in the sense of Fréchet. Both ends are kept.
@@ -12,7 +12,7 @@ use super::{FitError, Points};
 /// # Errors
 /// See [`FitError`].
 pub fn simplify(points: &[Vec3], tolerance: f64) -> Result<Vec<usize>, FitError> {
-    let points = Points::of(points, tolerance)?;
+    let points = DistinctPoints::of(points, tolerance)?;
     let mut kept: Vec<usize> = points.index.first().copied().into_iter().collect();
     let (mut at, mut hint) = (0, 1);
     while at + 1 < points.at.len() {

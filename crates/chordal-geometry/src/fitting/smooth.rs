@@ -7,11 +7,11 @@
 use crate::{Vec2, math};
 
 use super::deviation::deviation;
-use super::flat::{Flat, Piece};
-use super::reach::Reach;
-use super::relax::Strip;
-use super::row::{Density, Joint, Row, Spread};
-use super::{FitOptions, Measure};
+use super::flat::{FittedPiece, PlanarPoints};
+use super::reach::PieceFinder;
+use super::relax::StripRow;
+use super::row::{ArcDensity, JointKind, PieceRow, SpreadRule};
+use super::{FitMeasure, FitOptions};
 
 /// Halvings of the tolerance when a row is made even; that is for rows of no more pieces.
 const HALVINGS: usize = 5;
@@ -41,7 +41,7 @@ const STRAIGHT: f64 = 0.1001;
 
 /// What is asked of the ends of a row.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Ends {
+pub(super) struct RowEnds {
     /// They meet in one direction.
     pub(super) is_closed: bool,
     /// Directions that are given.
@@ -49,28 +49,28 @@ pub(super) struct Ends {
 }
 
 /// Fits the points of a section.
-pub(super) struct Fit<'a> {
-    flat: &'a Flat,
+pub(super) struct SectionFit<'a> {
+    flat: &'a PlanarPoints,
     options: &'a FitOptions,
 }
 
 /// A row with the distances of its pieces; those not measured are no numbers.
-struct Measured {
-    row: Row,
+struct MeasuredRow {
+    row: PieceRow,
     deviations: Vec<f64>,
 }
 
 /// A part of a row that was relaxed.
-struct Relaxed {
-    row: Row,
+struct RelaxedRow {
+    row: PieceRow,
     deviations: Vec<f64>,
     /// By how much it is too far off, mm.
     excess: f64,
 }
 
-impl Measured {
+impl MeasuredRow {
     /// Puts a part in the place of the pieces between two joints; in a closed row these may be counted on.
-    fn replace(&mut self, [from, to]: [usize; 2], new: &Relaxed) {
+    fn replace(&mut self, [from, to]: [usize; 2], new: &RelaxedRow) {
         let count = self.row.len();
         if to <= count {
             self.row.replace(from, to, &new.row);
@@ -78,7 +78,7 @@ impl Measured {
             return;
         }
         let whole = [0, new.row.len()];
-        let seam = (1..whole[1]).find(|joint| new.row.kinds[*joint] == Joint::Pinned);
+        let seam = (1..whole[1]).find(|joint| new.row.kinds[*joint] == JointKind::Pinned);
         let seam = seam.unwrap_or(whole[1]);
         self.row.replace(from, count, &new.row.part(whole[0], seam));
         self.deviations.splice(from.., new.deviations[..seam].iter().copied());
@@ -88,12 +88,12 @@ impl Measured {
     }
 }
 
-impl Fit<'_> {
-    pub(super) fn of<'a>(flat: &'a Flat, options: &'a FitOptions) -> Fit<'a> {
-        Fit { flat, options }
+impl SectionFit<'_> {
+    pub(super) fn of<'a>(flat: &'a PlanarPoints, options: &'a FitOptions) -> SectionFit<'a> {
+        SectionFit { flat, options }
     }
 
-    pub(super) fn row(&self, ends: Ends) -> Vec<Piece> {
+    pub(super) fn row(&self, ends: RowEnds) -> Vec<FittedPiece> {
         let range = [0, self.flat.last()];
         let longest = self.chain(range, self.options.tolerance);
         let is_single = longest.len() < 2 && ends.directions == [None; 2];
@@ -104,27 +104,27 @@ impl Fit<'_> {
         if !self.options.tangent {
             return even;
         }
-        let mut row = Row::of(&even, |piece| self.is_straight(piece));
+        let mut row = PieceRow::of(&even, |piece| self.is_straight(piece));
         (row.is_closed, row.directions) = (ends.is_closed, ends.directions);
         if row.is_closed {
             let last = row.len();
-            (row.kinds[0], row.kinds[last]) = (Joint::Pinned, Joint::Pinned);
+            (row.kinds[0], row.kinds[last]) = (JointKind::Pinned, JointKind::Pinned);
         }
-        let mut measured = Measured { deviations: vec![f64::NAN; row.len()], row };
+        let mut measured = MeasuredRow { deviations: vec![f64::NAN; row.len()], row };
         self.relax_all(&mut measured);
         self.finish(measured, &self.density(ends.is_closed), CUTS)
     }
 
-    fn chain(&self, range: [usize; 2], tolerance: f64) -> Vec<Piece> {
+    fn chain(&self, range: [usize; 2], tolerance: f64) -> Vec<FittedPiece> {
         let FitOptions { measure, max_radius, .. } = *self.options;
-        Reach { flat: self.flat, tolerance, measure, max_radius }.chain(range)
+        PieceFinder { flat: self.flat, tolerance, measure, max_radius }.chain(range)
     }
 
-    fn density(&self, is_closed: bool) -> Density {
+    fn density(&self, is_closed: bool) -> ArcDensity {
         let last = self.flat.last();
         let fine = self.chain([0, last], FINE * self.options.tolerance);
         let heads = fine.iter().map(|piece| piece.span[0] as usize).chain([last]);
-        let mut density = Density(heads.map(|head| self.flat.along[head]).collect());
+        let mut density = ArcDensity(heads.map(|head| self.flat.along[head]).collect());
         if is_closed {
             density.go_round_twice();
         }
@@ -133,7 +133,7 @@ impl Fit<'_> {
 
     /// As many pieces within as small a tolerance as that number allows: no last piece is left short, and
     /// there is room for the joints to move.
-    fn even(&self, longest: &[Piece], range: [usize; 2]) -> Vec<Piece> {
+    fn even(&self, longest: &[FittedPiece], range: [usize; 2]) -> Vec<FittedPiece> {
         let mut best = longest.to_vec();
         if longest.len() > MANY {
             return best;
@@ -151,7 +151,7 @@ impl Fit<'_> {
         best
     }
 
-    fn is_straight(&self, piece: &Piece) -> bool {
+    fn is_straight(&self, piece: &FittedPiece) -> bool {
         let is_chord = piece.span[1] - piece.span[0] <= 1.0;
         piece.is_line()
             && (piece.deviation <= STRAIGHT * self.options.tolerance
@@ -159,9 +159,9 @@ impl Fit<'_> {
     }
 
     /// A row relaxed within the tolerance, or as near as it comes.
-    fn relaxed(&self, row: &Row) -> Option<Relaxed> {
+    fn relaxed(&self, row: &PieceRow) -> Option<RelaxedRow> {
         let FitOptions { tolerance, measure, .. } = *self.options;
-        let mut strip = Strip { flat: self.flat, width: STRIP * tolerance };
+        let mut strip = StripRow { flat: self.flat, width: STRIP * tolerance };
         let (mut row, mut outside) = strip.relax(row, true)?;
         if row.flatten(self.options.max_radius) {
             (row, outside) = strip.relax(&row, false)?;
@@ -175,7 +175,7 @@ impl Fit<'_> {
                 .collect();
             let worst = deviations.iter().copied().fold(0.0, f64::max);
             if worst <= tolerance {
-                return Some(Relaxed { row, deviations, excess: 0.0 });
+                return Some(RelaxedRow { row, deviations, excess: 0.0 });
             }
             outside = worst - tolerance;
             if outside > 0.1 * tolerance {
@@ -185,12 +185,17 @@ impl Fit<'_> {
             (row, outside) = strip.relax(&row, false)?;
         }
         let deviations = vec![f64::NAN; row.len()];
-        Some(Relaxed { row, deviations, excess: outside.max(f64::MIN_POSITIVE) })
+        Some(RelaxedRow { row, deviations, excess: outside.max(f64::MIN_POSITIVE) })
     }
 
     /// Puts pieces in and takes them out until the row is within the tolerance with few; cuts it where it cannot
     /// be tangent.
-    fn finish(&self, mut measured: Measured, density: &Density, cuts: usize) -> Vec<Piece> {
+    fn finish(
+        &self,
+        mut measured: MeasuredRow,
+        density: &ArcDensity,
+        cuts: usize,
+    ) -> Vec<FittedPiece> {
         let mut bad = self.bad(&mut measured);
         for _ in 0..ATTEMPTS {
             if bad.is_empty() {
@@ -210,7 +215,7 @@ impl Fit<'_> {
     }
 
     /// Relaxes a new row in blocks that overlap.
-    fn relax_all(&self, measured: &mut Measured) {
+    fn relax_all(&self, measured: &mut MeasuredRow) {
         let count = measured.row.len();
         let mut from = 0;
         loop {
@@ -234,7 +239,7 @@ impl Fit<'_> {
     }
 
     /// Measures what is not, and says which pieces are too far off or do not meet others in one direction.
-    fn bad(&self, measured: &mut Measured) -> Vec<usize> {
+    fn bad(&self, measured: &mut MeasuredRow) -> Vec<usize> {
         let FitOptions { tolerance, measure, .. } = *self.options;
         let row = &measured.row;
         let new: Vec<usize> =
@@ -258,7 +263,7 @@ impl Fit<'_> {
             .collect()
     }
 
-    fn measured(&self, piece: &Piece, measure: Measure) -> f64 {
+    fn measured(&self, piece: &FittedPiece, measure: FitMeasure) -> f64 {
         let length = piece.chord().length();
         let sin = math::sin_cos(piece.half()).0.abs();
         let is_flat = !piece.is_line() && length > 2.0 * self.options.max_radius * sin;
@@ -267,7 +272,7 @@ impl Fit<'_> {
     }
 
     /// The pieces about those that are too far off, in rows of arcs.
-    fn windows(&self, measured: &mut Measured, bad: &[usize]) -> Vec<[usize; 2]> {
+    fn windows(&self, measured: &mut MeasuredRow, bad: &[usize]) -> Vec<[usize; 2]> {
         let row = &mut measured.row;
         for piece in bad {
             // A line that does not fit may bend.
@@ -312,7 +317,7 @@ impl Fit<'_> {
     }
 
     /// One piece more between two joints.
-    fn widen(&self, measured: &mut Measured, window: [usize; 2], density: &Density) {
+    fn widen(&self, measured: &mut MeasuredRow, window: [usize; 2], density: &ArcDensity) {
         let count = window[1] - window[0] + 1;
         let chords = measured.row.places[window[1]] - measured.row.places[window[0]];
         // Chords would do nearly as well.
@@ -328,16 +333,16 @@ impl Fit<'_> {
     /// to begin lead to.
     fn spread(
         &self,
-        row: &Row,
+        row: &PieceRow,
         [from, to]: [usize; 2],
         count: usize,
-        density: &Density,
-    ) -> Option<(Relaxed, [usize; 2])> {
+        density: &ArcDensity,
+    ) -> Option<(RelaxedRow, [usize; 2])> {
         let [start, end] = about(row, from, to);
         let part = row.part(start, end);
         let lead = (from + row.len() - start) % row.len();
-        let mut best: Option<Relaxed> = None;
-        for by in [Spread::Joints, Spread::Density(density)] {
+        let mut best: Option<RelaxedRow> = None;
+        for by in [SpreadRule::Joints, SpreadRule::Density(density)] {
             let mut part = part.clone();
             part.spread(self.flat, [lead, lead + to - from], count, by);
             if let Some(part) = self.relaxed(&part)
@@ -354,7 +359,7 @@ impl Fit<'_> {
     }
 
     /// Takes pieces out where the distances leave room.
-    fn thin(&self, measured: &mut Measured, density: &Density) {
+    fn thin(&self, measured: &mut MeasuredRow, density: &ArcDensity) {
         let tolerance = self.options.tolerance;
         let mut from = 0;
         while from < measured.row.len() {
@@ -385,8 +390,8 @@ impl Fit<'_> {
         }
     }
 
-    fn pieces(&self, measured: &Measured) -> Vec<Piece> {
-        let with = |at: usize| Piece {
+    fn pieces(&self, measured: &MeasuredRow) -> Vec<FittedPiece> {
+        let with = |at: usize| FittedPiece {
             deviation: measured.deviations[at],
             ..measured.row.piece(self.flat, at)
         };
@@ -394,7 +399,13 @@ impl Fit<'_> {
     }
 
     /// Cuts a row at the points next to pieces that cannot be tangent; there pieces through the points stay.
-    fn cut(&self, row: &Row, bad: &[usize], density: &Density, cuts: usize) -> Vec<Piece> {
+    fn cut(
+        &self,
+        row: &PieceRow,
+        bad: &[usize],
+        density: &ArcDensity,
+        cuts: usize,
+    ) -> Vec<FittedPiece> {
         let ends = [row.places[0] as usize, row.places[row.len()] as usize];
         let mut gaps: Vec<[usize; 2]> = Vec::new();
         for piece in bad {
@@ -408,7 +419,7 @@ impl Fit<'_> {
         if cuts == 0 {
             gaps = vec![ends];
         }
-        let mut pieces: Vec<Piece> = Vec::new();
+        let mut pieces: Vec<FittedPiece> = Vec::new();
         let mut at = ends[0];
         for [from, to] in gaps.into_iter().chain([[ends[1]; 2]]) {
             let directions = [
@@ -429,12 +440,12 @@ impl Fit<'_> {
     /// What lies of a row between two points, which become its ends.
     fn between(
         &self,
-        row: &Row,
+        row: &PieceRow,
         range: [usize; 2],
         directions: [Option<Vec2>; 2],
-        density: &Density,
+        density: &ArcDensity,
         cuts: usize,
-    ) -> Vec<Piece> {
+    ) -> Vec<FittedPiece> {
         let [first, last] = range.map(|point| point as f64);
         // A piece has a chord at least.
         let from = row.places.partition_point(|place| *place < first + 1.0);
@@ -446,7 +457,7 @@ impl Fit<'_> {
         part.directions = directions;
         part.end_at(self.flat, range);
         let count = part.len();
-        let mut measured = Measured { deviations: vec![f64::NAN; count], row: part };
+        let mut measured = MeasuredRow { deviations: vec![f64::NAN; count], row: part };
         let near = SPREAD.min(count);
         for [from, to] in [[0, near], [count - near, count]] {
             if let Some(new) = self.relaxed(&measured.row.part(from, to)) {
@@ -458,7 +469,7 @@ impl Fit<'_> {
 }
 
 /// The joints from which to which pieces give way to those between two others; counted on in a closed row.
-fn about(row: &Row, from: usize, to: usize) -> [usize; 2] {
+fn about(row: &PieceRow, from: usize, to: usize) -> [usize; 2] {
     let count = row.len();
     if !row.is_closed {
         [from.saturating_sub(GIVE), (to + GIVE).min(count)]
@@ -471,11 +482,11 @@ fn about(row: &Row, from: usize, to: usize) -> [usize; 2] {
 }
 
 /// Whether arcs meet at a joint that may be moved.
-fn is_inner(row: &Row, joint: usize) -> bool {
-    row.kinds[joint] == Joint::Free && !row.lines[joint - 1] && !row.lines[joint]
+fn is_inner(row: &PieceRow, joint: usize) -> bool {
+    row.kinds[joint] == JointKind::Free && !row.lines[joint - 1] && !row.lines[joint]
 }
 
 /// Whether all between two joints are arcs whose joints may be moved.
-fn runs(row: &Row, from: usize, to: usize) -> bool {
+fn runs(row: &PieceRow, from: usize, to: usize) -> bool {
     (from + 1..to).all(|joint| is_inner(row, joint))
 }

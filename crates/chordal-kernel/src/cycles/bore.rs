@@ -4,14 +4,14 @@ use chordal_command::{AxisMask, CommandKind, Position, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_machine::AXES;
 
-use super::hole::Hole;
+use super::hole::HoleWords;
 use crate::kernel::Kernel;
 use crate::rules::{BackBore, ShiftWords};
 use crate::statement::Statement;
 
 impl Kernel<'_> {
     /// G86: the spindle stops at the bottom, rapid out.
-    pub fn bore_and_stop(&mut self, at: &dyn Statement, hole: &Hole) {
+    pub fn bore_and_stop(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let rules = self.rules.cycles.bore;
         let spindle = self.state.spindle;
         let turns = matches!(spindle, SpindleState::Cw | SpindleState::Ccw);
@@ -36,7 +36,7 @@ impl Kernel<'_> {
     }
 
     /// G88: the operator draws the tool out; shown as a rapid, which is where it ends.
-    pub fn bore_by_hand(&mut self, at: &dyn Statement, hole: &Hole) {
+    pub fn bore_by_hand(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let spindle = self.state.spindle;
         self.feed_to(at, hole, hole.z);
         self.wait(hole.words.dwell_s);
@@ -47,7 +47,7 @@ impl Kernel<'_> {
     }
 
     /// G76: the tip steps off the wall before the way out.
-    pub fn fine_bore(&mut self, at: &dyn Statement, hole: &Hole) {
+    pub fn fine_bore(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let spindle = self.state.spindle;
         let shift = self.shift(at, hole);
         let at_feed = self.rules.cycles.bore.shift_at_feed;
@@ -65,7 +65,7 @@ impl Kernel<'_> {
     }
 
     /// G87: a bore that is cut upwards, from behind.
-    pub fn back_bore(&mut self, at: &dyn Statement, hole: &Hole) {
+    pub fn back_bore(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let shift = self.shift(at, hole);
         let back = shift.map(|part| -part);
         // The cut needs a turning spindle, whatever it did before.
@@ -120,7 +120,7 @@ impl Kernel<'_> {
     }
 
     /// The upper end of the bore: K, in G18 J and in G19 I; in G91 from the depth.
-    fn top_of_bore(&mut self, at: &dyn Statement, hole: &Hole) -> f64 {
+    fn top_of_bore(&mut self, at: &dyn Statement, hole: &HoleWords) -> f64 {
         match hole.words.vector[hole.axis] {
             Some(top) if self.state.incremental => hole.z + top,
             Some(top) => top,
@@ -136,7 +136,7 @@ impl Kernel<'_> {
     }
 
     /// How far the tool steps aside along the two axes of the plane, mm.
-    fn shift(&mut self, at: &dyn Statement, hole: &Hole) -> [f64; 2] {
+    fn shift(&mut self, at: &dyn Statement, hole: &HoleWords) -> [f64; 2] {
         let rules = self.rules.cycles.bore;
         let [a, b] = plane_axes(hole.axis);
         let q = hole.words.q.map(f64::abs).filter(|_| rules.shift != ShiftWords::Vector);
@@ -173,7 +173,7 @@ impl Kernel<'_> {
         })
     }
 
-    fn aside(&self, hole: &Hole, shift: [f64; 2]) -> (Position, AxisMask) {
+    fn aside(&self, hole: &HoleWords, shift: [f64; 2]) -> (Position, AxisMask) {
         let mut target = self.state.position;
         let mut named = AxisMask::NONE;
         let axes = plane_axes(hole.axis);
@@ -194,12 +194,12 @@ impl Kernel<'_> {
         (target, named)
     }
 
-    fn step_aside(&mut self, hole: &Hole, shift: [f64; 2]) {
+    fn step_aside(&mut self, hole: &HoleWords, shift: [f64; 2]) {
         let (target, named) = self.aside(hole, shift);
         self.rapid_to(target, named);
     }
 
-    fn step_aside_at_feed(&mut self, at: &dyn Statement, hole: &Hole, shift: [f64; 2]) {
+    fn step_aside_at_feed(&mut self, at: &dyn Statement, hole: &HoleWords, shift: [f64; 2]) {
         let (target, named) = self.aside(hole, shift);
         if target != self.state.position {
             self.line(at, target, named);

@@ -1,6 +1,6 @@
 //! The hole that the words of a cycle make, and what a control says when one is missing.
 
-use chordal_command::{AxisMask, FeedMode, Side};
+use chordal_command::{AxisMask, CompensationSide, FeedMode};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_geometry::Plane;
 use chordal_machine::Axis;
@@ -10,14 +10,14 @@ use crate::rules::{
     BackBore, CycleKind, DrillingAxis, IncrementalLevels, LevelOrder, MissingLevel, TapFeed,
 };
 use crate::state::CycleState;
-use crate::statement::{Statement, What};
+use crate::statement::{Statement, WordMeaning};
 
 /// Levels closer than this, mm, are one.
 pub(super) const LEVEL_EPSILON_MM: f64 = 1e-9;
 
 /// What is known of a hole before its place: the words in force and the levels.
 #[derive(Clone, Copy)]
-pub struct Hole {
+pub struct HoleWords {
     /// The words in force.
     pub words: CycleState,
     /// Index of the drilling axis.
@@ -42,7 +42,7 @@ impl Kernel<'_> {
     }
 
     /// The hole that the words in force make, or why the control makes none.
-    pub fn resolve_hole(&mut self, at: &dyn Statement) -> Option<Hole> {
+    pub fn resolve_hole(&mut self, at: &dyn Statement) -> Option<HoleWords> {
         let mut words = self.state.cycle?;
         let peck = self.rules.cycles.peck;
         words.kind = match words.kind {
@@ -70,14 +70,14 @@ impl Kernel<'_> {
             true => r,
             false => words.initial.max(r),
         };
-        let hole = Hole { words, axis, r, z, clear };
+        let hole = HoleWords { words, axis, r, z, clear };
         self.levels_in_order(at, &hole).then_some(hole)
     }
 
     /// Compensation, inverse time and rotary words forbid a cycle.
     fn may_drill(&mut self, at: &dyn Statement) -> bool {
         let span = at.span();
-        if self.state.side != Side::Off {
+        if self.state.side != CompensationSide::Off {
             self.report(
                 Diagnostic::new(
                     Code::CycleInCompensation,
@@ -103,7 +103,7 @@ impl Kernel<'_> {
             );
             return false;
         }
-        let rotary = What::Axes(AxisMask::ROTARY);
+        let rotary = WordMeaning::Axes(AxisMask::ROTARY);
         if at.has(rotary) {
             let span = at.words(rotary);
             self.report(
@@ -150,7 +150,7 @@ impl Kernel<'_> {
             && (rules.peck.positive_only || q == 0.0)
         {
             let text = self.length_text(q);
-            let span = at.words(What::Increment);
+            let span = at.words(WordMeaning::Increment);
             self.report(
                 Diagnostic::new(
                     Code::CycleWithoutPeck,
@@ -195,7 +195,7 @@ impl Kernel<'_> {
         );
     }
 
-    fn levels_in_order(&mut self, at: &dyn Statement, hole: &Hole) -> bool {
+    fn levels_in_order(&mut self, at: &dyn Statement, hole: &HoleWords) -> bool {
         let order = self.rules.cycles.order;
         let above = |a: f64, b: f64| a > b + LEVEL_EPSILON_MM;
         let depth_above_r = above(hole.z, hole.r) && hole.words.kind != CycleKind::BackBore;

@@ -7,4 +7,4 @@ mod peck;
 mod steps;
 mod tap;
 
-pub use hole::Hole;
+pub use hole::HoleWords;

@@ -4,10 +4,10 @@ use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic, Span};
 
 use super::bore::plane_axes;
-use super::hole::Hole;
+use super::hole::HoleWords;
 use crate::frames::sin_cos_degrees;
 use crate::kernel::Kernel;
-use crate::state::Motion;
+use crate::state::ModalMotion;
 use crate::statement::Statement;
 
 impl Kernel<'_> {
@@ -43,7 +43,7 @@ impl Kernel<'_> {
     }
 
     /// The same, for a hole that is resolved once and made at many places.
-    pub fn drill_at(&mut self, at: &dyn Statement, hole: &Hole, place: Position) {
+    pub fn drill_at(&mut self, at: &dyn Statement, hole: &HoleWords, place: Position) {
         let named = self.state.known.without(AxisMask(1 << hole.axis));
         self.drill(at, hole, place, named);
     }
@@ -68,7 +68,7 @@ impl Kernel<'_> {
     pub fn cancel_cycle(&mut self) {
         self.state.cycle = None;
         if self.rules.cycles.one_group_with_motion {
-            self.state.motion = Motion::None;
+            self.state.motion = ModalMotion::None;
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic};
 
-use super::hole::{Hole, LEVEL_EPSILON_MM};
+use super::hole::{HoleWords, LEVEL_EPSILON_MM};
 use crate::kernel::Kernel;
 use crate::rules::PeckDwell;
 use crate::statement::Statement;
@@ -15,18 +15,18 @@ pub(super) const FREE_PECKS: u32 = 100;
 
 /// How deep the pecks of a hole go.
 #[derive(Clone, Copy)]
-enum Steps {
+enum PeckSteps {
     /// Q, every time.
     Even(f64),
     /// I, then less by J each time, never less than K.
     Decreasing { first: f64, less: f64, least: f64 },
 }
 
-impl Steps {
+impl PeckSteps {
     fn depth(self, peck: u32) -> f64 {
         match self {
-            Steps::Even(q) => q,
-            Steps::Decreasing { first, less, least } => {
+            PeckSteps::Even(q) => q,
+            PeckSteps::Decreasing { first, less, least } => {
                 (first - f64::from(peck - 1) * less).max(least)
             }
         }
@@ -36,15 +36,15 @@ impl Steps {
     fn total(self, before: f64, peck: u32) -> f64 {
         match self {
             // A product, so that a thousand steps are as exact as one.
-            Steps::Even(q) => f64::from(peck) * q,
-            Steps::Decreasing { .. } => before + self.depth(peck),
+            PeckSteps::Even(q) => f64::from(peck) * q,
+            PeckSteps::Decreasing { .. } => before + self.depth(peck),
         }
     }
 }
 
 impl Kernel<'_> {
     /// Pecks down to the depth: with a return to R after each (G83), or a lift (G73).
-    pub fn pecks(&mut self, at: &dyn Statement, hole: &Hole, full: bool) {
+    pub fn pecks(&mut self, at: &dyn Statement, hole: &HoleWords, full: bool) {
         let rules = self.rules.cycles.peck;
         let parameters = &self.rules;
         let lift = if full { parameters.peck_clearance_mm } else { parameters.chip_break_mm };
@@ -94,20 +94,20 @@ impl Kernel<'_> {
         self.wait(Some(rules.dwell_each_s));
     }
 
-    fn peck_steps(&self, hole: &Hole) -> Steps {
+    fn peck_steps(&self, hole: &HoleWords) -> PeckSteps {
         let [first, less, least] =
             hole.words.vector.map(|word| word.map(|step| self.unscaled(hole.axis, step.abs())));
         let decreasing = self.rules.cycles.peck.decreasing;
         match (first, hole.words.q) {
             (Some(first), _) if decreasing && first > 0.0 => {
                 let least = least.unwrap_or(0.0);
-                Steps::Decreasing { first, less: less.unwrap_or(0.0), least }
+                PeckSteps::Decreasing { first, less: less.unwrap_or(0.0), least }
             }
-            (_, q) => Steps::Even(self.unscaled(hole.axis, q.unwrap_or(0.0).abs())),
+            (_, q) => PeckSteps::Even(self.unscaled(hole.axis, q.unwrap_or(0.0).abs())),
         }
     }
 
-    fn report_too_many_pecks(&mut self, at: &dyn Statement, hole: &Hole) {
+    fn report_too_many_pecks(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let depth = self.length_text(hole.r - hole.z);
         let span = at.span();
         self.report(
@@ -122,6 +122,6 @@ impl Kernel<'_> {
     }
 }
 
-fn steps_are_even(steps: Steps) -> bool {
-    matches!(steps, Steps::Even(_))
+fn steps_are_even(steps: PeckSteps) -> bool {
+    matches!(steps, PeckSteps::Even(_))
 }

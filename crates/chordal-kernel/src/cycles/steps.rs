@@ -2,9 +2,9 @@
 
 use chordal_command::{AxisMask, CommandKind, Position, SpindleState};
 
-use super::hole::Hole;
+use super::hole::HoleWords;
 use crate::kernel::Kernel;
-use crate::rules::{Approach, BackBore, CycleKind};
+use crate::rules::{BackBore, CycleKind, HoleApproach};
 use crate::state::LiveTool;
 use crate::statement::Statement;
 
@@ -17,7 +17,13 @@ struct MainSpindle {
 
 impl Kernel<'_> {
     /// One hole: there, down, and out again.
-    pub fn drill(&mut self, at: &dyn Statement, hole: &Hole, place: Position, named: AxisMask) {
+    pub fn drill(
+        &mut self,
+        at: &dyn Statement,
+        hole: &HoleWords,
+        place: Position,
+        named: AxisMask,
+    ) {
         self.origin.cycle = true;
         self.check_hole_speeds(at, hole, &place);
         let main = self.live_tool_as_spindle();
@@ -80,18 +86,18 @@ impl Kernel<'_> {
     }
 
     /// Above the hole: to its place, and to R.
-    fn approach(&mut self, hole: &Hole, place: Position, named: AxisMask) {
+    fn approach(&mut self, hole: &HoleWords, place: Position, named: AxisMask) {
         let rules = &self.rules.cycles;
         let (approach, back) = (rules.approach, rules.bore.back);
         match approach {
-            Approach::PlaceThenLevel => self.go_to_place(place, named, hole.axis),
-            Approach::FromAboveR => {
+            HoleApproach::PlaceThenLevel => self.go_to_place(place, named, hole.axis),
+            HoleApproach::FromAboveR => {
                 if self.state.position[hole.axis] < hole.r {
                     self.level(hole, hole.r);
                 }
                 self.go_to_place(place, named, hole.axis);
             }
-            Approach::ByClearLevel => {
+            HoleApproach::ByClearLevel => {
                 let mut target = place;
                 let now = self.state.believed.unwrap_or(self.state.position)[hole.axis];
                 if hole.words.initial < hole.r {
@@ -111,7 +117,7 @@ impl Kernel<'_> {
     }
 
     /// Haas E: the spindle turns the other way for a moment, and throws the chips off.
-    fn clean_chips(&mut self, hole: &Hole) {
+    fn clean_chips(&mut self, hole: &HoleWords) {
         let Some(rpm) = hole.words.after_rpm else { return };
         let throws = matches!(
             hole.words.kind,
@@ -136,14 +142,14 @@ impl Kernel<'_> {
     }
 
     /// A rapid along the drilling axis.
-    pub fn level(&mut self, hole: &Hole, level: f64) {
+    pub fn level(&mut self, hole: &HoleWords, level: f64) {
         let mut target = self.state.believed.unwrap_or(self.state.position);
         target[hole.axis] = level;
         self.rapid_to(target, AxisMask(1 << hole.axis));
     }
 
     /// A cut along the drilling axis at the feed in force.
-    pub fn feed_to(&mut self, at: &dyn Statement, hole: &Hole, level: f64) {
+    pub fn feed_to(&mut self, at: &dyn Statement, hole: &HoleWords, level: f64) {
         let mut target = self.state.position;
         target[hole.axis] = level;
         self.line(at, target, AxisMask(1 << hole.axis));

@@ -5,7 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::Plane;
 use chordal_machine::ToolShape;
 
-use super::hole::{Hole, LEVEL_EPSILON_MM};
+use super::hole::{HoleWords, LEVEL_EPSILON_MM};
 use super::peck::{FREE_PECKS, MAX_PECKS};
 use crate::kernel::Kernel;
 use crate::rules::{CycleKind, TapFeed};
@@ -16,7 +16,7 @@ const FLOATING_TAP_SHARE: f64 = 0.055;
 
 impl Kernel<'_> {
     /// G84 and G74: in, the spindle reverses, out. The feed is the lead's: no override acts.
-    pub fn tap(&mut self, at: &dyn Statement, hole: &Hole) {
+    pub fn tap(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let rules = self.rules.cycles.tap;
         let (inward, outward) = match hole.words.kind {
             CycleKind::LeftTap => (SpindleState::Ccw, SpindleState::Cw),
@@ -75,14 +75,14 @@ impl Kernel<'_> {
     }
 
     /// How much faster than in it goes out.
-    pub(crate) fn out_factor(&self, hole: &Hole) -> f64 {
+    pub(crate) fn out_factor(&self, hole: &HoleWords) -> f64 {
         let rules = self.rules.cycles.tap;
         let factor = hole.words.out_factor.filter(|_| rules.out_factor_by_j);
         factor.filter(|factor| *factor > 0.0).unwrap_or(rules.out_factor)
     }
 
     /// Fadal G75: the head reverses by itself when the quill is drawn out.
-    pub fn tap_with_head(&mut self, at: &dyn Statement, hole: &Hole) {
+    pub fn tap_with_head(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let by_speed = self.rules.cycles.tap.feed == TapFeed::SpeedWithLeadQ;
         if let Some(rpm) = hole.words.tap_rpm.filter(|_| by_speed) {
             self.state.rpm = rpm;
@@ -94,7 +94,7 @@ impl Kernel<'_> {
     }
 
     /// The lead of a cycle against the pitch of its tap.
-    fn check_pitch(&mut self, at: &dyn Statement, hole: &Hole) {
+    fn check_pitch(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let per_turn = |feed: f64| match self.state.feed_mode {
             FeedMode::PerTime if self.state.rpm > 0.0 => Some(feed * 60.0 / self.state.rpm),
             FeedMode::PerRevolution => Some(feed),
@@ -140,7 +140,7 @@ impl Kernel<'_> {
     fn tap_in_pecks(
         &mut self,
         at: &dyn Statement,
-        hole: &Hole,
+        hole: &HoleWords,
         q: f64,
         (inward, outward): (SpindleState, SpindleState),
     ) {
@@ -164,7 +164,7 @@ impl Kernel<'_> {
     }
 
     /// A move along the thread; `factor` is how much faster than the way in it goes.
-    fn tap_to(&mut self, at: &dyn Statement, hole: &Hole, level: f64, factor: f64) {
+    fn tap_to(&mut self, at: &dyn Statement, hole: &HoleWords, level: f64, factor: f64) {
         let mut target = self.state.believed.unwrap_or(self.state.position);
         target[hole.axis] = level;
         let mut axes = AxisMask(1 << hole.axis);
@@ -213,7 +213,7 @@ impl Kernel<'_> {
         (to, axes.or(AxisMask(0b111)))
     }
 
-    fn report_exchanged(&mut self, at: &dyn Statement, hole: &Hole) {
+    fn report_exchanged(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let mut bottom = self.state.position;
         bottom[hole.axis] = hole.z;
         let (to, _) = self.exchanged(bottom, AxisMask::NONE);
@@ -230,7 +230,7 @@ impl Kernel<'_> {
     }
 
     /// The lead of the thread in mm, where the control reads it from a word.
-    fn lead_given(&self, hole: &Hole) -> Option<f64> {
+    fn lead_given(&self, hole: &HoleWords) -> Option<f64> {
         let form = self.rules.cycles.tap.feed;
         let synchronous = hole.words.synchronous.unwrap_or(form == TapFeed::Lead);
         match form {

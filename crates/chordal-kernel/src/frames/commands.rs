@@ -3,13 +3,13 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use chordal_command::{ArcShape, CommandKind, Feed, Move, Position, Side};
-use chordal_geometry::{Direction, Plane, Spline, Vec3, arc_sweep};
+use chordal_command::{ArcShape, CommandKind, CompensationSide, Feed, Move, Position};
+use chordal_geometry::{Plane, Spline, TurnDirection, Vec3, arc_sweep};
 use chordal_machine::AXES;
 
-use super::map::{InPlane, Map};
+use super::map::{FrameMap, InPlane};
 
-impl Map {
+impl FrameMap {
     /// A command as the work coordinate system has it; `plane` is that of compensation.
     pub(crate) fn command(&self, kind: CommandKind, plane: Plane) -> CommandKind {
         match kind {
@@ -109,7 +109,7 @@ impl Map {
             },
             InPlane::Unequal { mirrored, .. } => {
                 let left = (shape.sweep > 0.0) != mirrored;
-                let direction = if left { Direction::Ccw } else { Direction::Cw };
+                let direction = if left { TurnDirection::Ccw } else { TurnDirection::Cw };
                 let turns = full_turns(shape.sweep);
                 arc_between(shape.plane, &mapped.from, &mapped.to, center, direction, turns)
             }
@@ -135,10 +135,10 @@ impl Map {
     }
 
     /// Left and right change places in a mirror.
-    pub(crate) fn side(&self, side: Side, plane: Plane) -> Side {
+    pub(crate) fn side(&self, side: CompensationSide, plane: Plane) -> CompensationSide {
         match side {
-            Side::Left if self.in_plane(plane).is_mirrored() => Side::Right,
-            Side::Right if self.in_plane(plane).is_mirrored() => Side::Left,
+            CompensationSide::Left if self.in_plane(plane).is_mirrored() => CompensationSide::Right,
+            CompensationSide::Right if self.in_plane(plane).is_mirrored() => CompensationSide::Left,
             other => other,
         }
     }
@@ -163,7 +163,7 @@ fn arc_between(
     from: &Position,
     to: &Position,
     center: [f64; 2],
-    direction: Direction,
+    direction: TurnDirection,
     turns: u32,
 ) -> ArcShape {
     let (start, end) = (point(from), point(to));

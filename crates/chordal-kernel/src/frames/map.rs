@@ -10,7 +10,7 @@ const LINEAR: usize = 3;
 /// Takes the coordinates that words give to those of the work coordinate system: X Y Z by a
 /// matrix, each rotary axis by a factor, and all by an offset.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Map {
+pub struct FrameMap {
     /// Rows of the matrix of X, Y and Z.
     rows: [[f64; LINEAR]; LINEAR],
     /// Factors of A, B and C.
@@ -19,17 +19,17 @@ pub struct Map {
     offset: Position,
 }
 
-impl Map {
+impl FrameMap {
     /// The map that changes nothing.
-    pub const IDENTITY: Map = Map {
+    pub const IDENTITY: FrameMap = FrameMap {
         rows: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         factors: [1.0; AXES - LINEAR],
         offset: [0.0; AXES],
     };
 
     /// Each axis by its own factor about a centre.
-    pub fn scaling(center: &Position, factors: &Position) -> Map {
-        let mut map = Map::IDENTITY;
+    pub fn scaling(center: &Position, factors: &Position) -> FrameMap {
+        let mut map = FrameMap::IDENTITY;
         for axis in 0..AXES {
             match axis {
                 0..LINEAR => map.rows[axis][axis] = factors[axis],
@@ -43,10 +43,10 @@ impl Map {
     }
 
     /// A turn in a plane about a centre on its axes, degrees from the first axis to the second.
-    pub fn rotation(plane: Plane, center: [f64; 2], degrees: f64) -> Map {
+    pub fn rotation(plane: Plane, center: [f64; 2], degrees: f64) -> FrameMap {
         let (a, b, _) = plane.axes();
         let (sin, cos) = sin_cos_degrees(degrees);
-        let mut map = Map::IDENTITY;
+        let mut map = FrameMap::IDENTITY;
         map.rows[a][a] = cos;
         map.rows[a][b] = -sin;
         map.rows[b][a] = sin;
@@ -57,7 +57,7 @@ impl Map {
     }
 
     /// This map followed by `next`.
-    pub fn then(&self, next: &Map) -> Map {
+    pub fn then(&self, next: &FrameMap) -> FrameMap {
         let mut rows = [[0.0; LINEAR]; LINEAR];
         for (row, of_next) in rows.iter_mut().zip(&next.rows) {
             for (column, value) in row.iter_mut().enumerate() {
@@ -65,11 +65,11 @@ impl Map {
             }
         }
         let factors = std::array::from_fn(|axis| self.factors[axis] * next.factors[axis]);
-        Map { rows, factors, offset: next.point(&self.offset) }
+        FrameMap { rows, factors, offset: next.point(&self.offset) }
     }
 
     /// The map that undoes it; every factor is other than zero.
-    pub fn inverse(&self) -> Map {
+    pub fn inverse(&self) -> FrameMap {
         let m = &self.rows;
         // The cofactors, column by column.
         let cofactor = |row: usize, column: usize| {
@@ -78,7 +78,7 @@ impl Map {
             m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1]
         };
         let determinant = self.determinant();
-        let mut inverse = Map {
+        let mut inverse = FrameMap {
             rows: std::array::from_fn(|row| {
                 std::array::from_fn(|column| cofactor(column, row) / determinant)
             }),
@@ -214,8 +214,9 @@ mod tests {
 
     #[test]
     fn a_map_and_its_inverse() {
-        let turn = Map::rotation(Plane::Xy, [10.0, 5.0], 30.0);
-        let scale = Map::scaling(&[1.0, 2.0, 3.0, 0.0, 0.0, 0.5], &[2.0, -3.0, 0.5, 1.0, 1.0, 4.0]);
+        let turn = FrameMap::rotation(Plane::Xy, [10.0, 5.0], 30.0);
+        let scale =
+            FrameMap::scaling(&[1.0, 2.0, 3.0, 0.0, 0.0, 0.5], &[2.0, -3.0, 0.5, 1.0, 1.0, 4.0]);
         let both = scale.then(&turn);
         let place = [7.0, -8.0, 9.0, 0.1, 0.2, 0.3];
         let back = both.inverse().point(&both.point(&place));
@@ -228,10 +229,10 @@ mod tests {
 
     #[test]
     fn what_is_known_through_a_turn() {
-        let turn = Map::rotation(Plane::Xy, [0.0, 0.0], 30.0);
+        let turn = FrameMap::rotation(Plane::Xy, [0.0, 0.0], 30.0);
         let (x, z) = (AxisMask(1), AxisMask(4));
         assert_eq!(turn.reached(x), AxisMask(3));
         assert_eq!(turn.known(x.or(z)), z);
-        assert_eq!(Map::rotation(Plane::Xy, [0.0, 0.0], 90.0).known(x), AxisMask(2));
+        assert_eq!(FrameMap::rotation(Plane::Xy, [0.0, 0.0], 90.0).known(x), AxisMask(2));
     }
 }

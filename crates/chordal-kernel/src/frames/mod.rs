@@ -15,12 +15,12 @@ use chordal_geometry::Plane;
 use chordal_machine::{AXES, PerAxis};
 
 pub(crate) use map::sin_cos_degrees;
-pub use map::{InPlane, Map};
-pub use polar::{Polar, PolarWords};
+pub use map::{FrameMap, InPlane};
+pub use polar::{PolarReading, PolarWords};
 
 /// Each axis by its own factor.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Scaling {
+pub struct AxisScaling {
     /// What stays where it is.
     pub center: Position,
     /// Of each axis; a negative one mirrors.
@@ -29,7 +29,7 @@ pub struct Scaling {
 
 /// The factors of a scaling as the words give them.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Factors {
+pub enum ScaleFactors {
     /// One for all axes.
     Common(f64),
     /// Of X, Y and Z; an axis without one is not scaled.
@@ -40,7 +40,7 @@ pub enum Factors {
 
 /// A turn in a plane.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Rotation {
+pub struct PlaneRotation {
     /// The plane.
     pub plane: Plane,
     /// What stays where it is, on the two axes of the plane.
@@ -77,12 +77,12 @@ impl FrameKinds {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Frames {
     mirror: PerAxis<Option<f64>>,
-    scaling: Option<Scaling>,
-    rotation: Option<Rotation>,
+    scaling: Option<AxisScaling>,
+    rotation: Option<PlaneRotation>,
     /// Of the work coordinate system, about the point where its own X0 Y0 lies.
-    work: Option<Rotation>,
-    map: Map,
-    inverse: Map,
+    work: Option<PlaneRotation>,
+    map: FrameMap,
+    inverse: FrameMap,
     plain: bool,
 }
 
@@ -93,8 +93,8 @@ impl Default for Frames {
             scaling: None,
             rotation: None,
             work: None,
-            map: Map::IDENTITY,
-            inverse: Map::IDENTITY,
+            map: FrameMap::IDENTITY,
+            inverse: FrameMap::IDENTITY,
             plain: true,
         }
     }
@@ -113,12 +113,12 @@ impl Frames {
     }
 
     /// From program coordinates to the work coordinate system.
-    pub fn map(&self) -> &Map {
+    pub fn map(&self) -> &FrameMap {
         &self.map
     }
 
     /// From the work coordinate system to program coordinates.
-    pub fn inverse(&self) -> &Map {
+    pub fn inverse(&self) -> &FrameMap {
         &self.inverse
     }
 
@@ -132,12 +132,12 @@ impl Frames {
     }
 
     /// The rotation in force.
-    pub fn rotation(&self) -> Option<&Rotation> {
+    pub fn rotation(&self) -> Option<&PlaneRotation> {
         self.rotation.as_ref()
     }
 
     /// The scaling in force.
-    pub fn scaling(&self) -> Option<&Scaling> {
+    pub fn scaling(&self) -> Option<&AxisScaling> {
         self.scaling.as_ref()
     }
 
@@ -185,14 +185,16 @@ impl Frames {
     }
 
     /// Scales, with the centre where the mirror takes it.
-    pub fn set_scaling(&mut self, scaling: Option<Scaling>) {
-        self.scaling = scaling
-            .map(|scaling| Scaling { center: self.mirror_map().point(&scaling.center), ..scaling });
+    pub fn set_scaling(&mut self, scaling: Option<AxisScaling>) {
+        self.scaling = scaling.map(|scaling| AxisScaling {
+            center: self.mirror_map().point(&scaling.center),
+            ..scaling
+        });
         self.update();
     }
 
     /// Turns, with the centre where mirror and scaling take it, and the other way round in a mirror.
-    pub fn set_rotation(&mut self, rotation: Option<Rotation>) {
+    pub fn set_rotation(&mut self, rotation: Option<PlaneRotation>) {
         self.rotation = rotation.map(|rotation| {
             let (a, b, _) = rotation.plane.axes();
             let inside = self.inside_rotation();
@@ -201,7 +203,7 @@ impl Frames {
             let center = inside.point(&place);
             let mirrored = inside.in_plane(rotation.plane).is_mirrored();
             let degrees = if mirrored { -rotation.degrees } else { rotation.degrees };
-            Rotation { center: [center[a], center[b]], degrees, ..rotation }
+            PlaneRotation { center: [center[a], center[b]], degrees, ..rotation }
         });
         self.update();
     }
@@ -225,7 +227,7 @@ impl Frames {
     /// The turn of the work coordinate system about its own zero, which lies at `zero`.
     pub fn set_work_rotation(&mut self, degrees: f64, zero: [f64; 2]) {
         let turns = degrees != 0.0;
-        self.work = turns.then_some(Rotation { plane: Plane::Xy, center: zero, degrees });
+        self.work = turns.then_some(PlaneRotation { plane: Plane::Xy, center: zero, degrees });
         self.update();
     }
 
@@ -235,16 +237,16 @@ impl Frames {
         self.update();
     }
 
-    fn mirror_map(&self) -> Map {
+    fn mirror_map(&self) -> FrameMap {
         let line = self.mirror.map(|line| line.unwrap_or(0.0));
         let factors = self.mirror.map(|line| if line.is_some() { -1.0 } else { 1.0 });
-        Map::scaling(&line, &factors)
+        FrameMap::scaling(&line, &factors)
     }
 
-    fn inside_rotation(&self) -> Map {
+    fn inside_rotation(&self) -> FrameMap {
         let mirror = self.mirror_map();
         match &self.scaling {
-            Some(scaling) => mirror.then(&Map::scaling(&scaling.center, &scaling.factors)),
+            Some(scaling) => mirror.then(&FrameMap::scaling(&scaling.center, &scaling.factors)),
             None => mirror,
         }
     }
@@ -252,9 +254,9 @@ impl Frames {
     fn update(&mut self) {
         let mut map = self.inside_rotation();
         for rotation in [self.rotation, self.work].into_iter().flatten() {
-            map = map.then(&Map::rotation(rotation.plane, rotation.center, rotation.degrees));
+            map = map.then(&FrameMap::rotation(rotation.plane, rotation.center, rotation.degrees));
         }
-        self.plain = map == Map::IDENTITY;
+        self.plain = map == FrameMap::IDENTITY;
         (self.map, self.inverse) = (map, map.inverse());
     }
 }

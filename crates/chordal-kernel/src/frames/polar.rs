@@ -7,7 +7,7 @@ use super::map::sin_cos_degrees;
 
 /// Polar reading is in force, and what the last words were.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct Polar {
+pub struct PolarReading {
     /// The last angle that was given, degrees.
     pub angle: Option<f64>,
     /// The place that radius and angle are counted from, where it is not the work origin.
@@ -23,7 +23,7 @@ pub struct PolarWords {
     pub angle: Option<f64>,
 }
 
-impl Polar {
+impl PolarReading {
     /// The end point on the plane's axes that the words give. A radius in G91 is counted from where
     /// the tool stands, and an angle in G91 from the last one.
     pub fn target(
@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn a_radius_and_an_angle() {
-        let mut polar = Polar::default();
+        let mut polar = PolarReading::default();
         let words = |radius, angle| PolarWords { radius, angle };
         let mut at = [0.0; 6];
         let mut go = |words: PolarWords, incremental: bool| {

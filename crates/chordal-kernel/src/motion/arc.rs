@@ -1,19 +1,19 @@
 //! Arcs, helices and full circles: by centre or by radius, with the mismatch that a control allows.
 
 use chordal_command::{
-    ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, Side,
+    ArcShape, AxisMask, CommandKind, CompensationSide, Feed, FeedAlong, FeedMode, Move, Position,
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::{
-    ArcSweep, Direction, HalfCircleTolerance, Plane, RadiusError, Vec3, arc_sweep,
+    ArcSweep, HalfCircleTolerance, Plane, RadiusError, TurnDirection, Vec3, arc_sweep,
     center_from_radius, chords_in_whole,
 };
 
 use crate::frames::InPlane;
 use crate::kernel::Kernel;
 use crate::rules::{ArcCenter, ArcMismatch, FullCircleByRadius, OmittedCenter};
-use crate::state::Motion;
-use crate::statement::{Statement, What};
+use crate::state::ModalMotion;
+use crate::statement::{Statement, WordMeaning};
 
 /// The spatial part of a position.
 #[inline]
@@ -25,7 +25,7 @@ pub(crate) fn point(position: &Position) -> Vec3 {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ArcWords {
     /// Which way it goes.
-    pub direction: Direction,
+    pub direction: TurnDirection,
     /// The centre words on the two axes of the plane, mm; how they are read is a mode.
     pub center: [Option<f64>; 2],
     /// Full turns in addition to the arc's own.
@@ -237,7 +237,7 @@ impl Kernel<'_> {
         &self,
         target: &Position,
         radius: f64,
-        direction: Direction,
+        direction: TurnDirection,
         mirrored: bool,
         tolerance: HalfCircleTolerance,
     ) -> Result<(f64, f64), RadiusError> {
@@ -400,7 +400,7 @@ impl Kernel<'_> {
         if target == self.state.position {
             return;
         }
-        if self.state.motion == Motion::Rapid {
+        if self.state.motion == ModalMotion::Rapid {
             return self.straight(at, target, named);
         }
         self.line(at, target, named);
@@ -435,7 +435,7 @@ impl Kernel<'_> {
         arc: &ArcWords,
         target: &Position,
     ) -> Box<MisfitArc> {
-        let span = at.words(What::EndAndCenter(self.state.plane));
+        let span = at.words(WordMeaning::EndAndCenter(self.state.plane));
         let error = self.length_text(fit.radius_error().abs());
         let factor = self.rules.arc.radius_error_factor(self.state.units);
         let allowed = self.length_text(factor * self.rules.arc.radius_error_tolerance_mm);
@@ -515,7 +515,7 @@ impl Kernel<'_> {
 
     fn check_radius_limit(&mut self, at: &dyn Statement, radius: f64) {
         let parameters = &self.rules.arc;
-        let compensated = self.state.side != Side::Off;
+        let compensated = self.state.side != CompensationSide::Off;
         let limit = if compensated {
             parameters.max_radius_compensated_mm
         } else {
@@ -526,7 +526,7 @@ impl Kernel<'_> {
         }
         let (is, allowed) = (self.length_text(radius), self.length_text(limit));
         let with = if compensated { " with cutter compensation" } else { "" };
-        let span = at.words(What::CenterOrRadius);
+        let span = at.words(WordMeaning::CenterOrRadius);
         self.report(
             Diagnostic::new(
                 Code::RadiusOverLimit,
@@ -539,7 +539,7 @@ impl Kernel<'_> {
     }
 
     fn report_zero_radius(&mut self, at: &dyn Statement) {
-        let span = at.words(What::Center);
+        let span = at.words(WordMeaning::Center);
         let (severity, label) = if self.rules.arc.judged_before {
             (Severity::Warning, "the control moves straight to the end")
         } else {
@@ -564,7 +564,7 @@ impl Kernel<'_> {
             return;
         }
         let title = self.alarms.title;
-        let span = at.words(What::Axes(AxisMask::ROTARY));
+        let span = at.words(WordMeaning::Axes(AxisMask::ROTARY));
         self.report(
             Diagnostic::new(
                 Code::RotaryInArc,

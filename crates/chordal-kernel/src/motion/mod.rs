@@ -21,14 +21,14 @@ pub use spiral::SpiralWords;
 
 use crate::kernel::Kernel;
 use crate::rules::RapidFeed;
-use crate::state::Motion;
-use crate::statement::{Statement, What};
+use crate::state::ModalMotion;
+use crate::statement::{Statement, WordMeaning};
 
 impl Kernel<'_> {
     /// A straight move by the motion in force.
     pub fn straight(&mut self, at: &dyn Statement, target: Position, named: AxisMask) {
         let motion = self.moved_to(target, named);
-        if self.state.motion == Motion::Rapid {
+        if self.state.motion == ModalMotion::Rapid {
             if self.state.incremental && named == AxisMask(1 << 2) {
                 self.check_clearance_in_incremental(at, &motion);
             }
@@ -212,7 +212,7 @@ impl Kernel<'_> {
             let turn = (motion.to[axis] - motion.from[axis]).abs();
             if turn > limit * (1.0 + 1e-12) {
                 let letter = Axis::ALL[axis].letter();
-                let span = at.words(What::Axes(AxisMask(1 << axis)));
+                let span = at.words(WordMeaning::Axes(AxisMask(1 << axis)));
                 self.report(
                     Diagnostic::new(
                         Code::RotaryOverLimit,

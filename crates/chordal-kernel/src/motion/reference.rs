@@ -4,7 +4,7 @@ use chordal_command::{AxisMask, CommandKind, Move, Position};
 use chordal_machine::{Axis, PerAxis};
 
 use crate::kernel::Kernel;
-use crate::state::Motion;
+use crate::state::ModalMotion;
 use crate::statement::Statement;
 
 const Z: usize = Axis::Z as usize;
@@ -56,7 +56,7 @@ impl Kernel<'_> {
     /// G53: to a point of machine coordinates, by a rapid or at the feed in force.
     pub fn to_machine_point(&mut self, at: &dyn Statement, place: Position, named: AxisMask) {
         self.end_length_if(named.has(Z) && self.rules.length.ended_by.machine_move);
-        let rapid = self.state.motion == Motion::Rapid;
+        let rapid = self.state.motion == ModalMotion::Rapid;
         if rapid || self.rules.machine_move_is_rapid {
             let motion = self.machine_move(place, named);
             let path = self.path_of_rapid();

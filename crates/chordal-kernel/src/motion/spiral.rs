@@ -9,18 +9,18 @@ use std::f64::consts::{PI, TAU};
 
 use chordal_command::{ArcShape, AxisMask, CommandKind, Position, telling_number};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
-use chordal_geometry::{Direction, arc_sweep};
+use chordal_geometry::{TurnDirection, arc_sweep};
 
 use super::arc::point;
 use crate::kernel::Kernel;
 use crate::rules::{SpiralForm, SpiralOnRay};
-use crate::statement::{Statement, What};
+use crate::statement::{Statement, WordMeaning};
 
 /// What a statement says of a spiral, but for its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SpiralWords {
     /// Which way it goes.
-    pub direction: Direction,
+    pub direction: TurnDirection,
     /// It has a centre word, and no radius.
     pub centered: bool,
     /// It has a radius.
@@ -53,7 +53,7 @@ struct SpiralEnds {
     on_ray: bool,
     /// The end is the start, on the axes of the plane.
     closed: bool,
-    direction: Direction,
+    direction: TurnDirection,
 }
 
 impl SpiralEnds {
@@ -81,9 +81,9 @@ impl Kernel<'_> {
         let Some(ends) = self.spiral_ends(at, spiral, &target) else {
             return self.straight_instead(at, target, named);
         };
-        let turns = self.checked_turns(at, What::Pitches, pitches);
+        let turns = self.checked_turns(at, WordMeaning::Pitches, pitches);
         let angle = ends.with_turns(turns);
-        self.emit_spiral(at, &ends, angle, target, named, What::Pitches);
+        self.emit_spiral(at, &ends, angle, target, named, WordMeaning::Pitches);
     }
 
     /// A spiral by its increment, height or count (G2 and G3 with Q, K or L).
@@ -98,7 +98,7 @@ impl Kernel<'_> {
             return self.straight_instead(at, target, named);
         };
         let angle = self.spiral_angle(at, spiral, &ends, &target);
-        self.emit_spiral(at, &ends, angle, target, named, What::Count);
+        self.emit_spiral(at, &ends, angle, target, named, WordMeaning::Count);
     }
 
     /// The end is the start, on the axes of the plane.
@@ -140,7 +140,7 @@ impl Kernel<'_> {
         let rounding = ROUNDED_INCREMENTS * self.rules.least_increment(self.state.units);
         let on_ray = short_of_ray <= rounding || full * radius <= rounding;
         if fit.radius_start <= near && fit.radius_end <= near {
-            let span = at.words(What::Center);
+            let span = at.words(WordMeaning::Center);
             self.report(
                 Diagnostic::new(
                     Code::ZeroRadius,
@@ -180,20 +180,20 @@ impl Kernel<'_> {
             let change = ends.radius_to - ends.radius_from;
             if ends.closed {
                 let why = "and start and end are equally far from the centre";
-                self.report_no_increment(at, What::Increment, why);
+                self.report_no_increment(at, WordMeaning::Increment, why);
                 return TAU;
             }
             if signed && change * q < 0.0 {
                 self.report_sign_of_q(at, change);
             }
             let turns = change.abs() / q.abs();
-            let angle = self.congruent(at, What::Increment, turns, q.abs(), ends);
+            let angle = self.congruent(at, WordMeaning::Increment, turns, q.abs(), ends);
             if signed && let Some(count) = spiral.count {
                 self.check_count(at, count, angle / TAU);
             }
             return angle;
         }
-        let height = What::Height(self.state.plane);
+        let height = WordMeaning::Height(self.state.plane);
         if let Some(k) = spiral.height.filter(|k| *k != 0.0) {
             let rise = target[normal] - self.state.position[normal];
             if ends.closed && rise == 0.0 {
@@ -208,7 +208,7 @@ impl Kernel<'_> {
         if full_turn || ends.angle > 0.0 {
             self.report_zero_count(at, spiral, ends);
         }
-        let count = self.checked_turns(at, What::Count, spiral.count.unwrap_or(1).max(1));
+        let count = self.checked_turns(at, WordMeaning::Count, spiral.count.unwrap_or(1).max(1));
         ends.with_turns(if full_turn { count } else { count - 1 })
     }
 
@@ -220,10 +220,10 @@ impl Kernel<'_> {
             Some(0) if self.rules.arc.spiral == SpiralForm::IncrementCount => {
                 return self.report_count_of_zero(at);
             }
-            Some(0) => Some(What::Count),
+            Some(0) => Some(WordMeaning::Count),
             Some(_) => None,
-            None if at.has(What::Increment) => Some(What::Increment),
-            None if spiral.height.is_some() => Some(What::Height(self.state.plane)),
+            None if at.has(WordMeaning::Increment) => Some(WordMeaning::Increment),
+            None if spiral.height.is_some() => Some(WordMeaning::Height(self.state.plane)),
             None => None,
         };
         let Some(letter) = zero else { return };
@@ -242,7 +242,7 @@ impl Kernel<'_> {
     }
 
     fn report_count_of_zero(&mut self, at: &dyn Statement) {
-        let span = at.words(What::Count);
+        let span = at.words(WordMeaning::Count);
         self.report(
             Diagnostic::new(Code::BadWordValue, span, "`L` counts the turns begun, from one")
                 .label("read as L1")
@@ -251,7 +251,7 @@ impl Kernel<'_> {
     }
 
     /// An increment per turn of something that does not change, on a full circle.
-    fn report_no_increment(&mut self, at: &dyn Statement, letter: What, why: &str) {
+    fn report_no_increment(&mut self, at: &dyn Statement, letter: WordMeaning, why: &str) {
         let span = at.words(letter);
         let letter = at.name(letter);
         self.report(
@@ -267,7 +267,7 @@ impl Kernel<'_> {
 
     /// A spiral that begins or ends on its centre.
     fn report_end_on_center(&mut self, at: &dyn Statement, start: bool) {
-        let span = at.words(What::Center);
+        let span = at.words(WordMeaning::Center);
         let (end, other) = if start { ("start", "end") } else { ("end", "start") };
         self.report(
             Diagnostic::new(
@@ -289,7 +289,7 @@ impl Kernel<'_> {
     fn congruent(
         &mut self,
         at: &dyn Statement,
-        letter: What,
+        letter: WordMeaning,
         turns: f64,
         per_turn: f64,
         ends: &SpiralEnds,
@@ -340,7 +340,7 @@ impl Kernel<'_> {
         // The count is of turns begun: four and a quarter are L5.
         let begun = (turns - 1e-9).ceil().max(1.0);
         if f64::from(count) != begun {
-            let span = at.words(What::Count);
+            let span = at.words(WordMeaning::Count);
             let turns = turns_text(turns);
             self.report(
                 Diagnostic::new(
@@ -356,7 +356,7 @@ impl Kernel<'_> {
     }
 
     fn report_sign_of_q(&mut self, at: &dyn Statement, change: f64) {
-        let span = at.words(What::Increment);
+        let span = at.words(WordMeaning::Increment);
         let grows = if change > 0.0 { "grows" } else { "shrinks" };
         let change = self.length_text(change.abs());
         self.report(
@@ -369,7 +369,7 @@ impl Kernel<'_> {
         );
     }
 
-    fn checked_turns(&mut self, at: &dyn Statement, letter: What, turns: u32) -> u32 {
+    fn checked_turns(&mut self, at: &dyn Statement, letter: WordMeaning, turns: u32) -> u32 {
         if turns <= MAX_TURNS {
             return turns;
         }
@@ -396,7 +396,7 @@ impl Kernel<'_> {
         angle: f64,
         target: Position,
         named: AxisMask,
-        letter: What,
+        letter: WordMeaning,
     ) {
         if angle <= 0.0 {
             self.report_no_turn(at, ends, &target, letter);
@@ -427,13 +427,15 @@ impl Kernel<'_> {
         at: &dyn Statement,
         ends: &SpiralEnds,
         target: &Position,
-        letter: What,
+        letter: WordMeaning,
     ) {
-        let height = What::Height(self.state.plane);
+        let height = WordMeaning::Height(self.state.plane);
         // Without a count the word is named that makes the statement a spiral.
         let letter = match letter {
-            What::Count if !at.has(What::Count) && at.has(What::Increment) => What::Increment,
-            What::Count if !at.has(What::Count) && at.has(height) => height,
+            WordMeaning::Count if !at.has(WordMeaning::Count) && at.has(WordMeaning::Increment) => {
+                WordMeaning::Increment
+            }
+            WordMeaning::Count if !at.has(WordMeaning::Count) && at.has(height) => height,
             letter => letter,
         };
         let where_to = if ends.closed {
@@ -446,14 +448,14 @@ impl Kernel<'_> {
         let name = at.name(letter);
         let whole =
             |number: &str| number.parse::<f64>().is_ok_and(|n| n >= 0.0 && n.fract() == 0.0);
-        let counts = matches!(letter, What::Pitches | What::Count);
+        let counts = matches!(letter, WordMeaning::Pitches | WordMeaning::Count);
         let count = match at.number(letter) {
             Some(number) if !counts || whole(&number) => format!("with {name}{number}"),
             // What is wrong with the word was reported.
             Some(_) => return,
             None => format!("without {name}"),
         };
-        let more = if letter == What::Pitches { "P1" } else { "L2" };
+        let more = if letter == WordMeaning::Pitches { "P1" } else { "L2" };
         let span = at.span();
         self.report(
             Diagnostic::new(

@@ -2,11 +2,11 @@
 
 use chordal_command::{AxisMask, Move};
 use chordal_diagnostics::{Code, Diagnostic, Span};
-use chordal_geometry::{Direction, Vec2};
+use chordal_geometry::{TurnDirection, Vec2};
 
 use super::shapes::{Step, rings};
 use crate::kernel::Kernel;
-use crate::statement::{Statement, What};
+use crate::statement::{Statement, WordMeaning};
 
 /// Lengths that differ by less than this, mm, are the same.
 const SAME_MM: f64 = 1e-9;
@@ -19,7 +19,7 @@ pub struct CirclesWords<'w> {
     /// Its name, for people.
     pub name: &'w str,
     /// Which way the circles go.
-    pub direction: Direction,
+    pub direction: TurnDirection,
     /// The radius of the tool, mm.
     pub tool: f64,
     /// The radii of the walls that the circles leave, mm, growing.
@@ -67,7 +67,7 @@ impl Kernel<'_> {
     }
 
     /// Out along X by a radius, once round the present place, and back.
-    pub fn mill_circle(&mut self, at: &dyn Statement, radius: f64, direction: Direction) {
+    pub fn mill_circle(&mut self, at: &dyn Statement, radius: f64, direction: TurnDirection) {
         let center = Vec2::new(self.state.position[0], self.state.position[1]);
         let out = Vec2::new(center.a + radius, center.b);
         let steps = [
@@ -95,9 +95,9 @@ impl Kernel<'_> {
         let wide = 2.0 * tool + SAME_MM;
         let core = first - 2.0 * tool;
         let (word, what, width) = if second - first > wide {
-            (What::Increment, "between the circles", second - first - 2.0 * tool)
+            (WordMeaning::Increment, "between the circles", second - first - 2.0 * tool)
         } else if core > tool + SAME_MM {
-            (What::FirstCircle, "about the middle", core - tool)
+            (WordMeaning::FirstCircle, "about the middle", core - tool)
         } else {
             return;
         };

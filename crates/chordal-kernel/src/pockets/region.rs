@@ -5,9 +5,9 @@ use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_geometry::Vec2;
 
 use super::MAX_RINGS;
-use super::shapes::{Outline, RasterAlong, Region, Step, inset};
+use super::shapes::{Outline, PocketRegion, RasterAlong, Step, inset};
 use crate::kernel::Kernel;
-use crate::statement::{Statement, What};
+use crate::statement::{Statement, WordMeaning};
 
 /// A depth that misses the last level by less than this, mm, is that level.
 const LEVEL_EPSILON_MM: f64 = 1e-9;
@@ -63,7 +63,7 @@ impl Kernel<'_> {
     pub fn mill_region(&mut self, at: &dyn Statement, words: &RegionWords<'_>) {
         let Some((rough, finish)) = self.region_paths(at, words) else { return };
         if words.levels.len().saturating_mul(rough.len()) > MAX_POCKET_MOVES {
-            return self.report_too_many_passes(at.words(What::Steps), "rows");
+            return self.report_too_many_passes(at.words(WordMeaning::Steps), "rows");
         }
         let label = format!("levels: {}", words.levels.len());
         let choice = "the order of its passes and the moves between them are assumed";
@@ -107,7 +107,7 @@ impl Kernel<'_> {
         let (outline, start) = (words.outline, Vec2::new(words.start[0], words.start[1]));
         let keep = words.tool + words.allowance;
         let rough_border = inset(outline, keep);
-        let Some(rough) = Region::around(outline, &rough_border, keep, start) else {
+        let Some(rough) = PocketRegion::around(outline, &rough_border, keep, start) else {
             self.report_no_room(words, keep);
             return None;
         };
@@ -117,7 +117,7 @@ impl Kernel<'_> {
             self.report(
                 Diagnostic::new(
                     Code::PocketRidges,
-                    at.words(What::Stepover),
+                    at.words(WordMeaning::Stepover),
                     format!("ridges {left} wide stay between the passes: the tool is {tool}"),
                 )
                 .label("more than the diameter of the tool")
@@ -125,11 +125,11 @@ impl Kernel<'_> {
             );
         }
         let Ok(steps) = rough.clear(words.along, words.step, MAX_RINGS as usize) else {
-            self.report_too_many_passes(at.words(What::Stepover), "rows");
+            self.report_too_many_passes(at.words(WordMeaning::Stepover), "rows");
             return None;
         };
         let wall_border = inset(outline, words.tool);
-        let walls = Region::around(outline, &wall_border, words.tool, start)?;
+        let walls = PocketRegion::around(outline, &wall_border, words.tool, start)?;
         let reached = if words.allowance > 0.0 { &walls } else { &rough };
         self.note_unreached(words, reached);
         let finish = if words.allowance > 0.0 { walls.round() } else { Vec::new() };
@@ -156,7 +156,7 @@ impl Kernel<'_> {
     }
 
     /// Walls that the tool does not come to.
-    fn note_unreached(&mut self, words: &RegionWords<'_>, reached: &Region<'_>) {
+    fn note_unreached(&mut self, words: &RegionWords<'_>, reached: &PocketRegion<'_>) {
         let (outline, tool) = (words.outline, words.tool);
         let farthest = outline
             .middles()

@@ -34,7 +34,7 @@ pub enum CompensationEntry {
 
 /// What is done with a thing that a control may allow, pass over or refuse.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Allowance {
+pub enum AllowanceRule {
     /// It is done.
     Allowed,
     /// It is passed over.
@@ -90,7 +90,7 @@ pub enum LeadLength {
 
 /// How a control looks for places where the offset does not fit.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Interference {
+pub enum InterferenceSearch {
     /// The compensated move goes against the programmed one, or an arc turns by more than
     /// 180 degrees otherwise.
     Direction,
@@ -105,7 +105,7 @@ pub enum Interference {
 
 /// What is done where interference was found.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Remedy {
+pub enum InterferenceRemedy {
     /// The control alarms.
     Alarm,
     /// The block is left out where its neighbours cross, else the control alarms.
@@ -155,13 +155,13 @@ pub struct CompensationRules {
     /// Compensation may start on an arc.
     pub start_on_arc: bool,
     /// The same G41 or G42 again, alone in its block.
-    pub repeated: Repeated,
+    pub repeated: RepeatedCodeRule,
     /// G41 to G42.
     pub side_change: SideChange,
     /// Another D while compensation is on.
-    pub new_offset: Allowance,
+    pub new_offset: AllowanceRule,
     /// Another D in the block of an arc.
-    pub new_offset_on_arc: Allowance,
+    pub new_offset_on_arc: AllowanceRule,
     /// Length of the first move.
     pub lead: LeadLength,
     /// The first move after G41 or G42 is the lead-in, whatever it moves.
@@ -169,20 +169,20 @@ pub struct CompensationRules {
     /// Where it works.
     pub planes: CompensationPlanes,
     /// The control's own check.
-    pub interference: Interference,
+    pub interference: InterferenceSearch,
     /// It is looked for.
     pub checks: bool,
     /// What follows from it.
-    pub remedy: Remedy,
+    pub remedy: InterferenceRemedy,
     /// An inside arc of exactly the offset's radius is refused.
     pub equal_radius_refused: bool,
     /// An arc may come out longer than programmed by so much, rad: in mm and in inch
-    /// (for [`Interference::Strict`]).
+    /// (for [`InterferenceSearch::Strict`]).
     pub longer_arc_rad: [f64; 2],
     /// Spirals.
     pub spirals: SpiralCompensation,
     /// Shift of coordinates, reference point and machine coordinates while it is on.
-    pub coordinate_change: Allowance,
+    pub coordinate_change: AllowanceRule,
     /// G40, or G41 without D, takes the tool in the spindle as the offset's number.
     pub offset_of_tool: bool,
     /// Inside arcs are fed at F·(R−r)/R, but not below this part of F; 1 for F as it is.
@@ -191,7 +191,7 @@ pub struct CompensationRules {
 
 /// What the same code again does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Repeated {
+pub enum RepeatedCodeRule {
     /// Nothing.
     Ignored,
     /// The vector stands perpendicular on the end of the block before.
@@ -217,20 +217,20 @@ impl CompensationRules {
         corner_of_next: false,
         off_toward: false,
         start_on_arc: false,
-        repeated: Repeated::Ignored,
+        repeated: RepeatedCodeRule::Ignored,
         side_change: SideChange::Crossing,
-        new_offset: Allowance::Allowed,
-        new_offset_on_arc: Allowance::Allowed,
+        new_offset: AllowanceRule::Allowed,
+        new_offset_on_arc: AllowanceRule::Allowed,
         lead: LeadLength::Any,
         lead_follows_code: false,
         planes: CompensationPlanes::All,
-        interference: Interference::Direction,
+        interference: InterferenceSearch::Direction,
         checks: true,
-        remedy: Remedy::Alarm,
+        remedy: InterferenceRemedy::Alarm,
         equal_radius_refused: false,
         longer_arc_rad: [f64::INFINITY; 2],
         spirals: SpiralCompensation::Refused,
-        coordinate_change: Allowance::Allowed,
+        coordinate_change: AllowanceRule::Allowed,
         offset_of_tool: false,
         inside_feed_least: 1.0,
     };

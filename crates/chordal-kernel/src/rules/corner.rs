@@ -13,7 +13,7 @@ pub enum CornerMoves {
 
 /// The rules of roundings and chamfers.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CornerRules {
+pub struct RoundingRules {
     /// Between which moves.
     pub moves: CornerMoves,
     /// So many dwells may stand between the two moves.
@@ -22,8 +22,8 @@ pub struct CornerRules {
     pub straight_deg: f64,
 }
 
-impl CornerRules {
+impl RoundingRules {
     /// None; a table names what its control has.
-    pub const COMMON: CornerRules =
-        CornerRules { moves: CornerMoves::None, dwells_between: 0, straight_deg: 0.0 };
+    pub const COMMON: RoundingRules =
+        RoundingRules { moves: CornerMoves::None, dwells_between: 0, straight_deg: 0.0 };
 }

@@ -155,7 +155,7 @@ pub enum ZeroRepeats {
 
 /// How the tool goes to the place of a hole.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Approach {
+pub enum HoleApproach {
     /// In the plane at the present level, then to R, up or down.
     PlaceThenLevel,
     /// In the plane at the present level where that is above R, else straight to the place at
@@ -301,7 +301,7 @@ pub struct BoreRules {
 
 /// What ends a cycle beside G80.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub struct Cancel {
+pub struct CycleCancel {
     /// G0, G1, G2, G3.
     pub by_motion: bool,
     /// G28, G29 (Fadal).
@@ -338,9 +338,9 @@ pub struct CycleRules {
     /// A count of zero.
     pub zero_repeats: ZeroRepeats,
     /// How the tool gets there.
-    pub approach: Approach,
+    pub approach: HoleApproach,
     /// What ends a cycle.
-    pub cancel: Cancel,
+    pub cancel: CycleCancel,
     /// P without a decimal point: seconds in one unit.
     pub dwell_integer_s: f64,
     /// P with a decimal point: seconds in one unit.
@@ -378,8 +378,8 @@ impl CycleRules {
         keeps_words: true,
         repeat_letter: b'L',
         zero_repeats: ZeroRepeats::Stored,
-        approach: Approach::PlaceThenLevel,
-        cancel: Cancel {
+        approach: HoleApproach::PlaceThenLevel,
+        cancel: CycleCancel {
             by_motion: true,
             by_reference: false,
             by_tool_change: false,

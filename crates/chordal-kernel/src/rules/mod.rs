@@ -114,7 +114,7 @@ pub struct Rules {
     /// Arcs and spirals.
     pub arc: ArcRules,
     /// Roundings and chamfers at the end of a block.
-    pub corner: CornerRules,
+    pub corner: RoundingRules,
     /// Mirror, scaling and rotation.
     pub frames: FrameRules,
     /// Cycles of lathes.
@@ -194,7 +194,7 @@ impl Rules {
         cycles: CycleRules::COMMON,
         path: PathRules::COMMON,
         arc: ArcRules::COMMON,
-        corner: CornerRules::COMMON,
+        corner: RoundingRules::COMMON,
         frames: FrameRules::COMMON,
         turning: TurningRules::COMMON,
     };

@@ -20,16 +20,16 @@ pub enum TurnCycle {
     /// The contour of a subroutine, in passes at decreasing distances (LinuxCNC G70).
     FinishSubroutine,
     /// Passes along Z, down to the contour of a subroutine (LinuxCNC G71).
-    RoughSubroutine(Pockets),
+    RoughSubroutine(PocketHandling),
     /// Passes along X (LinuxCNC G72).
-    RoughFaceSubroutine(Pockets),
+    RoughFaceSubroutine(PocketHandling),
     /// A thread measured from the line that the tool drives along (LinuxCNC G76).
     LineThread,
 }
 
 /// What becomes of the pockets of a contour.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Pockets {
+pub enum PocketHandling {
     /// They are cut.
     Cut,
     /// They are left (LinuxCNC G71.1).

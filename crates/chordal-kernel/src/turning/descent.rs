@@ -4,10 +4,10 @@
 use chordal_diagnostics::{Code, Diagnostic};
 
 use crate::kernel::Kernel;
-use crate::rules::Pockets;
+use crate::rules::PocketHandling;
 use crate::statement::Statement;
-use crate::turning::offset::{Piece, offset};
-use crate::turning::profile::{Edge, View};
+use crate::turning::offset::{OffsetPiece, offset};
+use crate::turning::profile::{ContourEdge, CycleView};
 
 /// Nearer levels and places are one, in units of the program.
 const SAME: f64 = 1e-6;
@@ -32,7 +32,7 @@ pub struct DescentWords {
     /// How far a pass backs off.
     pub retract: f64,
     /// What becomes of pockets.
-    pub pockets: Pockets,
+    pub pockets: PocketHandling,
 }
 
 /// Why a contour is not cut.
@@ -45,14 +45,14 @@ pub enum DescentFault {
 }
 
 /// A contour with the moves to it, and the levels down to it.
-struct Descent {
-    view: View,
-    pieces: Vec<Piece>,
+struct ContourDescent {
+    view: CycleView,
+    pieces: Vec<OffsetPiece>,
     /// The unit of the program, mm: what is near is measured in it.
     unit: f64,
     depth: f64,
     retract: f64,
-    pockets: Pockets,
+    pockets: PocketHandling,
 }
 
 impl Kernel<'_> {
@@ -61,7 +61,7 @@ impl Kernel<'_> {
         &mut self,
         at: &dyn Statement,
         words: &DescentWords,
-        contour: &[Edge],
+        contour: &[ContourEdge],
     ) -> Result<(), DescentFault> {
         let (view, mut pieces) = seen(words.along_x, words.start, contour)?;
         // From the far side the contour is reached across its first point.
@@ -76,10 +76,10 @@ impl Kernel<'_> {
         let end = pieces[pieces.len() - 1];
         if end.to[1] < top {
             let to = [end.to[0], top];
-            pieces.push(Piece { from: end.to, to, arc: None, origin: end.origin });
+            pieces.push(OffsetPiece { from: end.to, to, arc: None, origin: end.origin });
         }
         let &DescentWords { depth, retract, pockets, .. } = words;
-        let descent = Descent { view, pieces, unit, depth, retract, pockets };
+        let descent = ContourDescent { view, pieces, unit, depth, retract, pockets };
         self.origin.cycle = true;
         self.turn_rapid(words.start);
         self.turn_rapid(view.place(first.from));
@@ -100,15 +100,16 @@ impl Kernel<'_> {
         at: &dyn Statement,
         start: [f64; 2],
         distances: &[f64],
-        contour: &[Edge],
+        contour: &[ContourEdge],
     ) -> Result<(), DescentFault> {
         let unit = self.state.units.mm();
         let beside = beside(start, contour);
         let along_z = contour.iter().enumerate().all(|(index, edge)| {
             let from = if index == 0 { beside } else { edge.from };
-            let flat = Edge { from: [from[1], from[0]], to: [edge.to[1], edge.to[0]], ..*edge };
+            let flat =
+                ContourEdge { from: [from[1], from[0]], to: [edge.to[1], edge.to[0]], ..*edge };
             let arc = edge.arc.map(|(center, sweep)| ([center[1], center[0]], -sweep));
-            Piece::of(&Edge { arc, ..flat }).goes_on(unit)
+            OffsetPiece::of(&ContourEdge { arc, ..flat }).goes_on(unit)
         });
         let start = if along_z { beside } else { start };
         let (view, pieces) = seen(!along_z, start, contour)?;
@@ -118,7 +119,7 @@ impl Kernel<'_> {
             offset(&mut moved, *distance, unit);
             self.turn_rapid(view.place(moved[0].from));
             self.turn_rapid(view.place(moved[0].to));
-            let edges: Vec<Edge> =
+            let edges: Vec<ContourEdge> =
                 moved[1..].iter().map(|piece| view.placed(&piece.edge())).collect();
             self.turn_contour(at, edges.into_iter());
         }
@@ -127,18 +128,18 @@ impl Kernel<'_> {
     }
 
     /// Level by level; false where there are too many.
-    fn descend(&mut self, at: &dyn Statement, job: &Descent) -> bool {
+    fn descend(&mut self, at: &dyn Statement, job: &ContourDescent) -> bool {
         let pieces = &job.pieces;
         let top = pieces[0].from[1];
         let (mut level, mut here, mut now) = (top, pieces[0].from, 0);
         let mut pockets = job.pockets;
-        if pockets == Pockets::Only {
+        if pockets == PocketHandling::Only {
             // Down to the bottom of the first descent, which the cycle without pockets has cut.
             while now < pieces.len() && self.fall_along(at, job, now, &mut here, f64::NEG_INFINITY)
             {
                 now += 1;
             }
-            pockets = Pockets::Cut;
+            pockets = PocketHandling::Cut;
             level = here[1];
         }
         let (mut passes, mut stands) = (0, false);
@@ -154,7 +155,7 @@ impl Kernel<'_> {
                 }
             }
             if !self.fall_along(at, job, now, &mut here, level) {
-                if pockets == Pockets::Left {
+                if pockets == PocketHandling::Left {
                     for piece in &pieces[now..] {
                         self.climb_from_level(at, job, piece, &mut here);
                     }
@@ -164,7 +165,7 @@ impl Kernel<'_> {
                     now += 1;
                 }
                 // Pockets that alone are cut begin at their own edges.
-                level = if job.pockets == Pockets::Only { here[1] } else { top };
+                level = if job.pockets == PocketHandling::Only { here[1] } else { top };
                 continue;
             }
             if here[1] > level || (here[1] - level).abs() > SAME * job.unit {
@@ -186,7 +187,7 @@ impl Kernel<'_> {
     fn cut_level(
         &mut self,
         at: &dyn Statement,
-        job: &Descent,
+        job: &ContourDescent,
         now: usize,
         here: [f64; 2],
     ) -> LevelCut {
@@ -213,7 +214,13 @@ impl Kernel<'_> {
     }
 
     /// A straight move on a falling piece: the move to the contour is a rapid.
-    fn approach_contour(&mut self, at: &dyn Statement, job: &Descent, now: usize, to: [f64; 2]) {
+    fn approach_contour(
+        &mut self,
+        at: &dyn Statement,
+        job: &ContourDescent,
+        now: usize,
+        to: [f64; 2],
+    ) {
         match now {
             0 => self.turn_rapid(job.view.place(to)),
             _ => self.turn_cut(at, job.view.place(to)),
@@ -224,7 +231,7 @@ impl Kernel<'_> {
     fn fall_along(
         &mut self,
         at: &dyn Statement,
-        job: &Descent,
+        job: &ContourDescent,
         now: usize,
         here: &mut [f64; 2],
         level: f64,
@@ -263,8 +270,8 @@ impl Kernel<'_> {
     fn climb_piece(
         &mut self,
         at: &dyn Statement,
-        job: &Descent,
-        piece: &Piece,
+        job: &ContourDescent,
+        piece: &OffsetPiece,
         here: &mut [f64; 2],
     ) -> bool {
         let Some((center, ccw)) = piece.arc else {
@@ -292,8 +299,8 @@ impl Kernel<'_> {
     fn climb_from_level(
         &mut self,
         at: &dyn Statement,
-        job: &Descent,
-        piece: &Piece,
+        job: &ContourDescent,
+        piece: &OffsetPiece,
         here: &mut [f64; 2],
     ) {
         let met = along_at(piece, here[1], job.unit);
@@ -318,13 +325,13 @@ impl Kernel<'_> {
     fn turn_round(
         &mut self,
         at: &dyn Statement,
-        job: &Descent,
-        piece: &Piece,
+        job: &ContourDescent,
+        piece: &OffsetPiece,
         here: &mut [f64; 2],
         to: [f64; 2],
     ) {
         if !near(*here, to, job.unit) {
-            let edge = Piece { from: *here, to, ..*piece }.edge();
+            let edge = OffsetPiece { from: *here, to, ..*piece }.edge();
             self.turn_edge(at, &job.view.placed(&edge));
         }
         *here = to;
@@ -332,7 +339,7 @@ impl Kernel<'_> {
 }
 
 /// A start from which the contour begins towards +Z: it is reached across its first point.
-fn beside(start: [f64; 2], contour: &[Edge]) -> [f64; 2] {
+fn beside(start: [f64; 2], contour: &[ContourEdge]) -> [f64; 2] {
     [start[0], contour.first().map_or(start[1], |edge| start[1].max(edge.to[1]))]
 }
 
@@ -349,8 +356,8 @@ enum LevelCut {
 fn seen(
     along_x: bool,
     start: [f64; 2],
-    contour: &[Edge],
-) -> Result<(View, Vec<Piece>), DescentFault> {
+    contour: &[ContourEdge],
+) -> Result<(CycleView, Vec<OffsetPiece>), DescentFault> {
     let (Some(first), Some(last)) = (contour.first(), contour.last()) else {
         return Err(DescentFault::Empty);
     };
@@ -362,14 +369,15 @@ fn seen(
         fall if fall == 0.0 && along_x => -1.0,
         _ => 1.0,
     };
-    let view = View::by_signs(along_x, along, across);
-    let mut pieces: Vec<Piece> = contour.iter().map(|edge| Piece::of(&view.of(edge))).collect();
+    let view = CycleView::by_signs(along_x, along, across);
+    let mut pieces: Vec<OffsetPiece> =
+        contour.iter().map(|edge| OffsetPiece::of(&view.of(edge))).collect();
     pieces[0].from = view.seen(start);
     Ok((view, pieces))
 }
 
 /// Where along a piece it has a height, in the order of LinuxCNC: of an arc the greater first.
-fn along_at(piece: &Piece, level: f64, unit: f64) -> Vec<f64> {
+fn along_at(piece: &OffsetPiece, level: f64, unit: f64) -> Vec<f64> {
     let same = SAME * unit;
     let Some((center, ccw)) = piece.arc else {
         let (low, high) = (piece.from[1].min(piece.to[1]), piece.from[1].max(piece.to[1]));
@@ -400,7 +408,7 @@ fn along_at(piece: &Piece, level: f64, unit: f64) -> Vec<f64> {
 }
 
 /// The highest place of an arc that first rises.
-fn summit(piece: &Piece, center: [f64; 2]) -> [f64; 2] {
+fn summit(piece: &OffsetPiece, center: [f64; 2]) -> [f64; 2] {
     if piece.to[0] >= center[0] {
         return piece.to;
     }

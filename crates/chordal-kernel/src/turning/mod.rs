@@ -22,7 +22,7 @@ use crate::statement::Statement;
 pub use descent::{DescentFault, DescentWords};
 pub use line_thread::LineThreadWords;
 pub use peck::PeckWords;
-pub use profile::{Edge, Profile};
+pub use profile::{ContourEdge, ContourProfile};
 pub use rough::RoughWords;
 pub use thread::ThreadWords;
 

@@ -3,7 +3,7 @@
 
 use chordal_command::Origin;
 
-use crate::turning::profile::Edge;
+use crate::turning::profile::ContourEdge;
 
 /// Shorter pieces, and arcs of less radius, are gone, in units of the program.
 const GONE: f64 = 1e-3;
@@ -19,7 +19,7 @@ const MOST_STEPS: usize = 10_000;
 
 /// A line or an arc by its ends: its angle follows from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Piece {
+pub(super) struct OffsetPiece {
     /// Where it begins.
     pub from: [f64; 2],
     /// Where it ends.
@@ -30,22 +30,22 @@ pub(super) struct Piece {
     pub origin: Origin,
 }
 
-impl Piece {
+impl OffsetPiece {
     /// Of an edge in the same coordinates.
-    pub fn of(edge: &Edge) -> Piece {
+    pub fn of(edge: &ContourEdge) -> OffsetPiece {
         let arc = edge.arc.map(|(center, sweep)| (center, sweep > 0.0));
-        Piece { from: edge.from, to: edge.to, arc, origin: edge.origin }
+        OffsetPiece { from: edge.from, to: edge.to, arc, origin: edge.origin }
     }
 
     /// As an edge.
-    pub fn edge(&self) -> Edge {
+    pub fn edge(&self) -> ContourEdge {
         let arc = self.arc.map(|(center, ccw)| {
             let angle = |at: [f64; 2]| libm::atan2(at[1] - center[1], at[0] - center[0]);
             let turn = 2.0 * std::f64::consts::PI;
             let sweep = (angle(self.to) - angle(self.from)).rem_euclid(turn);
             (center, if ccw { sweep } else { sweep - turn })
         });
-        Edge { from: self.from, to: self.to, arc, origin: self.origin }
+        ContourEdge { from: self.from, to: self.to, arc, origin: self.origin }
     }
 
     /// How much it can be moved: its length, of an arc no more than its radius.
@@ -63,20 +63,20 @@ impl Piece {
         inside(self.from) && inside(self.to) && along <= -GONE * unit
     }
 
-    fn moved(&self, by: f64) -> Piece {
+    fn moved(&self, by: f64) -> OffsetPiece {
         match self.arc {
             None => {
                 let length = distance(self.from, self.to);
                 let back = [0, 1].map(|axis| (self.from[axis] - self.to[axis]) / length);
                 let by = [-back[1] * by, back[0] * by];
                 let shift = |at: [f64; 2]| [at[0] + by[0], at[1] + by[1]];
-                Piece { from: shift(self.from), to: shift(self.to), ..*self }
+                OffsetPiece { from: shift(self.from), to: shift(self.to), ..*self }
             }
             Some((center, ccw)) => {
                 let radius = distance(self.from, center);
                 let factor = (radius + if ccw { by } else { -by }) / radius;
                 let scale = |at: [f64; 2]| [0, 1].map(|i| center[i] + (at[i] - center[i]) * factor);
-                Piece { from: scale(self.from), to: scale(self.to), ..*self }
+                OffsetPiece { from: scale(self.from), to: scale(self.to), ..*self }
             }
         }
     }
@@ -84,7 +84,7 @@ impl Piece {
 
 /// The contour after its first move, moved to the side of that move's start; the first move ends where it begins then.
 /// What is near is measured in the unit of the program, mm.
-pub(super) fn offset(pieces: &mut Vec<Piece>, by: f64, unit: f64) {
+pub(super) fn offset(pieces: &mut Vec<OffsetPiece>, by: f64, unit: f64) {
     let (Some(first), Some(last)) = (pieces.first().copied(), pieces.last()) else { return };
     if by == 0.0 || pieces.len() < 2 {
         return;
@@ -119,7 +119,7 @@ pub(super) fn offset(pieces: &mut Vec<Piece>, by: f64, unit: f64) {
 }
 
 /// Arcs where two neighbours have come apart.
-fn round_corners(rest: &mut Vec<Piece>, step: f64, ccw: bool, unit: f64) {
+fn round_corners(rest: &mut Vec<OffsetPiece>, step: f64, ccw: bool, unit: f64) {
     let mut index = 0;
     while index + 1 < rest.len() {
         let (one, next) = (rest[index], rest[index + 1]);
@@ -127,7 +127,10 @@ fn round_corners(rest: &mut Vec<Piece>, step: f64, ccw: bool, unit: f64) {
             let (before, after) = (one.moved(-step).to, next.moved(-step).from);
             let center = [0, 1].map(|i| (before[i] + after[i]) / 2.0);
             let arc = Some((center, ccw));
-            rest.insert(index + 1, Piece { from: one.to, to: next.from, arc, origin: next.origin });
+            rest.insert(
+                index + 1,
+                OffsetPiece { from: one.to, to: next.from, arc, origin: next.origin },
+            );
             index += 1;
         }
         index += 1;
@@ -135,7 +138,7 @@ fn round_corners(rest: &mut Vec<Piece>, step: f64, ccw: bool, unit: f64) {
 }
 
 /// Intersects neighbours, and removes what has turned round.
-fn drop_turned(rest: &mut Vec<Piece>, unit: f64) {
+fn drop_turned(rest: &mut Vec<OffsetPiece>, unit: f64) {
     let mut index = 0;
     while index + 1 < rest.len() {
         if !rest[index].goes_on(unit) && index > 0 {
@@ -156,7 +159,7 @@ fn drop_turned(rest: &mut Vec<Piece>, unit: f64) {
 }
 
 /// Two neighbours end and begin where they intersect.
-fn meet(one: &mut Piece, next: &mut Piece, unit: f64) {
+fn meet(one: &mut OffsetPiece, next: &mut OffsetPiece, unit: f64) {
     if distance(one.to, next.from) < MEETS * unit {
         return;
     }
@@ -177,7 +180,7 @@ fn meet(one: &mut Piece, next: &mut Piece, unit: f64) {
     }
 }
 
-fn lines_meet(one: &Piece, next: &Piece) -> Option<[f64; 2]> {
+fn lines_meet(one: &OffsetPiece, next: &OffsetPiece) -> Option<[f64; 2]> {
     let u = [one.to[0] - one.from[0], one.to[1] - one.from[1]];
     let v = [next.to[0] - next.from[0], next.to[1] - next.from[1]];
     let between = [next.from[0] - one.from[0], next.from[1] - one.from[1]];
@@ -187,7 +190,12 @@ fn lines_meet(one: &Piece, next: &Piece) -> Option<[f64; 2]> {
 }
 
 /// Where a line meets a circle, the place nearer to `near`.
-fn line_meets(line: &Piece, center: [f64; 2], radius: f64, near: [f64; 2]) -> Option<[f64; 2]> {
+fn line_meets(
+    line: &OffsetPiece,
+    center: [f64; 2],
+    radius: f64,
+    near: [f64; 2],
+) -> Option<[f64; 2]> {
     let length = distance(line.from, line.to);
     let u = [0, 1].map(|i| (line.to[i] - line.from[i]) / length);
     let to = [center[0] - line.from[0], center[1] - line.from[1]];
@@ -198,7 +206,7 @@ fn line_meets(line: &Piece, center: [f64; 2], radius: f64, near: [f64; 2]) -> Op
     Some(if distance(a, near) < distance(b, near) { a } else { b })
 }
 
-fn arcs_meet(one: &Piece, a: [f64; 2], next: &Piece, b: [f64; 2]) -> Option<[f64; 2]> {
+fn arcs_meet(one: &OffsetPiece, a: [f64; 2], next: &OffsetPiece, b: [f64; 2]) -> Option<[f64; 2]> {
     let (r, q, c) = (distance(next.from, b), distance(one.from, a), distance(a, b));
     if c == 0.0 {
         return None;

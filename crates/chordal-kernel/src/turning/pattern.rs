@@ -2,11 +2,16 @@
 
 use crate::kernel::Kernel;
 use crate::statement::Statement;
-use crate::turning::profile::Profile;
+use crate::turning::profile::ContourProfile;
 
 impl Kernel<'_> {
     /// Runs the contour in so many passes, each nearer than the one before, and comes back to the start.
-    pub fn turn_pattern(&mut self, at: &dyn Statement, allowance: [f64; 2], profile: &Profile) {
+    pub fn turn_pattern(
+        &mut self,
+        at: &dyn Statement,
+        allowance: [f64; 2],
+        profile: &ContourProfile,
+    ) {
         let start = self.turned_place();
         let memory = self.state.turning;
         let passes = memory.pattern_passes.max(1);

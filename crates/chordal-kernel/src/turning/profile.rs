@@ -9,18 +9,18 @@ use crate::turning::{SAME_MM, XZ};
 
 /// A contour as its blocks cut it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Profile {
+pub struct ContourProfile {
     /// Where its first block ends: X (a radius) and Z.
     pub start: [f64; 2],
     /// Its first block is a rapid.
     pub first_is_rapid: bool,
     /// The moves after it.
-    pub edges: Vec<Edge>,
+    pub edges: Vec<ContourEdge>,
 }
 
 /// A line or an arc of a contour, in (along, down) coordinates or in (x, z).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Edge {
+pub struct ContourEdge {
     /// Where it begins.
     pub from: [f64; 2],
     /// Where it ends.
@@ -31,15 +31,15 @@ pub struct Edge {
     pub origin: Origin,
 }
 
-impl Profile {
+impl ContourProfile {
     /// The contour of the commands of its blocks; `None` where they move nothing.
-    pub fn of(commands: &[Command]) -> Option<Profile> {
+    pub fn of(commands: &[Command]) -> Option<ContourProfile> {
         let mut moves = commands.iter().filter(|command| command.kind.motion().is_some());
         let first = moves.next()?;
         let motion = first.kind.motion()?;
         let to = place(&motion.to);
-        let edges = moves.filter_map(Edge::of).collect();
-        Some(Profile {
+        let edges = moves.filter_map(ContourEdge::of).collect();
+        Some(ContourProfile {
             start: to,
             first_is_rapid: matches!(first.kind, CommandKind::Rapid { .. }),
             edges,
@@ -47,8 +47,8 @@ impl Profile {
     }
 
     /// All moves of commands, the first included.
-    pub fn moves(commands: &[Command]) -> Vec<Edge> {
-        commands.iter().filter_map(Edge::of).collect()
+    pub fn moves(commands: &[Command]) -> Vec<ContourEdge> {
+        commands.iter().filter_map(ContourEdge::of).collect()
     }
 
     /// Leaves out what comes at the end of the contour outside the stock, from its first edge back towards the start of the
@@ -59,10 +59,10 @@ impl Profile {
         let out = start[cross] - self.start[cross];
         let is_outside =
             |at: [f64; 2]| out != 0.0 && (at[cross] - start[cross]) * out.signum() >= -SAME_MM;
-        let is_cut = |edge: &Edge| !(is_outside(edge.from) && is_outside(edge.to));
+        let is_cut = |edge: &ContourEdge| !(is_outside(edge.from) && is_outside(edge.to));
         let tail = self.edges.iter().rposition(is_cut).map_or(0, |last| last + 1);
         let first = self.start[axis];
-        let goes_back = |edge: &Edge| {
+        let goes_back = |edge: &ContourEdge| {
             (edge.to[axis] - edge.from[axis]) * (edge.from[axis] - first) < -SAME_MM * SAME_MM
         };
         if let Some(back) = self.edges[tail..].iter().position(goes_back) {
@@ -80,33 +80,33 @@ fn place(position: &[f64]) -> [f64; 2] {
     [position[0], position[2]]
 }
 
-impl Edge {
-    fn of(command: &Command) -> Option<Edge> {
+impl ContourEdge {
+    fn of(command: &Command) -> Option<ContourEdge> {
         let motion = command.kind.motion()?;
         let (from, to) = (place(&motion.from), place(&motion.to));
         // In the plane of Z and X angles go from Z to X: from the second coordinate here to the first.
         let arc =
             command.kind.shape().map(|shape| ([shape.center[1], shape.center[0]], -shape.sweep));
-        (from != to).then_some(Edge { from, to, arc, origin: command.origin })
+        (from != to).then_some(ContourEdge { from, to, arc, origin: command.origin })
     }
 
     /// A straight one.
-    pub fn line(from: [f64; 2], to: [f64; 2], origin: Origin) -> Edge {
-        Edge { from, to, arc: None, origin }
+    pub fn line(from: [f64; 2], to: [f64; 2], origin: Origin) -> ContourEdge {
+        ContourEdge { from, to, arc: None, origin }
     }
 
     /// The edge in other coordinates; `turns` where they turn the other way round.
-    pub(super) fn mapped(&self, map: impl Fn([f64; 2]) -> [f64; 2], turns: bool) -> Edge {
+    pub(super) fn mapped(&self, map: impl Fn([f64; 2]) -> [f64; 2], turns: bool) -> ContourEdge {
         let arc = self.arc.map(|(center, sweep)| (map(center), if turns { -sweep } else { sweep }));
-        Edge { from: map(self.from), to: map(self.to), arc, origin: self.origin }
+        ContourEdge { from: map(self.from), to: map(self.to), arc, origin: self.origin }
     }
 
     /// The piece between two places of it, from 0 to 1.
-    pub fn piece(&self, first: f64, last: f64) -> Edge {
+    pub fn piece(&self, first: f64, last: f64) -> ContourEdge {
         let from = if first <= 0.0 { self.from } else { self.at(first) };
         let to = if last >= 1.0 { self.to } else { self.at(last) };
         let arc = self.arc.map(|(center, sweep)| (center, sweep * (last - first)));
-        Edge { from, to, arc, origin: self.origin }
+        ContourEdge { from, to, arc, origin: self.origin }
     }
 
     /// A place of it.
@@ -174,16 +174,16 @@ impl Edge {
 /// How a cycle sees X and Z: along the passes, which go down to smaller numbers, and across them, where the
 /// part lies below.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct View {
+pub(super) struct CycleView {
     /// The passes go along X.
     along_x: bool,
     along: f64,
     across: f64,
 }
 
-impl View {
+impl CycleView {
     /// From the start of the cycle to its contour.
-    pub fn new(along_x: bool, start: [f64; 2], profile: &Profile) -> View {
+    pub fn new(along_x: bool, start: [f64; 2], profile: &ContourProfile) -> CycleView {
         let (end, first) = (profile.end(), profile.start);
         let axis = usize::from(!along_x);
         let cross = 1 - axis;
@@ -199,16 +199,16 @@ impl View {
         } else {
             sign(start[cross] - first[cross])
         };
-        View { along_x, along, across }
+        CycleView { along_x, along, across }
     }
 
     /// By the signs of the two.
-    pub fn by_signs(along_x: bool, along: f64, across: f64) -> View {
-        View { along_x, along, across }
+    pub fn by_signs(along_x: bool, along: f64, across: f64) -> CycleView {
+        CycleView { along_x, along, across }
     }
 
     /// An edge of X and Z as this view has it.
-    pub fn of(&self, edge: &Edge) -> Edge {
+    pub fn of(&self, edge: &ContourEdge) -> ContourEdge {
         edge.mapped(|at| self.seen(at), self.turns())
     }
 
@@ -234,7 +234,7 @@ impl View {
     }
 
     /// The edges of a contour, moved by a vector of (along, across).
-    pub fn edges(&self, profile: &Profile, by: [f64; 2]) -> Vec<Edge> {
+    pub fn edges(&self, profile: &ContourProfile, by: [f64; 2]) -> Vec<ContourEdge> {
         let map = |at: [f64; 2]| {
             let [along, across] = self.seen(at);
             [along + by[0], across + by[1]]
@@ -243,14 +243,18 @@ impl View {
     }
 
     /// An edge of this view as X and Z.
-    pub fn placed(&self, edge: &Edge) -> Edge {
+    pub fn placed(&self, edge: &ContourEdge) -> ContourEdge {
         edge.mapped(|at| self.place(at), self.turns())
     }
 }
 
 impl Kernel<'_> {
     /// Cuts edges of X and Z, each as its own block.
-    pub(super) fn turn_contour(&mut self, at: &dyn Statement, edges: impl Iterator<Item = Edge>) {
+    pub(super) fn turn_contour(
+        &mut self,
+        at: &dyn Statement,
+        edges: impl Iterator<Item = ContourEdge>,
+    ) {
         let cycle = self.origin;
         for edge in edges {
             self.origin = Origin { cycle: true, ..edge.origin };
@@ -260,7 +264,7 @@ impl Kernel<'_> {
     }
 
     /// Cuts an edge of X and Z from where the tool is.
-    pub(super) fn turn_edge(&mut self, at: &dyn Statement, edge: &Edge) {
+    pub(super) fn turn_edge(&mut self, at: &dyn Statement, edge: &ContourEdge) {
         let Some((center, sweep)) = edge.arc else {
             return self.turn_cut(at, edge.to);
         };

@@ -6,7 +6,7 @@ use crate::kernel::Kernel;
 use crate::rules::FirstLevel;
 use crate::statement::Statement;
 use crate::turning::SAME_MM;
-use crate::turning::profile::{Edge, Profile, View};
+use crate::turning::profile::{ContourEdge, ContourProfile, CycleView};
 
 /// Most passes of one cycle: a depth of a micron is a slip.
 const MOST_PASSES: u32 = 100_000;
@@ -29,9 +29,9 @@ pub struct RoughWords {
 }
 
 /// What one cycle needs to know of its contour.
-struct Job<'e> {
-    view: View,
-    edges: &'e [Edge],
+struct RoughingJob<'e> {
+    view: CycleView,
+    edges: &'e [ContourEdge],
     /// Where the passes begin, (along, across).
     begin: [f64; 2],
     /// The end of the contour's first block, moved by the allowance.
@@ -42,9 +42,9 @@ struct Job<'e> {
 
 impl Kernel<'_> {
     /// Roughs down to a contour, and comes back to the start.
-    pub fn rough(&mut self, at: &dyn Statement, words: &RoughWords, profile: &Profile) {
+    pub fn rough(&mut self, at: &dyn Statement, words: &RoughWords, profile: &ContourProfile) {
         let start = self.turned_place();
-        let view = View::new(words.along_x, start, profile);
+        let view = CycleView::new(words.along_x, start, profile);
         let finish = view.seen(words.allowance);
         self.check_allowance(at, finish);
         let more = view.seen(words.rough_allowance);
@@ -54,7 +54,7 @@ impl Kernel<'_> {
         let begin = [seen[0] + by[0], seen[1] + by[1]];
         let first = view.seen(profile.start);
         let first = [first[0] + by[0], first[1] + by[1]];
-        let lowest = edges.iter().map(Edge::lowest).fold(first[1], f64::min);
+        let lowest = edges.iter().map(ContourEdge::lowest).fold(first[1], f64::min);
         let top = match self.rules.turning.first_level {
             FirstLevel::Allowance => begin[1],
             FirstLevel::Start => seen[1],
@@ -65,7 +65,7 @@ impl Kernel<'_> {
         }
         self.origin.cycle = true;
         self.turn_rapid(view.place(begin));
-        let job = Job {
+        let job = RoughingJob {
             view,
             edges: &edges,
             begin,
@@ -91,8 +91,8 @@ impl Kernel<'_> {
     fn contour_nearer(
         &mut self,
         at: &dyn Statement,
-        view: &View,
-        profile: &Profile,
+        view: &CycleView,
+        profile: &ContourProfile,
         start: [f64; 2],
         by: [f64; 2],
     ) {
@@ -109,7 +109,7 @@ impl Kernel<'_> {
         self.turn_contour(at, edges.iter().map(|edge| view.placed(edge)));
     }
 
-    fn infeed(&mut self, at: &dyn Statement, job: &Job<'_>, to: [f64; 2]) {
+    fn infeed(&mut self, at: &dyn Statement, job: &RoughingJob<'_>, to: [f64; 2]) {
         match job.rapid_infeed {
             true => self.turn_rapid(job.view.place(to)),
             false => self.turn_cut(at, job.view.place(to)),
@@ -120,7 +120,7 @@ impl Kernel<'_> {
     fn rough_levels(
         &mut self,
         at: &dyn Statement,
-        job: &Job<'_>,
+        job: &RoughingJob<'_>,
         top: f64,
         depth: f64,
         lowest: f64,
@@ -146,7 +146,7 @@ impl Kernel<'_> {
     fn rough_pockets(
         &mut self,
         at: &dyn Statement,
-        job: &Job<'_>,
+        job: &RoughingJob<'_>,
         top: f64,
         depth: f64,
         lowest: f64,
@@ -222,7 +222,7 @@ impl Kernel<'_> {
 }
 
 /// How far along a level goes before the contour is met.
-fn hit(first: [f64; 2], edges: &[Edge], level: f64) -> f64 {
+fn hit(first: [f64; 2], edges: &[ContourEdge], level: f64) -> f64 {
     if first[1] > level {
         return first[0];
     }
@@ -238,9 +238,9 @@ fn hit(first: [f64; 2], edges: &[Edge], level: f64) -> f64 {
 }
 
 /// The contour where it lies below `above`, lifted to `level`, in connected runs.
-fn runs(first: [f64; 2], edges: &[Edge], level: f64, above: f64) -> Vec<Vec<Edge>> {
-    let mut runs: Vec<Vec<Edge>> = Vec::new();
-    let mut run: Vec<Edge> = Vec::new();
+fn runs(first: [f64; 2], edges: &[ContourEdge], level: f64, above: f64) -> Vec<Vec<ContourEdge>> {
+    let mut runs: Vec<Vec<ContourEdge>> = Vec::new();
+    let mut run: Vec<ContourEdge> = Vec::new();
     let mut at = [first[0], first[1].max(level)];
     for edge in edges {
         let mut cuts = edge.crossings(level);
@@ -261,7 +261,9 @@ fn runs(first: [f64; 2], edges: &[Edge], level: f64, above: f64) -> Vec<Vec<Edge
                 continue;
             }
             let piece = match middle < level {
-                true => Edge::line([piece.from[0], level], [piece.to[0], level], edge.origin),
+                true => {
+                    ContourEdge::line([piece.from[0], level], [piece.to[0], level], edge.origin)
+                }
                 false => piece,
             };
             if run.is_empty() {
@@ -280,11 +282,11 @@ fn runs(first: [f64; 2], edges: &[Edge], level: f64, above: f64) -> Vec<Vec<Edge
 }
 
 /// Adds a piece to a run; pieces along the level become one.
-fn join(run: &mut Vec<Edge>, at: [f64; 2], piece: Edge) {
+fn join(run: &mut Vec<ContourEdge>, at: [f64; 2], piece: ContourEdge) {
     if piece.from == piece.to {
         return;
     }
-    let flat = |edge: &Edge| edge.arc.is_none() && edge.from[1] == edge.to[1];
+    let flat = |edge: &ContourEdge| edge.arc.is_none() && edge.from[1] == edge.to[1];
     match run.last_mut() {
         Some(last) if flat(last) && flat(&piece) && last.to[1] == piece.from[1] => {
             last.to = piece.to
@@ -292,7 +294,7 @@ fn join(run: &mut Vec<Edge>, at: [f64; 2], piece: Edge) {
         _ => {
             let gap = (at[0] - piece.from[0]).abs() + (at[1] - piece.from[1]).abs();
             if !run.is_empty() && gap > SAME_MM {
-                run.push(Edge::line(at, piece.from, piece.origin));
+                run.push(ContourEdge::line(at, piece.from, piece.origin));
             }
             run.push(piece);
         }
@@ -300,7 +302,7 @@ fn join(run: &mut Vec<Edge>, at: [f64; 2], piece: Edge) {
 }
 
 /// The highest end of the contour between two places along it.
-fn highest_between(edges: &[Edge], one: f64, other: f64) -> f64 {
+fn highest_between(edges: &[ContourEdge], one: f64, other: f64) -> f64 {
     let (low, high) = (one.min(other), one.max(other));
     edges
         .iter()

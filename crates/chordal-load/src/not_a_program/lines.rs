@@ -1,13 +1,13 @@
 //! Kinds of files by their first lines.
 
 use super::FileKind;
-use super::sample::{Sample, fits};
+use super::sample::{TextSample, fits};
 
 /// A kind and its test.
-type Row = (FileKind, fn(&Sample) -> bool);
+type FileKindTest = (FileKind, fn(&TextSample) -> bool);
 
 /// In order: the first that fits counts.
-const ROWS: &[Row] = &[
+const ROWS: &[FileKindTest] = &[
     (certain("a drawing (SVG)"), |s| s.begins("<svg") || s.begins("<?xml") && s.has("<svg")),
     (certain("a web page (HTML)"), |s| s.begins("<!doctype html") || s.begins("<html")),
     (certain("an XML file"), |s| s.begins("<?xml") || s.begins("<!doctype")),
@@ -81,32 +81,32 @@ const fn certain(what: &'static str) -> FileKind {
 }
 
 /// The kind of a file with these lines.
-pub(super) fn kind_of(sample: &Sample) -> Option<&'static FileKind> {
+pub(super) fn kind_of(sample: &TextSample) -> Option<&'static FileKind> {
     ROWS.iter().find(|(_, test)| test(sample)).map(|(kind, _)| kind)
 }
 
 /// A group code and its value on lines of their own: `0`, `SECTION`.
-fn is_dxf(sample: &Sample) -> bool {
+fn is_dxf(sample: &TextSample) -> bool {
     let first: Vec<&str> = sample.lines().take(8).collect();
     matches!(first.first(), Some(&"0" | &"999"))
         && first.windows(2).any(|pair| pair == ["0", "SECTION"])
 }
 
 /// Its format, its unit or an aperture between percent signs.
-fn is_gerber(sample: &Sample) -> bool {
+fn is_gerber(sample: &TextSample) -> bool {
     let starts = ["%FSL", "%FST", "%MOMM*%", "%MOIN*%", "%ADD"];
     sample.lines().take(40).any(|line| starts.iter().any(|start| line.starts_with(start)))
 }
 
 /// M48 first, then the unit or a tool with its diameter.
-fn is_excellon(sample: &Sample) -> bool {
+fn is_excellon(sample: &TextSample) -> bool {
     let is_head =
         |line: &str| line.starts_with("METRIC") || line.starts_with("INCH") || fits(line, "T9+C9");
     sample.first_without(&['%', ';']) == "M48" && sample.count(is_head) > 0
 }
 
 /// `T1 P1 Z0.5 D0.25 ;end mill`, and no other line.
-fn is_tool_table(sample: &Sample) -> bool {
+fn is_tool_table(sample: &TextSample) -> bool {
     let is_tool = |line: &str| {
         let words = line.split(';').next().unwrap_or("");
         let mut words = words.split_whitespace();
@@ -120,7 +120,7 @@ fn is_tool_table(sample: &Sample) -> bool {
 }
 
 /// `5161 0.000000`: a number and its value.
-fn is_numbered_parameters(sample: &Sample) -> bool {
+fn is_numbered_parameters(sample: &TextSample) -> bool {
     sample.share(3, 100, |line| {
         let mut words = line.split_whitespace();
         let number = words.next().is_some_and(|word| word.parse::<u16>().is_ok());
@@ -130,14 +130,14 @@ fn is_numbered_parameters(sample: &Sample) -> bool {
 }
 
 /// `G10L85P500(4059…)` and `SETVN500[LEN]`.
-fn is_macro_variables(sample: &Sample) -> bool {
+fn is_macro_variables(sample: &TextSample) -> bool {
     sample.share(2, 80, |line| {
         fits(line, "G10L85P9+(") || line.starts_with("SETVN") || line.starts_with('%')
     }) && sample.begin(1, &["G10L85P", "SETVN"])
 }
 
 /// `N1320A1P650000A2P420000`, as a Fanuc writes its parameters.
-fn is_control_parameters(sample: &Sample) -> bool {
+fn is_control_parameters(sample: &TextSample) -> bool {
     sample.share(4, 75, |line| {
         let shapes = ["N99999P", "N9999P", "N9999A9P", "N99999A9P", "N9999Q", "N99999Q"];
         shapes.iter().any(|shape| fits(line, shape)) && !line.contains(['X', 'Y', 'Z', 'G', ' '])
@@ -145,7 +145,7 @@ fn is_control_parameters(sample: &Sample) -> bool {
 }
 
 /// Words of APT with a slash: `GOTO/10.0,10.0,5.0`.
-fn is_apt(sample: &Sample) -> bool {
+fn is_apt(sample: &TextSample) -> bool {
     const WORDS: &[&str] = &[
         "PARTNO", "UNITS", "CUTTER", "LOADTL", "LOAD", "SPINDL", "FEDRAT", "GOTO", "FROM",
         "GODLTA", "CIRCLE", "COOLNT", "MACHIN", "MULTAX", "PPRINT", "TLDATA", "CYCLE", "ARCSLP",
@@ -158,13 +158,13 @@ fn is_apt(sample: &Sample) -> bool {
 }
 
 /// `configuration LampAppC {` or `module LampC {`, and `implementation`.
-fn is_nesc(sample: &Sample) -> bool {
+fn is_nesc(sample: &TextSample) -> bool {
     sample.begin(1, &["implementation"])
         && sample.begin(1, &["configuration ", "module ", "generic ", "interface "])
 }
 
 /// A section in brackets first, and most lines as `key = value`.
-fn is_settings(sample: &Sample) -> bool {
+fn is_settings(sample: &TextSample) -> bool {
     let is_section = |line: &str| line.starts_with('[') && line.ends_with(']');
     let is_setting = |line: &str| {
         line.split_once('=').is_some_and(|(key, _)| {
@@ -181,7 +181,7 @@ fn is_settings(sample: &Sample) -> bool {
 }
 
 /// Targets with a colon, variables `$(CC)`, indented commands.
-fn is_makefile(sample: &Sample) -> bool {
+fn is_makefile(sample: &TextSample) -> bool {
     let is_target = |line: &str| {
         let name = line.split_once(':').map_or("", |(name, _)| name);
         name.len() > 1 && name.chars().all(|c| c.is_ascii_alphanumeric() || "$()_.-%".contains(c))
@@ -190,7 +190,7 @@ fn is_makefile(sample: &Sample) -> bool {
 }
 
 /// Every line has a number and a word of BASIC.
-fn is_basic(sample: &Sample) -> bool {
+fn is_basic(sample: &TextSample) -> bool {
     const WORDS: &[&str] = &[
         "REM", "LET", "PRINT", "IF", "GOTO", "GOSUB", "FOR", "NEXT", "INPUT", "END", "DIM", "DATA",
         "READ", "RETURN", "CLS", "POKE", "BORDER", "PAPER",
@@ -203,7 +203,7 @@ fn is_basic(sample: &Sample) -> bool {
 }
 
 /// A brace or a bracket, and within it names, lists and values of JSON.
-fn is_json(sample: &Sample) -> bool {
+fn is_json(sample: &TextSample) -> bool {
     let mut start = sample.lines().flat_map(str::bytes).filter(|byte| !byte.is_ascii_whitespace());
     match (start.next(), start.next()) {
         (Some(b'{'), Some(next)) => next == b'"' || next == b'}',
@@ -213,7 +213,7 @@ fn is_json(sample: &Sample) -> bool {
 }
 
 /// Most lines are `name: value` or items of a list.
-fn is_yaml(sample: &Sample) -> bool {
+fn is_yaml(sample: &TextSample) -> bool {
     let is_entry = |line: &str| {
         let line = line.strip_prefix("- ").unwrap_or(line);
         line.split_once(':').is_some_and(|(name, value)| {
@@ -228,13 +228,13 @@ fn is_yaml(sample: &Sample) -> bool {
 }
 
 /// Most lines begin with a time.
-fn is_log(sample: &Sample) -> bool {
+fn is_log(sample: &TextSample) -> bool {
     let times = ["9999-99-99", "[99:99:99", "99:99:99", "[9999-99-99", "99.99.9999", "99/99/9999"];
     sample.share(3, 70, |line| times.iter().any(|time| fits(line, time)))
 }
 
 /// A head and rows of numbers with as many commas, semicolons or tabs.
-fn is_table(sample: &Sample) -> bool {
+fn is_table(sample: &TextSample) -> bool {
     let is_row = |line: &str, mark: char| {
         line.split(mark).all(|field| field.trim().trim_matches('"').parse::<f64>().is_ok())
     };

@@ -10,10 +10,10 @@ mod sample;
 
 use std::borrow::Cow;
 
-use chordal::control::{Strength, recognize};
+use chordal::control::{EvidenceStrength, recognize};
 
 use crate::error::LoadError;
-use sample::Sample;
+use sample::TextSample;
 
 /// A kind of file that is no program.
 #[derive(Debug)]
@@ -45,7 +45,7 @@ impl FileKind {
 
 /// The kind of a file by its beginning.
 fn kind_of(text: &[u8]) -> Option<&'static FileKind> {
-    bytes::kind_of(text).or_else(|| lines::kind_of(&Sample::new(text)))
+    bytes::kind_of(text).or_else(|| lines::kind_of(&TextSample::new(text)))
 }
 
 /// The file is of a kind that is no program, or a letter.
@@ -58,9 +58,9 @@ fn is_letter(text: &[u8]) -> bool {
     // A semicolon in a sentence looks like a comment: that alone makes no program.
     let is_known = || {
         let found = recognize(text);
-        found.chosen().not_read || found.strength() == Strength::Sure
+        found.chosen().not_read || found.strength() == EvidenceStrength::Sure
     };
-    prose::is_prose(&Sample::new(text)) && !is_known()
+    prose::is_prose(&TextSample::new(text)) && !is_known()
 }
 
 /// Refuses what is no program for certain.

@@ -1,6 +1,6 @@
 //! Letters, notes and other text without a block.
 
-use super::sample::Sample;
+use super::sample::TextSample;
 
 /// Fewer words than these are no prose: a program that somebody begins to write.
 const FEWEST_WORDS: usize = 5;
@@ -9,7 +9,7 @@ const FEWEST_WORDS: usize = 5;
 const LINES_TO_A_BLOCK: usize = 20;
 
 /// Hardly any line begins as a block or as a comment of a program, and there are words.
-pub(super) fn is_prose(sample: &Sample) -> bool {
+pub(super) fn is_prose(sample: &TextSample) -> bool {
     let all = sample.lines().count();
     let blocks = sample.count(may_be_block);
     let words: usize = sample.lines().map(words).sum();
@@ -52,7 +52,7 @@ mod tests {
     use super::*;
 
     fn prose(text: &str) -> bool {
-        is_prose(&Sample::new(text.as_bytes()))
+        is_prose(&TextSample::new(text.as_bytes()))
     }
 
     #[test]

@@ -4,19 +4,19 @@
 const SAMPLE: usize = 16 * 1024;
 
 /// The first lines of a file.
-pub(super) struct Sample {
+pub(super) struct TextSample {
     /// Lines that are not empty, without blanks around them, and whether a blank was before.
     lines: Vec<(String, bool)>,
 }
 
-impl Sample {
-    pub fn new(text: &[u8]) -> Sample {
+impl TextSample {
+    pub fn new(text: &[u8]) -> TextSample {
         // The last line may be cut.
         let text = String::from_utf8_lossy(crate::head::whole_lines(text, SAMPLE));
         let lines = text.split(['\n', '\r']).map(|line| line.trim_matches('\0'));
         let lines = lines.filter(|line| !line.trim().is_empty());
         let lines = lines.map(|line| (line.trim().to_string(), line.starts_with([' ', '\t'])));
-        Sample { lines: lines.collect() }
+        TextSample { lines: lines.collect() }
     }
 
     /// The lines in order.

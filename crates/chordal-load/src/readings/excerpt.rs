@@ -19,32 +19,32 @@ const CONTEXT_LINES: usize = 24;
 const EXCERPT_PIECES_LIMIT: usize = 64;
 
 /// The parts of a text that are run, one after the other.
-pub struct Excerpt<'a> {
+pub struct TrialExcerpt<'a> {
     /// What is run.
     pub text: Cow<'a, [u8]>,
     /// Where each piece begins: in the excerpt, and in the text.
     pieces: Vec<(usize, usize)>,
 }
 
-impl<'a> Excerpt<'a> {
+impl<'a> TrialExcerpt<'a> {
     /// The whole text.
-    pub fn whole(text: &'a [u8]) -> Excerpt<'a> {
-        Excerpt { text: Cow::Borrowed(text), pieces: vec![(0, 0)] }
+    pub fn whole(text: &'a [u8]) -> TrialExcerpt<'a> {
+        TrialExcerpt { text: Cow::Borrowed(text), pieces: vec![(0, 0)] }
     }
 
     /// Of a text; all of it where it is short, or where a part of it may run more than once or not at all.
-    pub fn of(text: &'a [u8]) -> Excerpt<'a> {
+    pub fn of(text: &'a [u8]) -> TrialExcerpt<'a> {
         if text.len() <= BEGINNING_BYTES + END_BYTES {
-            return Excerpt::whole(text);
+            return TrialExcerpt::whole(text);
         }
         let beginning = line_end(text, BEGINNING_BYTES);
         let mut kinds = WordKinds::default();
         kinds.read(&text[..beginning]);
         let Some(mut ranges) = lines_of_new_kinds(text, beginning, &mut kinds) else {
-            return Excerpt::whole(text);
+            return TrialExcerpt::whole(text);
         };
         if kinds.jumps() {
-            return Excerpt::whole(text);
+            return TrialExcerpt::whole(text);
         }
         let end = line_end(text, text.len() - END_BYTES);
         ranges.push((end, text.len()));
@@ -62,7 +62,7 @@ impl<'a> Excerpt<'a> {
             excerpt.extend_from_slice(&text[start..end]);
             copied = end;
         }
-        Excerpt { text: Cow::Owned(excerpt), pieces }
+        TrialExcerpt { text: Cow::Owned(excerpt), pieces }
     }
 
     /// Nothing of the text is left out.
@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn a_long_text_is_its_beginning_its_end_and_what_is_new_between() {
         let text = long_text();
-        let excerpt = Excerpt::of(&text);
+        let excerpt = TrialExcerpt::of(&text);
         assert!(!excerpt.is_whole());
         assert!(excerpt.text.len() < BEGINNING_BYTES + 3 * END_BYTES);
         assert!(excerpt.text.ends_with(b"M30\n"));
@@ -150,7 +150,7 @@ mod tests {
         for special in ["M98 P100\n", "G65 P9000\n", "#1=2\n", "O1\nO2\n", "L102\n"] {
             let mut text = long_text();
             text.extend(special.bytes());
-            assert!(Excerpt::of(&text).is_whole(), "{special}");
+            assert!(TrialExcerpt::of(&text).is_whole(), "{special}");
         }
     }
 }

@@ -10,13 +10,13 @@ mod units;
 mod word_kinds;
 
 use chordal::Machine;
-use chordal::control::{ANOTHER_KIND, Candidate, Control, Recognition, Units, table};
+use chordal::control::{ANOTHER_KIND, Control, ControlCandidate, Recognition, Units, table};
 use chordal::machine::ControlName;
 
-use excerpt::Excerpt;
+use excerpt::TrialExcerpt;
 use trace::MotionTrace;
 
-pub use premise::{Premise, ReadingDifference, ReadingGroup};
+pub use premise::{ReadingDifference, ReadingGroup, ReadingPremise};
 
 /// A control stays possible while its score is at most this much lower than that of the best.
 const POSSIBLE_SCORE_GAP: i32 = 6;
@@ -39,7 +39,7 @@ pub(crate) struct PossibleReading {
 }
 
 /// The built-in machine of a candidate: that of its signs, or the usual one of its control.
-pub(crate) fn machine_name(candidate: &Candidate) -> &'static str {
+pub(crate) fn machine_name(candidate: &ControlCandidate) -> &'static str {
     candidate.machine().unwrap_or(table(candidate.control).default_machine)
 }
 
@@ -59,7 +59,7 @@ fn built_in(name: &'static str, control: ControlName) -> Machine {
 
 /// Chooses the control that reads a text, and compares what remains. Nothing is compared where the text names
 /// its control and its units.
-pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Premise>) {
+pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<ReadingPremise>) {
     if found.chosen().not_read {
         return (found, None);
     }
@@ -68,7 +68,7 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Premi
     if is_certain && has_units {
         return (found, None);
     }
-    let excerpt = Excerpt::of(text);
+    let excerpt = TrialExcerpt::of(text);
     let mut readings = if is_certain {
         let (control, machine) = (found.control(), machine_name(found.chosen()));
         let trace = MotionTrace::of(built_in(machine, control), &excerpt);
@@ -82,13 +82,13 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Premi
     if readings.is_empty() {
         return (found, None);
     }
-    let premise = Premise::of(&readings, text, &excerpt);
+    let premise = ReadingPremise::of(&readings, text, &excerpt);
     (found, Some(premise))
 }
 
 /// Runs the excerpt on the controls that the signs leave possible, puts the best of them first in the
 /// recognition, and gives those that remain, the best first.
-fn possible(found: &mut Recognition, excerpt: &Excerpt) -> Vec<PossibleReading> {
+fn possible(found: &mut Recognition, excerpt: &TrialExcerpt) -> Vec<PossibleReading> {
     let weakest = (found.chosen().weight - POSSIBLE_SCORE_GAP).max(ANOTHER_KIND + 1);
     let turns = table(found.control()).turns();
     let mut runs: Vec<(usize, MotionTrace)> = Vec::new();
@@ -146,7 +146,7 @@ fn penalty(faults: u64) -> i32 {
 fn in_both_units(
     readings: Vec<PossibleReading>,
     text: &[u8],
-    excerpt: &Excerpt,
+    excerpt: &TrialExcerpt,
 ) -> Vec<PossibleReading> {
     let named = units::units_of_comments(text);
     let mut both = Vec::new();

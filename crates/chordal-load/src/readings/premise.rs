@@ -6,7 +6,7 @@ use chordal::machine::{AXIS_LETTERS, ControlName};
 use chordal::{ChoiceDifference, Code, Diagnostic, ReadingChoice, ReadingChoices};
 
 use super::difference::{MotionAspect, first_difference};
-use super::excerpt::Excerpt;
+use super::excerpt::TrialExcerpt;
 use super::trace::{BlockMotion, MotionTrace};
 use super::{PossibleReading, machine_of, units_name};
 
@@ -103,16 +103,20 @@ pub struct ReadingDifference {
 
 /// What was assumed of a text that does not name its control or its units.
 #[derive(Clone, Debug)]
-pub struct Premise {
+pub struct ReadingPremise {
     /// The readings that remain; the first one is what runs.
     pub groups: Vec<ReadingGroup>,
     /// The first block that they move differently; nothing where all move alike.
     pub difference: Option<ReadingDifference>,
 }
 
-impl Premise {
+impl ReadingPremise {
     /// Of at least one reading of a text, each run on its excerpt.
-    pub(super) fn of(readings: &[PossibleReading], text: &[u8], excerpt: &Excerpt) -> Premise {
+    pub(super) fn of(
+        readings: &[PossibleReading],
+        text: &[u8],
+        excerpt: &TrialExcerpt,
+    ) -> ReadingPremise {
         // The readings that move alike, by the index of the first of each.
         let mut alike: Vec<Vec<usize>> = Vec::new();
         let mut difference: Option<FirstDifference> = None;
@@ -162,7 +166,7 @@ impl Premise {
         };
         let groups = alike.iter().map(group).collect();
         let difference = difference.map(|at| at.place(excerpt));
-        Premise { groups, difference }
+        ReadingPremise { groups, difference }
     }
 
     /// What the program runs as: units at power-on that are not the control's own.
@@ -221,12 +225,14 @@ fn cut_box(
     reading: &PossibleReading,
     differs: bool,
     text: &[u8],
-    excerpt: &Excerpt,
+    excerpt: &TrialExcerpt,
 ) -> Option<([f64; 3], [f64; 3])> {
     if excerpt.is_whole() {
         return reading.trace.cut_box();
     }
-    differs.then(|| MotionTrace::of(machine_of(reading), &Excerpt::whole(text)).cut_box()).flatten()
+    differs
+        .then(|| MotionTrace::of(machine_of(reading), &TrialExcerpt::whole(text)).cut_box())
+        .flatten()
 }
 
 /// The first difference, with the block as one of the two readings has it.
@@ -283,7 +289,7 @@ impl FirstDifference {
         }
     }
 
-    fn place(&self, excerpt: &Excerpt) -> ReadingDifference {
+    fn place(&self, excerpt: &TrialExcerpt) -> ReadingDifference {
         let (start, end) = self.block.range;
         let (start, end) = (excerpt.offset_in_text(start), excerpt.offset_in_text(end));
         ReadingDifference {

@@ -8,7 +8,7 @@ use chordal::{
     Code, Command, Diagnostic, Job, Machine, RunSink, Severity, Sink, Source, SourceMap,
 };
 
-use super::excerpt::Excerpt;
+use super::excerpt::TrialExcerpt;
 
 /// Repeated blocks in each of these runs.
 const REPEATED_BLOCKS_LIMIT: u64 = 2_000;
@@ -66,7 +66,7 @@ pub struct MotionTrace {
 
 impl MotionTrace {
     /// Runs what is run of a text on a machine.
-    pub fn of(machine: Machine, excerpt: &Excerpt) -> MotionTrace {
+    pub fn of(machine: Machine, excerpt: &TrialExcerpt) -> MotionTrace {
         let gaps_from = excerpt.beginning_bytes() as u32;
         let mut trace = MotionTrace { gaps_from, ..MotionTrace::default() };
         let mut sources = SourceMap::new();

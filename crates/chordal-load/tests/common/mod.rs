@@ -9,7 +9,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use chordal_load::{Given, LoadError, Loaded, Request, file};
+use chordal_load::{LoadError, Loaded, Request, RequestedMachine, file};
 
 /// A program without a problem on a Haas.
 pub const CLEAN: &str = "\
@@ -59,5 +59,5 @@ impl Folder {
 
 /// A request for a machine by its name.
 pub fn on(machine: &str) -> Request {
-    Request { machine: Some(Given::Name(machine.into())), ..Request::default() }
+    Request { machine: Some(RequestedMachine::Name(machine.into())), ..Request::default() }
 }

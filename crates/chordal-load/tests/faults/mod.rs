@@ -204,7 +204,7 @@ impl RunSink for Trace {
         if !done.ran {
             let modal = modal();
             done.ran = true;
-            done.compensated = modal.side != chordal::control::Side::Off;
+            done.compensated = modal.side != chordal::control::CompensationSide::Off;
             done.incremental = modal.incremental;
             done.tool = modal.tool;
             done.place = [modal.position[0], modal.position[1], modal.position[2]];

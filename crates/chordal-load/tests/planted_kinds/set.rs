@@ -2,7 +2,7 @@
 
 use chordal::Machine;
 use chordal::machine::ControlName;
-use chordal_load::{Given, Loaded, Request, text};
+use chordal_load::{Loaded, Request, RequestedMachine, text};
 
 use crate::post_set;
 
@@ -23,20 +23,20 @@ impl LabelledProgram {
         let own = load(&self.text, None);
         match own.not_read().is_none() && own.machine().control == self.control {
             true => load_on(&self.text, own.machine()),
-            false => load(&self.text, Some(Given::Control(self.control))),
+            false => load(&self.text, Some(RequestedMachine::Control(self.control))),
         }
     }
 }
 
 /// A text on a machine, or on that which the text itself names.
-pub fn load(program: &str, machine: Option<Given>) -> Loaded {
+pub fn load(program: &str, machine: Option<RequestedMachine>) -> Loaded {
     let request = Request { machine, ..Request::default() };
     text("part", program.as_bytes().to_vec(), &request).expect("a program")
 }
 
 /// A text on the machine of another one.
 pub fn load_on(program: &str, machine: &Machine) -> Loaded {
-    load(program, Some(Given::Machine(Box::new(machine.clone()))))
+    load(program, Some(RequestedMachine::Machine(Box::new(machine.clone()))))
 }
 
 /// Every program of a control that is read, once for each control of its label.

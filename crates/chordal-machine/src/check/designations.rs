@@ -1,6 +1,6 @@
 //! The values of keys that take a designation.
 
-use super::Value;
+use super::CheckedValue;
 use crate::designation::{
     DesignationError, HolderDesignation, InsertDesignation, InsertLetter, WrittenDesignation,
 };
@@ -8,7 +8,7 @@ use crate::error::MachineError;
 use crate::machine::Machine;
 use crate::schema;
 
-impl Value<'_> {
+impl CheckedValue<'_> {
     /// A letter, or the whole designation of an insert.
     pub(super) fn take_insert(&self, machine: &mut Machine) -> Result<(), MachineError> {
         let text = self.text(self.value)?;

@@ -5,17 +5,17 @@ use std::ops::RangeInclusive;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::{Value, integer};
+use super::{CheckedValue, integer};
 use crate::axis::Axis;
 use crate::error::MachineError;
-use crate::machine::{AxisLimits, Machine, Programmed};
-use crate::quantity::Dimension;
-use crate::schema::{self, Sign};
+use crate::machine::{AxisLimits, DiameterProgramming, Machine};
+use crate::quantity::QuantityDimension;
+use crate::schema::{self, SignRule};
 use crate::setup::ContourPoint;
 use crate::suggest;
-use crate::tool::{Solid, ToolShape};
+use crate::tool::{HolderSegment, ToolShape};
 
-impl Value<'_> {
+impl CheckedValue<'_> {
     /// What the number of a place is divided by: 2 on an axis that is programmed as a diameter.
     pub(super) fn written_factor(&self, machine: &Machine) -> f64 {
         let keys = &self.at.keys;
@@ -24,15 +24,16 @@ impl Value<'_> {
     }
 
     pub(super) fn take_programmed(&self, machine: &mut Machine) -> Result<(), MachineError> {
-        let words = [Programmed::Radius.as_str(), Programmed::Diameter.as_str()];
+        let words = [DiameterProgramming::Radius.as_str(), DiameterProgramming::Diameter.as_str()];
         let word = self.word("way to program an axis", &words)?;
-        let diameter = word == Programmed::Diameter.as_str();
+        let diameter = word == DiameterProgramming::Diameter.as_str();
         let Some(axis) = self.at.keys.axis else { return Ok(()) };
         if diameter && axis.is_rotary() {
             let message = format!("{axis} turns: its words are angles, not diameters");
             return Err(self.error(message, Some("take the key out".to_string())));
         }
-        let programmed = if diameter { Programmed::Diameter } else { Programmed::Radius };
+        let programmed =
+            if diameter { DiameterProgramming::Diameter } else { DiameterProgramming::Radius };
         let old = machine.axes[axis as usize].unwrap_or_default();
         machine.change_axis(axis, Some(AxisLimits { programmed, ..old }));
         Ok(())
@@ -66,7 +67,7 @@ impl Value<'_> {
     fn lengths(
         &self,
         counts: RangeInclusive<usize>,
-        sign: Sign,
+        sign: SignRule,
         form: &str,
     ) -> Result<Vec<Vec<f64>>, MachineError> {
         let help = Some(format!("write it as `{form}`"));
@@ -74,9 +75,10 @@ impl Value<'_> {
             return Err(self.takes("a list of lists of lengths", help));
         };
         let row = |row: &Spanned<DeValue<'_>>| match row.get_ref() {
-            DeValue::Array(items) if counts.contains(&items.len()) => {
-                items.iter().map(|item| self.quantity(item, Dimension::Length, sign)).collect()
-            }
+            DeValue::Array(items) if counts.contains(&items.len()) => items
+                .iter()
+                .map(|item| self.quantity(item, QuantityDimension::Length, sign))
+                .collect(),
             _ => {
                 let message = format!("`{}` takes a list of lists of lengths", self.name());
                 Err(self.source.error(Some(row.span()), message, help.clone()))
@@ -85,10 +87,10 @@ impl Value<'_> {
         rows.iter().map(row).collect()
     }
 
-    pub(super) fn solids(&self) -> Result<Vec<Solid>, MachineError> {
+    pub(super) fn solids(&self) -> Result<Vec<HolderSegment>, MachineError> {
         let form = "[[\"30 mm\", \"12 mm\"], [\"20 mm\", \"12 mm\", \"40 mm\"]]";
-        let rows = self.lengths(2..=3, Sign::NotNegative, form)?;
-        let solid = |row: Vec<f64>| Solid {
+        let rows = self.lengths(2..=3, SignRule::NotNegative, form)?;
+        let solid = |row: Vec<f64>| HolderSegment {
             height_mm: row[0],
             lower_mm: row[1],
             upper_mm: row.get(2).copied().unwrap_or(row[1]),
@@ -98,7 +100,7 @@ impl Value<'_> {
 
     pub(super) fn outline(&self) -> Result<Vec<[f64; 2]>, MachineError> {
         let form = "[[\"2 mm\", \"3 mm\"], [\"22 mm\", \"3 mm\"], [\"22 mm\", \"80 mm\"]]";
-        let rows = self.lengths(2..=2, Sign::Any, form)?;
+        let rows = self.lengths(2..=2, SignRule::Any, form)?;
         if rows.len() < 3 {
             let message = format!("`{}` needs three corners or more", self.name());
             return Err(self.error(message, Some(format!("write it as `{form}`"))));
@@ -108,7 +110,7 @@ impl Value<'_> {
 
     pub(super) fn contour(&self) -> Result<Vec<ContourPoint>, MachineError> {
         let form = "[[\"20 mm\", \"0 mm\"], [\"24 mm\", \"-2 mm\", \"2 mm\"]]";
-        let rows = self.lengths(2..=3, Sign::Any, form)?;
+        let rows = self.lengths(2..=3, SignRule::Any, form)?;
         let point = |row: Vec<f64>| ContourPoint {
             radius_mm: 0.5 * row[0],
             z_mm: row[1],
@@ -118,8 +120,11 @@ impl Value<'_> {
     }
 
     pub(super) fn profile(&self) -> Result<Vec<[f64; 2]>, MachineError> {
-        let rows =
-            self.lengths(2..=2, Sign::NotNegative, "[[\"0 mm\", \"3 mm\"], [\"5 mm\", \"8 mm\"]]")?;
+        let rows = self.lengths(
+            2..=2,
+            SignRule::NotNegative,
+            "[[\"0 mm\", \"3 mm\"], [\"5 mm\", \"8 mm\"]]",
+        )?;
         if let Some(at) = rows.windows(2).position(|pair| pair[1][0] < pair[0][0]) {
             let message = format!("`{}` goes down after its point {}", self.name(), at + 1);
             return Err(self.error(message, Some("begin at the end and go up".to_string())));

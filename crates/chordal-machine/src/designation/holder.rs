@@ -3,7 +3,7 @@
 use super::edge::{circle_of_eighths, circle_of_symbol, edge_of_circle};
 use super::letters::InsertLetter;
 use super::letters::{HolderStyle, is_clamping, is_clearance, shape_of, style_of};
-use super::{DesignationError, Reader};
+use super::{DesignationError, DesignationReader};
 
 /// Which side a holder cuts on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ impl HolderDesignation {
     /// # Errors
     /// When it is none, with what is wrong.
     pub fn parse(text: &str) -> Result<HolderDesignation, DesignationError> {
-        let mut reader = Reader::new(text);
+        let mut reader = DesignationReader::new(text);
         reader.skip_gaps();
         let kind = bar(&mut reader)?;
         let (letter, style, clearance, hand) = head(&mut reader)?;
@@ -117,7 +117,7 @@ impl HolderDesignation {
 }
 
 /// Type, diameter and length of a boring bar, if it begins so.
-fn bar(reader: &mut Reader<'_>) -> Result<HolderKind, DesignationError> {
+fn bar(reader: &mut DesignationReader<'_>) -> Result<HolderKind, DesignationError> {
     let mut look = reader.clone();
     if look.letter().is_none() || !look.rest().starts_with(|c: char| c.is_ascii_digit()) {
         return Ok(HolderKind::Square);
@@ -144,7 +144,9 @@ fn bar(reader: &mut Reader<'_>) -> Result<HolderKind, DesignationError> {
 }
 
 /// Clamping, shape, style, clearance and hand.
-fn head(reader: &mut Reader<'_>) -> Result<(InsertLetter, char, char, ToolHand), DesignationError> {
+fn head(
+    reader: &mut DesignationReader<'_>,
+) -> Result<(InsertLetter, char, char, ToolHand), DesignationError> {
     let mut next = |what: &str, is_good: &dyn Fn(char) -> bool| match reader.letter() {
         Some(letter) if is_good(letter) => Ok(letter),
         Some(letter) => Err(reader.wrong(1, format!("`{letter}` is no {what}"), HEAD_HELP)),
@@ -172,7 +174,10 @@ fn head(reader: &mut Reader<'_>) -> Result<(InsertLetter, char, char, ToolHand),
 }
 
 /// `2525M12`, `16-4D`, or nothing: the length of the edges.
-fn shank(reader: &mut Reader<'_>, letter: InsertLetter) -> Result<Option<f64>, DesignationError> {
+fn shank(
+    reader: &mut DesignationReader<'_>,
+    letter: InsertLetter,
+) -> Result<Option<f64>, DesignationError> {
     let start = reader.at;
     let digits = reader.run(|c| c.is_ascii_digit());
     match digits.len() {
@@ -206,7 +211,10 @@ fn shank(reader: &mut Reader<'_>, letter: InsertLetter) -> Result<Option<f64>, D
 }
 
 /// The symbol of the size of the insert, or nothing.
-fn size(reader: &mut Reader<'_>, letter: InsertLetter) -> Result<Option<f64>, DesignationError> {
+fn size(
+    reader: &mut DesignationReader<'_>,
+    letter: InsertLetter,
+) -> Result<Option<f64>, DesignationError> {
     let digits = reader.run(|c| c.is_ascii_digit());
     match digits.len() {
         0 => Ok(None),

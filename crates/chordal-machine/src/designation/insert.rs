@@ -3,7 +3,7 @@
 use super::edge::{circle_of_eighths, circle_of_symbol, edge_of_circle};
 use super::letters::InsertLetter;
 use super::letters::{is_clearance, is_fixing, is_tolerance, shape_of};
-use super::{DesignationError, Reader};
+use super::{DesignationError, DesignationReader};
 
 /// What the designation of an insert says, lengths in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +42,7 @@ impl InsertDesignation {
     /// # Errors
     /// When it is none, with what is wrong.
     pub fn parse(text: &str) -> Result<InsertDesignation, DesignationError> {
-        let mut reader = Reader::new(text);
+        let mut reader = DesignationReader::new(text);
         reader.skip_gaps();
         refuse_threading(&reader)?;
         let (shape, clearance) = Self::letters(&mut reader)?;
@@ -74,8 +74,10 @@ impl InsertDesignation {
     }
 
     /// The four letters: shape and clearance of them.
-    fn letters(reader: &mut Reader<'_>) -> Result<(InsertLetter, char), DesignationError> {
-        let next = |reader: &mut Reader<'_>, what: &str| match reader.letter() {
+    fn letters(
+        reader: &mut DesignationReader<'_>,
+    ) -> Result<(InsertLetter, char), DesignationError> {
+        let next = |reader: &mut DesignationReader<'_>, what: &str| match reader.letter() {
             Some(letter) => Ok(letter),
             None => {
                 let at = reader.at;
@@ -111,7 +113,7 @@ impl InsertDesignation {
 }
 
 /// `16ER AG60` cuts threads: its size, side and hand come first.
-fn refuse_threading(reader: &Reader<'_>) -> Result<(), DesignationError> {
+fn refuse_threading(reader: &DesignationReader<'_>) -> Result<(), DesignationError> {
     let mut look = reader.clone();
     let digits = look.run(|c| c.is_ascii_digit()).len();
     look.skip_gaps();
@@ -128,7 +130,7 @@ fn refuse_threading(reader: &Reader<'_>) -> Result<(), DesignationError> {
 /// Inscribed circle and nose radius of `120408`; nothing where the digits have another form.
 #[allow(clippy::type_complexity, reason = "two lengths, of which one may be unknown")]
 fn metric(
-    reader: &mut Reader<'_>,
+    reader: &mut DesignationReader<'_>,
     shape: InsertLetter,
 ) -> Result<Option<(Option<f64>, f64)>, DesignationError> {
     let start = reader.at;
@@ -178,7 +180,7 @@ fn metric(
 }
 
 /// Inscribed circle and nose radius of `432`.
-fn inch(reader: &mut Reader<'_>, shape: InsertLetter) -> Option<(Option<f64>, f64)> {
+fn inch(reader: &mut DesignationReader<'_>, shape: InsertLetter) -> Option<(Option<f64>, f64)> {
     use InsertLetter as Letter;
     // Of these two digits say the size, in other units.
     if matches!(shape, Letter::A | Letter::B | Letter::K | Letter::L) {
@@ -190,7 +192,7 @@ fn inch(reader: &mut Reader<'_>, shape: InsertLetter) -> Option<(Option<f64>, f6
         _ => look.take(1)?,
     };
     let circle = circle_of_eighths(size)?;
-    let number = |look: &mut Reader<'_>| {
+    let number = |look: &mut DesignationReader<'_>| {
         let length = if look.rest().get(1..2) == Some(".") { 3 } else { 1 };
         look.take(length)?.parse::<f64>().ok()
     };

@@ -8,7 +8,7 @@ mod letters;
 
 use std::ops::Range;
 
-use crate::error::Location;
+use crate::error::ValueLocation;
 
 pub use self::holder::{HolderDesignation, HolderKind, ToolHand};
 pub use self::insert::InsertDesignation;
@@ -22,7 +22,7 @@ pub struct WrittenDesignation<T> {
     /// What it says.
     pub value: T,
     /// Where it was written.
-    pub location: Option<Location>,
+    pub location: Option<ValueLocation>,
 }
 
 impl<T: PartialEq> PartialEq for WrittenDesignation<T> {
@@ -52,14 +52,14 @@ impl DesignationError {
 
 /// A designation read from left to right, upper case, over spaces and dashes between its parts.
 #[derive(Clone)]
-struct Reader<'t> {
+struct DesignationReader<'t> {
     text: &'t str,
     at: usize,
 }
 
-impl<'t> Reader<'t> {
-    fn new(text: &'t str) -> Reader<'t> {
-        Reader { text, at: 0 }
+impl<'t> DesignationReader<'t> {
+    fn new(text: &'t str) -> DesignationReader<'t> {
+        DesignationReader { text, at: 0 }
     }
 
     fn rest(&self) -> &'t str {

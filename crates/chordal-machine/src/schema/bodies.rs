@@ -1,29 +1,29 @@
 //! The rows of stock, fixtures and target: the same keys in each table.
 
 use super::rows::{quantity, words};
-use super::{Keys, Row, Sign, Slot};
+use super::{PlaceholderKeys, SchemaRow, SchemaSlot, SignRule};
 use crate::axis::Axis;
 use crate::machine::Machine;
-use crate::quantity::Dimension;
+use crate::quantity::QuantityDimension;
 use crate::setup::{Body, BodyShape, CuttingForce, MeshUnit};
 
 const SHAPES: &[&str] = &words!(BodyShape);
 const UNITS: &[&str] = &words!(MeshUnit);
 const AXES: &[&str] = &["X", "Y", "Z"];
 
-fn stock<'m>(machine: &'m mut Machine, _: &Keys) -> &'m mut Body {
+fn stock<'m>(machine: &'m mut Machine, _: &PlaceholderKeys) -> &'m mut Body {
     machine.setup.stock.get_or_insert_default()
 }
 
-fn fixture<'m>(machine: &'m mut Machine, keys: &Keys) -> &'m mut Body {
+fn fixture<'m>(machine: &'m mut Machine, keys: &PlaceholderKeys) -> &'m mut Body {
     machine.setup.fixtures.entry(keys.name.clone()).or_default()
 }
 
-fn target<'m>(machine: &'m mut Machine, _: &Keys) -> &'m mut Body {
+fn target<'m>(machine: &'m mut Machine, _: &PlaceholderKeys) -> &'m mut Body {
     machine.setup.target.get_or_insert_default()
 }
 
-fn along<'b>(values: &'b mut [Option<f64>; 3], keys: &Keys) -> &'b mut Option<f64> {
+fn along<'b>(values: &'b mut [Option<f64>; 3], keys: &PlaceholderKeys) -> &'b mut Option<f64> {
     &mut values[keys.axis.map_or(2, |axis| axis as usize % 3)]
 }
 
@@ -39,11 +39,11 @@ fn end_on_axis(
 /// The rows of one table.
 macro_rules! body_rows {
     ($name:ident, $table:literal, $body:ident, $doc:literal) => {
-        pub(super) static $name: [Row; 15] = [
-            Row { path: $table, slot: Slot::Body($body), doc: $doc },
-            Row {
+        pub(super) static $name: [SchemaRow; 15] = [
+            SchemaRow { path: $table, slot: SchemaSlot::Body($body), doc: $doc },
+            SchemaRow {
                 path: concat!($table, ".shape"),
-                slot: Slot::Word {
+                slot: SchemaSlot::Word {
                     what: "body shape",
                     words: SHAPES,
                     set: |m, k, word| {
@@ -53,42 +53,42 @@ macro_rules! body_rows {
                 },
                 doc: "what it is. A `box` needs `from` and `to`, a `cylinder` also the diameter, a `tube` also the bore, an `stl` or `dxf` the file, a `contour` its points. On a lathe a half section is a `cylinder`, `tube`, `contour` or `dxf`",
             },
-            Row {
+            SchemaRow {
                 path: concat!($table, ".work_offset"),
-                slot: Slot::OptionalText(|m, k| &mut $body(m, k).work_offset),
+                slot: SchemaSlot::OptionalText(|m, k| &mut $body(m, k).work_offset),
                 doc: "the work offset in whose coordinates it is given; otherwise that of the first cut",
             },
             quantity(
                 concat!($table, ".from"),
-                Dimension::Length,
-                Sign::Any,
+                QuantityDimension::Length,
+                SignRule::Any,
                 |m, k| end_on_axis($body(m, k), |body| &mut body.from),
                 "where a cylinder begins on its axis (write `axis` before it), or the lowest corner by X, Y and Z",
             ),
             quantity(
                 concat!($table, ".from.<axis>"),
-                Dimension::Length,
-                Sign::Any,
+                QuantityDimension::Length,
+                SignRule::Any,
                 |m, k| along(&mut $body(m, k).from, k),
                 "the lowest corner of a box; where a cylinder begins, with the middle of its end; the zero of an STL file",
             ),
             quantity(
                 concat!($table, ".to"),
-                Dimension::Length,
-                Sign::Any,
+                QuantityDimension::Length,
+                SignRule::Any,
                 |m, k| end_on_axis($body(m, k), |body| &mut body.to),
                 "where a cylinder ends on its axis, or the highest corner by X, Y and Z",
             ),
             quantity(
                 concat!($table, ".to.<axis>"),
-                Dimension::Length,
-                Sign::Any,
+                QuantityDimension::Length,
+                SignRule::Any,
                 |m, k| along(&mut $body(m, k).to, k),
                 "the highest corner of a box; where a cylinder ends",
             ),
-            Row {
+            SchemaRow {
                 path: concat!($table, ".axis"),
-                slot: Slot::Word {
+                slot: SchemaSlot::Word {
                     what: "body axis",
                     words: AXES,
                     set: |m, k, word| {
@@ -99,31 +99,31 @@ macro_rules! body_rows {
             },
             quantity(
                 concat!($table, ".diameter"),
-                Dimension::Length,
-                Sign::Positive,
+                QuantityDimension::Length,
+                SignRule::Positive,
                 |m, k| &mut $body(m, k).diameter_mm,
                 "the diameter of a cylinder or tube",
             ),
             quantity(
                 concat!($table, ".bore"),
-                Dimension::Length,
-                Sign::Positive,
+                QuantityDimension::Length,
+                SignRule::Positive,
                 |m, k| &mut $body(m, k).bore_mm,
                 "the diameter of the bore of a tube",
             ),
-            Row {
+            SchemaRow {
                 path: concat!($table, ".file"),
-                slot: Slot::File(|m, k| &mut $body(m, k).file),
+                slot: SchemaSlot::File(|m, k| &mut $body(m, k).file),
                 doc: "the STL or DXF file, relative to this file",
             },
-            Row {
+            SchemaRow {
                 path: concat!($table, ".contour"),
-                slot: Slot::Contour(|m, k| &mut $body(m, k).contour),
+                slot: SchemaSlot::Contour(|m, k| &mut $body(m, k).contour),
                 doc: "the outline of a half section: X as a diameter and Z of each corner; with a radius an arc leads to it, as G3 with a positive radius and as G2 with a negative one. An outline that does not end where it begins is closed along the axis",
             },
-            Row {
+            SchemaRow {
                 path: concat!($table, ".unit"),
-                slot: Slot::Word {
+                slot: SchemaSlot::Word {
                     what: "mesh unit",
                     words: UNITS,
                     set: |m, k, word| {
@@ -133,9 +133,9 @@ macro_rules! body_rows {
                 },
                 doc: "the unit of the file, which the file does not name; otherwise mm",
             },
-            Row {
+            SchemaRow {
                 path: concat!($table, ".turned_over"),
-                slot: Slot::Word {
+                slot: SchemaSlot::Word {
                     what: "body axis",
                     words: AXES,
                     set: |m, k, word| {
@@ -144,9 +144,9 @@ macro_rules! body_rows {
                 },
                 doc: "an STL file is turned by 180 degrees about this axis before it is placed: the part of operation 1, turned over for operation 2",
             },
-            Row {
+            SchemaRow {
                 path: concat!($table, ".material"),
-                slot: Slot::OptionalText(|m, k| &mut $body(m, k).material),
+                slot: SchemaSlot::OptionalText(|m, k| &mut $body(m, k).material),
                 doc: "what it is made of",
             },
         ];
@@ -162,22 +162,22 @@ body_rows!(
 );
 body_rows!(TARGET, "target", target, "the part as it should be");
 
-fn material<'m>(machine: &'m mut Machine, keys: &Keys) -> &'m mut CuttingForce {
+fn material<'m>(machine: &'m mut Machine, keys: &PlaceholderKeys) -> &'m mut CuttingForce {
     machine.setup.materials.entry(keys.name.clone()).or_default()
 }
 
-pub(super) static MATERIALS: [Row; 4] = [
-    Row {
+pub(super) static MATERIALS: [SchemaRow; 4] = [
+    SchemaRow {
         path: "materials.<name>",
-        slot: Slot::Table(|m, k| {
+        slot: SchemaSlot::Table(|m, k| {
             material(m, k);
         }),
         doc: "the cutting force of a material, by the word of `[stock] material`; it counts before the built-in table",
     },
-    Row {
+    SchemaRow {
         path: "materials.<name>.k_c1",
-        slot: Slot::Within {
-            dimension: Some(Dimension::Stress),
+        slot: SchemaSlot::Within {
+            dimension: Some(QuantityDimension::Stress),
             from: 10.0,
             to: 20_000.0,
             usual: "such as 700 N/mm² for aluminium, 1500 for steel, 3300 for nickel alloys",
@@ -185,9 +185,9 @@ pub(super) static MATERIALS: [Row; 4] = [
         },
         doc: "the force on a chip of 1 mm × 1 mm (Kienzle); otherwise that of the built-in material of this name",
     },
-    Row {
+    SchemaRow {
         path: "materials.<name>.m_c",
-        slot: Slot::Within {
+        slot: SchemaSlot::Within {
             dimension: None,
             from: 0.0,
             to: 0.8,
@@ -196,25 +196,25 @@ pub(super) static MATERIALS: [Row; 4] = [
         },
         doc: "by which power of the thickness of the chip the force by area falls; otherwise that of the built-in material of this name",
     },
-    Row {
+    SchemaRow {
         path: "materials.<name>.source",
-        slot: Slot::OptionalText(|m, k| &mut material(m, k).source),
+        slot: SchemaSlot::OptionalText(|m, k| &mut material(m, k).source),
         doc: "where the values are from",
     },
 ];
 
-pub(super) static OWN: [Row; 2] = [
+pub(super) static OWN: [SchemaRow; 2] = [
     quantity(
         "fixtures.<name>.clearance",
-        Dimension::Length,
-        Sign::NotNegative,
+        QuantityDimension::Length,
+        SignRule::NotNegative,
         |m, k| &mut fixture(m, k).clearance_mm,
         "how far the tool must stay away from it; otherwise 0 mm",
     ),
     quantity(
         "target.tolerance",
-        Dimension::Length,
-        Sign::Positive,
+        QuantityDimension::Length,
+        SignRule::Positive,
         |m, k| &mut target(m, k).tolerance_mm,
         "how far the part may be from it; otherwise 0.05 mm (assumed)",
     ),

@@ -8,18 +8,18 @@ mod turning;
 pub(crate) use self::rows::{ROWS, tool};
 
 use crate::axis::Axis;
-use crate::machine::{Machine, Programmed, ShopCode};
+use crate::machine::{CustomCodeSpec, DiameterProgramming, Machine};
 use crate::offset::work_offset_name;
-use crate::quantity::Dimension;
+use crate::quantity::QuantityDimension;
 use crate::setup::{Body, ContourPoint};
-use crate::tool::Solid;
+use crate::tool::HolderSegment;
 
 /// The field of a machine that a key fills.
-pub(crate) type Place<T> = for<'m, 'k> fn(&'m mut Machine, &'k Keys) -> &'m mut T;
+pub(crate) type MachineField<T> = for<'m, 'k> fn(&'m mut Machine, &'k PlaceholderKeys) -> &'m mut T;
 
 /// What the `<placeholders>` of a path stand for in a certain key.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Keys {
+pub(crate) struct PlaceholderKeys {
     pub(crate) axis: Option<Axis>,
     pub(crate) number: u32,
     pub(crate) code: ShopName,
@@ -27,118 +27,118 @@ pub(crate) struct Keys {
 }
 
 /// A key, or a table with a meaning of its own.
-pub(crate) struct Row {
+pub(crate) struct SchemaRow {
     /// Where it is; `<axis>`, `<rotary>`, `<tool>`, `<offset>`, `<point>`, `<code>` and `<setting>` vary.
     pub(crate) path: &'static str,
     /// What it takes and where that goes.
-    pub(crate) slot: Slot,
+    pub(crate) slot: SchemaSlot,
     /// What it means.
     pub(crate) doc: &'static str,
 }
 
 /// What a key takes and where that goes.
-pub(crate) enum Slot {
+pub(crate) enum SchemaSlot {
     Quantity {
-        dimension: Dimension,
-        sign: Sign,
-        place: Place<Option<f64>>,
+        dimension: QuantityDimension,
+        sign: SignRule,
+        place: MachineField<Option<f64>>,
     },
     /// A place of an axis, which is halved where the axis is programmed as a diameter.
-    Position(Place<Option<f64>>),
+    Position(MachineField<Option<f64>>),
     /// Two places of an axis, the same.
     Range {
-        dimension: Dimension,
-        place: Place<Option<(f64, f64)>>,
+        dimension: QuantityDimension,
+        place: MachineField<Option<(f64, f64)>>,
     },
     /// A whole number of a range.
     Count {
         from: u32,
         to: u32,
-        place: Place<Option<u32>>,
+        place: MachineField<Option<u32>>,
     },
     /// Cylinders and cones, one above the other.
-    Solids(Place<Vec<Solid>>),
+    Solids(MachineField<Vec<HolderSegment>>),
     /// Points: height and radius.
-    Profile(Place<Vec<[f64; 2]>>),
+    Profile(MachineField<Vec<[f64; 2]>>),
     /// Corners of a holder: distances along X and Z, of either sign.
-    Outline(Place<Vec<[f64; 2]>>),
+    Outline(MachineField<Vec<[f64; 2]>>),
     /// Points of a contour: X as a diameter, Z, and the radius of an arc to the point.
-    Contour(Place<Vec<ContourPoint>>),
+    Contour(MachineField<Vec<ContourPoint>>),
     /// What a tool is, in words of old files.
     Kind,
     /// Whether the words of an axis are radii or diameters.
     Programmed,
-    Text(Place<String>),
-    OptionalText(Place<Option<String>>),
-    TextList(Place<Vec<String>>),
+    Text(MachineField<String>),
+    OptionalText(MachineField<Option<String>>),
+    TextList(MachineField<Vec<String>>),
     Word {
         what: &'static str,
         words: &'static [&'static str],
-        set: fn(&mut Machine, &Keys, &str),
+        set: fn(&mut Machine, &PlaceholderKeys, &str),
     },
     /// A letter or a designation of an insert.
     Insert,
     /// The designation of a holder.
     HolderDesignation,
-    Flag(Place<bool>),
+    Flag(MachineField<bool>),
     /// A number without a unit.
-    Number(Place<f64>),
+    Number(MachineField<f64>),
     /// A quantity, or a number where there is no dimension, within bounds; `usual` are such values, for people.
     Within {
-        dimension: Option<Dimension>,
+        dimension: Option<QuantityDimension>,
         from: f64,
         to: f64,
         usual: &'static str,
-        place: Place<Option<f64>>,
+        place: MachineField<Option<f64>>,
     },
     /// Numbers without a unit.
-    NumberList(Place<Vec<f64>>),
+    NumberList(MachineField<Vec<f64>>),
     /// A date or a time, kept as its digits.
     Stamp {
-        stamp: Stamp,
-        place: Place<Option<u32>>,
+        stamp: DateOrTime,
+        place: MachineField<Option<u32>>,
     },
     /// The block delete switches.
     Switches,
     /// An override: `"80 %"` or the fraction 0.8.
-    Override(Place<Option<f64>>),
+    Override(MachineField<Option<f64>>),
     /// A file by its name, relative to the one that says it.
-    File(Place<Option<String>>),
+    File(MachineField<Option<String>>),
     /// A setting of the control, kept raw.
     Setting,
     /// Read before all other keys.
     Inherits,
     /// A table that exists by being named, empty or not.
-    Table(fn(&mut Machine, &Keys)),
+    Table(fn(&mut Machine, &PlaceholderKeys)),
     /// The same for a custom code, whose place is kept.
     ShopCode,
     /// The same for stock, a fixture or a target, whose place is kept.
-    Body(Place<Body>),
+    Body(MachineField<Body>),
     /// The same for an axis, which `false` takes away.
     Axis,
 }
 
 /// A date or a time.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Stamp {
+pub(crate) enum DateOrTime {
     Date,
     Time,
 }
 
-impl Stamp {
+impl DateOrTime {
     /// What it is called, and how it is written.
     pub(crate) const fn words(self) -> (&'static str, &'static str) {
         match self {
-            Stamp::Date => ("a date", "2024-05-17"),
-            Stamp::Time => ("a time", "13:45:00"),
+            DateOrTime::Date => ("a date", "2024-05-17"),
+            DateOrTime::Time => ("a time", "13:45:00"),
         }
     }
 
     /// Its digits as one number; `None` when the text is no such thing.
     pub(crate) fn parse(self, text: &str) -> Option<u32> {
         let (separator, widths, limits) = match self {
-            Stamp::Date => ('-', [4, 2, 2], [(0, 9999), (1, 12), (1, 31)]),
-            Stamp::Time => (':', [2, 2, 2], [(0, 23), (0, 59), (0, 59)]),
+            DateOrTime::Date => ('-', [4, 2, 2], [(0, 9999), (1, 12), (1, 31)]),
+            DateOrTime::Time => (':', [2, 2, 2], [(0, 23), (0, 59), (0, 59)]),
         };
         let parts: Vec<&str> = text.split(separator).collect();
         if parts.len() != 3 {
@@ -156,14 +156,14 @@ impl Stamp {
 
 /// Which signs a quantity may have.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Sign {
+pub(crate) enum SignRule {
     Any,
     NotNegative,
     Positive,
 }
 
 /// Every row, in the order of the reference.
-pub(crate) fn rows() -> impl Iterator<Item = &'static Row> {
+pub(crate) fn rows() -> impl Iterator<Item = &'static SchemaRow> {
     let bodies =
         [&bodies::STOCK[..], &bodies::FIXTURE, &bodies::TARGET, &bodies::OWN, &bodies::MATERIALS];
     let (tools, others) = ROWS.split_at(rows::AFTER_TOOLS);
@@ -171,7 +171,7 @@ pub(crate) fn rows() -> impl Iterator<Item = &'static Row> {
 }
 
 /// The row of a path, placeholders and all.
-pub(crate) fn row(path: &str) -> Option<&'static Row> {
+pub(crate) fn row(path: &str) -> Option<&'static SchemaRow> {
     rows().find(|row| row.path == path)
 }
 
@@ -193,7 +193,11 @@ pub(crate) fn children(path: &str) -> Vec<&'static str> {
 }
 
 /// Takes a key for a placeholder; the error says what the placeholder takes, and how to write it.
-pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), (String, String)> {
+pub(crate) fn bind(
+    placeholder: &str,
+    key: &str,
+    keys: &mut PlaceholderKeys,
+) -> Result<(), (String, String)> {
     match placeholder {
         "<axis>" => {
             let found = Axis::ALL.into_iter().find(|axis| axis.letter().to_string() == key);
@@ -306,7 +310,7 @@ impl ShopName {
     }
 
     /// Its place in a machine.
-    pub(crate) fn place(self, machine: &mut Machine) -> &mut ShopCode {
+    pub(crate) fn place(self, machine: &mut Machine) -> &mut CustomCodeSpec {
         match self {
             ShopName::M(number) => machine.shop_codes.entry(number).or_default(),
             ShopName::Program(number) => machine.shop_programs.entry(number).or_default(),
@@ -319,7 +323,7 @@ fn whole(text: &str) -> Option<u32> {
     digits.then(|| text.parse().ok()).flatten()
 }
 
-impl Row {
+impl SchemaRow {
     /// The key's own name, or the one before a placeholder.
     pub(crate) fn name(&self) -> &'static str {
         self.path.rsplit('.').find(|name| !name.starts_with('<')).unwrap_or(self.path)
@@ -328,7 +332,7 @@ impl Row {
     /// What it takes, in words, with an example.
     fn takes(&self) -> String {
         let by_axis = self.path.contains("<axis>");
-        let kind = |dimension: Dimension| {
+        let kind = |dimension: QuantityDimension| {
             let mut text = format!("{}: `\"{}\"`", dimension.noun(), example(dimension));
             if by_axis {
                 let rotary = dimension.of_rotary();
@@ -337,73 +341,73 @@ impl Row {
             text
         };
         match &self.slot {
-            Slot::Quantity { dimension, sign, .. } => {
+            SchemaSlot::Quantity { dimension, sign, .. } => {
                 kind(*dimension)
                     + match sign {
-                        Sign::Any => "",
-                        Sign::NotNegative => "; not negative",
-                        Sign::Positive => "; more than zero",
+                        SignRule::Any => "",
+                        SignRule::NotNegative => "; not negative",
+                        SignRule::Positive => "; more than zero",
                     }
             }
-            Slot::Position(_) => kind(Dimension::Length),
-            Slot::Count { from, to, .. } => format!("a whole number from {from} to {to}"),
-            Slot::Solids(_) => "a list of `[\"height\", \"diameter\"]`, of a cone `[\"height\", \"lower diameter\", \"upper diameter\"]`".into(),
-            Slot::Profile(_) => "a list of `[\"height\", \"radius\"]`, from the end up".into(),
-            Slot::Outline(_) => "a list of `[\"X\", \"Z\"]`".into(),
-            Slot::Contour(_) => "a list of `[\"X\", \"Z\"]`, of an arc `[\"X\", \"Z\", \"radius\"]`".into(),
-            Slot::Kind => "a text".into(),
-            Slot::Programmed => {
-                let [radius, diameter] = [Programmed::Radius, Programmed::Diameter];
+            SchemaSlot::Position(_) => kind(QuantityDimension::Length),
+            SchemaSlot::Count { from, to, .. } => format!("a whole number from {from} to {to}"),
+            SchemaSlot::Solids(_) => "a list of `[\"height\", \"diameter\"]`, of a cone `[\"height\", \"lower diameter\", \"upper diameter\"]`".into(),
+            SchemaSlot::Profile(_) => "a list of `[\"height\", \"radius\"]`, from the end up".into(),
+            SchemaSlot::Outline(_) => "a list of `[\"X\", \"Z\"]`".into(),
+            SchemaSlot::Contour(_) => "a list of `[\"X\", \"Z\"]`, of an arc `[\"X\", \"Z\", \"radius\"]`".into(),
+            SchemaSlot::Kind => "a text".into(),
+            SchemaSlot::Programmed => {
+                let [radius, diameter] = [DiameterProgramming::Radius, DiameterProgramming::Diameter];
                 format!("`\"{}\"` or `\"{}\"`", radius.as_str(), diameter.as_str())
             }
-            Slot::Range { .. } => {
+            SchemaSlot::Range { .. } => {
                 "two lengths, the lower first: `[\"0 mm\", \"762 mm\"]`; on A, B, C two angles"
                     .into()
             }
-            Slot::Text(_) | Slot::OptionalText(_) | Slot::File(_) | Slot::Inherits => "a text".into(),
-            Slot::TextList(_) => "a list of texts".into(),
-            Slot::Word { words, .. } => {
+            SchemaSlot::Text(_) | SchemaSlot::OptionalText(_) | SchemaSlot::File(_) | SchemaSlot::Inherits => "a text".into(),
+            SchemaSlot::TextList(_) => "a list of texts".into(),
+            SchemaSlot::Word { words, .. } => {
                 let words: Vec<String> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
                 crate::suggest::or_list(&words)
             }
-            Slot::Insert => "a text: `\"CNMG120408\"`, `\"C\"`".into(),
-            Slot::HolderDesignation => "a text: `\"PCLNR2525M12\"`".into(),
-            Slot::Flag(_) => "`true` or `false`".into(),
-            Slot::Number(_) => "a number".into(),
-            Slot::Within { dimension: Some(dimension), from, to, .. } => {
+            SchemaSlot::Insert => "a text: `\"CNMG120408\"`, `\"C\"`".into(),
+            SchemaSlot::HolderDesignation => "a text: `\"PCLNR2525M12\"`".into(),
+            SchemaSlot::Flag(_) => "`true` or `false`".into(),
+            SchemaSlot::Number(_) => "a number".into(),
+            SchemaSlot::Within { dimension: Some(dimension), from, to, .. } => {
                 format!("{}; from {from} to {to} {}", kind(*dimension), dimension.inside())
             }
-            Slot::Within { dimension: None, from, to, .. } => format!("a number from {from} to {to}"),
-            Slot::NumberList(_) => "a list of numbers".into(),
-            Slot::Stamp { stamp, .. } => {
+            SchemaSlot::Within { dimension: None, from, to, .. } => format!("a number from {from} to {to}"),
+            SchemaSlot::NumberList(_) => "a list of numbers".into(),
+            SchemaSlot::Stamp { stamp, .. } => {
                 let (what, form) = stamp.words();
                 format!("{what}: `\"{form}\"`")
             }
-            Slot::Switches => "`true`, `false` or a list of 1 to 9".into(),
-            Slot::Override(_) => {
+            SchemaSlot::Switches => "`true`, `false` or a list of 1 to 9".into(),
+            SchemaSlot::Override(_) => {
                 "a text with `%` or a fraction: `\"80 %\"`, `0.8`; above 0, at most 200 %".into()
             }
-            Slot::Setting => "a text, a number or `true`/`false`, depending on the setting".into(),
-            Slot::Table(_) | Slot::ShopCode | Slot::Body(_) => "a table".into(),
-            Slot::Axis => "a table, or `false`".into(),
+            SchemaSlot::Setting => "a text, a number or `true`/`false`, depending on the setting".into(),
+            SchemaSlot::Table(_) | SchemaSlot::ShopCode | SchemaSlot::Body(_) => "a table".into(),
+            SchemaSlot::Axis => "a table, or `false`".into(),
         }
     }
 }
 
-const fn example(dimension: Dimension) -> &'static str {
+const fn example(dimension: QuantityDimension) -> &'static str {
     match dimension {
-        Dimension::Length => "0.5 in",
-        Dimension::Angle => "90 deg",
-        Dimension::Time => "1.5 s",
-        Dimension::Velocity => "900 in/min",
-        Dimension::AngularVelocity => "3600 deg/min",
-        Dimension::Acceleration => "2000 mm/s^2",
-        Dimension::AngularAcceleration => "360 deg/s^2",
-        Dimension::Jerk => "100 m/s^3",
-        Dimension::AngularJerk => "7200 deg/s^3",
-        Dimension::SpindleSpeed => "6000 rpm",
-        Dimension::Power => "15 kW",
-        Dimension::Stress => "1500 N/mm^2",
+        QuantityDimension::Length => "0.5 in",
+        QuantityDimension::Angle => "90 deg",
+        QuantityDimension::Time => "1.5 s",
+        QuantityDimension::Velocity => "900 in/min",
+        QuantityDimension::AngularVelocity => "3600 deg/min",
+        QuantityDimension::Acceleration => "2000 mm/s^2",
+        QuantityDimension::AngularAcceleration => "360 deg/s^2",
+        QuantityDimension::Jerk => "100 m/s^3",
+        QuantityDimension::AngularJerk => "7200 deg/s^3",
+        QuantityDimension::SpindleSpeed => "6000 rpm",
+        QuantityDimension::Power => "15 kW",
+        QuantityDimension::Stress => "1500 N/mm^2",
     }
 }
 
@@ -424,13 +428,15 @@ pub struct SchemaKey {
 
 /// The keys of a machine file, in the order of the reference.
 pub fn schema_keys() -> Vec<SchemaKey> {
-    let key = |row: &Row| {
+    let key = |row: &SchemaRow| {
         let (meaning, default) = match row.doc.split_once("; otherwise ") {
             Some((meaning, default)) => (meaning, Some(default)),
             None => (row.doc, None),
         };
-        let is_table =
-            matches!(row.slot, Slot::Table(_) | Slot::ShopCode | Slot::Body(_) | Slot::Axis);
+        let is_table = matches!(
+            row.slot,
+            SchemaSlot::Table(_) | SchemaSlot::ShopCode | SchemaSlot::Body(_) | SchemaSlot::Axis
+        );
         SchemaKey { path: row.path, takes: row.takes(), meaning, default, is_table }
     };
     rows().map(key).collect()

@@ -1,54 +1,54 @@
 //! The rows of turning tools.
 
 use super::rows::{quantity, tool, words};
-use super::{Row, Sign, Slot};
-use crate::quantity::Dimension;
+use super::{SchemaRow, SchemaSlot, SignRule};
+use crate::quantity::QuantityDimension;
 use crate::turning::ToolFacing;
 
 const FACINGS: &[&str] = &words!(ToolFacing);
 
-pub(super) static ROWS: [Row; 9] = [
-    Row {
+pub(super) static ROWS: [SchemaRow; 9] = [
+    SchemaRow {
         path: "tools.<tool>.insert",
-        slot: Slot::Insert,
+        slot: SchemaSlot::Insert,
         doc: "the designation of an insert: `CNMG120408` (ISO 1832) or `CNMG432` (inch) gives its corner angle, the length of its edges and its nose radius; a single letter gives the corner angle alone. C and W 80°, D and K 55°, E 75°, S and L 90°, T 60°, V 35°, A 85°, B 82°, M 86°, P 108°, H 120°, O 135°, R round. The length of its edges is `flute_length`",
     },
-    Row {
+    SchemaRow {
         path: "tools.<tool>.holder_designation",
-        slot: Slot::HolderDesignation,
+        slot: SchemaSlot::HolderDesignation,
         doc: "the designation of a turning holder, `PCLNR2525M12` (ISO 5608), or of a boring bar, `S20R-SCLCR09` (ISO 6261): it gives `approach_angle`, and the corner angle and the length of the edges of its inserts. `tip` is that of the usual mounting, where none is given and only one is usual: 3 of a right-hand holder, 2 of a bar, 8 of a neutral holder",
     },
     quantity(
         "tools.<tool>.insert_angle",
-        Dimension::Angle,
-        Sign::Positive,
+        QuantityDimension::Angle,
+        SignRule::Positive,
         |m, k| &mut tool(m, k).turning.insert_angle_rad,
         "the corner angle of an insert; otherwise the one of its letter",
     ),
     quantity(
         "tools.<tool>.approach_angle",
-        Dimension::Angle,
-        Sign::Positive,
+        QuantityDimension::Angle,
+        SignRule::Positive,
         |m, k| &mut tool(m, k).turning.approach_angle_rad,
         "the angle between the main cutting edge of an insert and the feed along Z: 95° of a PCLNL holder, 93° of an SDJCL. Needed for the tips 1 to 4; an insert with tip 5 to 8 stands symmetrically",
     ),
     quantity(
         "tools.<tool>.width",
-        Dimension::Length,
-        Sign::Positive,
+        QuantityDimension::Length,
+        SignRule::Positive,
         |m, k| &mut tool(m, k).turning.width_mm,
         "the width of a grooving or parting tool",
     ),
     quantity(
         "tools.<tool>.lead_angle",
-        Dimension::Angle,
-        Sign::Any,
+        QuantityDimension::Angle,
+        SignRule::Any,
         |m, k| &mut tool(m, k).turning.lead_angle_rad,
         "the slope of the front edge of a grooving or parting tool: positive if the corner at the greater Z stands back; otherwise 0",
     ),
-    Row {
+    SchemaRow {
         path: "tools.<tool>.facing",
-        slot: Slot::Word {
+        slot: SchemaSlot::Word {
             what: "facing",
             words: FACINGS,
             set: |m, k, word| {
@@ -60,14 +60,14 @@ pub(super) static ROWS: [Row; 9] = [
     },
     quantity(
         "tools.<tool>.bar_offset",
-        Dimension::Length,
-        Sign::Positive,
+        QuantityDimension::Length,
+        SignRule::Positive,
         |m, k| &mut tool(m, k).turning.bar_offset_mm,
         "the distance along X from the programmed point of a boring bar to the middle of its round shank; otherwise half of `shank_diameter`",
     ),
-    Row {
+    SchemaRow {
         path: "tools.<tool>.holder_outline",
-        slot: Slot::Outline(|m, k| &mut tool(m, k).turning.holder_outline),
+        slot: SchemaSlot::Outline(|m, k| &mut tool(m, k).turning.holder_outline),
         doc: "the corners of the holder of a turning tool in the plane of Z and X, as distances along X and Z from the programmed point (X is not doubled)",
     },
 ];

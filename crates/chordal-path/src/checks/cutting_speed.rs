@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 use chordal_command::{
     Command, CommandKind, Move, Origin, SpindleState, SurfaceSpeed, number_text,
 };
-use chordal_diagnostics::{Code, Diagnostic, Severity, Shift};
+use chordal_diagnostics::{Code, Diagnostic, Severity, TextShift};
 use chordal_geometry::ParamCurve;
 use chordal_kernel::hole_at_surface_speed;
 
-use super::Checks;
+use super::RunChecks;
 use crate::segment::curve_of;
 
 /// X nearer to zero is the centre, mm.
@@ -47,7 +47,7 @@ struct CenterCut {
 
 impl CuttingSpeedMemory {
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         if let Some(cut) = &mut self.in_center {
             cut.origin = cut.origin.shifted(shift)?;
         }
@@ -55,7 +55,7 @@ impl CuttingSpeedMemory {
     }
 }
 
-impl Checks<'_> {
+impl RunChecks<'_> {
     /// Follows the spindle, and what moves.
     pub(super) fn cutting_speed(&mut self, command: &Command, report: &mut impl FnMut(Diagnostic)) {
         if let CommandKind::Spindle { state, .. } = &command.kind {

@@ -4,7 +4,7 @@ use chordal_command::{Move, Origin, number_text};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Curve, ParamCurve, Plane, Vec3};
 
-use super::Checks;
+use super::RunChecks;
 use crate::segment::point;
 
 /// Joints that turn by less are tangent within rounding of coordinates, rad (0.1°).
@@ -13,7 +13,7 @@ const TANGENT_RAD: f64 = 0.001_745;
 /// Joints that turn by more are corners on purpose, rad (2°).
 const CORNER_RAD: f64 = 0.034_9;
 
-impl Checks<'_> {
+impl RunChecks<'_> {
     pub(super) fn joint_of_line(
         &mut self,
         motion: &Move,
@@ -91,11 +91,11 @@ impl Checks<'_> {
     }
 }
 
-trait Degrees {
+trait CosineOfDegrees {
     fn asin_degrees(self) -> f64;
 }
 
-impl Degrees for f64 {
+impl CosineOfDegrees for f64 {
     /// Of a small sine; the series is exact to 1e-9 at two degrees, and the same everywhere.
     fn asin_degrees(self) -> f64 {
         let s = self;

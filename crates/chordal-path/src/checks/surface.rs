@@ -5,14 +5,14 @@ use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Curve, ParamCurve};
 use chordal_machine::Axis;
 
-use super::Checks;
+use super::RunChecks;
 use crate::builder::duration_s;
 use crate::compensation::PathCommand;
 use crate::rotary::fastest_turn;
 use crate::rotary_extremes::places_on_axes;
 use crate::segment::curve_of;
 
-impl Checks<'_> {
+impl RunChecks<'_> {
     /// Follows a command on a surface that turns with a rotary axis: travel is that of the axes themselves, and the rotary
     /// one may have to turn too fast.
     #[cold]

@@ -5,7 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_geometry::Vec3;
 use chordal_machine::{Axis, Machine, Tool};
 
-use super::Checks;
+use super::RunChecks;
 use crate::tip::{TipDoubt, TipPlace};
 
 const Z: usize = Axis::Z as usize;
@@ -13,7 +13,7 @@ const Z: usize = Axis::Z as usize;
 /// Radii that differ by less are the same, mm.
 const SAME_RADIUS_MM: f64 = 1e-5;
 
-impl Checks<'_> {
+impl RunChecks<'_> {
     /// Reports each tool and length offset once.
     #[cold]
     pub(super) fn tip(&mut self, command: &Command, report: &mut impl FnMut(Diagnostic)) {

@@ -1,10 +1,10 @@
 //! The turret of a lathe: where it stands when it turns, and what the program cuts.
 
 use chordal_command::{Command, CommandKind, Move, Position};
-use chordal_diagnostics::{Code, Diagnostic, Shift};
+use chordal_diagnostics::{Code, Diagnostic, TextShift};
 use chordal_machine::Axis;
 
-use super::Checks;
+use super::RunChecks;
 use crate::turret_log::{NearTurn, TurnedCut, TurretSystem, TurretTurn};
 
 const X: usize = Axis::X as usize;
@@ -29,7 +29,7 @@ pub(super) struct TurretMemory {
 
 impl TurretMemory {
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         if let Some(turn) = &mut self.waiting {
             turn.origin = turn.origin.shifted(shift)?;
         }
@@ -37,7 +37,7 @@ impl TurretMemory {
     }
 }
 
-impl Checks<'_> {
+impl RunChecks<'_> {
     /// Follows a command on a lathe.
     pub(super) fn turret(&mut self, command: &Command) {
         if let Some(motion) = command.kind.motion() {

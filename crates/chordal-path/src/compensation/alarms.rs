@@ -4,8 +4,8 @@ use chordal_command::Origin;
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_kernel::rules::{SideChange, SpiralCompensation};
 
-use super::interference::Found;
-use super::queue::Block;
+use super::interference::InterferenceKind;
+use super::queue::QueuedBlock;
 use super::{Compensator, PathSink};
 
 impl Compensator {
@@ -49,7 +49,7 @@ impl Compensator {
 
     pub(super) fn inside_arc_told(
         &self,
-        block: &Block,
+        block: &QueuedBlock,
         radius: f64,
         offset: f64,
         out: &mut dyn PathSink,
@@ -68,7 +68,12 @@ impl Compensator {
     }
 
     /// An inside arc as large as the offset, on a control that takes it.
-    pub(super) fn inside_arc_vanishes(&self, block: &Block, offset: f64, out: &mut dyn PathSink) {
+    pub(super) fn inside_arc_vanishes(
+        &self,
+        block: &QueuedBlock,
+        offset: f64,
+        out: &mut dyn PathSink,
+    ) {
         let origin = &block.command.origin;
         let offset = self.length(offset);
         let diagnostic = Diagnostic::new(
@@ -82,21 +87,26 @@ impl Compensator {
         self.tell_of(diagnostic, true, origin, out);
     }
 
-    pub(super) fn interference_told(&self, block: &Block, found: &Found, out: &mut dyn PathSink) {
+    pub(super) fn interference_told(
+        &self,
+        block: &QueuedBlock,
+        found: &InterferenceKind,
+        out: &mut dyn PathSink,
+    ) {
         let origin = &block.command.origin;
         let offset = self.length(block.radii.1);
         let what = match found {
-            Found::Reversed { length, lost } => format!(
+            InterferenceKind::Reversed { length, lost } => format!(
                 "this move of {} loses {} at its corners with the offset {offset}",
                 self.length(*length),
                 self.length(*lost),
             ),
-            Found::Turned { programmed, becomes } => format!(
+            InterferenceKind::Turned { programmed, becomes } => format!(
                 "this arc of {:.3} degrees becomes {:.3} degrees with the offset {offset}",
                 programmed.to_degrees().abs(),
                 becomes.to_degrees() * programmed.signum(),
             ),
-            Found::Crossing => {
+            InterferenceKind::Crossing => {
                 format!("the vectors of the offset {offset} cross between the ends of this block")
             }
         };
@@ -106,7 +116,7 @@ impl Compensator {
         self.tell_of(diagnostic, block.curve.is_arc(), origin, out);
     }
 
-    pub(super) fn avoided(&self, block: &Block, out: &mut dyn PathSink) {
+    pub(super) fn avoided(&self, block: &QueuedBlock, out: &mut dyn PathSink) {
         let origin = &block.command.origin;
         let offset = self.length(block.radii.1);
         let diagnostic = Diagnostic::new(
@@ -118,7 +128,12 @@ impl Compensator {
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn no_intersection(&self, before: &Block, new: &Block, out: &mut dyn PathSink) {
+    pub(super) fn no_intersection(
+        &self,
+        before: &QueuedBlock,
+        new: &QueuedBlock,
+        out: &mut dyn PathSink,
+    ) {
         let origin = &new.command.origin;
         let offset = self.length(new.radii.0);
         let diagnostic = Diagnostic::new(
@@ -211,7 +226,7 @@ impl Compensator {
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn look_ahead_lost(&self, before: &Block, out: &mut dyn PathSink) {
+    pub(super) fn look_ahead_lost(&self, before: &QueuedBlock, out: &mut dyn PathSink) {
         let origin = &before.command.origin;
         let limit = self.rules.compensation.idle_blocks.unwrap_or(0);
         let idle = before.idle;
@@ -260,7 +275,7 @@ impl Compensator {
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn turn_lost(&self, block: &Block, out: &mut dyn PathSink) {
+    pub(super) fn turn_lost(&self, block: &QueuedBlock, out: &mut dyn PathSink) {
         let origin = &block.command.origin;
         let message = "with its offset this arc is longer than a full turn; the control runs only the part over one turn";
         let diagnostic = Diagnostic::new(Code::FullTurnLost, origin.span, message)

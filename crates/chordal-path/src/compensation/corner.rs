@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use chordal_geometry::Vec2;
 
-use super::plane::{Edge, NOTHING_MM, PlaneCurve, meeting};
+use super::plane::{CompensationCurve, NOTHING_MM, OffsetEdge, meeting};
 
 /// How the tool goes round a corner: points joined by straight links, or an arc between two.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Corner {
+pub(super) struct CornerPath {
     points: [Vec2; 4],
     count: usize,
     /// The link from the first point to the last is an arc about this centre by this angle.
@@ -19,15 +19,15 @@ pub(super) struct Corner {
     pub inside: bool,
 }
 
-impl Corner {
-    pub fn at(point: Vec2) -> Corner {
-        let mut corner = Corner::default();
+impl CornerPath {
+    pub fn at(point: Vec2) -> CornerPath {
+        let mut corner = CornerPath::default();
         corner.push(point);
         corner
     }
 
-    pub fn of(points: &[Vec2]) -> Corner {
-        let mut corner = Corner::default();
+    pub fn of(points: &[Vec2]) -> CornerPath {
+        let mut corner = CornerPath::default();
         points.iter().for_each(|point| corner.push(*point));
         corner
     }
@@ -87,7 +87,7 @@ impl Corner {
 
 /// What of the control's rules a corner needs.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct CornerRules {
+pub(super) struct CornerRuleSet {
     pub tangent_mm: f64,
     /// Sine of the largest kink that is left as it is.
     pub tangent_sine: f64,
@@ -97,19 +97,24 @@ pub(super) struct CornerRules {
 }
 
 /// A corner between two blocks of the contour on the same side.
-pub(super) fn corner(at: Vec2, end: &Edge, start: &Edge, rules: &CornerRules) -> Corner {
+pub(super) fn corner(
+    at: Vec2,
+    end: &OffsetEdge,
+    start: &OffsetEdge,
+    rules: &CornerRuleSet,
+) -> CornerPath {
     let r = end.radius;
     let (n1, n2, t1, t2) = (end.normal, start.normal, end.tangent, start.tangent);
     let turn = t1.cross(t2);
     let ahead = t1.dot(t2);
     if ahead > 0.0 && rules.tangent_sine > 0.0 && turn.abs() < rules.tangent_sine {
-        return Corner::at(at + n1 * r);
+        return CornerPath::at(at + n1 * r);
     }
     if ahead > 0.0
         && (n1 - n2).length() * r <= rules.tangent_mm
         && let Some(middle) = (n1 + n2).normalized()
     {
-        return Corner::at(at + middle * r);
+        return CornerPath::at(at + middle * r);
     }
     // An exact reversal is the sharpest outside corner; with cusps also one that turns a little further.
     let largest = if rules.cusps_meet { rules.tangent_sine.max(1e-9) } else { 1e-9 };
@@ -119,18 +124,18 @@ pub(super) fn corner(at: Vec2, end: &Edge, start: &Edge, rules: &CornerRules) ->
     let cusp = rules.cusps_meet
         && ahead < 0.0
         && turn.abs() < rules.tangent_sine
-        && matches!(decides.curve, PlaneCurve::Arc { sweep, .. } if decides.sign * sweep < 0.0);
+        && matches!(decides.curve, CompensationCurve::Arc { sweep, .. } if decides.sign * sweep < 0.0);
     let inside = end.sign * turn > 0.0 && !reversal || cusp;
     if inside {
         let mut corner = match meeting(at, end, start, rules.tangent_mm) {
-            Some(point) => Corner::at(point),
-            None => Corner { missed: true, ..Corner::of(&[at + n1 * r, at + n2 * r]) },
+            Some(point) => CornerPath::at(point),
+            None => CornerPath { missed: true, ..CornerPath::of(&[at + n1 * r, at + n2 * r]) },
         };
         corner.inside = true;
         return corner;
     }
     if rules.round {
-        let mut corner = Corner::of(&[at + n1 * r, at + n2 * r]);
+        let mut corner = CornerPath::of(&[at + n1 * r, at + n2 * r]);
         let least = super::plane::angle(n1, n2).abs();
         let swept = if end.sign * turn > 1e-9 { TAU - least } else { least } * -end.sign;
         corner.arc = (corner.count > 1).then_some((at, swept));
@@ -140,10 +145,10 @@ pub(super) fn corner(at: Vec2, end: &Edge, start: &Edge, rules: &CornerRules) ->
 }
 
 /// An outside corner of straight links; arcs are extended by their tangents.
-pub(super) fn outside(at: Vec2, end: &Edge, start: &Edge, ahead: f64) -> Corner {
+pub(super) fn outside(at: Vec2, end: &OffsetEdge, start: &OffsetEdge, ahead: f64) -> CornerPath {
     let r = end.radius;
     let (n1, n2, t1, t2) = (end.normal, start.normal, end.tangent, start.tangent);
-    let mut corner = Corner::default();
+    let mut corner = CornerPath::default();
     if end.curve.is_arc() {
         corner.push(at + n1 * r);
     }
@@ -161,6 +166,11 @@ pub(super) fn outside(at: Vec2, end: &Edge, start: &Edge, ahead: f64) -> Corner 
 
 /// An arc about the corner whatever the angle asks (G39): only outside there is something to
 /// round.
-pub(super) fn rounded(at: Vec2, end: &Edge, start: &Edge, rules: &CornerRules) -> Corner {
-    corner(at, end, start, &CornerRules { round: true, ..*rules })
+pub(super) fn rounded(
+    at: Vec2,
+    end: &OffsetEdge,
+    start: &OffsetEdge,
+    rules: &CornerRuleSet,
+) -> CornerPath {
+    corner(at, end, start, &CornerRuleSet { round: true, ..*rules })
 }

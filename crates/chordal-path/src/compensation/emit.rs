@@ -1,14 +1,14 @@
 //! Blocks whose corners are known, as commands of the tool centre.
 
-use chordal_command::{ArcShape, Command, CommandKind, Feed, Move, Side};
+use chordal_command::{ArcShape, Command, CommandKind, CompensationSide, Feed, Move};
 use chordal_geometry::Vec2;
-use chordal_kernel::rules::Interference;
+use chordal_kernel::rules::InterferenceSearch;
 use chordal_machine::PerAxis;
 
-use super::corner::Corner;
-use super::plane::{NOTHING_MM, PlaneCurve, offset_between};
-use super::queue::Block;
-use super::{Compensator, ContourPiece, PathCommand, PathSink, Role};
+use super::corner::CornerPath;
+use super::plane::{CompensationCurve, NOTHING_MM, offset_between};
+use super::queue::QueuedBlock;
+use super::{BlockRole, Compensator, ContourPiece, PathCommand, PathSink};
 
 /// A compensated arc may come out longer than a turn by so much from rounding, rad.
 const TURN_SLACK_RAD: f64 = 0.01;
@@ -16,7 +16,8 @@ const TURN_SLACK_RAD: f64 = 0.01;
 impl Compensator {
     /// A command that is not offset itself: its place in the plane is that of the tool centre.
     pub(super) fn put(&mut self, command: &Command, out: &mut dyn PathSink) {
-        let (side, radius) = (self.side, if self.side == Side::Off { 0.0 } else { self.radius });
+        let (side, radius) =
+            (self.side, if self.side == CompensationSide::Off { 0.0 } else { self.radius });
         let told =
             |command| PathCommand { command, side, cutter_radius_mm: radius, inserted: false };
         match (self.at, command.kind.motion()) {
@@ -46,8 +47,8 @@ impl Compensator {
     }
 
     /// A block and what stands after it.
-    pub(super) fn emit(&mut self, block: Box<Block>, out: &mut dyn PathSink) {
-        let corner = block.corner.unwrap_or_else(|| Corner::at(block.square_end()));
+    pub(super) fn emit(&mut self, block: Box<QueuedBlock>, out: &mut dyn PathSink) {
+        let corner = block.corner.unwrap_or_else(|| CornerPath::at(block.square_end()));
         let mut centre = Vec::with_capacity(1 + corner.points().len());
         let mut at = self.at.unwrap_or(block.start);
         if block.loose && block.curve.is_arc() {
@@ -70,15 +71,15 @@ impl Compensator {
     /// An arc that begins beside its offset circle is reached by a straight move.
     fn reach_arc(
         &mut self,
-        block: &Block,
+        block: &QueuedBlock,
         at: Vec2,
-        centre: &mut Vec<PlaneCurve>,
+        centre: &mut Vec<CompensationCurve>,
         out: &mut dyn PathSink,
     ) -> Vec2 {
         let Some((tangent, _)) = block.tangents else { return at };
         let start = block.curve.from() + tangent.turned_left() * (block.sign * block.radii.0);
         if start.distance(at) > self.rules.compensation.tangent_mm {
-            let link = PlaneCurve::Line { from: at, to: start };
+            let link = CompensationCurve::Line { from: at, to: start };
             self.put_link(block, &link, block.command.kind.motion().map(|m| m.from), out);
             centre.push(link);
         }
@@ -87,23 +88,25 @@ impl Compensator {
 
     fn centre_curve(
         &mut self,
-        block: &Block,
+        block: &QueuedBlock,
         from: Vec2,
         to: Vec2,
         out: &mut dyn PathSink,
-    ) -> PlaneCurve {
+    ) -> CompensationCurve {
         if block.straight {
-            return PlaneCurve::Line { from, to };
+            return CompensationCurve::Line { from, to };
         }
-        if block.role == Role::StartUp && block.curve.is_arc() {
+        if block.role == BlockRole::StartUp && block.curve.is_arc() {
             return entry_arc(&block.curve, from, to);
         }
         let mut curve = offset_between(&block.curve, block.sign, block.radii, from, to);
-        if let (PlaneCurve::Arc { sweep, .. }, PlaneCurve::Arc { sweep: programmed, .. }) =
-            (&mut curve, block.curve)
+        if let (
+            CompensationCurve::Arc { sweep, .. },
+            CompensationCurve::Arc { sweep: programmed, .. },
+        ) = (&mut curve, block.curve)
         {
             let turn = std::f64::consts::TAU;
-            let strict = self.rules.compensation.interference == Interference::Strict;
+            let strict = self.rules.compensation.interference == InterferenceSearch::Strict;
             if strict && *sweep * programmed < 0.0 {
                 // LinuxCNC keeps the direction and goes round.
                 *sweep += turn * programmed.signum();
@@ -116,7 +119,7 @@ impl Compensator {
         curve
     }
 
-    fn put_main(&mut self, block: &Block, curve: &PlaneCurve, out: &mut dyn PathSink) {
+    fn put_main(&mut self, block: &QueuedBlock, curve: &CompensationCurve, out: &mut dyn PathSink) {
         let mut command = block.command.clone();
         let Some(motion) = motion_mut(&mut command.kind) else { return };
         self.place(&mut motion.from, curve.from());
@@ -126,7 +129,7 @@ impl Compensator {
         match (&mut command.kind, curve) {
             (
                 CommandKind::Arc { shape, feed, .. } | CommandKind::Spiral { shape, feed, .. },
-                PlaneCurve::Arc { center, sweep, radius_from, radius_to, .. },
+                CompensationCurve::Arc { center, sweep, radius_from, radius_to, .. },
             ) => {
                 *feed = self.inside_feed(block, *feed, *radius_to);
                 if radius_from.max(*radius_to) <= NOTHING_MM * 1e3 {
@@ -150,7 +153,7 @@ impl Compensator {
                 CommandKind::Arc { feed, .. }
                 | CommandKind::Spiral { feed, .. }
                 | CommandKind::Spline { feed, .. },
-                PlaneCurve::Line { .. },
+                CompensationCurve::Line { .. },
             ) => {
                 let feed = *feed;
                 command.kind = CommandKind::Line { motion, feed };
@@ -167,9 +170,9 @@ impl Compensator {
     }
 
     /// Inside arcs may be fed more slowly, so that the cutting edge keeps the feed.
-    fn inside_feed(&self, block: &Block, feed: Feed, radius: f64) -> Feed {
+    fn inside_feed(&self, block: &QueuedBlock, feed: Feed, radius: f64) -> Feed {
         let least = self.rules.compensation.inside_feed_least;
-        let PlaneCurve::Arc { radius_to, sweep, .. } = block.curve else { return feed };
+        let CompensationCurve::Arc { radius_to, sweep, .. } = block.curve else { return feed };
         let inside = block.sign * sweep.signum() > 0.0;
         if least >= 1.0 || !inside || radius_to <= NOTHING_MM {
             return feed;
@@ -179,16 +182,16 @@ impl Compensator {
 
     fn links(
         &mut self,
-        block: &Block,
-        corner: &Corner,
-        centre: &mut Vec<PlaneCurve>,
+        block: &QueuedBlock,
+        corner: &CornerPath,
+        centre: &mut Vec<CompensationCurve>,
         out: &mut dyn PathSink,
     ) {
         let points = corner.points();
         let to = block.command.kind.motion().map(|motion| motion.to);
         if let Some((center, sweep)) = corner.arc {
             let radius = block.radii.1;
-            let link = PlaneCurve::Arc {
+            let link = CompensationCurve::Arc {
                 from: corner.first(),
                 to: corner.last(),
                 center,
@@ -201,7 +204,7 @@ impl Compensator {
             return;
         }
         for pair in points.windows(2) {
-            let link = PlaneCurve::Line { from: pair[0], to: pair[1] };
+            let link = CompensationCurve::Line { from: pair[0], to: pair[1] };
             self.put_link(block, &link, to, out);
             centre.push(link);
         }
@@ -210,8 +213,8 @@ impl Compensator {
     /// A link belongs to the block and moves in the plane alone.
     fn put_link(
         &mut self,
-        block: &Block,
-        link: &PlaneCurve,
+        block: &QueuedBlock,
+        link: &CompensationCurve,
         place: Option<PerAxis<f64>>,
         out: &mut dyn PathSink,
     ) {
@@ -231,13 +234,13 @@ impl Compensator {
         let to_rapid = to_rapid.filter(|_| link.is_arc());
         let kind = match (to_rapid, &block.command.kind, *link) {
             (Some(path), ..) => CommandKind::Rapid { motion, path },
-            (None, CommandKind::Rapid { path, .. }, PlaneCurve::Line { .. }) => {
+            (None, CommandKind::Rapid { path, .. }, CompensationCurve::Line { .. }) => {
                 CommandKind::Rapid { motion, path: *path }
             }
             (None, CommandKind::Rapid { path, .. }, _) if block.next_feed.is_none() => {
                 CommandKind::Rapid { motion, path: *path }
             }
-            (None, kind, PlaneCurve::Arc { center, sweep, radius_from, radius_to, .. }) => {
+            (None, kind, CompensationCurve::Arc { center, sweep, radius_from, radius_to, .. }) => {
                 // After a rapid the arc is cut at the feed of the block that follows.
                 let next = block.next_feed.as_ref();
                 let feed = if of_next { next.or(kind.feed()) } else { kind.feed().or(next) };
@@ -252,7 +255,7 @@ impl Compensator {
                 };
                 CommandKind::Arc { motion, shape, feed: *feed }
             }
-            (None, kind, PlaneCurve::Line { .. }) => {
+            (None, kind, CompensationCurve::Line { .. }) => {
                 let Some(feed) = kind.feed() else { return };
                 CommandKind::Line { motion, feed: *feed }
             }
@@ -292,7 +295,7 @@ impl Compensator {
     pub(super) fn emit_cancel(
         &mut self,
         command: &Command,
-        curve: PlaneCurve,
+        curve: CompensationCurve,
         out: &mut dyn PathSink,
     ) {
         let from = self.at.unwrap_or(curve.from() - self.tip);
@@ -302,16 +305,16 @@ impl Compensator {
         }
         out.command(PathCommand {
             command: &moved,
-            side: Side::Off,
+            side: CompensationSide::Off,
             cutter_radius_mm: 0.0,
             inserted: false,
         });
         out.contour(&ContourPiece {
             stretch: self.stretch,
-            role: Role::Cancel,
+            role: BlockRole::Cancel,
             plane: self.plane,
             programmed: curve.moves().then_some(curve),
-            centre: vec![PlaneCurve::Line { from, to: curve.to() - self.tip }],
+            centre: vec![CompensationCurve::Line { from, to: curve.to() - self.tip }],
             sign: self.sign,
             radius_mm: self.radius,
             negative: is_negative(self.side, self.sign),
@@ -322,7 +325,12 @@ impl Compensator {
         });
     }
 
-    fn tell_contour(&self, block: &Block, centre: Vec<PlaneCurve>, out: &mut dyn PathSink) {
+    fn tell_contour(
+        &self,
+        block: &QueuedBlock,
+        centre: Vec<CompensationCurve>,
+        out: &mut dyn PathSink,
+    ) {
         out.contour(&ContourPiece {
             stretch: self.stretch,
             role: block.role,
@@ -350,19 +358,20 @@ fn is_rapid(command: &Command) -> bool {
 }
 
 /// True where the tool is on the other side than the code says.
-fn is_negative(side: Side, sign: f64) -> bool {
+fn is_negative(side: CompensationSide, sign: f64) -> bool {
     match side {
-        Side::Left => sign < 0.0,
-        Side::Right => sign > 0.0,
-        Side::Off => false,
+        CompensationSide::Left => sign < 0.0,
+        CompensationSide::Right => sign > 0.0,
+        CompensationSide::Off => false,
     }
 }
 
 /// The arc on which compensation starts: from where the tool stands, with the direction of the
 /// programmed arc at the end.
-fn entry_arc(curve: &PlaneCurve, from: Vec2, to: Vec2) -> PlaneCurve {
-    let straight = PlaneCurve::Line { from, to };
-    let (PlaneCurve::Arc { sweep, .. }, Some((_, tangent))) = (curve, curve.tangents()) else {
+fn entry_arc(curve: &CompensationCurve, from: Vec2, to: Vec2) -> CompensationCurve {
+    let straight = CompensationCurve::Line { from, to };
+    let (CompensationCurve::Arc { sweep, .. }, Some((_, tangent))) = (curve, curve.tangents())
+    else {
         return straight;
     };
     let w = sweep.signum();
@@ -378,7 +387,7 @@ fn entry_arc(curve: &PlaneCurve, from: Vec2, to: Vec2) -> PlaneCurve {
     if swept * w < 0.0 {
         swept += std::f64::consts::TAU * w;
     }
-    PlaneCurve::Arc {
+    CompensationCurve::Arc {
         from,
         to,
         center,

@@ -3,8 +3,8 @@
 use chordal_geometry::Vec2;
 use chordal_kernel::rules::CompensationEntry;
 
-use super::corner::{Corner, CornerRules, corner, outside};
-use super::plane::{Edge, meeting};
+use super::corner::{CornerPath, CornerRuleSet, corner, outside};
+use super::plane::{OffsetEdge, meeting};
 
 /// Cosine of 179 degrees: sharper corners than this start and end as type A does.
 const NEARLY_REVERSED: f64 = -0.999_847_695_156_391_3;
@@ -13,19 +13,19 @@ const NEARLY_REVERSED: f64 = -0.999_847_695_156_391_3;
 pub(super) fn start(
     entry: CompensationEntry,
     at: Vec2,
-    lead: &Edge,
-    first: &Edge,
-    rules: &CornerRules,
-) -> Corner {
+    lead: &OffsetEdge,
+    first: &OffsetEdge,
+    rules: &CornerRuleSet,
+) -> CornerPath {
     let square = at + first.normal * first.radius;
     match entry {
-        CompensationEntry::A => Corner::at(square),
+        CompensationEntry::A => CornerPath::at(square),
         CompensationEntry::Contour => corner(at, lead, first, rules),
         CompensationEntry::B => {
             let inside = lead.sign * lead.tangent.cross(first.tangent) > 0.0;
             let ahead = lead.tangent.dot(first.tangent);
             if inside || ahead < NEARLY_REVERSED {
-                return Corner::at(square);
+                return CornerPath::at(square);
             }
             outside(at, lead, first, ahead)
         }
@@ -33,15 +33,20 @@ pub(super) fn start(
 }
 
 /// The corner between the last block of the contour and the move that ends compensation.
-pub(super) fn cancel(entry: CompensationEntry, at: Vec2, last: &Edge, lead: &Edge) -> Corner {
+pub(super) fn cancel(
+    entry: CompensationEntry,
+    at: Vec2,
+    last: &OffsetEdge,
+    lead: &OffsetEdge,
+) -> CornerPath {
     let square = at + last.normal * last.radius;
     match entry {
-        CompensationEntry::A | CompensationEntry::Contour => Corner::at(square),
+        CompensationEntry::A | CompensationEntry::Contour => CornerPath::at(square),
         CompensationEntry::B => {
             let inside = last.sign * last.tangent.cross(lead.tangent) > 0.0;
             let ahead = last.tangent.dot(lead.tangent);
             if inside || ahead < NEARLY_REVERSED {
-                return Corner::at(square);
+                return CornerPath::at(square);
             }
             outside(at, last, lead, ahead)
         }
@@ -50,16 +55,26 @@ pub(super) fn cancel(entry: CompensationEntry, at: Vec2, last: &Edge, lead: &Edg
 
 /// G40 with I J: the last point is where the last block's offset meets the offset of a line
 /// from the corner along that direction.
-pub(super) fn toward(at: Vec2, last: &Edge, direction: Vec2, tolerance: f64) -> Option<Corner> {
-    let line = super::plane::PlaneCurve::Line { from: at, to: at + direction };
-    let start = Edge::start(line, last.sign, last.radius)?;
-    meeting(at, last, &start, tolerance).map(Corner::at)
+pub(super) fn toward(
+    at: Vec2,
+    last: &OffsetEdge,
+    direction: Vec2,
+    tolerance: f64,
+) -> Option<CornerPath> {
+    let line = super::plane::CompensationCurve::Line { from: at, to: at + direction };
+    let start = OffsetEdge::start(line, last.sign, last.radius)?;
+    meeting(at, last, &start, tolerance).map(CornerPath::at)
 }
 
 /// A change of side: where the old and the new offset cross.
-pub(super) fn side_change(at: Vec2, end: &Edge, start: &Edge, tolerance: f64) -> Corner {
+pub(super) fn side_change(
+    at: Vec2,
+    end: &OffsetEdge,
+    start: &OffsetEdge,
+    tolerance: f64,
+) -> CornerPath {
     match meeting(at, end, start, tolerance) {
-        Some(point) => Corner::at(point),
-        None => Corner::at(at + start.normal * start.radius),
+        Some(point) => CornerPath::at(point),
+        None => CornerPath::at(at + start.normal * start.radius),
     }
 }

@@ -3,11 +3,11 @@
 
 use chordal_command::Units;
 use chordal_geometry::Vec2;
-use chordal_kernel::rules::Interference;
+use chordal_kernel::rules::InterferenceSearch;
 
-use super::plane::{PlaneCurve, offset_between};
-use super::queue::Block;
-use super::{Compensator, PathSink, Role};
+use super::plane::{CompensationCurve, offset_between};
+use super::queue::QueuedBlock;
+use super::{BlockRole, Compensator, PathSink};
 
 /// A move reversed by less than this is a rounding error, mm.
 const REVERSED_MM: f64 = 1e-6;
@@ -17,7 +17,7 @@ const TURNED_RAD: f64 = 1e-6;
 
 /// What does not fit.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Found {
+pub(super) enum InterferenceKind {
     /// A straight move of this length loses so much at its corners, mm.
     Reversed { length: f64, lost: f64 },
     /// The arc turns otherwise than programmed, rad.
@@ -28,8 +28,8 @@ pub(super) enum Found {
 
 impl Compensator {
     /// An inside arc that the tool does not fit into; reported at once.
-    pub(super) fn inside_arc_too_small(&self, block: &Block, out: &mut dyn PathSink) -> bool {
-        let PlaneCurve::Arc { sweep, radius_from, radius_to, .. } = block.curve else {
+    pub(super) fn inside_arc_too_small(&self, block: &QueuedBlock, out: &mut dyn PathSink) -> bool {
+        let CompensationCurve::Arc { sweep, radius_from, radius_to, .. } = block.curve else {
             return false;
         };
         let rules = &self.rules.compensation;
@@ -54,10 +54,14 @@ impl Compensator {
     }
 
     /// The check of this control; first it leaves out the corner points that face each other.
-    pub(super) fn interferes(&mut self, block: &mut Block, _new: Option<&Block>) -> Option<Found> {
+    pub(super) fn interferes(
+        &mut self,
+        block: &mut QueuedBlock,
+        _new: Option<&QueuedBlock>,
+    ) -> Option<InterferenceKind> {
         loop {
             let found = self.test(block)?;
-            if self.rules.compensation.interference != Interference::Direction {
+            if self.rules.compensation.interference != InterferenceSearch::Direction {
                 return Some(found);
             }
             let before = self.queue.back_mut()?.corner.as_mut();
@@ -75,30 +79,33 @@ impl Compensator {
         }
     }
 
-    fn test(&self, block: &Block) -> Option<Found> {
+    fn test(&self, block: &QueuedBlock) -> Option<InterferenceKind> {
         let (start, end) = (block.start, block.corner.as_ref()?.first());
         let rules = &self.rules.compensation;
         if !rules.checks {
             return None;
         }
         match rules.interference {
-            Interference::ArcAngle if !block.curve.is_arc() => None,
-            Interference::ArcAngle => arc_angle(block, start, end),
-            Interference::Direction => direction(block, start, end, rules.tangent_mm),
-            Interference::Vectors => crossing(block.curve.from(), start, block.curve.to(), end)
-                .then_some(Found::Crossing),
-            Interference::Strict => self.strict(block, start, end),
+            InterferenceSearch::ArcAngle if !block.curve.is_arc() => None,
+            InterferenceSearch::ArcAngle => arc_angle(block, start, end),
+            InterferenceSearch::Direction => direction(block, start, end, rules.tangent_mm),
+            InterferenceSearch::Vectors => {
+                crossing(block.curve.from(), start, block.curve.to(), end)
+                    .then_some(InterferenceKind::Crossing)
+            }
+            InterferenceSearch::Strict => self.strict(block, start, end),
         }
     }
 
-    fn strict(&self, block: &Block, start: Vec2, end: Vec2) -> Option<Found> {
+    fn strict(&self, block: &QueuedBlock, start: Vec2, end: Vec2) -> Option<InterferenceKind> {
         match block.curve {
-            PlaneCurve::Line { .. } => direction(block, start, end, 0.0),
-            PlaneCurve::Arc { sweep, .. } => {
+            CompensationCurve::Line { .. } => direction(block, start, end, 0.0),
+            CompensationCurve::Arc { sweep, .. } => {
                 // The first arc of a contour is looked at only where its own end moves.
-                let first = self.queue.back().is_some_and(|before| before.role == Role::StartUp);
+                let first =
+                    self.queue.back().is_some_and(|before| before.role == BlockRole::StartUp);
                 let moved = block.corner.as_ref().is_some_and(|corner| corner.inside);
-                if block.role == Role::StartUp || (first && !moved) {
+                if block.role == BlockRole::StartUp || (first && !moved) {
                     return None;
                 }
                 let becomes = swept(block, start, end);
@@ -106,7 +113,8 @@ impl Compensator {
                 let limit = limits[usize::from(self.units == Units::Inch)];
                 let longer = becomes * sweep.signum() - sweep.abs();
                 let reversed = becomes * sweep.signum() < -TURNED_RAD;
-                (longer > limit || reversed).then_some(Found::Turned { programmed: sweep, becomes })
+                (longer > limit || reversed)
+                    .then_some(InterferenceKind::Turned { programmed: sweep, becomes })
             }
         }
     }
@@ -114,17 +122,23 @@ impl Compensator {
 
 /// Compensated against programmed direction, and for an arc its angle too. An inside arc that
 /// has shrunk to a point has neither.
-fn direction(block: &Block, start: Vec2, end: Vec2, point_mm: f64) -> Option<Found> {
+fn direction(
+    block: &QueuedBlock,
+    start: Vec2,
+    end: Vec2,
+    point_mm: f64,
+) -> Option<InterferenceKind> {
     let moved = end - start;
     match block.curve {
-        PlaneCurve::Line { from, to } => {
+        CompensationCurve::Line { from, to } => {
             let along = (to - from).normalized()?;
             let forward = moved.dot(along);
             let length = from.distance(to);
-            (forward < -REVERSED_MM).then_some(Found::Reversed { length, lost: length - forward })
+            (forward < -REVERSED_MM)
+                .then_some(InterferenceKind::Reversed { length, lost: length - forward })
         }
-        PlaneCurve::Arc { .. } if block.straight => None,
-        PlaneCurve::Arc { from, to, sweep, radius_from, .. } => {
+        CompensationCurve::Arc { .. } if block.straight => None,
+        CompensationCurve::Arc { from, to, sweep, radius_from, .. } => {
             let left = radius_from - block.sign * sweep.signum() * block.radii.0;
             if left.abs() <= point_mm {
                 return None;
@@ -133,23 +147,23 @@ fn direction(block: &Block, start: Vec2, end: Vec2, point_mm: f64) -> Option<Fou
             let backward = (to - from).dot(moved) < -REVERSED_MM * from.distance(to);
             let turned = (becomes - sweep).abs() > std::f64::consts::PI
                 || becomes * sweep.signum() < -TURNED_RAD;
-            (backward || turned).then_some(Found::Turned { programmed: sweep, becomes })
+            (backward || turned).then_some(InterferenceKind::Turned { programmed: sweep, becomes })
         }
     }
 }
 
 /// Fanuc 5008#1: only arcs that come out more than 180 degrees otherwise.
-fn arc_angle(block: &Block, start: Vec2, end: Vec2) -> Option<Found> {
-    let PlaneCurve::Arc { sweep, .. } = block.curve else { return None };
+fn arc_angle(block: &QueuedBlock, start: Vec2, end: Vec2) -> Option<InterferenceKind> {
+    let CompensationCurve::Arc { sweep, .. } = block.curve else { return None };
     let becomes = swept(block, start, end);
     let turned = !block.straight && (becomes - sweep).abs() > std::f64::consts::PI;
-    turned.then_some(Found::Turned { programmed: sweep, becomes })
+    turned.then_some(InterferenceKind::Turned { programmed: sweep, becomes })
 }
 
-fn swept(block: &Block, start: Vec2, end: Vec2) -> f64 {
+fn swept(block: &QueuedBlock, start: Vec2, end: Vec2) -> f64 {
     match offset_between(&block.curve, block.sign, block.radii, start, end) {
-        PlaneCurve::Arc { sweep, .. } => sweep,
-        PlaneCurve::Line { .. } => 0.0,
+        CompensationCurve::Arc { sweep, .. } => sweep,
+        CompensationCurve::Line { .. } => 0.0,
     }
 }
 

@@ -17,17 +17,17 @@ mod interference;
 mod plane;
 mod queue;
 
-use chordal_command::{Command, CommandKind, Origin, Side, Units};
+use chordal_command::{Command, CommandKind, CompensationSide, Origin, Units};
 use chordal_kernel::Alarms;
-use chordal_kernel::rules::{Allowance, Repeated, Rules};
+use chordal_kernel::rules::{AllowanceRule, RepeatedCodeRule, Rules};
 use chordal_machine::PerAxis;
 use std::collections::VecDeque;
 
-use chordal_diagnostics::{Diagnostic, Shift, Span};
+use chordal_diagnostics::{Diagnostic, Span, TextShift};
 use chordal_geometry::{Plane, Vec2};
 
-pub use plane::PlaneCurve;
-use queue::Block;
+pub use plane::CompensationCurve;
+use queue::QueuedBlock;
 
 /// A command of the tool-centre path.
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +35,7 @@ pub struct PathCommand<'a> {
     /// The command; positions of moves are those of the tool centre.
     pub command: &'a Command,
     /// The side the tool is on.
-    pub side: Side,
+    pub side: CompensationSide,
     /// By how much, mm; 0 without compensation.
     pub cutter_radius_mm: f64,
     /// A link or a corner arc that compensation made, with the origin of the block before.
@@ -44,7 +44,7 @@ pub struct PathCommand<'a> {
 
 /// What a block is to its contour.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Role {
+pub enum BlockRole {
     /// The move on which compensation starts.
     StartUp,
     /// A block of the contour.
@@ -59,13 +59,13 @@ pub struct ContourPiece {
     /// Counts the stretches from G41 or G42 to G40, from 1.
     pub stretch: u32,
     /// What the block is to the contour.
-    pub role: Role,
+    pub role: BlockRole,
     /// The plane of the coordinates.
     pub plane: Plane,
     /// The programmed curve; `None` where the control only moves aside.
-    pub programmed: Option<PlaneCurve>,
+    pub programmed: Option<CompensationCurve>,
     /// The path of the tool centre, links after the block included.
-    pub centre: Vec<PlaneCurve>,
+    pub centre: Vec<CompensationCurve>,
     /// +1: the tool is left of the contour; −1: right.
     pub sign: f64,
     /// The offset, mm.
@@ -98,7 +98,7 @@ pub trait PathSink {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Phase {
+enum CompensationPhase {
     Off,
     /// G41 or G42 stands, the first move is to come.
     Starting,
@@ -137,8 +137,8 @@ pub struct Compensator {
     radius_override: Option<f64>,
     plane: Plane,
     units: Units,
-    phase: Phase,
-    side: Side,
+    phase: CompensationPhase,
+    side: CompensationSide,
     sign: f64,
     radius: f64,
     /// The block of the last G40, G41, G42 or D.
@@ -148,7 +148,7 @@ pub struct Compensator {
     again: bool,
     /// G39 with the next move.
     round_next: Option<Origin>,
-    queue: VecDeque<Box<Block>>,
+    queue: VecDeque<Box<QueuedBlock>>,
     /// The programmed point of a turning tool as seen from the centre of its nose, mm.
     tip: Vec2,
     /// The tool centre, if it is away from the programmed point.
@@ -161,7 +161,7 @@ pub struct Compensator {
 pub struct CompensatorMemory {
     plane: Plane,
     units: Units,
-    side: Side,
+    side: CompensationSide,
     sign: f64,
     radius: f64,
     code: Origin,
@@ -172,7 +172,7 @@ pub struct CompensatorMemory {
 
 impl CompensatorMemory {
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         self.code = self.code.shifted(shift)?;
         Some(())
     }
@@ -187,8 +187,8 @@ impl Compensator {
             radius_override: None,
             plane: rules.starts_in,
             units: rules.units,
-            phase: Phase::Off,
-            side: Side::Off,
+            phase: CompensationPhase::Off,
+            side: CompensationSide::Off,
             sign: 1.0,
             radius: 0.0,
             code: Origin::default(),
@@ -211,7 +211,7 @@ impl Compensator {
 
     /// Whether compensation is off and nothing waits.
     pub fn is_settled(&self) -> bool {
-        self.phase == Phase::Off
+        self.phase == CompensationPhase::Off
             && self.queue.is_empty()
             && self.at.is_none()
             && self.round_next.is_none()
@@ -244,10 +244,10 @@ impl Compensator {
     /// Follows a command.
     #[inline]
     pub fn command(&mut self, command: &Command, out: &mut impl PathSink) {
-        if self.phase == Phase::Off && !concerns(&command.kind) {
+        if self.phase == CompensationPhase::Off && !concerns(&command.kind) {
             return out.command(PathCommand {
                 command,
-                side: Side::Off,
+                side: CompensationSide::Off,
                 cutter_radius_mm: 0.0,
                 inserted: false,
             });
@@ -258,8 +258,8 @@ impl Compensator {
     /// Ends what waits, as the end of a program does.
     pub fn finish(&mut self, out: &mut dyn PathSink) {
         self.end_square(out);
-        self.phase = Phase::Off;
-        self.side = Side::Off;
+        self.phase = CompensationPhase::Off;
+        self.side = CompensationSide::Off;
         self.at = None;
         self.plane = self.rules.starts_in;
         self.units = self.rules.units;
@@ -273,7 +273,7 @@ impl Compensator {
                 self.pass_on(command, out);
                 let radius = self.radius_override.filter(|_| radius_mm != &Some(0.0));
                 let radius = radius.or(*radius_mm).unwrap_or(0.0);
-                if *side != Side::Off {
+                if *side != CompensationSide::Off {
                     self.tip = Vec2::new(tip[0], tip[1]) * radius.abs();
                 }
                 self.switch(*side, radius, *toward, &command.origin, out);
@@ -283,7 +283,7 @@ impl Compensator {
                 self.pass_on(command, out);
             }
             CommandKind::Plane(plane) => {
-                if self.phase != Phase::Off {
+                if self.phase != CompensationPhase::Off {
                     self.leave(out);
                     // The offset position was in the coordinates of the old plane.
                     self.at = None;
@@ -325,62 +325,65 @@ impl Compensator {
     /// G40, G41, G42, or another D.
     fn switch(
         &mut self,
-        side: Side,
+        side: CompensationSide,
         radius: f64,
         toward: Option<[f64; 2]>,
         origin: &Origin,
         out: &mut dyn PathSink,
     ) {
-        let on = side != Side::Off && radius != 0.0 && radius.is_finite();
-        let left = if side == Side::Right { -1.0 } else { 1.0 };
+        let on = side != CompensationSide::Off && radius != 0.0 && radius.is_finite();
+        let left = if side == CompensationSide::Right { -1.0 } else { 1.0 };
         let sign = if radius < 0.0 { -left } else { left };
         let rules = self.rules.compensation;
         self.toward = None;
         match (self.phase, on) {
-            (Phase::Off, false) => {}
-            (Phase::Off, true) => self.phase = Phase::Starting,
-            (Phase::Starting, true) => {
-                if rules.repeated == Repeated::Refused && self.code.span != origin.span {
+            (CompensationPhase::Off, false) => {}
+            (CompensationPhase::Off, true) => self.phase = CompensationPhase::Starting,
+            (CompensationPhase::Starting, true) => {
+                if rules.repeated == RepeatedCodeRule::Refused && self.code.span != origin.span {
                     self.twice(origin, out);
                 }
             }
-            (Phase::Starting, false) => self.phase = Phase::Off,
-            (Phase::On, true) => {
+            (CompensationPhase::Starting, false) => self.phase = CompensationPhase::Off,
+            (CompensationPhase::On, true) => {
                 let same = sign == self.sign && side == self.side;
                 if !same {
                     self.side_change_told(origin, out);
                 } else if radius.abs() != self.radius {
-                    if rules.new_offset == Allowance::Refused {
+                    if rules.new_offset == AllowanceRule::Refused {
                         self.new_offset_refused(origin, out);
                     }
-                } else if rules.repeated == Repeated::Refused {
+                } else if rules.repeated == RepeatedCodeRule::Refused {
                     self.twice(origin, out);
                 } else {
-                    self.again = rules.repeated == Repeated::Perpendicular;
+                    self.again = rules.repeated == RepeatedCodeRule::Perpendicular;
                 }
             }
-            (Phase::On, false) if side != Side::Off && rules.repeated == Repeated::Refused => {
+            (CompensationPhase::On, false)
+                if side != CompensationSide::Off && rules.repeated == RepeatedCodeRule::Refused =>
+            {
                 if side == self.side {
                     self.twice(origin, out);
                 } else {
                     self.side_change_refused(origin, out);
                 }
             }
-            (Phase::On, false) => {
-                self.phase = Phase::Cancelling;
+            (CompensationPhase::On, false) => {
+                self.phase = CompensationPhase::Cancelling;
                 self.toward = toward.map(|[a, b]| Vec2::new(a, b));
             }
-            (Phase::Cancelling, true) => self.phase = Phase::On,
-            (Phase::Cancelling, false) => {}
+            (CompensationPhase::Cancelling, true) => self.phase = CompensationPhase::On,
+            (CompensationPhase::Cancelling, false) => {}
         }
         self.code = *origin;
-        let kept =
-            self.phase == Phase::On && side == self.side && rules.new_offset == Allowance::Ignored;
+        let kept = self.phase == CompensationPhase::On
+            && side == self.side
+            && rules.new_offset == AllowanceRule::Ignored;
         if on && !kept {
             (self.side, self.sign, self.radius) = (side, sign, radius.abs());
         }
-        if self.phase == Phase::Off {
-            self.side = Side::Off;
+        if self.phase == CompensationPhase::Off {
+            self.side = CompensationSide::Off;
         }
     }
 
@@ -402,10 +405,10 @@ impl Compensator {
     /// contour goes on from there.
     fn shift(&mut self, command: &Command, position: &PerAxis<f64>, out: &mut dyn PathSink) {
         let before = self.queue.back().map(|block| block.curve.to());
-        if matches!(self.phase, Phase::On | Phase::Cancelling) {
+        if matches!(self.phase, CompensationPhase::On | CompensationPhase::Cancelling) {
             let rules = &self.rules.compensation;
-            let over = self.phase == Phase::Cancelling && rules.off_at_once;
-            if rules.coordinate_change == Allowance::Refused && !over {
+            let over = self.phase == CompensationPhase::Cancelling && rules.off_at_once;
+            if rules.coordinate_change == AllowanceRule::Refused && !over {
                 self.shift_refused(&command.origin, out);
             }
             self.end_square(out);

@@ -8,7 +8,7 @@ use chordal_machine::PerAxis;
 
 /// A line or an arc in the plane of compensation, mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum PlaneCurve {
+pub enum CompensationCurve {
     /// A straight piece.
     Line {
         /// Where it begins.
@@ -36,12 +36,12 @@ pub enum PlaneCurve {
 /// Below this a length is nothing, mm: far below any least increment, far above rounding.
 pub(super) const NOTHING_MM: f64 = 1e-9;
 
-impl PlaneCurve {
+impl CompensationCurve {
     /// The curve of a motion command, seen in the plane.
-    pub(super) fn of(motion: &Move, shape: Option<&ArcShape>, plane: Plane) -> PlaneCurve {
+    pub(super) fn of(motion: &Move, shape: Option<&ArcShape>, plane: Plane) -> CompensationCurve {
         let (from, to) = (ab(&motion.from, plane), ab(&motion.to, plane));
         match shape {
-            Some(shape) if shape.plane == plane => PlaneCurve::Arc {
+            Some(shape) if shape.plane == plane => CompensationCurve::Arc {
                 from,
                 to,
                 center: Vec2::new(shape.center[0], shape.center[1]),
@@ -49,34 +49,34 @@ impl PlaneCurve {
                 radius_from: shape.radius_from,
                 radius_to: shape.radius_to,
             },
-            _ => PlaneCurve::Line { from, to },
+            _ => CompensationCurve::Line { from, to },
         }
     }
 
     /// Where it begins.
     pub fn from(&self) -> Vec2 {
         match *self {
-            PlaneCurve::Line { from, .. } | PlaneCurve::Arc { from, .. } => from,
+            CompensationCurve::Line { from, .. } | CompensationCurve::Arc { from, .. } => from,
         }
     }
 
     /// Where it ends.
     pub fn to(&self) -> Vec2 {
         match *self {
-            PlaneCurve::Line { to, .. } | PlaneCurve::Arc { to, .. } => to,
+            CompensationCurve::Line { to, .. } | CompensationCurve::Arc { to, .. } => to,
         }
     }
 
     /// True for an arc.
     pub fn is_arc(&self) -> bool {
-        matches!(self, PlaneCurve::Arc { .. })
+        matches!(self, CompensationCurve::Arc { .. })
     }
 
     /// True when it goes somewhere.
     pub(super) fn moves(&self) -> bool {
         match *self {
-            PlaneCurve::Line { from, to } => from.distance(to) > NOTHING_MM,
-            PlaneCurve::Arc { sweep, radius_from, radius_to, .. } => {
+            CompensationCurve::Line { from, to } => from.distance(to) > NOTHING_MM,
+            CompensationCurve::Arc { sweep, radius_from, radius_to, .. } => {
                 sweep != 0.0 && radius_from.max(radius_to) > NOTHING_MM
             }
         }
@@ -85,11 +85,11 @@ impl PlaneCurve {
     /// Unit tangents at the start and at the end; on an arc from the centre, not the chord.
     pub(crate) fn tangents(&self) -> Option<(Vec2, Vec2)> {
         match *self {
-            PlaneCurve::Line { from, to } => {
+            CompensationCurve::Line { from, to } => {
                 let t = (to - from).normalized()?;
                 Some((t, t))
             }
-            PlaneCurve::Arc { from, to, center, sweep, .. } => {
+            CompensationCurve::Arc { from, to, center, sweep, .. } => {
                 let w = sweep.signum();
                 let along = |p: Vec2| Some((p - center).normalized()?.turned_left() * w);
                 Some((along(from)?, along(to)?))
@@ -106,8 +106,8 @@ pub(super) fn ab(position: &PerAxis<f64>, plane: Plane) -> Vec2 {
 
 /// A block's curve and its offset: `sign` +1 left, −1 right, by `radius` at the corner asked.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Edge {
-    pub curve: PlaneCurve,
+pub(super) struct OffsetEdge {
+    pub curve: CompensationCurve,
     /// Unit tangent at the corner.
     pub tangent: Vec2,
     /// Unit normal at the corner, to the tool's side.
@@ -116,38 +116,45 @@ pub(super) struct Edge {
     pub radius: f64,
 }
 
-impl Edge {
+impl OffsetEdge {
     /// A corner of a curve, with the unit tangent there.
-    pub fn along(curve: PlaneCurve, tangent: Vec2, sign: f64, radius: f64) -> Edge {
-        Edge { curve, tangent, normal: tangent.turned_left() * sign, sign, radius }
+    pub fn along(curve: CompensationCurve, tangent: Vec2, sign: f64, radius: f64) -> OffsetEdge {
+        OffsetEdge { curve, tangent, normal: tangent.turned_left() * sign, sign, radius }
     }
 
     /// The start of a curve.
-    pub fn start(curve: PlaneCurve, sign: f64, radius: f64) -> Option<Edge> {
+    pub fn start(curve: CompensationCurve, sign: f64, radius: f64) -> Option<OffsetEdge> {
         let (tangent, _) = curve.tangents()?;
-        Some(Edge::along(curve, tangent, sign, radius))
+        Some(OffsetEdge::along(curve, tangent, sign, radius))
     }
 
     /// Radius of the offset arc; negative where the offset is larger than an inside radius.
     pub fn offset_radius(&self, radius: f64) -> f64 {
         match self.curve {
-            PlaneCurve::Arc { sweep, .. } => radius - self.sign * sweep.signum() * self.radius,
-            PlaneCurve::Line { .. } => f64::INFINITY,
+            CompensationCurve::Arc { sweep, .. } => {
+                radius - self.sign * sweep.signum() * self.radius
+            }
+            CompensationCurve::Line { .. } => f64::INFINITY,
         }
     }
 }
 
 /// Where the offsets of two blocks meet, nearest to their corner; `at_end` is the end of the
 /// first, `at_start` the start of the second.
-pub(super) fn meeting(corner: Vec2, end: &Edge, start: &Edge, tolerance: f64) -> Option<Vec2> {
-    let circle = |edge: &Edge, at_end: bool| match edge.curve {
-        PlaneCurve::Arc { center, radius_from, radius_to, .. } => {
+pub(super) fn meeting(
+    corner: Vec2,
+    end: &OffsetEdge,
+    start: &OffsetEdge,
+    tolerance: f64,
+) -> Option<Vec2> {
+    let circle = |edge: &OffsetEdge, at_end: bool| match edge.curve {
+        CompensationCurve::Arc { center, radius_from, radius_to, .. } => {
             let radius = if at_end { radius_to } else { radius_from };
             Some(Circle2 { center: center - corner, radius: edge.offset_radius(radius).abs() })
         }
-        PlaneCurve::Line { .. } => None,
+        CompensationCurve::Line { .. } => None,
     };
-    let line = |edge: &Edge, at: Vec2| Line2 {
+    let line = |edge: &OffsetEdge, at: Vec2| Line2 {
         point: at - corner + edge.normal * edge.radius,
         direction: edge.tangent,
     };
@@ -168,15 +175,16 @@ fn nearest(meeting: Meeting) -> Option<Vec2> {
 
 /// The offset of a block between two points of the tool centre: an arc keeps its turns.
 pub(super) fn offset_between(
-    curve: &PlaneCurve,
+    curve: &CompensationCurve,
     sign: f64,
     radii: (f64, f64),
     from: Vec2,
     to: Vec2,
-) -> PlaneCurve {
-    let PlaneCurve::Arc { from: start, to: end, center, sweep, radius_from, radius_to } = *curve
+) -> CompensationCurve {
+    let CompensationCurve::Arc { from: start, to: end, center, sweep, radius_from, radius_to } =
+        *curve
     else {
-        return PlaneCurve::Line { from, to };
+        return CompensationCurve::Line { from, to };
     };
     let toward = sign * sweep.signum();
     let (rho_from, rho_to) = (radius_from - toward * radii.0, radius_to - toward * radii.1);
@@ -186,7 +194,7 @@ pub(super) fn offset_between(
         if rho.abs() <= NOTHING_MM { 0.0 } else { angle(programmed - center, arm(point, rho)) }
     };
     let swept = sweep - turned(start, from, rho_from) + turned(end, to, rho_to);
-    PlaneCurve::Arc {
+    CompensationCurve::Arc {
         from,
         to,
         center,

@@ -4,28 +4,28 @@ use chordal_command::{Command, CommandKind, Feed, FeedMode, RapidPath};
 use chordal_diagnostics::Span;
 use chordal_geometry::{ParamCurve, Plane, Vec2};
 use chordal_kernel::rules::{
-    Allowance, AloneAction, CompensationPlanes, Interference, LeadLength, OutsideCorner, Remedy,
-    SideChange,
+    AllowanceRule, AloneAction, CompensationPlanes, InterferenceRemedy, InterferenceSearch,
+    LeadLength, OutsideCorner, SideChange,
 };
 
 use crate::curve_of;
 
-use super::corner::{Corner, CornerRules, corner, rounded};
-use super::plane::{Edge, PlaneCurve};
-use super::{Compensator, PathSink, Phase, Role, entry};
+use super::corner::{CornerPath, CornerRuleSet, corner, rounded};
+use super::plane::{CompensationCurve, OffsetEdge};
+use super::{BlockRole, CompensationPhase, Compensator, PathSink, entry};
 
 /// Most commands without motion that wait after a block.
 pub(super) const MAX_TRAILING: usize = 4096;
 
 /// A move that waits for the corner at its end.
 #[derive(Clone, Debug)]
-pub(super) struct Block {
+pub(super) struct QueuedBlock {
     pub command: Command,
-    pub curve: PlaneCurve,
+    pub curve: CompensationCurve,
     /// Unit tangents at its start and end.
     pub tangents: Option<(Vec2, Vec2)>,
-    pub role: Role,
-    pub side: chordal_command::Side,
+    pub role: BlockRole,
+    pub side: chordal_command::CompensationSide,
     pub sign: f64,
     /// Offset at the start and at the end.
     pub radii: (f64, f64),
@@ -43,7 +43,7 @@ pub(super) struct Block {
     pub straight: bool,
     /// Set square to its end whatever follows.
     pub square: bool,
-    pub corner: Option<Corner>,
+    pub corner: Option<CornerPath>,
     /// Feed of the block after its corner.
     pub next_feed: Option<Feed>,
     /// The block after its corner is a rapid.
@@ -55,15 +55,15 @@ pub(super) struct Block {
     pub trailing: Vec<Command>,
 }
 
-impl Block {
-    fn end_edge(&self) -> Option<Edge> {
+impl QueuedBlock {
+    fn end_edge(&self) -> Option<OffsetEdge> {
         let (_, tangent) = self.tangents?;
-        Some(Edge::along(self.curve, tangent, self.sign, self.radii.1))
+        Some(OffsetEdge::along(self.curve, tangent, self.sign, self.radii.1))
     }
 
-    fn start_edge(&self, radius: f64) -> Option<Edge> {
+    fn start_edge(&self, radius: f64) -> Option<OffsetEdge> {
         let (tangent, _) = self.tangents?;
-        Some(Edge::along(self.curve, tangent, self.sign, radius))
+        Some(OffsetEdge::along(self.curve, tangent, self.sign, radius))
     }
 
     /// The point square to its end.
@@ -79,11 +79,12 @@ impl Compensator {
     /// A move while compensation is on, starts or ends.
     pub(super) fn motion(&mut self, command: &Command, out: &mut dyn PathSink) {
         let Some(motion) = command.kind.motion() else { return };
-        let ends = self.phase == Phase::Cancelling && self.rules.compensation.off_at_once;
+        let ends =
+            self.phase == CompensationPhase::Cancelling && self.rules.compensation.off_at_once;
         if command.origin.cycle && !ends {
             return self.cycle_move(command, out);
         }
-        let curve = PlaneCurve::of(motion, command.kind.shape(), self.plane);
+        let curve = CompensationCurve::of(motion, command.kind.shape(), self.plane);
         if !curve.moves() {
             return match ends {
                 true => self.cancel_block(command, curve, out),
@@ -102,20 +103,20 @@ impl Compensator {
             self.spiral(&command.origin, out);
         }
         match self.phase {
-            Phase::Off => self.put(command, out),
-            Phase::Starting => self.start_block(command, curve, out),
-            Phase::On => self.contour_block(command, curve, out),
-            Phase::Cancelling if curve.is_arc() => {
+            CompensationPhase::Off => self.put(command, out),
+            CompensationPhase::Starting => self.start_block(command, curve, out),
+            CompensationPhase::On => self.contour_block(command, curve, out),
+            CompensationPhase::Cancelling if curve.is_arc() => {
                 self.ends_on_arc(&command.origin, out);
                 self.contour_block(command, curve, out);
             }
-            Phase::Cancelling => self.cancel_block(command, curve, out),
+            CompensationPhase::Cancelling => self.cancel_block(command, curve, out),
         }
     }
 
     /// A cut in inverse time as one at a speed, where that speed holds for the path of the tool.
     fn as_speed(&self, command: &Command) -> Option<Command> {
-        if self.phase == Phase::Off || !self.rules.compensation.inverse_time_as_speed {
+        if self.phase == CompensationPhase::Off || !self.rules.compensation.inverse_time_as_speed {
             return None;
         }
         let motion = command.kind.motion()?;
@@ -136,11 +137,15 @@ impl Compensator {
     fn still_in_plane(&mut self, command: &Command, out: &mut dyn PathSink) {
         let rules = &self.rules.compensation;
         let zero = command.kind.motion().is_some_and(|motion| motion.from == motion.to);
-        if self.phase == Phase::Starting && rules.lead_follows_code {
+        if self.phase == CompensationPhase::Starting && rules.lead_follows_code {
             self.lead_too_short(&command.origin, 0.0, out);
         }
         let own_code = self.code.span == command.origin.span;
-        if self.phase == Phase::Cancelling && own_code && rules.lead != LeadLength::Any && !zero {
+        if self.phase == CompensationPhase::Cancelling
+            && own_code
+            && rules.lead != LeadLength::Any
+            && !zero
+        {
             self.no_lead_out(&command.origin, out);
         }
         let counts = if zero { rules.zero_move_counts } else { 1 };
@@ -151,10 +156,15 @@ impl Compensator {
         self.pass_on(command, out);
     }
 
-    fn block(&self, command: &Command, curve: PlaneCurve, role: Role) -> Box<Block> {
+    fn block(
+        &self,
+        command: &Command,
+        curve: CompensationCurve,
+        role: BlockRole,
+    ) -> Box<QueuedBlock> {
         let before = self.queue.back().map_or(self.radius, |block| block.radii.1);
         let round = self.round_next.is_some_and(|origin| origin.span == command.origin.span);
-        Box::new(Block {
+        Box::new(QueuedBlock {
             command: command.clone(),
             curve,
             tangents: curve.tangents(),
@@ -178,7 +188,7 @@ impl Compensator {
         })
     }
 
-    fn start_block(&mut self, command: &Command, curve: PlaneCurve, out: &mut dyn PathSink) {
+    fn start_block(&mut self, command: &Command, curve: CompensationCurve, out: &mut dyn PathSink) {
         let rules = self.rules.compensation;
         let plane_fits = match rules.planes {
             CompensationPlanes::All => true,
@@ -187,7 +197,7 @@ impl Compensator {
         };
         if !plane_fits {
             self.plane_refused(&command.origin, out);
-            self.phase = Phase::Off;
+            self.phase = CompensationPhase::Off;
             return self.put(command, out);
         }
         if curve.is_arc() && !rules.start_on_arc {
@@ -196,7 +206,7 @@ impl Compensator {
         }
         self.stretch += 1;
         self.at = Some(curve.from() - self.tip);
-        self.phase = Phase::On;
+        self.phase = CompensationPhase::On;
         let alone = self.code.span != command.origin.span;
         if alone && rules.on_alone == AloneAction::Perpendicular {
             return self.start_square(command, curve, out);
@@ -210,15 +220,23 @@ impl Compensator {
         if short {
             self.lead_too_short(&command.origin, length, out);
         }
-        let block = self.block(command, curve, Role::StartUp);
+        let block = self.block(command, curve, BlockRole::StartUp);
         self.queue.push_back(block);
     }
 
     /// G41 alone, type C: the tool moves aside first, then the block runs on the contour.
-    fn start_square(&mut self, command: &Command, curve: PlaneCurve, out: &mut dyn PathSink) {
+    fn start_square(
+        &mut self,
+        command: &Command,
+        curve: CompensationCurve,
+        out: &mut dyn PathSink,
+    ) {
         let here = curve.from();
-        let mut aside =
-            self.block(command, PlaneCurve::Line { from: here, to: here }, Role::StartUp);
+        let mut aside = self.block(
+            command,
+            CompensationCurve::Line { from: here, to: here },
+            BlockRole::StartUp,
+        );
         aside.made_up = true;
         aside.command.origin = self.code;
         aside.command.kind = aside_move(&command.kind);
@@ -226,14 +244,19 @@ impl Compensator {
         self.contour_block(command, curve, out);
     }
 
-    fn contour_block(&mut self, command: &Command, curve: PlaneCurve, out: &mut dyn PathSink) {
+    fn contour_block(
+        &mut self,
+        command: &Command,
+        curve: CompensationCurve,
+        out: &mut dyn PathSink,
+    ) {
         if std::mem::take(&mut self.again)
             && self.code.span != command.origin.span
             && let Some(last) = self.queue.back_mut()
         {
             last.square = true;
         }
-        let mut new = self.block(command, curve, Role::Contour);
+        let mut new = self.block(command, curve, BlockRole::Contour);
         self.changes_allowed(&new, out);
         new.told = self.inside_arc_too_small(&new, out);
         match self.queue.pop_back() {
@@ -252,7 +275,7 @@ impl Compensator {
     }
 
     /// Another side or another offset in a block where the control refuses it.
-    fn changes_allowed(&self, new: &Block, out: &mut dyn PathSink) {
+    fn changes_allowed(&self, new: &QueuedBlock, out: &mut dyn PathSink) {
         let Some(before) = self.queue.back() else { return };
         let rules = &self.rules.compensation;
         let origin = &new.command.origin;
@@ -267,7 +290,7 @@ impl Compensator {
             }
         } else if new.radii.0 != new.radii.1
             && new.curve.is_arc()
-            && rules.new_offset_on_arc == Allowance::Refused
+            && rules.new_offset_on_arc == AllowanceRule::Refused
         {
             self.new_offset_refused(origin, out);
         }
@@ -275,9 +298,14 @@ impl Compensator {
 
     /// Finds the corner between two blocks, looks whether the first still fits, and puts both
     /// back into the queue.
-    fn join(&mut self, mut before: Box<Block>, mut new: Box<Block>, out: &mut dyn PathSink) {
+    fn join(
+        &mut self,
+        mut before: Box<QueuedBlock>,
+        mut new: Box<QueuedBlock>,
+        out: &mut dyn PathSink,
+    ) {
         let mut corner = self.corner_of(&before, &mut new, out);
-        let long_arc = matches!(new.curve, PlaneCurve::Arc { sweep, .. }
+        let long_arc = matches!(new.curve, CompensationCurve::Arc { sweep, .. }
             if sweep.abs() >= std::f64::consts::PI - 1e-9);
         let limit = self.rules.compensation.drop_link_mm;
         if limit > 0.0 && !long_arc && corner.arc.is_none() {
@@ -300,12 +328,17 @@ impl Compensator {
     }
 
     /// The control's check of a block whose corners are both known; then it waits again.
-    fn settle(&mut self, mut block: Box<Block>, new: Option<&mut Block>, out: &mut dyn PathSink) {
-        let strict = self.rules.compensation.interference == Interference::Strict;
-        let in_contour = block.role == Role::Contour || (strict && !block.made_up);
+    fn settle(
+        &mut self,
+        mut block: Box<QueuedBlock>,
+        new: Option<&mut QueuedBlock>,
+        out: &mut dyn PathSink,
+    ) {
+        let strict = self.rules.compensation.interference == InterferenceSearch::Strict;
+        let in_contour = block.role == BlockRole::Contour || (strict && !block.made_up);
         let checked = in_contour && !block.told && !block.loose;
         if checked && let Some(found) = self.interferes(&mut block, new.as_deref()) {
-            let avoid = self.rules.compensation.remedy == Remedy::Avoid;
+            let avoid = self.rules.compensation.remedy == InterferenceRemedy::Avoid;
             if avoid && let Some(new) = new {
                 match self.avoid(&block, new) {
                     Some(()) => {
@@ -325,8 +358,8 @@ impl Compensator {
     }
 
     /// Leaves a block out: its neighbours meet instead.
-    fn avoid(&mut self, block: &Block, new: &mut Block) -> Option<()> {
-        let before = self.queue.back_mut().filter(|b| b.role == Role::Contour)?;
+    fn avoid(&mut self, block: &QueuedBlock, new: &mut QueuedBlock) -> Option<()> {
+        let before = self.queue.back_mut().filter(|b| b.role == BlockRole::Contour)?;
         let end = before.end_edge()?;
         let start = new.start_edge(block.radii.1)?;
         let at = before.curve.to();
@@ -336,14 +369,14 @@ impl Compensator {
         if one.dot(other) < 0.0 {
             return None;
         }
-        before.corner = Some(Corner::at(point));
+        before.corner = Some(CornerPath::at(point));
         new.start = point;
         Some(())
     }
 
-    pub(super) fn corner_rules(&self) -> CornerRules {
+    pub(super) fn corner_rules(&self) -> CornerRuleSet {
         let rules = &self.rules.compensation;
-        CornerRules {
+        CornerRuleSet {
             tangent_mm: rules.tangent_mm,
             tangent_sine: if rules.tangent_rad > 0.0 { libm::sin(rules.tangent_rad) } else { 0.0 },
             round: self.rules.outside_corner == OutsideCorner::Arc,
@@ -351,33 +384,38 @@ impl Compensator {
         }
     }
 
-    fn corner_of(&mut self, before: &Block, new: &mut Block, out: &mut dyn PathSink) -> Corner {
+    fn corner_of(
+        &mut self,
+        before: &QueuedBlock,
+        new: &mut QueuedBlock,
+        out: &mut dyn PathSink,
+    ) -> CornerPath {
         let at = before.curve.to();
         let rules = self.rules.compensation;
-        let Some(first) = new.start_edge(before.radii.1) else { return Corner::at(at) };
+        let Some(first) = new.start_edge(before.radii.1) else { return CornerPath::at(at) };
         if before.made_up {
-            return Corner::at(at + first.normal * first.radius);
+            return CornerPath::at(at + first.normal * first.radius);
         }
-        let Some(end) = before.end_edge() else { return Corner::at(at) };
+        let Some(end) = before.end_edge() else { return CornerPath::at(at) };
         let square = at + end.normal * end.radius;
         if rules.idle_blocks.is_some_and(|limit| before.idle > limit) {
             new.loose = true;
             self.look_ahead_lost(before, out);
-            return Corner::at(if before.role == Role::StartUp { at } else { square });
+            return CornerPath::at(if before.role == BlockRole::StartUp { at } else { square });
         }
         if before.square {
             new.loose = true;
-            return Corner::at(square);
+            return CornerPath::at(square);
         }
         let how = self.corner_rules();
-        if before.role == Role::StartUp {
+        if before.role == BlockRole::StartUp {
             return entry::start(self.rules.compensation_entry, at, &end, &first, &how);
         }
         if before.sign != new.sign {
             return match rules.side_change {
                 SideChange::Along => {
                     new.loose = true;
-                    Corner::at(square)
+                    CornerPath::at(square)
                 }
                 _ => entry::side_change(at, &end, &first, how.tangent_mm),
             };
@@ -386,12 +424,17 @@ impl Compensator {
     }
 
     /// The move on which compensation ends: everything that waits can go.
-    fn cancel_block(&mut self, command: &Command, curve: PlaneCurve, out: &mut dyn PathSink) {
+    fn cancel_block(
+        &mut self,
+        command: &Command,
+        curve: CompensationCurve,
+        out: &mut dyn PathSink,
+    ) {
         let alone = self.code.span != command.origin.span;
         let back = alone && self.rules.compensation.off_alone == AloneAction::Perpendicular;
         if let Some(mut last) = self.queue.pop_back() {
             let corner = if alone && back { None } else { self.last_corner(&last, curve) };
-            last.corner = Some(corner.unwrap_or_else(|| Corner::at(last.square_end())));
+            last.corner = Some(corner.unwrap_or_else(|| CornerPath::at(last.square_end())));
             self.settle(last, None, out);
         }
         while let Some(block) = self.queue.pop_front() {
@@ -402,16 +445,16 @@ impl Compensator {
         }
         self.emit_cancel(command, curve, out);
         self.at = None;
-        self.phase = Phase::Off;
-        self.side = chordal_command::Side::Off;
+        self.phase = CompensationPhase::Off;
+        self.side = chordal_command::CompensationSide::Off;
     }
 
-    fn last_corner(&self, last: &Block, curve: PlaneCurve) -> Option<Corner> {
+    fn last_corner(&self, last: &QueuedBlock, curve: CompensationCurve) -> Option<CornerPath> {
         let at = last.curve.to();
         let end = last.end_edge()?;
-        if last.role == Role::StartUp {
+        if last.role == BlockRole::StartUp {
             // G40 follows G41 at once: there was no contour.
-            return Some(Corner::at(at + end.normal * end.radius));
+            return Some(CornerPath::at(at + end.normal * end.radius));
         }
         if let Some(direction) = self.toward {
             let found = entry::toward(at, &end, direction, self.rules.compensation.tangent_mm);
@@ -419,14 +462,14 @@ impl Compensator {
                 return found;
             }
         }
-        let lead = Edge::start(curve, last.sign, last.radii.1)?;
+        let lead = OffsetEdge::start(curve, last.sign, last.radii.1)?;
         Some(entry::cancel(self.rules.compensation_entry, at, &end, &lead))
     }
 
     /// Ends what waits square to the last move; the tool stays beside the contour.
     pub(super) fn end_square(&mut self, out: &mut dyn PathSink) {
         if let Some(mut last) = self.queue.pop_back() {
-            last.corner = Some(Corner::at(last.square_end()));
+            last.corner = Some(CornerPath::at(last.square_end()));
             self.settle(last, None, out);
         }
         while let Some(block) = self.queue.pop_front() {
@@ -437,8 +480,8 @@ impl Compensator {
     /// Ends what waits and starts anew with the next move.
     pub(super) fn leave(&mut self, out: &mut dyn PathSink) {
         self.end_square(out);
-        if self.phase == Phase::On {
-            self.phase = Phase::Starting;
+        if self.phase == CompensationPhase::On {
+            self.phase = CompensationPhase::Starting;
         }
     }
 

@@ -2,27 +2,27 @@
 
 use chordal_geometry::Vec2;
 
-use super::Block;
-use super::shape::{PlaneCurve, wrapped};
+use super::ContourBlock;
+use super::shape::{GougeCurve, wrapped};
 
 /// The walls of a chain.
 #[derive(Debug, Default)]
-pub(super) struct Walls {
+pub(super) struct ChainWalls {
     /// Their blocks, in the order of the chain.
-    pub(super) blocks: Vec<Block>,
+    pub(super) blocks: Vec<ContourBlock>,
     /// They close on themselves.
     pub(super) closed: bool,
     /// Arcs that lead to an open wall and away.
-    pub(super) lead_arcs: Vec<Block>,
+    pub(super) lead_arcs: Vec<ContourBlock>,
 }
 
 /// The turn from the end of one curve to the start of the next, rad, in −π..=π.
-pub(super) fn turn(before: &PlaneCurve, after: &PlaneCurve) -> f64 {
+pub(super) fn turn(before: &GougeCurve, after: &GougeCurve) -> f64 {
     wrapped(after.tangent_angles().0 - before.tangent_angles().1)
 }
 
 /// Whether a chain ends where it begins; an empty one does.
-pub(super) fn closes(chain: &[Block], vertex: f64) -> bool {
+pub(super) fn closes(chain: &[ContourBlock], vertex: f64) -> bool {
     match (chain.first(), chain.last()) {
         (Some(first), Some(last)) => first.curve.from().distance(last.curve.to()) <= vertex,
         _ => true,
@@ -30,16 +30,16 @@ pub(super) fn closes(chain: &[Block], vertex: f64) -> bool {
 }
 
 /// Whether two curves lie on one line or circle and run the same way.
-pub(super) fn same_course(first: &PlaneCurve, second: &PlaneCurve, grain: f64) -> bool {
+pub(super) fn same_course(first: &GougeCurve, second: &GougeCurve, grain: f64) -> bool {
     match (first, second) {
-        (PlaneCurve::Line { from, to }, PlaneCurve::Line { from: start, to: end }) => {
+        (GougeCurve::Line { from, to }, GougeCurve::Line { from: start, to: end }) => {
             let same_way = (*to - *from).dot(*end - *start) > 0.0;
             let off = |p: Vec2| first.left_of(p).abs();
             same_way && off(*start) <= grain && off(*end) <= grain
         }
         (
-            PlaneCurve::Arc { center, radius, sweep, .. },
-            PlaneCurve::Arc { center: about, radius: other, sweep: turned, .. },
+            GougeCurve::Arc { center, radius, sweep, .. },
+            GougeCurve::Arc { center: about, radius: other, sweep: turned, .. },
         ) => {
             center.distance(*about) <= grain
                 && (radius - other).abs() <= grain

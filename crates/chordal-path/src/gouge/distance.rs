@@ -5,11 +5,11 @@
 
 use chordal_geometry::Vec2;
 
-use super::shape::{PlaneCurve, angle_of, unit};
+use super::shape::{GougeCurve, angle_of, unit};
 
 /// The nearest points of two curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Near {
+pub struct NearestPair {
     /// Square of their distance, mm².
     pub square: f64,
     /// The point on the first curve, mm.
@@ -18,25 +18,25 @@ pub struct Near {
     pub second: Vec2,
 }
 
-impl Near {
+impl NearestPair {
     fn of(first: Vec2, second: Vec2) -> Self {
         let d = second - first;
         Self { square: d.dot(d), first, second }
     }
 
-    fn or(self, o: Near) -> Near {
+    fn or(self, o: NearestPair) -> NearestPair {
         if o.square < self.square { o } else { self }
     }
 
-    fn swapped(self) -> Near {
-        Near { square: self.square, first: self.second, second: self.first }
+    fn swapped(self) -> NearestPair {
+        NearestPair { square: self.square, first: self.second, second: self.first }
     }
 }
 
 /// The nearest points of two curves.
 #[must_use]
-pub fn nearest(first: &PlaneCurve, second: &PlaneCurve) -> Near {
-    use PlaneCurve::{Arc, Line};
+pub fn nearest(first: &GougeCurve, second: &GougeCurve) -> NearestPair {
+    use GougeCurve::{Arc, Line};
     match (first, second) {
         (Line { from: p, to: q }, Line { from: u, to: v }) => line_line(*p, *q, *u, *v),
         (Line { from, to }, Arc { .. }) => line_arc(*from, *to, first, second),
@@ -45,18 +45,18 @@ pub fn nearest(first: &PlaneCurve, second: &PlaneCurve) -> Near {
     }
 }
 
-fn ends(first: &PlaneCurve, second: &PlaneCurve) -> Near {
-    let mut best = Near { square: f64::INFINITY, first: Vec2::ZERO, second: Vec2::ZERO };
+fn ends(first: &GougeCurve, second: &GougeCurve) -> NearestPair {
+    let mut best = NearestPair { square: f64::INFINITY, first: Vec2::ZERO, second: Vec2::ZERO };
     for p in [first.from(), first.to()] {
-        best = best.or(Near::of(p, second.nearest(p)));
+        best = best.or(NearestPair::of(p, second.nearest(p)));
     }
     for q in [second.from(), second.to()] {
-        best = best.or(Near::of(first.nearest(q), q));
+        best = best.or(NearestPair::of(first.nearest(q), q));
     }
     best
 }
 
-fn line_line(p: Vec2, q: Vec2, u: Vec2, v: Vec2) -> Near {
+fn line_line(p: Vec2, q: Vec2, u: Vec2, v: Vec2) -> NearestPair {
     let (along, other, gap) = (q - p, v - u, u - p);
     let turn = along.cross(other);
     if turn != 0.0 {
@@ -64,7 +64,7 @@ fn line_line(p: Vec2, q: Vec2, u: Vec2, v: Vec2) -> Near {
         let t = gap.cross(along) / turn;
         if (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t) {
             let at = p + along * s;
-            return Near { square: 0.0, first: at, second: at };
+            return NearestPair { square: 0.0, first: at, second: at };
         }
     }
     let foot = |point: Vec2, from: Vec2, along: Vec2| {
@@ -73,14 +73,14 @@ fn line_line(p: Vec2, q: Vec2, u: Vec2, v: Vec2) -> Near {
             if square > 0.0 { ((point - from).dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
         from + along * t
     };
-    Near::of(p, foot(p, u, other))
-        .or(Near::of(q, foot(q, u, other)))
-        .or(Near::of(foot(u, p, along), u))
-        .or(Near::of(foot(v, p, along), v))
+    NearestPair::of(p, foot(p, u, other))
+        .or(NearestPair::of(q, foot(q, u, other)))
+        .or(NearestPair::of(foot(u, p, along), u))
+        .or(NearestPair::of(foot(v, p, along), v))
 }
 
-fn line_arc(from: Vec2, to: Vec2, line: &PlaneCurve, arc: &PlaneCurve) -> Near {
-    let PlaneCurve::Arc { center, radius, .. } = *arc else { return ends(line, arc) };
+fn line_arc(from: Vec2, to: Vec2, line: &GougeCurve, arc: &GougeCurve) -> NearestPair {
+    let GougeCurve::Arc { center, radius, .. } = *arc else { return ends(line, arc) };
     let mut best = ends(line, arc);
     let along = to - from;
     let square = along.dot(along);
@@ -97,7 +97,7 @@ fn line_arc(from: Vec2, to: Vec2, line: &PlaneCurve, arc: &PlaneCurve) -> Near {
             if d > 0.0 { out * (1.0 / d) } else { along.turned_left() * (1.0 / square.sqrt()) };
         for towards in [normal, -normal] {
             if arc.passes(angle_of(towards)) {
-                best = best.or(Near::of(foot, center + towards * radius));
+                best = best.or(NearestPair::of(foot, center + towards * radius));
             }
         }
     }
@@ -106,17 +106,17 @@ fn line_arc(from: Vec2, to: Vec2, line: &PlaneCurve, arc: &PlaneCurve) -> Near {
         for s in [t - half, t + half] {
             let at = from + along * s;
             if (0.0..=1.0).contains(&s) && arc.passes(angle_of(at - center)) {
-                best = best.or(Near { square: 0.0, first: at, second: at });
+                best = best.or(NearestPair { square: 0.0, first: at, second: at });
             }
         }
     }
     best
 }
 
-fn arc_arc(first: &PlaneCurve, second: &PlaneCurve) -> Near {
+fn arc_arc(first: &GougeCurve, second: &GougeCurve) -> NearestPair {
     let (
-        PlaneCurve::Arc { center: c, radius: r, .. },
-        PlaneCurve::Arc { center: e, radius: q, .. },
+        GougeCurve::Arc { center: c, radius: r, .. },
+        GougeCurve::Arc { center: e, radius: q, .. },
     ) = (*first, *second)
     else {
         return ends(first, second);
@@ -137,7 +137,7 @@ fn arc_arc(first: &PlaneCurve, second: &PlaneCurve) -> Near {
         }
         for (other, out) in [(angle, axis), (back, -axis)] {
             if second.passes(other) {
-                best = best.or(Near::of(c + towards * r, e + out * q));
+                best = best.or(NearestPair::of(c + towards * r, e + out * q));
             }
         }
     }
@@ -148,7 +148,7 @@ fn arc_arc(first: &PlaneCurve, second: &PlaneCurve) -> Near {
         for a in [angle + half, angle - half] {
             let at = c + unit(a) * r;
             if first.passes(a) && second.passes(angle_of(at - e)) {
-                best = best.or(Near { square: 0.0, first: at, second: at });
+                best = best.or(NearestPair { square: 0.0, first: at, second: at });
             }
         }
     }

@@ -5,14 +5,14 @@ use core::f64::consts::TAU;
 use chordal_geometry::Vec2;
 
 use super::chain::closes;
-use super::shape::PlaneCurve;
-use super::{Block, Contour, Options, Role, closing, walls};
+use super::shape::GougeCurve;
+use super::{Contour, ContourBlock, GougeOptions, GougeRole, closing, walls};
 
 /// The contour of the part, and what was taken away to find it.
 #[derive(Clone, Debug, Default)]
-pub struct Material {
+pub struct PartContour {
     /// The curves in the order of the chain, each once.
-    pub curves: Vec<PlaneCurve>,
+    pub curves: Vec<GougeCurve>,
     /// The block of each curve.
     pub tags: Vec<u32>,
     /// Whether the curve does not begin where the one before it ends.
@@ -23,7 +23,7 @@ pub struct Material {
     /// side is the part.
     pub ambiguous: Vec<(u32, u32)>,
     /// Arcs at the ends that only lead the tool to the contour and away.
-    pub lead_arcs: Vec<Block>,
+    pub lead_arcs: Vec<ContourBlock>,
     /// Every block of the part with the curve that stands for it, in the order of tags; repeats
     /// of a curve name its first place.
     places: Vec<(u32, u32)>,
@@ -32,18 +32,18 @@ pub struct Material {
 /// No curve stands for the tag, or several do.
 const NOWHERE: u32 = u32::MAX;
 
-impl Material {
+impl PartContour {
     /// Takes the contour of the part out of the programmed blocks: see [`walls`].
     ///
-    /// Blocks marked [`Role::Part`] are the part and nothing else is.
+    /// Blocks marked [`GougeRole::Part`] are the part and nothing else is.
     #[must_use]
-    pub fn of(contour: &Contour, options: &Options) -> Material {
-        if let Some(marked) = Material::marked(contour, options) {
+    pub fn of(contour: &Contour, options: &GougeOptions) -> PartContour {
+        if let Some(marked) = PartContour::marked(contour, options) {
             return marked;
         }
-        let chain = chain(contour, Role::Offset);
+        let chain = chain(contour, GougeRole::Offset);
         let walls = walls::of(contour, chain.clone(), options);
-        let mut material = Material { lead_arcs: walls.lead_arcs, ..Material::default() };
+        let mut material = PartContour { lead_arcs: walls.lead_arcs, ..PartContour::default() };
         if let (false, Some(first), Some(last)) =
             (walls.closed, walls.blocks.first(), walls.blocks.last())
         {
@@ -56,16 +56,16 @@ impl Material {
     /// All that could be the contour, found from the ends of the chain alone: what is taken away is
     /// a lead beyond doubt. Where nothing cuts into this, nothing cuts into the part.
     #[must_use]
-    pub fn at_most(contour: &Contour, options: &Options) -> Material {
-        if let Some(marked) = Material::marked(contour, options) {
+    pub fn at_most(contour: &Contour, options: &GougeOptions) -> PartContour {
+        if let Some(marked) = PartContour::marked(contour, options) {
             return marked;
         }
-        let mut chain = chain(contour, Role::Offset);
+        let mut chain = chain(contour, GougeRole::Offset);
         if let Some((first, end)) = closing::at_ends(&chain, contour.side.sign(), options) {
             chain.truncate(end);
             chain.drain(..first);
         }
-        let mut material = Material::default();
+        let mut material = PartContour::default();
         if let (false, Some(first), Some(last)) =
             (closes(&chain, options.vertex), chain.first(), chain.last())
         {
@@ -76,9 +76,9 @@ impl Material {
     }
 
     /// The part by the user's own marks, if there are any.
-    fn marked(contour: &Contour, options: &Options) -> Option<Material> {
-        let chain = chain(contour, Role::Part);
-        let mut material = Material::default();
+    fn marked(contour: &Contour, options: &GougeOptions) -> Option<PartContour> {
+        let chain = chain(contour, GougeRole::Part);
+        let mut material = PartContour::default();
         if !closes(&chain, options.vertex) {
             material.open_ends = vec![chain.first()?.curve.from(), chain.last()?.curve.to()];
         }
@@ -88,8 +88,8 @@ impl Material {
 
     /// Enters the curves once each, and notes those that are run both ways. Blocks of `again` that
     /// are not in the chain but run along one of its curves stand for that curve.
-    fn enter(&mut self, chain: &[Block], again: &[Block], grain: f64) {
-        let mut seen = Seen::with_room(chain.len());
+    fn enter(&mut self, chain: &[ContourBlock], again: &[ContourBlock], grain: f64) {
+        let mut seen = CurveSet::with_room(chain.len());
         let mut places = Vec::with_capacity(chain.len());
         let mut last: Option<Vec2> = None;
         for block in chain {
@@ -98,9 +98,9 @@ impl Material {
             let curves = &self.curves;
             let key_at = |at: u32| {
                 let curve = &curves[at as usize];
-                Key::of(curve, curve.from(), curve.to(), grain)
+                CurveKey::of(curve, curve.from(), curve.to(), grain)
             };
-            match seen.find_or_enter(Key::of(&block.curve, from, to, grain), place, key_at) {
+            match seen.find_or_enter(CurveKey::of(&block.curve, from, to, grain), place, key_at) {
                 None => {
                     self.breaks.push(last.is_some_and(|p| p.distance(from) > grain));
                     self.curves.push(block.curve);
@@ -121,10 +121,10 @@ impl Material {
             if entered.next_if_eq(&block.tag).is_some() {
                 continue;
             }
-            let key = Key::of(&block.curve, block.curve.from(), block.curve.to(), grain);
+            let key = CurveKey::of(&block.curve, block.curve.from(), block.curve.to(), grain);
             let key_at = |at: u32| {
                 let curve = &self.curves[at as usize];
-                Key::of(curve, curve.from(), curve.to(), grain)
+                CurveKey::of(curve, curve.from(), curve.to(), grain)
             };
             if let Some((before, true)) = seen.find(key, key_at) {
                 places.push((block.tag, before));
@@ -177,34 +177,34 @@ impl Material {
 }
 
 /// The blocks of a role that have a length, in their order.
-fn chain(contour: &Contour, role: Role) -> Vec<Block> {
-    let usable = |b: &&Block| b.curve.is_finite() && b.curve.length() > 0.0;
+fn chain(contour: &Contour, role: GougeRole) -> Vec<ContourBlock> {
+    let usable = |b: &&ContourBlock| b.curve.is_finite() && b.curve.length() > 0.0;
     contour.blocks.iter().filter(usable).filter(|b| b.role == role).copied().collect()
 }
 
 /// A curve by its quantised ends and centre, the same for both directions.
 #[derive(Clone, Copy, PartialEq, Eq)]
-struct Key {
+struct CurveKey {
     low: (i64, i64),
     high: (i64, i64),
     center: (i64, i64),
     forward: bool,
 }
 
-impl Key {
-    fn of(curve: &PlaneCurve, from: Vec2, to: Vec2, grain: f64) -> Key {
+impl CurveKey {
+    fn of(curve: &GougeCurve, from: Vec2, to: Vec2, grain: f64) -> CurveKey {
         // Off the round numbers, at which two roundings of one point would part.
         let cells = 1.0 / grain;
         let cell = |p: Vec2| ((p.a * cells + 0.37) as i64, (p.b * cells + 0.37) as i64);
         let (first, second) = (cell(from), cell(to));
         let (center, whole) = match *curve {
-            PlaneCurve::Line { .. } => ((i64::MAX, 0), None),
-            PlaneCurve::Arc { center, sweep, .. } => {
+            GougeCurve::Line { .. } => ((i64::MAX, 0), None),
+            GougeCurve::Arc { center, sweep, .. } => {
                 (cell(center), (sweep.abs() > TAU - 1e-9).then_some(sweep > 0.0))
             }
         };
         let arc_way = match *curve {
-            PlaneCurve::Arc { sweep, .. } if whole.is_none() => Some(sweep > 0.0),
+            GougeCurve::Arc { sweep, .. } if whole.is_none() => Some(sweep > 0.0),
             _ => None,
         };
         let forward = whole.unwrap_or(first <= second);
@@ -213,7 +213,7 @@ impl Key {
         let round = arc_way.map_or(0, |left| if left == forward { 1 } else { 2 });
         let center = (center.0, center.1.wrapping_mul(3).wrapping_add(round));
         let (low, high) = if first <= second { (first, second) } else { (second, first) };
-        Key { low, high, center, forward }
+        CurveKey { low, high, center, forward }
     }
 
     fn hash(&self) -> u64 {
@@ -227,24 +227,24 @@ impl Key {
 
 /// The curves entered so far: a table by hash, filled to one half at most. A slot holds the upper half
 /// of the hash and the place; the key itself is made again from the curve when these agree.
-struct Seen {
+struct CurveSet {
     slots: Vec<u64>,
 }
 
 /// No curve in the slot.
 const FREE: u64 = u64::MAX;
 
-impl Seen {
-    fn with_room(count: usize) -> Seen {
-        Seen { slots: vec![FREE; (2 * count + 2).next_power_of_two()] }
+impl CurveSet {
+    fn with_room(count: usize) -> CurveSet {
+        CurveSet { slots: vec![FREE; (2 * count + 2).next_power_of_two()] }
     }
 
     /// The place of an equal curve and whether it runs the same way, or enters this one.
     fn find_or_enter(
         &mut self,
-        key: Key,
+        key: CurveKey,
         place: u32,
-        key_at: impl Fn(u32) -> Key,
+        key_at: impl Fn(u32) -> CurveKey,
     ) -> Option<(u32, bool)> {
         let found = self.slot_of(key, key_at);
         if let Err(slot) = found {
@@ -254,13 +254,17 @@ impl Seen {
     }
 
     /// The place of an equal curve and whether it runs the same way.
-    fn find(&self, key: Key, key_at: impl Fn(u32) -> Key) -> Option<(u32, bool)> {
+    fn find(&self, key: CurveKey, key_at: impl Fn(u32) -> CurveKey) -> Option<(u32, bool)> {
         self.slot_of(key, key_at).ok()
     }
 
     /// The equal curve, or the free slot where it would stand.
     #[inline]
-    fn slot_of(&self, key: Key, key_at: impl Fn(u32) -> Key) -> Result<(u32, bool), usize> {
+    fn slot_of(
+        &self,
+        key: CurveKey,
+        key_at: impl Fn(u32) -> CurveKey,
+    ) -> Result<(u32, bool), usize> {
         let mask = self.slots.len() - 1;
         let hash = key.hash();
         let mut slot = hash as usize & mask;

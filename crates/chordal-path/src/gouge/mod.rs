@@ -21,38 +21,41 @@ mod walls;
 
 use chordal_geometry::Vec2;
 
-pub use distance::{Near, nearest};
-pub use material::Material;
-pub use range::{Corners, Interval, LeadArc, Limit, LimitReason, OffsetRange, intervals, range};
-use search::{Aim, Cluster, Hit, Search};
-pub use shape::PlaneCurve;
+pub use distance::{NearestPair, nearest};
+pub use material::PartContour;
+pub use range::{
+    LeadArc, LimitReason, OffsetRange, OutsideCornerRule, RadiusInterval, RadiusLimit, intervals,
+    range,
+};
+use search::{GougeCluster, GougeHit, GougeSearch, SearchAim};
+pub use shape::GougeCurve;
 
 /// On which side of the programmed blocks the tool is, looking along them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum ToolSide {
     /// The tool is left of the contour (G41 with a positive offset).
     Left,
     /// The tool is right of the contour (G42 with a positive offset).
     Right,
 }
 
-impl Side {
+impl ToolSide {
     /// +1 on the left, −1 on the right.
     #[must_use]
     pub fn sign(self) -> f64 {
         match self {
-            Side::Left => 1.0,
-            Side::Right => -1.0,
+            ToolSide::Left => 1.0,
+            ToolSide::Right => -1.0,
         }
     }
 }
 
 /// What a block is to its contour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
+pub enum GougeRole {
     /// Turns compensation on: brings the tool to the contour.
     LeadIn,
-    /// Runs in offset mode. Which of these bound the part is found by [`Material::of`].
+    /// Runs in offset mode. Which of these bound the part is found by [`PartContour::of`].
     Offset,
     /// Bounds the part because the user says so; with one such mark nothing else does.
     Part,
@@ -64,38 +67,38 @@ pub enum Role {
 
 /// A programmed block.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Block {
+pub struct ContourBlock {
     /// Its curve.
-    pub curve: PlaneCurve,
+    pub curve: GougeCurve,
     /// The caller's number of the block. Tags that rise along the chain make the search fast.
     pub tag: u32,
     /// What it is to the contour.
-    pub role: Role,
+    pub role: GougeRole,
 }
 
 /// Programmed blocks between compensation on and off, in the order they run.
 #[derive(Clone, Debug)]
 pub struct Contour {
     /// The blocks.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<ContourBlock>,
     /// The side of the tool.
-    pub side: Side,
+    pub side: ToolSide,
     /// The radius of the tool, mm.
     pub radius: f64,
 }
 
 /// A move of the tool centre. Links belong to the block before them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Move {
+pub struct CenterMove {
     /// Its curve.
-    pub curve: PlaneCurve,
+    pub curve: GougeCurve,
     /// The tag of its block.
     pub tag: u32,
 }
 
 /// Tolerances and bounds of the check.
 #[derive(Clone, Copy, Debug)]
-pub struct Options {
+pub struct GougeOptions {
     /// Depth that is not yet a gouge, mm: the largest of 2 µm, the largest difference of an arc's
     /// start and end radius, and two least increments.
     pub epsilon: f64,
@@ -109,7 +112,7 @@ pub struct Options {
     pub budget: u64,
 }
 
-impl Default for Options {
+impl Default for GougeOptions {
     fn default() -> Self {
         Self { epsilon: 0.002, vertex: 0.005, tangent: 0.02, most: 32, budget: 1_000_000_000 }
     }
@@ -164,16 +167,16 @@ const FEW_BLOCKS: usize = 64;
 /// A long one first against all that could be the part, which costs little to know. Only what is found there
 /// makes it worth while to tell leads from walls block by block.
 #[must_use]
-pub fn check(contour: &Contour, path: &[Move], options: &Options) -> GougeReport {
+pub fn check(contour: &Contour, path: &[CenterMove], options: &GougeOptions) -> GougeReport {
     if contour.blocks.len() <= FEW_BLOCKS {
-        return check_against(&Material::of(contour, options), contour, path, options);
+        return check_against(&PartContour::of(contour, options), contour, path, options);
     }
-    let most = Material::at_most(contour, options);
+    let most = PartContour::at_most(contour, options);
     let report = check_against(&most, contour, path, options);
     if report.gouges.is_empty() && report.ambiguous.is_empty() {
         return report;
     }
-    let material = Material::of(contour, options);
+    let material = PartContour::of(contour, options);
     if material.curves == most.curves {
         report
     } else {
@@ -184,10 +187,10 @@ pub fn check(contour: &Contour, path: &[Move], options: &Options) -> GougeReport
 /// As [`check`], with the contour of the part already found.
 #[must_use]
 pub fn check_against(
-    material: &Material,
+    material: &PartContour,
     contour: &Contour,
-    path: &[Move],
-    options: &Options,
+    path: &[CenterMove],
+    options: &GougeOptions,
 ) -> GougeReport {
     let mut report = GougeReport { ambiguous: material.ambiguous.clone(), ..Default::default() };
     let limit = contour.radius - options.epsilon;
@@ -195,11 +198,11 @@ pub fn check_against(
         report.complete = true;
         return report;
     }
-    let mut search = Search::new(contour, material, path, options.epsilon, options.budget);
+    let mut search = GougeSearch::new(contour, material, path, options.epsilon, options.budget);
     let reach = 2.0 * contour.radius;
-    let around = |hit: &Hit| Cluster::around(hit, path, &material.curves, reach);
-    let mut clusters: Vec<Cluster> = Vec::new();
-    let mut aim = Aim::Deepest;
+    let around = |hit: &GougeHit| GougeCluster::around(hit, path, &material.curves, reach);
+    let mut clusters: Vec<GougeCluster> = Vec::new();
+    let mut aim = SearchAim::Deepest;
     while let Some(hit) = search.nearest(limit, &clusters, aim) {
         if report.gouges.len() >= options.most {
             report.more = true;
@@ -207,7 +210,7 @@ pub fn check_against(
         }
         // What was found first is somewhere in its gouge: the deepest place of it is looked for.
         let deepest = match aim {
-            Aim::Any => search.nearest(limit, &clusters, Aim::DeepestIn(around(&hit))),
+            SearchAim::Any => search.nearest(limit, &clusters, SearchAim::DeepestIn(around(&hit))),
             _ => Some(hit),
         };
         let hit = deepest.unwrap_or(hit);
@@ -215,7 +218,7 @@ pub fn check_against(
         // The lead at the mouth of a slot may hide that the slot itself is too narrow, or that the lead cuts
         // its other wall.
         if told.kind == GougeKind::AtLead {
-            for aim in [Aim::DeepestOfPart, Aim::DeepestOffEnds] {
+            for aim in [SearchAim::DeepestOfPart, SearchAim::DeepestOffEnds] {
                 let Some(hit) = search.nearest(limit, &clusters, aim(around(&hit))) else {
                     continue;
                 };
@@ -225,14 +228,14 @@ pub fn check_against(
         }
         clusters.push(around(&hit));
         report.gouges.push(told);
-        aim = Aim::Any;
+        aim = SearchAim::Any;
     }
     report.gouges.sort_by(|a, b| b.depth.total_cmp(&a.depth));
     report.complete = search.budget > 0;
     report
 }
 
-fn gouge(hit: &Hit, material: &Material, contour: &Contour, path: &[Move]) -> Gouge {
+fn gouge(hit: &GougeHit, material: &PartContour, contour: &Contour, path: &[CenterMove]) -> Gouge {
     let step = &path[hit.of_path];
     let point = hit.near.second;
     let by_lead = !material.has(step.tag);
@@ -260,10 +263,14 @@ pub struct Clearance {
 
 /// The least clearance between tool and contour over the whole path; none without path or contour.
 #[must_use]
-pub fn clearance(contour: &Contour, path: &[Move], options: &Options) -> Option<Clearance> {
-    let material = Material::of(contour, options);
-    let mut search = Search::new(contour, &material, path, options.epsilon, options.budget);
-    let hit = search.nearest(f64::INFINITY, &[], Aim::Clearance)?;
+pub fn clearance(
+    contour: &Contour,
+    path: &[CenterMove],
+    options: &GougeOptions,
+) -> Option<Clearance> {
+    let material = PartContour::of(contour, options);
+    let mut search = GougeSearch::new(contour, &material, path, options.epsilon, options.budget);
+    let hit = search.nearest(f64::INFINITY, &[], SearchAim::Clearance)?;
     Some(Clearance {
         clearance: hit.near.square.sqrt() - contour.radius,
         center: hit.near.first,

@@ -4,8 +4,8 @@ use core::f64::consts::PI;
 
 use chordal_geometry::Vec2;
 
-use super::Block;
-use super::shape::{PlaneCurve, angle_of, wrapped};
+use super::ContourBlock;
+use super::shape::{GougeCurve, angle_of, wrapped};
 
 /// With more closed walls than this none is compared with the others.
 const MOST_WALLS: usize = 2000;
@@ -16,7 +16,7 @@ const SAME_AREA: f64 = 1e-6;
 /// Leaves out the walls beyond which the tool of another wall cuts. With the tool inside both, the larger of
 /// two nested contours is what remains; with the tool outside both, the smaller. An island in a pocket
 /// has the tool on the other side, and stays.
-pub(super) fn drop_rough_passes(walls: &mut Vec<Vec<usize>>, chain: &[Block], side: f64) {
+pub(super) fn drop_rough_passes(walls: &mut Vec<Vec<usize>>, chain: &[ContourBlock], side: f64) {
     if walls.len() < 2 || walls.len() > MOST_WALLS {
         return;
     }
@@ -40,23 +40,23 @@ pub(super) fn drop_rough_passes(walls: &mut Vec<Vec<usize>>, chain: &[Block], si
 
 fn curves<'a>(
     wall: &'a [usize],
-    chain: &'a [Block],
-) -> impl Iterator<Item = &'a PlaneCurve> + Clone {
+    chain: &'a [ContourBlock],
+) -> impl Iterator<Item = &'a GougeCurve> + Clone {
     wall.iter().map(|at| &chain[*at].curve)
 }
 
 /// Whether one closed contour lies within another, judged by the middles of its blocks.
-fn holds(outer: &[usize], inner: &[usize], chain: &[Block]) -> bool {
+fn holds(outer: &[usize], inner: &[usize], chain: &[ContourBlock]) -> bool {
     let (low, high) = corners(curves(outer, chain));
     let middles = || curves(inner, chain).map(|curve| curve.at(0.5));
     let in_box = |p: Vec2| p.a >= low.a && p.b >= low.b && p.a <= high.a && p.b <= high.b;
     middles().all(in_box) && middles().take(3).all(|p| is_inside(p, curves(outer, chain)))
 }
 
-fn corners<'a>(curves: impl Iterator<Item = &'a PlaneCurve>) -> (Vec2, Vec2) {
+fn corners<'a>(curves: impl Iterator<Item = &'a GougeCurve>) -> (Vec2, Vec2) {
     let mut low = Vec2::new(f64::INFINITY, f64::INFINITY);
     let mut high = -low;
-    for bounds in curves.map(super::tree::Bounds::of) {
+    for bounds in curves.map(super::tree::TreeBox::of) {
         low = Vec2::new(low.a.min(bounds.min.a), low.b.min(bounds.min.b));
         high = Vec2::new(high.a.max(bounds.max.a), high.b.max(bounds.max.b));
     }
@@ -64,13 +64,13 @@ fn corners<'a>(curves: impl Iterator<Item = &'a PlaneCurve>) -> (Vec2, Vec2) {
 }
 
 /// The area of a closed contour, mm², positive when it is run counter-clockwise.
-fn area<'a>(curves: impl Iterator<Item = &'a PlaneCurve>) -> f64 {
+fn area<'a>(curves: impl Iterator<Item = &'a GougeCurve>) -> f64 {
     let twice: f64 = curves
         .map(|curve| {
             let chord = curve.from().cross(curve.to());
             match *curve {
-                PlaneCurve::Line { .. } => chord,
-                PlaneCurve::Arc { radius, sweep, .. } => {
+                GougeCurve::Line { .. } => chord,
+                GougeCurve::Arc { radius, sweep, .. } => {
                     chord + radius * radius * (sweep - libm::sin(sweep))
                 }
             }
@@ -81,16 +81,16 @@ fn area<'a>(curves: impl Iterator<Item = &'a PlaneCurve>) -> f64 {
 
 /// Whether a closed contour runs round a point: the angles under which the point sees its curves make a
 /// full turn.
-fn is_inside<'a>(p: Vec2, curves: impl Iterator<Item = &'a PlaneCurve>) -> bool {
+fn is_inside<'a>(p: Vec2, curves: impl Iterator<Item = &'a GougeCurve>) -> bool {
     let seen: f64 = curves.map(|curve| seen_from(p, curve)).sum();
     seen.abs() > PI
 }
 
-fn seen_from(p: Vec2, curve: &PlaneCurve) -> f64 {
+fn seen_from(p: Vec2, curve: &GougeCurve) -> f64 {
     let chord = |from: Vec2, to: Vec2| wrapped(angle_of(to - p) - angle_of(from - p));
     match *curve {
-        PlaneCurve::Line { from, to } => chord(from, to),
-        PlaneCurve::Arc { sweep, .. } => {
+        GougeCurve::Line { from, to } => chord(from, to),
+        GougeCurve::Arc { sweep, .. } => {
             // In pieces of less than a right angle: a point between chord and arc sees the piece the
             // long way round.
             let pieces = libm::ceil(sweep.abs() / 1.5).max(1.0);

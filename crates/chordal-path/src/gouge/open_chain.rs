@@ -3,23 +3,27 @@
 
 use core::f64::consts::PI;
 
-use super::chain::{Walls, closes, same_course, turn};
-use super::closing::{Closing, LONGEST_LEAD, Lies};
-use super::shape::PlaneCurve;
-use super::{Block, Contour, Options, Role, distance};
+use super::chain::{ChainWalls, closes, same_course, turn};
+use super::closing::{ClosingPoint, ClosingSide, LONGEST_LEAD};
+use super::shape::GougeCurve;
+use super::{Contour, ContourBlock, GougeOptions, GougeRole, distance};
 
 /// The wall of a chain without a closed stretch.
-pub(super) fn walls(contour: &Contour, mut chain: Vec<Block>, options: &Options) -> Walls {
+pub(super) fn walls(
+    contour: &Contour,
+    mut chain: Vec<ContourBlock>,
+    options: &GougeOptions,
+) -> ChainWalls {
     let side = contour.side.sign();
     if cut_at_overlap(&mut chain, options) {
-        return Walls { blocks: chain, closed: true, lead_arcs: Vec::new() };
+        return ChainWalls { blocks: chain, closed: true, lead_arcs: Vec::new() };
     }
     let lead_arcs = strip_lead_arcs(&mut chain, contour, options);
     let closed = cut_at_crossing(&mut chain, side, options) || {
         strip_run_off(&mut chain, contour.radius);
         closes(&chain, options.vertex)
     };
-    Walls { blocks: chain, closed, lead_arcs }
+    ChainWalls { blocks: chain, closed, lead_arcs }
 }
 
 /// The pairs of a block near the start and one near the end, the longest stretch first.
@@ -31,7 +35,7 @@ fn ends(count: usize) -> impl Iterator<Item = (usize, usize)> {
 
 /// Keeps a chain from the start of a block to where a later one passes that start along the same
 /// line or circle: the contour is run a little past its start.
-pub(super) fn cut_at_overlap(chain: &mut Vec<Block>, options: &Options) -> bool {
+pub(super) fn cut_at_overlap(chain: &mut Vec<ContourBlock>, options: &GougeOptions) -> bool {
     let grain = options.vertex;
     let found = ends(chain.len()).find_map(|(first, last)| {
         let (head, tail) = (&chain[first].curve, &chain[last].curve);
@@ -51,7 +55,7 @@ pub(super) fn cut_at_overlap(chain: &mut Vec<Block>, options: &Options) -> bool 
 
 /// Keeps a chain from where it crosses itself to where it crosses itself, if what lies beyond on both
 /// ends is where the tool is: a run up to the first wall and off the last.
-fn cut_at_crossing(chain: &mut Vec<Block>, side: f64, options: &Options) -> bool {
+fn cut_at_crossing(chain: &mut Vec<ContourBlock>, side: f64, options: &GougeOptions) -> bool {
     let grain = options.vertex;
     let found = ends(chain.len()).find_map(|(first, last)| {
         let (head, tail) = (chain[first].curve, chain[last].curve);
@@ -67,11 +71,12 @@ fn cut_at_crossing(chain: &mut Vec<Block>, side: f64, options: &Options) -> bool
         if begins.length() <= grain || ends.length() <= grain {
             return None;
         }
-        let closing = Closing { first: &begins, last: &ends, side, grain };
+        let closing = ClosingPoint { first: &begins, last: &ends, side, grain };
         let before = head.piece(0.0, cut).reversed();
         let after = tail.piece(ended, 1.0);
-        let on_tool_side =
-            |lead: &PlaneCurve| lead.length() <= grain || closing.lies(lead) == Lies::ToolSide;
+        let on_tool_side = |lead: &GougeCurve| {
+            lead.length() <= grain || closing.lies(lead) == ClosingSide::ToolSide
+        };
         (on_tool_side(&before) && on_tool_side(&after)).then_some((first, last, begins, ends))
     });
     let Some((first, last, begins, ends)) = found else { return false };
@@ -84,15 +89,20 @@ fn cut_at_crossing(chain: &mut Vec<Block>, side: f64, options: &Options) -> bool
 
 /// Takes a first and last arc off an open chain that are tangent to their neighbour, have the tool inside
 /// and sweep no more than half a turn: they only lead to the wall and away.
-fn strip_lead_arcs(chain: &mut Vec<Block>, contour: &Contour, options: &Options) -> Vec<Block> {
+fn strip_lead_arcs(
+    chain: &mut Vec<ContourBlock>,
+    contour: &Contour,
+    options: &GougeOptions,
+) -> Vec<ContourBlock> {
     // An arc smaller than the tool inside it leads nowhere: what it cuts is to be found.
-    let holds_tool = |block: &Block| match block.curve {
-        PlaneCurve::Arc { radius, .. } => radius >= contour.radius - options.epsilon,
-        PlaneCurve::Line { .. } => false,
+    let holds_tool = |block: &ContourBlock| match block.curve {
+        GougeCurve::Arc { radius, .. } => radius >= contour.radius - options.epsilon,
+        GougeCurve::Line { .. } => false,
     };
-    let leads = |block: &Block| is_lead_arc(&block.curve, contour.side.sign()) && holds_tool(block);
+    let leads =
+        |block: &ContourBlock| is_lead_arc(&block.curve, contour.side.sign()) && holds_tool(block);
     // Tangent to the wall, and not the wall's own circle, which goes on in another block.
-    let smooth = |before: &Block, after: &Block| {
+    let smooth = |before: &ContourBlock, after: &ContourBlock| {
         turn(&before.curve, &after.curve).abs() <= options.tangent
             && !same_course(&before.curve, &after.curve, options.vertex)
     };
@@ -116,34 +126,35 @@ fn strip_lead_arcs(chain: &mut Vec<Block>, contour: &Contour, options: &Options)
 }
 
 /// An arc with the tool inside that makes no more than half a turn.
-pub(super) fn is_lead_arc(curve: &PlaneCurve, side: f64) -> bool {
+pub(super) fn is_lead_arc(curve: &GougeCurve, side: f64) -> bool {
     match *curve {
-        PlaneCurve::Arc { sweep, .. } => sweep * side > 0.0 && sweep.abs() <= PI + 1e-6,
-        PlaneCurve::Line { .. } => false,
+        GougeCurve::Arc { sweep, .. } => sweep * side > 0.0 && sweep.abs() <= PI + 1e-6,
+        GougeCurve::Line { .. } => false,
     }
 }
 
 /// The blocks at another height that come right before and after the chain.
-fn passing(contour: &Contour) -> [Option<Block>; 2] {
-    let passes = |block: Option<&Block>| block.filter(|b| b.role == Role::Passing).copied();
+fn passing(contour: &Contour) -> [Option<ContourBlock>; 2] {
+    let passes =
+        |block: Option<&ContourBlock>| block.filter(|b| b.role == GougeRole::Passing).copied();
     [passes(contour.blocks.first()), passes(contour.blocks.last())]
 }
 
 /// Cuts an open chain where its first and last line cross, each prolonged by the tool radius: what
 /// lies beyond only takes the tool off the part.
-fn strip_run_off(chain: &mut [Block], radius: f64) {
+fn strip_run_off(chain: &mut [ContourBlock], radius: f64) {
     let count = chain.len();
     if count < 3 {
         return;
     }
     let (first, last) = (chain[0].curve, chain[count - 1].curve);
-    let (PlaneCurve::Line { from: a, to: b }, PlaneCurve::Line { from: c, to: d }) = (first, last)
+    let (GougeCurve::Line { from: a, to: b }, GougeCurve::Line { from: c, to: d }) = (first, last)
     else {
         return;
     };
     let (Some(t), Some(u)) = ((b - a).normalized(), (d - c).normalized()) else { return };
-    let before = PlaneCurve::line(a - t * radius, b);
-    let beyond = PlaneCurve::line(c, d + u * radius);
+    let before = GougeCurve::line(a - t * radius, b);
+    let beyond = GougeCurve::line(c, d + u * radius);
     let near = distance::nearest(&before, &beyond);
     if near.square > 0.0 || near.first == b || near.first == c {
         return;
@@ -156,9 +167,9 @@ fn strip_run_off(chain: &mut [Block], radius: f64) {
         return;
     }
     if begins_before > 0.0 {
-        chain[0].curve = PlaneCurve::line(cross, b);
+        chain[0].curve = GougeCurve::line(cross, b);
     }
     if runs_on > 0.0 {
-        chain[count - 1].curve = PlaneCurve::line(c, cross);
+        chain[count - 1].curve = GougeCurve::line(c, cross);
     }
 }

@@ -2,10 +2,10 @@
 
 use chordal_geometry::{Circle2, Line2, Vec2, circle_circle, fractions_at_angle, line_circle};
 
-use super::shape::{PlaneCurve, angle_of};
+use super::shape::{GougeCurve, angle_of};
 
 /// Cuts a curve where it crosses circles of one radius (mm), and keeps what lies outside of all of them.
-pub(super) fn outside(curve: &PlaneCurve, centers: &[Vec2], radius: f64) -> Vec<PlaneCurve> {
+pub(super) fn outside(curve: &GougeCurve, centers: &[Vec2], radius: f64) -> Vec<GougeCurve> {
     let mut cuts = vec![0.0, 1.0];
     for center in centers {
         cuts.extend(crossings(curve, *center, radius).into_iter().filter(|t| *t > 0.0 && *t < 1.0));
@@ -23,15 +23,15 @@ pub(super) fn outside(curve: &PlaneCurve, centers: &[Vec2], radius: f64) -> Vec<
 }
 
 /// The fractions of a curve at which it crosses a circle.
-fn crossings(curve: &PlaneCurve, about: Vec2, radius: f64) -> Vec<f64> {
+fn crossings(curve: &GougeCurve, about: Vec2, radius: f64) -> Vec<f64> {
     let circle = Circle2 { center: about, radius };
     match *curve {
-        PlaneCurve::Line { from, to } => {
+        GougeCurve::Line { from, to } => {
             let way = to - from;
             let meeting = line_circle(Line2 { point: from, direction: way }, circle, 0.0);
             meeting.points().map(|p| (p - from).dot(way) / way.dot(way)).collect()
         }
-        PlaneCurve::Arc { center, radius: own, start, sweep } => {
+        GougeCurve::Arc { center, radius: own, start, sweep } => {
             let meeting = circle_circle(Circle2 { center, radius: own }, circle, 0.0);
             let angles = meeting.points().map(|p| angle_of(p - center));
             angles.flat_map(|angle| fractions_at_angle(start, sweep, angle)).collect()
@@ -47,7 +47,7 @@ mod tests {
 
     #[test]
     fn what_lies_within_a_circle_is_cut_out() {
-        let line = PlaneCurve::line(Vec2::new(-5.0, 0.0), Vec2::new(5.0, 0.0));
+        let line = GougeCurve::line(Vec2::new(-5.0, 0.0), Vec2::new(5.0, 0.0));
         let parts = outside(&line, &[Vec2::ZERO], 2.0);
         assert_eq!(parts.len(), 2);
         assert!((parts[0].to().a + 2.0).abs() < 1e-12 && (parts[1].from().a - 2.0).abs() < 1e-12);
@@ -63,16 +63,16 @@ mod tests {
         let centers = [Vec2::new(0.0, 3.0), Vec2::new(3.0, -1.0)];
         for (start, sweep) in [(0.4, TAU), (2.0, -TAU), (0.4, 1.5 * TAU), (-3.0, 2.0), (3.0, -4.0)]
         {
-            let arc = PlaneCurve::Arc { center: Vec2::ZERO, radius: 3.0, start, sweep };
+            let arc = GougeCurve::Arc { center: Vec2::ZERO, radius: 3.0, start, sweep };
             let parts = outside(&arc, &centers, 2.0);
             let is_outside = |t: f64| centers.iter().all(|c| arc.at(t).distance(*c) > 2.0);
             let count = 40_000;
             let kept = (0..count).filter(|k| is_outside((f64::from(*k) + 0.5) / f64::from(count)));
             let share = kept.count() as f64 / f64::from(count);
-            let length: f64 = parts.iter().map(PlaneCurve::length).sum();
+            let length: f64 = parts.iter().map(GougeCurve::length).sum();
             assert!((length / arc.length() - share).abs() < 3e-4, "{start} {sweep}");
         }
-        let whole = PlaneCurve::Arc { center: Vec2::ZERO, radius: 3.0, start: 0.4, sweep: TAU };
+        let whole = GougeCurve::Arc { center: Vec2::ZERO, radius: 3.0, start: 0.4, sweep: TAU };
         assert_eq!(outside(&whole, &[Vec2::new(9.0, 0.0)], 2.0), vec![whole]);
         assert!(outside(&whole, &[Vec2::ZERO], 4.0).is_empty());
     }

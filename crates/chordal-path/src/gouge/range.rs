@@ -2,18 +2,18 @@
 
 use chordal_geometry::{Circle2, Line2, Vec2, circle_circle, line_circle, line_line};
 
-use super::material::Material;
-use super::shape::{PlaneCurve, angle_of, unit, within, wrapped};
-use super::throat::Walls;
+use super::material::PartContour;
+use super::shape::{GougeCurve, angle_of, unit, within, wrapped};
+use super::throat::ThroatWalls;
 use super::tree::unwrapped_tangents;
-use super::{Contour, Move, Options, Role, check_against};
+use super::{CenterMove, Contour, GougeOptions, GougeRole, check_against};
 
 /// Lines that turn by less have no corner between them, rad.
 const STRAIGHT: f64 = 1e-9;
 
 /// How the tool goes round an outside corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Corners {
+pub enum OutsideCornerRule {
     /// Along the prolonged offsets: a vertex, or two where the corner is acute.
     Linear,
     /// On an arc about the corner.
@@ -44,7 +44,7 @@ pub enum LimitReason {
 
 /// The largest radius that one condition allows.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Limit {
+pub struct RadiusLimit {
     /// The radius, mm; infinite without a limit.
     pub radius: f64,
     /// Why.
@@ -55,9 +55,9 @@ pub struct Limit {
     pub at: Vec2,
 }
 
-impl Limit {
-    fn none() -> Limit {
-        Limit {
+impl RadiusLimit {
+    fn none() -> RadiusLimit {
+        RadiusLimit {
             radius: f64::INFINITY,
             reason: LimitReason::Unlimited,
             blocks: Vec::new(),
@@ -67,13 +67,13 @@ impl Limit {
 
     fn lower(&mut self, radius: f64, reason: LimitReason, blocks: &[u32], at: Vec2) {
         if radius < self.radius {
-            *self = Limit { radius, reason, blocks: blocks.to_vec(), at };
+            *self = RadiusLimit { radius, reason, blocks: blocks.to_vec(), at };
         }
     }
 
     /// The stricter of two.
     #[must_use]
-    pub fn min(self, o: Limit) -> Limit {
+    pub fn min(self, o: RadiusLimit) -> RadiusLimit {
         if o.radius < self.radius { o } else { self }
     }
 }
@@ -94,13 +94,13 @@ pub struct LeadArc {
 pub struct OffsetRange {
     /// Up to here no block of the part is cut into. Zero is the smallest radius: a disc that
     /// touches without cutting contains every smaller one that touches there.
-    pub no_gouge: Limit,
+    pub no_gouge: RadiusLimit,
     /// Up to here every point of the part is touched too.
-    pub every_edge: Limit,
+    pub every_edge: RadiusLimit,
     /// Up to here the leads can be run: their arcs keep a radius, their lines are long enough.
-    pub leads: Limit,
+    pub leads: RadiusLimit,
     /// Up to here the lead-in stays clear of the first wall; zero or less where it never does.
-    pub lead_clear: Limit,
+    pub lead_clear: RadiusLimit,
     /// The lead arc that limits, if one does.
     pub lead_arc: Option<LeadArc>,
     /// Every radius at which something of the contour or its leads changes, the least of each
@@ -116,22 +116,22 @@ pub struct OffsetRange {
 impl OffsetRange {
     /// The condition that limits first, gouges and leads together.
     #[must_use]
-    pub fn largest(&self) -> Limit {
+    pub fn largest(&self) -> RadiusLimit {
         self.no_gouge.clone().min(self.leads.clone())
     }
 }
 
 /// Finds the radii for which the contour has no gouge, from its own radius only the side.
 #[must_use]
-pub fn range(contour: &Contour, corners: Corners, options: &Options) -> OffsetRange {
-    let material = Material::of(contour, options);
+pub fn range(contour: &Contour, corners: OutsideCornerRule, options: &GougeOptions) -> OffsetRange {
+    let material = PartContour::of(contour, options);
     let tangents = unwrapped_tangents(material.curves.iter());
     let side = contour.side.sign();
-    let chain = Chain { material: &material, tangents: &tangents, side, corners, options };
+    let chain = ContourChain { material: &material, tangents: &tangents, side, corners, options };
     let arcs = chain.inside_arcs();
     let short = chain.short_blocks(arcs.radius);
     let known = arcs.radius.min(short.radius);
-    let mut walls = Walls::new(&material, &tangents, side, options.budget);
+    let mut walls = ThroatWalls::new(&material, &tangents, side, options.budget);
     let throat = throat(&material, &mut walls, 2.0 * known);
     let (leads, lead_clear, lead_arc) = leads(contour, &material);
     let mut events: Vec<f64> =
@@ -152,8 +152,8 @@ pub fn range(contour: &Contour, corners: Corners, options: &Options) -> OffsetRa
     }
 }
 
-fn throat(material: &Material, walls: &mut Walls, limit: f64) -> Limit {
-    let mut found = Limit::none();
+fn throat(material: &PartContour, walls: &mut ThroatWalls, limit: f64) -> RadiusLimit {
+    let mut found = RadiusLimit::none();
     if material.curves.is_empty() {
         return found;
     }
@@ -166,15 +166,15 @@ fn throat(material: &Material, walls: &mut Walls, limit: f64) -> Limit {
 }
 
 /// The contour of the part with its turns.
-struct Chain<'a> {
-    material: &'a Material,
+struct ContourChain<'a> {
+    material: &'a PartContour,
     tangents: &'a [(f64, f64)],
     side: f64,
-    corners: Corners,
-    options: &'a Options,
+    corners: OutsideCornerRule,
+    options: &'a GougeOptions,
 }
 
-impl Chain<'_> {
+impl ContourChain<'_> {
     fn neighbour_before(&self, k: usize) -> Option<usize> {
         match k {
             0 if self.material.is_closed() => Some(self.tangents.len() - 1),
@@ -194,10 +194,10 @@ impl Chain<'_> {
         self.side * wrapped(self.tangents[after].0 - self.tangents[before].1)
     }
 
-    fn inside_arcs(&self) -> Limit {
-        let mut limit = Limit::none();
+    fn inside_arcs(&self) -> RadiusLimit {
+        let mut limit = RadiusLimit::none();
         for (curve, tag) in self.material.curves.iter().zip(&self.material.tags) {
-            if let PlaneCurve::Arc { center, radius, sweep, .. } = *curve
+            if let GougeCurve::Arc { center, radius, sweep, .. } = *curve
                 && sweep * self.side > 0.0
             {
                 limit.lower(radius, LimitReason::InsideArc, &[*tag], center);
@@ -206,8 +206,8 @@ impl Chain<'_> {
         limit
     }
 
-    fn inside_corners(&self) -> Limit {
-        let mut limit = Limit::none();
+    fn inside_corners(&self) -> RadiusLimit {
+        let mut limit = RadiusLimit::none();
         for k in 0..self.tangents.len() {
             if let Some(before) = self.neighbour_before(k)
                 && self.inward(before, k) > self.options.tangent
@@ -225,8 +225,8 @@ impl Chain<'_> {
         limit
     }
 
-    fn short_blocks(&self, below: f64) -> Limit {
-        let mut limit = Limit::none();
+    fn short_blocks(&self, below: f64) -> RadiusLimit {
+        let mut limit = RadiusLimit::none();
         for k in 0..self.tangents.len() {
             let (before, after) = (self.neighbour_before(k), self.neighbour_after(k));
             let starts = before.map_or(0.0, |b| self.inward(b, k));
@@ -253,7 +253,7 @@ impl Chain<'_> {
     /// The radius at which the offset of a block has no length left, if below `below`.
     fn vanishes(&self, k: usize, before: Option<usize>, after: Option<usize>, below: f64) -> f64 {
         let is_line = |k: Option<usize>| {
-            k.is_none_or(|k| matches!(self.material.curves[k], PlaneCurve::Line { .. }))
+            k.is_none_or(|k| matches!(self.material.curves[k], GougeCurve::Line { .. }))
         };
         if is_line(Some(k)) && is_line(before) && is_line(after) {
             let lost = before.map_or(0.0, |b| self.lost_per_radius(self.inward(b, k)))
@@ -287,8 +287,8 @@ impl Chain<'_> {
             libm::tan(0.5 * inward)
         } else {
             match self.corners {
-                Corners::Circular => 0.0,
-                Corners::Linear => -libm::tan(-0.5 * inward).min(1.0),
+                OutsideCornerRule::Circular => 0.0,
+                OutsideCornerRule::Linear => -libm::tan(-0.5 * inward).min(1.0),
             }
         }
     }
@@ -297,8 +297,8 @@ impl Chain<'_> {
     fn left_over(&self, k: usize, before: Option<usize>, after: Option<usize>, r: f64) -> f64 {
         let curve = &self.material.curves[k];
         let whole = match *curve {
-            PlaneCurve::Line { .. } => curve.length(),
-            PlaneCurve::Arc { sweep, .. } => sweep.abs(),
+            GougeCurve::Line { .. } => curve.length(),
+            GougeCurve::Arc { sweep, .. } => sweep.abs(),
         };
         let at_start = before.map_or(Some(0.0), |b| {
             let turned = self.material.curves[b].reversed();
@@ -316,17 +316,17 @@ impl Chain<'_> {
     /// What a block loses at its end to the next; `None` when the offsets do not meet.
     fn lost(
         &self,
-        curve: &PlaneCurve,
-        next: &PlaneCurve,
+        curve: &GougeCurve,
+        next: &GougeCurve,
         inward: f64,
         r: f64,
         side: f64,
     ) -> Option<f64> {
-        let of_lines = matches!((curve, next), (PlaneCurve::Line { .. }, PlaneCurve::Line { .. }));
+        let of_lines = matches!((curve, next), (GougeCurve::Line { .. }, GougeCurve::Line { .. }));
         if of_lines || inward <= STRAIGHT {
             return match curve {
-                PlaneCurve::Line { .. } => Some(r * self.lost_per_radius(inward)),
-                PlaneCurve::Arc { .. } => Some(0.0),
+                GougeCurve::Line { .. } => Some(r * self.lost_per_radius(inward)),
+                GougeCurve::Arc { .. } => Some(0.0),
             };
         }
         // The offsets of a tangent joint with an arc may miss each other by rounding alone.
@@ -335,11 +335,11 @@ impl Chain<'_> {
         }
         let meet = meeting(&beside(curve, side * r)?, &beside(next, side * r)?, curve.to())?;
         match *curve {
-            PlaneCurve::Line { from, to } => {
+            GougeCurve::Line { from, to } => {
                 let along = (to - from).normalized()?;
                 Some((to - meet).dot(along))
             }
-            PlaneCurve::Arc { center, start, sweep, .. } => {
+            GougeCurve::Arc { center, start, sweep, .. } => {
                 let way = sweep.signum();
                 let angle = angle_of(meet - center);
                 // Inside its own sweep the meeting point leaves the rest; beyond, nothing.
@@ -352,47 +352,51 @@ impl Chain<'_> {
 }
 
 /// The line or circle of an offset.
-enum Beside {
+enum OffsetSupport {
     Line(Line2),
     Circle(Circle2),
 }
 
-fn beside(curve: &PlaneCurve, signed: f64) -> Option<Beside> {
+fn beside(curve: &GougeCurve, signed: f64) -> Option<OffsetSupport> {
     Some(match *curve {
-        PlaneCurve::Line { from, to } => {
+        GougeCurve::Line { from, to } => {
             let direction = (to - from).normalized()?;
-            Beside::Line(Line2 { point: from + direction.turned_left() * signed, direction })
+            OffsetSupport::Line(Line2 { point: from + direction.turned_left() * signed, direction })
         }
-        PlaneCurve::Arc { center, radius, sweep, .. } => {
+        GougeCurve::Arc { center, radius, sweep, .. } => {
             let radius = radius - signed * sweep.signum();
             if radius < 0.0 {
                 return None;
             }
-            Beside::Circle(Circle2 { center, radius })
+            OffsetSupport::Circle(Circle2 { center, radius })
         }
     })
 }
 
 /// The meeting point of two offsets nearest to the corner.
-fn meeting(first: &Beside, second: &Beside, corner: Vec2) -> Option<Vec2> {
+fn meeting(first: &OffsetSupport, second: &OffsetSupport, corner: Vec2) -> Option<Vec2> {
     let met = match (first, second) {
-        (Beside::Line(a), Beside::Line(b)) => return line_line(*a, *b, 0.0).map(|x| x.point),
-        (Beside::Line(line), Beside::Circle(circle))
-        | (Beside::Circle(circle), Beside::Line(line)) => line_circle(*line, *circle, 0.0),
-        (Beside::Circle(a), Beside::Circle(b)) => circle_circle(*a, *b, 0.0),
+        (OffsetSupport::Line(a), OffsetSupport::Line(b)) => {
+            return line_line(*a, *b, 0.0).map(|x| x.point);
+        }
+        (OffsetSupport::Line(line), OffsetSupport::Circle(circle))
+        | (OffsetSupport::Circle(circle), OffsetSupport::Line(line)) => {
+            line_circle(*line, *circle, 0.0)
+        }
+        (OffsetSupport::Circle(a), OffsetSupport::Circle(b)) => circle_circle(*a, *b, 0.0),
     };
     met.nearest_to(corner)
 }
 
 /// What the blocks off the part allow: lead arcs and lengths, and the way past the first wall.
-fn leads(contour: &Contour, material: &Material) -> (Limit, Limit, Option<LeadArc>) {
+fn leads(contour: &Contour, material: &PartContour) -> (RadiusLimit, RadiusLimit, Option<LeadArc>) {
     let side = contour.side.sign();
-    let mut leads = Limit::none();
-    let mut clear = Limit::none();
+    let mut leads = RadiusLimit::none();
+    let mut clear = RadiusLimit::none();
     let mut lead_arc: Option<LeadArc> = None;
     for (k, block) in contour.blocks.iter().enumerate() {
         match (block.role, block.curve) {
-            (Role::Offset, PlaneCurve::Arc { center, radius, sweep, .. })
+            (GougeRole::Offset, GougeCurve::Arc { center, radius, sweep, .. })
                 if sweep * side > 0.0 && !material.has(block.tag) =>
             {
                 leads.lower(radius, LimitReason::LeadArc, &[block.tag], center);
@@ -403,7 +407,7 @@ fn leads(contour: &Contour, material: &Material) -> (Limit, Limit, Option<LeadAr
                     lead_arc = Some(LeadArc { block: block.tag, radius, line_distance });
                 }
             }
-            (Role::LeadIn, curve) => {
+            (GougeRole::LeadIn, curve) => {
                 let end = curve.to();
                 leads.lower(curve.from().distance(end), LimitReason::LeadLength, &[block.tag], end);
                 if let Some(next) = contour.blocks.get(k + 1)
@@ -422,14 +426,14 @@ fn leads(contour: &Contour, material: &Material) -> (Limit, Limit, Option<LeadAr
 }
 
 /// The distance of a point from the line that a block runs along.
-fn line_distance(curve: &PlaneCurve, p: Vec2) -> Option<f64> {
-    let PlaneCurve::Line { from, to } = *curve else { return None };
+fn line_distance(curve: &GougeCurve, p: Vec2) -> Option<f64> {
+    let GougeCurve::Line { from, to } = *curve else { return None };
     Some((to - from).normalized()?.cross(p - from).abs())
 }
 
 /// A stretch of radii in which a path was tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Interval {
+pub struct RadiusInterval {
     /// Above this radius, mm.
     pub from: f64,
     /// Up to this radius, mm; infinite for the last.
@@ -443,12 +447,12 @@ pub struct Interval {
 pub fn intervals(
     contour: &Contour,
     events: &[f64],
-    options: &Options,
-    path_of: &mut dyn FnMut(f64) -> Option<Vec<Move>>,
-) -> Vec<Interval> {
-    let material = Material::of(contour, options);
+    options: &GougeOptions,
+    path_of: &mut dyn FnMut(f64) -> Option<Vec<CenterMove>>,
+) -> Vec<RadiusInterval> {
+    let material = PartContour::of(contour, options);
     let mut from = 0.0;
-    let mut all: Vec<Interval> = Vec::new();
+    let mut all: Vec<RadiusInterval> = Vec::new();
     for to in events.iter().copied().chain([f64::INFINITY]) {
         if to <= from {
             continue;
@@ -461,7 +465,7 @@ pub fn intervals(
         });
         match all.last_mut() {
             Some(last) if last.clear == clear => last.to = to,
-            _ => all.push(Interval { from, to, clear }),
+            _ => all.push(RadiusInterval { from, to, clear }),
         }
         from = to;
     }

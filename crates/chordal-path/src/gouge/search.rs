@@ -3,12 +3,12 @@
 use core::f64::consts::FRAC_PI_2;
 
 use super::chain::turn;
-use super::distance::{Near, nearest};
-use super::material::Material;
+use super::distance::{NearestPair, nearest};
+use super::material::PartContour;
 use super::outside::outside;
-use super::shape::PlaneCurve;
-use super::tree::{Bounds, BoxTree, Hull, TurnTree, hulls, unwrapped_tangents};
-use super::{Contour, Move};
+use super::shape::GougeCurve;
+use super::tree::{BlockHull, BoxTree, TreeBox, TurnTree, hulls, unwrapped_tangents};
+use super::{CenterMove, Contour};
 
 /// Tangents that span no more than this cannot bring the path back to its own contour.
 ///
@@ -19,25 +19,30 @@ const CONE: f64 = FRAC_PI_2 + 1e-9;
 
 /// A place of the path nearer to the contour than allowed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Hit {
+pub(super) struct GougeHit {
     pub(super) of_path: usize,
     pub(super) of_contour: usize,
-    pub(super) near: Near,
+    pub(super) near: NearestPair,
 }
 
 /// A gouge already reported: the stretches of path and contour it takes up, first and last.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cluster {
+pub(super) struct GougeCluster {
     path: (usize, usize),
     contour: (usize, usize),
 }
 
-impl Cluster {
+impl GougeCluster {
     /// The stretch of `reach` mm to both sides of the hit, on the path and on the contour.
-    pub(super) fn around(hit: &Hit, path: &[Move], contour: &[PlaneCurve], reach: f64) -> Cluster {
+    pub(super) fn around(
+        hit: &GougeHit,
+        path: &[CenterMove],
+        contour: &[GougeCurve],
+        reach: f64,
+    ) -> GougeCluster {
         let path_length = |k: usize| path.get(k).map(|m| m.curve.length());
-        let contour_length = |k: usize| contour.get(k).map(PlaneCurve::length);
-        Cluster {
+        let contour_length = |k: usize| contour.get(k).map(GougeCurve::length);
+        GougeCluster {
             path: stretch(hit.of_path, reach, path_length),
             contour: stretch(hit.of_contour, reach, contour_length),
         }
@@ -74,7 +79,7 @@ fn stretch(at: usize, reach: f64, length: impl Fn(usize) -> Option<f64>) -> (usi
 
 /// Which hit a search is after.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Aim {
+pub(super) enum SearchAim {
     /// The nearest of all, whatever the lemma of the cone says.
     Clearance,
     /// The deepest gouge.
@@ -82,21 +87,21 @@ pub(super) enum Aim {
     /// Any gouge: the first that is found.
     Any,
     /// The deepest gouge of a stretch.
-    DeepestIn(Cluster),
+    DeepestIn(GougeCluster),
     /// The deepest gouge of a stretch that a block of the part makes, not a lead.
-    DeepestOfPart(Cluster),
+    DeepestOfPart(GougeCluster),
     /// The deepest that a lead makes in it, farther from the open ends than the diameter: nearer it is part of what
     /// it does at the end.
-    DeepestOffEnds(Cluster),
+    DeepestOffEnds(GougeCluster),
 }
 
 /// The trees over a contour and a path.
-pub(super) struct Search<'a> {
-    material: &'a Material,
-    path: &'a [Move],
+pub(super) struct GougeSearch<'a> {
+    material: &'a PartContour,
+    path: &'a [CenterMove],
     boxes: BoxTree,
     path_boxes: BoxTree,
-    hulls: Vec<Hull>,
+    hulls: Vec<BlockHull>,
     turns: TurnTree,
     /// Of the tool, mm.
     radius: f64,
@@ -104,11 +109,11 @@ pub(super) struct Search<'a> {
     pub(super) budget: u64,
 }
 
-impl<'a> Search<'a> {
+impl<'a> GougeSearch<'a> {
     pub(super) fn new(
         contour: &Contour,
-        material: &'a Material,
-        path: &'a [Move],
+        material: &'a PartContour,
+        path: &'a [CenterMove],
         slack: f64,
         budget: u64,
     ) -> Self {
@@ -118,7 +123,7 @@ impl<'a> Search<'a> {
             *flag |= gap;
         }
         let tangents = unwrapped_tangents(material.curves.iter());
-        Search {
+        GougeSearch {
             material,
             path,
             boxes: BoxTree::over(material.curves.iter()),
@@ -131,7 +136,12 @@ impl<'a> Search<'a> {
     }
 
     /// A place of the path nearer to the contour than `limit` mm, in no cluster.
-    pub(super) fn nearest(&mut self, limit: f64, clusters: &[Cluster], aim: Aim) -> Option<Hit> {
+    pub(super) fn nearest(
+        &mut self,
+        limit: f64,
+        clusters: &[GougeCluster],
+        aim: SearchAim,
+    ) -> Option<GougeHit> {
         if limit <= 0.0 || self.path.is_empty() || self.material.curves.is_empty() {
             return None;
         }
@@ -145,7 +155,7 @@ impl<'a> Search<'a> {
             }
             if self.path_boxes.is_leaf(of_path) && self.boxes.is_leaf(of_contour) {
                 self.try_leaves((of_path, of_contour), clusters, aim, &mut limit, &mut best);
-                if best.is_some() && matches!(aim, Aim::Any) {
+                if best.is_some() && matches!(aim, SearchAim::Any) {
                     break;
                 }
             } else {
@@ -165,8 +175,8 @@ impl<'a> Search<'a> {
         &self,
         of_path: usize,
         of_contour: usize,
-        clusters: &[Cluster],
-        aim: Aim,
+        clusters: &[GougeCluster],
+        aim: SearchAim,
     ) -> bool {
         let (first, end) = self.boxes.range(of_contour);
         let (path_first, path_end) = self.path_boxes.range(of_path);
@@ -174,14 +184,15 @@ impl<'a> Search<'a> {
             return true;
         }
         let (path_span, span) = ((path_first, path_end - 1), (first, end - 1));
-        if let Aim::DeepestIn(stretch) | Aim::DeepestOfPart(stretch) | Aim::DeepestOffEnds(stretch) =
-            aim
+        if let SearchAim::DeepestIn(stretch)
+        | SearchAim::DeepestOfPart(stretch)
+        | SearchAim::DeepestOffEnds(stretch) = aim
             && !stretch.meets(path_span, span)
         {
             return true;
         }
         let hull = self.hulls[of_path];
-        if !hull.foreign && !matches!(aim, Aim::Clearance) {
+        if !hull.foreign && !matches!(aim, SearchAim::Clearance) {
             let low = (hull.first as usize).min(first);
             let high = (hull.last as usize).max(end - 1);
             if self.turns.is_within(low, high, CONE) {
@@ -225,10 +236,10 @@ impl<'a> Search<'a> {
     fn try_leaves(
         &mut self,
         (of_path, of_contour): (usize, usize),
-        clusters: &[Cluster],
-        aim: Aim,
+        clusters: &[GougeCluster],
+        aim: SearchAim,
         limit: &mut f64,
-        best: &mut Option<Hit>,
+        best: &mut Option<GougeHit>,
     ) {
         let (path_first, path_end) = self.path_boxes.range(of_path);
         let (first, end) = self.boxes.range(of_contour);
@@ -240,8 +251,9 @@ impl<'a> Search<'a> {
                 continue;
             }
             let of_part = || self.material.has(self.path[p].tag);
-            let spares_ends = matches!(aim, Aim::DeepestOffEnds(_));
-            if matches!(aim, Aim::DeepestOfPart(_)) && !of_part() || spares_ends && of_part() {
+            let spares_ends = matches!(aim, SearchAim::DeepestOffEnds(_));
+            if matches!(aim, SearchAim::DeepestOfPart(_)) && !of_part() || spares_ends && of_part()
+            {
                 continue;
             }
             for c in first..end {
@@ -261,16 +273,16 @@ impl<'a> Search<'a> {
                     && near.square < *limit
                 {
                     *limit = near.square;
-                    *best = Some(Hit { of_path: p, of_contour: c, near });
+                    *best = Some(GougeHit { of_path: p, of_contour: c, near });
                 }
             }
         }
     }
 }
 
-impl Search<'_> {
+impl GougeSearch<'_> {
     /// The nearest of a curve of the path and what of a wall is farther from the open ends than the diameter.
-    fn nearest_off_ends(&self, curve: &PlaneCurve, wall: &PlaneCurve) -> Option<Near> {
+    fn nearest_off_ends(&self, curve: &GougeCurve, wall: &GougeCurve) -> Option<NearestPair> {
         let parts = outside(wall, &self.material.open_ends, 2.0 * self.radius);
         parts.iter().map(|part| nearest(curve, part)).min_by(|a, b| a.square.total_cmp(&b.square))
     }
@@ -278,11 +290,11 @@ impl Search<'_> {
 
 /// Whether the circle around a box is farther from a curve than the root of `limit`. Of a slanting
 /// curve this is sharper than its own box.
-fn is_beyond(curve: &PlaneCurve, bounds: &Bounds, limit: f64) -> bool {
+fn is_beyond(curve: &GougeCurve, bounds: &TreeBox, limit: f64) -> bool {
     let center = (bounds.min + bounds.max) * 0.5;
     let distance = match *curve {
-        PlaneCurve::Line { .. } => curve.nearest(center).distance(center),
-        PlaneCurve::Arc { center: about, radius, .. } => (center.distance(about) - radius).abs(),
+        GougeCurve::Line { .. } => curve.nearest(center).distance(center),
+        GougeCurve::Arc { center: about, radius, .. } => (center.distance(about) - radius).abs(),
     };
     let gap = distance - 0.5 * bounds.min.distance(bounds.max);
     // The last digits of the sum must not hide a hit.
@@ -293,12 +305,12 @@ fn is_beyond(curve: &PlaneCurve, bounds: &Bounds, limit: f64) -> bool {
 /// a move which is their true offset, in their own direction, and no move that is anything else.
 fn offsets(
     contour: &Contour,
-    material: &Material,
-    path: &[Move],
+    material: &PartContour,
+    path: &[CenterMove],
     slack: f64,
     broken: &mut [bool],
-) -> Vec<Hull> {
-    const FOREIGN: Hull = Hull { first: u32::MAX, last: 0, foreign: true };
+) -> Vec<BlockHull> {
+    const FOREIGN: BlockHull = BlockHull { first: u32::MAX, last: 0, foreign: true };
     let signed = contour.side.sign() * contour.radius;
     let mut spoilt = Vec::new();
     let mut guess = 0;
@@ -308,7 +320,7 @@ fn offsets(
             let Some(at) = material.place(step.tag, &mut guess) else { return FOREIGN };
             if is_offset(&step.curve, &material.curves[at], signed, slack) {
                 broken[at] = false;
-                Hull { first: at as u32, last: at as u32, foreign: false }
+                BlockHull { first: at as u32, last: at as u32, foreign: false }
             } else if let Some(hull) = around_corner(&step.curve, material, at, signed, slack) {
                 hull
             } else {
@@ -324,17 +336,17 @@ fn offsets(
 }
 
 /// Whether a move runs next to a block, at the distance `signed` to its left, in its direction.
-fn is_offset(step: &PlaneCurve, block: &PlaneCurve, signed: f64, slack: f64) -> bool {
+fn is_offset(step: &GougeCurve, block: &GougeCurve, signed: f64, slack: f64) -> bool {
     match (step, block) {
-        (PlaneCurve::Line { from, to }, PlaneCurve::Line { from: start, to: end }) => {
+        (GougeCurve::Line { from, to }, GougeCurve::Line { from: start, to: end }) => {
             let Some(along) = (*end - *start).normalized() else { return false };
             let beside =
                 |p: chordal_geometry::Vec2| (along.cross(p - *start) - signed).abs() <= slack;
             (*to - *from).dot(along) > 0.0 && beside(*from) && beside(*to)
         }
         (
-            PlaneCurve::Arc { center, radius, sweep, .. },
-            PlaneCurve::Arc { center: about, radius: of_block, sweep: turned, .. },
+            GougeCurve::Arc { center, radius, sweep, .. },
+            GougeCurve::Arc { center: about, radius: of_block, sweep: turned, .. },
         ) => {
             let beside = of_block - signed * turned.signum();
             center.distance(*about) <= slack
@@ -350,12 +362,12 @@ fn is_offset(step: &PlaneCurve, block: &PlaneCurve, signed: f64, slack: f64) -> 
 /// comes nowhere nearer to it than the radius. An inside corner has no links: the offsets meet
 /// there, or they are not trimmed.
 fn around_corner(
-    step: &PlaneCurve,
-    material: &Material,
+    step: &GougeCurve,
+    material: &PartContour,
     at: usize,
     signed: f64,
     slack: f64,
-) -> Option<Hull> {
+) -> Option<BlockHull> {
     let last = material.curves.len() - 1;
     let next = if at < last { at + 1 } else { 0 };
     if next == 0 && !material.is_closed() {
@@ -365,17 +377,17 @@ fn around_corner(
     let (corner, radius) = (before.to(), signed.abs());
     let links = match *step {
         // The farthest vertex of a linear corner lies √2 radii from it.
-        PlaneCurve::Line { from, to } => {
+        GougeCurve::Line { from, to } => {
             let farthest = 1.5 * radius;
             from.distance(corner) <= farthest
                 && to.distance(corner) <= farthest
                 && step.nearest(corner).distance(corner) >= radius - slack
         }
-        PlaneCurve::Arc { center, radius: about, .. } => {
+        GougeCurve::Arc { center, radius: about, .. } => {
             center.distance(corner) <= slack && (about - radius).abs() <= slack
         }
     };
-    (links && turn(before, after) * signed <= 0.0).then_some(Hull {
+    (links && turn(before, after) * signed <= 0.0).then_some(BlockHull {
         first: at as u32,
         last: (at + 1).min(last) as u32,
         foreign: false,

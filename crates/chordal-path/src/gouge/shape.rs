@@ -6,7 +6,7 @@ use chordal_geometry::Vec2;
 
 /// A line or an arc in the plane of compensation, mm and rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum PlaneCurve {
+pub enum GougeCurve {
     /// A straight line.
     Line {
         /// Where it begins, mm.
@@ -44,11 +44,11 @@ pub(super) fn wrapped(angle: f64) -> f64 {
     turned.clamp(-PI, PI)
 }
 
-impl PlaneCurve {
+impl GougeCurve {
     /// The line between two points, mm.
     #[must_use]
     pub const fn line(from: Vec2, to: Vec2) -> Self {
-        PlaneCurve::Line { from, to }
+        GougeCurve::Line { from, to }
     }
 
     /// The arc about `center` from one point to another (mm), counter-clockwise or not; equal points
@@ -64,7 +64,7 @@ impl PlaneCurve {
         if from.distance(to) <= 1e-9 || turn <= 0.0 {
             turn = TAU;
         }
-        PlaneCurve::Arc { center, radius: from.distance(center), start, sweep: way * turn }
+        GougeCurve::Arc { center, radius: from.distance(center), start, sweep: way * turn }
     }
 
     /// The first point, mm.
@@ -83,8 +83,8 @@ impl PlaneCurve {
     #[must_use]
     pub fn at(&self, fraction: f64) -> Vec2 {
         match *self {
-            PlaneCurve::Line { from, to } => from * (1.0 - fraction) + to * fraction,
-            PlaneCurve::Arc { center, radius, start, sweep } => {
+            GougeCurve::Line { from, to } => from * (1.0 - fraction) + to * fraction,
+            GougeCurve::Arc { center, radius, start, sweep } => {
                 center + unit(start + sweep * fraction) * radius
             }
         }
@@ -94,8 +94,8 @@ impl PlaneCurve {
     #[must_use]
     pub fn length(&self) -> f64 {
         match *self {
-            PlaneCurve::Line { from, to } => from.distance(to),
-            PlaneCurve::Arc { radius, sweep, .. } => radius * sweep.abs(),
+            GougeCurve::Line { from, to } => from.distance(to),
+            GougeCurve::Arc { radius, sweep, .. } => radius * sweep.abs(),
         }
     }
 
@@ -103,11 +103,11 @@ impl PlaneCurve {
     /// the first plus the sweep.
     pub(super) fn tangent_angles(&self) -> (f64, f64) {
         match *self {
-            PlaneCurve::Line { from, to } => {
+            GougeCurve::Line { from, to } => {
                 let angle = angle_of(to - from);
                 (angle, angle)
             }
-            PlaneCurve::Arc { start, sweep, .. } => {
+            GougeCurve::Arc { start, sweep, .. } => {
                 let first = start + if sweep < 0.0 { -FRAC_PI_2 } else { FRAC_PI_2 };
                 (first, first + sweep)
             }
@@ -118,19 +118,19 @@ impl PlaneCurve {
     #[must_use]
     pub fn reversed(&self) -> Self {
         match *self {
-            PlaneCurve::Line { from, to } => PlaneCurve::Line { from: to, to: from },
-            PlaneCurve::Arc { center, radius, start, sweep } => {
-                PlaneCurve::Arc { center, radius, start: start + sweep, sweep: -sweep }
+            GougeCurve::Line { from, to } => GougeCurve::Line { from: to, to: from },
+            GougeCurve::Arc { center, radius, start, sweep } => {
+                GougeCurve::Arc { center, radius, start: start + sweep, sweep: -sweep }
             }
         }
     }
 
     /// The piece between two fractions of the way, 0..=1.
     #[must_use]
-    pub(super) fn piece(&self, first: f64, last: f64) -> PlaneCurve {
+    pub(super) fn piece(&self, first: f64, last: f64) -> GougeCurve {
         match *self {
-            PlaneCurve::Line { .. } => PlaneCurve::line(self.at(first), self.at(last)),
-            PlaneCurve::Arc { center, radius, start, sweep } => PlaneCurve::Arc {
+            GougeCurve::Line { .. } => GougeCurve::line(self.at(first), self.at(last)),
+            GougeCurve::Arc { center, radius, start, sweep } => GougeCurve::Arc {
                 center,
                 radius,
                 start: start + first * sweep,
@@ -142,11 +142,11 @@ impl PlaneCurve {
     /// How far along the curve a point lies that is on it, as a fraction of the way, 0..=1.
     pub(super) fn fraction(&self, p: Vec2) -> f64 {
         match *self {
-            PlaneCurve::Line { from, to } => {
+            GougeCurve::Line { from, to } => {
                 let along = to - from;
                 ((p - from).dot(along) / along.dot(along)).clamp(0.0, 1.0)
             }
-            PlaneCurve::Arc { center, start, sweep, .. } => {
+            GougeCurve::Arc { center, start, sweep, .. } => {
                 let turned = (angle_of(p - center) - start) * sweep.signum();
                 let turned = turned - TAU * libm::floor(turned / TAU);
                 // Rounding may put the first point a full turn ahead of itself.
@@ -159,11 +159,11 @@ impl PlaneCurve {
     /// along its line or circle, mm.
     pub(super) fn left_of(&self, p: Vec2) -> f64 {
         match *self {
-            PlaneCurve::Line { from, to } => {
+            GougeCurve::Line { from, to } => {
                 let along = to - from;
                 along.cross(p - from) / along.length()
             }
-            PlaneCurve::Arc { center, radius, sweep, .. } => {
+            GougeCurve::Arc { center, radius, sweep, .. } => {
                 (radius - p.distance(center)) * sweep.signum()
             }
         }
@@ -173,10 +173,10 @@ impl PlaneCurve {
     #[must_use]
     pub fn is_finite(&self) -> bool {
         match *self {
-            PlaneCurve::Line { from, to } => {
+            GougeCurve::Line { from, to } => {
                 (from.a + from.b).is_finite() && (to.a + to.b).is_finite()
             }
-            PlaneCurve::Arc { center, radius, start, sweep } => {
+            GougeCurve::Arc { center, radius, start, sweep } => {
                 (center.a + center.b + radius + start + sweep).is_finite()
             }
         }
@@ -185,7 +185,7 @@ impl PlaneCurve {
     /// The nearest point of the curve to `p`, mm.
     pub(super) fn nearest(&self, p: Vec2) -> Vec2 {
         match *self {
-            PlaneCurve::Line { from, to } => {
+            GougeCurve::Line { from, to } => {
                 let along = to - from;
                 let square = along.dot(along);
                 if square <= 0.0 {
@@ -194,7 +194,7 @@ impl PlaneCurve {
                 let t = ((p - from).dot(along) / square).clamp(0.0, 1.0);
                 from + along * t
             }
-            PlaneCurve::Arc { center, radius, start, sweep } => {
+            GougeCurve::Arc { center, radius, start, sweep } => {
                 let out = p - center;
                 if out.dot(out) > 0.0 && within(start, sweep, angle_of(out)) {
                     return center + out * (radius / out.length());
@@ -208,8 +208,8 @@ impl PlaneCurve {
     /// Whether an arc passes the angle; a line passes none.
     pub(super) fn passes(&self, angle: f64) -> bool {
         match *self {
-            PlaneCurve::Line { .. } => false,
-            PlaneCurve::Arc { start, sweep, .. } => within(start, sweep, angle),
+            GougeCurve::Line { .. } => false,
+            GougeCurve::Arc { start, sweep, .. } => within(start, sweep, angle),
         }
     }
 }

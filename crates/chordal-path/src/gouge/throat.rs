@@ -7,9 +7,9 @@ use core::f64::consts::{PI, TAU};
 
 use chordal_geometry::Vec2;
 
-use super::distance::Near;
-use super::material::Material;
-use super::shape::{PlaneCurve, unit, wrapped};
+use super::distance::NearestPair;
+use super::material::PartContour;
+use super::shape::{GougeCurve, unit, wrapped};
 use super::tree::{BoxTree, LEAF};
 
 /// Directions that differ by less than this are the same, rad.
@@ -17,56 +17,56 @@ const SAME: f64 = 1e-6;
 
 /// A passage: the two curves and the chord across.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Throat {
+pub(super) struct NarrowPassage {
     pub(super) first: usize,
     pub(super) second: usize,
-    pub(super) near: Near,
+    pub(super) near: NearestPair,
 }
 
 /// A range of tangent angles, rad, unwrapped along the chain.
 #[derive(Clone, Copy)]
-struct Fan {
+struct TangentFan {
     least: f64,
     most: f64,
 }
 
-impl Fan {
-    const EMPTY: Fan = Fan { least: f64::INFINITY, most: f64::NEG_INFINITY };
+impl TangentFan {
+    const EMPTY: TangentFan = TangentFan { least: f64::INFINITY, most: f64::NEG_INFINITY };
 
-    fn join(self, o: Fan) -> Fan {
-        Fan { least: self.least.min(o.least), most: self.most.max(o.most) }
+    fn join(self, o: TangentFan) -> TangentFan {
+        TangentFan { least: self.least.min(o.least), most: self.most.max(o.most) }
     }
 
     /// Whether a direction of one is opposite to a direction of the other.
-    fn opposes(self, o: Fan) -> bool {
+    fn opposes(self, o: TangentFan) -> bool {
         let (low, high) = (self.least - o.most - SAME, self.most - o.least + SAME);
         low <= high && libm::floor((high - PI) / TAU) * TAU + PI >= low
     }
 }
 
 /// The contour as a wall: boxes, fans of directions, and the normals at every joint.
-pub(super) struct Walls<'a> {
-    material: &'a Material,
+pub(super) struct ThroatWalls<'a> {
+    material: &'a PartContour,
     tangents: &'a [(f64, f64)],
     side: f64,
     boxes: BoxTree,
-    fans: Vec<Fan>,
+    fans: Vec<TangentFan>,
     pub(super) budget: u64,
 }
 
-impl<'a> Walls<'a> {
+impl<'a> ThroatWalls<'a> {
     pub(super) fn new(
-        material: &'a Material,
+        material: &'a PartContour,
         tangents: &'a [(f64, f64)],
         side: f64,
         budget: u64,
     ) -> Self {
         let boxes = BoxTree::over(material.curves.iter());
-        let mut walls = Walls {
+        let mut walls = ThroatWalls {
             material,
             tangents,
             side,
-            fans: vec![Fan::EMPTY; boxes.nodes.len()],
+            fans: vec![TangentFan::EMPTY; boxes.nodes.len()],
             boxes,
             budget,
         };
@@ -81,12 +81,12 @@ impl<'a> Walls<'a> {
     }
 
     /// The directions of a curve and of the corners at both its ends.
-    fn fan(&self, k: usize) -> Fan {
+    fn fan(&self, k: usize) -> TangentFan {
         let (start, end) = self.tangents[k];
-        let mut fan = Fan { least: start.min(end), most: start.max(end) };
+        let mut fan = TangentFan { least: start.min(end), most: start.max(end) };
         let (before, after) = (self.before(k).map(|t| start - t), self.after(k).map(|t| end + t));
         for angle in before.into_iter().chain(after) {
-            fan = fan.join(Fan { least: angle, most: angle });
+            fan = fan.join(TangentFan { least: angle, most: angle });
         }
         fan
     }
@@ -110,7 +110,7 @@ impl<'a> Walls<'a> {
     }
 
     /// The narrowest passage below `limit` mm.
-    pub(super) fn narrowest(&mut self, limit: f64) -> Option<Throat> {
+    pub(super) fn narrowest(&mut self, limit: f64) -> Option<NarrowPassage> {
         let mut limit = limit * limit;
         let mut best = None;
         let mut stack = vec![(1usize, 1usize, 0.0)];
@@ -143,7 +143,13 @@ impl<'a> Walls<'a> {
         best
     }
 
-    fn try_leaves(&mut self, a: usize, b: usize, limit: &mut f64, best: &mut Option<Throat>) {
+    fn try_leaves(
+        &mut self,
+        a: usize,
+        b: usize,
+        limit: &mut f64,
+        best: &mut Option<NarrowPassage>,
+    ) {
         let ((first, end), (other, other_end)) = (self.boxes.range(a), self.boxes.range(b));
         for i in first..end {
             for j in other.max(i + 1)..other_end {
@@ -155,7 +161,7 @@ impl<'a> Walls<'a> {
                 for near in chords(&self.material.curves[i], &self.material.curves[j]) {
                     if near.square < *limit && near.square > 0.0 && self.stands_on(i, j, &near) {
                         *limit = near.square;
-                        *best = Some(Throat { first: i, second: j, near });
+                        *best = Some(NarrowPassage { first: i, second: j, near });
                     }
                 }
             }
@@ -163,7 +169,7 @@ impl<'a> Walls<'a> {
     }
 
     /// Whether the chord leaves both curves on the tool's side at a right angle.
-    fn stands_on(&self, i: usize, j: usize, near: &Near) -> bool {
+    fn stands_on(&self, i: usize, j: usize, near: &NearestPair) -> bool {
         let Some(across) = (near.second - near.first).normalized() else { return false };
         self.is_normal(i, near.first, across) && self.is_normal(j, near.second, -across)
     }
@@ -197,8 +203,8 @@ impl<'a> Walls<'a> {
             return along(normal(angle));
         }
         match *curve {
-            PlaneCurve::Line { .. } => along(normal(start)),
-            PlaneCurve::Arc { center, sweep, .. } => match (at - center).normalized() {
+            GougeCurve::Line { .. } => along(normal(start)),
+            GougeCurve::Arc { center, sweep, .. } => match (at - center).normalized() {
                 Some(out) => along(out * (-self.side * sweep.signum())),
                 None => false,
             },
@@ -207,10 +213,10 @@ impl<'a> Walls<'a> {
 }
 
 /// The chords between two curves that may be normal to both.
-fn chords(first: &PlaneCurve, second: &PlaneCurve) -> Vec<Near> {
+fn chords(first: &GougeCurve, second: &GougeCurve) -> Vec<NearestPair> {
     let between = |p: Vec2, q: Vec2| {
         let d = q - p;
-        Near { square: d.dot(d), first: p, second: q }
+        NearestPair { square: d.dot(d), first: p, second: q }
     };
     let mut all = Vec::with_capacity(9);
     for p in [first.from(), first.to()] {
@@ -220,23 +226,23 @@ fn chords(first: &PlaneCurve, second: &PlaneCurve) -> Vec<Near> {
         all.push(between(first.nearest(q), q));
     }
     match (first, second) {
-        (PlaneCurve::Line { .. }, PlaneCurve::Line { .. }) => {
+        (GougeCurve::Line { .. }, GougeCurve::Line { .. }) => {
             // Along parallel walls also from the middle: their ends may lie in inside corners.
             let (p, q) = (all[2].first, all[3].first);
             let middle = (p + q) * 0.5;
             all.push(between(middle, second.nearest(middle)));
         }
-        (PlaneCurve::Line { from, to }, PlaneCurve::Arc { center, radius, .. }) => {
-            let foot = PlaneCurve::line(*from, *to).nearest(*center);
+        (GougeCurve::Line { from, to }, GougeCurve::Arc { center, radius, .. }) => {
+            let foot = GougeCurve::line(*from, *to).nearest(*center);
             all.extend(radial(*center, *radius, foot).map(|q| between(foot, q)));
         }
-        (PlaneCurve::Arc { center, radius, .. }, PlaneCurve::Line { from, to }) => {
-            let foot = PlaneCurve::line(*from, *to).nearest(*center);
+        (GougeCurve::Arc { center, radius, .. }, GougeCurve::Line { from, to }) => {
+            let foot = GougeCurve::line(*from, *to).nearest(*center);
             all.extend(radial(*center, *radius, foot).map(|p| between(p, foot)));
         }
         (
-            PlaneCurve::Arc { center: c, radius: r, .. },
-            PlaneCurve::Arc { center: e, radius: q, .. },
+            GougeCurve::Arc { center: c, radius: r, .. },
+            GougeCurve::Arc { center: e, radius: q, .. },
         ) => {
             for p in radial(*c, *r, *e) {
                 all.extend(radial(*e, *q, *c).map(|q| between(p, q)));
@@ -253,6 +259,6 @@ fn radial(center: Vec2, radius: f64, p: Vec2) -> impl Iterator<Item = Vec2> {
     out.into_iter().flat_map(move |u| [center + u * radius, center - u * radius])
 }
 
-fn is_on(curve: &PlaneCurve, p: Vec2) -> bool {
+fn is_on(curve: &GougeCurve, p: Vec2) -> bool {
     curve.nearest(p).distance(p) <= 1e-9 * (1.0 + curve.length())
 }

@@ -7,20 +7,20 @@ use core::f64::consts::FRAC_PI_2;
 
 use chordal_geometry::Vec2;
 
-use super::shape::{PlaneCurve, within, wrapped};
+use super::shape::{GougeCurve, within, wrapped};
 
 /// Elements in one leaf.
 pub(super) const LEAF: usize = 8;
 
 /// An axis-parallel box, mm. Empty when `min` lies above `max`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bounds {
+pub(super) struct TreeBox {
     pub(super) min: Vec2,
     pub(super) max: Vec2,
 }
 
-impl Bounds {
-    pub(super) const EMPTY: Bounds = Bounds {
+impl TreeBox {
+    pub(super) const EMPTY: TreeBox = TreeBox {
         min: Vec2::new(f64::INFINITY, f64::INFINITY),
         max: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
     };
@@ -30,21 +30,21 @@ impl Bounds {
         self.max = Vec2::new(self.max.a.max(p.a), self.max.b.max(p.b));
     }
 
-    fn union(self, o: Bounds) -> Bounds {
-        Bounds {
+    fn union(self, o: TreeBox) -> TreeBox {
+        TreeBox {
             min: Vec2::new(self.min.a.min(o.min.a), self.min.b.min(o.min.b)),
             max: Vec2::new(self.max.a.max(o.max.a), self.max.b.max(o.max.b)),
         }
     }
 
-    pub(super) fn of(curve: &PlaneCurve) -> Bounds {
-        let mut bounds = Bounds::EMPTY;
+    pub(super) fn of(curve: &GougeCurve) -> TreeBox {
+        let mut bounds = TreeBox::EMPTY;
         match *curve {
-            PlaneCurve::Line { from, to } => {
+            GougeCurve::Line { from, to } => {
                 bounds.add(from);
                 bounds.add(to);
             }
-            PlaneCurve::Arc { center, radius, start, sweep } => {
+            GougeCurve::Arc { center, radius, start, sweep } => {
                 bounds.add(curve.from());
                 bounds.add(curve.to());
                 let out = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
@@ -59,7 +59,7 @@ impl Bounds {
     }
 
     /// Square of the least distance of two boxes, mm²; infinite when one is empty.
-    pub(super) fn gap_square(&self, o: &Bounds) -> f64 {
+    pub(super) fn gap_square(&self, o: &TreeBox) -> f64 {
         let a = (self.min.a - o.max.a).max(o.min.a - self.max.a).max(0.0);
         let b = (self.min.b - o.max.b).max(o.min.b - self.max.b).max(0.0);
         a * a + b * b
@@ -74,9 +74,9 @@ impl Bounds {
 /// The boxes of a chain.
 pub(super) struct BoxTree {
     /// Box of each element.
-    pub(super) elements: Vec<Bounds>,
+    pub(super) elements: Vec<TreeBox>,
     /// Box of each node; node 1 is the root.
-    pub(super) nodes: Vec<Bounds>,
+    pub(super) nodes: Vec<TreeBox>,
     /// How many leaves there are, a power of two: the first leaf's node.
     pub(super) leaves: usize,
 }
@@ -94,14 +94,14 @@ fn raise<T: Copy>(nodes: &mut [T], join: impl Fn(T, T) -> T) {
 }
 
 impl BoxTree {
-    pub(super) fn over<'a>(curves: impl ExactSizeIterator<Item = &'a PlaneCurve>) -> BoxTree {
+    pub(super) fn over<'a>(curves: impl ExactSizeIterator<Item = &'a GougeCurve>) -> BoxTree {
         let leaves = leaves_over(curves.len());
-        let elements: Vec<Bounds> = curves.map(Bounds::of).collect();
-        let mut nodes = vec![Bounds::EMPTY; 2 * leaves];
+        let elements: Vec<TreeBox> = curves.map(TreeBox::of).collect();
+        let mut nodes = vec![TreeBox::EMPTY; 2 * leaves];
         for (k, part) in elements.chunks(LEAF).enumerate() {
-            nodes[leaves + k] = part.iter().fold(Bounds::EMPTY, |all, b| all.union(*b));
+            nodes[leaves + k] = part.iter().fold(TreeBox::EMPTY, |all, b| all.union(*b));
         }
-        raise(&mut nodes, Bounds::union);
+        raise(&mut nodes, TreeBox::union);
         BoxTree { elements, nodes, leaves }
     }
 
@@ -121,18 +121,19 @@ impl BoxTree {
 
 /// The tangents of a stretch of the contour, unwrapped along the chain, rad.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Span {
+pub(super) struct TangentSpan {
     pub(super) least: f64,
     pub(super) most: f64,
     /// The chain is broken in it, or a block of it has no true offset in the path.
     pub(super) broken: bool,
 }
 
-impl Span {
-    const EMPTY: Span = Span { least: f64::INFINITY, most: f64::NEG_INFINITY, broken: false };
+impl TangentSpan {
+    const EMPTY: TangentSpan =
+        TangentSpan { least: f64::INFINITY, most: f64::NEG_INFINITY, broken: false };
 
-    fn join(self, o: Span) -> Span {
-        Span {
+    fn join(self, o: TangentSpan) -> TangentSpan {
+        TangentSpan {
             least: self.least.min(o.least),
             most: self.most.max(o.most),
             broken: self.broken | o.broken,
@@ -142,13 +143,13 @@ impl Span {
 
 /// The tangent angles of a chain.
 pub(super) struct TurnTree {
-    nodes: Vec<Span>,
+    nodes: Vec<TangentSpan>,
     leaves: usize,
 }
 
 /// The unwrapped tangent angles of a chain at both ends of each element, rad.
 pub(super) fn unwrapped_tangents<'a>(
-    curves: impl Iterator<Item = &'a PlaneCurve>,
+    curves: impl Iterator<Item = &'a GougeCurve>,
 ) -> Vec<(f64, f64)> {
     let mut last = 0.0;
     curves
@@ -164,14 +165,14 @@ pub(super) fn unwrapped_tangents<'a>(
 impl TurnTree {
     pub(super) fn over(tangents: &[(f64, f64)], broken: &[bool]) -> TurnTree {
         let leaves = leaves_over(tangents.len());
-        let mut nodes = vec![Span::EMPTY; 2 * leaves];
+        let mut nodes = vec![TangentSpan::EMPTY; 2 * leaves];
         for (k, (part, breaks)) in tangents.chunks(LEAF).zip(broken.chunks(LEAF)).enumerate() {
             nodes[leaves + k] =
-                part.iter().zip(breaks).fold(Span::EMPTY, |all, (&(s, e), &broken)| {
-                    all.join(Span { least: s.min(e), most: s.max(e), broken })
+                part.iter().zip(breaks).fold(TangentSpan::EMPTY, |all, (&(s, e), &broken)| {
+                    all.join(TangentSpan { least: s.min(e), most: s.max(e), broken })
                 });
         }
-        raise(&mut nodes, Span::join);
+        raise(&mut nodes, TangentSpan::join);
         TurnTree { nodes, leaves }
     }
 
@@ -179,7 +180,7 @@ impl TurnTree {
     /// more than `cone`.
     pub(super) fn is_within(&self, first: usize, last: usize, cone: f64) -> bool {
         let (mut low, mut high) = (self.leaves + first / LEAF, self.leaves + last / LEAF + 1);
-        let mut all = Span::EMPTY;
+        let mut all = TangentSpan::EMPTY;
         while low < high {
             if low & 1 == 1 {
                 all = all.join(self.nodes[low]);
@@ -201,18 +202,18 @@ impl TurnTree {
 
 /// Which blocks of the contour the moves of a stretch of the path belong to.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Hull {
+pub(super) struct BlockHull {
     pub(super) first: u32,
     pub(super) last: u32,
     /// One of the moves belongs to no block of the contour, or is not its true offset.
     pub(super) foreign: bool,
 }
 
-impl Hull {
-    const EMPTY: Hull = Hull { first: u32::MAX, last: 0, foreign: false };
+impl BlockHull {
+    const EMPTY: BlockHull = BlockHull { first: u32::MAX, last: 0, foreign: false };
 
-    fn join(self, o: Hull) -> Hull {
-        Hull {
+    fn join(self, o: BlockHull) -> BlockHull {
+        BlockHull {
             first: self.first.min(o.first),
             last: self.last.max(o.last),
             foreign: self.foreign | o.foreign,
@@ -221,12 +222,12 @@ impl Hull {
 }
 
 /// The index hulls of the path's nodes, numbered as those of its [`BoxTree`].
-pub(super) fn hulls(of_moves: &[Hull]) -> Vec<Hull> {
+pub(super) fn hulls(of_moves: &[BlockHull]) -> Vec<BlockHull> {
     let leaves = leaves_over(of_moves.len());
-    let mut nodes = vec![Hull::EMPTY; 2 * leaves];
+    let mut nodes = vec![BlockHull::EMPTY; 2 * leaves];
     for (k, part) in of_moves.chunks(LEAF).enumerate() {
-        nodes[leaves + k] = part.iter().fold(Hull::EMPTY, |all, h| all.join(*h));
+        nodes[leaves + k] = part.iter().fold(BlockHull::EMPTY, |all, h| all.join(*h));
     }
-    raise(&mut nodes, Hull::join);
+    raise(&mut nodes, BlockHull::join);
     nodes
 }

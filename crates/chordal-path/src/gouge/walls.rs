@@ -11,37 +11,41 @@ use std::collections::BTreeMap;
 
 use chordal_geometry::Vec2;
 
-use super::chain::{Walls, turn};
-use super::closing::{Closing, LONGEST_LEAD, Lies};
-use super::{Block, Contour, Options, nested, open_chain};
+use super::chain::{ChainWalls, turn};
+use super::closing::{ClosingPoint, ClosingSide, LONGEST_LEAD};
+use super::{Contour, ContourBlock, GougeOptions, nested, open_chain};
 
 /// A closed stretch is longer than so many grains.
 const SHORTEST: f64 = 4.0;
 
 /// Finds the walls.
-pub(super) fn of(contour: &Contour, chain: Vec<Block>, options: &Options) -> Walls {
-    let mut loops = Loops::of(chain, contour.side.sign(), options);
+pub(super) fn of(
+    contour: &Contour,
+    chain: Vec<ContourBlock>,
+    options: &GougeOptions,
+) -> ChainWalls {
+    let mut loops = ChainLoops::of(chain, contour.side.sign(), options);
     if loops.closed.is_empty() {
         let rest = loops.rest.iter().map(|at| loops.chain[*at]).collect();
         return open_chain::walls(contour, rest, options);
     }
     if let ([only], true) = (&loops.closed[..], loops.rest.is_empty()) {
         // Leads that meet, say in the centre of a bore, close even what is run past its own start.
-        let mut blocks: Vec<Block> = only.iter().map(|at| loops.chain[*at]).collect();
+        let mut blocks: Vec<ContourBlock> = only.iter().map(|at| loops.chain[*at]).collect();
         if open_chain::cut_at_overlap(&mut blocks, options) {
-            return Walls { blocks, closed: true, lead_arcs: Vec::new() };
+            return ChainWalls { blocks, closed: true, lead_arcs: Vec::new() };
         }
     }
     nested::drop_rough_passes(&mut loops.closed, &loops.chain, contour.side.sign());
     let mut indices: Vec<usize> = loops.closed.into_iter().flatten().collect();
     indices.sort_unstable();
     let blocks = indices.into_iter().map(|at| loops.chain[at]).collect();
-    Walls { blocks, closed: true, lead_arcs: Vec::new() }
+    ChainWalls { blocks, closed: true, lead_arcs: Vec::new() }
 }
 
 /// What a closed stretch is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Verdict {
+enum WallVerdict {
     /// A wall, with leads at its closing point.
     Wall,
     /// Neither a wall nor a part of one.
@@ -51,8 +55,8 @@ enum Verdict {
 }
 
 /// The closed stretches of a chain.
-struct Loops {
-    chain: Vec<Block>,
+struct ChainLoops {
+    chain: Vec<ContourBlock>,
     /// The number of the place where each block begins and where it ends: equal places, equal numbers.
     places: Vec<(usize, usize)>,
     side: f64,
@@ -68,9 +72,9 @@ struct Loops {
     rest: Vec<usize>,
 }
 
-impl Loops {
-    fn of(chain: Vec<Block>, side: f64, options: &Options) -> Loops {
-        let mut loops = Loops {
+impl ChainLoops {
+    fn of(chain: Vec<ContourBlock>, side: f64, options: &GougeOptions) -> ChainLoops {
+        let mut loops = ChainLoops {
             places: places(&chain, options.vertex),
             lead: vec![false; chain.len()],
             length: chain.iter().map(|block| block.curve.length()).sum(),
@@ -100,12 +104,12 @@ impl Loops {
             }
             let body = stack.split_off(depth[to]);
             match self.verdict(&stack, &body, at + 1) {
-                Verdict::Wall => {
+                WallVerdict::Wall => {
                     self.mark_leads(&stack, &body, at + 1);
                     self.closed.push(body);
                 }
-                Verdict::Nothing => {}
-                Verdict::Stretch => stack.extend(body),
+                WallVerdict::Nothing => {}
+                WallVerdict::Stretch => stack.extend(body),
             }
         }
         self.rest = stack;
@@ -119,41 +123,41 @@ impl Loops {
         [before, after]
     }
 
-    fn lies(&self, body: &[usize], [before, after]: [Option<usize>; 2]) -> [Lies; 2] {
-        let closing = Closing {
+    fn lies(&self, body: &[usize], [before, after]: [Option<usize>; 2]) -> [ClosingSide; 2] {
+        let closing = ClosingPoint {
             first: &self.chain[body[0]].curve,
             last: &self.chain[body[body.len() - 1]].curve,
             side: self.side,
             grain: self.grain,
         };
         [
-            before.map_or(Lies::Along, |at| closing.lies(&self.chain[at].curve.reversed())),
-            after.map_or(Lies::Along, |at| closing.lies(&self.chain[at].curve)),
+            before.map_or(ClosingSide::Along, |at| closing.lies(&self.chain[at].curve.reversed())),
+            after.map_or(ClosingSide::Along, |at| closing.lies(&self.chain[at].curve)),
         ]
     }
 
-    fn verdict(&self, stack: &[usize], body: &[usize], next: usize) -> Verdict {
+    fn verdict(&self, stack: &[usize], body: &[usize], next: usize) -> WallVerdict {
         if body.iter().any(|at| self.lead[*at]) {
-            return Verdict::Nothing;
+            return WallVerdict::Nothing;
         }
         // A block as short as the grain ends where it begins, and closes nothing.
         if self.length_of(body) <= SHORTEST * self.grain {
-            return Verdict::Stretch;
+            return WallVerdict::Stretch;
         }
         let neighbours = self.neighbours(stack, body, next);
-        if !self.lies(body, neighbours).contains(&Lies::FarSide) {
-            return Verdict::Wall;
+        if !self.lies(body, neighbours).contains(&ClosingSide::FarSide) {
+            return WallVerdict::Wall;
         }
         if let [Some(before), Some(after)] = neighbours
             && self.is_excursion(before, body, after)
         {
-            return Verdict::Nothing;
+            return WallVerdict::Nothing;
         }
         // Leads of few blocks are leads even where they cross the wall; that is reported then.
         let again = self.run_again(body, next);
         let after = self.chain.len() - next - again;
         let short = stack.len() <= LONGEST_LEAD && after <= LONGEST_LEAD + again.min(1);
-        if short { Verdict::Wall } else { Verdict::Stretch }
+        if short { WallVerdict::Wall } else { WallVerdict::Stretch }
     }
 
     /// So many of the next blocks are those of a closed stretch once more.
@@ -185,7 +189,7 @@ impl Loops {
         let neighbours = self.neighbours(stack, body, next);
         let lies = self.lies(body, neighbours);
         for (neighbour, lies) in neighbours.into_iter().zip(lies) {
-            if let (Some(at), Lies::ToolSide | Lies::FarSide) = (neighbour, lies) {
+            if let (Some(at), ClosingSide::ToolSide | ClosingSide::FarSide) = (neighbour, lies) {
                 self.lead[at] = true;
             }
         }
@@ -197,7 +201,7 @@ impl Loops {
 const CELL: f64 = 64.0;
 
 /// Numbers the places where blocks begin and end: those nearer than the grain are one.
-fn places(chain: &[Block], grain: f64) -> Vec<(usize, usize)> {
+fn places(chain: &[ContourBlock], grain: f64) -> Vec<(usize, usize)> {
     let mut known: BTreeMap<(i64, i64), Vec<(Vec2, usize)>> = BTreeMap::new();
     let mut count = 0;
     // The cell of a coordinate, and the next one where its edge is within a grain.

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
 use chordal_geometry::Vec2;
-use chordal_path::gouge::{Block, Contour, Move, PlaneCurve, Role, Side};
+use chordal_path::gouge::{CenterMove, Contour, ContourBlock, GougeCurve, GougeRole, ToolSide};
 
 /// Numbers that look random and are the same everywhere (xorshift).
 pub struct Dice(u64);
@@ -35,7 +35,7 @@ fn polar(angle: f64, radius: f64) -> Vec2 {
 /// A closed contour of 50 mm or so around the origin that does not cross itself: lines, tangent
 /// fillets, arcs that meet their neighbours at a corner, and islands of short segments. Either way
 /// round.
-pub fn closed_contour(dice: &mut Dice) -> Vec<PlaneCurve> {
+pub fn closed_contour(dice: &mut Dice) -> Vec<GougeCurve> {
     let corners = 3 + (dice.unit() * 9.0) as usize;
     let points: Vec<Vec2> = (0..corners)
         .map(|k| {
@@ -64,13 +64,13 @@ pub fn closed_contour(dice: &mut Dice) -> Vec<PlaneCurve> {
         side(dice, &mut curves, here + t2 * here_cut, after - t2 * next_cut);
     }
     if dice.unit() < 0.5 {
-        curves = curves.iter().rev().map(PlaneCurve::reversed).collect();
+        curves = curves.iter().rev().map(GougeCurve::reversed).collect();
     }
     curves
 }
 
 /// A pocket of 100 mm, wide at both ends and narrow between them, run counter-clockwise.
-pub fn necked_pocket(dice: &mut Dice) -> Vec<PlaneCurve> {
+pub fn necked_pocket(dice: &mut Dice) -> Vec<GougeCurve> {
     let mut points = Vec::new();
     // The lower wall from left to right, then the same kind of wall turned by half a turn.
     for way in [1.0, -1.0] {
@@ -81,27 +81,27 @@ pub fn necked_pocket(dice: &mut Dice) -> Vec<PlaneCurve> {
         }
         points.push(Vec2::new(50.0, -20.0) * way);
     }
-    (0..points.len()).map(|k| PlaneCurve::line(points[k], points[(k + 1) % points.len()])).collect()
+    (0..points.len()).map(|k| GougeCurve::line(points[k], points[(k + 1) % points.len()])).collect()
 }
 
-fn fillet(curves: &mut Vec<PlaneCurve>, corner: Vec2, t1: Vec2, t2: Vec2, cut: f64) {
+fn fillet(curves: &mut Vec<GougeCurve>, corner: Vec2, t1: Vec2, t2: Vec2, cut: f64) {
     let turn = t1.cross(t2).atan2(t1.dot(t2));
     if turn.abs() < 1e-3 {
-        curves.push(PlaneCurve::line(corner - t1 * cut, corner + t2 * cut));
+        curves.push(GougeCurve::line(corner - t1 * cut, corner + t2 * cut));
         return;
     }
     let radius = cut / (turn.abs() / 2.0).tan();
     let from = corner - t1 * cut;
     let center = from + t1.turned_left() * (radius * turn.signum());
     let out = from - center;
-    curves.push(PlaneCurve::Arc { center, radius, start: out.b.atan2(out.a), sweep: turn });
+    curves.push(GougeCurve::Arc { center, radius, start: out.b.atan2(out.a), sweep: turn });
 }
 
-fn side(dice: &mut Dice, curves: &mut Vec<PlaneCurve>, from: Vec2, to: Vec2) {
+fn side(dice: &mut Dice, curves: &mut Vec<GougeCurve>, from: Vec2, to: Vec2) {
     let kind = dice.unit();
     let length = from.distance(to);
     if kind < 0.55 || length < 1.0 {
-        curves.push(PlaneCurve::line(from, to));
+        curves.push(GougeCurve::line(from, to));
     } else if kind < 0.75 {
         // A shallow arc that meets its neighbours at corners.
         let bulge = dice.between(0.03, 0.2) * if dice.unit() < 0.5 { 1.0 } else { -1.0 };
@@ -114,43 +114,43 @@ fn side(dice: &mut Dice, curves: &mut Vec<PlaneCurve>, from: Vec2, to: Vec2) {
         let height = dice.between(0.0, 0.3);
         let waves = dice.between(0.5, 2.0).round();
         let mut last = start;
-        curves.push(PlaneCurve::line(from, start));
+        curves.push(GougeCurve::line(from, start));
         for k in 1..=count {
             let t = k as f64 / count as f64;
             let lift = if k == count { 0.0 } else { height * (TAU * waves * t).sin() };
             let next = start * (1.0 - t) + end * t + normal * lift;
-            curves.push(PlaneCurve::line(last, next));
+            curves.push(GougeCurve::line(last, next));
             last = next;
         }
-        curves.push(PlaneCurve::line(last, to));
+        curves.push(GougeCurve::line(last, to));
     }
 }
 
 /// The arc between two points whose height over the half chord is `bulge`.
-pub fn bulged(from: Vec2, to: Vec2, bulge: f64) -> PlaneCurve {
+pub fn bulged(from: Vec2, to: Vec2, bulge: f64) -> GougeCurve {
     let sweep = 4.0 * bulge.atan();
     let chord = to - from;
     let center = (from + to) * 0.5 + chord.turned_left() * ((1.0 - bulge * bulge) / (4.0 * bulge));
     let out = from - center;
-    PlaneCurve::Arc { center, radius: out.length(), start: out.b.atan2(out.a), sweep }
+    GougeCurve::Arc { center, radius: out.length(), start: out.b.atan2(out.a), sweep }
 }
 
-pub fn contour(curves: &[PlaneCurve], side: Side, radius: f64) -> Contour {
+pub fn contour(curves: &[GougeCurve], side: ToolSide, radius: f64) -> Contour {
     let blocks = curves
         .iter()
         .enumerate()
-        .map(|(k, &curve)| Block { curve, tag: k as u32, role: Role::Offset })
+        .map(|(k, &curve)| ContourBlock { curve, tag: k as u32, role: GougeRole::Offset })
         .collect();
     Contour { blocks, side, radius }
 }
 
-fn tangents(curve: &PlaneCurve) -> (Vec2, Vec2) {
+fn tangents(curve: &GougeCurve) -> (Vec2, Vec2) {
     match *curve {
-        PlaneCurve::Line { from, to } => {
+        GougeCurve::Line { from, to } => {
             let t = (to - from).normalized().unwrap();
             (t, t)
         }
-        PlaneCurve::Arc { start, sweep, .. } => {
+        GougeCurve::Arc { start, sweep, .. } => {
             let at = |angle: f64| polar(angle, 1.0).turned_left() * sweep.signum();
             (at(start), at(start + sweep))
         }
@@ -158,8 +158,8 @@ fn tangents(curve: &PlaneCurve) -> (Vec2, Vec2) {
 }
 
 /// Whether an arc meets a neighbour at a sharp inside corner, which [`offset_path`] does not trim.
-pub fn has_inside_corner_with_arc(curves: &[PlaneCurve], side: Side) -> bool {
-    let is_arc = |c: &PlaneCurve| matches!(c, PlaneCurve::Arc { .. });
+pub fn has_inside_corner_with_arc(curves: &[GougeCurve], side: ToolSide) -> bool {
+    let is_arc = |c: &GougeCurve| matches!(c, GougeCurve::Arc { .. });
     (0..curves.len()).any(|k| {
         let (curve, next) = (&curves[k], &curves[(k + 1) % curves.len()]);
         let (t1, t2) = (tangents(curve).1, tangents(next).0);
@@ -171,12 +171,12 @@ pub fn has_inside_corner_with_arc(curves: &[PlaneCurve], side: Side) -> bool {
 /// would run it: inside corners of lines are trimmed where the offsets cross, even if that turns a
 /// block round; at inside corners with arcs the tool runs to the end of the offset. `None` when an
 /// arc is smaller than the tool inside it.
-pub fn offset_path(curves: &[PlaneCurve], side: Side, radius: f64) -> Option<Vec<Move>> {
+pub fn offset_path(curves: &[GougeCurve], side: ToolSide, radius: f64) -> Option<Vec<CenterMove>> {
     let count = curves.len();
     let signed = side.sign() * radius;
     let mut ends: Vec<(Vec2, Vec2)> = Vec::with_capacity(count);
     for curve in curves {
-        if let PlaneCurve::Arc { radius, sweep, .. } = curve
+        if let GougeCurve::Arc { radius, sweep, .. } = curve
             && radius - signed * sweep.signum() <= 1e-6
         {
             return None;
@@ -185,7 +185,7 @@ pub fn offset_path(curves: &[PlaneCurve], side: Side, radius: f64) -> Option<Vec
         let beside = |p: Vec2, t: Vec2| p + t.turned_left() * signed;
         ends.push((beside(curve.from(), t1), beside(curve.to(), t2)));
     }
-    let mut links: Vec<Option<PlaneCurve>> = vec![None; count];
+    let mut links: Vec<Option<GougeCurve>> = vec![None; count];
     for k in 0..count {
         let next = (k + 1) % count;
         let (t1, t2) = (tangents(&curves[k]).1, tangents(&curves[next]).0);
@@ -196,20 +196,20 @@ pub fn offset_path(curves: &[PlaneCurve], side: Side, radius: f64) -> Option<Vec
         }
         if turn * side.sign() < 0.0 {
             let out = ends[k].1 - corner;
-            links[k] = Some(PlaneCurve::Arc {
+            links[k] = Some(GougeCurve::Arc {
                 center: corner,
                 radius,
                 start: out.b.atan2(out.a),
                 sweep: turn,
             });
-        } else if let (PlaneCurve::Line { .. }, PlaneCurve::Line { .. }) =
+        } else if let (GougeCurve::Line { .. }, GougeCurve::Line { .. }) =
             (&curves[k], &curves[next])
         {
             let meet = ends[k].1 - t1 * (radius * (turn.abs() / 2.0).tan());
             ends[k].1 = meet;
             ends[next].0 = meet;
         } else {
-            links[k] = Some(PlaneCurve::line(ends[k].1, ends[next].0));
+            links[k] = Some(GougeCurve::line(ends[k].1, ends[next].0));
         }
     }
     let mut path = Vec::new();
@@ -217,14 +217,14 @@ pub fn offset_path(curves: &[PlaneCurve], side: Side, radius: f64) -> Option<Vec
         let tag = k as u32;
         let (from, to) = ends[k];
         let main = match *curve {
-            PlaneCurve::Line { .. } => PlaneCurve::line(from, to),
-            PlaneCurve::Arc { center, radius, start, sweep } => {
-                PlaneCurve::Arc { center, radius: radius - signed * sweep.signum(), start, sweep }
+            GougeCurve::Line { .. } => GougeCurve::line(from, to),
+            GougeCurve::Arc { center, radius, start, sweep } => {
+                GougeCurve::Arc { center, radius: radius - signed * sweep.signum(), start, sweep }
             }
         };
-        path.push(Move { curve: main, tag });
+        path.push(CenterMove { curve: main, tag });
         if let Some(link) = links[k] {
-            path.push(Move { curve: link, tag });
+            path.push(CenterMove { curve: link, tag });
         }
     }
     Some(path)
@@ -232,7 +232,7 @@ pub fn offset_path(curves: &[PlaneCurve], side: Side, radius: f64) -> Option<Vec
 
 /// The least distance between path and contour, found without any search: by the nearest point of
 /// every curve to fine samples of every move.
-pub fn sampled_distance(curves: &[PlaneCurve], path: &[Move], samples: usize) -> f64 {
+pub fn sampled_distance(curves: &[GougeCurve], path: &[CenterMove], samples: usize) -> f64 {
     let mut least = f64::INFINITY;
     for step in path {
         for k in 0..=samples {
@@ -246,11 +246,11 @@ pub fn sampled_distance(curves: &[PlaneCurve], path: &[Move], samples: usize) ->
 }
 
 /// Distance of a point from a curve, mm, by its own arithmetic.
-pub fn point_distance(curve: &PlaneCurve, p: Vec2) -> f64 {
+pub fn point_distance(curve: &GougeCurve, p: Vec2) -> f64 {
     let (from, to) = (curve.from(), curve.to());
     let ends = p.distance(from).min(p.distance(to));
     match *curve {
-        PlaneCurve::Line { .. } => {
+        GougeCurve::Line { .. } => {
             let t = (to - from).normalized().unwrap();
             let along = (p - from).dot(t);
             if (0.0..=from.distance(to)).contains(&along) {
@@ -259,7 +259,7 @@ pub fn point_distance(curve: &PlaneCurve, p: Vec2) -> f64 {
                 ends
             }
         }
-        PlaneCurve::Arc { center, radius, start, sweep } => {
+        GougeCurve::Arc { center, radius, start, sweep } => {
             let out = p - center;
             let turned = (out.b.atan2(out.a) - start) * sweep.signum();
             if turned.rem_euclid(TAU) <= sweep.abs() { (out.length() - radius).abs() } else { ends }
@@ -268,12 +268,12 @@ pub fn point_distance(curve: &PlaneCurve, p: Vec2) -> f64 {
 }
 
 /// The contour as the polygon-offset library has it.
-pub fn polyline(curves: &[PlaneCurve]) -> Polyline<f64> {
+pub fn polyline(curves: &[GougeCurve]) -> Polyline<f64> {
     let mut line = Polyline::new_closed();
     for curve in curves {
         let bulge = match curve {
-            PlaneCurve::Line { .. } => 0.0,
-            PlaneCurve::Arc { sweep, .. } => (sweep / 4.0).tan(),
+            GougeCurve::Line { .. } => 0.0,
+            GougeCurve::Arc { sweep, .. } => (sweep / 4.0).tan(),
         };
         let from = curve.from();
         line.add(from.a, from.b, bulge);
@@ -282,11 +282,11 @@ pub fn polyline(curves: &[PlaneCurve]) -> Polyline<f64> {
 }
 
 /// The pieces of a polyline of the library.
-pub fn curves_of(line: &Polyline<f64>) -> Vec<PlaneCurve> {
+pub fn curves_of(line: &Polyline<f64>) -> Vec<GougeCurve> {
     line.iter_segments()
         .map(|(v, w)| {
             let (from, to) = (Vec2::new(v.x, v.y), Vec2::new(w.x, w.y));
-            if v.bulge == 0.0 { PlaneCurve::line(from, to) } else { bulged(from, to, v.bulge) }
+            if v.bulge == 0.0 { GougeCurve::line(from, to) } else { bulged(from, to, v.bulge) }
         })
         .filter(|c| c.length() > 0.0)
         .collect()

@@ -13,14 +13,17 @@ use chordal::diagnostics::FileId;
 use chordal::geometry::Plane;
 use chordal::motion::{MotionOptions, OperationStart};
 use chordal::stock::StockLeft;
-use chordal::{Job, PathCommand, Report, Segment, SegmentKind, Watch};
+use chordal::{Job, PathCommand, Report, RunWatch, Segment, SegmentKind};
 use chordal_export::{Plot, Viewpoint, page_section, sha256_hex};
 
-use self::stops::{Programs, Stops};
-use self::text::{Comments, clean, file_name};
-use self::tools::Tools;
-use self::travel::Travels;
-use crate::data::{Document, Head, Moves, Picture, Pictures, Rows, Skipped, ToolSign};
+use self::stops::{ProgramWatcher, StopWatcher};
+use self::text::{CommentFinder, clean, file_name};
+use self::tools::ToolWatcher;
+use self::travel::TravelWatcher;
+use crate::data::{
+    CappedRows, Document, MoveCounts, PathPicture, PathPictures, ReportHead, SkippedBlocks,
+    ToolSign,
+};
 
 pub use self::text::title;
 
@@ -33,7 +36,7 @@ const SECTION_PX: (u32, u32) = (1000, 560);
 
 /// What a report cannot know of itself.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct About<'a> {
+pub struct ReportContext<'a> {
     /// The file, as it is to be called; without its folder.
     pub file: &'a str,
     /// The one program of the text that is run, where the caller chose it.
@@ -48,7 +51,7 @@ pub struct About<'a> {
 
 /// A report, and what else the run found.
 #[derive(Clone, Debug)]
-pub struct Gathered {
+pub struct GatheredReport {
     /// The report.
     pub document: Document,
     /// The run's own summary and diagnostics.
@@ -57,13 +60,13 @@ pub struct Gathered {
 
 /// Runs a program once, with all checks and its time planned, and gathers what a report says.
 /// Memory is that of the run; what is kept is bounded.
-pub fn gather(job: &Job, about: &About) -> Gathered {
-    let mut seen = Seen::new(job);
+pub fn gather(job: &Job, about: &ReportContext) -> GatheredReport {
+    let mut seen = ReportWatcher::new(job);
     let options = MotionOptions { operations: OperationStart::Comment, ..MotionOptions::default() };
     let (report, timed) = job.report_timed(&options, u64::MAX, &mut seen);
     // Limits nothing can be planned with: the report is without times, and says so.
     let timed = timed.ok().flatten();
-    let Seen { tools, travels, stops, programs, mut plot, plane_mm, .. } = seen;
+    let ReportWatcher { tools, travels, stops, programs, mut plot, plane_mm, .. } = seen;
     plot.set_inch(report.summary.inch);
     match about.stock {
         Some(StockLeft::Columns(found)) => plot.set_stock(found),
@@ -71,7 +74,7 @@ pub fn gather(job: &Job, about: &About) -> Gathered {
         None => {}
     }
 
-    let comments = Comments::new(job, programs.first_main(about.program));
+    let comments = CommentFinder::new(job, programs.first_main(about.program));
     let time = timed.as_ref().map(|timed| &timed.time);
     let tools_told = tools.tools(job, &comments, &report.summary, time);
     let times =
@@ -98,11 +101,11 @@ pub fn gather(job: &Job, about: &About) -> Gathered {
         travel: travels.travel(job),
         machine_travel: travels.machine(job),
         stops: stops.finish(job, &comments),
-        skipped: Skipped {
+        skipped: SkippedBlocks {
             lines: text::skipped(job),
             left_out: job.machine().switches.block_delete.contains(&true),
         },
-        printed: Rows {
+        printed: CappedRows {
             rows: printed.collect(),
             left_out: report.output.len().saturating_sub(MOST_PRINTED) as u64,
         },
@@ -111,28 +114,28 @@ pub fn gather(job: &Job, about: &About) -> Gathered {
         stock: about.stock.map(|found| stock::stock(found, time)),
         pictures: pictures(&plot, &plane_mm, about.stock),
     };
-    Gathered { document, report }
+    GatheredReport { document, report }
 }
 
 /// Watches a run.
-struct Seen<'j> {
-    tools: Tools,
-    travels: Travels,
-    stops: Stops,
-    programs: Programs<'j>,
+struct ReportWatcher<'j> {
+    tools: ToolWatcher,
+    travels: TravelWatcher,
+    stops: StopWatcher,
+    programs: ProgramWatcher<'j>,
     plot: Plot,
     plane: Plane,
     /// Length of the cuts while each plane was chosen, mm: XY, ZX, YZ.
     plane_mm: [f64; 3],
 }
 
-impl<'j> Seen<'j> {
-    fn new(job: &'j Job<'j>) -> Seen<'j> {
-        Seen {
-            tools: Tools::new(),
-            travels: Travels::new(job),
-            stops: Stops::default(),
-            programs: Programs::new(job),
+impl<'j> ReportWatcher<'j> {
+    fn new(job: &'j Job<'j>) -> ReportWatcher<'j> {
+        ReportWatcher {
+            tools: ToolWatcher::new(),
+            travels: TravelWatcher::new(job),
+            stops: StopWatcher::default(),
+            programs: ProgramWatcher::new(job),
             plot: Plot::new(job),
             plane: job.control().parameters.rules.starts_in,
             plane_mm: [0.0; 3],
@@ -140,7 +143,7 @@ impl<'j> Seen<'j> {
     }
 }
 
-impl Watch for Seen<'_> {
+impl RunWatch for ReportWatcher<'_> {
     fn programmed(&mut self, command: &Command) {
         self.programs.see(&command.origin);
         self.tools.programmed(command);
@@ -172,17 +175,17 @@ fn plane_index(plane: Plane) -> usize {
 
 fn head(
     job: &Job,
-    about: &About,
+    about: &ReportContext,
     report: &Report,
-    programs: &Programs,
-    comments: &Comments,
-) -> Head {
+    programs: &ProgramWatcher,
+    comments: &CommentFinder,
+) -> ReportHead {
     let source = job.sources().get(FileId(0));
     let text = source.map_or(&[][..], |source| source.text());
     let ended = text.last().is_none_or(|byte| matches!(byte, b'\n' | b'\r'));
     let lines = source.map_or(0, |source| u64::from(source.line_of(text.len() as u32)));
     let machine = job.machine();
-    Head {
+    ReportHead {
         file: file_name(about.file),
         programs: programs.mains(about.program),
         comments: comments.head(),
@@ -198,9 +201,9 @@ fn head(
     }
 }
 
-fn moves(report: &Report) -> Moves {
+fn moves(report: &Report) -> MoveCounts {
     let summary = &report.summary;
-    Moves {
+    MoveCounts {
         blocks: report.outcomes.iter().map(|outcome| outcome.blocks).sum(),
         lines: summary.lines,
         arcs: summary.arcs,
@@ -248,7 +251,7 @@ fn ends(job: &Job, report: &Report) -> Vec<String> {
 }
 
 /// The isometric view, and the plane in which most is cut.
-fn pictures(plot: &Plot, plane_mm: &[f64; 3], stock: Option<&StockLeft>) -> Pictures {
+fn pictures(plot: &Plot, plane_mm: &[f64; 3], stock: Option<&StockLeft>) -> PathPictures {
     let mut main = (Viewpoint::Top, "the XY plane (G17) from above", plane_mm[0]);
     let others = [
         (Viewpoint::Front, "the ZX plane (G18) from the front", plane_mm[1]),
@@ -267,13 +270,13 @@ fn pictures(plot: &Plot, plane_mm: &[f64; 3], stock: Option<&StockLeft>) -> Pict
     let views: &[(Viewpoint, &str)] = if plot.is_turned() { &turned } else { &milled };
     let view = |(from, what): &(Viewpoint, &str)| {
         let drawn = plot.page_view(*from, width, height)?;
-        Some(Picture { caption: format!("{what}; grid {}", drawn.grid), svg: drawn.svg })
+        Some(PathPicture { caption: format!("{what}; grid {}", drawn.grid), svg: drawn.svg })
     };
     let sign = |tool: chordal_export::PageTool| ToolSign { number: tool.number, svg: tool.sign };
-    Pictures {
+    PathPictures {
         views: views.iter().filter_map(view).collect(),
         stock: match stock {
-            Some(StockLeft::Section(found)) => Some(Picture {
+            Some(StockLeft::Section(found)) => Some(PathPicture {
                 caption: format!(
                     "the half section above, from outside below; dashed: the stock{}",
                     if found.target_section.is_some() { "; green: the target" } else { "" }
@@ -281,7 +284,7 @@ fn pictures(plot: &Plot, plane_mm: &[f64; 3], stock: Option<&StockLeft>) -> Pict
                 svg: page_section(found, SECTION_PX.0, SECTION_PX.1),
             }),
             Some(StockLeft::Columns(_)) | None => {
-                plot.page_stock(Viewpoint::Isometric, width, height).map(|drawn| Picture {
+                plot.page_stock(Viewpoint::Isometric, width, height).map(|drawn| PathPicture {
                     caption: format!("from the front, right and above; grid {}", drawn.grid),
                     svg: drawn.svg,
                 })

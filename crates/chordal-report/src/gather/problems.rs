@@ -5,7 +5,7 @@ use chordal::{Diagnostic, Job, Report, SourceMap, Span};
 use chordal_export::report::{excerpt, place};
 
 use super::text::{clean, file_name};
-use crate::data::{Problem, Rows};
+use crate::data::{CappedRows, ReportedProblem};
 
 /// Problems that are reported; the others are counted.
 const MOST: usize = 100;
@@ -15,24 +15,24 @@ const LONGEST: usize = 600;
 const MOST_CALLS: usize = 4;
 
 /// The problems of a run, the gravest first, those of one severity by place.
-pub fn problems(report: &Report, job: &Job) -> Rows<Problem> {
+pub fn problems(report: &Report, job: &Job) -> CappedRows<ReportedProblem> {
     let mut sorted: Vec<&Diagnostic> = report.diagnostics.iter().collect();
     sorted.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.severity));
-    let rows: Vec<Problem> =
+    let rows: Vec<ReportedProblem> =
         sorted.iter().take(MOST).map(|diagnostic| problem(diagnostic, job.sources())).collect();
     let all = report.counts.errors + report.counts.warnings + report.counts.notes;
     let left_out = all.saturating_sub(rows.len() as u64);
-    Rows { rows, left_out }
+    CappedRows { rows, left_out }
 }
 
 /// One problem as a row.
-pub fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> Problem {
+pub fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> ReportedProblem {
     let info = diagnostic.code.info();
     let shown = |text: &str| clean(text, LONGEST);
     let calls = diagnostic.calls.iter().take(MOST_CALLS);
     let calls = calls.filter_map(|call| called_from(*call, sources));
     let found = place(diagnostic.primary.span, sources);
-    Problem {
+    ReportedProblem {
         severity: diagnostic.severity.word(),
         code: info.id,
         name: info.name,

@@ -1,10 +1,10 @@
 //! What is left of the stock, as data.
 
-use chordal::stock::{Amount, Loose, StockLeft};
+use chordal::stock::{CutOffPart, StockLeft, VolumeInterval};
 use chordal::time::TimeReport;
 use chordal_export::{stock_verdict_text, turned_verdict_text};
 
-use crate::data::{Rows, Stock, StockPart, StockTool, Volume};
+use crate::data::{CappedRows, ReportedStock, StockPart, StockTool, VolumeBounds};
 
 /// Tools that are listed.
 const MOST_TOOLS: usize = 100;
@@ -12,8 +12,8 @@ const MOST_TOOLS: usize = 100;
 const MOST_PARTS: usize = 50;
 
 /// What a run on stock answers, with the times of the tools where the run was planned.
-pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> Stock {
-    let volume = |amount: Amount| Volume { least: amount.least, most: amount.most };
+pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> ReportedStock {
+    let volume = |amount: VolumeInterval| VolumeBounds { least: amount.least, most: amount.most };
     let time_of = |number: u32| {
         let own = time?.tools.iter().find(|tool| tool.number == number)?;
         Some(own.times.total_s())
@@ -26,7 +26,7 @@ pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> Stock {
         lowest_mm: tool.lowest_mm,
         time_s: time_of(tool.number),
     });
-    Stock {
+    ReportedStock {
         resolution_mm: found.resolution_mm(),
         removed_mm3: volume(removed),
         left_mm3: volume(left),
@@ -36,7 +36,7 @@ pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> Stock {
             StockLeft::Section(found) => turned_verdict_text(found.verdict),
         },
         parts: parts(found),
-        tools: Rows {
+        tools: CappedRows {
             rows: tools.collect(),
             left_out: all.len().saturating_sub(MOST_TOOLS) as u64,
         },
@@ -44,14 +44,14 @@ pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> Stock {
 }
 
 /// What was cut off on a lathe.
-fn parts(found: &StockLeft) -> Rows<StockPart> {
+fn parts(found: &StockLeft) -> CappedRows<StockPart> {
     let loose = match found {
         StockLeft::Columns(_) => &[][..],
         StockLeft::Section(found) => &found.loose,
     };
     let parts = loose.iter().take(MOST_PARTS);
-    let part = |part: &Loose| StockPart { line: part.line, volume_mm3: part.section.volume() };
-    Rows {
+    let part = |part: &CutOffPart| StockPart { line: part.line, volume_mm3: part.section.volume() };
+    CappedRows {
         rows: parts.map(part).collect(),
         left_out: loose.len().saturating_sub(MOST_PARTS) as u64,
     }

@@ -7,8 +7,8 @@ use chordal::diagnostics::FileId;
 use chordal::syntax::is_program_name;
 use chordal::{Job, Span};
 
-use super::text::{Comments, clean, file_name, title};
-use crate::data::{Called, Rows, Stop, StopKind};
+use super::text::{CommentFinder, clean, file_name, title};
+use crate::data::{CalledProgram, CappedRows, OperatorStop, StopKind};
 
 /// Stops that are reported.
 const MOST: usize = 200;
@@ -16,7 +16,7 @@ const MOST: usize = 200;
 const MOST_CALLED: usize = 60;
 
 #[derive(Debug)]
-struct Seen {
+struct StopOccurrence {
     kind: StopKind,
     origin: Origin,
     /// The words of a message.
@@ -27,13 +27,13 @@ struct Seen {
 
 /// Watches for stops.
 #[derive(Debug, Default)]
-pub struct Stops {
-    seen: Vec<Seen>,
+pub struct StopWatcher {
+    seen: Vec<StopOccurrence>,
     by_place: BTreeMap<(StopKind, u32, u32), usize>,
     left_out: u64,
 }
 
-impl Stops {
+impl StopWatcher {
     /// Follows a command as programmed.
     pub fn programmed(&mut self, command: &Command, tool: u32) {
         let origin = command.origin;
@@ -51,15 +51,15 @@ impl Stops {
             seen.times += 1;
         } else if self.seen.len() < MOST {
             self.by_place.insert(place, self.seen.len());
-            self.seen.push(Seen { kind, origin, message, tool, times: 1 });
+            self.seen.push(StopOccurrence { kind, origin, message, tool, times: 1 });
         } else {
             self.left_out += 1;
         }
     }
 
     /// The stops with the comments next to them.
-    pub fn finish(&self, job: &Job, comments: &Comments) -> Rows<Stop> {
-        let of_stop = |seen: &Seen| Stop {
+    pub fn finish(&self, job: &Job, comments: &CommentFinder) -> CappedRows<OperatorStop> {
+        let of_stop = |seen: &StopOccurrence| OperatorStop {
             kind: seen.kind,
             line: seen.origin.line,
             file: other_file(job, seen.origin.span.file),
@@ -71,7 +71,7 @@ impl Stops {
             },
             times: seen.times,
         };
-        Rows { rows: self.seen.iter().map(of_stop).collect(), left_out: self.left_out }
+        CappedRows { rows: self.seen.iter().map(of_stop).collect(), left_out: self.left_out }
     }
 }
 
@@ -85,7 +85,7 @@ pub fn other_file(job: &Job, file: FileId) -> Option<String> {
 
 /// Watches which programs run.
 #[derive(Debug)]
-pub struct Programs<'j> {
+pub struct ProgramWatcher<'j> {
     job: &'j Job<'j>,
     library: Library<'j>,
     ran: Vec<bool>,
@@ -93,11 +93,11 @@ pub struct Programs<'j> {
     at: usize,
 }
 
-impl<'j> Programs<'j> {
-    pub fn new(job: &'j Job<'j>) -> Programs<'j> {
+impl<'j> ProgramWatcher<'j> {
+    pub fn new(job: &'j Job<'j>) -> ProgramWatcher<'j> {
         let library = Library::new(job.sources(), &job.control().table.lexicon);
         let ran = vec![false; library.programs().len()];
-        Programs { job, library, ran, at: 0 }
+        ProgramWatcher { job, library, ran, at: 0 }
     }
 
     /// Follows a command.
@@ -122,7 +122,7 @@ impl<'j> Programs<'j> {
     }
 
     /// The programs that a run begins with.
-    pub fn mains(&self, only: Option<u32>) -> Rows<Called> {
+    pub fn mains(&self, only: Option<u32>) -> CappedRows<CalledProgram> {
         self.rows(&self.main_places(only))
     }
 
@@ -133,7 +133,7 @@ impl<'j> Programs<'j> {
     }
 
     /// The others that ran.
-    pub fn called(&self, only: Option<u32>) -> Rows<Called> {
+    pub fn called(&self, only: Option<u32>) -> CappedRows<CalledProgram> {
         let mut others = self.ran.clone();
         self.main_places(only).into_iter().for_each(|main| others[main] = false);
         let others = (0..others.len()).filter(|at| others[*at]);
@@ -148,7 +148,7 @@ impl<'j> Programs<'j> {
         }
     }
 
-    fn rows(&self, places: &[usize]) -> Rows<Called> {
+    fn rows(&self, places: &[usize]) -> CappedRows<CalledProgram> {
         let rows = places.iter().take(MOST_CALLED).map(|at| {
             let program = &self.library.programs()[*at];
             let text = self.library.text(program.file);
@@ -161,13 +161,16 @@ impl<'j> Programs<'j> {
                 (Some(name), Some(remark)) => Some(format!("{name} {remark}")),
                 (name, remark) => name.or(remark),
             };
-            Called {
+            CalledProgram {
                 number,
                 title,
                 file: other_file(self.job, program.file),
                 line: program.head.start.line,
             }
         });
-        Rows { rows: rows.collect(), left_out: places.len().saturating_sub(MOST_CALLED) as u64 }
+        CappedRows {
+            rows: rows.collect(),
+            left_out: places.len().saturating_sub(MOST_CALLED) as u64,
+        }
     }
 }

@@ -5,7 +5,7 @@ use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockKind, BlockReader, ProgramHead};
 use chordal::{Job, Span};
 
-use crate::data::Rows;
+use crate::data::CappedRows;
 
 /// Characters of a comment that are reported.
 const LONGEST: usize = 160;
@@ -66,17 +66,17 @@ struct HeadComment {
 }
 
 /// Finds the comments next to the blocks.
-pub struct Comments<'j> {
+pub struct CommentFinder<'j> {
     job: &'j Job<'j>,
     head: Vec<HeadComment>,
     /// The last line of the head in the first text.
     head_end: u32,
 }
 
-impl<'j> Comments<'j> {
+impl<'j> CommentFinder<'j> {
     /// Of a job whose run begins with this program of the first text.
-    pub fn new(job: &'j Job<'j>, main: Option<ProgramHead>) -> Comments<'j> {
-        let mut comments = Comments { job, head: Vec::new(), head_end: 0 };
+    pub fn new(job: &'j Job<'j>, main: Option<ProgramHead>) -> CommentFinder<'j> {
+        let mut comments = CommentFinder { job, head: Vec::new(), head_end: 0 };
         let Some(source) = job.sources().get(FileId(0)) else { return comments };
         let lexicon = job.control().table.lexicon;
         let mut reader = BlockReader::new(source.text(), FileId(0), lexicon);
@@ -186,8 +186,8 @@ fn names_tool(comment: &str, number: u32) -> bool {
 }
 
 /// The lines of the first text that the block delete switch leaves out.
-pub fn skipped(job: &Job) -> Rows<u32> {
-    let mut lines = Rows { rows: Vec::new(), left_out: 0 };
+pub fn skipped(job: &Job) -> CappedRows<u32> {
+    let mut lines = CappedRows { rows: Vec::new(), left_out: 0 };
     let text = job.sources().get(FileId(0)).map_or(&[][..], |source| source.text());
     if !text.contains(&b'/') {
         return lines;

@@ -5,14 +5,14 @@ use chordal::time::{BlockTime, OperationTime, Timed};
 
 use super::stops::other_file;
 use super::text::{clean, comment};
-use crate::data::{Block, Operation, Rows, Time, Tool, Wait};
+use crate::data::{CappedRows, Operation, PlannedTime, ReportedBlock, ReportedTool, WaitTime};
 
 /// Operations that are reported.
 const MOST: usize = 200;
 
 /// The time; operations without a comment of their own have that of their tool. `head` are the
 /// comments at the head of the program.
-pub fn time(timed: &Timed, tools: &[Tool], head: &[String], job: &Job) -> Time {
+pub fn time(timed: &Timed, tools: &[ReportedTool], head: &[String], job: &Job) -> PlannedTime {
     let (time, motion) = (&timed.time, &timed.motion);
     let operations: Vec<Operation> = time
         .operations
@@ -22,7 +22,7 @@ pub fn time(timed: &Timed, tools: &[Tool], head: &[String], job: &Job) -> Time {
         .collect();
     let all = time.operations.len() as u64 + time.operations_left_out;
     let assumed = motion.limits.assumed.iter();
-    Time {
+    PlannedTime {
         total_s: time.total_s(),
         cutting_s: time.times.cutting_s,
         rapid_s: time.times.rapid_s,
@@ -31,21 +31,21 @@ pub fn time(timed: &Timed, tools: &[Tool], head: &[String], job: &Job) -> Time {
             .waits
             .iter()
             .filter(|(_, seconds)| *seconds > 0.0)
-            .map(|(kind, seconds)| Wait { what: kind.name(), time_s: *seconds })
+            .map(|(kind, seconds)| WaitTime { what: kind.name(), time_s: *seconds })
             .collect(),
         at_feed_s: time.at_feed_s,
         cuts_without_feed: motion.cuts_without_feed,
         assumed: assumed
             .map(|limit| format!("{} of {}", limit.quantity, limit.axis.letter()))
             .collect(),
-        operations: Rows { left_out: all - operations.len() as u64, rows: operations },
+        operations: CappedRows { left_out: all - operations.len() as u64, rows: operations },
         longest: time.longest.iter().map(|block| of_block(block, job)).collect(),
     }
 }
 
 fn of_operation(
     operation: &OperationTime,
-    tools: &[Tool],
+    tools: &[ReportedTool],
     head: &[String],
     job: &Job,
 ) -> Operation {
@@ -68,8 +68,8 @@ fn of_operation(
     }
 }
 
-fn of_block(block: &BlockTime, job: &Job) -> Block {
-    Block {
+fn of_block(block: &BlockTime, job: &Job) -> ReportedBlock {
+    ReportedBlock {
         line: block.origin.line,
         file: other_file(job, block.origin.span.file),
         text: clean(&job.sources().words(block.origin.span), 80),

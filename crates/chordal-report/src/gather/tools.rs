@@ -2,14 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use chordal::control::{Command, CommandKind, Coolant, Feed, FeedMode, Origin, Side, SpindleState};
+use chordal::control::{
+    Command, CommandKind, CompensationSide, Coolant, Feed, FeedMode, Origin, SpindleState,
+};
 use chordal::machine::{Axis, ToolShape};
 use chordal::time::TimeReport;
 use chordal::tool_comments::known_tools;
 use chordal::{Job, Summary};
 
-use super::text::{Comments, clean};
-use crate::data::{Feeds, Register, Rows, Tool};
+use super::text::{CommentFinder, clean};
+use crate::data::{CappedRows, FeedRange, Register, ReportedTool};
 
 /// Tools and offsets that are reported; a magazine holds fewer.
 const MOST: usize = 200;
@@ -20,7 +22,7 @@ const SAME_MM: f64 = 1e-9;
 
 /// What one tool does.
 #[derive(Debug, Default)]
-struct Seen {
+struct ToolRecord {
     number: u32,
     call: Option<Origin>,
     changes: u64,
@@ -29,13 +31,13 @@ struct Seen {
     rpm: Option<(f64, f64)>,
     clockwise: bool,
     counterclockwise: bool,
-    feeds: Feeds,
+    feeds: FeedRange,
     lowest_z: Option<f64>,
     coolant: Coolant,
 }
 
 #[derive(Debug, Default)]
-struct Use {
+struct RegisterUse {
     tools: Vec<u32>,
     length: bool,
     length_mm: Option<f64>,
@@ -45,14 +47,14 @@ struct Use {
 
 /// Watches tools go by.
 #[derive(Debug)]
-pub struct Tools {
-    seen: Vec<Seen>,
+pub struct ToolWatcher {
+    seen: Vec<ToolRecord>,
     /// The tool in the spindle, where it is one of those that are kept.
     at: Option<usize>,
     number: u32,
     /// The same where the path of the tool centre has come to.
     path_at: Option<usize>,
-    registers: BTreeMap<u32, Use>,
+    registers: BTreeMap<u32, RegisterUse>,
     registers_left_out: u64,
     spindle: (SpindleState, f64),
     coolant: Coolant,
@@ -62,10 +64,10 @@ pub struct Tools {
     fresh: bool,
 }
 
-impl Tools {
-    pub fn new() -> Tools {
-        Tools {
-            seen: vec![Seen::default()],
+impl ToolWatcher {
+    pub fn new() -> ToolWatcher {
+        ToolWatcher {
+            seen: vec![ToolRecord::default()],
             at: Some(0),
             number: 0,
             path_at: Some(0),
@@ -100,7 +102,7 @@ impl Tools {
                 }
             }
             CommandKind::Compensation { side, number, radius_mm, .. } => {
-                self.radius = number.filter(|_| *side != Side::Off);
+                self.radius = number.filter(|_| *side != CompensationSide::Off);
                 if let Some(entry) = self.radius.and_then(|number| self.register(number)) {
                     entry.radius = true;
                     entry.radius_mm = *radius_mm;
@@ -129,13 +131,13 @@ impl Tools {
     fn place(&mut self, number: u32) -> Option<usize> {
         let found = self.seen.iter().rposition(|tool| tool.number == number);
         if found.is_none() && self.seen.len() <= MOST {
-            self.seen.push(Seen { number, ..Seen::default() });
+            self.seen.push(ToolRecord { number, ..ToolRecord::default() });
             return Some(self.seen.len() - 1);
         }
         found
     }
 
-    fn register(&mut self, number: u32) -> Option<&mut Use> {
+    fn register(&mut self, number: u32) -> Option<&mut RegisterUse> {
         if number == 0 {
             return None;
         }
@@ -196,12 +198,12 @@ impl Tools {
     pub fn tools(
         &self,
         job: &Job,
-        comments: &Comments,
+        comments: &CommentFinder,
         summary: &Summary,
         time: Option<&TimeReport>,
-    ) -> Rows<Tool> {
+    ) -> CappedRows<ReportedTool> {
         let known = known_tools(job);
-        let of_tool = |seen: &Seen| {
+        let of_tool = |seen: &ToolRecord| {
             let uses = summary.tools.iter().find(|tool| tool.number == seen.number);
             let cut_mm = uses.map_or(0.0, |tool| tool.feed_length_mm);
             // Nothing in the spindle, and nothing cut with it: the way to the first tool.
@@ -218,7 +220,7 @@ impl Tools {
                 (coolant.mist, "mist"),
                 (coolant.through_tool, "through tool"),
             ];
-            Some(Tool {
+            Some(ReportedTool {
                 number: seen.number,
                 comment: seen.call.and_then(|call| comments.of_tool(seen.number, &call)),
                 table: words.map(|words| clean(words, 80)),
@@ -241,15 +243,15 @@ impl Tools {
                 time_s: time.map(|time| time.times.total_s()),
             })
         };
-        let rows: Vec<Tool> = self.seen.iter().filter_map(of_tool).collect();
+        let rows: Vec<ReportedTool> = self.seen.iter().filter_map(of_tool).collect();
         let kept = |number: u32| self.seen.iter().any(|seen| seen.number == number);
         let left_out = summary.tools.iter().filter(|tool| !kept(tool.number)).count() as u64;
-        Rows { rows, left_out }
+        CappedRows { rows, left_out }
     }
 
     /// The tool offsets that the program uses, with the machine's values.
-    pub fn registers(&self, job: &Job) -> Rows<Register> {
-        let of_register = |(number, uses): (&u32, &Use)| {
+    pub fn registers(&self, job: &Job) -> CappedRows<Register> {
+        let of_register = |(number, uses): (&u32, &RegisterUse)| {
             let machine = job.machine();
             let table = machine.tools.get(number);
             let of_axis = |axis: Axis| table.and_then(|tool| tool.offset_of(axis as usize));
@@ -277,7 +279,7 @@ impl Tools {
             }
         };
         let rows = self.registers.iter().map(of_register).collect();
-        Rows { rows, left_out: self.registers_left_out }
+        CappedRows { rows, left_out: self.registers_left_out }
     }
 }
 

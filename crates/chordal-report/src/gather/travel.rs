@@ -6,10 +6,10 @@ use chordal::control::{
 };
 use chordal::geometry::{Aabb, ParamCurve};
 use chordal::machine::{AXES, Axis, PerAxis};
-use chordal::path::{Frame, curve_of, places_on_axes};
+use chordal::path::{ProgramFrame, curve_of, places_on_axes};
 use chordal::{Job, Machine};
 
-use crate::data::{AxisRange, AxisValue, MachineTravel, Rows, Travel, WorkOffset};
+use crate::data::{AxisRange, AxisValue, CappedRows, MachineTravel, ReportedWorkOffset, Travel};
 
 /// Work coordinate systems that are listed separately, those included that the program moves.
 const MOST: usize = 60;
@@ -20,10 +20,10 @@ const SAME: f64 = 1e-9;
 
 /// A range of places; empty at first.
 #[derive(Clone, Copy, Debug)]
-struct Range(f64, f64);
+struct TravelRange(f64, f64);
 
-impl Range {
-    const EMPTY: Range = Range(f64::INFINITY, f64::NEG_INFINITY);
+impl TravelRange {
+    const EMPTY: TravelRange = TravelRange(f64::INFINITY, f64::NEG_INFINITY);
 
     fn take(&mut self, value: f64) {
         self.0 = self.0.min(value);
@@ -37,38 +37,38 @@ impl Range {
 
 /// A work coordinate system at one place.
 #[derive(Debug)]
-struct System {
+struct WorkSystem {
     name: WorkName,
     offset: Position,
     known: AxisMask,
     /// Where it came into force.
     line: u32,
     moves: bool,
-    all: PerAxis<Range>,
-    cuts: PerAxis<Range>,
+    all: PerAxis<TravelRange>,
+    cuts: PerAxis<TravelRange>,
 }
 
 /// Watches the tool centre go by.
 #[derive(Debug)]
-pub struct Travels {
-    frame: Frame,
-    systems: Vec<System>,
+pub struct TravelWatcher {
+    frame: ProgramFrame,
+    systems: Vec<WorkSystem>,
     /// The one in force, where it is one of those that are kept.
     at: Option<usize>,
     left_out: u64,
-    machine: PerAxis<Range>,
+    machine: PerAxis<TravelRange>,
     unknown: AxisMask,
 }
 
-impl Travels {
-    pub fn new(job: &Job) -> Travels {
+impl TravelWatcher {
+    pub fn new(job: &Job) -> TravelWatcher {
         let (offset, known) = initial_offset(job.machine(), job.control());
-        let mut travels = Travels {
-            frame: Frame::new(offset, known),
+        let mut travels = TravelWatcher {
+            frame: ProgramFrame::new(offset, known),
             systems: Vec::new(),
             at: None,
             left_out: 0,
-            machine: [Range::EMPTY; AXES],
+            machine: [TravelRange::EMPTY; AXES],
             unknown: AxisMask::NONE,
         };
         travels.select(initial_work_offset(job.control()), offset, known, 0);
@@ -102,7 +102,7 @@ impl Travels {
     }
 
     fn select(&mut self, name: WorkName, offset: Position, known: AxisMask, line: u32) {
-        let same = |system: &System| {
+        let same = |system: &WorkSystem| {
             let near = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME;
             system.name == name && system.offset.iter().zip(&offset).all(near)
         };
@@ -115,8 +115,8 @@ impl Travels {
             return;
         }
         self.at = Some(self.systems.len());
-        let (all, cuts) = ([Range::EMPTY; AXES], [Range::EMPTY; AXES]);
-        self.systems.push(System { name, offset, known, line, moves: false, all, cuts });
+        let (all, cuts) = ([TravelRange::EMPTY; AXES], [TravelRange::EMPTY; AXES]);
+        self.systems.push(WorkSystem { name, offset, known, line, moves: false, all, cuts });
     }
 
     fn motion(&mut self, motion: &Move, bounds: Option<Aabb>, cuts: bool) {
@@ -176,9 +176,9 @@ impl Travels {
     }
 
     /// Where the tool goes in each system.
-    pub fn travel(&self, job: &Job) -> Rows<Travel> {
+    pub fn travel(&self, job: &Job) -> CappedRows<Travel> {
         let naming = job.control().table.work_names;
-        let of_system = |system: &System| {
+        let of_system = |system: &WorkSystem| {
             let moved = is_moved(system, job.machine(), naming);
             let axes = Axis::ALL.into_iter().filter_map(|axis| {
                 let index = axis as usize;
@@ -209,16 +209,16 @@ impl Travels {
             }
         };
         let rows = self.systems.iter().filter(|system| system.moves).map(of_system);
-        Rows {
+        CappedRows {
             rows: rows.filter(|travel| !travel.axes.is_empty()).collect(),
             left_out: self.left_out,
         }
     }
 
     /// The work offsets under which something moves, with the machine's values.
-    pub fn work_offsets(&self, job: &Job) -> Vec<WorkOffset> {
+    pub fn work_offsets(&self, job: &Job) -> Vec<ReportedWorkOffset> {
         let naming = job.control().table.work_names;
-        let mut offsets: Vec<WorkOffset> = Vec::new();
+        let mut offsets: Vec<ReportedWorkOffset> = Vec::new();
         for system in self.systems.iter().filter(|system| system.moves) {
             if system.name == WorkName::Machine {
                 continue;
@@ -227,7 +227,11 @@ impl Travels {
             let values = job.machine().work_offsets.get(&name).map(|offset| offset.values);
             let place =
                 offsets.iter().position(|offset| offset.name == name).unwrap_or_else(|| {
-                    offsets.push(WorkOffset { name, values: Vec::new(), moved_at: Vec::new() });
+                    offsets.push(ReportedWorkOffset {
+                        name,
+                        values: Vec::new(),
+                        moved_at: Vec::new(),
+                    });
                     offsets.len() - 1
                 });
             let offset = &mut offsets[place];
@@ -271,12 +275,12 @@ impl Travels {
     }
 }
 
-fn name(system: &System, naming: WorkNaming) -> String {
+fn name(system: &WorkSystem, naming: WorkNaming) -> String {
     system.name.table_key(naming)
 }
 
 /// The program itself has put the system where it is.
-fn is_moved(system: &System, machine: &Machine, naming: WorkNaming) -> bool {
+fn is_moved(system: &WorkSystem, machine: &Machine, naming: WorkNaming) -> bool {
     if system.name == WorkName::Machine {
         return false;
     }

@@ -6,10 +6,10 @@ mod stock;
 mod times;
 
 use chordal_export::Plot;
-use chordal_export::numbers::{Units, counted, duration, fixed, grouped};
+use chordal_export::numbers::{SummaryUnits, counted, duration, fixed, grouped};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use crate::data::{Called, Document, Head, Problem, Rows};
+use crate::data::{CalledProgram, CappedRows, Document, ReportHead, ReportedProblem};
 
 const STYLE: &str = include_str!("style.css");
 
@@ -18,7 +18,7 @@ const DIGEST: usize = 12;
 
 /// The page. Styles and drawings are in it, scripts there are none, and nothing is fetched.
 pub fn html(document: &Document) -> String {
-    let show = Show::of(document);
+    let show = NumberDisplay::of(document);
     let head = &document.head;
     let page = html! {
         (DOCTYPE)
@@ -57,17 +57,17 @@ pub fn html(document: &Document) -> String {
 }
 
 /// Numbers in the program's own units.
-struct Show {
-    units: Units,
+struct NumberDisplay {
+    units: SummaryUnits,
 }
 
-impl Show {
-    fn of(document: &Document) -> Show {
-        Show { units: Units::of(document.head.units == "inch") }
+impl NumberDisplay {
+    fn of(document: &Document) -> NumberDisplay {
+        NumberDisplay { units: SummaryUnits::of(document.head.units == "inch") }
     }
 
     fn is_inch(&self) -> bool {
-        self.units == Units::Inch
+        self.units == SummaryUnits::Inch
     }
 
     /// A place of an axis, mm or degrees.
@@ -107,14 +107,14 @@ fn plot_colors() -> String {
 }
 
 /// `O1000 BRACKET`, or the file.
-fn name(head: &Head) -> String {
+fn name(head: &ReportHead) -> String {
     match head.programs.rows.as_slice() {
         [only] if only.number.is_some() => program_name(only),
         _ => head.file.clone(),
     }
 }
 
-fn program_name(program: &Called) -> String {
+fn program_name(program: &CalledProgram) -> String {
     let number = program.number.map(|number| format!("O{number}"));
     let parts: Vec<&str> = number.as_deref().into_iter().chain(program.title.as_deref()).collect();
     if parts.is_empty() { "without a number".to_string() } else { parts.join(" ") }
@@ -182,7 +182,7 @@ fn ends(document: &Document) -> Markup {
     html! { @for end in &document.ends { p { (end) } } }
 }
 
-fn facts(document: &Document, show: &Show) -> Markup {
+fn facts(document: &Document, show: &NumberDisplay) -> Markup {
     let head = &document.head;
     let fact = |name: &str, value: &str, large: bool| {
         html! {
@@ -272,7 +272,7 @@ fn scrolling(label: &str, rows: usize, table: Markup) -> Markup {
 }
 
 /// The line that says what a table leaves out.
-fn left_out<T>(rows: &Rows<T>, shown: usize, what: &str) -> Markup {
+fn left_out<T>(rows: &CappedRows<T>, shown: usize, what: &str) -> Markup {
     let more = rows.left_out + rows.rows.len().saturating_sub(shown) as u64;
     html! { @if more > 0 { p.faint { "and " (grouped(more)) " more " (what) } } }
 }
@@ -293,7 +293,7 @@ fn problems(document: &Document) -> Markup {
 }
 
 /// One problem, as the sheet and a notebook show it.
-pub(crate) fn problem(problem: &Problem) -> Markup {
+pub(crate) fn problem(problem: &ReportedProblem) -> Markup {
     html! {
         div class={ "problem " (problem.severity) } {
             h3 {

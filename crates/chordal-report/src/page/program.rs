@@ -3,8 +3,8 @@
 use chordal_export::numbers::{counted, grouped};
 use maud::{Markup, html};
 
-use super::{Show, left_out, program_name, scrolling, tool_name};
-use crate::data::{Called, Document, Skipped, Stop, StopKind};
+use super::{NumberDisplay, left_out, program_name, scrolling, tool_name};
+use crate::data::{CalledProgram, Document, OperatorStop, SkippedBlocks, StopKind};
 
 /// Stops and programs on the page.
 const MOST: usize = 60;
@@ -38,7 +38,7 @@ pub fn stops(document: &Document) -> Markup {
     }
 }
 
-fn row(stop: &Stop) -> Markup {
+fn row(stop: &OperatorStop) -> Markup {
     let what = match stop.kind {
         StopKind::Stop => "Stop (M0)",
         StopKind::OptionalStop => "Optional stop (M1)",
@@ -56,7 +56,7 @@ fn row(stop: &Stop) -> Markup {
     }
 }
 
-fn skipped_blocks(skipped: &Skipped) -> Markup {
+fn skipped_blocks(skipped: &SkippedBlocks) -> Markup {
     let lines: Vec<String> = skipped.lines.rows.iter().map(u32::to_string).collect();
     html! {
         p {
@@ -69,7 +69,7 @@ fn skipped_blocks(skipped: &Skipped) -> Markup {
 }
 
 /// Moves counted, subprograms, what is printed.
-pub fn program(document: &Document, show: &Show) -> Markup {
+pub fn program(document: &Document, show: &NumberDisplay) -> Markup {
     let moves = &document.moves;
     let counts = [
         (moves.lines, "line", "lines"),
@@ -121,7 +121,7 @@ pub fn program(document: &Document, show: &Show) -> Markup {
     }
 }
 
-fn subprogram(called: &Called, own: &str) -> Markup {
+fn subprogram(called: &CalledProgram, own: &str) -> Markup {
     html! {
         tr {
             th scope="row" { (program_name(called)) }

@@ -1,11 +1,13 @@
 //! What is set before the run: offsets, tools, travel.
 
 use chordal::machine::AXIS_LETTERS;
-use chordal_export::numbers::{Units, duration, grouped, short};
+use chordal_export::numbers::{SummaryUnits, duration, grouped, short};
 use maud::{Markup, PreEscaped, html};
 
-use super::{Show, left_out, scrolling, tool_name};
-use crate::data::{AxisRange, Document, Feeds, MachineTravel, Register, Tool, WorkOffset};
+use super::{NumberDisplay, left_out, scrolling, tool_name};
+use crate::data::{
+    AxisRange, Document, FeedRange, MachineTravel, Register, ReportedTool, ReportedWorkOffset,
+};
 
 /// Rows of a table on the page.
 const MOST: usize = 100;
@@ -16,7 +18,7 @@ fn blank() -> Markup {
 }
 
 /// Work offsets and tool offsets, with blanks where the machine file gives no value.
-pub fn offsets(document: &Document, show: &Show) -> Markup {
+pub fn offsets(document: &Document, show: &NumberDisplay) -> Markup {
     let (work, registers) = (&document.work_offsets, &document.registers);
     html! {
         section aria-labelledby="offsets" {
@@ -51,7 +53,7 @@ fn is_unset(register: &Register, is_lathe: bool) -> bool {
         || register.uses_radius && register.diameter_mm.or(register.nose_radius_mm).is_none()
 }
 
-fn work_offsets(offsets: &[WorkOffset], show: &Show) -> Markup {
+fn work_offsets(offsets: &[ReportedWorkOffset], show: &NumberDisplay) -> Markup {
     let mut axes: Vec<char> =
         offsets.iter().flat_map(|offset| offset.values.iter().map(|value| value.axis)).collect();
     axes.sort_by_key(|axis| AXIS_LETTERS.find(*axis));
@@ -96,7 +98,7 @@ fn work_offsets(offsets: &[WorkOffset], show: &Show) -> Markup {
 }
 
 /// A value of a tool offset; a blank where it is used and not set.
-fn offset_value(used: bool, value: Option<f64>, show: &Show) -> Markup {
+fn offset_value(used: bool, value: Option<f64>, show: &NumberDisplay) -> Markup {
     html! {
         @match (used, value) {
             (_, Some(mm)) => (show.units.coordinate(mm)),
@@ -106,7 +108,7 @@ fn offset_value(used: bool, value: Option<f64>, show: &Show) -> Markup {
     }
 }
 
-fn tool_offsets(registers: &[Register], is_lathe: bool, show: &Show) -> Markup {
+fn tool_offsets(registers: &[Register], is_lathe: bool, show: &NumberDisplay) -> Markup {
     let unit = show.units.length_unit();
     html! {
         (scrolling("Tool offsets", registers.len(), html! { table {
@@ -142,7 +144,7 @@ fn tool_offsets(registers: &[Register], is_lathe: bool, show: &Show) -> Markup {
     }
 }
 
-fn of_mill(register: &Register, show: &Show) -> Markup {
+fn of_mill(register: &Register, show: &NumberDisplay) -> Markup {
     let Register { uses_length, uses_radius, .. } = *register;
     html! {
         td.n { (offset_value(uses_length, register.length_mm.filter(|_| uses_length), show)) }
@@ -151,7 +153,7 @@ fn of_mill(register: &Register, show: &Show) -> Markup {
 }
 
 /// The nose and the tip are of the offset table whether compensation is used or not; a blank only where it is.
-fn of_lathe(register: &Register, show: &Show) -> Markup {
+fn of_lathe(register: &Register, show: &NumberDisplay) -> Markup {
     let Register { uses_length, uses_radius, .. } = *register;
     html! {
         td.n { (offset_value(uses_length, register.x_mm, show)) }
@@ -177,7 +179,7 @@ fn numbers(numbers: &[u32]) -> String {
 }
 
 /// The tools in the order of their first use.
-pub fn tools(document: &Document, show: &Show) -> Markup {
+pub fn tools(document: &Document, show: &NumberDisplay) -> Markup {
     let unit = show.units.length_unit();
     let is_lathe = document.head.is_lathe;
     let sign = |number: u32| document.pictures.tools.iter().find(|tool| tool.number == number);
@@ -249,13 +251,13 @@ pub fn tools(document: &Document, show: &Show) -> Markup {
 }
 
 /// `.5`, with a star where a comment says it.
-fn diameter(tool: &Tool, show: &Show) -> String {
+fn diameter(tool: &ReportedTool, show: &NumberDisplay) -> String {
     let star = if tool.by_comment { "*" } else { "" };
     tool.diameter_mm.map_or_else(String::new, |mm| format!("{}{star}", show.units.coordinate(mm)))
 }
 
 /// The nose radius of an insert, the diameter of a drill.
-fn nose(tool: &Tool, show: &Show) -> String {
+fn nose(tool: &ReportedTool, show: &NumberDisplay) -> String {
     match tool.nose_radius_mm {
         Some(mm) => show.units.coordinate(mm),
         None => {
@@ -268,7 +270,7 @@ fn dash(text: &str) -> &str {
     if text.is_empty() { "–" } else { text }
 }
 
-fn what(tool: &Tool) -> Markup {
+fn what(tool: &ReportedTool) -> Markup {
     html! {
         @match (&tool.comment, &tool.table) {
             (Some(comment), Some(table)) if comment != table => {
@@ -281,7 +283,7 @@ fn what(tool: &Tool) -> Markup {
     }
 }
 
-fn spindle(tool: &Tool) -> Markup {
+fn spindle(tool: &ReportedTool) -> Markup {
     let turns = match (tool.clockwise, tool.counterclockwise) {
         (true, true) => "M3, M4",
         (true, false) => "M3",
@@ -297,10 +299,10 @@ fn spindle(tool: &Tool) -> Markup {
 }
 
 /// What is not in the unit of the column has its own: feed per revolution on a lathe, per minute on a mill.
-fn feeds(feeds: &Feeds, is_lathe: bool, show: &Show) -> Markup {
+fn feeds(feeds: &FeedRange, is_lathe: bool, show: &NumberDisplay) -> Markup {
     let decimals = match show.units {
-        Units::Inch => 5,
-        Units::Millimetre => 4,
+        SummaryUnits::Inch => 5,
+        SummaryUnits::Millimetre => 4,
     };
     let per_rev = |mm: f64| short(mm / show.units.length_mm(), decimals);
     let per_minute_unit =
@@ -329,7 +331,7 @@ fn span_of((low, high): (f64, f64), text: impl Fn(f64) -> String) -> String {
 }
 
 /// Where the tool goes.
-pub fn travel(document: &Document, show: &Show) -> Markup {
+pub fn travel(document: &Document, show: &NumberDisplay) -> Markup {
     html! {
         section aria-labelledby="travel" {
             h2 #travel { "Travel" }
@@ -380,7 +382,7 @@ pub fn travel(document: &Document, show: &Show) -> Markup {
     }
 }
 
-fn range(axis: &AxisRange, show: &Show) -> Markup {
+fn range(axis: &AxisRange, show: &NumberDisplay) -> Markup {
     let place = |value: f64| show.place(axis.axis, value);
     html! {
         td { (axis.axis) }
@@ -401,7 +403,7 @@ fn range(axis: &AxisRange, show: &Show) -> Markup {
     }
 }
 
-fn machine(axes: &[MachineTravel], show: &Show) -> Markup {
+fn machine(axes: &[MachineTravel], show: &NumberDisplay) -> Markup {
     html! {
         div.keep {
             h3 { "Check of the machine's travel" }

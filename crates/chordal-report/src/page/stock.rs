@@ -4,11 +4,11 @@ use chordal_export::numbers::duration;
 use chordal_export::stock_volume;
 use maud::{Markup, PreEscaped, html};
 
-use super::{Show, left_out, scrolling, tool_name, upper_first};
-use crate::data::{Document, Stock, Volume};
+use super::{NumberDisplay, left_out, scrolling, tool_name, upper_first};
+use crate::data::{Document, ReportedStock, VolumeBounds};
 
 /// The picture of what is left, the volumes and the verdict; nothing without a stock.
-pub fn stock(document: &Document, show: &Show) -> Markup {
+pub fn stock(document: &Document, show: &NumberDisplay) -> Markup {
     let Some(stock) = &document.stock else { return html! {} };
     html! {
         section aria-labelledby="stock" {
@@ -32,8 +32,8 @@ pub fn stock(document: &Document, show: &Show) -> Markup {
     }
 }
 
-fn volumes(stock: &Stock, show: &Show) -> Markup {
-    let volume = |of: Volume| stock_volume([of.least, of.most], show.is_inch());
+fn volumes(stock: &ReportedStock, show: &NumberDisplay) -> Markup {
+    let volume = |of: VolumeBounds| stock_volume([of.least, of.most], show.is_inch());
     html! {
         (scrolling("Volumes", stock.tools.rows.len() + 3, html! { table {
             thead {
@@ -51,7 +51,7 @@ fn volumes(stock: &Stock, show: &Show) -> Markup {
                 @for part in &stock.parts.rows {
                     tr {
                         th scope="row" { "of it cut off in line " (part.line) }
-                        td.n { (volume(Volume { least: part.volume_mm3, most: part.volume_mm3 })) }
+                        td.n { (volume(VolumeBounds { least: part.volume_mm3, most: part.volume_mm3 })) }
                         td {} td {}
                     }
                 }

@@ -4,7 +4,7 @@ use chordal_export::numbers::{counted, duration, fixed, grouped};
 use maud::{Markup, html};
 
 use super::{left_out, scrolling, tool_name};
-use crate::data::{Block, Document, Operation, Time};
+use crate::data::{Document, Operation, PlannedTime, ReportedBlock};
 
 /// Operations on the page.
 const MOST: usize = 60;
@@ -26,7 +26,7 @@ pub fn times(document: &Document) -> Markup {
     }
 }
 
-fn shares(time: &Time) -> Markup {
+fn shares(time: &PlannedTime) -> Markup {
     let parts = [
         ("cutting", "Cutting", time.cutting_s),
         ("rapid", "Rapids", time.rapid_s),
@@ -65,7 +65,7 @@ fn shares(time: &Time) -> Markup {
     }
 }
 
-fn operations(time: &Time) -> Markup {
+fn operations(time: &PlannedTime) -> Markup {
     html! {
         (scrolling("Times by operation", time.operations.rows.len(), html! { table {
             caption { "By operation" }
@@ -106,7 +106,7 @@ fn operation(operation: &Operation, total_s: f64) -> Markup {
     }
 }
 
-fn longest(time: &Time) -> Markup {
+fn longest(time: &PlannedTime) -> Markup {
     html! {
         div.keep {
             h3 { "The blocks that take the most time" }
@@ -126,7 +126,7 @@ fn longest(time: &Time) -> Markup {
     }
 }
 
-fn row(block: &Block) -> Markup {
+fn row(block: &ReportedBlock) -> Markup {
     html! {
         tr {
             th scope="row" {

@@ -3,19 +3,19 @@
 use chordal::control::{ArcShape, Control};
 use chordal::syntax::Letters;
 
-use super::context::Context;
-use super::draft::{Draft, Expand};
+use super::context::ConvertContext;
+use super::draft::{BlockDraft, NeedsExpansion};
 use super::numbers;
-use super::trace::{Exec, moves};
+use super::trace::{BlockExecution, moves};
 
 /// An arc must name an axis of its plane, also where it ends at its start.
 pub(super) fn needs_axes(to: &Control) -> bool {
     to.table.firmware.is_some_and(|firmware| !firmware.block.bare_circles)
 }
 
-impl Context<'_> {
+impl ConvertContext<'_> {
     /// Centres and radii as the new control reads them, and forms that it does not have.
-    pub(super) fn arc(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+    pub(super) fn arc(&self, draft: &mut BlockDraft, at: usize) -> Result<(), NeedsExpansion> {
         let Some(run) = self.run(at) else { return Ok(()) };
         let shapes = self.trace.commands_of(run).iter().filter(|command| !command.origin.cycle);
         let Some(shape) = shapes.filter_map(|command| command.kind.shape()).next() else {
@@ -25,7 +25,7 @@ impl Context<'_> {
         let spiral = (shape.radius_to - shape.radius_from).abs();
         let parameters = &self.to.parameters;
         if spiral > parameters.rules.arc.radius_error_tolerance_mm {
-            return Err(Expand(format!(
+            return Err(NeedsExpansion(format!(
                 "the radius changes by {} on the arc",
                 run.after.units.length_text(spiral)
             )));
@@ -36,12 +36,18 @@ impl Context<'_> {
         let repeats = self.line_repeat(draft, at).is_some();
         if letters.without(Letters::of(if repeats { "L" } else { "" })).meets(turns) && !same_turns
         {
-            return Err(Expand(format!("{} counts turns in another way", self.to.table.title)));
+            return Err(NeedsExpansion(format!(
+                "{} counts turns in another way",
+                self.to.table.title
+            )));
         }
         if self.from.parameters.rules.arc.arc_center != parameters.rules.arc.arc_center
             && letters.meets(Letters::of("IJK"))
         {
-            return Err(Expand(format!("{} reads centres in another way", self.to.table.title)));
+            return Err(NeedsExpansion(format!(
+                "{} reads centres in another way",
+                self.to.table.title
+            )));
         }
         self.named_axes(draft, at, run, shape)?;
         let (a, b, _) = shape.plane.axes();
@@ -62,11 +68,11 @@ impl Context<'_> {
     /// The end of a full circle, where the new control must have it.
     fn named_axes(
         &self,
-        draft: &mut Draft,
+        draft: &mut BlockDraft,
         at: usize,
-        run: &Exec,
+        run: &BlockExecution,
         shape: &ArcShape,
-    ) -> Result<(), Expand> {
+    ) -> Result<(), NeedsExpansion> {
         let (a, b, _) = shape.plane.axes();
         let [first, second] = [a, b].map(|axis| b"XYZ"[axis]);
         let letters = draft.block.letters();
@@ -75,7 +81,7 @@ impl Context<'_> {
         }
         let reason = format!("{} needs the end point of a full circle", self.to.table.title);
         if self.trace.facts[at].runs > 1 {
-            return Err(Expand(reason));
+            return Err(NeedsExpansion(reason));
         }
         let moves = moves(self.trace.commands_of(run)).last();
         let Some(to) = moves.and_then(|command| command.kind.motion()).map(|motion| motion.to)

@@ -1,16 +1,16 @@
 //! G and M codes of one control on another: by what they do.
 
-use chordal::control::table::{CodeRow, Group, code_name, code_number};
+use chordal::control::table::{CodeGroup, CodeRow, code_name, code_number};
 use chordal::control::{Action, AfterCode, LengthCode, ModeCode, OnceCode, PathCode, ReadingCode};
 use chordal::control::{Control, UnitCodes, WorkName};
 
-use super::draft::{Draft, Expand};
-use crate::source::{Style, whole};
+use super::draft::{BlockDraft, NeedsExpansion};
+use crate::source::{WordStyle, whole};
 
 /// The row of a control that does this.
 pub(crate) fn row(action: Action, control: &Control) -> Option<(&'static CodeRow, u8)> {
     let usable = |row: &&CodeRow| {
-        row.group != Group::Units
+        row.group != CodeGroup::Units
             || match control.parameters.unit_codes {
                 UnitCodes::Both | UnitCodes::G20 => row.code < 700,
                 UnitCodes::G70 => row.code >= 700,
@@ -19,7 +19,7 @@ pub(crate) fn row(action: Action, control: &Control) -> Option<(&'static CodeRow
     let mut g = control.g_codes().filter(usable).filter(|row| same(row.action, action));
     // Of several codes the first is the plain one; of path modes (G62, G64) the last.
     let g = match g.next() {
-        Some(row) if row.group == Group::PathMode => g.next_back().or(Some(row)),
+        Some(row) if row.group == CodeGroup::PathMode => g.next_back().or(Some(row)),
         row => row,
     };
     let m = || control.table.m_codes.iter().find(|row| same(row.action, action));
@@ -77,7 +77,7 @@ pub(crate) fn is_only_of(words: &str, from: &Control, to: &Control) -> bool {
 }
 
 /// A row's code as the programmer writes codes.
-pub(crate) fn spelt(row: &CodeRow, letter: u8, style: Style) -> String {
+pub(crate) fn spelt(row: &CodeRow, letter: u8, style: WordStyle) -> String {
     if style.two_digits && row.code < 100 && row.code.is_multiple_of(10) {
         return format!("{}{:02}", char::from(letter), row.code / 10);
     }
@@ -85,11 +85,11 @@ pub(crate) fn spelt(row: &CodeRow, letter: u8, style: Style) -> String {
 }
 
 /// The code that does this, as the programmer writes codes.
-pub(crate) fn name(action: Action, control: &Control, style: Style) -> Option<String> {
+pub(crate) fn name(action: Action, control: &Control, style: WordStyle) -> Option<String> {
     row(action, control).map(|(row, letter)| spelt(row, letter, style))
 }
 
-pub(crate) fn overrides(on: bool, control: &Control, style: Style) -> Option<String> {
+pub(crate) fn overrides(on: bool, control: &Control, style: WordStyle) -> Option<String> {
     name(Action::Mode(ModeCode::Overrides { on, rapid: false }), control, style)
 }
 
@@ -103,7 +103,7 @@ pub(crate) fn what(action: Action) -> String {
 }
 
 /// The words that choose a work offset; nothing where the control does not have so many.
-pub(crate) fn work_offset(name: WorkName, control: &Control, style: Style) -> Option<String> {
+pub(crate) fn work_offset(name: WorkName, control: &Control, style: WordStyle) -> Option<String> {
     let number = name.ordinal();
     let table = control.table;
     if table.work_names.by_e {
@@ -125,11 +125,11 @@ pub(crate) fn work_offset(name: WorkName, control: &Control, style: Style) -> Op
 
 /// What becomes of the G and M words of a block.
 pub(crate) fn translate(
-    draft: &mut Draft,
+    draft: &mut BlockDraft,
     from: &Control,
     to: &Control,
-    style: Style,
-) -> Result<(), Expand> {
+    style: WordStyle,
+) -> Result<(), NeedsExpansion> {
     for at in 0..draft.block.words.len() {
         let word = draft.block.words[at];
         if draft.is_changed(at) {
@@ -142,12 +142,12 @@ pub(crate) fn translate(
 }
 
 fn one(
-    draft: &mut Draft,
+    draft: &mut BlockDraft,
     at: usize,
     own: &'static CodeRow,
     [from, to]: [&Control; 2],
-    style: Style,
-) -> Result<(), Expand> {
+    style: WordStyle,
+) -> Result<(), NeedsExpansion> {
     let letter = draft.block.words[at].letter;
     let there = if letter == b'G' { to.g_code(own.code) } else { to.m_code(own.code) };
     let title = to.table.title;
@@ -189,7 +189,7 @@ fn one(
         }
         // What is drilled along X, or tapped with a live tool, has codes of its own.
         Action::Cycle(_)
-            if is_in(own, from) != Drilling::default()
+            if is_in(own, from) != LatheDrilling::default()
                 && there.is_none_or(|row| row.action != own.action) =>
         {
             return match cycle_row(own, is_in(own, from), to) {
@@ -244,14 +244,14 @@ fn one(
 
 /// Along X, and with a live tool.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub(crate) struct Drilling {
+pub(crate) struct LatheDrilling {
     pub(crate) radial: bool,
     pub(crate) live: bool,
 }
 
 /// What a code of a cycle drills like on its control.
-pub(crate) fn is_in(row: &CodeRow, control: &Control) -> Drilling {
-    Drilling {
+pub(crate) fn is_in(row: &CodeRow, control: &Control) -> LatheDrilling {
+    LatheDrilling {
         radial: control.table.radial_cycles.contains(&row.code),
         live: control.table.live_taps.contains(&row.code),
     }
@@ -260,7 +260,7 @@ pub(crate) fn is_in(row: &CodeRow, control: &Control) -> Drilling {
 /// The code of a control for the same cycle in the same direction; one for live tools where it has such.
 pub(crate) fn cycle_row(
     own: &CodeRow,
-    drilling: Drilling,
+    drilling: LatheDrilling,
     to: &Control,
 ) -> Option<&'static CodeRow> {
     let rows = || {
@@ -272,12 +272,12 @@ pub(crate) fn cycle_row(
 
 /// A code whose like the new control does not have.
 fn without_such_a_code(
-    draft: &mut Draft,
+    draft: &mut BlockDraft,
     at: usize,
     own: &'static CodeRow,
     to: &Control,
-    style: Style,
-) -> Result<(), Expand> {
+    style: WordStyle,
+) -> Result<(), NeedsExpansion> {
     let title = to.table.title;
     match own.action {
         Action::Mode(code) => return mode_without_a_code(draft, at, own, code, to, style),
@@ -338,13 +338,13 @@ pub(crate) fn without_lengths(to: &Control) -> String {
 }
 
 fn mode_without_a_code(
-    draft: &mut Draft,
+    draft: &mut BlockDraft,
     at: usize,
     own: &'static CodeRow,
     code: ModeCode,
     to: &Control,
-    style: Style,
-) -> Result<(), Expand> {
+    style: WordStyle,
+) -> Result<(), NeedsExpansion> {
     match code {
         ModeCode::Path(path) => {
             let stop = Action::Mode(ModeCode::Path(PathCode::ExactStop));
@@ -394,15 +394,15 @@ fn mode_without_a_code(
 
 fn is_chosen(row: &CodeRow, control: &Control) -> bool {
     self::row(row.action, control)
-        .is_none_or(|(first, _)| row.group != Group::Units || first.code == row.code)
+        .is_none_or(|(first, _)| row.group != CodeGroup::Units || first.code == row.code)
 }
 
-fn missing(own: &CodeRow, to: &Control) -> Expand {
-    Expand(format!("{} has no code for {}", to.table.title, own.title))
+fn missing(own: &CodeRow, to: &Control) -> NeedsExpansion {
+    NeedsExpansion(format!("{} has no code for {}", to.table.title, own.title))
 }
 
 /// Takes a code out that moves nothing, with the words that only it takes.
-fn leave_out(draft: &mut Draft, at: usize, own: &CodeRow, to: &Control) {
+fn leave_out(draft: &mut BlockDraft, at: usize, own: &CodeRow, to: &Control) {
     let reason = format!("{} has no code for it ({})", to.table.title, own.title);
     let code = draft.written(at);
     draft.remove(at, reason);
@@ -418,7 +418,7 @@ fn leave_out(draft: &mut Draft, at: usize, own: &CodeRow, to: &Control) {
     }
 }
 
-fn exact_stop_once(draft: &mut Draft, at: usize, to: &Control, style: Style) {
+fn exact_stop_once(draft: &mut BlockDraft, at: usize, to: &Control, style: WordStyle) {
     let stop = name(Action::Mode(ModeCode::Path(PathCode::ExactStop)), to, style);
     let go_on = name(Action::Mode(ModeCode::Path(PathCode::Continuous)), to, style);
     let (Some(stop), Some(go_on)) = (stop, go_on) else {
@@ -433,12 +433,12 @@ fn exact_stop_once(draft: &mut Draft, at: usize, to: &Control, style: Style) {
 }
 
 fn offset_code(
-    draft: &mut Draft,
+    draft: &mut BlockDraft,
     at: usize,
     code: ModeCode,
     [from, to]: [&Control; 2],
-    style: Style,
-) -> Result<(), Expand> {
+    style: WordStyle,
+) -> Result<(), NeedsExpansion> {
     let p = draft.place(b'P');
     let name = match code {
         ModeCode::WorkOffset(number) => WorkName::G(number),
@@ -473,14 +473,14 @@ fn offset_code(
             let number = whole(p.map(|p| &draft.block.words[p]));
             let number = number.and_then(|number| u16::try_from(number).ok());
             let Some(number) = number else {
-                return Err(Expand("the number of the work offset is computed".into()));
+                return Err(NeedsExpansion("the number of the work offset is computed".into()));
             };
             if from.table.work_names == to.table.work_names {
                 return Ok(());
             }
             draft.set(p.unwrap_or(at), "");
             if code == ModeCode::WorkOffsetCounted {
-                let none = || Expand("there is no work offset 0".into());
+                let none = || NeedsExpansion("there is no work offset 0".into());
                 WorkName::counted(number).ok_or_else(none)?
             } else {
                 WorkName::Extended(number)
@@ -488,7 +488,7 @@ fn offset_code(
         }
     };
     let new = work_offset(name, to, style).ok_or_else(|| {
-        Expand(format!("{} has no work offset {}", to.table.title, name.ordinal()))
+        NeedsExpansion(format!("{} has no work offset {}", to.table.title, name.ordinal()))
     })?;
     let reason = format!("work offset {} is {new} on {}", name.ordinal(), to.table.title);
     let written = draft.written(at);

@@ -3,10 +3,10 @@
 use chordal::control::Control;
 use chordal::syntax::{Lexicon, ParenthesisComment};
 
-use super::draft::Draft;
+use super::draft::BlockDraft;
 
 /// Puts the comments of a block into the marks of the new control.
-pub(crate) fn translate(draft: &mut Draft, from: &Control, to: &Control) {
+pub(crate) fn translate(draft: &mut BlockDraft, from: &Control, to: &Control) {
     let last_word = draft.block.words.last().map_or(0, |word| word.range.end);
     for at in 0..draft.block.comments.len() {
         let range = draft.block.comments[at];

@@ -2,21 +2,21 @@
 
 use chordal::control::{Action, Control, OnceCode};
 
-use super::contours::Contours;
+use super::contours::CycleContours;
 use super::live::LiveTools;
-use super::macros::Macros;
-use super::structure::Structure;
-use super::trace::{Exec, Trace};
-use crate::source::{Source, Style};
+use super::macros::MacroConverter;
+use super::structure::ProgramStructure;
+use super::trace::{BlockExecution, ProgramTrace};
+use crate::source::{SourceBlocks, WordStyle};
 
 /// Everything that a block's new form depends on.
-pub(crate) struct Context<'a> {
-    pub source: &'a Source<'a>,
-    pub trace: &'a Trace,
-    pub structure: &'a Structure,
+pub(crate) struct ConvertContext<'a> {
+    pub source: &'a SourceBlocks<'a>,
+    pub trace: &'a ProgramTrace,
+    pub structure: &'a ProgramStructure,
     pub from: &'a Control,
     pub to: &'a Control,
-    pub macros: &'a Macros<'a>,
+    pub macros: &'a MacroConverter<'a>,
     /// Every rotation of the program means the same on both controls.
     pub keeps_rotations: bool,
     /// Every rounding and chamfer of the program is the same on both.
@@ -24,15 +24,15 @@ pub(crate) struct Context<'a> {
     /// Cycles stay only where their pecks are the same too.
     pub exact_cycles: bool,
     /// The contours that cycles of a lathe cut.
-    pub contours: &'a Contours,
+    pub contours: &'a CycleContours,
     /// Live tools of a lathe that are started like the spindle.
     pub live: &'a LiveTools,
     /// What a place of X is multiplied by in a word of the new program.
     pub x_factor: f64,
 }
 
-impl<'a> Context<'a> {
-    pub fn style(&self) -> Style {
+impl<'a> ConvertContext<'a> {
+    pub fn style(&self) -> WordStyle {
         self.source.style
     }
 
@@ -57,7 +57,7 @@ impl<'a> Context<'a> {
     }
 
     /// What the block's first run did, where it was carried out.
-    pub fn run(&self, at: usize) -> Option<&'a Exec> {
+    pub fn run(&self, at: usize) -> Option<&'a BlockExecution> {
         self.trace.first_run(at)
     }
 
@@ -76,7 +76,7 @@ impl<'a> Context<'a> {
         })
     }
 
-    pub fn in_cycle(&self, run: &Exec) -> bool {
+    pub fn in_cycle(&self, run: &BlockExecution) -> bool {
         self.trace.commands_of(run).iter().any(|command| command.origin.cycle)
     }
 }

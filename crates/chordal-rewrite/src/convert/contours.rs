@@ -6,12 +6,12 @@ use chordal::Job;
 use chordal::control::{Action, TurnCycle};
 use chordal::syntax::BlockKind;
 
-use super::trace::Facts;
-use crate::source::{Source, code_action, turning_cycle, whole};
+use super::trace::BlockFacts;
+use crate::source::{SourceBlocks, code_action, turning_cycle, whole};
 
 /// Blocks that cycles take as their contour.
 #[derive(Clone, Debug)]
-pub(crate) struct Contour {
+pub(crate) struct CycleContour {
     pub blocks: Range<usize>,
     /// The cycles: their blocks, and whether the program continues after the contour.
     pub cycles: Vec<(usize, bool)>,
@@ -19,19 +19,19 @@ pub(crate) struct Contour {
 
 /// All of a program.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Contours {
-    pub list: Vec<Contour>,
+pub(crate) struct CycleContours {
+    pub list: Vec<CycleContour>,
 }
 
 /// The cycle of a lathe that a block calls.
-pub(crate) fn cycle_of(source: &Source, at: usize, job: &Job) -> Option<TurnCycle> {
+pub(crate) fn cycle_of(source: &SourceBlocks, at: usize, job: &Job) -> Option<TurnCycle> {
     let codes = source.blocks[at].words.iter().filter_map(|word| code_action(word, job.control()));
     codes.filter_map(Action::once).find_map(turning_cycle)
 }
 
-impl Contours {
-    pub fn of(source: &Source, job: &Job) -> Contours {
-        let mut contours = Contours::default();
+impl CycleContours {
+    pub fn of(source: &SourceBlocks, job: &Job) -> CycleContours {
+        let mut contours = CycleContours::default();
         if !job.control().table.turns() {
             return contours;
         }
@@ -52,28 +52,28 @@ impl Contours {
             let Some(blocks) = blocks else { continue };
             match contours.list.iter_mut().find(|contour| contour.blocks == blocks) {
                 Some(contour) => contour.cycles.push((at, skips)),
-                None => contours.list.push(Contour { blocks, cycles: vec![(at, skips)] }),
+                None => contours.list.push(CycleContour { blocks, cycles: vec![(at, skips)] }),
             }
         }
         contours
     }
 }
 
-impl Contour {
+impl CycleContour {
     /// Nothing runs it but cycles; what names a subroutine is only read.
-    pub fn is_apart(&self, source: &Source, facts: &[Facts]) -> bool {
+    pub fn is_apart(&self, source: &SourceBlocks, facts: &[BlockFacts]) -> bool {
         let is_text = |at: usize| matches!(source.blocks[at].kind, BlockKind::Macro(_));
         self.blocks.clone().all(|at| facts[at].runs == 0 || is_text(at))
     }
 
     /// The first block only names a subroutine.
-    pub fn is_subroutine(&self, source: &Source) -> bool {
+    pub fn is_subroutine(&self, source: &SourceBlocks) -> bool {
         matches!(source.blocks[self.blocks.start].kind, BlockKind::Macro(_))
     }
 }
 
 /// From N P to N Q, searched from the cycle on.
-fn labelled(source: &Source, at: usize) -> Option<Range<usize>> {
+fn labelled(source: &SourceBlocks, at: usize) -> Option<Range<usize>> {
     let block = &source.blocks[at];
     let (p, q) = (whole(block.last(b'P'))?, whole(block.last(b'Q'))?);
     let is = |label: u32| move |at: &usize| whole(source.blocks[*at].word(b'N')) == Some(label);
@@ -84,7 +84,7 @@ fn labelled(source: &Source, at: usize) -> Option<Range<usize>> {
 }
 
 /// From `o100 sub` to `o100 endsub`.
-fn subroutine(source: &Source, at: usize) -> Option<Range<usize>> {
+fn subroutine(source: &SourceBlocks, at: usize) -> Option<Range<usize>> {
     let label = whole(source.blocks[at].last(b'Q'))?.to_string();
     let says = |at: usize, word: &str| {
         let block = &source.blocks[at];

@@ -5,10 +5,10 @@ use chordal::Command;
 use chordal::control::{Action, Control, CornerMoves, MotionCode, Position};
 use chordal::syntax::{Block, Word};
 
-use super::context::Context;
-use super::draft::Expand;
-use super::trace::{Exec, Trace};
-use crate::source::Source;
+use super::context::ConvertContext;
+use super::draft::NeedsExpansion;
+use super::trace::{BlockExecution, ProgramTrace};
+use crate::source::SourceBlocks;
 
 /// Places that are the same but for rounding, mm.
 const SAME_MM: f64 = 1e-9;
@@ -26,7 +26,7 @@ fn asks(block: &Block, control: &Control) -> bool {
 
 /// The move of a run goes on from the move before it, and not from where the program has left the tool:
 /// there was a corner between.
-fn begins_after_corner(trace: &Trace, run: &Exec) -> bool {
+fn begins_after_corner(trace: &ProgramTrace, run: &BlockExecution) -> bool {
     let (before, own) = trace.commands.split_at(run.commands.start);
     let motion = |command: &Command| command.kind.motion().copied();
     let own = own[..run.commands.len()].iter().find_map(motion);
@@ -37,13 +37,18 @@ fn begins_after_corner(trace: &Trace, run: &Exec) -> bool {
 }
 
 /// True when the new control makes the same of every corner of the program.
-pub(super) fn keeps_corners(source: &Source, trace: &Trace, from: &Control, to: &Control) -> bool {
+pub(super) fn keeps_corners(
+    source: &SourceBlocks,
+    trace: &ProgramTrace,
+    from: &Control,
+    to: &Control,
+) -> bool {
     let [own, new] = [from, to].map(|control| control.parameters.rules.corner);
-    let arc = |run: &Exec| {
+    let arc = |run: &BlockExecution| {
         let codes = [MotionCode::ArcCw, MotionCode::ArcCcw].map(Action::Motion);
         run.after.motion.is_some_and(|motion| codes.contains(&motion))
     };
-    let makes = |run: &Exec, next: Option<&Exec>| {
+    let makes = |run: &BlockExecution, next: Option<&BlockExecution>| {
         let Some(next) = next else { return true };
         let made = begins_after_corner(trace, next);
         // Without its corner at once: a block between, or a corner that is nearly straight.
@@ -60,9 +65,9 @@ pub(super) fn keeps_corners(source: &Source, trace: &Trace, from: &Control, to: 
         })
 }
 
-impl Context<'_> {
+impl ConvertContext<'_> {
     /// A block that ends in a corner, or that begins after one.
-    pub(super) fn corners(&self, block: &Block, at: usize) -> Result<(), Expand> {
+    pub(super) fn corners(&self, block: &Block, at: usize) -> Result<(), NeedsExpansion> {
         let Some(run) = self.run(at) else { return Ok(()) };
         if self.same_control() || self.keeps_corners || self.in_cycle(run) {
             return Ok(());
@@ -70,13 +75,15 @@ impl Context<'_> {
         let title = self.to.table.title;
         if asks(block, self.from) {
             let has = self.to.parameters.rules.corner.moves != CornerMoves::None;
-            return Err(Expand(match has {
+            return Err(NeedsExpansion(match has {
                 true => format!("{title} makes something else of `,R` and `,C`"),
                 false => format!("{title} has no `,R` and `,C`"),
             }));
         }
         if begins_after_corner(self.trace, run) {
-            return Err(Expand("this move begins at the end of the corner before it".into()));
+            return Err(NeedsExpansion(
+                "this move begins at the end of the corner before it".into(),
+            ));
         }
         Ok(())
     }

@@ -7,11 +7,11 @@ use crate::Change;
 
 /// Why a block cannot be kept: its moves are written out instead.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Expand(pub String);
+pub(crate) struct NeedsExpansion(pub String);
 
 /// A block and what becomes of it.
 #[derive(Clone, Debug)]
-pub(crate) struct Draft<'a> {
+pub(crate) struct BlockDraft<'a> {
     text: &'a [u8],
     pub block: &'a Block,
     words: Vec<Option<String>>,
@@ -33,9 +33,9 @@ pub(crate) struct Draft<'a> {
     spaced: bool,
 }
 
-impl<'a> Draft<'a> {
-    pub fn new(text: &'a [u8], block: &'a Block, spaced: bool) -> Draft<'a> {
-        Draft {
+impl<'a> BlockDraft<'a> {
+    pub fn new(text: &'a [u8], block: &'a Block, spaced: bool) -> BlockDraft<'a> {
+        BlockDraft {
             text,
             block,
             words: vec![None; block.words.len()],

@@ -5,37 +5,37 @@ use chordal::control::{
     Action, AfterCode, BeforeCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode,
 };
 use chordal::control::{
-    ArcShape, Control, Coolant, Feed, FeedMode, Move, Overrides, PathMode, Side, SpindleState,
-    Units, WorkName,
+    ArcShape, CompensationSide, Control, Coolant, Feed, FeedMode, Move, Overrides, PathMode,
+    SpindleState, Units, WorkName,
 };
 use chordal::geometry::Plane;
 use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::{Command, CommandKind};
 
-use super::Refusal;
+use super::ConvertRefusal;
 use super::arcs;
 use super::codes;
-use super::context::Context;
+use super::context::ConvertContext;
 use super::feed::feed_word;
 use super::numbers;
 use super::spiral;
-use super::tap::{self, Tap};
+use super::tap::{self, TappedThread};
 use super::thread;
-use super::trace::Modes;
+use super::trace::ActiveModes;
 use super::turning;
-use crate::source::Style;
+use crate::source::WordStyle;
 
 mod effects;
 mod lathe;
 
-use self::lathe::{Lathe, reads_distances};
+use self::lathe::{LatheModes, reads_distances};
 
 /// Writes commands as blocks in absolute coordinates.
 #[derive(Clone)]
-pub(crate) struct Emitter<'a> {
+pub(crate) struct CommandEmitter<'a> {
     pub(super) from: &'a Control,
     to: &'a Control,
-    style: Style,
+    style: WordStyle,
     tolerance_mm: f64,
     units: Units,
     digits: Option<usize>,
@@ -50,24 +50,24 @@ pub(crate) struct Emitter<'a> {
     /// Text that was printed is a remark now.
     pub printed: bool,
     /// Blocks that keep their words because they could not be written out.
-    pub unwritten: Vec<Refusal>,
+    pub unwritten: Vec<ConvertRefusal>,
     /// What a place of X is multiplied by in a word.
     x_factor: f64,
-    lathe: Lathe,
+    lathe: LatheModes,
 }
 
 /// Why commands cannot be written.
-pub(crate) type Refused = String;
+pub(crate) type EmitRefusal = String;
 
-impl<'a> Emitter<'a> {
+impl<'a> CommandEmitter<'a> {
     pub fn new(
-        context: &Context<'a>,
+        context: &ConvertContext<'a>,
         tolerance_mm: f64,
         digits: Option<usize>,
-        before: &Modes,
-    ) -> Emitter<'a> {
+        before: &ActiveModes,
+    ) -> CommandEmitter<'a> {
         let (to, style) = (context.to, context.style());
-        Emitter {
+        CommandEmitter {
             from: context.from,
             to,
             style,
@@ -83,12 +83,12 @@ impl<'a> Emitter<'a> {
             printed: false,
             unwritten: Vec::new(),
             x_factor: if context.same_control() { before.per_x.recip() } else { context.x_factor },
-            lathe: Lathe::of(context.turns(), before),
+            lathe: LatheModes::of(context.turns(), before),
         }
     }
 
     /// Writes the commands of a block.
-    pub fn block(&mut self, commands: &[Command]) -> Result<(), Refused> {
+    pub fn block(&mut self, commands: &[Command]) -> Result<(), EmitRefusal> {
         let mut at = 0;
         while let Some(command) = commands.get(at) {
             if self.lathe.is_one
@@ -100,7 +100,7 @@ impl<'a> Emitter<'a> {
             }
             let tap = tap::length(&commands[at..]);
             if tap > 0 {
-                self.tap(&Tap::of(&commands[at..at + tap])?)?;
+                self.tap(&TappedThread::of(&commands[at..at + tap])?)?;
                 at += tap;
             } else {
                 self.command(&command.kind)?;
@@ -112,7 +112,7 @@ impl<'a> Emitter<'a> {
     }
 
     /// A line as it is; what is active after it is not known.
-    pub fn foreign(&mut self, lines: impl IntoIterator<Item = String>, after: &Modes) {
+    pub fn foreign(&mut self, lines: impl IntoIterator<Item = String>, after: &ActiveModes) {
         self.flush();
         self.lines.extend(lines);
         self.motion = None;
@@ -123,7 +123,7 @@ impl<'a> Emitter<'a> {
     }
 
     /// Puts in force what the old control has active here.
-    pub fn restore(&mut self, modes: &Modes) {
+    pub fn restore(&mut self, modes: &ActiveModes) {
         let mut words = Vec::new();
         if self.plane != modes.plane {
             words.extend(self.code(plane_action(modes.plane)));
@@ -150,7 +150,7 @@ impl<'a> Emitter<'a> {
     }
 
     /// F, where what was written holds another one.
-    fn restore_feed(&mut self, modes: &Modes) {
+    fn restore_feed(&mut self, modes: &ActiveModes) {
         let Some(value) = modes.feed.filter(|_| self.feed.is_some()) else { return };
         let per_unit = match modes.feed_mode {
             FeedMode::PerTime => 60.0,
@@ -188,13 +188,13 @@ impl<'a> Emitter<'a> {
         codes::name(action, self.to, self.style)
     }
 
-    fn due(&self, action: Action) -> Result<String, Refused> {
+    fn due(&self, action: Action) -> Result<String, EmitRefusal> {
         self.code(action).ok_or_else(|| {
             format!("{} has no code for it ({})", self.to.table.title, codes::what(action))
         })
     }
 
-    fn command(&mut self, kind: &CommandKind) -> Result<(), Refused> {
+    fn command(&mut self, kind: &CommandKind) -> Result<(), EmitRefusal> {
         match kind {
             CommandKind::Rapid { motion, .. } => self.rapid(motion)?,
             CommandKind::Line { motion, feed } => self.cut(motion, feed)?,
@@ -318,7 +318,7 @@ impl<'a> Emitter<'a> {
     }
 
     /// The axis words of a move; an end that is not known relative to the part cannot be written.
-    fn axes(&self, motion: &Move) -> Result<Vec<String>, Refused> {
+    fn axes(&self, motion: &Move) -> Result<Vec<String>, EmitRefusal> {
         let mut words = Vec::new();
         for axis in 0..AXES {
             let (from, to) = (motion.from[axis], motion.to[axis]);
@@ -341,7 +341,7 @@ impl<'a> Emitter<'a> {
     }
 
     /// Begins a block that moves: distance mode and motion code where they are needed.
-    fn head(&mut self, action: Action) -> Result<Vec<String>, Refused> {
+    fn head(&mut self, action: Action) -> Result<Vec<String>, EmitRefusal> {
         let mut words = Vec::new();
         if self.incremental != Some(false) {
             words.push(self.due(Action::Reading(ReadingCode::Absolute))?);
@@ -359,7 +359,7 @@ impl<'a> Emitter<'a> {
         Ok(words)
     }
 
-    fn rapid(&mut self, motion: &Move) -> Result<(), Refused> {
+    fn rapid(&mut self, motion: &Move) -> Result<(), EmitRefusal> {
         let axes = self.axes(motion)?;
         if axes.is_empty() {
             return Ok(());
@@ -370,7 +370,7 @@ impl<'a> Emitter<'a> {
         Ok(())
     }
 
-    fn cut(&mut self, motion: &Move, feed: &Feed) -> Result<(), Refused> {
+    fn cut(&mut self, motion: &Move, feed: &Feed) -> Result<(), EmitRefusal> {
         let axes = self.axes(motion)?;
         if axes.is_empty() {
             return Ok(());
@@ -383,7 +383,7 @@ impl<'a> Emitter<'a> {
         Ok(())
     }
 
-    fn arc(&mut self, motion: &Move, shape: &ArcShape, feed: &Feed) -> Result<(), Refused> {
+    fn arc(&mut self, motion: &Move, shape: &ArcShape, feed: &Feed) -> Result<(), EmitRefusal> {
         if shape.plane != self.plane {
             return Err("an arc outside the active plane".into());
         }
@@ -395,7 +395,7 @@ impl<'a> Emitter<'a> {
     }
 
     /// An arc of at most a turn.
-    fn one_arc(&mut self, motion: &Move, shape: &ArcShape, feed: &Feed) -> Result<(), Refused> {
+    fn one_arc(&mut self, motion: &Move, shape: &ArcShape, feed: &Feed) -> Result<(), EmitRefusal> {
         let action = if shape.sweep < 0.0 {
             Action::Motion(MotionCode::ArcCw)
         } else {
@@ -444,7 +444,7 @@ impl<'a> Emitter<'a> {
     }
 
     /// A tap at the level where the tool stands, and the end of the cycle.
-    fn tap(&mut self, tap: &Tap) -> Result<(), Refused> {
+    fn tap(&mut self, tap: &TappedThread) -> Result<(), EmitRefusal> {
         if self.lathe.is_one && self.plane != Plane::Xy && self.tap_in_step(tap)? {
             return Ok(());
         }
@@ -485,21 +485,25 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    fn compensation(&mut self, side: Side, number: Option<u32>) -> Result<(), Refused> {
+    fn compensation(
+        &mut self,
+        side: CompensationSide,
+        number: Option<u32>,
+    ) -> Result<(), EmitRefusal> {
         let action = match side {
-            Side::Off => Action::Mode(ModeCode::CompensationOff),
-            Side::Left => Action::Mode(ModeCode::CompensationLeft),
-            Side::Right => Action::Mode(ModeCode::CompensationRight),
+            CompensationSide::Off => Action::Mode(ModeCode::CompensationOff),
+            CompensationSide::Left => Action::Mode(ModeCode::CompensationLeft),
+            CompensationSide::Right => Action::Mode(ModeCode::CompensationRight),
         };
         let code = self.due(action)?;
         self.pending.push(code);
-        if side != Side::Off && !self.lathe.is_one {
+        if side != CompensationSide::Off && !self.lathe.is_one {
             self.pending.extend(number.map(|number| format!("D{number}")));
         }
         Ok(())
     }
 
-    fn spindle(&mut self, state: SpindleState, rpm: f64) -> Result<(), Refused> {
+    fn spindle(&mut self, state: SpindleState, rpm: f64) -> Result<(), EmitRefusal> {
         if self.lathe.is_live {
             return Err("a live tool is started or stopped in it".into());
         }
@@ -526,7 +530,7 @@ impl<'a> Emitter<'a> {
         Ok(())
     }
 
-    fn coolant(&mut self, coolant: Coolant) -> Result<(), Refused> {
+    fn coolant(&mut self, coolant: Coolant) -> Result<(), EmitRefusal> {
         let mut words = Vec::new();
         if coolant.mist {
             words.push(self.due(Action::Before(BeforeCode::CoolantMist))?);
@@ -558,14 +562,14 @@ impl<'a> Emitter<'a> {
         self.pending.extend(self.code(action));
     }
 
-    fn overrides(&mut self, overrides: Overrides) -> Result<(), Refused> {
+    fn overrides(&mut self, overrides: Overrides) -> Result<(), EmitRefusal> {
         let code = codes::overrides(overrides.feed, self.to, self.style);
         let code = code.ok_or("a code for the overrides is missing")?;
         self.pending.push(code);
         Ok(())
     }
 
-    fn work_offset(&mut self, name: WorkName) -> Result<(), Refused> {
+    fn work_offset(&mut self, name: WorkName) -> Result<(), EmitRefusal> {
         let words = codes::work_offset(name, self.to, self.style);
         let words = words.ok_or("a work offset that the control does not have")?;
         self.pending.push(words);

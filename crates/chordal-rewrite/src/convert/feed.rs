@@ -3,16 +3,20 @@
 use chordal::CommandKind;
 use chordal::control::{ArcShape, Control, Feed, FeedAlong, FeedMode, Move, RotaryLength, Units};
 
-use super::context::Context;
-use super::draft::{Draft, Expand};
+use super::context::ConvertContext;
+use super::draft::{BlockDraft, NeedsExpansion};
 use super::numbers;
 
 /// Ratios of two feeds that are nearer to 1 are rounding.
 const RATIO_ROUNDING: f64 = 1e-9;
 
-impl Context<'_> {
+impl ConvertContext<'_> {
     /// F of the block as the new control measures it.
-    pub(super) fn feed_along(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+    pub(super) fn feed_along(
+        &self,
+        draft: &mut BlockDraft,
+        at: usize,
+    ) -> Result<(), NeedsExpansion> {
         let Some(run) = self.run(at) else { return Ok(()) };
         let mut cuts =
             self.trace.commands_of(run).iter().filter_map(|command| match &command.kind {
@@ -40,7 +44,7 @@ impl Context<'_> {
         let reason = format!("{} measures the feed {what}", self.to.table.title);
         let facts = &self.trace.facts[at];
         if facts.feed_varies || shape.is_none() && facts.runs > 1 {
-            return Err(Expand(reason));
+            return Err(NeedsExpansion(reason));
         }
         let text = |value: f64| format!("F{}", numbers::feed(value, self.style()));
         match draft.place(b'F') {

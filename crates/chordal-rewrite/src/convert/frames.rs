@@ -5,13 +5,13 @@ use chordal::control::{Action, Control, FrameKinds, OnceCode};
 use chordal::syntax::Block;
 
 use super::codes;
-use super::context::Context;
-use super::draft::Expand;
-use crate::source::Source;
+use super::context::ConvertContext;
+use super::draft::NeedsExpansion;
+use crate::source::SourceBlocks;
 
 /// True when every rotation of the program means the same on both controls: both coordinates of its
 /// centre and its angle are written, with points and in G90.
-pub(super) fn keeps_rotations(source: &Source, from: &Control, to: &Control) -> bool {
+pub(super) fn keeps_rotations(source: &SourceBlocks, from: &Control, to: &Control) -> bool {
     let rotation = Action::Once(OnceCode::Rotation);
     if codes::row(rotation, to).is_none() {
         return false;
@@ -34,9 +34,9 @@ fn is_plain(block: &Block) -> bool {
             .all(|axis| !block.letters().has(*axis) || has_point(*axis) || is_zero(*axis))
 }
 
-impl Context<'_> {
+impl ConvertContext<'_> {
     /// A block that sets a frame, or runs in one.
-    pub(super) fn frames(&self, at: usize) -> Result<(), Expand> {
+    pub(super) fn frames(&self, at: usize) -> Result<(), NeedsExpansion> {
         let Some(run) = self.run(at) else { return Ok(()) };
         // A surface has words of its own.
         let flat = |frames: FrameKinds| FrameKinds { surface: false, ..frames };
@@ -48,13 +48,13 @@ impl Context<'_> {
         let others =
             |frames: FrameKinds| frames.mirror || frames.scaling || frames.polar || frames.work;
         if others(before) || others(after) {
-            return Err(Expand(format!(
+            return Err(NeedsExpansion(format!(
                 "{title} reads the coordinates of this frame in another way"
             )));
         }
         let in_g91 = after.rotation && !before.rotation && run.after.incremental;
         if !self.keeps_rotations || in_g91 {
-            return Err(Expand(format!("{title} may read this rotation in another way")));
+            return Err(NeedsExpansion(format!("{title} may read this rotation in another way")));
         }
         Ok(())
     }

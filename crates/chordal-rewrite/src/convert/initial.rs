@@ -1,15 +1,15 @@
 //! What holds at power-on on the old control and is not said by the program.
 
-use chordal::control::table::Group;
+use chordal::control::table::CodeGroup;
 use chordal::control::{Action, FeedMode, ModeCode, MotionCode, ReadingCode};
 use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::Letters;
 
 use super::codes;
-use super::context::Context;
+use super::context::ConvertContext;
 use super::emit::{distance_action, plane_action};
-use super::rendered::Rendered;
-use super::trace::Exec;
+use super::rendered::RenderedPlan;
+use super::trace::BlockExecution;
 use crate::Change;
 
 /// Words whose meaning depends on inch and millimetres.
@@ -18,10 +18,10 @@ const AXIS_WORDS: Letters = Letters::of(AXIS_LETTERS);
 
 /// Puts a line before the first block of each main program, where the new control would begin
 /// otherwise.
-pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
+pub(crate) fn begin(context: &ConvertContext, flat: &[bool], rendered: &mut RenderedPlan) {
     let parameters = context.controls().map(|control| control.parameters);
     for (main, is_flat) in context.source.mains.iter().zip(flat) {
-        let runs: Vec<&Exec> = context
+        let runs: Vec<&BlockExecution> = context
             .trace
             .execs
             .iter()
@@ -43,7 +43,7 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
         let mut words = Vec::new();
         let start = runs.first().map(|exec| exec.before.units);
         if parameters[0].rules.units != parameters[1].rules.units
-            && is_silent(context, &runs, Group::Units, LENGTHS)
+            && is_silent(context, &runs, CodeGroup::Units, LENGTHS)
             && start == Some(parameters[0].rules.units)
         {
             let inch = parameters[0].rules.units == chordal::control::Units::Inch;
@@ -54,12 +54,12 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
             });
         }
         if parameters[0].rules.starts_incremental != parameters[1].rules.starts_incremental
-            && is_silent(context, &runs, Group::Distance, AXIS_WORDS)
+            && is_silent(context, &runs, CodeGroup::Distance, AXIS_WORDS)
         {
             words.push(distance_action(parameters[0].rules.starts_incremental));
         }
         if parameters[0].rules.starts_linear != parameters[1].rules.starts_linear
-            && is_silent(context, &runs, Group::Motion, AXIS_WORDS)
+            && is_silent(context, &runs, CodeGroup::Motion, AXIS_WORDS)
         {
             words.push(if parameters[0].rules.starts_linear {
                 Action::Motion(MotionCode::Linear)
@@ -86,7 +86,7 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
 }
 
 /// What a lathe of another control would begin with otherwise: radii, and the feed that F counts.
-fn of_lathes(context: &Context, runs: &[&Exec]) -> Vec<Action> {
+fn of_lathes(context: &ConvertContext, runs: &[&BlockExecution]) -> Vec<Action> {
     let parameters = context.controls().map(|control| control.parameters);
     let mut words = Vec::new();
     if !context.turns() || context.same_control() {
@@ -96,7 +96,7 @@ fn of_lathes(context: &Context, runs: &[&Exec]) -> Vec<Action> {
         words.push(Action::Reading(ReadingCode::Diameters));
     }
     let starts = parameters.map(|one| one.rules.starts_per_revolution);
-    if starts[0] != starts[1] && is_silent(context, runs, Group::FeedMode, Letters::of("F")) {
+    if starts[0] != starts[1] && is_silent(context, runs, CodeGroup::FeedMode, Letters::of("F")) {
         words.push(match starts[0] {
             true => Action::Reading(ReadingCode::FeedPerRevolution),
             false => Action::Reading(ReadingCode::FeedPerTime),
@@ -108,13 +108,13 @@ fn of_lathes(context: &Context, runs: &[&Exec]) -> Vec<Action> {
 /// The first line of a program that is written out as it runs, which says only what it changes: what is in
 /// force at its first move, so that it can be begun anywhere and after anything.
 fn begin_flat(
-    context: &Context,
+    context: &ConvertContext,
     main: &std::ops::Range<usize>,
-    runs: &[&Exec],
-    rendered: &mut Rendered,
+    runs: &[&BlockExecution],
+    rendered: &mut RenderedPlan,
 ) {
     let trace = context.trace;
-    let moves = |exec: &&&Exec| {
+    let moves = |exec: &&&BlockExecution| {
         trace.commands_of(exec).iter().any(|command| command.kind.motion().is_some())
     };
     let Some(first) = runs.iter().find(moves).or(runs.first()) else { return };
@@ -165,7 +165,12 @@ fn begin_flat(
 }
 
 /// True when words of these letters come before any code of the group.
-fn is_silent(context: &Context, runs: &[&Exec], group: Group, letters: Letters) -> bool {
+fn is_silent(
+    context: &ConvertContext,
+    runs: &[&BlockExecution],
+    group: CodeGroup,
+    letters: Letters,
+) -> bool {
     for exec in runs {
         let Some(at) = exec.block else { return true };
         let block = &context.source.blocks[at];

@@ -7,21 +7,21 @@ use chordal::control::{Control, referenced_programs};
 use chordal::syntax::{BlockKind, Semicolon};
 
 use super::codes;
-use super::structure::{Structure, program_name};
-use crate::source::{Form, Source, Sub, whole};
+use super::structure::{ProgramStructure, program_name};
+use crate::source::{SourceBlocks, SubprogramBlocks, SubprogramForm, whole};
 
 /// The new lines of each block; nothing for blocks that are left out.
-pub(crate) type Lines = Vec<Option<Vec<String>>>;
+pub(crate) type BlockLines = Vec<Option<Vec<String>>>;
 
 /// A text and the block that each of its lines comes from.
 #[derive(Debug, Default)]
-pub(crate) struct Layout {
+pub(crate) struct TextLayout {
     pub text: String,
     /// By line, from 0.
     pub from: Vec<Option<usize>>,
 }
 
-impl Layout {
+impl TextLayout {
     fn push(&mut self, line: &str, end: &str, block: Option<usize>) {
         self.text.push_str(line);
         self.text.push_str(end);
@@ -32,13 +32,13 @@ impl Layout {
 /// Puts the blocks together. Subprograms that nothing calls any more would be programs of their own:
 /// they are left out.
 pub(crate) fn lay_out(
-    source: &Source,
-    structure: &Structure,
-    mut lines: Lines,
+    source: &SourceBlocks,
+    structure: &ProgramStructure,
+    mut lines: BlockLines,
     controls: [&Control; 2],
-) -> Layout {
+) -> TextLayout {
     // After the last section the control ends; without sections, so would the program.
-    let letters = || source.subs.iter().filter(|sub| sub.form == Form::Letter);
+    let letters = || source.subs.iter().filter(|sub| sub.form == SubprogramForm::Letter);
     let mut kept = letters().flat_map(|sub| &lines[sub.blocks.clone()]);
     if let Some(end) = source.section_end
         && !kept.any(Option::is_some)
@@ -51,7 +51,7 @@ pub(crate) fn lay_out(
         let mut dropped = false;
         for (sub, target) in source.subs.iter().zip(&structure.targets) {
             let is_there = lines[sub.blocks.clone()].iter().any(Option::is_some);
-            if target.0 == Form::Program && is_there && !called.contains(&target.1) {
+            if target.0 == SubprogramForm::Program && is_there && !called.contains(&target.1) {
                 lines[sub.blocks.clone()].fill(None);
                 dropped = true;
             }
@@ -63,21 +63,21 @@ pub(crate) fn lay_out(
 }
 
 fn lay_out_all(
-    source: &Source,
-    structure: &Structure,
-    lines: &Lines,
+    source: &SourceBlocks,
+    structure: &ProgramStructure,
+    lines: &BlockLines,
     [from, to]: [&Control; 2],
-) -> Layout {
-    let mut layout = Layout::default();
-    let writer = Writer { source, lines, to };
-    let is_there = |sub: &Sub| lines[sub.blocks.clone()].iter().any(Option::is_some);
+) -> TextLayout {
+    let mut layout = TextLayout::default();
+    let writer = LayoutWriter { source, lines, to };
+    let is_there = |sub: &SubprogramBlocks| lines[sub.blocks.clone()].iter().any(Option::is_some);
     let all = 0..source.blocks.len();
     let needs_head = structure
         .mains
         .iter()
         .zip(&source.mains)
         .any(|(number, main)| number.is_some() && !source.heads.contains(&main.start));
-    let has_programs = structure.targets.iter().any(|target| target.0 == Form::Program);
+    let has_programs = structure.targets.iter().any(|target| target.0 == SubprogramForm::Program);
     let looks_ahead = to.table.lexicon.o_words && !from.table.lexicon.o_words && has_programs;
     if structure.stays(source) && !needs_head && !looks_ahead {
         writer.blocks(all, &mut layout);
@@ -88,14 +88,15 @@ fn lay_out_all(
     let sections: Vec<Range<usize>> = source
         .subs
         .iter()
-        .filter(|sub| sub.form != Form::Program)
+        .filter(|sub| sub.form != SubprogramForm::Program)
         .map(|s| s.blocks.clone())
         .collect();
     let in_section = |at: usize| {
         sections.iter().any(|range| range.contains(&at)) || source.section_end == Some(at)
     };
     // What stands before all programs.
-    let subs = source.subs.iter().filter(|sub| sub.form == Form::Program).map(|sub| &sub.blocks);
+    let subs =
+        source.subs.iter().filter(|sub| sub.form == SubprogramForm::Program).map(|sub| &sub.blocks);
     let first = source.mains.iter().chain(subs).map(|program| program.start).min().unwrap_or(0);
     writer.blocks(0..first, &mut layout);
     for (index, main) in source.mains.iter().enumerate() {
@@ -110,23 +111,23 @@ fn lay_out_all(
             }
             layout.push(&program_name(number, to), "\n", None);
         }
-        let place = |form: Form, layout: &mut Layout| {
+        let place = |form: SubprogramForm, layout: &mut TextLayout| {
             let mut subs: Vec<_> = source.subs.iter().zip(&structure.targets).collect();
             if looks_ahead {
                 // What is called stands before its callers in sections.
                 subs.reverse();
             }
             for (sub, target) in subs {
-                let moved = sub.form != Form::Program && target.0 == form;
+                let moved = sub.form != SubprogramForm::Program && target.0 == form;
                 if moved && main.contains(&sub.blocks.start) && is_there(sub) {
                     writer.blocks(sub.blocks.clone(), layout);
                     writer.close(sub.blocks.clone(), form, from, layout);
                 }
             }
         };
-        place(Form::Letter, &mut layout);
+        place(SubprogramForm::Letter, &mut layout);
         let has_sections = source.subs.iter().zip(&structure.targets).any(|(sub, target)| {
-            target.0 == Form::Letter && main.contains(&sub.blocks.start) && is_there(sub)
+            target.0 == SubprogramForm::Letter && main.contains(&sub.blocks.start) && is_there(sub)
         });
         if has_sections {
             let end = codes::name(
@@ -142,10 +143,11 @@ fn lay_out_all(
             writer.blocks(at..to, &mut layout);
             at = (to..main.end).find(|at| !in_section(*at)).unwrap_or(main.end);
         }
-        place(Form::Label, &mut layout);
-        place(Form::Program, &mut layout);
+        place(SubprogramForm::Label, &mut layout);
+        place(SubprogramForm::Program, &mut layout);
     }
-    let mut subs: Vec<&Sub> = source.subs.iter().filter(|sub| sub.form == Form::Program).collect();
+    let mut subs: Vec<&SubprogramBlocks> =
+        source.subs.iter().filter(|sub| sub.form == SubprogramForm::Program).collect();
     if looks_ahead {
         callers_first(&mut subs, source, from);
     }
@@ -160,15 +162,15 @@ fn lay_out_all(
 }
 
 /// Where a call finds only what comes after it, a subprogram stands before those that it calls.
-fn callers_first(subs: &mut Vec<&Sub>, source: &Source, from: &Control) {
+fn callers_first(subs: &mut Vec<&SubprogramBlocks>, source: &SourceBlocks, from: &Control) {
     let is_call = |action: Action| action == Action::Call(CallCode::CallProgram);
-    let calls = |sub: &Sub, number: u32| {
+    let calls = |sub: &SubprogramBlocks, number: u32| {
         sub.blocks.clone().any(|at| {
             source.has_action(at, from, is_call)
                 && whole(source.blocks[at].last(b'P')) == Some(number)
         })
     };
-    let mut ordered: Vec<&Sub> = Vec::with_capacity(subs.len());
+    let mut ordered: Vec<&SubprogramBlocks> = Vec::with_capacity(subs.len());
     while !subs.is_empty() {
         let next = subs.iter().position(|sub| {
             !subs.iter().any(|other| !std::ptr::eq(*other, *sub) && calls(other, sub.number))
@@ -179,15 +181,15 @@ fn callers_first(subs: &mut Vec<&Sub>, source: &Source, from: &Control) {
     *subs = ordered;
 }
 
-struct Writer<'a> {
-    source: &'a Source<'a>,
-    lines: &'a Lines,
+struct LayoutWriter<'a> {
+    source: &'a SourceBlocks<'a>,
+    lines: &'a BlockLines,
     to: &'a Control,
 }
 
-impl Writer<'_> {
+impl LayoutWriter<'_> {
     /// Writes blocks, each with what stood after it up to the next.
-    fn blocks(&self, blocks: Range<usize>, layout: &mut Layout) {
+    fn blocks(&self, blocks: Range<usize>, layout: &mut TextLayout) {
         let mut blocks = blocks.peekable();
         while let Some(at) = blocks.next() {
             let Some(lines) = &self.lines[at] else { continue };
@@ -240,14 +242,20 @@ impl Writer<'_> {
     }
 
     /// The end of a subprogram that ended where the next began.
-    fn close(&self, blocks: Range<usize>, form: Form, from: &Control, layout: &mut Layout) {
+    fn close(
+        &self,
+        blocks: Range<usize>,
+        form: SubprogramForm,
+        from: &Control,
+        layout: &mut TextLayout,
+    ) {
         let is_end = |action| {
             matches!(action, Action::Call(CallCode::SubroutineEnd) | Action::Call(CallCode::Return))
         };
         if blocks.clone().any(|at| self.source.has_action(at, from, is_end)) {
             return;
         }
-        let action = if form == Form::Letter {
+        let action = if form == SubprogramForm::Letter {
             Action::Call(CallCode::SubroutineEnd)
         } else {
             Action::Call(CallCode::Return)

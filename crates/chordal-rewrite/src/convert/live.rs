@@ -7,8 +7,8 @@ use chordal::control::{Action, BeforeCode, Control, CycleKind, OnceCode, Spindle
 use chordal::machine::Axis;
 
 use super::codes;
-use super::trace::{Exec, Trace};
-use crate::source::Source;
+use super::trace::{BlockExecution, ProgramTrace};
+use crate::source::SourceBlocks;
 
 const C: usize = Axis::C as usize;
 
@@ -33,7 +33,7 @@ pub(crate) fn has_codes(control: &Control) -> bool {
 }
 
 /// A spindle that turns from a block on.
-struct Turning {
+struct LiveSpindle {
     block: Option<usize>,
     /// Blocks that changed its speed.
     changes: Vec<usize>,
@@ -45,14 +45,18 @@ struct Turning {
 }
 
 impl LiveTools {
-    pub(crate) fn of(source: &Source, trace: &Trace, [from, to]: [&Control; 2]) -> LiveTools {
+    pub(crate) fn of(
+        source: &SourceBlocks,
+        trace: &ProgramTrace,
+        [from, to]: [&Control; 2],
+    ) -> LiveTools {
         let mut live = LiveTools::default();
         let is_between =
             from.table.turns() && to.table.turns() && !has_codes(from) && has_codes(to);
         if !is_between {
             return live;
         }
-        let mut turning: Option<Turning> = None;
+        let mut turning: Option<LiveSpindle> = None;
         let mut is_axis = false;
         for exec in &trace.execs {
             let moves_c = moves_c(source, trace, exec, from);
@@ -89,8 +93,8 @@ impl LiveTools {
     fn follow(
         &mut self,
         state: SpindleState,
-        exec: &Exec,
-        turning: &mut Option<Turning>,
+        exec: &BlockExecution,
+        turning: &mut Option<LiveSpindle>,
         is_axis: &mut bool,
     ) {
         if !matches!(state, SpindleState::Cw | SpindleState::Ccw) {
@@ -102,7 +106,7 @@ impl LiveTools {
                 let is_live = exec.after.live.is_some();
                 // The spindle itself is no axis where it turns; whether it does is seen when C moves next.
                 *is_axis &= is_live;
-                *turning = Some(Turning {
+                *turning = Some(LiveSpindle {
                     block: exec.block,
                     changes: Vec::new(),
                     is_live,
@@ -113,7 +117,7 @@ impl LiveTools {
         }
     }
 
-    fn end(&mut self, turning: Option<Turning>, block: Option<usize>) {
+    fn end(&mut self, turning: Option<LiveSpindle>, block: Option<usize>) {
         let Some(turning) = turning else { return };
         if !turning.is_live {
             self.unclear.extend(turning.block.filter(|_| turning.is_unclear));
@@ -131,7 +135,12 @@ impl LiveTools {
 }
 
 /// C moves in a block, or is named by it.
-fn moves_c(source: &Source, trace: &Trace, exec: &Exec, from: &Control) -> bool {
+fn moves_c(
+    source: &SourceBlocks,
+    trace: &ProgramTrace,
+    exec: &BlockExecution,
+    from: &Control,
+) -> bool {
     let turns = |kind: &CommandKind| match kind {
         CommandKind::Surface { surface, .. } => surface.is_some(),
         kind => kind.motion().is_some_and(|motion| motion.from[C] != motion.to[C]),

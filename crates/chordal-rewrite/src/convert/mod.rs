@@ -38,33 +38,38 @@ mod turning;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use chordal::control::{Field, RapidPath, RotarySurface, Side, SurfaceShape, ToolLengths};
+use chordal::control::{
+    CompensationSide, RapidPath, RotarySurface, SettingField, SurfaceShape, ToolLengths,
+};
 use chordal::machine::{
-    AXIS_LETTERS, RapidShape, Setting, SettingValue, WorkOffset, mirrored_tip, work_offset_name,
+    AXIS_LETTERS, RapidShape, SettingEntry, SettingValue, WorkOffset, mirrored_tip,
+    work_offset_name,
 };
 
 use chordal::{Code, CommandKind, Job, Machine, Report, Severity, Source as Text, SourceMap};
-use chordal_compare::{Blocks, Category, Difference, FreePasses, Value, Verdict};
+use chordal_compare::{
+    BlockRange, Category, ComparisonVerdict, Difference, DifferenceValue, FreePasses,
+};
 
-use self::context::Context;
-pub(crate) use self::contours::{Contour, Contours};
-use self::layout::Layout;
+use self::context::ConvertContext;
+pub(crate) use self::contours::{CycleContour, CycleContours};
+use self::layout::TextLayout;
 use self::live::LiveTools;
-use self::macros::Macros;
+use self::macros::MacroConverter;
 pub use self::passes::{PassChange, PassReading};
 pub use self::pecks::{PeckChange, PeckReading};
-use self::plan::Plan;
-use self::rendered::Rendered;
-use self::structure::Structure;
-use self::trace::Trace;
+use self::plan::ConvertPlan;
+use self::rendered::RenderedPlan;
+use self::structure::ProgramStructure;
+use self::trace::ProgramTrace;
 pub(crate) use self::turning::station;
 use crate::sides::prove_other_sides;
-use crate::source::Source;
+use crate::source::SourceBlocks;
 use crate::{Certificate, Change, prove, prove_contour};
 
 /// How a program is converted.
 #[derive(Clone, Debug)]
-pub struct Options {
+pub struct ConversionOptions {
     /// What the new path may be away from the old one where a form must be written out, mm.
     pub tolerance_mm: f64,
     /// Digits after the point of computed words; without, those that the control keeps.
@@ -76,15 +81,20 @@ pub struct Options {
     pub exact_cycles: bool,
 }
 
-impl Default for Options {
-    fn default() -> Options {
-        Options { tolerance_mm: 0.005, digits: None, despite_errors: false, exact_cycles: false }
+impl Default for ConversionOptions {
+    fn default() -> ConversionOptions {
+        ConversionOptions {
+            tolerance_mm: 0.005,
+            digits: None,
+            despite_errors: false,
+            exact_cycles: false,
+        }
     }
 }
 
 /// A block that cannot be carried over.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Refusal {
+pub struct ConvertRefusal {
     /// Its line in the old text, from 1; 0 for the program as a whole.
     pub line: u32,
     /// Its words.
@@ -101,7 +111,7 @@ pub struct Conversion {
     /// What was changed, in the order of the old text.
     pub changes: Vec<Change>,
     /// What could not be carried over; with any, the text is not to be used.
-    pub refusals: Vec<Refusal>,
+    pub refusals: Vec<ConvertRefusal>,
     /// The new program on its machine compared with the old one on its own.
     pub certificate: Option<Certificate>,
     /// Cycles that were kept although the new control makes their pecks in other steps.
@@ -141,7 +151,7 @@ const MOST_ROUNDS: usize = 8;
 const MOST_FOLLOWED: usize = 200;
 
 /// Writes a program for another machine.
-pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
+pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conversion {
     let machine = with_tables_of(old, target);
     let mut conversion = Conversion {
         text: String::new(),
@@ -154,7 +164,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         machine,
     };
     let Some(empty) = job("", String::new(), &conversion.machine) else {
-        conversion.refusals.push(Refusal {
+        conversion.refusals.push(ConvertRefusal {
             line: 0,
             words: String::new(),
             reason: "the machine file has settings that the control does not have".into(),
@@ -167,18 +177,18 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
     if !conversion.refusals.is_empty() {
         return conversion;
     }
-    let source = Source::of(old);
-    let trace = Trace::of(old, &source);
+    let source = SourceBlocks::of(old);
+    let trace = ProgramTrace::of(old, &source);
     conversion.refusals.extend(missing_axes(old, &conversion.machine, &trace));
     if !conversion.refusals.is_empty() {
         return conversion;
     }
     let (from, to) = (old.control(), empty.control());
-    let structure = Structure::of(&source, from, to);
-    let macros = Macros::of(&source, [from, to]);
-    let contours = Contours::of(&source, old);
+    let structure = ProgramStructure::of(&source, from, to);
+    let macros = MacroConverter::of(&source, [from, to]);
+    let contours = CycleContours::of(&source, old);
     let live = LiveTools::of(&source, &trace, [from, to]);
-    let context = Context {
+    let context = ConvertContext {
         source: &source,
         trace: &trace,
         structure: &structure,
@@ -192,18 +202,18 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         keeps_corners: corners::keeps_corners(&source, &trace, from, to),
         exact_cycles: options.exact_cycles,
     };
-    let mut plan = Plan::new(&context, options);
+    let mut plan = ConvertPlan::new(&context, options);
     // Writing out more may end worse than before: the nearest attempt is the one that is shown.
     let mut best = usize::MAX;
-    let mut terms = (Free::default(), false);
-    let mut tried: BTreeMap<u32, Refusal> = BTreeMap::new();
+    let mut terms = (FreeCycleLines::default(), false);
+    let mut tried: BTreeMap<u32, ConvertRefusal> = BTreeMap::new();
     for round in 0..MOST_ROUNDS {
-        let Rendered { lines, changes, refusals, printed, unwritten } = plan.render();
+        let RenderedPlan { lines, changes, refusals, printed, unwritten } = plan.render();
         let layout = layout::lay_out(&source, &structure, lines, [from, to]);
         let Some(new) = job("converted", layout.text.clone(), &conversion.machine) else { break };
         let free = match options.exact_cycles {
-            true => Free::default(),
-            false => Free {
+            true => FreeCycleLines::default(),
+            false => FreeCycleLines {
                 pecks: pecks::lines(&context, &plan, &layout),
                 passes: passes::lines(&context, &plan, &layout),
             },
@@ -248,20 +258,20 @@ fn prove_sides(conversion: &mut Conversion, old: &Job, prove: impl Fn(&Job, &Job
     let Some(mut certificate) = conversion.certificate.take() else { return };
     let before = certificate.comparison.verdict;
     let said = prove_other_sides([old, &new], &mut certificate, prove);
-    let is_different = certificate.comparison.verdict == Verdict::Different;
-    if let Some(reason) = said.filter(|_| is_different && before != Verdict::Different) {
-        conversion.refusals.push(Refusal { line: 0, words: String::new(), reason });
+    let is_different = certificate.comparison.verdict == ComparisonVerdict::Different;
+    if let Some(reason) = said.filter(|_| is_different && before != ComparisonVerdict::Different) {
+        conversion.refusals.push(ConvertRefusal { line: 0, words: String::new(), reason });
     }
     conversion.certificate = Some(certificate);
 }
 
 /// Blocks that differ are refused where the attempt to write them out has shown why they cannot be converted.
-fn explain(conversion: &mut Conversion, tried: BTreeMap<u32, Refusal>) {
+fn explain(conversion: &mut Conversion, tried: BTreeMap<u32, ConvertRefusal>) {
     if conversion.holds() || !conversion.refusals.is_empty() {
         return;
     }
     let Some(certificate) = &conversion.certificate else { return };
-    let differs = |refusal: &Refusal| {
+    let differs = |refusal: &ConvertRefusal| {
         certificate.comparison.differences.iter().any(|difference| {
             difference.blocks[0].is_some_and(|blocks| {
                 let (from, to) = blocks.lines();
@@ -274,22 +284,22 @@ fn explain(conversion: &mut Conversion, tried: BTreeMap<u32, Refusal>) {
 
 /// The lines of both texts whose cycles may be made in other steps.
 #[derive(Clone, Default)]
-struct Free {
+struct FreeCycleLines {
     pecks: [BTreeSet<u32>; 2],
     passes: [FreePasses; 2],
 }
 
 fn proof(
-    trace: &Trace,
+    trace: &ProgramTrace,
     [old, new]: [&Job; 2],
-    options: &Options,
-    free: Free,
+    options: &ConversionOptions,
+    free: FreeCycleLines,
     printed: bool,
 ) -> Certificate {
     let compensates = trace.commands.iter().any(|command| {
-        matches!(command.kind, CommandKind::Compensation { side, .. } if side != Side::Off)
+        matches!(command.kind, CommandKind::Compensation { side, .. } if side != CompensationSide::Off)
     });
-    let compare = chordal_compare::Options {
+    let compare = chordal_compare::ComparisonOptions {
         tolerance_mm: options.tolerance_mm,
         feed_tolerance: 1e-5,
         speed_tolerance: 1e-5,
@@ -300,7 +310,7 @@ fn proof(
         free_pecks: free.pecks,
         free_passes: free.passes,
         kept: 100_000,
-        ..chordal_compare::Options::default()
+        ..chordal_compare::ComparisonOptions::default()
     };
     let surface = [old, new].map(trace::surface_lines);
     let turns = old.control().table.turns();
@@ -331,7 +341,7 @@ fn proof(
 /// say to the operator.
 fn is_left_out(difference: &Difference, [old, new]: [&Job; 2]) -> bool {
     match (difference.category, &difference.values) {
-        (Category::Code, Some([Value::Text(words), Value::Nothing])) => {
+        (Category::Code, Some([DifferenceValue::Text(words), DifferenceValue::Nothing])) => {
             codes::is_only_of(words, old.control(), new.control())
         }
         (Category::Message | Category::Alarm | Category::Variable, _) => true,
@@ -341,7 +351,7 @@ fn is_left_out(difference: &Difference, [old, new]: [&Job; 2]) -> bool {
 
 /// How far rotary axes may be apart: on a cylinder one control gives lengths and the other one angles, and both are rounded. At its
 /// radius that is no more than the tolerance.
-fn rotary_tolerance(trace: &Trace, options: &Options) -> f64 {
+fn rotary_tolerance(trace: &ProgramTrace, options: &ConversionOptions) -> f64 {
     let radii = trace.commands.iter().filter_map(|command| match &command.kind {
         CommandKind::Surface { surface: Some(surface), .. } => match surface.shape {
             SurfaceShape::Cylinder { radius_mm } => Some(radius_mm),
@@ -350,7 +360,7 @@ fn rotary_tolerance(trace: &Trace, options: &Options) -> f64 {
         _ => None,
     });
     let largest = radii.fold(0.0, f64::max);
-    let usual = chordal_compare::Options::default().rotary_tolerance_rad;
+    let usual = chordal_compare::ComparisonOptions::default().rotary_tolerance_rad;
     if largest > 0.0 { (options.tolerance_mm / largest).max(usual) } else { usual }
 }
 
@@ -359,9 +369,9 @@ fn rotary_tolerance(trace: &Trace, options: &Options) -> f64 {
 fn follows_the_diameter(difference: &Difference, surface: &[BTreeSet<u32>; 2]) -> bool {
     let same_way = matches!(
         difference.values,
-        Some([Value::Spindle(one, _), Value::Spindle(other, _)]) if one == other
+        Some([DifferenceValue::Spindle(one, _), DifferenceValue::Spindle(other, _)]) if one == other
     );
-    let is_surface = |(blocks, lines): (&Option<Blocks>, &BTreeSet<u32>)| {
+    let is_surface = |(blocks, lines): (&Option<BlockRange>, &BTreeSet<u32>)| {
         blocks.is_some_and(|blocks| {
             let (from, to) = blocks.lines();
             (from..=to).any(|line| lines.contains(&line))
@@ -377,17 +387,22 @@ fn is_of_machine(difference: &Difference, turns: bool) -> bool {
     match (difference.category, &difference.values) {
         (
             Category::Problem,
-            Some([Value::Nothing, Value::Text(text)] | [Value::Text(text), Value::Nothing]),
+            Some(
+                [DifferenceValue::Nothing, DifferenceValue::Text(text)]
+                | [DifferenceValue::Text(text), DifferenceValue::Nothing],
+            ),
         ) => {
             let id = text.split(':').next().unwrap_or_default();
             LIMITS.iter().any(|code| code.id() == id)
         }
         // A turning tool's own radius has no number where T names a tool alone.
-        (Category::RadiusOffset, Some(values)) if turns => values.contains(&Value::Nothing),
+        (Category::RadiusOffset, Some(values)) if turns => {
+            values.contains(&DifferenceValue::Nothing)
+        }
         // E0 of one control is G53 of the others.
-        (Category::WorkOffset, Some(values)) => values.contains(&Value::Number(0)),
+        (Category::WorkOffset, Some(values)) => values.contains(&DifferenceValue::Number(0)),
         // How wide a printed number is, is a setting.
-        (Category::Output, Some([Value::Text(one), Value::Text(other)])) => {
+        (Category::Output, Some([DifferenceValue::Text(one), DifferenceValue::Text(other)])) => {
             one.split_whitespace().eq(other.split_whitespace())
         }
         (category, _) => OF_MACHINES.contains(&category),
@@ -411,20 +426,20 @@ pub fn prove_text(
     old: &Job,
     found: &Conversion,
     text: String,
-    options: &Options,
+    options: &ConversionOptions,
 ) -> Option<Certificate> {
     let new = job("converted", text, &found.machine)?;
-    let source = Source::of(old);
-    let trace = Trace::of(old, &source);
-    Some(proof(&trace, [old, &new], options, Free::default(), false))
+    let source = SourceBlocks::of(old);
+    let trace = ProgramTrace::of(old, &source);
+    Some(proof(&trace, [old, &new], options, FreeCycleLines::default(), false))
 }
 
 /// Writes out the blocks that differ; false where there is nothing left to do.
 fn follow(
-    plan: &mut Plan,
+    plan: &mut ConvertPlan,
     certificate: &Certificate,
-    source: &Source,
-    layout: &Layout,
+    source: &SourceBlocks,
+    layout: &TextLayout,
     round: usize,
 ) -> bool {
     let mut any = false;
@@ -444,7 +459,7 @@ fn follow(
 }
 
 /// The blocks of the old text that a difference is about.
-fn blocks_of(difference: &Difference, source: &Source, layout: &Layout) -> Vec<usize> {
+fn blocks_of(difference: &Difference, source: &SourceBlocks, layout: &TextLayout) -> Vec<usize> {
     let mut found = Vec::new();
     if let Some(at) = difference.blocks[0].filter(|_| difference.category != Category::Problem) {
         let (from, to) = at.lines();
@@ -459,10 +474,10 @@ fn blocks_of(difference: &Difference, source: &Source, layout: &Layout) -> Vec<u
 }
 
 /// Every word of an axis that is a diameter on one of the machines alone would be another place.
-fn other_diameters(old: &Job, target: &Machine) -> Option<Refusal> {
+fn other_diameters(old: &Job, target: &Machine) -> Option<ConvertRefusal> {
     let factors = old.machine().written_factors().into_iter().zip(target.written_factors());
     let differs = AXIS_LETTERS.chars().zip(factors).find(|(_, (from, to))| from != to);
-    differs.map(|(letter, _)| Refusal {
+    differs.map(|(letter, _)| ConvertRefusal {
         line: 0,
         words: String::new(),
         reason: format!(
@@ -472,11 +487,11 @@ fn other_diameters(old: &Job, target: &Machine) -> Option<Refusal> {
 }
 
 /// Programs of lathes are for lathes, those of mills for mills.
-fn other_kind(old: &Job, target: &Machine) -> Option<Refusal> {
+fn other_kind(old: &Job, target: &Machine) -> Option<ConvertRefusal> {
     let tables = [old.control().table, chordal::control::table(target.control)];
     // Blocks of several codes are not written as several lines.
     if tables[1].command_line.is_some() && tables[0].command_line.is_none() {
-        return Some(Refusal {
+        return Some(ConvertRefusal {
             line: 0,
             words: String::new(),
             reason: format!(
@@ -486,7 +501,7 @@ fn other_kind(old: &Job, target: &Machine) -> Option<Refusal> {
         });
     }
     let [from, to] = tables.map(|table| if table.turns() { "lathe" } else { "mill" });
-    (from != to).then(|| Refusal {
+    (from != to).then(|| ConvertRefusal {
         line: 0,
         words: String::new(),
         reason: format!(
@@ -497,7 +512,7 @@ fn other_kind(old: &Job, target: &Machine) -> Option<Refusal> {
 }
 
 /// Axes that a program of a lathe moves and the target does not have.
-fn missing_axes(old: &Job, target: &Machine, trace: &Trace) -> Vec<Refusal> {
+fn missing_axes(old: &Job, target: &Machine, trace: &ProgramTrace) -> Vec<ConvertRefusal> {
     if !old.control().table.turns() {
         return Vec::new();
     }
@@ -526,7 +541,7 @@ fn missing_axes(old: &Job, target: &Machine, trace: &Trace) -> Vec<Refusal> {
         let source = old.sources().get(command.origin.span.file);
         let words =
             source.map(|source| String::from_utf8_lossy(source.line_text(command.origin.line)));
-        refusals.push(Refusal {
+        refusals.push(ConvertRefusal {
             line: command.origin.line,
             words: words.unwrap_or_default().trim().to_string(),
             reason: format!("{} has no {letter} axis", target.name),
@@ -536,7 +551,7 @@ fn missing_axes(old: &Job, target: &Machine, trace: &Trace) -> Vec<Refusal> {
 }
 
 /// Errors of the program on its own control.
-fn own_problems(old: &Job, options: &Options) -> Vec<Refusal> {
+fn own_problems(old: &Job, options: &ConversionOptions) -> Vec<ConvertRefusal> {
     if options.despite_errors {
         return Vec::new();
     }
@@ -551,7 +566,7 @@ fn own_problems(old: &Job, options: &Options) -> Vec<Refusal> {
             let source = old.sources().get(span.file);
             let line = source.map_or(0, |source| source.line_of(span.range.start));
             let words = source.map(|source| String::from_utf8_lossy(source.line_text(line)));
-            Refusal {
+            ConvertRefusal {
                 line,
                 words: words.unwrap_or_default().trim().to_string(),
                 reason: format!("an error on the original control: {}", one.message),
@@ -609,10 +624,10 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
 fn goes_on_after_refusal(machine: &mut Machine) {
     let table = chordal::control::table(machine.control);
     if let Some(setting) =
-        table.settings.iter().find(|setting| setting.field == Field::AfterRefusal)
+        table.settings.iter().find(|setting| setting.field == SettingField::AfterRefusal)
     {
         let value = SettingValue::Text("continue".into());
-        machine.settings.insert(setting.name.into(), Setting { value, location: None });
+        machine.settings.insert(setting.name.into(), SettingEntry { value, location: None });
     }
 }
 

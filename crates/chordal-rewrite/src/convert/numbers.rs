@@ -4,10 +4,10 @@ use chordal::control::table::DwellWord;
 use chordal::control::{Control, DecimalPoint, Units};
 use chordal::syntax::Decimal;
 
-use crate::source::{Style, digits_of_arcs};
+use crate::source::{WordStyle, digits_of_arcs};
 
 /// A length in program units: at most so many digits after the point, which is always written.
-pub(crate) fn length(mm: f64, units: Units, digits: usize, style: Style) -> String {
+pub(crate) fn length(mm: f64, units: Units, digits: usize, style: WordStyle) -> String {
     let value = match units {
         Units::Inch => mm / 25.4,
         Units::Millimetre => mm,
@@ -16,7 +16,7 @@ pub(crate) fn length(mm: f64, units: Units, digits: usize, style: Style) -> Stri
 }
 
 /// A number with a point and without useless zeros.
-pub(crate) fn plain(value: f64, digits: usize, style: Style) -> String {
+pub(crate) fn plain(value: f64, digits: usize, style: WordStyle) -> String {
     let text = format!("{value:.digits$}");
     let text = if text.contains('.') { text.trim_end_matches('0').to_string() } else { text + "." };
     let (sign, size) = match text.strip_prefix('-') {
@@ -33,7 +33,7 @@ pub(crate) fn plain(value: f64, digits: usize, style: Style) -> String {
 }
 
 /// A feed to six figures: those of helices are computed.
-pub(crate) fn feed(value: f64, style: Style) -> String {
+pub(crate) fn feed(value: f64, style: WordStyle) -> String {
     let digits = (5.0 - value.abs().max(1e-3).log10().floor()).clamp(1.0, 7.0) as usize;
     plain(value, digits, style)
 }
@@ -49,29 +49,29 @@ pub(crate) fn digits(control: &Control, units: Units) -> usize {
 
 /// How many digits after its end a number without a point has.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum DigitRule {
     Length,
     Angle,
     Feed,
 }
 
-fn hidden_digits(kind: Kind, control: &Control, units: Units) -> u8 {
+fn hidden_digits(kind: DigitRule, control: &Control, units: Units) -> u8 {
     let parameters = &control.parameters;
     let whole = parameters.decimal_point == DecimalPoint::Calculator;
     match (kind, units) {
-        (Kind::Feed, Units::Inch) => parameters.feed_digits_inch,
-        (Kind::Feed, Units::Millimetre) => 0,
+        (DigitRule::Feed, Units::Inch) => parameters.feed_digits_inch,
+        (DigitRule::Feed, Units::Millimetre) => 0,
         _ if whole => 0,
-        (Kind::Angle, _) => 3,
-        (Kind::Length, Units::Inch) => parameters.rules.increment_digits_inch,
-        (Kind::Length, Units::Millimetre) => parameters.rules.increment_digits_mm,
+        (DigitRule::Angle, _) => 3,
+        (DigitRule::Length, Units::Inch) => parameters.rules.increment_digits_inch,
+        (DigitRule::Length, Units::Millimetre) => parameters.rules.increment_digits_mm,
     }
 }
 
 /// The same number for another control; nothing where it may stay as it is.
 pub(crate) fn carried_over(
     number: Decimal,
-    kind: Kind,
+    kind: DigitRule,
     units: Units,
     controls: [&Control; 2],
 ) -> Option<String> {
@@ -125,10 +125,10 @@ mod tests {
 
     #[test]
     fn values_are_written_as_programmers_do() {
-        let style = Style { spaced: true, leading_zero: false, two_digits: false };
+        let style = WordStyle { spaced: true, leading_zero: false, two_digits: false };
         assert_eq!(length(12.7, Units::Inch, 4, style), ".5");
         assert_eq!(length(-25.4, Units::Inch, 4, style), "-1.");
         assert_eq!(length(-0.00001, Units::Millimetre, 3, style), "0.");
-        assert_eq!(plain(0.5, 3, Style { leading_zero: true, ..style }), "0.5");
+        assert_eq!(plain(0.5, 3, WordStyle { leading_zero: true, ..style }), "0.5");
     }
 }

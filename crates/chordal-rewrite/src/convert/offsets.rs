@@ -3,17 +3,17 @@
 use chordal::CommandKind;
 use chordal::control::table::DataTarget;
 use chordal::control::{Action, LengthCode, ModeCode, OnceCode, ReadingCode};
-use chordal::control::{Control, Side, WorkName};
+use chordal::control::{CompensationSide, Control, WorkName};
 
 use super::codes;
-use super::context::Context;
-use super::draft::{Draft, Expand};
+use super::context::ConvertContext;
+use super::draft::{BlockDraft, NeedsExpansion};
 use super::translate::LENGTHS;
 use crate::source::whole;
 
-impl Context<'_> {
+impl ConvertContext<'_> {
     /// E, H and D where they act by themselves.
-    pub(super) fn offsets(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+    pub(super) fn offsets(&self, draft: &mut BlockDraft, at: usize) -> Result<(), NeedsExpansion> {
         let title = self.to.table.title;
         if self.from.table.work_names.by_e && !self.to.table.work_names.by_e {
             let e = draft.place(b'E');
@@ -25,10 +25,15 @@ impl Context<'_> {
                     Some(number) => {
                         let name = WorkName::E(number);
                         let new = codes::work_offset(name, self.to, self.style());
-                        let new = new.ok_or_else(|| Expand(format!("{title} has no E{number}")))?;
+                        let new =
+                            new.ok_or_else(|| NeedsExpansion(format!("{title} has no E{number}")))?;
                         draft.replace(e, new.clone(), format!("E{number} is {new} on {title}"));
                     }
-                    None => return Err(Expand("the number of the work offset is computed".into())),
+                    None => {
+                        return Err(NeedsExpansion(
+                            "the number of the work offset is computed".into(),
+                        ));
+                    }
                 }
             }
             let in_machine = self.run(at).is_some_and(|run| run.after.work == WorkName::Machine);
@@ -50,7 +55,7 @@ impl Context<'_> {
     }
 
     /// G53 in G91, where the new control does not move then.
-    fn machine_move(&self, draft: &mut Draft, at: usize) {
+    fn machine_move(&self, draft: &mut BlockDraft, at: usize) {
         let needs = |control: &Control| {
             let parameters = &control.parameters;
             parameters.rules.machine_move_needs_absolute || parameters.strict_words
@@ -77,7 +82,7 @@ impl Context<'_> {
     }
 
     /// What G10 writes: L and P by what they mean.
-    fn written_data(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+    fn written_data(&self, draft: &mut BlockDraft, at: usize) -> Result<(), NeedsExpansion> {
         if !self
             .source
             .has_action(at, self.from, |action| action == Action::Once(OnceCode::SetData))
@@ -125,7 +130,7 @@ impl Context<'_> {
             let has_form =
                 !matches!(target, DataTarget::Other | DataTarget::IntoRegister | DataTarget::Lines);
             let Some(new) = new.filter(|_| has_form) else {
-                return Err(Expand(format!("{title} has no G10 L{code}")));
+                return Err(NeedsExpansion(format!("{title} has no G10 L{code}")));
             };
             draft.replace(l, format!("L{new}"), format!("{title} uses another L for this"));
         }
@@ -138,13 +143,15 @@ impl Context<'_> {
         if radius
             && self.from.parameters.rules.radius_offsets != self.to.parameters.rules.radius_offsets
         {
-            return Err(Expand(format!("{title} stores the other value (diameter or radius)")));
+            return Err(NeedsExpansion(format!(
+                "{title} stores the other value (diameter or radius)"
+            )));
         }
         Ok(())
     }
 
     /// `H1` brings the length into force by itself on one control, by G43 on the others.
-    fn length(&self, draft: &mut Draft, at: usize) {
+    fn length(&self, draft: &mut BlockDraft, at: usize) {
         let own = self.source.has_action(at, self.from, |action| {
             matches!(
                 action,
@@ -184,10 +191,11 @@ impl Context<'_> {
     }
 
     /// The number of the radius offset, where H or T gives it on the old control.
-    fn radius_number(&self, draft: &mut Draft, at: usize) {
+    fn radius_number(&self, draft: &mut BlockDraft, at: usize) {
         let Some(run) = self.run(at) else { return };
         let has_d = draft.block.letters().has(b'D');
-        let is_off = run.before.side == Side::Off && run.after.side == Side::Off;
+        let is_off =
+            run.before.side == CompensationSide::Off && run.after.side == CompensationSide::Off;
         if is_off
             && self.to.parameters.strict_words
             && !self.same_control()
@@ -200,7 +208,7 @@ impl Context<'_> {
             let CommandKind::Compensation { number: Some(number), side, .. } = command.kind else {
                 continue;
             };
-            let is_on = side != Side::Off;
+            let is_on = side != CompensationSide::Off;
             let own = self.source.has_action(at, self.from, |action| {
                 matches!(
                     action,

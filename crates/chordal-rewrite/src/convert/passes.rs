@@ -5,9 +5,9 @@ use chordal::control::{Action, OnceCode, TurnCycle};
 use chordal_compare::{FreePasses, LastPass};
 
 use super::codes;
-use super::context::Context;
-use super::layout::Layout;
-use super::plan::Plan;
+use super::context::ConvertContext;
+use super::layout::TextLayout;
+use super::plan::ConvertPlan;
 use crate::Certificate;
 use crate::source::{code_action, turning_cycle};
 
@@ -34,7 +34,7 @@ pub struct PassReading {
 }
 
 /// The cycle that a block cuts in passes of its control.
-fn cycle_of(context: &Context, at: usize) -> Option<(TurnCycle, LastPass)> {
+fn cycle_of(context: &ConvertContext, at: usize) -> Option<(TurnCycle, LastPass)> {
     context.source.blocks[at].words.iter().find_map(|word| {
         let cycle = turning_cycle(code_action(word, context.from)?.once()?)?;
         let last = match cycle {
@@ -52,7 +52,11 @@ fn cycle_of(context: &Context, at: usize) -> Option<(TurnCycle, LastPass)> {
 }
 
 /// The lines of both texts whose cycles may be cut in other passes: those that are kept.
-pub(crate) fn lines(context: &Context, plan: &Plan, layout: &Layout) -> [FreePasses; 2] {
+pub(crate) fn lines(
+    context: &ConvertContext,
+    plan: &ConvertPlan,
+    layout: &TextLayout,
+) -> [FreePasses; 2] {
     let mut lines = [FreePasses::new(), FreePasses::new()];
     for (at, block) in context.source.blocks.iter().enumerate() {
         if let Some((_, last)) = cycle_of(context, at).filter(|_| plan.is_kept(at)) {
@@ -69,7 +73,7 @@ pub(crate) fn lines(context: &Context, plan: &Plan, layout: &Layout) -> [FreePas
 }
 
 /// What the comparison has found, block by block.
-pub(crate) fn changes(context: &Context, certificate: &Certificate) -> Vec<PassChange> {
+pub(crate) fn changes(context: &ConvertContext, certificate: &Certificate) -> Vec<PassChange> {
     let mut changes: Vec<PassChange> = Vec::new();
     for pair in &certificate.comparison.passes {
         let lines = pair.each_ref().map(|passes| passes.place.line);

@@ -3,13 +3,13 @@
 
 use std::collections::BTreeSet;
 
-use chordal::control::{Action, COMMON_SETTINGS, Control, CycleField, CycleKind, Field};
-use chordal_compare::Pecks;
+use chordal::control::{Action, COMMON_SETTINGS, Control, CycleField, CycleKind, SettingField};
+use chordal_compare::HolePecks;
 
 use super::codes;
-use super::context::Context;
-use super::layout::Layout;
-use super::plan::Plan;
+use super::context::ConvertContext;
+use super::layout::TextLayout;
+use super::plan::ConvertPlan;
 use crate::Certificate;
 
 /// A block whose holes are drilled in other steps.
@@ -46,13 +46,13 @@ pub struct PeckReading {
 const SAME_MM: f64 = 1e-6;
 
 impl PeckReading {
-    fn of(pecks: &Pecks, kind: CycleKind, control: &Control) -> PeckReading {
+    fn of(pecks: &HolePecks, kind: CycleKind, control: &Control) -> PeckReading {
         let rules = &control.parameters.rules;
         let (field, set_mm) = match kind {
-            CycleKind::ChipBreak => (Field::ChipBreak, rules.chip_break_mm),
-            _ => (Field::PeckClearance, rules.peck_clearance_mm),
+            CycleKind::ChipBreak => (SettingField::ChipBreak, rules.chip_break_mm),
+            _ => (SettingField::PeckClearance, rules.peck_clearance_mm),
         };
-        let name = |fields: &[Field]| {
+        let name = |fields: &[SettingField]| {
             let own = control.table.settings.iter().chain(COMMON_SETTINGS);
             own.into_iter().find(|one| fields.contains(&one.field)).map(|one| one.name)
         };
@@ -64,9 +64,11 @@ impl PeckReading {
             pecks: pecks.depths_mm.len(),
             largest_step_mm: pecks.largest_step_mm(),
             clearance_mm,
-            clearance_setting: name(&[field, Field::Cycle(CycleField::Lifts)]).filter(|_| is_set),
+            clearance_setting: name(&[field, SettingField::Cycle(CycleField::Lifts)])
+                .filter(|_| is_set),
             above_r_mm,
-            above_r_setting: name(&[Field::Cycle(CycleField::ReturnAboveR)]).filter(|_| is_above),
+            above_r_setting: name(&[SettingField::Cycle(CycleField::ReturnAboveR)])
+                .filter(|_| is_above),
         }
     }
 
@@ -84,7 +86,11 @@ impl PeckReading {
 }
 
 /// The lines of both texts whose cycles may drill in other steps: kept blocks with pecks.
-pub(crate) fn lines(context: &Context, plan: &Plan, layout: &Layout) -> [BTreeSet<u32>; 2] {
+pub(crate) fn lines(
+    context: &ConvertContext,
+    plan: &ConvertPlan,
+    layout: &TextLayout,
+) -> [BTreeSet<u32>; 2] {
     let is_free = |at: usize| plan.is_kept(at) && peck_of(context, at).is_some();
     let blocks: BTreeSet<usize> =
         (0..context.source.blocks.len()).filter(|at| is_free(*at)).collect();
@@ -94,7 +100,7 @@ pub(crate) fn lines(context: &Context, plan: &Plan, layout: &Layout) -> [BTreeSe
 }
 
 /// The cycle with pecks that a block drills by.
-fn peck_of(context: &Context, at: usize) -> Option<CycleKind> {
+fn peck_of(context: &ConvertContext, at: usize) -> Option<CycleKind> {
     let run = context.run(at).filter(|run| context.in_cycle(run))?;
     match run.after.motion {
         Some(Action::Cycle(kind)) => Some(kind).filter(|kind| kind.is_peck()),
@@ -103,7 +109,7 @@ fn peck_of(context: &Context, at: usize) -> Option<CycleKind> {
 }
 
 /// What the comparison has found, block by block.
-pub(crate) fn changes(context: &Context, certificate: &Certificate) -> Vec<PeckChange> {
+pub(crate) fn changes(context: &ConvertContext, certificate: &Certificate) -> Vec<PeckChange> {
     let mut changes: Vec<PeckChange> = Vec::new();
     for pair in &certificate.comparison.pecks {
         let lines = pair.each_ref().map(|pecks| pecks.place.line);

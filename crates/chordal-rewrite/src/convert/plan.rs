@@ -1,36 +1,36 @@
 //! Which blocks keep their words and which are written out, and the lines of each.
 
 use chordal::control::{Action, CallCode, MotionCode, OnceCode};
-use chordal::control::{Mark, marks};
+use chordal::control::{StatementMark, marks};
 use std::collections::{BTreeMap, BTreeSet};
 
 use chordal::CommandKind;
-use chordal::syntax::{Block, BlockKind, Value, Word};
+use chordal::syntax::{Block, BlockKind, Word, WordValue};
 
 use super::comments;
-use super::context::Context;
-use super::contours::Contour;
-use super::draft::{Draft, Expand};
-use super::emit::Emitter;
+use super::context::ConvertContext;
+use super::contours::CycleContour;
+use super::draft::{BlockDraft, NeedsExpansion};
+use super::emit::CommandEmitter;
 use super::initial;
-use super::rendered::Rendered;
-use super::trace::Exec;
+use super::rendered::RenderedPlan;
+use super::trace::BlockExecution;
 use super::turning;
-use super::{Options, Refusal};
+use super::{ConversionOptions, ConvertRefusal};
 use crate::Change;
 
 /// What a block does depends on values: a statement, or a word that is computed.
 fn is_by_value(block: &Block) -> bool {
     let is_computed =
-        |word: &Word| matches!(word.value, Value::Expression(_) | Value::Register { .. });
+        |word: &Word| matches!(word.value, WordValue::Expression(_) | WordValue::Register { .. });
     matches!(block.kind, BlockKind::Macro(_)) || block.words.iter().any(is_computed)
 }
 
 /// The decisions made so far.
-pub(crate) struct Plan<'c, 'a> {
-    context: &'c Context<'a>,
-    options: &'c Options,
-    drafts: Vec<Result<Draft<'a>, Expand>>,
+pub(crate) struct ConvertPlan<'c, 'a> {
+    context: &'c ConvertContext<'a>,
+    options: &'c ConversionOptions,
+    drafts: Vec<Result<BlockDraft<'a>, NeedsExpansion>>,
     /// Why a block is written out.
     expand: Vec<Option<String>>,
     /// Main programs that are written out as they run.
@@ -39,10 +39,13 @@ pub(crate) struct Plan<'c, 'a> {
     cycle: Vec<Option<usize>>,
 }
 
-impl<'c, 'a> Plan<'c, 'a> {
-    pub fn new(context: &'c Context<'a>, options: &'c Options) -> Plan<'c, 'a> {
+impl<'c, 'a> ConvertPlan<'c, 'a> {
+    pub fn new(
+        context: &'c ConvertContext<'a>,
+        options: &'c ConversionOptions,
+    ) -> ConvertPlan<'c, 'a> {
         let count = context.source.blocks.len();
-        Plan {
+        ConvertPlan {
             drafts: (0..count).map(|at| context.block(at)).collect(),
             expand: vec![None; count],
             flat: vec![None; context.source.mains.len()],
@@ -106,7 +109,7 @@ impl<'c, 'a> Plan<'c, 'a> {
     }
 
     /// The contour that a block is part of, where no cycle is left that takes it.
-    fn contour_without_cycle(&self, at: usize) -> Option<&Contour> {
+    fn contour_without_cycle(&self, at: usize) -> Option<&CycleContour> {
         let contours = &self.context.contours.list;
         let is_out = |block: usize| self.expand[block].is_some() || self.is_flat(block);
         contours.iter().find(|contour| {
@@ -131,9 +134,9 @@ impl<'c, 'a> Plan<'c, 'a> {
     }
 
     /// The lines of all blocks. Decisions that follow from others are made on the way.
-    pub fn render(&mut self) -> Rendered {
+    pub fn render(&mut self) -> RenderedPlan {
         for at in 0..self.drafts.len() {
-            if let Err(Expand(reason)) = &self.drafts[at]
+            if let Err(NeedsExpansion(reason)) = &self.drafts[at]
                 && self.expand[at].is_none()
             {
                 self.expand[at] = Some(reason.clone());
@@ -150,14 +153,14 @@ impl<'c, 'a> Plan<'c, 'a> {
                 continue;
             }
             let mut rendered =
-                Rendered { lines: vec![None; self.drafts.len()], ..Rendered::default() };
+                RenderedPlan { lines: vec![None; self.drafts.len()], ..RenderedPlan::default() };
             if let Some((at, reason)) = self.written_out(&covered, &mut rendered) {
                 if self.escalate(at, &reason, &covered) {
                     continue;
                 }
                 let line = self.context.source.blocks[at].line;
                 let words = self.context.source.words(at);
-                rendered.refusals.push(Refusal { line, words, reason });
+                rendered.refusals.push(ConvertRefusal { line, words, reason });
             }
             self.kept(&covered, &mut rendered);
             self.flattened(&mut rendered);
@@ -171,11 +174,11 @@ impl<'c, 'a> Plan<'c, 'a> {
 
     /// A statement, a computed word or a call that is written out is what one run did. Where that run has assumed a
     /// value it is not what the program says.
-    fn refuse_assumed(&self, rendered: &mut Rendered) {
+    fn refuse_assumed(&self, rendered: &mut RenderedPlan) {
         let Some(assumed) = &self.context.trace.assumed else { return };
         let blocks = self.context.source.blocks.iter().enumerate();
         let written_out = blocks.filter(|(at, block)| !self.is_kept(*at) && is_by_value(block));
-        rendered.refusals.extend(written_out.map(|(at, block)| Refusal {
+        rendered.refusals.extend(written_out.map(|(at, block)| ConvertRefusal {
             line: block.line,
             words: self.context.source.words(at),
             reason: format!(
@@ -215,8 +218,9 @@ impl<'c, 'a> Plan<'c, 'a> {
             let Some(reason) = &self.expand[at] else { continue };
             if let BlockKind::Macro(range) = source.blocks[at].kind {
                 let lexicon = &self.context.from.table.lexicon;
-                let steers = marks(source.text, range, lexicon)
-                    .any(|(mark, word)| mark == Mark::Word && steers(word.slice(source.text)));
+                let steers = marks(source.text, range, lexicon).any(|(mark, word)| {
+                    mark == StatementMark::Word && steers(word.slice(source.text))
+                });
                 if steers {
                     return Some((at, reason.clone()));
                 }
@@ -263,7 +267,11 @@ impl<'c, 'a> Plan<'c, 'a> {
     }
 
     /// The lines of blocks that are written out; a block whose runs differ is handed back.
-    fn written_out(&self, covered: &[bool], rendered: &mut Rendered) -> Option<(usize, String)> {
+    fn written_out(
+        &self,
+        covered: &[bool],
+        rendered: &mut RenderedPlan,
+    ) -> Option<(usize, String)> {
         let trace = self.context.trace;
         let mut known: Vec<Option<Vec<String>>> = vec![None; self.drafts.len()];
         for (index, exec) in trace.execs.iter().enumerate() {
@@ -324,7 +332,7 @@ impl<'c, 'a> Plan<'c, 'a> {
     }
 
     /// What a run does, and what it calls, as blocks.
-    fn emit(&self, index: usize) -> Result<Emitter<'c>, Refusal> {
+    fn emit(&self, index: usize) -> Result<CommandEmitter<'c>, ConvertRefusal> {
         let trace = self.context.trace;
         let tree = trace.subtree(index);
         let mut emitter = self.emitter(&trace.execs[index]);
@@ -335,12 +343,16 @@ impl<'c, 'a> Plan<'c, 'a> {
         Ok(emitter)
     }
 
-    fn emitter(&self, exec: &Exec) -> Emitter<'c> {
+    fn emitter(&self, exec: &BlockExecution) -> CommandEmitter<'c> {
         let tolerance = self.options.tolerance_mm;
-        Emitter::new(self.context, tolerance, self.options.digits, &exec.before)
+        CommandEmitter::new(self.context, tolerance, self.options.digits, &exec.before)
     }
 
-    fn emit_one(&self, exec: &Exec, emitter: &mut Emitter<'c>) -> Result<(), Refusal> {
+    fn emit_one(
+        &self,
+        exec: &BlockExecution,
+        emitter: &mut CommandEmitter<'c>,
+    ) -> Result<(), ConvertRefusal> {
         let commands = self.context.trace.commands_of(exec);
         let has = |action: Action| {
             exec.block.is_some_and(|at| {
@@ -376,7 +388,7 @@ impl<'c, 'a> Plan<'c, 'a> {
         match draft {
             Some((at, Ok(mut draft))) => {
                 let (line, words) = (source.blocks[at].line, source.words(at));
-                emitter.unwritten.push(Refusal { line, words, reason });
+                emitter.unwritten.push(ConvertRefusal { line, words, reason });
                 for word in 0..draft.block.words.len() {
                     if draft.block.words[word].letter == b'N' {
                         draft.set(word, "");
@@ -386,12 +398,12 @@ impl<'c, 'a> Plan<'c, 'a> {
                 emitter.foreign(draft.lines(), &exec.after);
                 Ok(())
             }
-            Some((at, Err(Expand(why)))) => Err(Refusal {
+            Some((at, Err(NeedsExpansion(why)))) => Err(ConvertRefusal {
                 line: source.blocks[at].line,
                 words: source.words(at),
                 reason: format!("{why}; and it cannot be written out: {reason}"),
             }),
-            None => Err(Refusal {
+            None => Err(ConvertRefusal {
                 line: 0,
                 words: String::new(),
                 reason: format!("a block of another file cannot be written out: {reason}"),
@@ -400,7 +412,7 @@ impl<'c, 'a> Plan<'c, 'a> {
     }
 
     /// The lines of blocks that keep their words.
-    fn kept(&self, covered: &[bool], rendered: &mut Rendered) {
+    fn kept(&self, covered: &[bool], rendered: &mut RenderedPlan) {
         let (source, trace) = (self.context.source, self.context.trace);
         let mut sub_runs = vec![(0usize, 0usize); source.subs.len()];
         for (index, exec) in trace.execs.iter().enumerate() {
@@ -473,7 +485,7 @@ impl<'c, 'a> Plan<'c, 'a> {
     }
 
     /// Main programs that are written out as they run.
-    fn flattened(&self, rendered: &mut Rendered) {
+    fn flattened(&self, rendered: &mut RenderedPlan) {
         let (source, trace) = (self.context.source, self.context.trace);
         for (main, reason) in source.mains.iter().zip(&self.flat) {
             let Some(reason) = reason else { continue };
@@ -487,7 +499,7 @@ impl<'c, 'a> Plan<'c, 'a> {
                 .collect();
             let Some(first) = runs.first() else { continue };
             for at in main.clone().filter(|at| source.blocks[*at].delete.is_some()) {
-                rendered.refusals.push(Refusal {
+                rendered.refusals.push(ConvertRefusal {
                     line: source.blocks[at].line,
                     words: source.words(at),
                     reason: format!(
@@ -551,7 +563,7 @@ fn within_line(text: &str, longest: u32) -> &str {
 }
 
 /// The block that set up the active cycle, for each block that belongs to it.
-fn cycles_of(context: &Context) -> Vec<Option<usize>> {
+fn cycles_of(context: &ConvertContext) -> Vec<Option<usize>> {
     let mut cycles = vec![None; context.source.blocks.len()];
     let mut setup = None;
     for exec in &context.trace.execs {

@@ -8,7 +8,7 @@ use chordal::machine::{AXES, PerAxis};
 use libm::{atan2, cos, sin};
 
 /// A piece of an arc command.
-pub(crate) struct Piece {
+pub(crate) struct SpiralPiece {
     pub motion: Move,
     pub shape: ArcShape,
 }
@@ -20,7 +20,7 @@ pub(crate) fn as_arcs(
     shape: &ArcShape,
     radius_error_mm: f64,
     tolerance_mm: f64,
-) -> Vec<Piece> {
+) -> Vec<SpiralPiece> {
     let turns = shape.sweep.abs() / TAU;
     if (shape.radius_to - shape.radius_from).abs() <= radius_error_mm {
         let whole = (turns - 1e-9).ceil().max(1.0) as usize;
@@ -40,7 +40,7 @@ pub(crate) fn as_arcs(
 /// Beyond this a spiral is left as it is, and the proof fails.
 const MOST_PIECES: usize = 100_000;
 
-fn turns_of(motion: &Move, shape: &ArcShape, count: usize) -> Vec<Piece> {
+fn turns_of(motion: &Move, shape: &ArcShape, count: usize) -> Vec<SpiralPiece> {
     let full = TAU / shape.sweep.abs();
     let mut from = motion.from;
     (0..count)
@@ -54,7 +54,7 @@ fn turns_of(motion: &Move, shape: &ArcShape, count: usize) -> Vec<Piece> {
             }
             let begin = full * turn as f64;
             let sweep = shape.sweep * (s - begin);
-            let piece = Piece {
+            let piece = SpiralPiece {
                 motion: Move { from, to, ..*motion },
                 shape: ArcShape { sweep, radius_to: shape.radius_from, ..*shape },
             };
@@ -82,7 +82,12 @@ fn point(motion: &Move, shape: &ArcShape, s: f64) -> PerAxis<f64> {
 
 /// So many arcs through three points each of the curve; nothing where they leave it by more than the
 /// tolerance.
-fn chain(motion: &Move, shape: &ArcShape, count: usize, tolerance_mm: f64) -> Option<Vec<Piece>> {
+fn chain(
+    motion: &Move,
+    shape: &ArcShape,
+    count: usize,
+    tolerance_mm: f64,
+) -> Option<Vec<SpiralPiece>> {
     let (a, b, _) = shape.plane.axes();
     let flat = |at: &PerAxis<f64>| Vec3::new(at[a], at[b], 0.0);
     let mut pieces = Vec::with_capacity(count);
@@ -100,7 +105,7 @@ fn chain(motion: &Move, shape: &ArcShape, count: usize, tolerance_mm: f64) -> Op
             }
         }
         let sweep = arc.sweep.abs() * shape.sweep.signum();
-        pieces.push(Piece {
+        pieces.push(SpiralPiece {
             motion: Move { from, to, ..*motion },
             shape: ArcShape {
                 plane: shape.plane,

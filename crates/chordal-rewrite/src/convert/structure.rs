@@ -3,23 +3,23 @@
 use chordal::control::{Action, AfterCode, CallCode, ModeCode, OnceCode};
 use std::collections::BTreeSet;
 
-use chordal::control::table::Subroutines;
+use chordal::control::table::SubroutineForm;
 use chordal::control::{Control, subroutine_head};
 
 use super::codes;
-use super::draft::{Draft, Expand};
-use crate::source::{Form, Source, Style, code_action, whole};
+use super::draft::{BlockDraft, NeedsExpansion};
+use crate::source::{SourceBlocks, SubprogramForm, WordStyle, code_action, whole};
 
 /// Where each subprogram goes.
-pub(crate) struct Structure {
-    /// Form and number of each on the new control, as [`Source::subs`] counts them.
-    pub targets: Vec<(Form, u32)>,
+pub(crate) struct ProgramStructure {
+    /// Form and number of each on the new control, as [`SourceBlocks::subs`] counts them.
+    pub targets: Vec<(SubprogramForm, u32)>,
     /// The number of each main program, where it gets another one.
     pub mains: Vec<Option<u32>>,
 }
 
-impl Structure {
-    pub fn of(source: &Source, from: &Control, to: &Control) -> Structure {
+impl ProgramStructure {
+    pub fn of(source: &SourceBlocks, from: &Control, to: &Control) -> ProgramStructure {
         let mut taken: BTreeSet<u32> = BTreeSet::new();
         for head in &source.heads {
             taken.extend(whole(source.blocks[*head].word(b'O')));
@@ -28,9 +28,9 @@ impl Structure {
             source.blocks.iter().filter_map(|block| whole(block.word(b'N'))).collect();
         let largest = to.table.program_numbers.largest;
         let has_labels = codes::row(Action::Call(CallCode::CallLabel), to).is_some();
-        let has_sections = to.table.subroutines == Subroutines::LetterL;
+        let has_sections = to.table.subroutines == SubroutineForm::LetterL;
         let calls_inside = source.subs.iter().any(|sub| {
-            sub.form == Form::Program
+            sub.form == SubprogramForm::Program
                 && sub.blocks.clone().any(|at| {
                     source
                         .has_action(at, from, |action| action == Action::Call(CallCode::CallLabel))
@@ -39,25 +39,33 @@ impl Structure {
         let mut sections: BTreeSet<u32> = source
             .subs
             .iter()
-            .filter(|sub| sub.form == Form::Letter)
+            .filter(|sub| sub.form == SubprogramForm::Letter)
             .map(|sub| sub.number)
             .collect();
         let targets = source
             .subs
             .iter()
             .map(|sub| match sub.form {
-                Form::Letter if has_sections => (Form::Letter, sub.number),
-                Form::Label if has_labels => (Form::Label, sub.number),
-                Form::Label if has_sections && !calls_inside => {
-                    (Form::Letter, free(&mut sections, 1, 89))
+                SubprogramForm::Letter if has_sections => (SubprogramForm::Letter, sub.number),
+                SubprogramForm::Label if has_labels => (SubprogramForm::Label, sub.number),
+                SubprogramForm::Label if has_sections && !calls_inside => {
+                    (SubprogramForm::Letter, free(&mut sections, 1, 89))
                 }
-                Form::Letter if has_labels => {
-                    (Form::Label, free(&mut labels, sub.number * 100, 99_999))
+                SubprogramForm::Letter if has_labels => {
+                    (SubprogramForm::Label, free(&mut labels, sub.number * 100, 99_999))
                 }
-                Form::Letter => (Form::Program, free(&mut taken, sub.number * 100, largest)),
-                Form::Label => (Form::Program, free(&mut taken, sub.number, largest)),
-                Form::Program if sub.number <= largest => (Form::Program, sub.number),
-                Form::Program => (Form::Program, free(&mut taken, sub.number % 10_000, largest)),
+                SubprogramForm::Letter => {
+                    (SubprogramForm::Program, free(&mut taken, sub.number * 100, largest))
+                }
+                SubprogramForm::Label => {
+                    (SubprogramForm::Program, free(&mut taken, sub.number, largest))
+                }
+                SubprogramForm::Program if sub.number <= largest => {
+                    (SubprogramForm::Program, sub.number)
+                }
+                SubprogramForm::Program => {
+                    (SubprogramForm::Program, free(&mut taken, sub.number % 10_000, largest))
+                }
             })
             .collect();
         let mains = source
@@ -78,15 +86,15 @@ impl Structure {
                 }
             })
             .collect();
-        Structure { targets, mains }
+        ProgramStructure { targets, mains }
     }
 
     /// True where nothing changes its place.
-    pub fn stays(&self, source: &Source) -> bool {
+    pub fn stays(&self, source: &SourceBlocks) -> bool {
         source.subs.iter().zip(&self.targets).all(|(sub, target)| sub.form == target.0)
             && source
                 .section_end
-                .is_none_or(|_| source.subs.iter().any(|sub| sub.form == Form::Letter))
+                .is_none_or(|_| source.subs.iter().any(|sub| sub.form == SubprogramForm::Letter))
     }
 }
 
@@ -99,23 +107,23 @@ fn free(taken: &mut BTreeSet<u32>, from: u32, largest: u32) -> u32 {
 }
 
 /// What a block needs to know of the whole.
-pub(crate) struct Places<'a> {
-    pub source: &'a Source<'a>,
-    pub structure: &'a Structure,
+pub(crate) struct StructureView<'a> {
+    pub source: &'a SourceBlocks<'a>,
+    pub structure: &'a ProgramStructure,
     pub from: &'a Control,
     pub to: &'a Control,
-    pub style: Style,
+    pub style: WordStyle,
 }
 
-impl Places<'_> {
+impl StructureView<'_> {
     /// Heads, calls and returns of a block.
-    pub fn translate(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+    pub fn translate(&self, draft: &mut BlockDraft, at: usize) -> Result<(), NeedsExpansion> {
         if self.source.heads.contains(&at) {
             self.program_head(draft, at);
             return Ok(());
         }
         if let Some(sub) = self.source.subs.iter().position(|sub| sub.blocks.start == at)
-            && self.source.subs[sub].form != Form::Program
+            && self.source.subs[sub].form != SubprogramForm::Program
         {
             self.sub_head(draft, sub);
         }
@@ -124,9 +132,11 @@ impl Places<'_> {
             match code_action(&draft.block.words[word], self.from) {
                 Some(Action::Call(CallCode::CallProgram)) => self.program_call(draft, word)?,
                 Some(Action::Call(CallCode::CallLabel)) => self.label_call(draft, at, word)?,
-                Some(Action::Call(CallCode::Return)) => self.back(draft, at, word, Form::Letter)?,
+                Some(Action::Call(CallCode::Return)) => {
+                    self.back(draft, at, word, SubprogramForm::Letter)?
+                }
                 Some(Action::Call(CallCode::SubroutineEnd)) => {
-                    self.back(draft, at, word, Form::Program)?
+                    self.back(draft, at, word, SubprogramForm::Program)?
                 }
                 Some(Action::After(AfterCode::ProgramEnd { rewind: true })) => {
                     self.end(draft, at, word)
@@ -137,7 +147,7 @@ impl Places<'_> {
         Ok(())
     }
 
-    fn program_head(&self, draft: &mut Draft, at: usize) {
+    fn program_head(&self, draft: &mut BlockDraft, at: usize) {
         let Some(word) = draft.place(b'O') else {
             return;
         };
@@ -166,16 +176,16 @@ impl Places<'_> {
     }
 
     /// The head of a section, or the block that M97 calls.
-    fn sub_head(&self, draft: &mut Draft, sub: usize) {
+    fn sub_head(&self, draft: &mut BlockDraft, sub: usize) {
         let own = &self.source.subs[sub];
         let (form, number) = self.structure.targets[sub];
         if own.form == form {
             return;
         }
         let head = match form {
-            Form::Letter => format!("L{}", number * 100),
-            Form::Label => format!("N{number}"),
-            Form::Program => program_name(number, self.to),
+            SubprogramForm::Letter => format!("L{}", number * 100),
+            SubprogramForm::Label => format!("N{number}"),
+            SubprogramForm::Program => program_name(number, self.to),
         };
         let title = self.to.table.title;
         if subroutine_head(draft.block).is_some() {
@@ -199,11 +209,11 @@ impl Places<'_> {
     }
 
     /// `L201`.
-    fn letter_call(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+    fn letter_call(&self, draft: &mut BlockDraft, at: usize) -> Result<(), NeedsExpansion> {
         let Some(word) = draft.place(b'L') else {
             return Ok(());
         };
-        let is_call = self.from.table.subroutines == Subroutines::LetterL
+        let is_call = self.from.table.subroutines == SubroutineForm::LetterL
             && subroutine_head(draft.block).is_none()
             && !self
                 .source
@@ -225,10 +235,10 @@ impl Places<'_> {
             .source
             .subs
             .iter()
-            .position(|sub| sub.form == Form::Letter && sub.number == value / 100);
+            .position(|sub| sub.form == SubprogramForm::Letter && sub.number == value / 100);
         let Some(sub) = sub else { return self.only_there("a fixed routine") };
         let (form, number) = self.structure.targets[sub];
-        if form == Form::Letter {
+        if form == SubprogramForm::Letter {
             return Ok(());
         }
         let call = self.call(form, number, value % 100)?;
@@ -243,15 +253,15 @@ impl Places<'_> {
         Ok(())
     }
 
-    fn only_there(&self, what: &str) -> Result<(), Expand> {
+    fn only_there(&self, what: &str) -> Result<(), NeedsExpansion> {
         if std::ptr::eq(self.from.table, self.to.table) {
             return Ok(());
         }
-        Err(Expand(format!("{} does not have {what}", self.to.table.title)))
+        Err(NeedsExpansion(format!("{} does not have {what}", self.to.table.title)))
     }
 
     /// Puts a call in the place of words; where the block moves as well, after it.
-    fn put_call(&self, draft: &mut Draft, words: &[usize], call: Vec<String>) {
+    fn put_call(&self, draft: &mut BlockDraft, words: &[usize], call: Vec<String>) {
         let others = draft.block.words.iter().enumerate().any(|(at, word)| {
             !words.contains(&at) && !matches!(word.letter, b'N') && !draft.is_gone(at)
         });
@@ -265,19 +275,25 @@ impl Places<'_> {
         }
     }
 
-    fn call(&self, form: Form, number: u32, times: u32) -> Result<Vec<String>, Expand> {
+    fn call(
+        &self,
+        form: SubprogramForm,
+        number: u32,
+        times: u32,
+    ) -> Result<Vec<String>, NeedsExpansion> {
         let gap = if self.style.spaced { " " } else { "" };
         let most = self.to.parameters.max_repeats.max(1);
         let action = match form {
-            Form::Letter => {
+            SubprogramForm::Letter => {
                 let parts = in_parts(times, 99);
                 return Ok(parts.map(|times| format!("L{}", number * 100 + times)).collect());
             }
-            Form::Label => Action::Call(CallCode::CallLabel),
-            Form::Program => Action::Call(CallCode::CallProgram),
+            SubprogramForm::Label => Action::Call(CallCode::CallLabel),
+            SubprogramForm::Program => Action::Call(CallCode::CallProgram),
         };
-        let code = codes::name(action, self.to, self.style)
-            .ok_or_else(|| Expand(format!("{} has no code for calls", self.to.table.title)))?;
+        let code = codes::name(action, self.to, self.style).ok_or_else(|| {
+            NeedsExpansion(format!("{} has no code for calls", self.to.table.title))
+        })?;
         let one = |times| match times {
             1 => format!("{code}{gap}P{number}"),
             _ => format!("{code}{gap}P{number}{gap}L{times}"),
@@ -286,12 +302,12 @@ impl Places<'_> {
     }
 
     /// `M98 P1000 L3`, `M98 P31000`.
-    fn program_call(&self, draft: &mut Draft, code: usize) -> Result<(), Expand> {
+    fn program_call(&self, draft: &mut BlockDraft, code: usize) -> Result<(), NeedsExpansion> {
         let block = draft.block;
         if self.from.table.call_start_label != self.to.table.call_start_label {
             let start = self.from.table.call_start_label;
             if start.is_some_and(|letter| block.letters().has(letter)) {
-                return Err(Expand(format!(
+                return Err(NeedsExpansion(format!(
                     "{} cannot start a called program at an N number like this",
                     self.to.table.title
                 )));
@@ -303,13 +319,13 @@ impl Places<'_> {
             self.source
                 .subs
                 .iter()
-                .position(|sub| sub.form == Form::Program && sub.number == number)
+                .position(|sub| sub.form == SubprogramForm::Program && sub.number == number)
         };
         let packed = self.from.parameters.packed_calls && number > 9999 && has(number).is_none();
         let (number, packed_times) =
             if packed { (number % 10_000, Some(number / 10_000)) } else { (number, None) };
         let Some(sub) = has(number) else {
-            return Err(Expand(format!("O{number} is in another file")));
+            return Err(NeedsExpansion(format!("O{number} is in another file")));
         };
         let (_, new) = self.structure.targets[sub];
         if new == number && (packed_times.is_none() || self.to.parameters.packed_calls) {
@@ -317,7 +333,7 @@ impl Places<'_> {
         }
         let l = draft.place(b'L');
         let times = packed_times.or(whole(l.map(|l| &block.words[l]))).unwrap_or(1);
-        let call = self.call(Form::Program, new, times)?;
+        let call = self.call(SubprogramForm::Program, new, times)?;
         let words: Vec<usize> = [Some(code), p, l].into_iter().flatten().collect();
         let before = words.iter().map(|at| draft.written(*at)).collect::<Vec<_>>().join(" ");
         let reason = format!("programs are called like this on {}", self.to.table.title);
@@ -327,21 +343,24 @@ impl Places<'_> {
     }
 
     /// `M97 P100 L3`.
-    fn label_call(&self, draft: &mut Draft, at: usize, code: usize) -> Result<(), Expand> {
+    fn label_call(
+        &self,
+        draft: &mut BlockDraft,
+        at: usize,
+        code: usize,
+    ) -> Result<(), NeedsExpansion> {
         let block = draft.block;
         let p = draft.place(b'P');
         let label = whole(p.map(|p| &block.words[p]));
         let in_main = self.source.mains.iter().any(|main| main.contains(&at));
-        let sub = self
-            .source
-            .subs
-            .iter()
-            .position(|sub| sub.form == Form::Label && Some(sub.number) == label && in_main);
+        let sub = self.source.subs.iter().position(|sub| {
+            sub.form == SubprogramForm::Label && Some(sub.number) == label && in_main
+        });
         let Some(sub) = sub else {
             return self.only_there("calls of blocks within the program (M97)");
         };
         let (form, number) = self.structure.targets[sub];
-        if form == Form::Label {
+        if form == SubprogramForm::Label {
             return Ok(());
         }
         let l = draft.place(b'L');
@@ -356,19 +375,28 @@ impl Places<'_> {
     }
 
     /// The end of a subprogram, where `other` would end it by another code.
-    fn back(&self, draft: &mut Draft, at: usize, word: usize, other: Form) -> Result<(), Expand> {
+    fn back(
+        &self,
+        draft: &mut BlockDraft,
+        at: usize,
+        word: usize,
+        other: SubprogramForm,
+    ) -> Result<(), NeedsExpansion> {
         let Some(sub) = self.source.sub_of(at) else { return Ok(()) };
         let [here, there] =
             [self.from, self.to].map(|control| control.parameters.return_label_in_callee);
         if draft.block.letters().has(b'P') && here != there {
-            return Err(Expand(format!("M99 P goes to another block on {}", self.to.table.title)));
+            return Err(NeedsExpansion(format!(
+                "M99 P goes to another block on {}",
+                self.to.table.title
+            )));
         }
-        let is_letter = self.structure.targets[sub].0 == Form::Letter;
-        if is_letter != (other == Form::Letter) {
+        let is_letter = self.structure.targets[sub].0 == SubprogramForm::Letter;
+        if is_letter != (other == SubprogramForm::Letter) {
             return Ok(());
         }
         if draft.block.letters().has(b'P') {
-            return Err(Expand("a return to an N number (M99 P)".into()));
+            return Err(NeedsExpansion("a return to an N number (M99 P)".into()));
         }
         let action = if is_letter {
             Action::Call(CallCode::SubroutineEnd)
@@ -376,20 +404,20 @@ impl Places<'_> {
             Action::Call(CallCode::Return)
         };
         let name = codes::name(action, self.to, self.style);
-        let name = name.ok_or_else(|| Expand("there is no code for the return".into()))?;
+        let name = name.ok_or_else(|| NeedsExpansion("there is no code for the return".into()))?;
         draft.replace(word, name, format!("subprograms end like this on {}", self.to.table.title));
         Ok(())
     }
 
     /// M30 closes the section of subroutines on one control; there the program ends with M2.
-    fn end(&self, draft: &mut Draft, at: usize, word: usize) {
+    fn end(&self, draft: &mut BlockDraft, at: usize, word: usize) {
         let title = self.to.table.title;
         if self.source.section_end == Some(at) {
-            if !self.structure.targets.iter().any(|target| target.0 == Form::Letter) {
+            if !self.structure.targets.iter().any(|target| target.0 == SubprogramForm::Letter) {
                 draft.remove(word, format!("{title} has no section of subroutines to close"));
             }
-        } else if self.to.table.subroutines == Subroutines::LetterL
-            && self.from.table.subroutines != Subroutines::LetterL
+        } else if self.to.table.subroutines == SubroutineForm::LetterL
+            && self.from.table.subroutines != SubroutineForm::LetterL
             && let Some(name) = codes::name(
                 Action::After(AfterCode::ProgramEnd { rewind: false }),
                 self.to,

@@ -2,22 +2,26 @@
 
 use chordal::CommandKind;
 use chordal::control::{
-    Action, ArcShape, ModeCode, MotionCode, OnceCode, RotarySurface, Side, SurfaceCode,
+    Action, ArcShape, CompensationSide, ModeCode, MotionCode, OnceCode, RotarySurface, SurfaceCode,
     SurfaceRules, SurfaceShape, SurfaceWord,
 };
 use chordal::geometry::Plane;
 use chordal::machine::AXIS_LETTERS;
 
 use super::codes;
-use super::context::Context;
-use super::draft::{Draft, Expand};
+use super::context::ConvertContext;
+use super::draft::{BlockDraft, NeedsExpansion};
 use super::emit::plane_action;
 use super::numbers;
-use super::trace::Exec;
+use super::trace::BlockExecution;
 use crate::source::code_action;
 
 /// Words of a block that begins or ends a surface, or lies on one.
-pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+pub(super) fn translate(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+) -> Result<(), NeedsExpansion> {
     let Some(run) = context.run(at) else { return Ok(()) };
     let code = (0..draft.block.words.len()).find_map(|word| {
         match code_action(&draft.block.words[word], context.from) {
@@ -40,9 +44,9 @@ pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     let is_face = matches!(surface.shape, SurfaceShape::Face { .. });
     let Some([from, to]) = rules(context, is_face) else {
         let title = context.to.table.title;
-        return Err(Expand(format!("{title} has no {}", name(is_face))));
+        return Err(NeedsExpansion(format!("{title} has no {}", name(is_face))));
     };
-    let across = Across { context, surface, is_face, from, to, run };
+    let across = SurfaceMove { context, surface, is_face, from, to, run };
     match code {
         Some((word, _)) if from.word != to.word => across.code(draft, word),
         Some(_) => Ok(()),
@@ -56,20 +60,20 @@ fn name(is_face: bool) -> &'static str {
 }
 
 /// How both controls do it.
-fn rules(context: &Context, is_face: bool) -> Option<[&'static SurfaceRules; 2]> {
+fn rules(context: &ConvertContext, is_face: bool) -> Option<[&'static SurfaceRules; 2]> {
     let [from, to] = context
         .controls()
         .map(|control| if is_face { control.table.face } else { control.table.cylinder });
     Some([from?, to?])
 }
 
-fn words_differ(context: &Context, code: Option<(usize, SurfaceCode)>) -> bool {
+fn words_differ(context: &ConvertContext, code: Option<(usize, SurfaceCode)>) -> bool {
     let is_face = !matches!(code, Some((_, SurfaceCode::Cylinder)));
     rules(context, is_face).is_some_and(|[from, to]| from.word != to.word)
 }
 
 /// Takes out the words that belong to a code, without a remark of their own.
-fn rest_of_code(draft: &mut Draft, letters: &[u8]) {
+fn rest_of_code(draft: &mut BlockDraft, letters: &[u8]) {
     for word in 0..draft.block.words.len() {
         if letters.contains(&draft.block.words[word].letter) {
             draft.set(word, "");
@@ -86,16 +90,16 @@ fn plane_of(one: usize, other: usize) -> Plane {
     }
 }
 
-struct Across<'c, 'a> {
-    context: &'c Context<'a>,
+struct SurfaceMove<'c, 'a> {
+    context: &'c ConvertContext<'a>,
     surface: RotarySurface,
     is_face: bool,
     from: &'static SurfaceRules,
     to: &'static SurfaceRules,
-    run: &'c Exec,
+    run: &'c BlockExecution,
 }
 
-impl Across<'_, '_> {
+impl SurfaceMove<'_, '_> {
     /// The letter of an axis, and that of its increments on a control.
     fn letters(&self, rules: &SurfaceRules) -> [Option<u8>; 2] {
         let axis = match rules.word {
@@ -126,7 +130,7 @@ impl Across<'_, '_> {
     }
 
     /// The code that begins or ends the surface.
-    fn code(&self, draft: &mut Draft, word: usize) -> Result<(), Expand> {
+    fn code(&self, draft: &mut BlockDraft, word: usize) -> Result<(), NeedsExpansion> {
         let begins = self.run.before.surface.is_none();
         let code = match (self.is_face, begins) {
             (true, true) => SurfaceCode::Face,
@@ -139,8 +143,9 @@ impl Across<'_, '_> {
             self.context.to,
             self.context.style(),
         );
-        let own =
-            own.ok_or_else(|| Expand(format!("{title} has no code for {}", name(self.is_face))))?;
+        let own = own.ok_or_else(|| {
+            NeedsExpansion(format!("{title} has no code for {}", name(self.is_face)))
+        })?;
         let mut words = vec![own];
         if !self.is_face {
             rest_of_code(
@@ -180,7 +185,7 @@ impl Across<'_, '_> {
     }
 
     /// Where the length has the letter of a linear axis, arcs need the plane of that axis.
-    fn planes_about(&self, draft: &mut Draft, begins: bool) {
+    fn planes_about(&self, draft: &mut BlockDraft, begins: bool) {
         if self.to.word != SurfaceWord::Linear {
             return;
         }
@@ -200,7 +205,7 @@ impl Across<'_, '_> {
     }
 
     /// The words of a block on the surface.
-    fn words(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+    fn words(&self, draft: &mut BlockDraft, at: usize) -> Result<(), NeedsExpansion> {
         if self.context.waits(at) {
             return Ok(());
         }
@@ -208,7 +213,7 @@ impl Across<'_, '_> {
         let commands = self.context.trace.commands_of(self.run);
         let is_rapid = |kind: &CommandKind| matches!(kind, CommandKind::Rapid { .. });
         if !self.to.rapid && commands.iter().any(|command| is_rapid(&command.kind)) {
-            return Err(Expand(format!(
+            return Err(NeedsExpansion(format!(
                 "{title} makes no rapids in {}: write G1 with a feed",
                 name(self.is_face)
             )));
@@ -233,7 +238,7 @@ impl Across<'_, '_> {
     }
 
     /// X of a face, where it is a diameter on one control and a radius on the other.
-    fn radius_of_x(&self, draft: &mut Draft) -> Result<(), Expand> {
+    fn radius_of_x(&self, draft: &mut BlockDraft) -> Result<(), NeedsExpansion> {
         let [one, other] = self.context.controls().map(|control| control.parameters.face_x_radius);
         if !self.is_face || one == other {
             return Ok(());
@@ -246,7 +251,7 @@ impl Across<'_, '_> {
                 continue;
             }
             let Some(number) = own.number() else {
-                return Err(Expand(format!("X is computed, and is a {what} on {title}")));
+                return Err(NeedsExpansion(format!("X is computed, and is a {what} on {title}")));
             };
             let digits = usize::from(number.scale) + 1;
             let text = numbers::plain(number.to_f64() * factor, digits, self.context.style());
@@ -258,7 +263,7 @@ impl Across<'_, '_> {
 
     /// Codes of planes: a control whose length is a rotary word takes none on a face, and another one has a single plane for
     /// a cylinder.
-    fn planes_on(&self, draft: &mut Draft) {
+    fn planes_on(&self, draft: &mut BlockDraft) {
         let title = self.context.to.table.title;
         if self.to.planes && self.to.word != SurfaceWord::Linear {
             return;
@@ -276,7 +281,7 @@ impl Across<'_, '_> {
     }
 
     /// The length across.
-    fn lengths(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+    fn lengths(&self, draft: &mut BlockDraft, at: usize) -> Result<(), NeedsExpansion> {
         let title = self.context.to.table.title;
         let [old, new] = [self.letters(self.from), self.letters(self.to)];
         let reason = match self.to.word {
@@ -300,7 +305,9 @@ impl Across<'_, '_> {
                 // A length stays as it is written.
                 true => match new[kind] {
                     Some(letter) => format!("{}{}", char::from(letter), &draft.now(word)[1..]),
-                    None => return Err(Expand(format!("{title} has no letter for distances"))),
+                    None => {
+                        return Err(NeedsExpansion(format!("{title} has no letter for distances")));
+                    }
                 },
                 false => self.end_across(at, new[0])?,
             };
@@ -310,12 +317,14 @@ impl Across<'_, '_> {
     }
 
     /// Where the block ends on a cylinder.
-    fn end_across(&self, at: usize, letter: Option<u8>) -> Result<String, Expand> {
+    fn end_across(&self, at: usize, letter: Option<u8>) -> Result<String, NeedsExpansion> {
         if self.context.trace.facts[at].runs > 1 {
-            return Err(Expand("the length on the cylinder is not the same in all runs".into()));
+            return Err(NeedsExpansion(
+                "the length on the cylinder is not the same in all runs".into(),
+            ));
         }
         let SurfaceShape::Cylinder { radius_mm } = self.surface.shape else {
-            return Err(Expand("no cylinder is active".into()));
+            return Err(NeedsExpansion("no cylinder is active".into()));
         };
         let mm = self.run.after.position[self.surface.across];
         let text = match self.to.word {
@@ -328,7 +337,7 @@ impl Across<'_, '_> {
     }
 
     /// G2 for G3 where the planes have their axes in the other order.
-    fn direction(&self, draft: &mut Draft, shape: &ArcShape) {
+    fn direction(&self, draft: &mut BlockDraft, shape: &ArcShape) {
         if self.is_face || self.to.word != SurfaceWord::Linear {
             return;
         }
@@ -342,14 +351,14 @@ impl Across<'_, '_> {
     }
 
     /// G41 for G42 likewise.
-    fn side(&self, draft: &mut Draft, side: Option<Side>) {
+    fn side(&self, draft: &mut BlockDraft, side: Option<CompensationSide>) {
         if self.is_face || self.to.word != SurfaceWord::Linear {
             return;
         }
         let code = match side {
-            Some(Side::Left) => ModeCode::CompensationLeft,
-            Some(Side::Right) => ModeCode::CompensationRight,
-            Some(Side::Off) | None => return,
+            Some(CompensationSide::Left) => ModeCode::CompensationLeft,
+            Some(CompensationSide::Right) => ModeCode::CompensationRight,
+            Some(CompensationSide::Off) | None => return,
         };
         let is_side = |action| {
             matches!(
@@ -360,7 +369,12 @@ impl Across<'_, '_> {
         self.replace_code(draft, is_side, Action::Mode(code));
     }
 
-    fn replace_code(&self, draft: &mut Draft, is: impl Fn(Option<Action>) -> bool, new: Action) {
+    fn replace_code(
+        &self,
+        draft: &mut BlockDraft,
+        is: impl Fn(Option<Action>) -> bool,
+        new: Action,
+    ) {
         let Some(text) = codes::name(new, self.context.to, self.context.style()) else { return };
         let title = self.context.to.table.title;
         for word in 0..draft.block.words.len() {
@@ -373,7 +387,7 @@ impl Across<'_, '_> {
     }
 
     /// R in place of a centre, where the new control takes no other.
-    fn center(&self, draft: &mut Draft, shape: &ArcShape) -> Result<(), Expand> {
+    fn center(&self, draft: &mut BlockDraft, shape: &ArcShape) -> Result<(), NeedsExpansion> {
         let centers: Vec<usize> = (0..draft.block.words.len())
             .filter(|word| matches!(draft.block.words[*word].letter, b'I' | b'J' | b'K'))
             .collect();
@@ -384,7 +398,7 @@ impl Across<'_, '_> {
         let reason = format!("{title} reads only R of an arc in {}", name(self.is_face));
         let turn = shape.sweep.abs();
         if turn > std::f64::consts::TAU - 1e-6 {
-            return Err(Expand(format!("{reason}, and a full circle has none")));
+            return Err(NeedsExpansion(format!("{reason}, and a full circle has none")));
         }
         for word in centers {
             draft.set(word, "");

@@ -7,11 +7,11 @@ use chordal::control::{Control, Feed, FeedMode, SpindleState, TapFeed, Units};
 use chordal::{Command, CommandKind};
 
 use super::numbers;
-use crate::source::Style;
+use crate::source::WordStyle;
 
 /// A thread that was tapped, along Z.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Tap {
+pub(crate) struct TappedThread {
     pub kind: CycleKind,
     /// Where the tap begins, mm.
     from: [f64; 3],
@@ -32,9 +32,9 @@ pub(crate) fn length(commands: &[Command]) -> usize {
     commands.iter().position(|command| is(command, true)).map_or(commands.len(), |end| end + 1)
 }
 
-impl Tap {
+impl TappedThread {
     /// The thread that commands cut.
-    pub fn of(commands: &[Command]) -> Result<Tap, String> {
+    pub fn of(commands: &[Command]) -> Result<TappedThread, String> {
         let mut cuts = Vec::new();
         let (mut turns, mut dwell_s) = (Vec::new(), 0.0);
         for command in commands {
@@ -68,7 +68,7 @@ impl Tap {
             _ => return Err("a tap without a reversal of the spindle".into()),
         };
         let from = [down.from[0], down.from[1], down.from[2]];
-        Ok(Tap { kind, from, depth: down.to[2], feed: **feed, dwell_s })
+        Ok(TappedThread { kind, from, depth: down.to[2], feed: **feed, dwell_s })
     }
 
     /// The words after the code, for a tool that stands where the tap begins; nothing where F cannot be
@@ -77,7 +77,7 @@ impl Tap {
         &self,
         to: &Control,
         units: Units,
-        style: Style,
+        style: WordStyle,
         length: impl Fn(f64) -> String,
     ) -> Option<Vec<String>> {
         let unit = units.mm();

@@ -6,13 +6,13 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use chordal::control::{
-    CallPath, Control, FeedMode, FrameKinds, LiveTool, Modal, Origin, Position, ReadingCode,
-    RotarySurface, Side, SpindleState, Units, WorkName,
+    CallPath, CompensationSide, Control, FeedMode, FrameKinds, LiveTool, Modal, Origin, Position,
+    ReadingCode, RotarySurface, SpindleState, Units, WorkName,
 };
 use chordal::geometry::Plane;
 use chordal::{Code, Command, CommandKind, Diagnostic, Job, Sink, Span};
 
-use crate::source::Source;
+use crate::source::SourceBlocks;
 
 /// Said where what a run does depends on a value that nobody gave.
 fn is_of_unknown_value(code: Code) -> bool {
@@ -21,7 +21,7 @@ fn is_of_unknown_value(code: Code) -> bool {
 
 /// What is active after a block.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Modes {
+pub(crate) struct ActiveModes {
     pub motion: Option<Action>,
     pub incremental: bool,
     pub plane: Plane,
@@ -29,7 +29,7 @@ pub(crate) struct Modes {
     /// As the mode counts it: mm/s, 1/s, mm per revolution.
     pub feed: Option<f64>,
     pub units: Units,
-    pub side: Side,
+    pub side: CompensationSide,
     pub work: WorkName,
     /// Of the tool tip in the work coordinate system.
     pub position: Position,
@@ -49,9 +49,9 @@ pub(crate) struct Modes {
     pub per_x: f64,
 }
 
-impl Modes {
-    fn of(modal: Modal, surface: Option<RotarySurface>, per_x: f64) -> Modes {
-        Modes {
+impl ActiveModes {
+    fn of(modal: Modal, surface: Option<RotarySurface>, per_x: f64) -> ActiveModes {
+        ActiveModes {
             motion: modal.motion.map(Action::from),
             incremental: modal.incremental,
             plane: modal.plane,
@@ -76,19 +76,19 @@ impl Modes {
 
 /// A block carried out once.
 #[derive(Clone, Debug)]
-pub(crate) struct Exec {
+pub(crate) struct BlockExecution {
     /// The block; nothing where it stands in another file.
     pub block: Option<usize>,
     /// The calls that it was reached through, innermost first, by number.
     pub path: u32,
     pub commands: Range<usize>,
-    pub before: Modes,
-    pub after: Modes,
+    pub before: ActiveModes,
+    pub after: ActiveModes,
 }
 
 /// What the runs of a block have in common.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Facts {
+pub(crate) struct BlockFacts {
     /// How often it was carried out.
     pub runs: u32,
     /// Its first run.
@@ -100,20 +100,20 @@ pub(crate) struct Facts {
 }
 
 /// A run.
-pub(crate) struct Trace {
-    pub execs: Vec<Exec>,
+pub(crate) struct ProgramTrace {
+    pub execs: Vec<BlockExecution>,
     pub commands: Vec<Command>,
-    pub facts: Vec<Facts>,
+    pub facts: Vec<BlockFacts>,
     /// The calling blocks, innermost first, by the numbers that runs have.
     pub paths: Vec<Vec<Span>>,
     /// The first thing that the run assumed because nobody knows a value.
     pub assumed: Option<Diagnostic>,
 }
 
-struct Gather<'s, 'a> {
-    source: &'s Source<'a>,
-    trace: Trace,
-    last: Option<Modes>,
+struct TraceRecorder<'s, 'a> {
+    source: &'s SourceBlocks<'a>,
+    trace: ProgramTrace,
+    last: Option<ActiveModes>,
     /// The first command of the running block.
     open: usize,
     last_is_arc: bool,
@@ -123,7 +123,7 @@ struct Gather<'s, 'a> {
     surface: Option<RotarySurface>,
 }
 
-impl Sink for Gather<'_, '_> {
+impl Sink for TraceRecorder<'_, '_> {
     fn command(&mut self, command: &Command) {
         self.trace.commands.push(command.clone());
     }
@@ -135,7 +135,7 @@ impl Sink for Gather<'_, '_> {
     }
 }
 
-impl RunSink for Gather<'_, '_> {
+impl RunSink for TraceRecorder<'_, '_> {
     fn wants_blocks(&self) -> bool {
         true
     }
@@ -151,7 +151,7 @@ impl RunSink for Gather<'_, '_> {
                 _ => {}
             }
         }
-        let after = Modes::of(modal(), self.surface, self.per_x);
+        let after = ActiveModes::of(modal(), self.surface, self.per_x);
         self.open = commands.end;
         let index = self.trace.execs.len();
         let after_arc = self.last_is_arc;
@@ -178,12 +178,12 @@ impl RunSink for Gather<'_, '_> {
         }
         let before = self.last.unwrap_or(after);
         self.raw.push(origin.call);
-        self.trace.execs.push(Exec { block, path: 0, commands, before, after });
+        self.trace.execs.push(BlockExecution { block, path: 0, commands, before, after });
         self.last = Some(after);
     }
 }
 
-impl Gather<'_, '_> {
+impl TraceRecorder<'_, '_> {
     /// Whether words of X are diameters from a block on.
     fn follow_x_words(&mut self, block: Option<usize>) {
         let Some(block) = block else { return };
@@ -198,12 +198,12 @@ impl Gather<'_, '_> {
     }
 }
 
-impl Trace {
-    pub fn of(job: &Job, source: &Source) -> Trace {
-        let trace = Trace {
+impl ProgramTrace {
+    pub fn of(job: &Job, source: &SourceBlocks) -> ProgramTrace {
+        let trace = ProgramTrace {
             execs: Vec::new(),
             commands: Vec::new(),
-            facts: vec![Facts::default(); source.blocks.len()],
+            facts: vec![BlockFacts::default(); source.blocks.len()],
             paths: vec![Vec::new()],
             assumed: None,
         };
@@ -212,7 +212,7 @@ impl Trace {
             true => 1.0,
             false => job.machine().written_factor(0).recip(),
         };
-        let mut gather = Gather {
+        let mut gather = TraceRecorder {
             source,
             trace,
             last: None,
@@ -224,13 +224,13 @@ impl Trace {
             surface: None,
         };
         let outcomes = job.run(&mut gather);
-        let Gather { mut trace, raw, .. } = gather;
+        let TraceRecorder { mut trace, raw, .. } = gather;
         trace.resolve(source, &raw, &outcomes);
         trace
     }
 
     /// Gives each run the number of its calls. Every main program counts its calls anew.
-    fn resolve(&mut self, source: &Source, raw: &[CallPath], outcomes: &[chordal::Outcome]) {
+    fn resolve(&mut self, source: &SourceBlocks, raw: &[CallPath], outcomes: &[chordal::Outcome]) {
         let mut main = 0;
         let mut known: Vec<Option<u32>> = Vec::new();
         let mut running: Option<usize> = None;
@@ -258,12 +258,12 @@ impl Trace {
     }
 
     /// The commands of a run.
-    pub fn commands_of(&self, exec: &Exec) -> &[Command] {
+    pub fn commands_of(&self, exec: &BlockExecution) -> &[Command] {
         &self.commands[exec.commands.clone()]
     }
 
     /// The first run of a block.
-    pub fn first_run(&self, block: usize) -> Option<&Exec> {
+    pub fn first_run(&self, block: usize) -> Option<&BlockExecution> {
         let facts = &self.facts[block];
         (facts.runs > 0).then(|| &self.execs[facts.first])
     }
@@ -271,7 +271,7 @@ impl Trace {
     /// The runs that a run sets off by its calls, itself included.
     pub fn subtree(&self, index: usize) -> Range<usize> {
         let depth = self.paths[self.execs[index].path as usize].len();
-        let deeper = |exec: &Exec| self.paths[exec.path as usize].len() > depth;
+        let deeper = |exec: &BlockExecution| self.paths[exec.path as usize].len() > depth;
         let more = self.execs[index + 1..].iter().take_while(|exec| deeper(exec)).count();
         index..index + 1 + more
     }
@@ -282,10 +282,11 @@ pub(crate) fn surface_lines(job: &Job) -> BTreeSet<u32> {
     if !job.control().table.turns() {
         return BTreeSet::new();
     }
-    let source = Source::of(job);
-    let trace = Trace::of(job, &source);
-    let keeps =
-        |exec: &&Exec| exec.before.surface_speed.is_some() || exec.after.surface_speed.is_some();
+    let source = SourceBlocks::of(job);
+    let trace = ProgramTrace::of(job, &source);
+    let keeps = |exec: &&BlockExecution| {
+        exec.before.surface_speed.is_some() || exec.after.surface_speed.is_some()
+    };
     let blocks = trace.execs.iter().filter(keeps).filter_map(|exec| exec.block);
     blocks.map(|at| source.blocks[at].line).collect()
 }

@@ -1,19 +1,19 @@
 //! A block of one control as a block of another.
 
 use chordal::CommandKind;
-use chordal::control::table::{Group, LineRepeat, MotionModality, Subroutines};
+use chordal::control::table::{CodeGroup, LineRepeat, MotionModality, SubroutineForm};
 use chordal::control::{Action, BlockStep, CallCode, Control, MotionCode, OnceCode, ReadingCode};
 use chordal::control::{Units, subroutine_head};
 use chordal::syntax::{BlockKind, Letters};
 
 use super::codes;
 use super::comments;
-use super::context::Context;
+use super::context::ConvertContext;
 use super::corners;
 use super::cycles;
-use super::draft::{Draft, Expand};
-use super::numbers::{self, Kind};
-use super::structure::Places;
+use super::draft::{BlockDraft, NeedsExpansion};
+use super::numbers::{self, DigitRule};
+use super::structure::StructureView;
 use super::surface;
 use super::trace::moves;
 use super::turning;
@@ -22,11 +22,11 @@ use crate::source::{code_action, whole};
 /// Letters of lengths on the axes of the plane and the third one.
 pub(super) const LENGTHS: Letters = Letters::of("XYZIJKR");
 
-impl<'a> Context<'a> {
+impl<'a> ConvertContext<'a> {
     /// The block in the words of the new control.
-    pub fn block(&self, at: usize) -> Result<Draft<'a>, Expand> {
+    pub fn block(&self, at: usize) -> Result<BlockDraft<'a>, NeedsExpansion> {
         let block = &self.source.blocks[at];
-        let mut draft = Draft::new(self.source.text, block, self.style().spaced);
+        let mut draft = BlockDraft::new(self.source.text, block, self.style().spaced);
         match block.kind {
             BlockKind::Words => {}
             BlockKind::Percent => {
@@ -57,8 +57,8 @@ impl<'a> Context<'a> {
         Ok(draft)
     }
 
-    fn words(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
-        let places = Places {
+    fn words(&self, draft: &mut BlockDraft, at: usize) -> Result<(), NeedsExpansion> {
+        let places = StructureView {
             source: self.source,
             structure: self.structure,
             from: self.from,
@@ -76,7 +76,9 @@ impl<'a> Context<'a> {
         self.corners(draft.block, at)?;
         if !draft.block.polar.is_empty() && !self.to.table.lexicon.polar_words {
             let title = self.to.table.title;
-            return Err(Expand(format!("{title} has no radius and angle in place of X and Y")));
+            return Err(NeedsExpansion(format!(
+                "{title} has no radius and angle in place of X and Y"
+            )));
         }
         turning::translate(self, draft, at)?;
         surface::translate(self, draft, at)?;
@@ -97,7 +99,7 @@ impl<'a> Context<'a> {
     }
 
     /// `R0+1.` on one control, `R1.` on the others; other registers have no counterpart.
-    fn registers(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+    fn registers(&self, draft: &mut BlockDraft, at: usize) -> Result<(), NeedsExpansion> {
         let [has, will] = [self.from, self.to].map(|control| control.table.lexicon.registers);
         if has == will {
             return Ok(());
@@ -116,7 +118,7 @@ impl<'a> Context<'a> {
                     let value = value.strip_prefix('+').unwrap_or(value);
                     draft.replace(word, format!("R{value}"), format!("{title} writes R like this"));
                 }
-                Some(_) => return Err(Expand(format!("{title} has no registers"))),
+                Some(_) => return Err(NeedsExpansion(format!("{title} has no registers"))),
                 None if will => {
                     let value = &written[1..];
                     let sign = if value.starts_with('-') { "" } else { "+" };
@@ -145,7 +147,7 @@ impl<'a> Context<'a> {
     }
 
     /// Numbers without a point.
-    fn numbers(&self, draft: &mut Draft, at: usize) {
+    fn numbers(&self, draft: &mut BlockDraft, at: usize) {
         let units = self.run(at).map_or(Units::Inch, |run| run.after.units);
         let data = self.source.has_action(at, self.from, |action| {
             matches!(
@@ -159,11 +161,11 @@ impl<'a> Context<'a> {
             let own = draft.block.words[word];
             let Some(number) = own.number() else { continue };
             let kind = match own.letter {
-                b'X' | b'Y' | b'Z' | b'I' | b'J' | b'K' | b'R' => Kind::Length,
-                b'Q' if self.run(at).is_some_and(|run| self.in_cycle(run)) => Kind::Length,
-                b'C' if own.comma => Kind::Length,
-                b'A' | b'B' | b'C' => Kind::Angle,
-                b'F' => Kind::Feed,
+                b'X' | b'Y' | b'Z' | b'I' | b'J' | b'K' | b'R' => DigitRule::Length,
+                b'Q' if self.run(at).is_some_and(|run| self.in_cycle(run)) => DigitRule::Length,
+                b'C' if own.comma => DigitRule::Length,
+                b'A' | b'B' | b'C' => DigitRule::Angle,
+                b'F' => DigitRule::Feed,
                 _ => continue,
             };
             // A word that was changed has its point, but for R.
@@ -188,7 +190,7 @@ impl<'a> Context<'a> {
     }
 
     /// The time of G4.
-    fn dwell(&self, draft: &mut Draft, at: usize) {
+    fn dwell(&self, draft: &mut BlockDraft, at: usize) {
         if !self.source.has_action(at, self.from, |action| action == Action::Once(OnceCode::Dwell))
         {
             return;
@@ -219,7 +221,7 @@ impl<'a> Context<'a> {
     }
 
     /// Motion codes that the old control did not need.
-    fn motion(&self, draft: &mut Draft, at: usize) {
+    fn motion(&self, draft: &mut BlockDraft, at: usize) {
         let [armed, arms] = [self.from, self.to].map(|control| control.table.motion);
         if armed != MotionModality::Armed || arms == MotionModality::Armed {
             return;
@@ -261,7 +263,7 @@ impl<'a> Context<'a> {
     }
 
     /// G90 and G91 act from left to right on one control, before the words on the others.
-    fn distance(&self, draft: &mut Draft) {
+    fn distance(&self, draft: &mut BlockDraft) {
         let [from, to] = [self.from, self.to].map(|control| control.table.distance_left_to_right);
         if from == to {
             return;
@@ -299,7 +301,7 @@ impl<'a> Context<'a> {
     }
 
     /// What one control switches after the motion of its block and the other before it goes into a block of its own.
-    fn switches(&self, draft: &mut Draft, at: usize) {
+    fn switches(&self, draft: &mut BlockDraft, at: usize) {
         let Some(run) = self.run(at) else { return };
         if moves(self.trace.commands_of(run)).next().is_none() {
             return;
@@ -329,13 +331,13 @@ impl<'a> Context<'a> {
     }
 
     /// The count of a line repeat of the block.
-    pub(super) fn line_repeat(&self, draft: &Draft, at: usize) -> Option<(usize, u32)> {
+    pub(super) fn line_repeat(&self, draft: &BlockDraft, at: usize) -> Option<(usize, u32)> {
         if self.from.table.line_repeat == LineRepeat::None {
             return None;
         }
         let claimed = self.source.blocks[at].words.iter().any(|word| {
             let row = self.from.row_of(word);
-            row.is_some_and(|row| row.words.has(b'L') || row.group == Group::Cycle)
+            row.is_some_and(|row| row.words.has(b'L') || row.group == CodeGroup::Cycle)
         });
         let in_cycle = self.run(at).is_some_and(|run| self.in_cycle(run));
         if claimed || in_cycle {
@@ -343,12 +345,12 @@ impl<'a> Context<'a> {
         }
         let word = draft.place(b'L')?;
         let count = whole(Some(&draft.block.words[word]))?;
-        let calls = self.from.table.subroutines == Subroutines::LetterL && count >= 100;
+        let calls = self.from.table.subroutines == SubroutineForm::LetterL && count >= 100;
         (!calls).then_some((word, count))
     }
 
     /// A repeated line is written as often.
-    fn repeats(&self, draft: &mut Draft, at: usize) {
+    fn repeats(&self, draft: &mut BlockDraft, at: usize) {
         let in_sub = self.source.sub_of(at).is_some();
         let kept = match self.to.table.line_repeat {
             LineRepeat::Anywhere => true,
@@ -365,7 +367,7 @@ impl<'a> Context<'a> {
     }
 
     /// Codes that must be the only G code of their block.
-    fn alone(&self, draft: &mut Draft) {
+    fn alone(&self, draft: &mut BlockDraft) {
         let block = draft.block;
         let must = |at: usize| {
             code_action(&block.words[at], self.from)

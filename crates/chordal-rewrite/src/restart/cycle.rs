@@ -6,11 +6,11 @@ use chordal::control::{CycleKind, DefinitionFires, ZeroRepeats};
 use chordal::geometry::Plane;
 use chordal::syntax::Block;
 
-use crate::source::Source;
+use crate::source::SourceBlocks;
 
 /// A cycle as the program has said it.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Cycle {
+pub(super) struct OpenCycle {
     kind: Option<CycleKind>,
     /// Its code.
     code: String,
@@ -30,9 +30,9 @@ pub(super) struct Cycle {
     pub(super) by_distance: bool,
 }
 
-impl Cycle {
+impl OpenCycle {
     /// Takes the words of the next block of the run.
-    pub(super) fn follow(&mut self, source: &Source, control: &Control, block: &Block) {
+    pub(super) fn follow(&mut self, source: &SourceBlocks, control: &Control, block: &Block) {
         let text = |word: &chordal::syntax::Word| {
             String::from_utf8_lossy(word.range.slice(source.text)).into_owned()
         };
@@ -115,7 +115,7 @@ impl Cycle {
 
 /// The words of a block that may ready a tap: a code without effect on the path, such as M29, and nothing that
 /// moves.
-fn readies(source: &Source, control: &Control, block: &Block) -> Option<String> {
+fn readies(source: &SourceBlocks, control: &Control, block: &Block) -> Option<String> {
     let is_one = |word: &chordal::syntax::Word| {
         control.row_of(word).is_some_and(|row| row.action == Action::NoEffect)
     };

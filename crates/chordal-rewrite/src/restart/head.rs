@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use chordal::Control;
-use chordal::control::table::Group;
+use chordal::control::table::CodeGroup;
 use chordal::control::{
     Action, FeedMode, LengthCode, Modal, ModeCode, MotionCode, MotionMode, ReadingCode,
     SpindleState, Units,
@@ -11,11 +11,11 @@ use chordal::control::{
 use chordal::geometry::Plane;
 use chordal::machine::AXIS_LETTERS;
 
-use super::watch::Before;
+use super::watch::StateBefore;
 use crate::convert::codes;
 use crate::convert::numbers::{digits, length, plain};
-use crate::source::Source;
-use crate::split::standing::Slot;
+use crate::source::SourceBlocks;
+use crate::split::standing::StateSlot;
 use crate::split::text::{MOST_DECIMALS, feed_word};
 
 /// Places nearer than this are written as they are, mm or degrees.
@@ -23,20 +23,20 @@ const EXACT: f64 = 1e-10;
 
 /// What stands in the way of a head.
 #[derive(Debug)]
-pub(super) struct Lack(pub(super) String);
+pub(super) struct HeadError(pub(super) String);
 
 /// Writes the head of one program.
-pub(super) struct Head<'h, 'a> {
-    pub(super) source: &'h Source<'a>,
+pub(super) struct HeadWriter<'h, 'a> {
+    pub(super) source: &'h SourceBlocks<'a>,
     pub(super) control: &'h Control,
-    pub(super) before: &'h Before,
+    pub(super) before: &'h StateBefore,
     /// The block that the program begins at.
     pub(super) at: usize,
 }
 
-impl Head<'_, '_> {
+impl HeadWriter<'_, '_> {
     /// The lines before a block that changes the tool: the tool's own words follow.
-    pub(super) fn before_change(&self) -> Result<Vec<String>, Lack> {
+    pub(super) fn before_change(&self) -> Result<Vec<String>, HeadError> {
         if self.turns() {
             return self.before_station();
         }
@@ -52,7 +52,7 @@ impl Head<'_, '_> {
     }
 
     /// The lines before a block where the place is not known: the program goes to one before it cuts.
-    pub(super) fn before_approach(&self) -> Result<Vec<String>, Lack> {
+    pub(super) fn before_approach(&self) -> Result<Vec<String>, HeadError> {
         if self.turns() {
             return self.with_station();
         }
@@ -69,7 +69,7 @@ impl Head<'_, '_> {
 
     /// The lines before a block where the height alone is not known, as after a tool change or G28 Z0: they take the tool
     /// over its place, at the height that the machine has.
-    pub(super) fn before_descent(&self) -> Result<Vec<String>, Lack> {
+    pub(super) fn before_descent(&self) -> Result<Vec<String>, HeadError> {
         let mut lines = self.modes();
         lines.extend(self.tool());
         if self.has_one_command_a_line() {
@@ -85,11 +85,11 @@ impl Head<'_, '_> {
     }
 
     /// The lines before any other block: they take the tool to where it stands.
-    pub(super) fn all(&self) -> Result<Vec<String>, Lack> {
+    pub(super) fn all(&self) -> Result<Vec<String>, HeadError> {
         if self.turns() {
             return self.at_the_part();
         }
-        let Before { said, highest, .. } = self.before;
+        let StateBefore { said, highest, .. } = self.before;
         let mut lines = self.modes();
         lines.extend(self.tool());
         if self.has_one_command_a_line() {
@@ -121,8 +121,8 @@ impl Head<'_, '_> {
         codes::name(action, self.control, self.source.style)
     }
 
-    pub(super) fn needed(&self, action: Action, what: &str) -> Result<String, Lack> {
-        self.name(action).ok_or_else(|| Lack(format!("this control has no code for {what}")))
+    pub(super) fn needed(&self, action: Action, what: &str) -> Result<String, HeadError> {
+        self.name(action).ok_or_else(|| HeadError(format!("this control has no code for {what}")))
     }
 
     pub(super) fn gap(&self) -> &'static str {
@@ -132,7 +132,7 @@ impl Head<'_, '_> {
     /// Units, plane, G90, G40, G49, G80, feed mode and what else lasts, in the words of the program where it
     /// has said them.
     pub(super) fn modes(&self) -> Vec<String> {
-        let Before { modal, said, .. } = self.before;
+        let StateBefore { modal, said, .. } = self.before;
         let mut codes = said.codes.clone();
         // What was said in a called control's default is said here all the same.
         let plane = match modal.plane {
@@ -150,11 +150,11 @@ impl Head<'_, '_> {
             FeedMode::InverseTime => ReadingCode::FeedInverseTime,
         };
         let defaults = [
-            (Slot::Units, Action::Reading(unit)),
-            (Slot::Plane, Action::Mode(plane)),
-            (Slot::Compensation, Action::Mode(ModeCode::CompensationOff)),
-            (Slot::Cycle, Action::Mode(ModeCode::CancelCycle)),
-            (Slot::FeedMode, Action::Reading(feed)),
+            (StateSlot::Units, Action::Reading(unit)),
+            (StateSlot::Plane, Action::Mode(plane)),
+            (StateSlot::Compensation, Action::Mode(ModeCode::CompensationOff)),
+            (StateSlot::Cycle, Action::Mode(ModeCode::CancelCycle)),
+            (StateSlot::FeedMode, Action::Reading(feed)),
         ];
         for (slot, action) in defaults {
             if let (None, Some(code)) = (codes.get(&slot), self.name(action)) {
@@ -162,7 +162,7 @@ impl Head<'_, '_> {
             }
         }
         if let Some(code) = self.name(Action::Reading(ReadingCode::Absolute)) {
-            codes.insert(Slot::Distance, code);
+            codes.insert(StateSlot::Distance, code);
         }
         let mut lines = match self.has_one_command_a_line() {
             true => codes.into_values().collect(),
@@ -176,10 +176,10 @@ impl Head<'_, '_> {
     }
 
     /// The codes in one line, G49 where programmers write it: between G40 and G80.
-    fn safe_line(&self, codes: BTreeMap<Slot, String>) -> String {
+    fn safe_line(&self, codes: BTreeMap<StateSlot, String>) -> String {
         let mut words = Vec::new();
         for (slot, code) in codes {
-            if slot == Slot::Cycle && !self.turns() {
+            if slot == StateSlot::Cycle && !self.turns() {
                 words.extend(self.name(Action::Length(LengthCode::Cancel)));
             }
             words.push(code);
@@ -189,7 +189,7 @@ impl Head<'_, '_> {
 
     /// The tool change, in the program's own words.
     fn tool(&self) -> Option<String> {
-        let Before { modal, said, .. } = self.before;
+        let StateBefore { modal, said, .. } = self.before;
         let words = said.tool.as_ref().filter(|_| modal.tool > 0)?;
         let has_number = words.contains('T');
         Some(if has_number {
@@ -200,12 +200,12 @@ impl Head<'_, '_> {
     }
 
     pub(super) fn work(&self) -> Option<String> {
-        let Before { modal, said, .. } = self.before;
+        let StateBefore { modal, said, .. } = self.before;
         codes::work_offset(modal.work, self.control, self.source.style).filter(|_| said.work)
     }
 
     /// By rapid over the place, with the spindle on.
-    fn over(&self) -> Result<String, Lack> {
+    fn over(&self) -> Result<String, HeadError> {
         let modal = &self.before.modal;
         let mut words = vec![self.needed(Action::Motion(MotionCode::Rapid), "a rapid")?];
         let with_others = !self.has_one_command_a_line();
@@ -222,7 +222,7 @@ impl Head<'_, '_> {
     }
 
     fn spindle(&self) -> Vec<String> {
-        let Before { modal, said, .. } = self.before;
+        let StateBefore { modal, said, .. } = self.before;
         let mut words: Vec<String> = self.speed().into_iter().collect();
         if modal.spindle != SpindleState::Off {
             words.extend(said.spindle.clone());
@@ -240,7 +240,7 @@ impl Head<'_, '_> {
     }
 
     fn speed(&self) -> Option<String> {
-        let Before { modal, said, .. } = self.before;
+        let StateBefore { modal, said, .. } = self.before;
         let speed = plain(modal.rpm, 3, self.source.style);
         (said.speed && modal.rpm > 0.0).then(|| format!("S{}", speed.trim_end_matches('.')))
     }
@@ -253,8 +253,8 @@ impl Head<'_, '_> {
     }
 
     /// By rapid down to where the program has been clear, with the length offset.
-    fn down(&self, highest: f64) -> Result<String, Lack> {
-        let Before { modal, said, .. } = self.before;
+    fn down(&self, highest: f64) -> Result<String, HeadError> {
+        let StateBefore { modal, said, .. } = self.before;
         let mut words: Vec<String> = self.rapid_of_line()?.into_iter().collect();
         if let Some(number) = modal.length_offset {
             words.extend(said.length.clone());
@@ -266,7 +266,7 @@ impl Head<'_, '_> {
     }
 
     /// The length that the program gives itself (G43.1), in a line of its own: its axis words are the offsets.
-    fn own_length(&self) -> Result<Option<String>, Lack> {
+    fn own_length(&self) -> Result<Option<String>, HeadError> {
         let Some(values) = self.before.modal.own_length else { return Ok(None) };
         let code = self.needed(Action::Length(LengthCode::FromAxes), "a length of its own")?;
         let mut words = vec![code];
@@ -280,19 +280,19 @@ impl Head<'_, '_> {
     }
 
     /// The code of a rapid, where each line needs its own.
-    fn rapid_of_line(&self) -> Result<Option<String>, Lack> {
+    fn rapid_of_line(&self) -> Result<Option<String>, HeadError> {
         let rapid = || self.needed(Action::Motion(MotionCode::Rapid), "a rapid");
         self.has_one_command_a_line().then(rapid).transpose()
     }
 
     /// By feed to the place itself; by rapid only where the program has no feed yet.
-    fn plunge(&self, highest: f64) -> Result<Option<String>, Lack> {
+    fn plunge(&self, highest: f64) -> Result<Option<String>, HeadError> {
         let modal = &self.before.modal;
         if highest - modal.position[2] < EXACT {
             return Ok(feed_word(&self.before.modal, self.source.style));
         }
         if modal.feed_mode == FeedMode::InverseTime {
-            return Err(Lack(
+            return Err(HeadError(
                 "inverse time feed is on, and the tool is below the clearance".into(),
             ));
         }
@@ -304,7 +304,9 @@ impl Head<'_, '_> {
         };
         let is_per_turn = modal.feed_mode == FeedMode::PerRevolution;
         if is_per_turn && modal.spindle == SpindleState::Off {
-            return Err(Lack("the feed is per revolution, and the spindle stands still".into()));
+            return Err(HeadError(
+                "the feed is per revolution, and the spindle stands still".into(),
+            ));
         }
         let cut = self.needed(Action::Motion(MotionCode::Linear), "a straight cut")?;
         Ok(Some([cut, depth, feed].join(self.gap())))
@@ -329,8 +331,8 @@ impl Head<'_, '_> {
     }
 
     /// G91 and the motion code, so that words without a code mean the same.
-    pub(super) fn ending(&self) -> Result<Vec<String>, Lack> {
-        let Before { modal, cycle, .. } = self.before;
+    pub(super) fn ending(&self) -> Result<Vec<String>, HeadError> {
+        let StateBefore { modal, cycle, .. } = self.before;
         let mut lines: Vec<String> = self.radius().into_iter().collect();
         let increments = match modal.incremental {
             true => Some(self.needed(Action::Reading(ReadingCode::Incremental), "increments")?),
@@ -341,7 +343,7 @@ impl Head<'_, '_> {
             lines.extend(self.motion(modal)?);
             return Ok(lines);
         }
-        let cycle_lines = cycle.lines(modal, self.control, self.gap()).map_err(Lack)?;
+        let cycle_lines = cycle.lines(modal, self.control, self.gap()).map_err(HeadError)?;
         let [first, last] = match cycle.by_distance {
             true => [increments, None],
             false => [None, increments],
@@ -350,14 +352,14 @@ impl Head<'_, '_> {
         Ok(lines)
     }
 
-    fn motion(&self, modal: &Modal) -> Result<Option<String>, Lack> {
+    fn motion(&self, modal: &Modal) -> Result<Option<String>, HeadError> {
         match modal.motion {
             None => Ok(self.name(Action::Mode(ModeCode::CancelCycle))),
             // RS274/NGC refuses G1 before any F, alone too.
             Some(MotionMode::Linear | MotionMode::Arc(_)) if self.lacks_feed(modal) => {
                 match self.says_motion() {
                     true => Ok(None),
-                    false => Err(Lack(
+                    false => Err(HeadError(
                         "G1 is in force and no feed: the control takes no G1 in a head then".into(),
                     )),
                 }
@@ -371,7 +373,7 @@ impl Head<'_, '_> {
                 self.needed(mode.into(), "the motion in force").map(Some)
             }
             Some(MotionMode::Turn(_) | MotionMode::Thread) if self.turns() => Ok(None),
-            Some(_) => Err(Lack("a motion is in force that a head cannot begin".into())),
+            Some(_) => Err(HeadError("a motion is in force that a head cannot begin".into())),
         }
     }
 
@@ -394,12 +396,12 @@ impl Head<'_, '_> {
         let words = &self.source.blocks[self.at].words;
         words.iter().any(|word| {
             let row = self.control.row_of(word);
-            row.is_some_and(|row| row.group == Group::Motion)
+            row.is_some_and(|row| row.group == CodeGroup::Motion)
         })
     }
 
     /// The word of an axis, with as many digits as it takes.
-    pub(super) fn place(&self, axis: usize, value: f64) -> Result<String, Lack> {
+    pub(super) fn place(&self, axis: usize, value: f64) -> Result<String, HeadError> {
         let letter = char::from(AXIS_LETTERS.as_bytes()[axis]);
         let (modal, style) = (&self.before.modal, self.source.style);
         if axis > 2 {
@@ -415,7 +417,7 @@ impl Head<'_, '_> {
         let count = (least..=MOST_DECIMALS).find(|count| off(*count) < EXACT);
         let Some(count) = count else {
             let what = format!("the position in {letter} has more decimals than the control takes");
-            return Err(Lack(what));
+            return Err(HeadError(what));
         };
         Ok(format!("{letter}{}", length(value, modal.units, count, style)))
     }

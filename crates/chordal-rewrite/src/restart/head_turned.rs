@@ -5,7 +5,7 @@ use chordal::control::{
 };
 use chordal::syntax::Block;
 
-use super::head::{Head, Lack};
+use super::head::{HeadError, HeadWriter};
 use super::turned::{has_stations, says_setup};
 use crate::convert::codes;
 use crate::convert::numbers::plain;
@@ -15,13 +15,13 @@ use crate::split::text::feed_word;
 /// Places nearer than this are the same, mm.
 const SAME_MM: f64 = 1e-9;
 
-impl Head<'_, '_> {
+impl HeadWriter<'_, '_> {
     pub(super) fn turns(&self) -> bool {
         self.control.table.turns()
     }
 
     /// The lines before a block that takes another station.
-    pub(super) fn before_station(&self) -> Result<Vec<String>, Lack> {
+    pub(super) fn before_station(&self) -> Result<Vec<String>, HeadError> {
         let mut lines = self.turned_modes();
         // A turret turns while the spindle does.
         lines.extend(
@@ -32,7 +32,7 @@ impl Head<'_, '_> {
     }
 
     /// The lines before a block where the place is not known.
-    pub(super) fn with_station(&self) -> Result<Vec<String>, Lack> {
+    pub(super) fn with_station(&self) -> Result<Vec<String>, HeadError> {
         let mut lines = self.turned_modes();
         lines.extend(self.station());
         lines.extend(self.turned_speed(true)?);
@@ -42,7 +42,7 @@ impl Head<'_, '_> {
 
     /// The lines before any other block: the tool goes to its first place of the program by rapid, then along Z and
     /// along X by feed.
-    pub(super) fn at_the_part(&self) -> Result<Vec<String>, Lack> {
+    pub(super) fn at_the_part(&self) -> Result<Vec<String>, HeadError> {
         let modal = &self.before.modal;
         let mut lines = self.turned_modes();
         lines.extend(self.station());
@@ -64,13 +64,13 @@ impl Head<'_, '_> {
         match (ways.is_empty(), feed) {
             (true, feed) => lines.extend(feed),
             (false, None) => {
-                return Err(Lack(
+                return Err(HeadError(
                     "the tool is at the part, and the program has no feed yet".into(),
                 ));
             }
             (false, Some(feed)) => {
                 if modal.spindle == SpindleState::Off && modal.live.is_none() {
-                    return Err(Lack(
+                    return Err(HeadError(
                         "the tool is at the part, and the spindle stands still".into(),
                     ));
                 }
@@ -135,7 +135,7 @@ impl Head<'_, '_> {
     }
 
     /// What limits the spindle, and its cutting speed or revolutions.
-    fn turned_speed(&self, starts: bool) -> Result<Vec<String>, Lack> {
+    fn turned_speed(&self, starts: bool) -> Result<Vec<String>, HeadError> {
         let modal = &self.before.modal;
         let style = self.source.style;
         let text = |value: f64| {
@@ -178,7 +178,7 @@ impl Head<'_, '_> {
         Ok(lines)
     }
 
-    fn finish(&self, lines: &mut Vec<String>) -> Result<(), Lack> {
+    fn finish(&self, lines: &mut Vec<String>) -> Result<(), HeadError> {
         lines.extend(self.before.said.coolant.iter().cloned());
         lines.extend(feed_word(&self.before.modal, self.source.style));
         lines.extend(self.setups());

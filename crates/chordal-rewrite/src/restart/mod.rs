@@ -13,24 +13,24 @@ mod watch;
 
 use std::ops::Range;
 
-use chordal::control::{Action, AfterCode, Modal, MotionMode, OnceCode, Side, Units};
+use chordal::control::{Action, AfterCode, CompensationSide, Modal, MotionMode, OnceCode, Units};
 use chordal::diagnostics::FileId;
 use chordal::stock::{StockRunError, TurnedOptions, WayIn};
 use chordal::syntax::Letters;
 use chordal::{Job, Severity};
 
-use self::head::{Head, Lack};
-use self::trace::{Care, Places, Trace};
+use self::head::{HeadError, HeadWriter};
+use self::trace::{EventTrace, MatchLevel, ReplacedRange};
 pub use self::watch::UnrepeatedCode;
-use self::watch::{Before, RunToBlock, before};
-use crate::Refusal;
-use crate::convert::{Contour, Contours};
-use crate::source::Source;
+use self::watch::{RunToBlock, StateBefore, before};
+use crate::TransformRefusal;
+use crate::convert::{CycleContour, CycleContours};
+use crate::source::SourceBlocks;
 use crate::split::open::stretches;
 
 /// Why a program cannot begin at a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Reason {
+pub enum RefusalReason {
     /// There is no block to begin at.
     NoBlock,
     /// The program begins there anyway.
@@ -61,40 +61,40 @@ pub enum Reason {
     Unproved,
 }
 
-impl Reason {
+impl RefusalReason {
     /// The word for programs.
     pub fn word(self) -> &'static str {
         match self {
-            Reason::NoBlock => "no-block",
-            Reason::Beginning => "beginning",
-            Reason::Called => "called",
-            Reason::Repeated => "repeated",
-            Reason::Compensation => "compensation",
-            Reason::Cycle => "cycle",
-            Reason::Frame => "frame",
-            Reason::Shift => "shift",
-            Reason::Open => "open",
-            Reason::Position => "position",
-            Reason::Unsure => "unsure",
-            Reason::Form => "form",
-            Reason::WayIn => "way-in",
-            Reason::Unproved => "unproved",
+            RefusalReason::NoBlock => "no-block",
+            RefusalReason::Beginning => "beginning",
+            RefusalReason::Called => "called",
+            RefusalReason::Repeated => "repeated",
+            RefusalReason::Compensation => "compensation",
+            RefusalReason::Cycle => "cycle",
+            RefusalReason::Frame => "frame",
+            RefusalReason::Shift => "shift",
+            RefusalReason::Open => "open",
+            RefusalReason::Position => "position",
+            RefusalReason::Unsure => "unsure",
+            RefusalReason::Form => "form",
+            RefusalReason::WayIn => "way-in",
+            RefusalReason::Unproved => "unproved",
         }
     }
 }
 
 /// A refusal and its kind.
 #[derive(Debug)]
-pub struct Refused {
+pub struct RestartRefusal {
     /// What kind it is.
-    pub reason: Reason,
+    pub reason: RefusalReason,
     /// What is said about it.
-    pub refusal: Refusal,
+    pub refusal: TransformRefusal,
 }
 
 /// A program that begins at a line.
 #[derive(Clone, Debug)]
-pub struct Restart {
+pub struct RestartProgram {
     /// Its text.
     pub text: Vec<u8>,
     /// The line of the old text that it begins at.
@@ -121,7 +121,7 @@ pub struct Restart {
 ///
 /// # Errors
 /// Why it cannot begin there, and what to do.
-pub fn restart(job: &Job, line: u32) -> Result<Restart, Refused> {
+pub fn restart(job: &Job, line: u32) -> Result<RestartProgram, RestartRefusal> {
     begin(job, line, None)
 }
 
@@ -129,27 +129,28 @@ pub fn restart(job: &Job, line: u32) -> Result<Restart, Refused> {
 ///
 /// # Errors
 /// Why the line is none to begin at, or what the text does otherwise.
-pub fn prove_head(job: &Job, line: u32, text: &[u8]) -> Result<Restart, Refused> {
+pub fn prove_head(job: &Job, line: u32, text: &[u8]) -> Result<RestartProgram, RestartRefusal> {
     begin(job, line, Some(text))
 }
 
-fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<Restart, Refused> {
-    let source = Source::of(job);
-    let asked = Asked { job, source: &source, line };
+fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<RestartProgram, RestartRefusal> {
+    let source = SourceBlocks::of(job);
+    let asked = RestartRequest { job, source: &source, line };
     let main = asked.main()?;
     let at = asked.block(&main)?;
     let way = RunToBlock::to(job, &source, &main, at);
     let (ran, first) = asked.once(&way, at)?;
     asked.verified(at)?;
-    let before = before(job, &source, ran)
-        .ok_or_else(|| asked.refuse(Reason::Beginning, "the program begins there", RUN_IT))?;
+    let before = before(job, &source, ran).ok_or_else(|| {
+        asked.refuse(RefusalReason::Beginning, "the program begins there", RUN_IT)
+    })?;
     asked.closed(&before, at)?;
     asked.apart(&main, at)?;
     let control = job.control();
     let changes = source.changes_tool(at, control) || asked.changes_station(at);
     let axes = &job.machine().axes;
     let is_known = (0..3).all(|axis| axes[axis].is_none() || before.modal.known.has(axis));
-    let head = Head { source: &source, control, before: &before, at };
+    let head = HeadWriter { source: &source, control, before: &before, at };
     let lines = match (changes, is_known) {
         (true, _) => head.before_change(),
         (false, true) => head.all(),
@@ -160,7 +161,7 @@ fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<Restart, Refused>
     let from_the_start = !before.shift.presets.is_empty();
     let unrepeated = before.unrepeated.clone();
     let given = given.map(<[u8]>::to_vec);
-    let draft = |lines: Vec<String>| Draft {
+    let draft = |lines: Vec<String>| RestartDraft {
         first,
         at,
         ran,
@@ -189,7 +190,7 @@ fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<Restart, Refused>
 /// With a setup that is incomplete.
 pub fn way_in(
     job: &Job,
-    done: &Restart,
+    done: &RestartProgram,
     files: &dyn Fn(&str) -> Result<Vec<u8>, String>,
 ) -> Result<Option<WayIn>, StockRunError> {
     if !job.turns() || job.machine().setup.stock.is_none() || done.approaches {
@@ -201,7 +202,7 @@ pub fn way_in(
 }
 
 /// What the head's moves meet first, as a refusal.
-pub fn blocked(job: &Job, done: &Restart, way: &WayIn) -> Option<Refused> {
+pub fn blocked(job: &Job, done: &RestartProgram, way: &WayIn) -> Option<RestartRefusal> {
     let hit = way.hits.first()?;
     let units = if job.report().summary.inch { Units::Inch } else { Units::Millimetre };
     let text = String::from_utf8_lossy(&done.text);
@@ -214,22 +215,22 @@ pub fn blocked(job: &Job, done: &Restart, way: &WayIn) -> Option<Refused> {
     );
     let help =
         "begin at a change of the tool before it, or at a line where the tool is out of the part";
-    let source = Source::of(job);
-    let asked = Asked { job, source: &source, line: done.line };
-    Some(asked.refuse(Reason::WayIn, what, help))
+    let source = SourceBlocks::of(job);
+    let asked = RestartRequest { job, source: &source, line: done.line };
+    Some(asked.refuse(RefusalReason::WayIn, what, help))
 }
 
 const RUN_IT: &str = "run the program itself";
 
 /// What was asked for.
-struct Asked<'r, 'a> {
+struct RestartRequest<'r, 'a> {
     job: &'r Job<'r>,
-    source: &'r Source<'a>,
+    source: &'r SourceBlocks<'a>,
     line: u32,
 }
 
 /// A program to be proved.
-struct Draft {
+struct RestartDraft {
     /// The first byte of the old text that the head takes the place of.
     first: u32,
     at: usize,
@@ -242,32 +243,42 @@ struct Draft {
     given: Option<Vec<u8>>,
 }
 
-impl Asked<'_, '_> {
-    fn refuse(&self, reason: Reason, what: impl Into<String>, help: impl Into<String>) -> Refused {
+impl RestartRequest<'_, '_> {
+    fn refuse(
+        &self,
+        reason: RefusalReason,
+        what: impl Into<String>,
+        help: impl Into<String>,
+    ) -> RestartRefusal {
         let text = String::from_utf8_lossy(self.source.text);
         let text = text.lines().nth(self.line.saturating_sub(1) as usize);
         let text = text.unwrap_or("").trim().to_string();
-        let refusal = Refusal { line: self.line, text, what: what.into(), help: help.into() };
-        Refused { reason, refusal }
+        let refusal =
+            TransformRefusal { line: self.line, text, what: what.into(), help: help.into() };
+        RestartRefusal { reason, refusal }
     }
 
-    fn main(&self) -> Result<Range<usize>, Refused> {
+    fn main(&self) -> Result<Range<usize>, RestartRefusal> {
         match self.source.mains.as_slice() {
             [main] => Ok(main.clone()),
             mains => {
                 let what = format!("the file has {} main programs", mains.len());
-                Err(self.refuse(Reason::NoBlock, what, "name a file that has one"))
+                Err(self.refuse(RefusalReason::NoBlock, what, "name a file that has one"))
             }
         }
     }
 
     /// The first block with words on the line or after it.
-    fn block(&self, main: &Range<usize>) -> Result<usize, Refused> {
+    fn block(&self, main: &Range<usize>) -> Result<usize, RestartRefusal> {
         let blocks = &self.source.blocks;
         let last = blocks.last().map_or(0, |block| block.line);
         if self.line == 0 || self.line > last {
             let what = format!("the program has no line {}", self.line);
-            return Err(self.refuse(Reason::NoBlock, what, format!("it ends at line {last}")));
+            return Err(self.refuse(
+                RefusalReason::NoBlock,
+                what,
+                format!("it ends at line {last}"),
+            ));
         }
         let from = self.source.blocks_on(self.line, last);
         let has_words = |at: &usize| {
@@ -278,42 +289,50 @@ impl Asked<'_, '_> {
         };
         let found = from.clone().find(has_words);
         found.filter(|at| *at >= main.start).ok_or_else(|| {
-            self.refuse(Reason::NoBlock, "nothing to do follows the line", "name an earlier line")
+            self.refuse(
+                RefusalReason::NoBlock,
+                "nothing to do follows the line",
+                "name an earlier line",
+            )
         })
     }
 
     /// The block is carried out once, by the main program: after how many blocks, and where the first is.
-    fn once(&self, way: &RunToBlock, at: usize) -> Result<(u64, u32), Refused> {
+    fn once(&self, way: &RunToBlock, at: usize) -> Result<(u64, u32), RestartRefusal> {
         if let (Some(caller), None) = (way.caller, way.ran) {
             return Err(self.refuse(
-                Reason::Called,
+                RefusalReason::Called,
                 "the line is in a called program",
                 format!("begin at line {caller}, which calls it"),
             ));
         }
         if let Some(line) = self.cycle_that_reads(at).filter(|_| way.ran.is_none()) {
             let what = format!("the line is in the contour of the cycle in line {line}");
-            return Err(self.refuse(Reason::Cycle, what, format!("begin at line {line}")));
+            return Err(self.refuse(RefusalReason::Cycle, what, format!("begin at line {line}")));
         }
         let Some(ran) = way.ran else {
             let what = "the run never comes to this line";
-            return Err(self.refuse(Reason::NoBlock, what, "name a line that is carried out"));
+            return Err(self.refuse(
+                RefusalReason::NoBlock,
+                what,
+                "name a line that is carried out",
+            ));
         };
         let first = way.first.unwrap_or(0);
         if ran == 0 || self.source.start_of(at) <= first {
-            return Err(self.refuse(Reason::Beginning, "the program begins there", RUN_IT));
+            return Err(self.refuse(RefusalReason::Beginning, "the program begins there", RUN_IT));
         }
         if way.times > 1 || way.caller.is_some() {
             let what = format!("the line is carried out {} times", way.times);
             let help = "begin before the loop, the repeat or the jump";
-            return Err(self.refuse(Reason::Repeated, what, help));
+            return Err(self.refuse(RefusalReason::Repeated, what, help));
         }
         Ok((ran, first))
     }
 
     /// The line of the first cycle whose contour a block is part of.
     fn cycle_that_reads(&self, at: usize) -> Option<u32> {
-        let contours = Contours::of(self.source, self.job);
+        let contours = CycleContours::of(self.source, self.job);
         let contour = contours.list.iter().find(|contour| contour.blocks.contains(&at))?;
         contour.cycles.first().map(|(cycle, _)| self.source.blocks[*cycle].line)
     }
@@ -329,14 +348,18 @@ impl Asked<'_, '_> {
     }
 
     /// The program is followed, without an error, up to the block.
-    fn verified(&self, at: usize) -> Result<(), Refused> {
+    fn verified(&self, at: usize) -> Result<(), RestartRefusal> {
         let report = self.job.check();
         let start = self.source.start_of(at);
         let is_before = |span: chordal::Span| span.file != FileId(0) || span.range.start < start;
         if let Some(span) = report.not_verified_from.filter(|span| is_before(*span)) {
             let line = self.line_of(span);
             let what = format!("the path is not verified from line {line} on");
-            return Err(self.refuse(Reason::Unsure, what, format!("begin before line {line}")));
+            return Err(self.refuse(
+                RefusalReason::Unsure,
+                what,
+                format!("begin before line {line}"),
+            ));
         }
         let is_error = |one: &&chordal::Diagnostic| {
             one.severity == Severity::Error && is_before(one.primary.span)
@@ -345,7 +368,7 @@ impl Asked<'_, '_> {
             let line = self.line_of(error.primary.span);
             let what =
                 format!("the program has an error before it, at line {line}: {}", error.message);
-            return Err(self.refuse(Reason::Unsure, what, "correct that first"));
+            return Err(self.refuse(RefusalReason::Unsure, what, "correct that first"));
         }
         Ok(())
     }
@@ -355,45 +378,45 @@ impl Asked<'_, '_> {
     }
 
     /// Nothing is open before the block that a head cannot say again.
-    fn closed(&self, before: &Before, at: usize) -> Result<(), Refused> {
-        let Before { modal, open, .. } = before;
-        if modal.side != Side::Off {
+    fn closed(&self, before: &StateBefore, at: usize) -> Result<(), RestartRefusal> {
+        let StateBefore { modal, open, .. } = before;
+        if modal.side != CompensationSide::Off {
             let what = "cutter compensation is on";
-            return Err(self.begun(Reason::Compensation, what, open.compensation));
+            return Err(self.begun(RefusalReason::Compensation, what, open.compensation));
         }
         let control = self.job.control();
         if modal.cycle.is_some()
             && let Err(what) = before.cycle.lines(modal, control, "")
         {
-            return Err(self.begun(Reason::Cycle, what, open.cycle));
+            return Err(self.begun(RefusalReason::Cycle, what, open.cycle));
         }
         if let Some(MotionMode::Turn(_)) = modal.motion
             && !self.says_motion(at)
             && self.source.blocks[at].letters().meets(Letters::of("XZUW"))
         {
             let what = "a cycle of one pass is active, and the line repeats it";
-            return Err(self.begun(Reason::Cycle, what, before.turned.pass));
+            return Err(self.begun(RefusalReason::Cycle, what, before.turned.pass));
         }
         if modal.frames.any() {
             let what = match modal.frames.surface {
                 true => "polar or cylindrical interpolation is active",
                 false => "the coordinates are rotated, scaled, mirrored or polar",
             };
-            return Err(self.begun(Reason::Frame, what, open.frame));
+            return Err(self.begun(RefusalReason::Frame, what, open.frame));
         }
         if open.shift.is_some() {
             let what = "the zero was moved (G92 after a move, or by a value that is no number)";
-            return Err(self.begun(Reason::Shift, what, open.shift));
+            return Err(self.begun(RefusalReason::Shift, what, open.shift));
         }
         if open.call.is_some() {
-            return Err(self.begun(Reason::Open, "a modal call is in force", open.call));
+            return Err(self.begun(RefusalReason::Open, "a modal call is in force", open.call));
         }
         if open.corner.is_some() {
-            return Err(self.begun(Reason::Open, "a corner is not made yet", open.corner));
+            return Err(self.begun(RefusalReason::Open, "a corner is not made yet", open.corner));
         }
         if let Some((code, line)) = &open.unknown {
             let what = format!("Chordal does not carry out {code}, which may be in force");
-            return Err(self.begun(Reason::Open, what, Some(*line)));
+            return Err(self.begun(RefusalReason::Open, what, Some(*line)));
         }
         Ok(())
     }
@@ -405,7 +428,12 @@ impl Asked<'_, '_> {
     }
 
     /// Refused for what a line began.
-    fn begun(&self, reason: Reason, what: impl Into<String>, line: Option<u32>) -> Refused {
+    fn begun(
+        &self,
+        reason: RefusalReason,
+        what: impl Into<String>,
+        line: Option<u32>,
+    ) -> RestartRefusal {
         let help = match line {
             Some(line) => format!("begin at line {line}, where that begins, or before"),
             None => "begin before it".into(),
@@ -414,16 +442,16 @@ impl Asked<'_, '_> {
     }
 
     /// No loop, jump or variable spans the block.
-    fn apart(&self, main: &Range<usize>, at: usize) -> Result<(), Refused> {
+    fn apart(&self, main: &Range<usize>, at: usize) -> Result<(), RestartRefusal> {
         let start = self.source.start_of(at);
         let held = stretches(self.job, self.source, main);
         let Some(held) = held.iter().find(|held| held.holds(start)) else { return Ok(()) };
         let line = self.source.blocks[self.source.first_at(held.from())].line;
         let what = format!("{} begins before the line and is needed after it", held.what);
-        Err(self.refuse(Reason::Repeated, what, format!("begin at line {line} or before")))
+        Err(self.refuse(RefusalReason::Repeated, what, format!("begin at line {line} or before")))
     }
 
-    fn position(&self, modal: &Modal) -> Refused {
+    fn position(&self, modal: &Modal) -> RestartRefusal {
         let axes = &self.job.machine().axes;
         let missing: String = (0..3)
             .filter(|axis| axes[*axis].is_some() && !modal.known.has(*axis))
@@ -431,15 +459,15 @@ impl Asked<'_, '_> {
             .collect();
         let what = format!("the position in {missing} is not known");
         let help = "begin at a tool change, or after a block that names X, Y and Z";
-        self.refuse(Reason::Position, what, help)
+        self.refuse(RefusalReason::Position, what, help)
     }
 
-    fn lack(&self, Lack(what): Lack) -> Refused {
-        self.refuse(Reason::Form, what, "begin at another line, best at a tool change")
+    fn lack(&self, HeadError(what): HeadError) -> RestartRefusal {
+        self.refuse(RefusalReason::Form, what, "begin at another line, best at a tool change")
     }
 
     /// The new text, if it does the same.
-    fn prove(&self, draft: Draft) -> Result<Restart, Refused> {
+    fn prove(&self, draft: RestartDraft) -> Result<RestartProgram, RestartRefusal> {
         let (mut text, mut places) = self.text(&draft);
         if let Some(given) = &draft.given {
             // Contours that are put above the line are part of the head, and their places are not looked for.
@@ -447,7 +475,7 @@ impl Asked<'_, '_> {
             if !given.ends_with(rest) || !given.starts_with(&text[..draft.first as usize]) {
                 let what = "the text from this line on, or before the head, is another one";
                 return Err(self.refuse(
-                    Reason::Unproved,
+                    RefusalReason::Unproved,
                     what,
                     "change the lines of the head alone",
                 ));
@@ -460,9 +488,13 @@ impl Asked<'_, '_> {
         let from = places.from;
         let start = from[1] + self.source.start_of(draft.at) - from[0];
         let new = main_of(self.job.with_text(text), start);
-        let source = Source::of(&new);
+        let source = SourceBlocks::of(&new);
         let unproved = |what: String| {
-            self.refuse(Reason::Unproved, what, "begin at another line, best at a tool change")
+            self.refuse(
+                RefusalReason::Unproved,
+                what,
+                "begin at another line, best at a tool change",
+            )
         };
         let at = source.first_at(start);
         let way = RunToBlock::to(&new, &source, &(0..source.blocks.len()), at);
@@ -477,12 +509,12 @@ impl Asked<'_, '_> {
         if let Some(error) = errors {
             return Err(unproved(format!("the control refuses the head: {}", error.message)));
         }
-        let old = Trace::of(self.job, draft.ran);
-        let trace = Trace::of(&new, ran);
+        let old = EventTrace::of(self.job, draft.ran);
+        let trace = EventTrace::of(&new, ran);
         if let Some(what) = old.begins_otherwise(&trace).filter(|_| !draft.approaches) {
             return Err(unproved(format!("{what} is another one where the program begins")));
         }
-        let care = Care { exact: !draft.approaches, ..Care::default() };
+        let care = MatchLevel { exact: !draft.approaches, ..MatchLevel::default() };
         if let Some(unlike) = old.unlike(&trace, &places, care) {
             let what = format!("line {} would not do the same: {}", unlike.line, unlike.what);
             return Err(unproved(what));
@@ -490,11 +522,11 @@ impl Asked<'_, '_> {
         let text = source.text.to_vec();
         let draft_first = draft.first;
         let kept = self.kept_variables(&draft, &old.kept_otherwise(&trace));
-        let Draft { lines: head, approaches, from_the_start, mut unrepeated, .. } = draft;
+        let RestartDraft { lines: head, approaches, from_the_start, mut unrepeated, .. } = draft;
         unrepeated.extend(kept);
         let (line, moves) = (self.line, old.moves);
         let head_bytes = draft_first..from[1];
-        Ok(Restart {
+        Ok(RestartProgram {
             text,
             line,
             head,
@@ -508,7 +540,11 @@ impl Asked<'_, '_> {
     }
 
     /// Variables that the program leaves another value in than the one that begins at the line.
-    fn kept_variables(&self, draft: &Draft, kept: &[(u32, Option<f64>)]) -> Vec<UnrepeatedCode> {
+    fn kept_variables(
+        &self,
+        draft: &RestartDraft,
+        kept: &[(u32, Option<f64>)],
+    ) -> Vec<UnrepeatedCode> {
         let before = &self.source.blocks[..draft.at];
         let line_of = |number: u32| {
             let name = format!("#{number}");
@@ -525,7 +561,7 @@ impl Asked<'_, '_> {
     }
 
     /// The text, and how places of the old one are places of it.
-    fn text(&self, draft: &Draft) -> (Vec<u8>, Places) {
+    fn text(&self, draft: &RestartDraft) -> (Vec<u8>, ReplacedRange) {
         let old = self.source.text;
         let crlf = old.windows(2).any(|pair| pair == b"\r\n");
         let line_end = if crlf { "\r\n" } else { "\n" };
@@ -555,7 +591,7 @@ impl Asked<'_, '_> {
             self.copy(blocks, &mut text, &mut contours);
         }
         text.extend_from_slice(&old[end.max(from as usize)..]);
-        (text, Places { kept: draft.first, from: [from, to], contours })
+        (text, ReplacedRange { kept: draft.first, from: [from, to], contours })
     }
 
     /// Copies blocks of the old text.
@@ -572,8 +608,8 @@ impl Asked<'_, '_> {
 
     /// Contours that stand before the line and that cycles after it take: subroutines, which must stand above, and blocks
     /// between two numbers, which are found anywhere and must not be run.
-    fn contours_needed(&self, draft: &Draft) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
-        let contours = Contours::of(self.source, self.job).list;
+    fn contours_needed(&self, draft: &RestartDraft) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
+        let contours = CycleContours::of(self.source, self.job).list;
         let needed = contours.iter().filter(|contour| {
             contour.blocks.end <= draft.at
                 && self.source.start_of(contour.blocks.start) >= draft.first
@@ -581,7 +617,8 @@ impl Asked<'_, '_> {
         });
         let (above, after): (Vec<_>, Vec<_>) =
             needed.partition(|contour| contour.is_subroutine(self.source));
-        let blocks = |list: Vec<&Contour>| list.into_iter().map(|one| one.blocks.clone()).collect();
+        let blocks =
+            |list: Vec<&CycleContour>| list.into_iter().map(|one| one.blocks.clone()).collect();
         (blocks(above), blocks(after))
     }
 

@@ -2,11 +2,11 @@
 
 use chordal::syntax::Block;
 
-use crate::source::Source;
+use crate::source::SourceBlocks;
 
 /// The blocks that made it, while it is not back at zero.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Shift {
+pub(super) struct ActiveShift {
     pub(super) lines: Vec<String>,
     /// The axes that are off zero.
     axes: Vec<u8>,
@@ -14,9 +14,9 @@ pub(super) struct Shift {
     pub(super) presets: Vec<String>,
 }
 
-impl Shift {
+impl ActiveShift {
     /// Takes a block with G52; false where a value is no plain number, so that it cannot be said again.
-    pub(super) fn take(&mut self, source: &Source, block: &Block) -> bool {
+    pub(super) fn take(&mut self, source: &SourceBlocks, block: &Block) -> bool {
         for word in &block.words {
             if !b"XYZABCUVW".contains(&word.letter) {
                 continue;
@@ -36,7 +36,7 @@ impl Shift {
 
     /// Takes a block with G92 that stands before the first move: at the place where the program starts it can
     /// be said again. False where a value is no plain number.
-    pub(super) fn take_preset(&mut self, source: &Source, block: &Block) -> bool {
+    pub(super) fn take_preset(&mut self, source: &SourceBlocks, block: &Block) -> bool {
         self.presets.push(source.words_of(block));
         block.words.iter().all(|word| word.number().is_some())
     }

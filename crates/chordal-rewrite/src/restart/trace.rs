@@ -15,7 +15,7 @@ const SAME: f64 = 1e-9;
 /// A thing that happens.
 #[derive(Debug)]
 #[allow(clippy::large_enum_variant, reason = "most of them are commands")]
-enum What {
+enum TraceEvent {
     Command(CommandKind),
     /// A block is done: what holds after it.
     Done(Box<Modal>),
@@ -25,10 +25,10 @@ enum What {
     Message(String),
 }
 
-impl What {
+impl TraceEvent {
     /// A cut, or a move of Z to a place relative to the part: it goes wrong with another length offset.
     fn needs_height(&self) -> bool {
-        let What::Command(kind) = self else { return false };
+        let TraceEvent::Command(kind) = self else { return false };
         let Some(motion) = kind.motion() else { return false };
         let moves_z =
             motion.to_known.has(2) && (!motion.from_known.has(2) || motion.from[2] != motion.to[2]);
@@ -38,8 +38,8 @@ impl What {
 
 /// A thing that happens, and where the program says it.
 #[derive(Debug)]
-struct Step {
-    what: What,
+struct TraceStep {
+    what: TraceEvent,
     /// The block, by its first byte in its file.
     at: (u32, u32),
     line: u32,
@@ -47,8 +47,8 @@ struct Step {
 
 /// All that happens from a block of the main program on.
 #[derive(Debug, Default)]
-pub(super) struct Trace {
-    steps: Vec<Step>,
+pub(super) struct EventTrace {
+    steps: Vec<TraceStep>,
     /// How many moves there are.
     pub(super) moves: u64,
     /// The spindle keeps a cutting speed at its begin.
@@ -61,7 +61,7 @@ pub(super) struct Trace {
 
 /// How much must be the same.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Care {
+pub(super) struct MatchLevel {
     /// Both programs come from the same place. Otherwise rapids may come from elsewhere, and cuts may not.
     pub(super) exact: bool,
     /// A cut or a move of Z has been made: from there on the length offset counts.
@@ -72,7 +72,7 @@ pub(super) struct Care {
 
 /// Where two runs are first not the same.
 #[derive(Debug)]
-pub(super) struct Unlike {
+pub(super) struct FirstMismatch {
     /// Line of the old program.
     pub(super) line: u32,
     pub(super) what: String,
@@ -80,7 +80,7 @@ pub(super) struct Unlike {
 
 /// How places of the old text are places of the new one.
 #[derive(Clone, Debug)]
-pub(super) struct Places {
+pub(super) struct ReplacedRange {
     /// The text before this byte is at the same place in both.
     pub(super) kept: u32,
     /// The first byte that is carried out again, in the old text and in the new one.
@@ -89,7 +89,7 @@ pub(super) struct Places {
     pub(super) contours: Vec<(Range<u32>, u32)>,
 }
 
-impl Places {
+impl ReplacedRange {
     fn new_of(&self, (file, at): (u32, u32)) -> (u32, u32) {
         if file != 0 {
             return (file, at);
@@ -102,24 +102,24 @@ impl Places {
     }
 }
 
-impl Trace {
+impl EventTrace {
     /// Runs a job and keeps what happens after so many blocks.
-    pub(super) fn of(job: &Job, after: u64) -> Trace {
-        let mut recorder = Recorder {
+    pub(super) fn of(job: &Job, after: u64) -> EventTrace {
+        let mut recorder = EventRecorder {
             sources: job.sources(),
             after,
             ran: 0,
             last: (0, 0),
             line: 0,
             has_ended: false,
-            trace: Trace::default(),
+            trace: EventTrace::default(),
         };
         job.run(&mut recorder);
         recorder.trace
     }
 
     /// What the head has not brought back as it was, although it may not show in what follows.
-    pub(super) fn begins_otherwise(&self, new: &Trace) -> Option<&'static str> {
+    pub(super) fn begins_otherwise(&self, new: &EventTrace) -> Option<&'static str> {
         let (one, other) = (self.begin.as_ref()?, new.begin.as_ref()?);
         let mut standing = one.standing.iter().zip(&other.standing);
         let found = standing.find(|((item, a), (_, b))| {
@@ -129,28 +129,34 @@ impl Trace {
     }
 
     /// Variables that hold something after this run, and not the same after another one.
-    pub(super) fn kept_otherwise(&self, other: &Trace) -> Vec<(u32, Option<f64>)> {
+    pub(super) fn kept_otherwise(&self, other: &EventTrace) -> Vec<(u32, Option<f64>)> {
         let is_other = |one: &&(u32, Option<f64>)| !other.kept.contains(one);
         self.kept.iter().filter(is_other).copied().collect()
     }
 
     /// The first thing in which another run is not like this one.
-    pub(super) fn unlike(&self, new: &Trace, places: &Places, care: Care) -> Option<Unlike> {
-        let mut care = Care { follows: self.follows && new.follows, ..care };
+    pub(super) fn unlike(
+        &self,
+        new: &EventTrace,
+        places: &ReplacedRange,
+        care: MatchLevel,
+    ) -> Option<FirstMismatch> {
+        let mut care = MatchLevel { follows: self.follows && new.follows, ..care };
         for (one, other) in self.steps.iter().zip(&new.steps) {
             // An alarm comes before what its block does.
-            let is_alarm = [one, other].iter().any(|step| matches!(step.what, What::Alarm(_)));
+            let is_alarm =
+                [one, other].iter().any(|step| matches!(step.what, TraceEvent::Alarm(_)));
             let what = if is_alarm || places.new_of(one.at) == other.at {
                 different(&one.what, &other.what, care)
             } else {
                 Some("another block is carried out".into())
             };
             care.settled |= one.what.needs_height();
-            if let (What::Done(one), What::Done(other)) = (&one.what, &other.what) {
+            if let (TraceEvent::Done(one), TraceEvent::Done(other)) = (&one.what, &other.what) {
                 care.follows = one.surface_speed.is_some() && other.surface_speed.is_some();
             }
             if let Some(what) = what {
-                return Some(Unlike { line: one.line, what });
+                return Some(FirstMismatch { line: one.line, what });
             }
         }
         let longer = match self.steps.len().cmp(&new.steps.len()) {
@@ -160,24 +166,24 @@ impl Trace {
         };
         let at = self.steps.len().min(new.steps.len());
         let line = self.steps.get(at).or(self.steps.last()).map_or(1, |step| step.line);
-        Some(Unlike { line, what: longer.into() })
+        Some(FirstMismatch { line, what: longer.into() })
     }
 }
 
-struct Recorder<'j> {
+struct EventRecorder<'j> {
     sources: &'j SourceMap<'j>,
     after: u64,
     ran: u64,
     last: (u32, u32),
     line: u32,
     has_ended: bool,
-    trace: Trace,
+    trace: EventTrace,
 }
 
-impl Recorder<'_> {
-    fn keep(&mut self, what: What) {
+impl EventRecorder<'_> {
+    fn keep(&mut self, what: TraceEvent) {
         let (at, line) = (self.last, self.line);
-        self.trace.steps.push(Step { what, at, line });
+        self.trace.steps.push(TraceStep { what, at, line });
     }
 
     fn stand(&mut self, origin: &Origin) {
@@ -189,7 +195,7 @@ impl Recorder<'_> {
     }
 }
 
-impl Sink for Recorder<'_> {
+impl Sink for EventRecorder<'_> {
     fn command(&mut self, command: &Command) {
         if self.ran < self.after {
             return;
@@ -205,21 +211,21 @@ impl Sink for Recorder<'_> {
         self.stand(&command.origin);
         self.trace.moves += u64::from(command.kind.motion().is_some());
         self.keep(match &command.kind {
-            CommandKind::Message(range) => What::Message(
+            CommandKind::Message(range) => TraceEvent::Message(
                 self.sources.words(range.in_file(command.origin.span.file)).into_owned(),
             ),
-            kind => What::Command(kind.clone()),
+            kind => TraceEvent::Command(kind.clone()),
         });
     }
 
     fn diagnostic(&mut self, diagnostic: Diagnostic) {
         if self.ran >= self.after && diagnostic.severity == Severity::Error {
-            self.keep(What::Alarm(diagnostic.code.id()));
+            self.keep(TraceEvent::Alarm(diagnostic.code.id()));
         }
     }
 }
 
-impl RunSink for Recorder<'_> {
+impl RunSink for EventRecorder<'_> {
     fn wants_blocks(&self) -> bool {
         true
     }
@@ -227,7 +233,7 @@ impl RunSink for Recorder<'_> {
     fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
         if self.ran >= self.after {
             self.stand(origin);
-            self.keep(What::Done(Box::new(modal())));
+            self.keep(TraceEvent::Done(Box::new(modal())));
         } else if self.ran + 1 == self.after {
             let modal = modal();
             self.trace.follows = modal.surface_speed.is_some();
@@ -260,22 +266,28 @@ fn same_place(one: &Position, other: &Position, known: AxisMask) -> bool {
     (0..AXES).all(|axis| !known.has(axis) || near(one[axis], other[axis]))
 }
 
-fn different(one: &What, other: &What, care: Care) -> Option<String> {
+fn different(one: &TraceEvent, other: &TraceEvent, care: MatchLevel) -> Option<String> {
     match (one, other) {
-        (What::Command(one), What::Command(other)) => different_command(one, other, care),
-        (What::Done(one), What::Done(other)) => {
+        (TraceEvent::Command(one), TraceEvent::Command(other)) => {
+            different_command(one, other, care)
+        }
+        (TraceEvent::Done(one), TraceEvent::Done(other)) => {
             different_modal(one, other, care).map(|name| format!("{name} is another one after it"))
         }
-        (What::Alarm(one), What::Alarm(other)) if one == other => None,
-        (What::Message(one), What::Message(other)) if one == other => None,
-        (What::Message(_), What::Message(_)) => Some("the message is another one".into()),
-        (_, What::Alarm(code)) => Some(format!("the new program has an error there ({code})")),
-        (What::Alarm(code), _) => Some(format!("only the old program has the error {code}")),
+        (TraceEvent::Alarm(one), TraceEvent::Alarm(other)) if one == other => None,
+        (TraceEvent::Message(one), TraceEvent::Message(other)) if one == other => None,
+        (TraceEvent::Message(_), TraceEvent::Message(_)) => {
+            Some("the message is another one".into())
+        }
+        (_, TraceEvent::Alarm(code)) => {
+            Some(format!("the new program has an error there ({code})"))
+        }
+        (TraceEvent::Alarm(code), _) => Some(format!("only the old program has the error {code}")),
         _ => Some("the block does something else".into()),
     }
 }
 
-fn different_command(one: &CommandKind, other: &CommandKind, care: Care) -> Option<String> {
+fn different_command(one: &CommandKind, other: &CommandKind, care: MatchLevel) -> Option<String> {
     use CommandKind as Kind;
     if std::mem::discriminant(one) != std::mem::discriminant(other) {
         return Some("the block does something else".into());
@@ -349,7 +361,7 @@ fn same_shape(one: &ArcShape, other: &ArcShape) -> bool {
 }
 
 /// The first part of the modal state that is not the same.
-fn different_modal(one: &Modal, other: &Modal, care: Care) -> Option<&'static str> {
+fn different_modal(one: &Modal, other: &Modal, care: MatchLevel) -> Option<&'static str> {
     let known = one.known.and(other.known);
     let machine = one.machine_known.and(other.machine_known);
     let settled = care.exact || care.settled;

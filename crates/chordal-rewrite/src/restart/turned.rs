@@ -7,13 +7,13 @@ use chordal::Control;
 use chordal::control::{MotionCode, OnceCode, ToolWord, code_number};
 use chordal::syntax::{Block, Letters};
 
-use crate::source::{Source, code_action, is_setup};
+use crate::source::{SourceBlocks, code_action, is_setup};
 
 const AXES: Letters = Letters::of("XYZUVWCH");
 
 /// What the blocks of a lathe's program have said so far.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Turned {
+pub(super) struct LatheState {
     /// The last word of a station and its offset.
     pub(super) station: Option<String>,
     /// The block that limits the spindle.
@@ -26,8 +26,8 @@ pub(super) struct Turned {
     pub(super) pass: Option<u32>,
 }
 
-impl Turned {
-    pub(super) fn follow(&mut self, source: &Source, control: &Control, block: &Block) {
+impl LatheState {
+    pub(super) fn follow(&mut self, source: &SourceBlocks, control: &Control, block: &Block) {
         if !control.table.turns() {
             return;
         }

@@ -9,24 +9,24 @@ use chordal::control::{
 use chordal::syntax::{Block, Word};
 use chordal::{Command, CommandKind, Control, Diagnostic, Effect, Job, RunSink, Sink};
 
-use super::cycle::Cycle;
-use super::shift::Shift;
-use super::turned::{Turned, limits};
-use crate::source::Source;
-use crate::split::standing::Said;
+use super::cycle::OpenCycle;
+use super::shift::ActiveShift;
+use super::turned::{LatheState, limits};
+use crate::source::SourceBlocks;
+use crate::split::standing::StateWords;
 
 /// What a program needs to begin at a block.
 #[derive(Debug)]
-pub(super) struct Before {
+pub(super) struct StateBefore {
     pub(super) modal: Modal,
-    pub(super) said: Said,
+    pub(super) said: StateWords,
     /// The highest Z in the work offset and with the length offset in force, mm.
     pub(super) highest: f64,
     /// The lines of the blocks that began what may still be open.
-    pub(super) open: Open,
-    pub(super) cycle: Cycle,
-    pub(super) shift: Shift,
-    pub(super) turned: Turned,
+    pub(super) open: OpenConstructs,
+    pub(super) cycle: OpenCycle,
+    pub(super) shift: ActiveShift,
+    pub(super) turned: LatheState,
     pub(super) unrepeated: Vec<UnrepeatedCode>,
     /// What a place of X is multiplied by in a word.
     pub(super) x_factor: f64,
@@ -34,7 +34,7 @@ pub(super) struct Before {
 
 /// Lines of blocks that opened something which a head cannot say again; nothing where it is closed.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Open {
+pub(super) struct OpenConstructs {
     pub(super) compensation: Option<u32>,
     pub(super) cycle: Option<u32>,
     pub(super) frame: Option<u32>,
@@ -70,16 +70,21 @@ pub(super) struct RunToBlock {
 
 impl RunToBlock {
     /// Runs a job and looks for the block at a byte of its first text.
-    pub(super) fn to(job: &Job, source: &Source, main: &Range<usize>, at: usize) -> RunToBlock {
+    pub(super) fn to(
+        job: &Job,
+        source: &SourceBlocks,
+        main: &Range<usize>,
+        at: usize,
+    ) -> RunToBlock {
         let way = RunToBlock { ran: None, times: 0, caller: None, first: None };
-        let mut finder = Finder { source, main, at, ran: 0, main_line: 1, way };
+        let mut finder = OccurrenceFinder { source, main, at, ran: 0, main_line: 1, way };
         job.run(&mut finder);
         finder.way
     }
 }
 
-struct Finder<'s, 'a> {
-    source: &'s Source<'a>,
+struct OccurrenceFinder<'s, 'a> {
+    source: &'s SourceBlocks<'a>,
     main: &'s Range<usize>,
     at: usize,
     ran: u64,
@@ -87,13 +92,13 @@ struct Finder<'s, 'a> {
     way: RunToBlock,
 }
 
-impl Sink for Finder<'_, '_> {
+impl Sink for OccurrenceFinder<'_, '_> {
     fn command(&mut self, _: &Command) {}
 
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for Finder<'_, '_> {
+impl RunSink for OccurrenceFinder<'_, '_> {
     fn wants_blocks(&self) -> bool {
         true
     }
@@ -119,7 +124,7 @@ impl RunSink for Finder<'_, '_> {
     }
 }
 
-impl Finder<'_, '_> {
+impl OccurrenceFinder<'_, '_> {
     /// A block that does something; not a head.
     fn begins(&self, at: usize) -> bool {
         let has_words = !self.source.blocks[at].words.is_empty();
@@ -128,17 +133,17 @@ impl Finder<'_, '_> {
 }
 
 /// What holds after so many blocks; nothing where the run is shorter.
-pub(super) fn before(job: &Job, source: &Source, ran: u64) -> Option<Before> {
-    let mut walk = Walk {
+pub(super) fn before(job: &Job, source: &SourceBlocks, ran: u64) -> Option<StateBefore> {
+    let mut walk = RestartScan {
         source,
         control: job.control(),
         until: ran,
         ran: 0,
-        said: Said::default(),
-        open: Open::default(),
-        cycle: Cycle::default(),
-        shift: Shift::default(),
-        turned: Turned::default(),
+        said: StateWords::default(),
+        open: OpenConstructs::default(),
+        cycle: OpenCycle::default(),
+        shift: ActiveShift::default(),
+        turned: LatheState::default(),
         unrepeated: Vec::new(),
         x_factor: match job.control().parameters.starts_with_radii {
             true => 1.0,
@@ -153,26 +158,26 @@ pub(super) fn before(job: &Job, source: &Source, ran: u64) -> Option<Before> {
     walk.before
 }
 
-struct Walk<'s, 'a> {
-    source: &'s Source<'a>,
+struct RestartScan<'s, 'a> {
+    source: &'s SourceBlocks<'a>,
     control: &'s Control,
     until: u64,
     ran: u64,
-    said: Said,
-    open: Open,
-    cycle: Cycle,
-    shift: Shift,
-    turned: Turned,
+    said: StateWords,
+    open: OpenConstructs,
+    cycle: OpenCycle,
+    shift: ActiveShift,
+    turned: LatheState,
     unrepeated: Vec<UnrepeatedCode>,
     x_factor: f64,
     highest: Option<f64>,
     is_machine: bool,
     /// A move was made.
     moved: bool,
-    before: Option<Before>,
+    before: Option<StateBefore>,
 }
 
-impl Walk<'_, '_> {
+impl RestartScan<'_, '_> {
     /// Notes what a block opens and closes.
     fn follow(&mut self, block: &Block) {
         let line = Some(block.line);
@@ -337,7 +342,7 @@ impl Walk<'_, '_> {
     }
 }
 
-impl Sink for Walk<'_, '_> {
+impl Sink for RestartScan<'_, '_> {
     fn command(&mut self, command: &Command) {
         match &command.kind {
             CommandKind::Tool { .. }
@@ -366,7 +371,7 @@ impl Sink for Walk<'_, '_> {
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for Walk<'_, '_> {
+impl RunSink for RestartScan<'_, '_> {
     fn wants_blocks(&self) -> bool {
         true
     }
@@ -391,7 +396,7 @@ impl RunSink for Walk<'_, '_> {
             let turned = std::mem::take(&mut self.turned);
             let unrepeated = std::mem::take(&mut self.unrepeated);
             let x_factor = self.x_factor;
-            self.before = Some(Before {
+            self.before = Some(StateBefore {
                 modal,
                 said,
                 highest,

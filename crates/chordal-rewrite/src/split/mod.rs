@@ -10,20 +10,20 @@ pub(crate) mod standing;
 pub(crate) mod text;
 
 use chordal::Job;
-use chordal_compare::{Comparison, Difference, Options, compare_joined};
+use chordal_compare::{Comparison, ComparisonOptions, Difference, compare_joined};
 
-use self::points::{Kind, Point, Survey};
-use self::text::Writer;
+use self::points::{SafePointKind, SplitPoint, SplitSurvey};
+use self::text::PartWriter;
 use crate::ComparedSides;
-use crate::source::Source;
-use crate::{Certificate, Refusal};
+use crate::source::SourceBlocks;
+use crate::{Certificate, TransformRefusal};
 
 /// So many places are given up before the parts are reported as not proved.
 const MOST_TRIES: usize = 12;
 
 /// Where a program is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum By {
+pub enum SplitBy {
     /// So that no part has more bytes.
     Bytes(usize),
     /// Before every tool change.
@@ -32,7 +32,7 @@ pub enum By {
 
 /// One of the programs.
 #[derive(Clone, Debug)]
-pub struct Part {
+pub struct ProgramPart {
     /// Its text.
     pub text: Vec<u8>,
     /// The lines of the whole that it carries out, first and last.
@@ -47,9 +47,9 @@ pub struct Part {
 
 /// A program in parts.
 #[derive(Debug)]
-pub struct Split {
+pub struct SplitProgram {
     /// In order.
-    pub parts: Vec<Part>,
+    pub parts: Vec<ProgramPart>,
     /// What is to be known in addition to it.
     pub notes: Vec<String>,
     /// The parts, run one after the other, against the whole.
@@ -60,8 +60,8 @@ pub struct Split {
 ///
 /// # Errors
 /// A stretch that has no place where it can be split, with its lines.
-pub fn split(job: &Job, by: By) -> Result<Split, Refusal> {
-    let source = Source::of(job);
+pub fn split(job: &Job, by: SplitBy) -> Result<SplitProgram, TransformRefusal> {
+    let source = SourceBlocks::of(job);
     let [main] = source.mains.as_slice() else {
         let count = source.mains.len();
         return Err(refusal(
@@ -70,7 +70,7 @@ pub fn split(job: &Job, by: By) -> Result<Split, Refusal> {
             "split a file that has one",
         ));
     };
-    let mut survey = Survey::of(job, &source, main);
+    let mut survey = SplitSurvey::of(job, &source, main);
     if source.blocks.iter().all(|block| block.words.is_empty()) {
         return Err(refusal(1, "there is no program to split".into(), "name a file that has one"));
     }
@@ -84,7 +84,7 @@ pub fn split(job: &Job, by: By) -> Result<Split, Refusal> {
         .collect();
     survey.points.retain(|point| {
         let held = open.iter().find(|open| open.holds(source.start_of(point.at)));
-        if let (Some(held), By::Tool, Kind::ToolChange) = (held, by, point.kind) {
+        if let (Some(held), SplitBy::Tool, SafePointKind::ToolChange) = (held, by, point.kind) {
             let line = source.blocks[point.at].line;
             standing_notes.push(format!("not split before line {line}, inside {}", held.what));
         }
@@ -112,7 +112,7 @@ pub fn split(job: &Job, by: By) -> Result<Split, Refusal> {
         let Some(begin) = begin.filter(|_| given_up.len() < MOST_TRIES) else {
             let parts = parts.into_iter().map(|(part, _)| part).collect();
             standing_notes.extend(notes(&given_up));
-            return Ok(Split { parts, notes: standing_notes, certificate });
+            return Ok(SplitProgram { parts, notes: standing_notes, certificate });
         };
         survey.points.retain(|point| source.blocks[point.at].line != begin);
         given_up.push(begin);
@@ -129,24 +129,29 @@ fn notes(given_up: &[u32]) -> Vec<String> {
 }
 
 /// The first line of the part that something differs in: what differs follows from how it begins.
-fn begin_before(difference: &Difference, parts: &[(Part, text::Kept)]) -> Option<u32> {
+fn begin_before(difference: &Difference, parts: &[(ProgramPart, text::PartText)]) -> Option<u32> {
     // What one of the two lacks is reported after the block before it.
     let line = difference.blocks.iter().flatten().map(|blocks| blocks.first.line).max()?;
     parts.iter().skip(1).map(|(part, _)| part.lines[0]).rfind(|from| *from <= line)
 }
 
-fn refusal(line: u32, what: String, help: &str) -> Refusal {
-    Refusal { line, text: String::new(), what, help: help.into() }
+fn refusal(line: u32, what: String, help: &str) -> TransformRefusal {
+    TransformRefusal { line, text: String::new(), what, help: help.into() }
 }
 
 /// The parts with the text that each has from the whole, and by how much places were rounded, mm.
-type Parts = (Vec<(Part, text::Kept)>, f64);
+type WrittenParts = (Vec<(ProgramPart, text::PartText)>, f64);
 
-fn parts(job: &Job, source: &Source, survey: &Survey, by: By) -> Result<Parts, Refusal> {
+fn parts(
+    job: &Job,
+    source: &SourceBlocks,
+    survey: &SplitSurvey,
+    by: SplitBy,
+) -> Result<WrittenParts, TransformRefusal> {
     // Tools that cut nothing are no parts of their own.
-    let tools = || -> Vec<Point> {
-        let mut points: Vec<Point> = survey.points.to_vec();
-        points.retain(|point| point.kind == Kind::ToolChange);
+    let tools = || -> Vec<SplitPoint> {
+        let mut points: Vec<SplitPoint> = survey.points.to_vec();
+        points.retain(|point| point.kind == SafePointKind::ToolChange);
         points.dedup_by_key(|point| point.cuts);
         points
     };
@@ -154,14 +159,14 @@ fn parts(job: &Job, source: &Source, survey: &Survey, by: By) -> Result<Parts, R
     let mut beside = [0; 2];
     loop {
         let chosen = match by {
-            By::Tool => tools(),
-            By::Bytes(most) => choose(source, survey, most, beside)?,
+            SplitBy::Tool => tools(),
+            SplitBy::Bytes(most) => choose(source, survey, most, beside)?,
         };
         let standing = standing::at(job, source, &chosen);
-        let writer = Writer::new(job, source, survey);
+        let writer = PartWriter::new(job, source, survey);
         let (parts, rounded_mm) = writer.parts(&chosen, &standing);
-        let By::Bytes(most) = by else { return Ok((parts, rounded_mm)) };
-        let over = |part: &(Part, text::Kept)| part.0.text.len().saturating_sub(most);
+        let SplitBy::Bytes(most) = by else { return Ok((parts, rounded_mm)) };
+        let over = |part: &(ProgramPart, text::PartText)| part.0.text.len().saturating_sub(most);
         let first = parts.first().map_or(0, over);
         let others = parts.iter().skip(1).map(over).max().unwrap_or(0);
         if first == 0 && others == 0 {
@@ -174,12 +179,12 @@ fn parts(job: &Job, source: &Source, survey: &Survey, by: By) -> Result<Parts, R
 /// The fewest places between which there are no more bytes, those before tool changes preferred where a
 /// part is at least half full then.
 fn choose(
-    source: &Source,
-    survey: &Survey,
+    source: &SourceBlocks,
+    survey: &SplitSurvey,
     most: usize,
     beside: [usize; 2],
-) -> Result<Vec<Point>, Refusal> {
-    let mut chosen: Vec<Point> = Vec::new();
+) -> Result<Vec<SplitPoint>, TransformRefusal> {
+    let mut chosen: Vec<SplitPoint> = Vec::new();
     let end = source.end_of(survey.end);
     let mut from = 0;
     loop {
@@ -188,14 +193,14 @@ fn choose(
             return Ok(chosen);
         }
         let room = most.saturating_sub(beside);
-        let at = |point: &Point| source.start_of(point.at);
+        let at = |point: &SplitPoint| source.start_of(point.at);
         let ahead = || survey.points.iter().filter(|point| at(point) > from && at(point) < end);
-        let fits = |point: &&Point| (at(point) - from) as usize <= room;
-        let is_half = |point: &&Point| (at(point) - from) as usize * 2 >= room;
+        let fits = |point: &&SplitPoint| (at(point) - from) as usize <= room;
+        let is_half = |point: &&SplitPoint| (at(point) - from) as usize * 2 >= room;
         let tool = ahead().take_while(fits).filter(is_half);
-        let tool = tool.filter(|point| point.kind == Kind::ToolChange).last();
+        let tool = tool.filter(|point| point.kind == SafePointKind::ToolChange).last();
         // Near the end of the room the highest one is the safest, and of several of one height the last.
-        let is_near = |point: &&Point| (at(point) - from) as usize * 10 >= room * 9;
+        let is_near = |point: &&SplitPoint| (at(point) - from) as usize * 10 >= room * 9;
         let clear = || ahead().take_while(fits);
         let highest = || clear().filter(is_near).max_by(|a, b| a.height.0.total_cmp(&b.height.0));
         let Some(next) = tool.or_else(highest).or_else(|| clear().last()) else {
@@ -230,17 +235,17 @@ fn choose(
     }
 }
 
-fn prove(job: &Job, parts: &[(Part, text::Kept)], rounded_mm: f64) -> Comparison {
+fn prove(job: &Job, parts: &[(ProgramPart, text::PartText)], rounded_mm: f64) -> Comparison {
     let jobs: Vec<Job> = parts.iter().map(|(part, _)| job.with_text(part.text.clone())).collect();
-    let parts: Vec<chordal_compare::Part> = parts
+    let parts: Vec<chordal_compare::JoinedPart> = parts
         .iter()
         .zip(&jobs)
-        .map(|((_, kept), job)| chordal_compare::Part {
+        .map(|((_, kept), job)| chordal_compare::JoinedPart {
             job,
             body: kept.body.clone(),
             beside: kept.beside.clone(),
         })
         .collect();
-    let options = Options { tolerance_mm: rounded_mm, ..Options::default() };
+    let options = ComparisonOptions { tolerance_mm: rounded_mm, ..ComparisonOptions::default() };
     compare_joined(job, &parts, &options)
 }

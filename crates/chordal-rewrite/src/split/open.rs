@@ -5,23 +5,23 @@ use std::ops::Range;
 
 use chordal::Job;
 use chordal::syntax::BlockKind;
-use chordal_editor::{Name, Occurrence, Role};
+use chordal_editor::{NameOccurrence, NameRole, SymbolName};
 
-use crate::source::{Source, program};
+use crate::source::{SourceBlocks, program};
 
 /// Variables from this number on are the control's own.
 const FIRST_SYSTEM_VARIABLE: u32 = 1000;
 
 /// From a byte to another.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Stretch {
+pub(crate) struct UnsplittableRange {
     from: u32,
     to: u32,
     /// What holds it together.
     pub(crate) what: String,
 }
 
-impl Stretch {
+impl UnsplittableRange {
     /// The byte that it begins at.
     pub(crate) fn from(&self) -> u32 {
         self.from
@@ -34,28 +34,32 @@ impl Stretch {
 }
 
 /// All that must not be split in the main program.
-pub(crate) fn stretches(job: &Job, source: &Source, main: &Range<usize>) -> Vec<Stretch> {
+pub(crate) fn stretches(
+    job: &Job,
+    source: &SourceBlocks,
+    main: &Range<usize>,
+) -> Vec<UnsplittableRange> {
     let mut stretches = loops(source, main);
     let Some(program) = program(job) else { return stretches };
-    let mut places: HashMap<Name, Vec<Occurrence>> = HashMap::new();
+    let mut places: HashMap<SymbolName, Vec<NameOccurrence>> = HashMap::new();
     for place in program.occurrences() {
         places.entry(place.name.clone()).or_default().push(place);
     }
     stretches.extend(places.iter().filter_map(|(name, places)| match name {
         // Every part has the programs that it calls.
-        Name::Program(_) => None,
-        Name::Variable { name, .. } => variable(name, places),
-        Name::Subroutine(name) => whole(places, format!("o{name}")),
-        Name::Label { .. } | Name::LineLabel(_) => {
+        SymbolName::Program(_) => None,
+        SymbolName::Variable { name, .. } => variable(name, places),
+        SymbolName::Subroutine(name) => whole(places, format!("o{name}")),
+        SymbolName::Label { .. } | SymbolName::LineLabel(_) => {
             let what = match name {
-                Name::Label { number, .. } => format!("N{number}"),
-                Name::LineLabel(name) => format!(":{name}"),
+                SymbolName::Label { number, .. } => format!("N{number}"),
+                SymbolName::LineLabel(name) => format!(":{name}"),
                 _ => String::new(),
             };
-            let is_used = places.iter().any(|place| place.role == Role::Use);
+            let is_used = places.iter().any(|place| place.role == NameRole::Use);
             let is_sub = places.iter().any(|place| {
                 let at = source.first_at(place.range.end).saturating_sub(1);
-                place.role == Role::Definition && source.sub_of(at).is_some()
+                place.role == NameRole::Definition && source.sub_of(at).is_some()
             });
             if is_used && !is_sub { whole(places, what) } else { None }
         }
@@ -63,27 +67,27 @@ pub(crate) fn stretches(job: &Job, source: &Source, main: &Range<usize>) -> Vec<
     stretches
 }
 
-fn whole(places: &[Occurrence], what: String) -> Option<Stretch> {
+fn whole(places: &[NameOccurrence], what: String) -> Option<UnsplittableRange> {
     let from = places.iter().map(|place| place.range.start).min()?;
     let to = places.iter().map(|place| place.range.start).max()?;
-    (from < to).then_some(Stretch { from, to, what })
+    (from < to).then_some(UnsplittableRange { from, to, what })
 }
 
 /// From where a variable gets its first value to where it is used last. The values of the control's own
 /// variables act without being named.
-fn variable(name: &str, places: &[Occurrence]) -> Option<Stretch> {
-    let given = places.iter().filter(|place| place.role == Role::Definition);
+fn variable(name: &str, places: &[NameOccurrence]) -> Option<UnsplittableRange> {
+    let given = places.iter().filter(|place| place.role == NameRole::Definition);
     let from = given.map(|place| place.range.start).min()?;
     let number = name.trim_start_matches(|letter: char| !letter.is_ascii_digit()).parse::<u32>();
     let is_system = number.is_ok_and(|number| number >= FIRST_SYSTEM_VARIABLE);
-    let used = places.iter().filter(|place| place.role == Role::Use);
+    let used = places.iter().filter(|place| place.role == NameRole::Use);
     let to = used.map(|place| place.range.start).max();
     let to = if is_system { Some(u32::MAX) } else { to };
-    to.map(|to| Stretch { from, to, what: name.into() })
+    to.map(|to| UnsplittableRange { from, to, what: name.into() })
 }
 
 /// From `DO` to `END`.
-fn loops(source: &Source, main: &Range<usize>) -> Vec<Stretch> {
+fn loops(source: &SourceBlocks, main: &Range<usize>) -> Vec<UnsplittableRange> {
     let mut open = Vec::new();
     let mut stretches = Vec::new();
     for block in &source.blocks[main.clone()] {
@@ -96,7 +100,7 @@ fn loops(source: &Source, main: &Range<usize>) -> Vec<Stretch> {
             && let Some(from) = open.pop()
         {
             let what = "a loop".into();
-            stretches.push(Stretch { from, to: block.range.start, what });
+            stretches.push(UnsplittableRange { from, to: block.range.start, what });
         }
     }
     stretches

@@ -7,15 +7,15 @@ use chordal::machine::AXIS_LETTERS;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
-use chordal::control::{CallPath, Modal, Origin, Side};
+use chordal::control::{CallPath, CompensationSide, Modal, Origin};
 use chordal::syntax::Block;
 use chordal::{Command, CommandKind, Control, Diagnostic, Job, Sink};
 
-use crate::source::Source;
+use crate::source::SourceBlocks;
 
 /// What makes a place safe.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Kind {
+pub(super) enum SafePointKind {
     /// A tool change follows.
     ToolChange,
     /// The tool is above all cuts of its work offset.
@@ -24,12 +24,12 @@ pub(super) enum Kind {
 
 /// A place between two blocks of the main program.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Point {
+pub(super) struct SplitPoint {
     /// The block after it.
     pub(super) at: usize,
     /// How many blocks were carried out before it.
     pub(super) ran: u32,
-    pub(super) kind: Kind,
+    pub(super) kind: SafePointKind,
     /// Where the tool stands, mm, and in which work offset.
     pub(super) height: (f64, u32),
     /// How many cuts were made before it.
@@ -38,9 +38,9 @@ pub(super) struct Point {
 
 /// A run, as far as splitting it goes.
 #[derive(Debug)]
-pub(super) struct Survey {
+pub(super) struct SplitSurvey {
     /// In order, each once.
-    pub(super) points: Vec<Point>,
+    pub(super) points: Vec<SplitPoint>,
     /// The last block of the main program that was carried out.
     pub(super) end: usize,
     /// How many cuts it makes.
@@ -51,13 +51,13 @@ pub(super) struct Survey {
     pub(super) users: Vec<Vec<usize>>,
 }
 
-impl Survey {
-    pub(super) fn of(job: &Job, source: &Source, main: &Range<usize>) -> Survey {
-        let mut walk = Walk {
+impl SplitSurvey {
+    pub(super) fn of(job: &Job, source: &SourceBlocks, main: &Range<usize>) -> SplitSurvey {
+        let mut walk = SplitPointFinder {
             source,
             control: job.control(),
             main: main.clone(),
-            survey: Survey {
+            survey: SplitSurvey {
                 points: Vec::new(),
                 end: main.start,
                 cuts: 0,
@@ -67,24 +67,24 @@ impl Survey {
             ran: 0,
             cuts: HashMap::new(),
             lowest: None,
-            open: Open::default(),
+            open: SplitObstacles::default(),
             settled: false,
         };
         job.run(&mut walk);
-        let Walk { mut survey, cuts, .. } = walk;
+        let SplitPointFinder { mut survey, cuts, .. } = walk;
         let all = survey.cuts;
         survey.points.retain(|point| point.cuts > 0 && point.cuts < all);
         // Between a tool change and the first cut, the change would be made twice.
         let mut changed = None;
         survey.points.retain(|point| {
-            let is_change = point.kind == Kind::ToolChange;
+            let is_change = point.kind == SafePointKind::ToolChange;
             changed = if is_change { Some(point.cuts) } else { changed };
             is_change || changed != Some(point.cuts)
         });
         survey.points.retain(|point| {
             let (height, work) = point.height;
             let highest = cuts.get(&work).copied().unwrap_or(f64::NEG_INFINITY);
-            point.kind == Kind::ToolChange || height > highest
+            point.kind == SafePointKind::ToolChange || height > highest
         });
         survey
     }
@@ -92,7 +92,7 @@ impl Survey {
 
 /// What keeps a program from being split for as long as it lasts.
 #[derive(Debug, Default)]
-struct Open {
+struct SplitObstacles {
     /// G52, G92: where the program's zero lies is not said again.
     shift: bool,
     /// A modal macro call.
@@ -113,22 +113,22 @@ struct Open {
     surface: bool,
 }
 
-struct Walk<'s, 'a> {
-    source: &'s Source<'a>,
+struct SplitPointFinder<'s, 'a> {
+    source: &'s SourceBlocks<'a>,
     control: &'s Control,
     main: Range<usize>,
-    survey: Survey,
+    survey: SplitSurvey,
     ran: u32,
     /// By work offset: the highest place of a cut, but for those that lead straight up.
     cuts: HashMap<u32, f64>,
     /// The same in the block under way.
     lowest: Option<f64>,
-    open: Open,
+    open: SplitObstacles,
     /// Neither compensation nor a cycle was active after the last block.
     settled: bool,
 }
 
-impl Walk<'_, '_> {
+impl SplitPointFinder<'_, '_> {
     /// Notes what a block opens and closes.
     fn follow(&mut self, block: &Block) {
         for word in &block.words {
@@ -206,8 +206,17 @@ impl Walk<'_, '_> {
     }
 
     fn is_closed(&self) -> bool {
-        let Open { shift, call, unknown, data, rotation, scaling, mirror, polar, surface } =
-            self.open;
+        let SplitObstacles {
+            shift,
+            call,
+            unknown,
+            data,
+            rotation,
+            scaling,
+            mirror,
+            polar,
+            surface,
+        } = self.open;
         !(shift || call || unknown || data || rotation || scaling || mirror || polar || surface)
     }
 
@@ -223,7 +232,13 @@ impl Walk<'_, '_> {
         if self.settled && self.is_closed() && self.ran > 0 {
             let height = (f64::INFINITY, modal.work.ordinal());
             let (ran, cuts) = (self.ran, self.survey.cuts);
-            self.survey.points.push(Point { at, ran, kind: Kind::ToolChange, height, cuts });
+            self.survey.points.push(SplitPoint {
+                at,
+                ran,
+                kind: SafePointKind::ToolChange,
+                height,
+                cuts,
+            });
         }
     }
 
@@ -240,12 +255,18 @@ impl Walk<'_, '_> {
         if is_known && self.settled && self.is_closed() && at + 1 < self.main.end {
             let height = (modal.position[2], modal.work.ordinal());
             let (ran, cuts) = (self.ran + 1, self.survey.cuts);
-            self.survey.points.push(Point { at: at + 1, ran, kind: Kind::Clear, height, cuts });
+            self.survey.points.push(SplitPoint {
+                at: at + 1,
+                ran,
+                kind: SafePointKind::Clear,
+                height,
+                cuts,
+            });
         }
     }
 }
 
-impl Sink for Walk<'_, '_> {
+impl Sink for SplitPointFinder<'_, '_> {
     fn command(&mut self, command: &Command) {
         if matches!(command.kind, CommandKind::Rapid { .. }) {
             return;
@@ -264,7 +285,7 @@ impl Sink for Walk<'_, '_> {
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for Walk<'_, '_> {
+impl RunSink for SplitPointFinder<'_, '_> {
     fn wants_blocks(&self) -> bool {
         true
     }
@@ -290,7 +311,7 @@ impl RunSink for Walk<'_, '_> {
         }
         // `,R` and `,C` need the next move.
         let corner = block.is_some_and(|at| self.source.blocks[at].commas);
-        self.settled = modal.side == Side::Off && modal.cycle.is_none() && !corner;
+        self.settled = modal.side == CompensationSide::Off && modal.cycle.is_none() && !corner;
         match block {
             Some(at) if is_main && self.main.contains(&at) => {
                 self.behind(at, &modal);
@@ -300,7 +321,7 @@ impl RunSink for Walk<'_, '_> {
                 // The place after the calling block lies within the call.
                 self.survey
                     .points
-                    .pop_if(|point| point.kind == Kind::Clear && point.ran == self.ran);
+                    .pop_if(|point| point.kind == SafePointKind::Clear && point.ran == self.ran);
                 let main = self.survey.end;
                 if let Some(sub) = self.source.sub_of(at) {
                     let users = &mut self.survey.users[sub];

@@ -4,28 +4,28 @@ use chordal::RunSink;
 use chordal::control::{Action, AfterCode, BeforeCode, LengthCode, ModeCode, OnceCode, PathCode};
 use std::collections::BTreeMap;
 
-use chordal::control::table::Group;
+use chordal::control::table::CodeGroup;
 use chordal::control::{Modal, Origin};
 use chordal::syntax::{Block, Word};
 use chordal::{Command, Control, Diagnostic, Job, Sink};
 
-use super::points::Point;
-use crate::source::Source;
+use super::points::SplitPoint;
+use crate::source::SourceBlocks;
 
 /// What holds before a block.
 #[derive(Clone, Debug)]
-pub(crate) struct Standing {
+pub(crate) struct StateAt {
     pub(crate) modal: Modal,
-    pub(crate) said: Said,
+    pub(crate) said: StateWords,
 }
 
 /// What the program has said so far and what still counts, in its own words.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Said {
+pub(crate) struct StateWords {
     /// By what they decide about: codes that need no other words.
-    pub(crate) codes: BTreeMap<Slot, String>,
+    pub(crate) codes: BTreeMap<StateSlot, String>,
     /// Codes with words of their own, which stand on lines of their own.
-    pub(crate) lines: BTreeMap<Slot, String>,
+    pub(crate) lines: BTreeMap<StateSlot, String>,
     /// A work offset was chosen.
     pub(crate) work: bool,
     /// The code with H (G43).
@@ -48,7 +48,7 @@ pub(crate) struct Said {
 
 /// What a code decides about, in the order in which programs say it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Slot {
+pub(crate) enum StateSlot {
     Units,
     Plane,
     Distance,
@@ -66,30 +66,30 @@ pub(crate) enum Slot {
     OverridesByP,
 }
 
-fn slot(group: Group, action: Action) -> Option<Slot> {
+fn slot(group: CodeGroup, action: Action) -> Option<StateSlot> {
     Some(match (action, group) {
-        (Action::Mode(ModeCode::Path(PathCode::Smoothness)), _) => Slot::Smoothness,
+        (Action::Mode(ModeCode::Path(PathCode::Smoothness)), _) => StateSlot::Smoothness,
         (Action::Mode(ModeCode::Path(PathCode::LookAhead { letter, .. })), _) => {
-            Slot::LookAhead(letter)
+            StateSlot::LookAhead(letter)
         }
-        (Action::Mode(ModeCode::Overrides { .. }), _) => Slot::Overrides,
-        (Action::Mode(ModeCode::OverridesByP), _) => Slot::OverridesByP,
-        (Action::Mode(ModeCode::CompensationOff), _) => Slot::Compensation,
-        (Action::Mode(ModeCode::CancelCycle), _) => Slot::Cycle,
-        (_, Group::Units) => Slot::Units,
-        (_, Group::Plane) => Slot::Plane,
-        (_, Group::Distance) => Slot::Distance,
-        (_, Group::ArcDistance) => Slot::ArcDistance,
-        (_, Group::FeedMode) => Slot::FeedMode,
-        (_, Group::ReturnLevel) => Slot::ReturnLevel,
-        (_, Group::PathMode) => Slot::PathMode,
-        (_, Group::FeedRamp) => Slot::FeedRamp,
+        (Action::Mode(ModeCode::Overrides { .. }), _) => StateSlot::Overrides,
+        (Action::Mode(ModeCode::OverridesByP), _) => StateSlot::OverridesByP,
+        (Action::Mode(ModeCode::CompensationOff), _) => StateSlot::Compensation,
+        (Action::Mode(ModeCode::CancelCycle), _) => StateSlot::Cycle,
+        (_, CodeGroup::Units) => StateSlot::Units,
+        (_, CodeGroup::Plane) => StateSlot::Plane,
+        (_, CodeGroup::Distance) => StateSlot::Distance,
+        (_, CodeGroup::ArcDistance) => StateSlot::ArcDistance,
+        (_, CodeGroup::FeedMode) => StateSlot::FeedMode,
+        (_, CodeGroup::ReturnLevel) => StateSlot::ReturnLevel,
+        (_, CodeGroup::PathMode) => StateSlot::PathMode,
+        (_, CodeGroup::FeedRamp) => StateSlot::FeedRamp,
         _ => return None,
     })
 }
 
-impl Said {
-    pub(crate) fn follow(&mut self, source: &Source, control: &Control, block: &Block) {
+impl StateWords {
+    pub(crate) fn follow(&mut self, source: &SourceBlocks, control: &Control, block: &Block) {
         let text = |word: &Word| source.text_of(word);
         let gap = if source.style.spaced { " " } else { "" };
         let beside =
@@ -101,8 +101,8 @@ impl Said {
             let Some(row) = control.row_of(word) else { continue };
             if let Some(slot) = slot(row.group, row.action) {
                 let words = beside(word, &|letter| row.words.has(letter));
-                if slot == Slot::Overrides {
-                    self.lines.remove(&Slot::OverridesByP);
+                if slot == StateSlot::Overrides {
+                    self.lines.remove(&StateSlot::OverridesByP);
                 }
                 self.codes.remove(&slot);
                 self.lines.remove(&slot);
@@ -193,29 +193,29 @@ impl Said {
 }
 
 /// What holds at places, in the order of the run.
-pub(super) fn at(job: &Job, source: &Source, points: &[Point]) -> Vec<Standing> {
-    let (control, said) = (job.control(), Said::default());
-    let mut walk = Walk { source, control, points, said, ran: 0, standing: Vec::new() };
+pub(super) fn at(job: &Job, source: &SourceBlocks, points: &[SplitPoint]) -> Vec<StateAt> {
+    let (control, said) = (job.control(), StateWords::default());
+    let mut walk = StateScan { source, control, points, said, ran: 0, standing: Vec::new() };
     job.run(&mut walk);
     walk.standing
 }
 
-struct Walk<'s, 'a> {
-    source: &'s Source<'a>,
+struct StateScan<'s, 'a> {
+    source: &'s SourceBlocks<'a>,
     control: &'s Control,
-    points: &'s [Point],
-    said: Said,
+    points: &'s [SplitPoint],
+    said: StateWords,
     ran: u32,
-    standing: Vec<Standing>,
+    standing: Vec<StateAt>,
 }
 
-impl Sink for Walk<'_, '_> {
+impl Sink for StateScan<'_, '_> {
     fn command(&mut self, _: &Command) {}
 
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for Walk<'_, '_> {
+impl RunSink for StateScan<'_, '_> {
     fn wants_blocks(&self) -> bool {
         true
     }
@@ -227,7 +227,7 @@ impl RunSink for Walk<'_, '_> {
         self.ran += 1;
         let next = self.points.get(self.standing.len());
         if next.is_some_and(|point| point.ran == self.ran) {
-            self.standing.push(Standing { modal: modal(), said: self.said.clone() });
+            self.standing.push(StateAt { modal: modal(), said: self.said.clone() });
         }
     }
 }

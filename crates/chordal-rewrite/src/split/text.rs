@@ -7,28 +7,28 @@ use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::{Block, Word};
 use chordal::{Control, Job};
 
-use super::points::{Kind, Point, Survey};
-use super::standing::{Slot, Standing};
-use super::{Part, Parts};
+use super::points::{SafePointKind, SplitPoint, SplitSurvey};
+use super::standing::{StateAt, StateSlot};
+use super::{ProgramPart, WrittenParts};
 use crate::convert::codes;
 use crate::convert::numbers::{digits, length, plain};
-use crate::source::{Form, Source, Style};
+use crate::source::{SourceBlocks, SubprogramForm, WordStyle};
 
 /// Decimals of rotary axes and feeds, and the most of all others.
 pub(crate) const MOST_DECIMALS: usize = 6;
 
 /// What a part has from the whole.
 #[derive(Clone, Debug)]
-pub(super) struct Kept {
-    pub(super) body: chordal_compare::Kept,
-    pub(super) beside: Vec<chordal_compare::Kept>,
+pub(super) struct PartText {
+    pub(super) body: chordal_compare::RetainedText,
+    pub(super) beside: Vec<chordal_compare::RetainedText>,
 }
 
 /// Writes parts.
-pub(super) struct Writer<'w, 'a> {
-    source: &'w Source<'a>,
+pub(super) struct PartWriter<'w, 'a> {
+    source: &'w SourceBlocks<'a>,
     control: &'w Control,
-    survey: &'w Survey,
+    survey: &'w SplitSurvey,
     line_end: &'static str,
     /// The blocks before the first of the main program: head, remarks, `L` sections.
     first: usize,
@@ -38,13 +38,13 @@ pub(super) struct Writer<'w, 'a> {
 
 /// A part that is being written.
 #[derive(Default)]
-struct Draft {
+struct PartDraft {
     text: Vec<u8>,
     lines: u32,
-    beside: Vec<chordal_compare::Kept>,
+    beside: Vec<chordal_compare::RetainedText>,
 }
 
-impl Draft {
+impl PartDraft {
     /// A line that is put in.
     fn line(&mut self, words: &str, line_end: &str) {
         self.text.extend_from_slice(words.as_bytes());
@@ -53,13 +53,17 @@ impl Draft {
     }
 
     /// Blocks of the whole.
-    fn keep(&mut self, source: &Source, blocks: std::ops::Range<usize>) -> chordal_compare::Kept {
+    fn keep(
+        &mut self,
+        source: &SourceBlocks,
+        blocks: std::ops::Range<usize>,
+    ) -> chordal_compare::RetainedText {
         let (from, to) = (source.start_of(blocks.start), source.start_of(blocks.end));
         let start = self.text.len() as u32;
         let text = TextRange::new(from, to).slice(source.text);
         self.text.extend_from_slice(text);
         let first = source.blocks.get(blocks.start).map_or(1, |block| block.line);
-        let kept = chordal_compare::Kept {
+        let kept = chordal_compare::RetainedText {
             part: TextRange::new(start, start + (to - from)),
             whole: from,
             lines: [self.lines + 1, first],
@@ -72,8 +76,12 @@ impl Draft {
     }
 }
 
-impl<'w, 'a> Writer<'w, 'a> {
-    pub(super) fn new(job: &'w Job, source: &'w Source<'a>, survey: &'w Survey) -> Writer<'w, 'a> {
+impl<'w, 'a> PartWriter<'w, 'a> {
+    pub(super) fn new(
+        job: &'w Job,
+        source: &'w SourceBlocks<'a>,
+        survey: &'w SplitSurvey,
+    ) -> PartWriter<'w, 'a> {
         let main = &source.mains[0];
         let behind_sections = source.section_end.map_or(main.start, |end| end + 1);
         let words = |at: &usize| {
@@ -84,11 +92,11 @@ impl<'w, 'a> Writer<'w, 'a> {
         let crlf = source.text.windows(2).any(|pair| pair == b"\r\n");
         let taken = job.programs().iter().filter_map(|program| program.head.number).collect();
         let line_end = if crlf { "\r\n" } else { "\n" };
-        Writer { source, control: job.control(), survey, line_end, first, taken }
+        PartWriter { source, control: job.control(), survey, line_end, first, taken }
     }
 
     /// The parts between places, and by how much places that are said again were rounded, mm.
-    pub(super) fn parts(&self, points: &[Point], standing: &[Standing]) -> Parts {
+    pub(super) fn parts(&self, points: &[SplitPoint], standing: &[StateAt]) -> WrittenParts {
         let count = points.len() + 1;
         let end = self.survey.end + 1;
         let (mut parts, mut rounded_mm) = (Vec::new(), 0.0f64);
@@ -99,7 +107,7 @@ impl<'w, 'a> Writer<'w, 'a> {
             let begin = from.map(|point| self.begin(&standing[index - 1], point, &mut rounded_mm));
             let number = self.number(index);
             let begin = begin.unwrap_or_default();
-            let mut draft = Draft::default();
+            let mut draft = PartDraft::default();
             if index > 0 {
                 self.head(&mut draft, number, [index + 1, count], blocks.clone());
                 for line in &begin {
@@ -114,14 +122,14 @@ impl<'w, 'a> Writer<'w, 'a> {
             }
             self.tail(&mut draft, end, &blocks);
             let line = |at: usize| self.source.blocks.get(at).map_or(1, |block| block.line);
-            let part = Part {
+            let part = ProgramPart {
                 text: draft.text,
                 lines: [line(blocks.start), line(blocks.end.saturating_sub(1))],
                 number,
                 begin,
-                at_tool_change: from.is_some_and(|point| point.kind == Kind::ToolChange),
+                at_tool_change: from.is_some_and(|point| point.kind == SafePointKind::ToolChange),
             };
-            parts.push((part, Kept { body, beside: draft.beside }));
+            parts.push((part, PartText { body, beside: draft.beside }));
         }
         (parts, rounded_mm)
     }
@@ -137,7 +145,7 @@ impl<'w, 'a> Writer<'w, 'a> {
     /// Head, remarks and `L` sections, as in the whole, with another number.
     fn head(
         &self,
-        draft: &mut Draft,
+        draft: &mut PartDraft,
         number: Option<u32>,
         [index, count]: [usize; 2],
         blocks: std::ops::Range<usize>,
@@ -191,12 +199,12 @@ impl<'w, 'a> Writer<'w, 'a> {
 
     fn uses_sections(&self, blocks: &std::ops::Range<usize>) -> bool {
         let subs = self.source.subs.iter().enumerate();
-        let mut sections = subs.filter(|(_, sub)| sub.form == Form::Letter);
+        let mut sections = subs.filter(|(_, sub)| sub.form == SubprogramForm::Letter);
         sections.any(|(at, _)| self.is_used(Some(at), blocks))
     }
 
     /// What stands after the end of the main program: subprograms that the blocks use, and the last `%`.
-    fn tail(&self, draft: &mut Draft, end: usize, blocks: &std::ops::Range<usize>) {
+    fn tail(&self, draft: &mut PartDraft, end: usize, blocks: &std::ops::Range<usize>) {
         let mut at = end;
         while at < self.source.blocks.len() {
             let sub = self.source.sub_of(at);
@@ -210,7 +218,7 @@ impl<'w, 'a> Writer<'w, 'a> {
     }
 
     /// The lines that end a part that is not the last.
-    fn end(&self, standing: &Standing) -> Vec<String> {
+    fn end(&self, standing: &StateAt) -> Vec<String> {
         let name = |action| codes::name(action, self.control, self.source.style);
         let mut lines = Vec::new();
         if standing.modal.coolant != Default::default() {
@@ -237,18 +245,19 @@ impl<'w, 'a> Writer<'w, 'a> {
     }
 
     /// The lines that a part begins with, so that all is as it was.
-    fn begin(&self, standing: &Standing, point: Point, rounded_mm: &mut f64) -> Vec<String> {
-        let Standing { modal, said } = standing;
+    fn begin(&self, standing: &StateAt, point: SplitPoint, rounded_mm: &mut f64) -> Vec<String> {
+        let StateAt { modal, said } = standing;
         let style = self.source.style;
         let gap = if style.spaced { " " } else { "" };
         let name = |action| codes::name(action, self.control, style);
         let mut lines = Vec::new();
-        let is_clear = point.kind == Kind::Clear;
+        let is_clear = point.kind == SafePointKind::Clear;
         let mut codes = said.codes.clone();
         let is_incremental = is_clear && modal.incremental;
         if is_incremental {
             codes.extend(
-                name(Action::Reading(ReadingCode::Absolute)).map(|code| (Slot::Distance, code)),
+                name(Action::Reading(ReadingCode::Absolute))
+                    .map(|code| (StateSlot::Distance, code)),
             );
         }
         lines.push(codes.into_values().collect::<Vec<String>>().join(gap));
@@ -279,7 +288,7 @@ impl<'w, 'a> Writer<'w, 'a> {
     }
 
     /// The tool change.
-    fn tool(&self, Standing { modal, said }: &Standing) -> Option<String> {
+    fn tool(&self, StateAt { modal, said }: &StateAt) -> Option<String> {
         let words = said.tool.as_ref()?;
         let gap = if self.source.style.spaced { " " } else { "" };
         Some(if words.contains('T') {
@@ -292,7 +301,7 @@ impl<'w, 'a> Writer<'w, 'a> {
     /// To where the tool stood: over the place, then down to it.
     fn approach(
         &self,
-        Standing { modal, said }: &Standing,
+        StateAt { modal, said }: &StateAt,
         work: Option<String>,
         rounded_mm: &mut f64,
     ) -> [String; 2] {
@@ -345,7 +354,7 @@ impl<'w, 'a> Writer<'w, 'a> {
 }
 
 /// F as it is in force; nothing where each block says its own.
-pub(crate) fn feed_word(modal: &Modal, style: Style) -> Option<String> {
+pub(crate) fn feed_word(modal: &Modal, style: WordStyle) -> Option<String> {
     let unit = modal.units.mm();
     let value = match modal.feed_mode {
         FeedMode::PerTime => modal.feed? * 60.0 / unit,

@@ -2,18 +2,18 @@
 
 use chordal::Job;
 use chordal::control::{Action, MotionCode};
-use chordal::control::{ArcCenter, ArcShape, FeedMode, Side, Units};
+use chordal::control::{ArcCenter, ArcShape, CompensationSide, FeedMode, Units};
 use chordal::diagnostics::FileId;
 use chordal::geometry::{ParamCurve, Placement, Plane, Vec3, spiral_from_center};
 use chordal::machine::PerAxis;
 use chordal::syntax::{Block, BlockKind, BlockReader, Word};
 
-use super::edit::{Edit, Refusal, replace_words};
-use super::lines::{Words, newline, tail};
-use super::record::{Did, Record, Run, Runs};
-use super::roles::{Role, actions, roles};
-use super::writer::Writer;
-use super::{ArcForm, Outcome};
+use super::edit::{TransformRefusal, WordEdit, replace_words};
+use super::lines::{BlockWords, newline, tail};
+use super::record::{BlockEffect, BlockPass, BlockRuns, RunRecord};
+use super::roles::{NumberRole, actions, roles};
+use super::writer::WordWriter;
+use super::{ArcForm, StepOutcome};
 
 /// Half circles are left as they are within this much, radians: there a radius says little of the centre.
 const NEAR_HALF: f64 = 0.02;
@@ -21,26 +21,27 @@ const NEAR_HALF: f64 = 0.02;
 const NEAR_WHOLE: f64 = 1e-6;
 
 /// What arcs of a text are to be.
-struct Arcs<'a> {
-    writer: Writer<'a>,
-    outcome: Outcome,
+struct ArcRewriter<'a> {
+    writer: WordWriter<'a>,
+    outcome: StepOutcome,
 }
 
 /// The edits that write arcs by radius or by centre.
-pub(super) fn form(job: &Job, form: ArcForm) -> Result<Outcome, Refusal> {
-    let mut arcs = Arcs { writer: Writer::new(job), outcome: Outcome::default() };
-    let record = Record::of(job);
+pub(super) fn form(job: &Job, form: ArcForm) -> Result<StepOutcome, TransformRefusal> {
+    let mut arcs = ArcRewriter { writer: WordWriter::new(job), outcome: StepOutcome::default() };
+    let record = RunRecord::of(job);
     let mut kept = Vec::new();
     arcs.each(&record, |arcs, block, runs| {
         let roles = roles(block, &runs.first.context, arcs.writer.control);
-        let is_center = |role: &Role| matches!(role, Role::Center(_) | Role::Spoke(_));
-        let words = |wanted: &dyn Fn(&Word, &Role) -> bool| -> Vec<Word> {
+        let is_center =
+            |role: &NumberRole| matches!(role, NumberRole::Center(_) | NumberRole::Spoke(_));
+        let words = |wanted: &dyn Fn(&Word, &NumberRole) -> bool| -> Vec<Word> {
             let both = block.words.iter().zip(&roles).filter(|(word, role)| wanted(word, role));
             both.map(|(word, _)| *word).collect()
         };
         let centers = words(&|_, role| is_center(role));
         let radii =
-            words(&|word, role| word.letter == b'R' && *role == Role::Length && !word.comma);
+            words(&|word, role| word.letter == b'R' && *role == NumberRole::Length && !word.comma);
         let (old, new) = match form {
             ArcForm::Radius if !centers.is_empty() => match arcs.radius(block, runs) {
                 Some(new) => (centers, new),
@@ -70,26 +71,29 @@ pub(super) fn form(job: &Job, form: ArcForm) -> Result<Outcome, Refusal> {
 }
 
 /// The edits that write arcs and spirals as chords within a tolerance, mm.
-pub(super) fn chords(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
-    let mut arcs = Arcs { writer: Writer::new(job), outcome: Outcome::default() };
-    let record = Record::of(job);
+pub(super) fn chords(job: &Job, tolerance: f64) -> Result<StepOutcome, TransformRefusal> {
+    let mut arcs = ArcRewriter { writer: WordWriter::new(job), outcome: StepOutcome::default() };
+    let record = RunRecord::of(job);
     arcs.each(&record, |arcs, block, runs| arcs.chords(block, runs, tolerance))?;
     arcs.outcome.tolerance_mm = tolerance + arcs.writer.tolerance_mm();
     Ok(arcs.outcome)
 }
 
-impl<'a> Arcs<'a> {
+impl<'a> ArcRewriter<'a> {
     fn each(
         &mut self,
-        record: &Record,
-        mut see: impl FnMut(&mut Self, &Block, &Runs) -> Result<(), Refusal>,
-    ) -> Result<(), Refusal> {
+        record: &RunRecord,
+        mut see: impl FnMut(&mut Self, &Block, &BlockRuns) -> Result<(), TransformRefusal>,
+    ) -> Result<(), TransformRefusal> {
         let mut reader =
             BlockReader::new(self.writer.text, FileId(0), self.writer.control.table.lexicon);
         let mut block = Block::new();
         while reader.read(&mut block) {
             let Some(runs) = record.blocks.get(&block.range.start) else { continue };
-            let is_arc = runs.contexts.iter().any(|one| matches!(one.did, Did::Arc | Did::Spiral));
+            let is_arc = runs
+                .contexts
+                .iter()
+                .any(|one| matches!(one.did, BlockEffect::Arc | BlockEffect::Spiral));
             if block.kind == BlockKind::Words && is_arc {
                 see(self, &block, runs)?;
             }
@@ -97,11 +101,11 @@ impl<'a> Arcs<'a> {
         Ok(())
     }
 
-    fn refuse(&self, block: &Block, what: impl Into<String>, help: &str) -> Refusal {
-        Refusal::new(self.writer.text, block, what, help)
+    fn refuse(&self, block: &Block, what: impl Into<String>, help: &str) -> TransformRefusal {
+        TransformRefusal::new(self.writer.text, block, what, help)
     }
 
-    fn same_arc(&self, block: &Block, runs: &Runs) -> Result<(), Refusal> {
+    fn same_arc(&self, block: &Block, runs: &BlockRuns) -> Result<(), TransformRefusal> {
         if runs.same_arc && runs.contexts.len() == 1 {
             return Ok(());
         }
@@ -113,14 +117,14 @@ impl<'a> Arcs<'a> {
     }
 
     /// The radius word; `None` where a radius would not say enough.
-    fn radius(&self, _: &Block, runs: &Runs) -> Option<String> {
+    fn radius(&self, _: &Block, runs: &BlockRuns) -> Option<String> {
         let shape = runs.first.shape?;
         let sweep = shape.sweep.abs();
         let half = std::f64::consts::PI;
         let is_unsound = (sweep - half).abs() < NEAR_HALF
             || sweep > 2.0 * half - NEAR_WHOLE
             || (shape.radius_from - shape.radius_to).abs() > 0.01
-            || runs.first.context.did != Did::Arc;
+            || runs.first.context.did != BlockEffect::Arc;
         if is_unsound {
             return None;
         }
@@ -131,7 +135,7 @@ impl<'a> Arcs<'a> {
         Some(if registers { format!("R0{sign}{number}") } else { format!("R{number}") })
     }
 
-    fn center(&self, block: &Block, runs: &Runs) -> Result<String, Refusal> {
+    fn center(&self, block: &Block, runs: &BlockRuns) -> Result<String, TransformRefusal> {
         let run = &runs.first;
         if run.context.arc_center == ArcCenter::Absolute && !runs.same {
             return Err(self.refuse(
@@ -149,7 +153,12 @@ impl<'a> Arcs<'a> {
         self.outcome.edits.extend(replace_words(self.writer.text, old, new, reason));
     }
 
-    fn chords(&mut self, block: &Block, runs: &Runs, tolerance: f64) -> Result<(), Refusal> {
+    fn chords(
+        &mut self,
+        block: &Block,
+        runs: &BlockRuns,
+        tolerance: f64,
+    ) -> Result<(), TransformRefusal> {
         const REASON: &str = "the arc as chords";
         let run = &runs.first;
         self.same_arc(block, runs)?;
@@ -160,7 +169,9 @@ impl<'a> Arcs<'a> {
                 "copy the subprogram for each use, or write its moves in G91",
             ));
         }
-        if run.context.side != Side::Off || run.context.feed_mode == FeedMode::InverseTime {
+        if run.context.side != CompensationSide::Off
+            || run.context.feed_mode == FeedMode::InverseTime
+        {
             return Err(self.refuse(
                 block,
                 "cutter compensation or G93 is active, and both depend on single blocks",
@@ -201,7 +212,7 @@ impl<'a> Arcs<'a> {
             );
             if is_arc {
                 is_coded = true;
-                self.outcome.edits.push(Edit::new(
+                self.outcome.edits.push(WordEdit::new(
                     word.range,
                     self.writer.code(word, linear.code),
                     REASON,
@@ -215,7 +226,11 @@ impl<'a> Arcs<'a> {
             .filter(|(word, role)| {
                 let is_shape = matches!(
                     role,
-                    Role::Place(_) | Role::Way(_) | Role::Center(_) | Role::Spoke(_) | Role::Length
+                    NumberRole::Place(_)
+                        | NumberRole::Way(_)
+                        | NumberRole::Center(_)
+                        | NumberRole::Spoke(_)
+                        | NumberRole::Length
                 );
                 is_shape || b"PLQ".contains(&word.letter)
             })
@@ -232,13 +247,13 @@ impl<'a> Arcs<'a> {
         let at = block.range.end + tail.len() as u32;
         let more: String = lines[1..].iter().map(|line| format!("{end}{line}{tail}")).collect();
         if !more.is_empty() {
-            self.outcome.edits.push(Edit::insert(at, more, REASON));
+            self.outcome.edits.push(WordEdit::insert(at, more, REASON));
         }
         Ok(())
     }
 
     /// A row of words for each chord: the axes that change.
-    fn moves(&self, run: &Run, points: &[Vec3]) -> Vec<String> {
+    fn moves(&self, run: &BlockPass, points: &[Vec3]) -> Vec<String> {
         let units = run.context.units;
         let written = |mm: f64| -> (String, f64) {
             let number = self.writer.length(mm, units, None, 0);
@@ -248,7 +263,7 @@ impl<'a> Arcs<'a> {
         let mut at = points[0].to_array();
         let mut lines = Vec::new();
         for point in &points[1..] {
-            let mut words = Words::default();
+            let mut words = BlockWords::default();
             for (axis, target) in point.to_array().into_iter().enumerate() {
                 if (target - at[axis]).abs() < 1e-9 {
                     continue;
@@ -270,7 +285,7 @@ impl<'a> Arcs<'a> {
 }
 
 /// The corners of an arc's chords, mm.
-fn corners(run: &Run, shape: &ArcShape, tolerance: f64) -> Result<Vec<Vec3>, String> {
+fn corners(run: &BlockPass, shape: &ArcShape, tolerance: f64) -> Result<Vec<Vec3>, String> {
     let point = |at: PerAxis<f64>| Vec3::new(at[0], at[1], at[2]);
     let center = (shape.center[0], shape.center[1]);
     let fit =
@@ -282,19 +297,19 @@ fn corners(run: &Run, shape: &ArcShape, tolerance: f64) -> Result<Vec<Vec3>, Str
 
 /// The centre words of an arc by the active rule.
 pub(super) fn center_words(
-    writer: &Writer,
+    writer: &WordWriter,
     shape: &ArcShape,
     from: PerAxis<f64>,
     rule: ArcCenter,
     units: Units,
-) -> Words {
+) -> BlockWords {
     let (a, b, _) = shape.plane.axes();
     // I stands before J before K.
     let mut axes = [(a, shape.center[0]), (b, shape.center[1])];
     if shape.plane == Plane::Zx {
         axes.reverse();
     }
-    let mut words = Words::default();
+    let mut words = BlockWords::default();
     for (axis, center) in axes {
         let value = match rule {
             ArcCenter::FromStart => center - from[axis],

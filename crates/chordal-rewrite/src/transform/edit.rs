@@ -7,27 +7,27 @@ use crate::Change;
 
 /// A replacement of some text.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Edit {
+pub(super) struct WordEdit {
     pub(super) range: TextRange,
     pub(super) text: String,
     pub(super) reason: &'static str,
 }
 
-impl Edit {
-    pub(super) fn new(range: TextRange, text: impl Into<String>, reason: &'static str) -> Edit {
-        Edit { range, text: text.into(), reason }
+impl WordEdit {
+    pub(super) fn new(range: TextRange, text: impl Into<String>, reason: &'static str) -> WordEdit {
+        WordEdit { range, text: text.into(), reason }
     }
 
     /// Puts a text in.
-    pub(super) fn insert(at: u32, text: impl Into<String>, reason: &'static str) -> Edit {
-        Edit::new(TextRange::new(at, at), text, reason)
+    pub(super) fn insert(at: u32, text: impl Into<String>, reason: &'static str) -> WordEdit {
+        WordEdit::new(TextRange::new(at, at), text, reason)
     }
 }
 
 /// Why a program stays as it is.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("line {line}: {what}")]
-pub struct Refusal {
+pub struct TransformRefusal {
     /// Line of the text, from 1.
     pub line: u32,
     /// The line as it is written.
@@ -38,20 +38,20 @@ pub struct Refusal {
     pub help: String,
 }
 
-impl Refusal {
+impl TransformRefusal {
     pub(super) fn new(
         text: &[u8],
         block: &Block,
         what: impl Into<String>,
         help: impl Into<String>,
-    ) -> Refusal {
+    ) -> TransformRefusal {
         let words = String::from_utf8_lossy(block.range.slice(text)).trim().to_string();
-        Refusal { line: block.line, text: words, what: what.into(), help: help.into() }
+        TransformRefusal { line: block.line, text: words, what: what.into(), help: help.into() }
     }
 }
 
 /// The text after edits; of those that overlap the first counts.
-pub(super) fn apply(text: &[u8], edits: &mut Vec<Edit>) -> Vec<u8> {
+pub(super) fn apply(text: &[u8], edits: &mut Vec<WordEdit>) -> Vec<u8> {
     edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
     let mut edited = Vec::with_capacity(text.len());
     let mut at = 0;
@@ -69,7 +69,7 @@ pub(super) fn apply(text: &[u8], edits: &mut Vec<Edit>) -> Vec<u8> {
 }
 
 /// What edits, in order, change of each line.
-pub(super) fn changes(text: &[u8], edits: &[Edit]) -> Vec<Change> {
+pub(super) fn changes(text: &[u8], edits: &[WordEdit]) -> Vec<Change> {
     let source = Source::new("", text);
     let mut changes: Vec<Change> = Vec::new();
     let mut until = 0;
@@ -137,14 +137,14 @@ pub(super) fn replace_words(
     old: &[Word],
     new: &str,
     reason: &'static str,
-) -> Vec<Edit> {
+) -> Vec<WordEdit> {
     let one = |(index, word): (usize, &Word)| {
         if index == 0 {
-            return Edit::new(word.range, new, reason);
+            return WordEdit::new(word.range, new, reason);
         }
         let before = &text[..word.range.start as usize];
         let blanks = before.iter().rev().take_while(|byte| **byte == b' ').count() as u32;
-        Edit::new(TextRange::new(word.range.start - blanks, word.range.end), "", reason)
+        WordEdit::new(TextRange::new(word.range.start - blanks, word.range.end), "", reason)
     };
     old.iter().enumerate().map(one).collect()
 }

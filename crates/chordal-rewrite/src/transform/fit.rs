@@ -10,14 +10,14 @@ use chordal::diagnostics::TextRange;
 use chordal::geometry::{Curve, FitOptions, FitPiece, Plane, Vec2, Vec3, fit_path, simplify};
 use chordal::syntax::{Block, Word};
 
-use super::Outcome;
+use super::StepOutcome;
 use super::arcs::center_words;
-use super::edit::{Edit, Refusal};
-use super::lines::Words;
-use super::record::Record;
+use super::edit::{TransformRefusal, WordEdit};
+use super::lines::BlockWords;
+use super::record::RunRecord;
 use super::roles::actions;
-use super::rows::{Cut, rows};
-use super::writer::Writer;
+use super::rows::{StraightCut, rows};
+use super::writer::WordWriter;
 
 /// Shorter rows stay.
 const LEAST: usize = 3;
@@ -26,10 +26,15 @@ const ROUNDING: f64 = 2.0;
 
 /// Rows of chords as lines and arcs within a tolerance, mm, each cut at the slowest of its feeds, which may
 /// be apart by a part of the fastest. A row that would not make the same motion stays as it is.
-pub(super) fn fit(job: &Job, tolerance: f64, feed_tolerance: f64) -> Result<Outcome, Refusal> {
-    let writer = Writer::new(job);
-    let record = Record::of(job);
-    let mut outcome = Outcome { tolerance_mm: tolerance, feed_tolerance, ..Outcome::default() };
+pub(super) fn fit(
+    job: &Job,
+    tolerance: f64,
+    feed_tolerance: f64,
+) -> Result<StepOutcome, TransformRefusal> {
+    let writer = WordWriter::new(job);
+    let record = RunRecord::of(job);
+    let mut outcome =
+        StepOutcome { tolerance_mm: tolerance, feed_tolerance, ..StepOutcome::default() };
     let (mut rows_of, mut rough) = (HashMap::new(), 0);
     rows(&writer, &record, LEAST, feed_tolerance, |row, behind| {
         let units = row[0].run.context.units;
@@ -40,7 +45,7 @@ pub(super) fn fit(job: &Job, tolerance: f64, feed_tolerance: f64) -> Result<Outc
             return;
         }
         let points: Vec<Vec3> =
-            std::iter::once(row[0].from()).chain(row.iter().map(Cut::to)).collect();
+            std::iter::once(row[0].from()).chain(row.iter().map(StraightCut::to)).collect();
         let options = FitOptions {
             max_radius: writer.control.parameters.rules.arc.max_radius_mm.min(10_000.0),
             ..FitOptions::within(left)
@@ -66,13 +71,18 @@ pub(super) fn fit(job: &Job, tolerance: f64, feed_tolerance: f64) -> Result<Outc
 }
 
 /// The blocks of fitted pieces in the place of those of a row.
-fn replace(writer: &Writer, row: &[Cut], behind: Option<&Block>, fitted: &[FitPiece]) -> Edit {
+fn replace(
+    writer: &WordWriter,
+    row: &[StraightCut],
+    behind: Option<&Block>,
+    fitted: &[FitPiece],
+) -> WordEdit {
     let first = &row[0].block;
     let last = &row[row.len() - 1].block;
     let context = &row[0].run.context;
     let separator = TextRange::new(first.range.end, row[1].block.range.start).slice(writer.text);
     let separator = String::from_utf8_lossy(separator).into_owned();
-    let mut typist = Typist {
+    let mut typist = MoveWriter {
         writer,
         units: context.units,
         at: row[0].from().to_array(),
@@ -83,7 +93,7 @@ fn replace(writer: &Writer, row: &[Cut], behind: Option<&Block>, fitted: &[FitPi
     let mut lines = Vec::new();
     let mut numbered = None;
     for (index, piece) in fitted.iter().enumerate() {
-        let mut words = Words::default();
+        let mut words = BlockWords::default();
         // The number of the first block that it stands for, where there is one.
         let block = (piece.span[0].ceil() as usize).min(row.len() - 1);
         if let Some(number) = row[block].block.word(b'N').filter(|_| numbered < Some(block)) {
@@ -99,11 +109,11 @@ fn replace(writer: &Writer, row: &[Cut], behind: Option<&Block>, fitted: &[FitPi
     let feed = last_feed(row).filter(|_| behind.is_none_or(|block| block.word(b'F').is_none()));
     lines.extend(typist.restore(context.plane, behind, feed));
     let range = TextRange::new(first.range.start, last.range.end);
-    Edit::new(range, lines.join(&separator), "chords as lines and arcs")
+    WordEdit::new(range, lines.join(&separator), "chords as lines and arcs")
 }
 
 /// The F word of the slowest feed of a row; nothing where it is the one that was active before.
-fn slowest(row: &[Cut]) -> Option<&Word> {
+fn slowest(row: &[StraightCut]) -> Option<&Word> {
     let feed = row.iter().filter_map(|cut| cut.run.feed).min_by(f64::total_cmp);
     let slow = || row.iter().filter(|cut| cut.run.feed == feed);
     // Where no block of that feed says it, it was active before the row, and so at its first block.
@@ -111,16 +121,16 @@ fn slowest(row: &[Cut]) -> Option<&Word> {
 }
 
 /// The F word that holds after a row, where it is not the one that the row is written with.
-fn last_feed(row: &[Cut]) -> Option<&Word> {
-    let feed = |cut: &Cut| cut.run.feed;
+fn last_feed(row: &[StraightCut]) -> Option<&Word> {
+    let feed = |cut: &StraightCut| cut.run.feed;
     let slow = row.iter().filter_map(feed).min_by(f64::total_cmp);
     let last = row.last().filter(|cut| feed(cut) != slow)?;
     row.iter().rev().filter(|cut| feed(cut) == feed(last)).find_map(|cut| cut.block.word(b'F'))
 }
 
 /// Writes moves, each with the words that change.
-struct Typist<'a> {
-    writer: &'a Writer<'a>,
+struct MoveWriter<'a> {
+    writer: &'a WordWriter<'a>,
     units: Units,
     /// Where the tool stands by the digits that were written, mm.
     at: [f64; 3],
@@ -130,19 +140,19 @@ struct Typist<'a> {
     rule: chordal::control::ArcCenter,
 }
 
-impl Typist<'_> {
+impl MoveWriter<'_> {
     fn code(&self, action: Action) -> String {
         self.writer.g_code(action).unwrap_or_default()
     }
 
-    fn motion(&mut self, action: Action, words: &mut Words) {
+    fn motion(&mut self, action: Action, words: &mut BlockWords) {
         if self.motion != Some(action) {
             words.push(self.code(action));
             self.motion = Some(action);
         }
     }
 
-    fn piece(&mut self, piece: &FitPiece, words: &mut Words) {
+    fn piece(&mut self, piece: &FitPiece, words: &mut BlockWords) {
         match piece.curve {
             Curve::Arc(arc) => {
                 self.plane(piece.plane, words);
@@ -186,7 +196,7 @@ impl Typist<'_> {
         }
     }
 
-    fn plane(&mut self, plane: Plane, words: &mut Words) {
+    fn plane(&mut self, plane: Plane, words: &mut BlockWords) {
         if self.plane != plane {
             words.push(self.code(match plane {
                 Plane::Xy => Action::Mode(ModeCode::PlaneXy),
@@ -197,7 +207,7 @@ impl Typist<'_> {
         }
     }
 
-    fn axes(&mut self, to: Vec3, always: [bool; 3], words: &mut Words) {
+    fn axes(&mut self, to: Vec3, always: [bool; 3], words: &mut BlockWords) {
         for (axis, target) in to.to_array().into_iter().enumerate() {
             let number = self.writer.length(target, self.units, None, 0);
             let value = number.parse::<f64>().unwrap_or(target) * self.units.mm();
@@ -215,7 +225,7 @@ impl Typist<'_> {
         behind: Option<&Block>,
         feed: Option<&Word>,
     ) -> Option<String> {
-        let mut words = Words::default();
+        let mut words = BlockWords::default();
         let is_changed = self.plane != plane;
         self.plane(plane, &mut words);
         let says_motion = behind.is_some_and(|block| {
@@ -255,15 +265,15 @@ pub(super) fn center(plane: Plane, from: [f64; 3], to: [f64; 3], sweep: f64) -> 
 }
 
 /// The edits that leave out chords, mm.
-pub(super) fn thin(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
+pub(super) fn thin(job: &Job, tolerance: f64) -> Result<StepOutcome, TransformRefusal> {
     const REASON: &str = "fewer chords";
-    let writer = Writer::new(job);
-    let record = Record::of(job);
-    let mut outcome = Outcome { tolerance_mm: tolerance, ..Outcome::default() };
+    let writer = WordWriter::new(job);
+    let record = RunRecord::of(job);
+    let mut outcome = StepOutcome { tolerance_mm: tolerance, ..StepOutcome::default() };
     let (mut chords, mut left) = (0, 0);
     rows(&writer, &record, LEAST, 0.0, |row, _| {
         // The first block has the words that all others rely on: it stays.
-        let points: Vec<Vec3> = row.iter().map(Cut::to).collect();
+        let points: Vec<Vec3> = row.iter().map(StraightCut::to).collect();
         let Ok(kept) = simplify(&points, tolerance) else { return };
         (chords, left) = (chords + row.len(), left + kept.len());
         for pair in kept.windows(2) {
@@ -271,7 +281,7 @@ pub(super) fn thin(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
             if pair[1] > pair[0] + 1 {
                 let gone =
                     TextRange::new(row[pair[0] + 1].block.range.start, here.block.range.start);
-                outcome.edits.push(Edit::new(gone, "", REASON));
+                outcome.edits.push(WordEdit::new(gone, "", REASON));
             }
             name_axes(&writer, before, here, &mut outcome.edits);
         }
@@ -281,8 +291,13 @@ pub(super) fn thin(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
 }
 
 /// Names the axes that blocks left out would have named.
-fn name_axes(writer: &Writer, before: &Cut, here: &Cut, edits: &mut Vec<Edit>) {
-    let mut put_in = Words::default();
+fn name_axes(
+    writer: &WordWriter,
+    before: &StraightCut,
+    here: &StraightCut,
+    edits: &mut Vec<WordEdit>,
+) {
+    let mut put_in = BlockWords::default();
     let mut at = None;
     for axis in 0..3 {
         let letter = b"XYZ"[axis];
@@ -296,6 +311,6 @@ fn name_axes(writer: &Writer, before: &Cut, here: &Cut, edits: &mut Vec<Edit>) {
     let words = put_in.join(writer.style.gap());
     if let (Some(at), false) = (at, words.is_empty()) {
         let gap = writer.style.gap();
-        edits.push(Edit::insert(at, format!("{gap}{words}"), "an axis of a removed block"));
+        edits.push(WordEdit::insert(at, format!("{gap}{words}"), "an axis of a removed block"));
     }
 }

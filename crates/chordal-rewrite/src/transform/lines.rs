@@ -25,9 +25,9 @@ pub(super) fn tail<'a>(text: &'a [u8], block: &Block) -> Option<&'a str> {
 
 /// Words of one block put together.
 #[derive(Debug, Default)]
-pub(super) struct Words(Vec<String>);
+pub(super) struct BlockWords(Vec<String>);
 
-impl Words {
+impl BlockWords {
     pub(super) fn push(&mut self, word: impl Into<String>) {
         self.0.push(word.into());
     }

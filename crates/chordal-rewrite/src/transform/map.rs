@@ -4,18 +4,18 @@ use chordal::control::{Action, AfterCode, ModeCode, MotionCode, OnceCode};
 use chordal::control::{AxisMask, RapidPath};
 use chordal::diagnostics::FileId;
 use chordal::geometry::{Plane, Transform, Vec3};
-use chordal::syntax::{Block, BlockKind, BlockReader, Value, Word};
+use chordal::syntax::{Block, BlockKind, BlockReader, Word, WordValue};
 use chordal::{Control, Job};
-use chordal_compare::{Category, Mapping};
+use chordal_compare::{Category, RunMapping};
 
-use super::Outcome;
-use super::edit::{Edit, Refusal};
-use super::record::{Context, Did, Record, Runs};
-use super::roles::{Role, Turned, actions, drilling_axis, is_fixed, roles};
-use super::writer::Writer;
+use super::StepOutcome;
+use super::edit::{TransformRefusal, WordEdit};
+use super::record::{BlockEffect, BlockRuns, ReadingContext, RunRecord};
+use super::roles::{LatheBlockSort, NumberRole, actions, drilling_axis, is_fixed, roles};
+use super::writer::WordWriter;
 
 /// A similarity that leaves Z an axis by itself, taken apart.
-struct Map {
+struct PlaneMap {
     /// What becomes of X and Y: `plane[row][column]`.
     plane: [[f64; 2]; 2],
     z: f64,
@@ -25,8 +25,8 @@ struct Map {
     turns: bool,
 }
 
-impl Map {
-    fn of(transform: &Transform) -> Map {
+impl PlaneMap {
+    fn of(transform: &Transform) -> PlaneMap {
         // A quarter turn leaves 6e-17 where a zero is due.
         let snap = |value: f64| {
             let near = value.round();
@@ -34,7 +34,7 @@ impl Map {
         };
         let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| transform.apply_vector(axis));
         let plane = [[snap(x.x), snap(y.x)], [snap(x.y), snap(y.y)]];
-        Map {
+        PlaneMap {
             plane,
             z: snap(z.z),
             shift: transform.apply_point(Vec3::ZERO).to_array(),
@@ -84,14 +84,14 @@ impl Map {
 }
 
 /// The edits that take the path where a transform takes it.
-pub(super) fn map(job: &Job, transform: &Transform) -> Result<Outcome, Refusal> {
-    refuse_other_part(job, &Map::of(transform))?;
-    let record = Record::with_contours(job);
-    let mapper = Mapper { writer: Writer::new(job), map: Map::of(transform) };
+pub(super) fn map(job: &Job, transform: &Transform) -> Result<StepOutcome, TransformRefusal> {
+    refuse_other_part(job, &PlaneMap::of(transform))?;
+    let record = RunRecord::with_contours(job);
+    let mapper = MapWriter { writer: WordWriter::new(job), map: PlaneMap::of(transform) };
     let writer = &mapper.writer;
-    let mut outcome = Outcome {
-        mapping: Mapping { path: *transform, ..Mapping::default() },
-        ..Outcome::default()
+    let mut outcome = StepOutcome {
+        mapping: RunMapping { path: *transform, ..RunMapping::default() },
+        ..StepOutcome::default()
     };
     let mut idle = Vec::new();
     let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
@@ -127,7 +127,7 @@ pub(super) fn map(job: &Job, transform: &Transform) -> Result<Outcome, Refusal> 
 }
 
 /// X of a lathe is measured from the axis of the spindle: moved along it, or turned, a path makes another part.
-fn refuse_other_part(job: &Job, map: &Map) -> Result<(), Refusal> {
+fn refuse_other_part(job: &Job, map: &PlaneMap) -> Result<(), TransformRefusal> {
     let turns = job.control().table.turns();
     if !turns || (map.shift[..2] == [0.0; 2] && !map.turns && map.plane[1][1] == 1.0) {
         return Ok(());
@@ -135,7 +135,7 @@ fn refuse_other_part(job: &Job, map: &Map) -> Result<(), Refusal> {
     if !map.turns && map.scale != 1.0 && map.shift == [0.0; 3] {
         return Ok(());
     }
-    Err(Refusal::new(
+    Err(TransformRefusal::new(
         crate::source::first_text(job),
         &Block::new(),
         "on a lathe X is measured from the axis of the spindle: this makes another part",
@@ -143,19 +143,19 @@ fn refuse_other_part(job: &Job, map: &Map) -> Result<(), Refusal> {
     ))
 }
 
-struct Mapper<'a> {
-    writer: Writer<'a>,
-    map: Map,
+struct MapWriter<'a> {
+    writer: WordWriter<'a>,
+    map: PlaneMap,
 }
 
-impl Mapper<'_> {
-    fn refuse(&self, block: &Block, what: impl Into<String>, help: &str) -> Refusal {
-        Refusal::new(self.writer.text, block, what, help)
+impl MapWriter<'_> {
+    fn refuse(&self, block: &Block, what: impl Into<String>, help: &str) -> TransformRefusal {
+        TransformRefusal::new(self.writer.text, block, what, help)
     }
 
     /// One edit that is right for every run of the block.
-    fn block(&self, block: &Block, runs: &Runs) -> Result<Vec<Edit>, Refusal> {
-        let mut edits: Option<Vec<Edit>> = None;
+    fn block(&self, block: &Block, runs: &BlockRuns) -> Result<Vec<WordEdit>, TransformRefusal> {
+        let mut edits: Option<Vec<WordEdit>> = None;
         for context in &runs.contexts {
             let these = self.in_context(block, runs, context)?;
             match &edits {
@@ -176,11 +176,11 @@ impl Mapper<'_> {
     fn in_context(
         &self,
         block: &Block,
-        runs: &Runs,
-        context: &Context,
-    ) -> Result<Vec<Edit>, Refusal> {
+        runs: &BlockRuns,
+        context: &ReadingContext,
+    ) -> Result<Vec<WordEdit>, TransformRefusal> {
         let map = &self.map;
-        if map.scale != 1.0 && context.side != chordal::control::Side::Off {
+        if map.scale != 1.0 && context.side != chordal::control::CompensationSide::Off {
             return Err(self.refuse(
                 block,
                 "cutter compensation is on: the tool radius does not scale with the path",
@@ -189,7 +189,7 @@ impl Mapper<'_> {
         }
         let is_turned = self.writer.control.table.turns();
         if is_turned && map.scale != 1.0 {
-            let turned = Turned::of(block, context, self.writer.control);
+            let turned = LatheBlockSort::of(block, context, self.writer.control);
             if turned.is_thread() {
                 return Err(self.refuse(
                     block,
@@ -217,9 +217,12 @@ impl Mapper<'_> {
         let roles = roles(block, context, self.writer.control);
         let is_upright = map.turns
             && match context.did {
-                Did::Arc | Did::Spiral => context.plane != Plane::Xy,
-                Did::Cycle => drilling_axis(context, self.writer.control) != 2,
-                Did::Nothing | Did::Rapid | Did::Line | Did::Spline => false,
+                BlockEffect::Arc | BlockEffect::Spiral => context.plane != Plane::Xy,
+                BlockEffect::Cycle => drilling_axis(context, self.writer.control) != 2,
+                BlockEffect::Nothing
+                | BlockEffect::Rapid
+                | BlockEffect::Line
+                | BlockEffect::Spline => false,
             };
         if is_upright {
             if !map.swaps_axes() {
@@ -235,21 +238,26 @@ impl Mapper<'_> {
         }
         for (word, role) in block.words.iter().zip(&roles) {
             let (factor, plus) = match *role {
-                Role::Place(axis) | Role::Way(axis) | Role::Center(axis) | Role::Spoke(axis)
+                NumberRole::Place(axis)
+                | NumberRole::Way(axis)
+                | NumberRole::Center(axis)
+                | NumberRole::Spoke(axis)
                     if map.turns && (axis < 2 || is_upright) =>
                 {
                     continue;
                 }
-                Role::Place(axis) | Role::Center(axis) => (map.factor(axis), map.shift[axis]),
-                Role::Way(axis) | Role::Spoke(axis) => (map.factor(axis), 0.0),
-                Role::Length => (map.scale, 0.0),
-                Role::Counted if map.scale != 1.0 => {
+                NumberRole::Place(axis) | NumberRole::Center(axis) => {
+                    (map.factor(axis), map.shift[axis])
+                }
+                NumberRole::Way(axis) | NumberRole::Spoke(axis) => (map.factor(axis), 0.0),
+                NumberRole::Length => (map.scale, 0.0),
+                NumberRole::Counted if map.scale != 1.0 => {
                     let units = (context.units, context.units);
                     let text = self.writer.counted(block, word, units, map.scale)?;
-                    edits.push(Edit::new(word.range, text, self.reason()));
+                    edits.push(WordEdit::new(word.range, text, self.reason()));
                     continue;
                 }
-                Role::Doubtful if !map.is_shift() => {
+                NumberRole::Doubtful if !map.is_shift() => {
                     return Err(self.refuse(
                         block,
                         format!("`{}` may be a length or a direction", self.writer.word(word)),
@@ -263,7 +271,7 @@ impl Mapper<'_> {
             }
             let units = (context.units, context.units);
             let text = self.writer.scaled_length(block, word, units, factor, plus)?;
-            edits.push(Edit::new(word.range, text, self.reason()));
+            edits.push(WordEdit::new(word.range, text, self.reason()));
         }
         Ok(edits)
     }
@@ -276,9 +284,9 @@ impl Mapper<'_> {
     fn codes(
         &self,
         block: &Block,
-        context: &Context,
-        edits: &mut Vec<Edit>,
-    ) -> Result<(), Refusal> {
+        context: &ReadingContext,
+        edits: &mut Vec<WordEdit>,
+    ) -> Result<(), TransformRefusal> {
         for (word, action) in actions(block, self.writer.control) {
             if makes_moves_of_its_own(action) && !self.map.is_shift() {
                 return Err(self.refuse(
@@ -309,7 +317,7 @@ impl Mapper<'_> {
                 Some(_) => "X becomes Y, and the plane of arcs with it",
                 None => "a mirror image turns in the other direction",
             };
-            edits.push(Edit::new(word.range, text, reason));
+            edits.push(WordEdit::new(word.range, text, reason));
         }
         Ok(())
     }
@@ -318,14 +326,14 @@ impl Mapper<'_> {
     fn renamed(
         &self,
         block: &Block,
-        context: &Context,
-        roles: &[Role],
-        edits: &mut Vec<Edit>,
-    ) -> Result<(), Refusal> {
+        context: &ReadingContext,
+        roles: &[NumberRole],
+        edits: &mut Vec<WordEdit>,
+    ) -> Result<(), TransformRefusal> {
         for (word, role) in block.words.iter().zip(roles) {
             let (axis, is_place) = match *role {
-                Role::Place(axis) | Role::Center(axis) => (axis, true),
-                Role::Way(axis) | Role::Spoke(axis) => (axis, false),
+                NumberRole::Place(axis) | NumberRole::Center(axis) => (axis, true),
+                NumberRole::Way(axis) | NumberRole::Spoke(axis) => (axis, false),
                 _ => continue,
             };
             let image = self.map.image(axis);
@@ -343,7 +351,7 @@ impl Mapper<'_> {
             };
             let rest = text.get(1..).unwrap_or_default();
             let text = format!("{}{rest}", char::from(letter));
-            edits.push(Edit::new(word.range, text, self.reason()));
+            edits.push(WordEdit::new(word.range, text, self.reason()));
         }
         Ok(())
     }
@@ -352,22 +360,22 @@ impl Mapper<'_> {
     fn pairs(
         &self,
         block: &Block,
-        runs: &Runs,
-        context: &Context,
-        roles: &[Role],
-        edits: &mut Vec<Edit>,
-    ) -> Result<(), Refusal> {
-        let find = |role: &dyn Fn(usize) -> Role| {
+        runs: &BlockRuns,
+        context: &ReadingContext,
+        roles: &[NumberRole],
+        edits: &mut Vec<WordEdit>,
+    ) -> Result<(), TransformRefusal> {
+        let find = |role: &dyn Fn(usize) -> NumberRole| {
             [0, 1].map(|axis| {
                 let place = roles.iter().rposition(|one| *one == role(axis))?;
                 Some(&block.words[place])
             })
         };
         for (letters, words, is_place) in [
-            (*b"XY", find(&Role::Place), true),
-            (*b"XY", find(&Role::Way), false),
-            (*b"IJ", find(&Role::Center), true),
-            (*b"IJ", find(&Role::Spoke), false),
+            (*b"XY", find(&NumberRole::Place), true),
+            (*b"XY", find(&NumberRole::Way), false),
+            (*b"IJ", find(&NumberRole::Center), true),
+            (*b"IJ", find(&NumberRole::Spoke), false),
         ] {
             let Some(one) = words[0].or(words[1]) else { continue };
             let mut old = [0.0; 2];
@@ -393,13 +401,13 @@ impl Mapper<'_> {
     )]
     fn write_pair(
         &self,
-        context: &Context,
+        context: &ReadingContext,
         letters: [u8; 2],
         words: [Option<&Word>; 2],
         one: &Word,
         new: [f64; 2],
         is_place: bool,
-        edits: &mut Vec<Edit>,
+        edits: &mut Vec<WordEdit>,
     ) {
         let reason = self.reason();
         let mut put_in = String::new();
@@ -409,7 +417,7 @@ impl Mapper<'_> {
             match words[axis] {
                 Some(word) => {
                     let text = super::edit::with_number(self.writer.text, word, &number);
-                    edits.push(Edit::new(word.range, text, reason));
+                    edits.push(WordEdit::new(word.range, text, reason));
                 }
                 None if !is_place && number.parse() == Ok(0.0) => {}
                 None => {
@@ -421,17 +429,22 @@ impl Mapper<'_> {
             let gap = self.writer.style.gap();
             // X and I stand before Y and J.
             let edit = if words[0].is_some() {
-                Edit::insert(one.range.end, format!("{gap}{put_in}"), reason)
+                WordEdit::insert(one.range.end, format!("{gap}{put_in}"), reason)
             } else {
-                Edit::insert(one.range.start, format!("{put_in}{gap}"), reason)
+                WordEdit::insert(one.range.start, format!("{put_in}{gap}"), reason)
             };
             edits.push(edit);
         }
     }
 
-    fn literal(&self, block: &Block, word: &Word, context: &Context) -> Result<f64, Refusal> {
+    fn literal(
+        &self,
+        block: &Block,
+        word: &Word,
+        context: &ReadingContext,
+    ) -> Result<f64, TransformRefusal> {
         match word.value {
-            Value::Number(number) => Ok(self.writer.length_mm(context.units, number)),
+            WordValue::Number(number) => Ok(self.writer.length_mm(context.units, number)),
             _ => Err(self.refuse(
                 block,
                 format!(
@@ -445,7 +458,12 @@ impl Mapper<'_> {
     }
 
     /// The coordinate that a block does not name.
-    fn missing(&self, block: &Block, runs: &Runs, axis: usize) -> Result<f64, Refusal> {
+    fn missing(
+        &self,
+        block: &Block,
+        runs: &BlockRuns,
+        axis: usize,
+    ) -> Result<f64, TransformRefusal> {
         let letter = ["X", "Y"][axis];
         let is_return = actions(block, self.writer.control)
             .any(|(_, action)| matches!(action, Action::Once(OnceCode::ReturnToReference { .. })));

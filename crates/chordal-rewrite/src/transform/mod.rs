@@ -27,17 +27,17 @@ use chordal::control::{Action, MotionCode, OnceCode, SurfaceCode, Units};
 use chordal::diagnostics::FileId;
 use chordal::geometry::{Transform, Vec3};
 use chordal::syntax::{Block, BlockKind, BlockReader};
-use chordal_compare::{Category, Mapping, Options, Verdict};
+use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, RunMapping};
 
 use crate::sides::prove_other_sides;
 use crate::source::first_text;
 use crate::{Certificate, Change, prove_mapped};
 
-pub use edit::Refusal;
-pub use heights::{HeightMap, MapError, Warp, Warped, warp};
+pub use edit::TransformRefusal;
+pub use heights::{HeightCorrection, HeightMap, HeightOptions, MapError, warp};
 pub use optimize::{
-    ChipLimit, FeedProof, NotSplit, OptimizeError, OptimizeOptions, Optimized, Splits, ToolChips,
-    optimize,
+    ChipLimit, FeedProof, NotSplit, OptimizeError, OptimizeOptions, OptimizedProgram, SplitResult,
+    ToolChips, optimize,
 };
 
 /// Said where a proof ends at something that is not followed.
@@ -55,7 +55,7 @@ pub enum ArcForm {
 
 /// A change of a program.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Step {
+pub enum TransformStep {
     /// Moves the path, mm.
     Shift([f64; 3]),
     /// Turns it about Z at a place of X and Y (mm), radians counter-clockwise.
@@ -108,43 +108,45 @@ pub enum Step {
     Shrink(usize),
 }
 
-impl Step {
+impl TransformStep {
     /// A step by its name and its numbers, as another language gives it: lengths in mm, angles in
     /// degrees; `None` where there is no such step.
-    pub fn of(name: &str, numbers: &[f64]) -> Option<Step> {
+    pub fn of(name: &str, numbers: &[f64]) -> Option<TransformStep> {
         let is_length = |value: f64| value > 0.0 && value.is_finite();
         let is_count = |value: f64| value >= 0.0 && value <= f64::from(u32::MAX);
         if numbers.iter().any(|number| !number.is_finite()) {
             return None;
         }
         Some(match (name, numbers) {
-            ("shift", [x, y, z]) => Step::Shift([*x, *y, *z]),
+            ("shift", [x, y, z]) => TransformStep::Shift([*x, *y, *z]),
             ("rotate", [degrees, x, y]) => {
-                Step::Rotate { angle: degrees.to_radians(), about: [*x, *y] }
+                TransformStep::Rotate { angle: degrees.to_radians(), about: [*x, *y] }
             }
-            ("mirror-x", []) => Step::MirrorX,
-            ("mirror-y", []) => Step::MirrorY,
-            ("scale", [factor]) if is_length(*factor) => Step::Scale(*factor),
-            ("mm", []) => Step::Units(Units::Millimetre),
-            ("inch", []) => Step::Units(Units::Inch),
+            ("mirror-x", []) => TransformStep::MirrorX,
+            ("mirror-y", []) => TransformStep::MirrorY,
+            ("scale", [factor]) if is_length(*factor) => TransformStep::Scale(*factor),
+            ("mm", []) => TransformStep::Units(Units::Millimetre),
+            ("inch", []) => TransformStep::Units(Units::Inch),
             ("rates", [feed, speed]) if is_length(*feed) && is_length(*speed) => {
-                Step::Rates { feed: *feed, speed: *speed }
+                TransformStep::Rates { feed: *feed, speed: *speed }
             }
-            ("arcs-radius", []) => Step::Arcs(ArcForm::Radius),
-            ("arcs-center", []) => Step::Arcs(ArcForm::Center),
-            ("chords", [tolerance]) if is_length(*tolerance) => Step::Chords(*tolerance),
+            ("arcs-radius", []) => TransformStep::Arcs(ArcForm::Radius),
+            ("arcs-center", []) => TransformStep::Arcs(ArcForm::Center),
+            ("chords", [tolerance]) if is_length(*tolerance) => TransformStep::Chords(*tolerance),
             ("fit", [tolerance, feed_tolerance])
                 if is_length(*tolerance) && (0.0..1.0).contains(feed_tolerance) =>
             {
-                Step::Fit { tolerance: *tolerance, feed_tolerance: *feed_tolerance }
+                TransformStep::Fit { tolerance: *tolerance, feed_tolerance: *feed_tolerance }
             }
-            ("simplify", [tolerance]) if is_length(*tolerance) => Step::Simplify(*tolerance),
+            ("simplify", [tolerance]) if is_length(*tolerance) => {
+                TransformStep::Simplify(*tolerance)
+            }
             ("renumber", [first, step]) if is_count(*first) && is_count(*step) => {
-                Step::Renumber { first: *first as u32, step: *step as u32 }
+                TransformStep::Renumber { first: *first as u32, step: *step as u32 }
             }
-            ("no-numbers", []) => Step::NoNumbers,
-            ("strip-comments", []) => Step::StripComments,
-            ("shrink", [most]) if is_count(*most) => Step::Shrink(*most as usize),
+            ("no-numbers", []) => TransformStep::NoNumbers,
+            ("strip-comments", []) => TransformStep::StripComments,
+            ("shrink", [most]) if is_count(*most) => TransformStep::Shrink(*most as usize),
             _ => return None,
         })
     }
@@ -152,55 +154,61 @@ impl Step {
     /// It changes words of places and lengths, or what moves there are.
     fn reads_the_path(&self) -> bool {
         match self {
-            Step::Shift(_)
-            | Step::Rotate { .. }
-            | Step::MirrorX
-            | Step::MirrorY
-            | Step::Scale(_)
-            | Step::Units(_)
-            | Step::Arcs(_)
-            | Step::Chords(_)
-            | Step::Fit { .. }
-            | Step::Simplify(_) => true,
-            Step::Renumber { .. }
-            | Step::NoNumbers
-            | Step::StripComments
-            | Step::Shrink(_)
-            | Step::Rates { .. } => false,
+            TransformStep::Shift(_)
+            | TransformStep::Rotate { .. }
+            | TransformStep::MirrorX
+            | TransformStep::MirrorY
+            | TransformStep::Scale(_)
+            | TransformStep::Units(_)
+            | TransformStep::Arcs(_)
+            | TransformStep::Chords(_)
+            | TransformStep::Fit { .. }
+            | TransformStep::Simplify(_) => true,
+            TransformStep::Renumber { .. }
+            | TransformStep::NoNumbers
+            | TransformStep::StripComments
+            | TransformStep::Shrink(_)
+            | TransformStep::Rates { .. } => false,
         }
     }
 
-    fn run(&self, job: &Job) -> Result<Outcome, Refusal> {
+    fn run(&self, job: &Job) -> Result<StepOutcome, TransformRefusal> {
         if self.reads_the_path() {
             refuse_what_has_no_roles(job)?;
         }
         let xy = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
         match *self {
-            Step::Shift(by) => map::map(job, &Transform::translation(Vec3::from_array(by))),
-            Step::Rotate { angle, about } => {
+            TransformStep::Shift(by) => {
+                map::map(job, &Transform::translation(Vec3::from_array(by)))
+            }
+            TransformStep::Rotate { angle, about } => {
                 map::map(job, &Transform::rotation_about(xy(about), Vec3::Z, angle))
             }
-            Step::MirrorX => map::map(job, &Transform::mirror(Vec3::X, Vec3::ZERO)),
-            Step::MirrorY => map::map(job, &Transform::mirror(Vec3::Y, Vec3::ZERO)),
-            Step::Scale(factor) => map::map(job, &Transform::scale(factor).unwrap_or_default()),
-            Step::Units(to) => units::units(job, to),
-            Step::Arcs(form) => arcs::form(job, form),
-            Step::Chords(tolerance) => arcs::chords(job, tolerance),
-            Step::Fit { tolerance, feed_tolerance } => fit::fit(job, tolerance, feed_tolerance),
-            Step::Simplify(tolerance) => fit::thin(job, tolerance),
-            Step::Renumber { first, step } => text::renumber(job, first, step),
-            Step::NoNumbers => Ok(text::no_numbers(job)),
-            Step::StripComments => Ok(text::strip_comments(job)),
-            Step::Shrink(most) => text::shrink(job, most),
-            Step::Rates { feed, speed } => rates::rates(job, feed, speed),
+            TransformStep::MirrorX => map::map(job, &Transform::mirror(Vec3::X, Vec3::ZERO)),
+            TransformStep::MirrorY => map::map(job, &Transform::mirror(Vec3::Y, Vec3::ZERO)),
+            TransformStep::Scale(factor) => {
+                map::map(job, &Transform::scale(factor).unwrap_or_default())
+            }
+            TransformStep::Units(to) => units::units(job, to),
+            TransformStep::Arcs(form) => arcs::form(job, form),
+            TransformStep::Chords(tolerance) => arcs::chords(job, tolerance),
+            TransformStep::Fit { tolerance, feed_tolerance } => {
+                fit::fit(job, tolerance, feed_tolerance)
+            }
+            TransformStep::Simplify(tolerance) => fit::thin(job, tolerance),
+            TransformStep::Renumber { first, step } => text::renumber(job, first, step),
+            TransformStep::NoNumbers => Ok(text::no_numbers(job)),
+            TransformStep::StripComments => Ok(text::strip_comments(job)),
+            TransformStep::Shrink(most) => text::shrink(job, most),
+            TransformStep::Rates { feed, speed } => rates::rates(job, feed, speed),
         }
     }
 }
 
 /// The words of splines are not transformed: P and Q are lengths in one code and a weight in another. Nor are those of polar and
 /// cylindrical interpolation, where a letter is a length that is an angle elsewhere.
-fn refuse_what_has_no_roles(job: &Job) -> Result<(), Refusal> {
-    let writer = writer::Writer::new(job);
+fn refuse_what_has_no_roles(job: &Job) -> Result<(), TransformRefusal> {
+    let writer = writer::WordWriter::new(job);
     let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
     let mut block = Block::new();
     while reader.read(&mut block) {
@@ -209,7 +217,7 @@ fn refuse_what_has_no_roles(job: &Job) -> Result<(), Refusal> {
         }
         let mut actions = roles::actions(&block, writer.control);
         if let Some((what, help)) = actions.find_map(|(_, action)| without_roles(action)) {
-            return Err(Refusal::new(writer.text, &block, what, help));
+            return Err(TransformRefusal::new(writer.text, &block, what, help));
         }
     }
     Ok(())
@@ -234,13 +242,13 @@ fn without_roles(action: Action) -> Option<(&'static str, &'static str)> {
 
 /// What a step comes to.
 #[derive(Debug, Default)]
-struct Outcome {
-    edits: Vec<edit::Edit>,
+struct StepOutcome {
+    edits: Vec<edit::WordEdit>,
     /// The text and its changes, where they were made one after the other.
     whole: Option<(Vec<u8>, Vec<Change>)>,
     notes: Vec<String>,
     /// What the new path is meant to be.
-    mapping: Mapping,
+    mapping: RunMapping,
     /// How far it may be off, mm.
     tolerance_mm: f64,
     feed_tolerance: f64,
@@ -251,17 +259,17 @@ struct Outcome {
     certificate: Option<Certificate>,
 }
 
-impl Outcome {
+impl StepOutcome {
     /// How its proof compares.
-    fn options(&self) -> Options {
-        Options {
+    fn options(&self) -> ComparisonOptions {
+        ComparisonOptions {
             tolerance_mm: self.tolerance_mm,
-            feed_tolerance: self.feed_tolerance.max(Options::default().feed_tolerance),
-            speed_tolerance: self.speed_tolerance.max(Options::default().speed_tolerance),
+            feed_tolerance: self.feed_tolerance.max(ComparisonOptions::default().feed_tolerance),
+            speed_tolerance: self.speed_tolerance.max(ComparisonOptions::default().speed_tolerance),
             in_step: true,
             unknown_in_step: true,
             sides_apart: true,
-            ..Options::default()
+            ..ComparisonOptions::default()
         }
     }
 
@@ -279,7 +287,7 @@ impl Outcome {
 
 /// A program after its steps.
 #[derive(Debug)]
-pub struct Transformed {
+pub struct TransformedProgram {
     /// The new text.
     pub text: Vec<u8>,
     /// What was changed, step by step; lines are those of the text before each step.
@@ -288,25 +296,25 @@ pub struct Transformed {
     pub notes: Vec<String>,
     /// The new path compared with the old one.
     pub certificate: Certificate,
-    meant: Meant,
+    meant: IntendedMotion,
 }
 
 /// What the new path is meant to be.
 #[derive(Debug)]
-pub(crate) struct Meant {
-    options: Options,
+pub(crate) struct IntendedMotion {
+    options: ComparisonOptions,
     expected: Vec<Category>,
-    mapping: Mapping,
+    mapping: RunMapping,
 }
 
-impl Transformed {
+impl TransformedProgram {
     /// Proves another text in place of the one that came out, as one that was changed by hand.
     pub fn prove(&self, job: &Job, text: Vec<u8>) -> Certificate {
         self.meant.prove(job, &job.with_text(text))
     }
 }
 
-impl Meant {
+impl IntendedMotion {
     fn prove(&self, job: &Job, new: &Job) -> Certificate {
         prove_mapped(job, new, &self.options, &self.expected, &self.mapping)
     }
@@ -316,9 +324,12 @@ impl Meant {
 ///
 /// # Errors
 /// The first block that no change would be right for.
-pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
+pub fn transform(
+    job: &Job,
+    steps: &[TransformStep],
+) -> Result<TransformedProgram, TransformRefusal> {
     let mut text = first_text(job).to_vec();
-    let mut all = Outcome::default();
+    let mut all = StepOutcome::default();
     let mut changes = Vec::new();
     for step in steps {
         let now = job.with_text(text);
@@ -339,14 +350,15 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
         all.feed_tolerance = all.feed_tolerance.max(outcome.feed_tolerance);
         all.speed_tolerance = all.speed_tolerance.max(outcome.speed_tolerance);
         all.certificate = outcome.certificate.filter(|_| steps.len() == 1);
-        all.mapping = Mapping {
+        all.mapping = RunMapping {
             path: all.mapping.path.then(&outcome.mapping.path),
             feed: all.mapping.feed * outcome.mapping.feed,
             speed: all.mapping.speed * outcome.mapping.speed,
         };
     }
     let new = job.with_text(text.clone());
-    let meant = Meant { options: all.options(), expected: all.expected, mapping: all.mapping };
+    let meant =
+        IntendedMotion { options: all.options(), expected: all.expected, mapping: all.mapping };
     let mut certificate = all.certificate.unwrap_or_else(|| meant.prove(job, &new));
     let compared =
         prove_other_sides([job, &new], &mut certificate, |old, new| meant.prove(old, new));
@@ -355,15 +367,15 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
     let moves = comparison.moves.iter().any(|moves| *moves > 0);
     if comparison.max_distance_mm.is_none() && moves && text != first_text(job) {
         // Nothing was compared with anything: that is no proof.
-        comparison.verdict = Verdict::Different;
+        comparison.verdict = ComparisonVerdict::Different;
         all.notes.push(
             "no move lies between known positions, so nothing can be proved: program X, Y and Z \
              before the first cut"
                 .into(),
         );
     }
-    if comparison.verdict == Verdict::NotVerified {
+    if comparison.verdict == ComparisonVerdict::NotVerified {
         all.notes.push(NOT_FOLLOWED.into());
     }
-    Ok(Transformed { text, changes, notes: all.notes, certificate, meant })
+    Ok(TransformedProgram { text, changes, notes: all.notes, certificate, meant })
 }

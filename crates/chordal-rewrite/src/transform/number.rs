@@ -12,7 +12,7 @@ const MOST_DECIMALS: u8 = 6;
 
 /// How a program writes numbers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Style {
+pub(super) struct NumberStyle {
     /// `0.5` and not `.5`.
     leading_zero: bool,
     /// The most decimals of a length.
@@ -27,8 +27,8 @@ pub(super) struct Style {
     pub(super) with_point: bool,
 }
 
-impl Style {
-    pub(super) fn of(text: &[u8], control: &Control) -> Style {
+impl NumberStyle {
+    pub(super) fn of(text: &[u8], control: &Control) -> NumberStyle {
         let (mut zeros, mut bare, mut decimals, mut points, mut none) =
             (0u32, 0u32, 0u8, 0u32, 0u32);
         let (mut spaced, mut tight) = (0u32, 0u32);
@@ -58,7 +58,7 @@ impl Style {
                 }
             }
         }
-        Style {
+        NumberStyle {
             leading_zero: zeros >= bare,
             decimals,
             usual: [(Units::Inch, 4), (Units::Millimetre, 3)]

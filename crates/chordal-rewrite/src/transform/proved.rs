@@ -2,10 +2,10 @@
 
 use chordal::Job;
 use chordal::diagnostics::{FileId, Source};
-use chordal_compare::{Category, Difference, Options, Verdict};
+use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, Difference};
 
-use super::Outcome;
-use super::edit::{Edit, apply};
+use super::StepOutcome;
+use super::edit::{WordEdit, apply};
 use crate::source::first_text;
 use crate::{Certificate, prove};
 
@@ -13,13 +13,13 @@ use crate::{Certificate, prove};
 const ROUNDS: usize = 8;
 
 /// An edit that was taken back, and what would have differed.
-struct Refused {
-    edit: Edit,
+struct RevertedEdit {
+    edit: WordEdit,
     category: Category,
     distance_mm: Option<f64>,
 }
 
-impl Outcome {
+impl StepOutcome {
     /// Takes back each edit that changes the motion by more than the tolerances, and keeps the proof of
     /// those that are left. For edits of which none relies on another.
     pub(super) fn keep_proved(&mut self, job: &Job) {
@@ -27,7 +27,10 @@ impl Outcome {
         for round in 0.. {
             let certificate = self.prove(job);
             let verdict = certificate.comparison.verdict;
-            if certificate.holds() || verdict == Verdict::NotVerified || self.edits.is_empty() {
+            if certificate.holds()
+                || verdict == ComparisonVerdict::NotVerified
+                || self.edits.is_empty()
+            {
                 self.certificate = Some(certificate);
                 break;
             }
@@ -35,7 +38,7 @@ impl Outcome {
             if hit.is_empty() {
                 let category = first_category(&certificate);
                 let all = std::mem::take(&mut self.edits);
-                refused.extend(all.into_iter().map(|edit| Refused {
+                refused.extend(all.into_iter().map(|edit| RevertedEdit {
                     edit,
                     category,
                     distance_mm: None,
@@ -50,19 +53,19 @@ impl Outcome {
     fn prove(&mut self, job: &Job) -> Certificate {
         let new = apply(first_text(job), &mut self.edits);
         // Each difference takes back an edit.
-        let options = Options { kept: 100_000, ..self.options() };
+        let options = ComparisonOptions { kept: 100_000, ..self.options() };
         prove(job, &job.with_text(new), &options, &self.expected)
     }
 
     /// Takes out the edits in whose text something differs.
-    fn take_hit(&mut self, certificate: &Certificate) -> Vec<Refused> {
+    fn take_hit(&mut self, certificate: &Certificate) -> Vec<RevertedEdit> {
         let mut hit = Vec::new();
         for difference in &certificate.comparison.differences {
             let Some([first, last]) = old_text(difference) else { continue };
             self.edits.retain(|edit| {
                 let is_hit = edit.range.start <= last && first < edit.range.end;
                 if is_hit {
-                    hit.push(Refused {
+                    hit.push(RevertedEdit {
                         edit: edit.clone(),
                         category: difference.category,
                         distance_mm: difference.distance_mm,
@@ -74,7 +77,7 @@ impl Outcome {
         hit
     }
 
-    fn tell(&mut self, text: &[u8], refused: &[Refused]) {
+    fn tell(&mut self, text: &[u8], refused: &[RevertedEdit]) {
         let Some(first) = refused.iter().min_by_key(|refused| refused.edit.range.start) else {
             return;
         };

@@ -3,28 +3,28 @@
 use chordal::Job;
 use chordal::control::Units;
 use chordal::diagnostics::{FileId, TextRange};
-use chordal::syntax::{Block, BlockKind, BlockReader, Value, Word};
-use chordal_compare::Mapping;
+use chordal::syntax::{Block, BlockKind, BlockReader, Word, WordValue};
+use chordal_compare::RunMapping;
 
-use super::Outcome;
-use super::edit::{Edit, Refusal, with_number};
-use super::record::{Context, Record};
-use super::roles::{Role, roles};
-use super::writer::Writer;
+use super::StepOutcome;
+use super::edit::{TransformRefusal, WordEdit, with_number};
+use super::record::{ReadingContext, RunRecord};
+use super::roles::{NumberRole, roles};
+use super::writer::WordWriter;
 
 /// Decimals that an F may get.
 const FEED_DIGITS: u8 = 4;
 
 /// The edits that multiply feeds and spindle speeds.
-pub(super) fn rates(job: &Job, feed: f64, speed: f64) -> Result<Outcome, Refusal> {
-    let record = Record::with_contours(job);
-    let writer = Writer::new(job);
-    let mut outcome = Outcome {
-        mapping: Mapping { feed, speed, ..Mapping::default() },
+pub(super) fn rates(job: &Job, feed: f64, speed: f64) -> Result<StepOutcome, TransformRefusal> {
+    let record = RunRecord::with_contours(job);
+    let writer = WordWriter::new(job);
+    let mut outcome = StepOutcome {
+        mapping: RunMapping { feed, speed, ..RunMapping::default() },
         // S is a whole number.
         feed_tolerance: 1e-2,
         speed_tolerance: 1e-2,
-        ..Outcome::default()
+        ..StepOutcome::default()
     };
     let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
     let mut block = Block::new();
@@ -33,11 +33,11 @@ pub(super) fn rates(job: &Job, feed: f64, speed: f64) -> Result<Outcome, Refusal
             continue;
         }
         let Some(runs) = record.blocks.get(&block.range.start) else { continue };
-        let mut edits: Option<Vec<Edit>> = None;
+        let mut edits: Option<Vec<WordEdit>> = None;
         for context in &runs.contexts {
             let these = block_rates(&writer, &block, context, [feed, speed])?;
             if edits.as_ref().is_some_and(|edits| *edits != these) {
-                return Err(Refusal::new(
+                return Err(TransformRefusal::new(
                     writer.text,
                     &block,
                     "its F is sometimes the feed of a tap and sometimes that of a cut",
@@ -52,23 +52,23 @@ pub(super) fn rates(job: &Job, feed: f64, speed: f64) -> Result<Outcome, Refusal
 }
 
 fn block_rates(
-    writer: &Writer,
+    writer: &WordWriter,
     block: &Block,
-    context: &Context,
+    context: &ReadingContext,
     [feed, speed]: [f64; 2],
-) -> Result<Vec<Edit>, Refusal> {
+) -> Result<Vec<WordEdit>, TransformRefusal> {
     let mut edits = Vec::new();
     for (word, role) in block.words.iter().zip(roles(block, context, writer.control)) {
-        let feeds = Rate::Feed([context.units; 2]);
+        let feeds = RateWord::Feed([context.units; 2]);
         let (factor, rate, reason) = match role {
-            Role::TapFeed => (speed, feeds, "the feed of a tap follows the spindle"),
-            Role::Feed => (feed, feeds, "another feed"),
-            Role::Speed => (speed, Rate::Speed, "a new spindle speed"),
+            NumberRole::TapFeed => (speed, feeds, "the feed of a tap follows the spindle"),
+            NumberRole::Feed => (feed, feeds, "another feed"),
+            NumberRole::Speed => (speed, RateWord::Speed, "a new spindle speed"),
             _ => continue,
         };
         if factor != 1.0 {
             let text = scaled(writer, block, word, factor, rate)?;
-            edits.push(Edit::new(word.range, text, reason));
+            edits.push(WordEdit::new(word.range, text, reason));
         }
     }
     Ok(edits)
@@ -76,7 +76,7 @@ fn block_rates(
 
 /// What a word says of speed.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Rate {
+pub(super) enum RateWord {
     /// A feed, in the units before and now.
     Feed([Units; 2]),
     Speed,
@@ -90,26 +90,26 @@ fn digits_of_small(value: f64) -> u8 {
 
 /// An F or S word with its value multiplied.
 pub(super) fn scaled(
-    writer: &Writer,
+    writer: &WordWriter,
     block: &Block,
     word: &Word,
     factor: f64,
-    rate: Rate,
-) -> Result<String, Refusal> {
+    rate: RateWord,
+) -> Result<String, TransformRefusal> {
     // What an F of 1 without a point is, in inches or millimetres.
     let unit = |units: Units| match units {
         Units::Inch => 0.1f64.powi(i32::from(writer.control.parameters.feed_digits_inch)),
         Units::Millimetre => 1.0,
     };
     match word.value {
-        Value::Number(number) => {
+        WordValue::Number(number) => {
             let text = match rate {
-                Rate::Speed => {
+                RateWord::Speed => {
                     let digits = if number.has_point { number.scale } else { 0 };
                     let value = number.to_f64() * factor;
                     writer.style.number(value, 0, digits, number.has_point)
                 }
-                Rate::Feed([from, to]) => {
+                RateWord::Feed([from, to]) => {
                     let old = if number.has_point { 1.0 } else { unit(from) };
                     let value = number.to_f64() * old * factor;
                     let whole = value / unit(to);
@@ -127,13 +127,13 @@ pub(super) fn scaled(
             };
             Ok(with_number(writer.text, word, &text))
         }
-        Value::Expression(range) => {
+        WordValue::Expression(range) => {
             let head = TextRange::new(word.range.start, range.start).slice(writer.text);
             let old = String::from_utf8_lossy(range.slice(writer.text));
             let factor = writer.style.number(factor, 0, 6, true);
             Ok(format!("{}[{}*{factor}]", String::from_utf8_lossy(head), old.trim()))
         }
-        Value::Register { .. } | Value::Missing => Err(Refusal::new(
+        WordValue::Register { .. } | WordValue::Missing => Err(TransformRefusal::new(
             writer.text,
             block,
             format!("the value of `{}` is not written in the block", writer.word(word)),

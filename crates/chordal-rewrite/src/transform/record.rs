@@ -5,19 +5,19 @@ use std::collections::{HashMap, HashSet};
 
 use chordal::control::{Action, CycleKind, MotionCode};
 use chordal::control::{
-    ArcCenter, ArcShape, AxisMask, FeedMode, Modal, Origin, Position, Side, Units,
+    ArcCenter, ArcShape, AxisMask, CompensationSide, FeedMode, Modal, Origin, Position, Units,
 };
 use chordal::diagnostics::{Code, FileId};
 use chordal::geometry::Plane;
 use chordal::{Command, CommandKind, Diagnostic, Job, MOST_SIDE_RUNS, Sink};
 
-use crate::convert::Contours;
+use crate::convert::CycleContours;
 use crate::sides::{block_delete_runs, deletable_blocks};
-use crate::source::Source;
+use crate::source::SourceBlocks;
 
 /// What the words of a block are read by.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Context {
+pub(super) struct ReadingContext {
     /// G91 active before the block.
     pub(super) incremental_before: bool,
     /// G91 active after it.
@@ -27,8 +27,8 @@ pub(super) struct Context {
     pub(super) arc_center: ArcCenter,
     pub(super) cycle: Option<CycleKind>,
     pub(super) feed_mode: FeedMode,
-    pub(super) side: Side,
-    pub(super) did: Did,
+    pub(super) side: CompensationSide,
+    pub(super) did: BlockEffect,
     /// What a block without a motion code does after it.
     pub(super) motion: Option<Action>,
     /// S is a cutting speed.
@@ -37,7 +37,7 @@ pub(super) struct Context {
 
 /// What a block did.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Did {
+pub(super) enum BlockEffect {
     Nothing,
     Rapid,
     Line,
@@ -50,8 +50,8 @@ pub(super) enum Did {
 
 /// One time that a block ran.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Run {
-    pub(super) context: Context,
+pub(super) struct BlockPass {
+    pub(super) context: ReadingContext,
     /// The tool tip before and after it, program coordinates, mm and rad.
     pub(super) from: Position,
     pub(super) to: Position,
@@ -66,8 +66,8 @@ pub(super) struct Run {
 
 /// All times that a block ran.
 #[derive(Clone, Debug)]
-pub(super) struct Runs {
-    pub(super) first: Run,
+pub(super) struct BlockRuns {
+    pub(super) first: BlockPass,
     /// How often it ran, in the run in which it did so most.
     pub(super) count: u32,
     /// The same of the last run that it was in, and which one that is.
@@ -76,7 +76,7 @@ pub(super) struct Runs {
     /// Which block of the run it was the first time, from 0.
     pub(super) order: u32,
     /// Each way in which its words were read.
-    pub(super) contexts: Vec<Context>,
+    pub(super) contexts: Vec<ReadingContext>,
     /// It went from and to the same places every time.
     pub(super) same: bool,
     /// It ended at the same place every time.
@@ -87,8 +87,8 @@ pub(super) struct Runs {
 
 /// The runs of all blocks of the first text, by the byte that they begin at.
 #[derive(Debug, Default)]
-pub(super) struct Record {
-    pub(super) blocks: HashMap<u32, Runs>,
+pub(super) struct RunRecord {
+    pub(super) blocks: HashMap<u32, BlockRuns>,
     /// The first move of a block that stands in another text: its file and line.
     pub(super) elsewhere: Option<(FileId, u32)>,
     /// What was assumed in the run under way.
@@ -102,27 +102,27 @@ pub(super) struct Record {
     last: Option<(Position, AxisMask, bool)>,
     /// Where the last move ended.
     reached: Option<Position>,
-    did: Doing,
+    did: EffectRecorder,
 }
 
 /// What the block under way has done so far.
 #[derive(Debug, Default)]
-struct Doing {
-    kind: Option<Did>,
+struct EffectRecorder {
+    kind: Option<BlockEffect>,
     shape: Option<ArcShape>,
     moves: u32,
     from: Option<(Position, AxisMask)>,
 }
 
-impl Record {
+impl RunRecord {
     /// With the blocks of contours that only cycles of a lathe read, as if they ran where the cycle does.
-    pub(super) fn with_contours(job: &Job) -> Record {
-        let mut record = Record::of(job);
+    pub(super) fn with_contours(job: &Job) -> RunRecord {
+        let mut record = RunRecord::of(job);
         if !job.control().table.turns() {
             return record;
         }
-        let source = Source::of(job);
-        for contour in &Contours::of(&source, job).list {
+        let source = SourceBlocks::of(job);
+        for contour in &CycleContours::of(&source, job).list {
             let runs = |at: usize| record.blocks.get(&source.blocks[at].range.start).cloned();
             let Some(cycle) = contour.cycles.iter().find_map(|(at, _)| runs(*at)) else { continue };
             let mut context = cycle.first.context;
@@ -130,13 +130,13 @@ impl Record {
                 let arc =
                     |code| source.has_action(at, job.control(), |own| own == Action::Motion(code));
                 if arc(MotionCode::ArcCw) || arc(MotionCode::ArcCcw) {
-                    context.did = Did::Arc;
+                    context.did = BlockEffect::Arc;
                 } else if arc(MotionCode::Rapid) || arc(MotionCode::Linear) {
-                    context.did = Did::Line;
+                    context.did = BlockEffect::Line;
                 }
                 context.motion = None;
-                let first = Run { context, shape: None, moves: 0, ..cycle.first };
-                let runs = Runs { first, count: 1, contexts: vec![context], ..cycle.clone() };
+                let first = BlockPass { context, shape: None, moves: 0, ..cycle.first };
+                let runs = BlockRuns { first, count: 1, contexts: vec![context], ..cycle.clone() };
                 record.blocks.entry(source.blocks[at].range.start).or_insert(runs);
             }
         }
@@ -144,12 +144,12 @@ impl Record {
     }
 
     /// With the blocks of both sides of conditions that nobody knows, and with block delete on and off.
-    pub(super) fn of(job: &Job) -> Record {
+    pub(super) fn of(job: &Job) -> RunRecord {
         let deletable = deletable_blocks(job);
         let block_delete = block_delete_runs(&deletable);
         let whole = deletable.iter().filter(|block| block.is_whole);
         let deletable: HashSet<u32> = whole.map(|block| block.start).collect();
-        let mut record = Record::default();
+        let mut record = RunRecord::default();
         let first = record.run(job, &deletable);
         job.run_other_sides(&first, MOST_SIDE_RUNS, block_delete, |side, _| {
             record.run(&side, &deletable)
@@ -161,22 +161,22 @@ impl Record {
     fn run(&mut self, job: &Job, deletable: &HashSet<u32>) -> Vec<Diagnostic> {
         let is_deleting = job.machine().switches.block_delete.contains(&true);
         self.deleted = if is_deleting { deletable.clone() } else { HashSet::new() };
-        (self.last, self.reached, self.did) = (None, None, Doing::default());
+        (self.last, self.reached, self.did) = (None, None, EffectRecorder::default());
         job.run(self);
         self.run += 1;
         std::mem::take(&mut self.assumed)
     }
 }
 
-impl Sink for Record {
+impl Sink for RunRecord {
     fn command(&mut self, command: &Command) {
         let kind = match &command.kind {
-            _ if command.origin.cycle && command.kind.motion().is_some() => Did::Cycle,
-            CommandKind::Rapid { .. } => Did::Rapid,
-            CommandKind::Line { .. } => Did::Line,
-            CommandKind::Arc { .. } => Did::Arc,
-            CommandKind::Spiral { .. } => Did::Spiral,
-            CommandKind::Spline { .. } => Did::Spline,
+            _ if command.origin.cycle && command.kind.motion().is_some() => BlockEffect::Cycle,
+            CommandKind::Rapid { .. } => BlockEffect::Rapid,
+            CommandKind::Line { .. } => BlockEffect::Line,
+            CommandKind::Arc { .. } => BlockEffect::Arc,
+            CommandKind::Spiral { .. } => BlockEffect::Spiral,
+            CommandKind::Spline { .. } => BlockEffect::Spline,
             _ => return,
         };
         if command.origin.span.file != FileId(0) {
@@ -184,15 +184,15 @@ impl Sink for Record {
         }
         let did = &mut self.did;
         did.kind = Some(match did.kind {
-            Some(Did::Cycle) => Did::Cycle,
+            Some(BlockEffect::Cycle) => BlockEffect::Cycle,
             // An arc whose end is a little off it goes on as a line.
-            Some(Did::Arc) => Did::Arc,
+            Some(BlockEffect::Arc) => BlockEffect::Arc,
             // `,R` ends a line in an arc.
-            Some(Did::Line) => Did::Line,
+            Some(BlockEffect::Line) => BlockEffect::Line,
             _ => kind,
         });
         if let Some(shape) = command.kind.shape()
-            && did.kind != Some(Did::Line)
+            && did.kind != Some(BlockEffect::Line)
         {
             did.shape.get_or_insert(*shape);
         }
@@ -216,7 +216,7 @@ impl Sink for Record {
     }
 }
 
-impl RunSink for Record {
+impl RunSink for RunRecord {
     fn wants_blocks(&self) -> bool {
         true
     }
@@ -231,7 +231,7 @@ impl RunSink for Record {
         if origin.span.file != FileId(0) || self.deleted.contains(&start) {
             return;
         }
-        let context = Context {
+        let context = ReadingContext {
             incremental_before: before.2,
             incremental: modal.incremental,
             plane: modal.plane,
@@ -240,11 +240,11 @@ impl RunSink for Record {
             cycle: modal.cycle,
             feed_mode: modal.feed_mode,
             side: modal.side,
-            did: did.kind.unwrap_or(Did::Nothing),
+            did: did.kind.unwrap_or(BlockEffect::Nothing),
             motion: modal.motion.map(Action::from),
             keeps_surface_speed: modal.surface_speed.is_some(),
         };
-        let run = Run {
+        let run = BlockPass {
             context,
             from: from.0,
             to: modal.position,
@@ -270,7 +270,7 @@ impl RunSink for Record {
                     runs.contexts.push(context);
                 }
             })
-            .or_insert_with(|| Runs {
+            .or_insert_with(|| BlockRuns {
                 first: run,
                 count: 1,
                 count_here: 1,
@@ -285,13 +285,13 @@ impl RunSink for Record {
 }
 
 /// Two runs make one arc at two places.
-fn is_same_arc(one: &Run, other: &Run) -> bool {
+fn is_same_arc(one: &BlockPass, other: &BlockPass) -> bool {
     let (Some(a), Some(b)) = (one.shape, other.shape) else { return one.shape == other.shape };
     let (first, second, normal) = a.plane.axes();
-    let spoke = |run: &Run, shape: &ArcShape| {
+    let spoke = |run: &BlockPass, shape: &ArcShape| {
         [shape.center[0] - run.from[first], shape.center[1] - run.from[second]]
     };
-    let rise = |run: &Run| run.to[normal] - run.from[normal];
+    let rise = |run: &BlockPass| run.to[normal] - run.from[normal];
     let is_near = |a: f64, b: f64| (a - b).abs() < 1e-9;
     let (u, v) = (spoke(one, &a), spoke(other, &b));
     a.plane == b.plane

@@ -4,17 +4,17 @@ use chordal::Control;
 use chordal::control::CycleKind;
 use chordal::control::{Action, CallCode, ModeCode, OnceCode, PathCode, ReadingCode};
 use chordal::control::{DrillingAxis, FeedMode, TapFeed};
-use chordal::syntax::{Block, Value, Word};
+use chordal::syntax::{Block, Word, WordValue};
 
-use super::record::{Context, Did};
+use super::record::{BlockEffect, ReadingContext};
 
 mod turned;
 
-pub(super) use self::turned::Turned;
+pub(super) use self::turned::LatheBlockSort;
 
 /// What a number stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Role {
+pub(super) enum NumberRole {
     /// A coordinate of the program: of X, Y or Z.
     Place(usize),
     /// A way along an axis.
@@ -51,7 +51,7 @@ pub(super) fn actions<'a>(
 
 /// What sort of block it is, where words do not mean what they mean next to a move.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Sort {
+enum BlockSort {
     Move,
     Dwell,
     Data,
@@ -63,16 +63,16 @@ enum Sort {
 }
 
 /// What the words of a block are to a code; `None` where it takes them as any move does.
-fn sort_of(action: Action) -> Option<Sort> {
+fn sort_of(action: Action) -> Option<BlockSort> {
     match action {
         Action::Once(code) => match code {
-            OnceCode::Dwell => Some(Sort::Dwell),
-            OnceCode::SetData => Some(Sort::Data),
-            OnceCode::MachineCoordinates => Some(Sort::Machine),
-            OnceCode::LocalShift => Some(Sort::Local),
-            OnceCode::Pattern(_) => Some(Sort::Pattern),
+            OnceCode::Dwell => Some(BlockSort::Dwell),
+            OnceCode::SetData => Some(BlockSort::Data),
+            OnceCode::MachineCoordinates => Some(BlockSort::Machine),
+            OnceCode::LocalShift => Some(BlockSort::Local),
+            OnceCode::Pattern(_) => Some(BlockSort::Pattern),
             OnceCode::CircularPocketCw | OnceCode::CircularPocketCcw | OnceCode::GeneralPocket => {
-                Some(Sort::Pocket)
+                Some(BlockSort::Pocket)
             }
             OnceCode::ReturnToReference { .. }
             | OnceCode::ReturnFromReference
@@ -92,13 +92,13 @@ fn sort_of(action: Action) -> Option<Sort> {
             | OnceCode::CornerArcAlone => None,
         },
         Action::Call(code) => match code {
-            CallCode::MacroCall | CallCode::ModalMacroCall { .. } => Some(Sort::Arguments),
+            CallCode::MacroCall | CallCode::ModalMacroCall { .. } => Some(BlockSort::Arguments),
             CallCode::CallProgram
             | CallCode::CallLabel
             | CallCode::Return
             | CallCode::SubroutineEnd => None,
         },
-        Action::Mode(code) => (code == ModeCode::ModalSubroutine).then_some(Sort::Arguments),
+        Action::Mode(code) => (code == ModeCode::ModalSubroutine).then_some(BlockSort::Arguments),
         Action::Reading(_)
         | Action::Before(_)
         | Action::Length(_)
@@ -112,8 +112,8 @@ fn sort_of(action: Action) -> Option<Sort> {
 }
 
 /// The role of each word of a block.
-pub(super) fn roles(block: &Block, context: &Context, control: &Control) -> Vec<Role> {
-    let mut sort = Sort::Move;
+pub(super) fn roles(block: &Block, context: &ReadingContext, control: &Control) -> Vec<NumberRole> {
+    let mut sort = BlockSort::Move;
     let mut starts_compensation = false;
     // Letters that are lengths with a code that says how corners are passed.
     let mut corner_letters: &[u8] = b"";
@@ -135,10 +135,10 @@ pub(super) fn roles(block: &Block, context: &Context, control: &Control) -> Vec<
     let left_to_right = control.table.distance_left_to_right;
     let mut incremental =
         if left_to_right { context.incremental_before } else { context.incremental };
-    let turned = control.table.kind.map(|_| Turned::of(block, context, control));
+    let turned = control.table.kind.map(|_| LatheBlockSort::of(block, context, control));
     let mut roles = Vec::with_capacity(block.words.len());
     for word in &block.words {
-        let own = turned.filter(|_| sort == Sort::Move);
+        let own = turned.filter(|_| sort == BlockSort::Move);
         if let Some(role) = own.and_then(|turned| turned.role(word, block, context, control)) {
             roles.push(role);
             continue;
@@ -151,25 +151,25 @@ pub(super) fn roles(block: &Block, context: &Context, control: &Control) -> Vec<
             }
         }
         let role = match sort {
-            Sort::Move if corner_letters.contains(&word.letter) => Role::Length,
-            Sort::Move => move_role(word, context, control, incremental, starts_compensation),
-            Sort::Dwell | Sort::Arguments => Role::Other,
-            Sort::Data | Sort::Machine => match word.letter {
-                b'X' | b'Y' | b'Z' | b'R' => Role::Machine,
-                b'F' => Role::Feed,
-                _ => Role::Other,
+            BlockSort::Move if corner_letters.contains(&word.letter) => NumberRole::Length,
+            BlockSort::Move => move_role(word, context, control, incremental, starts_compensation),
+            BlockSort::Dwell | BlockSort::Arguments => NumberRole::Other,
+            BlockSort::Data | BlockSort::Machine => match word.letter {
+                b'X' | b'Y' | b'Z' | b'R' => NumberRole::Machine,
+                b'F' => NumberRole::Feed,
+                _ => NumberRole::Other,
             },
-            Sort::Local => match axis(word.letter) {
-                Some(axis) => Role::Way(axis),
-                None => Role::Other,
+            BlockSort::Local => match axis(word.letter) {
+                Some(axis) => NumberRole::Way(axis),
+                None => NumberRole::Other,
             },
-            Sort::Pattern | Sort::Pocket => match (axis(word.letter), word.letter) {
-                (Some(axis), _) if incremental => Role::Way(axis),
-                (Some(axis), _) => Role::Place(axis),
-                (None, b'F') => Role::Feed,
-                (None, b'S') => Role::Speed,
-                (None, b'I' | b'J' | b'K' | b'Q' | b'R') => Role::Doubtful,
-                _ => Role::Other,
+            BlockSort::Pattern | BlockSort::Pocket => match (axis(word.letter), word.letter) {
+                (Some(axis), _) if incremental => NumberRole::Way(axis),
+                (Some(axis), _) => NumberRole::Place(axis),
+                (None, b'F') => NumberRole::Feed,
+                (None, b'S') => NumberRole::Speed,
+                (None, b'I' | b'J' | b'K' | b'Q' | b'R') => NumberRole::Doubtful,
+                _ => NumberRole::Other,
             },
         };
         roles.push(role);
@@ -182,7 +182,7 @@ fn axis(letter: u8) -> Option<usize> {
 }
 
 /// The axis along which the cycles of a mill drill.
-pub(super) fn drilling_axis(context: &Context, control: &Control) -> usize {
+pub(super) fn drilling_axis(context: &ReadingContext, control: &Control) -> usize {
     match control.parameters.rules.cycles.axis {
         DrillingAxis::AlwaysZ | DrillingAxis::OfCode => 2,
         DrillingAxis::PlaneNormal => context.plane.axes().2,
@@ -191,61 +191,72 @@ pub(super) fn drilling_axis(context: &Context, control: &Control) -> usize {
 
 fn move_role(
     word: &Word,
-    context: &Context,
+    context: &ReadingContext,
     control: &Control,
     incremental: bool,
     starts_compensation: bool,
-) -> Role {
-    let place = |axis: usize| if incremental { Role::Way(axis) } else { Role::Place(axis) };
+) -> NumberRole {
+    let place =
+        |axis: usize| if incremental { NumberRole::Way(axis) } else { NumberRole::Place(axis) };
     let normal = context.plane.axes().2;
     let drilled = drilling_axis(context, control);
     let in_cycle = context.cycle.is_some();
-    let is_arc = matches!(context.did, Did::Arc | Did::Spiral);
+    let is_arc = matches!(context.did, BlockEffect::Arc | BlockEffect::Spiral);
     if word.comma {
-        return if matches!(word.letter, b'R' | b'C') { Role::Length } else { Role::Other };
+        return if matches!(word.letter, b'R' | b'C') {
+            NumberRole::Length
+        } else {
+            NumberRole::Other
+        };
     }
     match word.letter {
         letter @ b'X'..=b'Z' => place(usize::from(letter - b'X')),
         b'F' if context.cycle.is_some_and(|cycle| cycle.is_tap()) => {
             match (control.parameters.rules.cycles.tap.feed, context.feed_mode) {
-                (TapFeed::SpeedWithLeadQ, _) => Role::Speed,
-                (TapFeed::Lead, _) | (TapFeed::Programmed, FeedMode::PerRevolution) => Role::Lead,
-                (TapFeed::Programmed, _) => Role::TapFeed,
+                (TapFeed::SpeedWithLeadQ, _) => NumberRole::Speed,
+                (TapFeed::Lead, _) | (TapFeed::Programmed, FeedMode::PerRevolution) => {
+                    NumberRole::Lead
+                }
+                (TapFeed::Programmed, _) => NumberRole::TapFeed,
             }
         }
-        b'F' => Role::Feed,
-        b'S' => Role::Speed,
+        b'F' => NumberRole::Feed,
+        b'S' => NumberRole::Speed,
         letter @ b'I'..=b'K' if is_arc => {
             let axis = usize::from(letter - b'I');
             let is_place = context.arc_center == chordal::control::ArcCenter::Absolute;
-            if axis != normal && is_place { Role::Center(axis) } else { Role::Spoke(axis) }
+            if axis != normal && is_place {
+                NumberRole::Center(axis)
+            } else {
+                NumberRole::Spoke(axis)
+            }
         }
         letter @ b'I'..=b'K' if in_cycle => match context.cycle {
             Some(CycleKind::FineBore | CycleKind::BackBore) if letter != b'K' => {
-                Role::Way(usize::from(letter - b'I'))
+                NumberRole::Way(usize::from(letter - b'I'))
             }
             // K counts repeats on some controls, and then has no point.
-            _ if word.number().is_some_and(|number| number.has_point) => Role::Length,
-            _ => Role::Other,
+            _ if word.number().is_some_and(|number| number.has_point) => NumberRole::Length,
+            _ => NumberRole::Other,
         },
-        letter @ b'I'..=b'K' if starts_compensation => Role::Way(usize::from(letter - b'I')),
+        letter @ b'I'..=b'K' if starts_compensation => NumberRole::Way(usize::from(letter - b'I')),
         b'R' if control.table.lexicon.registers => match word.register {
-            Some(0) if is_arc => Role::Length,
+            Some(0) if is_arc => NumberRole::Length,
             Some(0) if in_cycle => place(drilled),
-            _ => Role::Doubtful,
+            _ => NumberRole::Doubtful,
         },
-        b'R' if is_arc => Role::Length,
+        b'R' if is_arc => NumberRole::Length,
         b'R' if in_cycle => place(drilled),
         b'Q' if in_cycle => match context.cycle {
-            Some(CycleKind::FineBore | CycleKind::BackBore) => Role::Doubtful,
-            _ => Role::Length,
+            Some(CycleKind::FineBore | CycleKind::BackBore) => NumberRole::Doubtful,
+            _ => NumberRole::Length,
         },
-        b'Q' if context.did == Did::Spiral => Role::Length,
-        _ => Role::Other,
+        b'Q' if context.did == BlockEffect::Spiral => NumberRole::Length,
+        _ => NumberRole::Other,
     }
 }
 
 /// Whether a word has a value that can be changed by its text.
 pub(super) fn is_fixed(word: &Word) -> bool {
-    matches!(word.value, Value::Register { .. } | Value::Missing)
+    matches!(word.value, WordValue::Register { .. } | WordValue::Missing)
 }

@@ -2,23 +2,23 @@
 //! replaced as a whole.
 
 use chordal::control::{Action, MotionCode};
-use chordal::control::{FeedMode, Side};
+use chordal::control::{CompensationSide, FeedMode};
 use chordal::diagnostics::FileId;
 use chordal::geometry::Vec3;
 use chordal::syntax::{Block, BlockKind, BlockReader};
 
-use super::record::{Did, Record, Run};
+use super::record::{BlockEffect, BlockPass, RunRecord};
 use super::roles::actions;
-use super::writer::Writer;
+use super::writer::WordWriter;
 
 /// One straight cut.
 #[derive(Clone, Debug)]
-pub(super) struct Cut {
+pub(super) struct StraightCut {
     pub(super) block: Block,
-    pub(super) run: Run,
+    pub(super) run: BlockPass,
 }
 
-impl Cut {
+impl StraightCut {
     pub(super) fn from(&self) -> Vec3 {
         Vec3::new(self.run.from[0], self.run.from[1], self.run.from[2])
     }
@@ -30,20 +30,20 @@ impl Cut {
 
 /// The slowest and the fastest feed of a row, mm/s; none where no feed is active.
 #[derive(Clone, Copy, Debug)]
-struct Feeds(Option<[f64; 2]>);
+struct RowFeeds(Option<[f64; 2]>);
 
-impl Feeds {
-    fn of(run: &Run) -> Feeds {
-        Feeds(run.feed.map(|feed| [feed, feed]))
+impl RowFeeds {
+    fn of(run: &BlockPass) -> RowFeeds {
+        RowFeeds(run.feed.map(|feed| [feed, feed]))
     }
 
     /// With those of one more cut; nothing where they are further apart than `tolerance` of the fastest.
-    fn with(self, run: &Run, tolerance: f64) -> Option<Feeds> {
+    fn with(self, run: &BlockPass, tolerance: f64) -> Option<RowFeeds> {
         match (self.0, run.feed) {
             (None, None) => Some(self),
             (Some([slow, fast]), Some(feed)) => {
                 let both = [slow.min(feed), fast.max(feed)];
-                (both[0] >= both[1] * (1.0 - tolerance)).then_some(Feeds(Some(both)))
+                (both[0] >= both[1] * (1.0 - tolerance)).then_some(RowFeeds(Some(both)))
             }
             _ => None,
         }
@@ -53,18 +53,18 @@ impl Feeds {
 /// Emits each row of at least `least` cuts in one go, and the block after it. Feeds of one row differ by no
 /// more than `feed_tolerance` of the fastest.
 pub(super) fn rows(
-    writer: &Writer,
-    record: &Record,
+    writer: &WordWriter,
+    record: &RunRecord,
     least: usize,
     feed_tolerance: f64,
-    mut see: impl FnMut(&[Cut], Option<&Block>),
+    mut see: impl FnMut(&[StraightCut], Option<&Block>),
 ) {
     let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
     let mut block = Block::new();
-    let mut row: Vec<Cut> = Vec::new();
-    let mut feeds = Feeds(None);
+    let mut row: Vec<StraightCut> = Vec::new();
+    let mut feeds = RowFeeds(None);
     let mut order = 0;
-    let mut flush = |row: &mut Vec<Cut>, behind: Option<&Block>| {
+    let mut flush = |row: &mut Vec<StraightCut>, behind: Option<&Block>| {
         if row.len() >= least {
             see(row, behind);
         }
@@ -80,7 +80,7 @@ pub(super) fn rows(
             flush(&mut row, Some(&block));
         }
         if let Some((cut, its)) = cut {
-            feeds = goes_on.unwrap_or(Feeds::of(&cut.run));
+            feeds = goes_on.unwrap_or(RowFeeds::of(&cut.run));
             order = its;
             row.push(cut);
         }
@@ -89,7 +89,7 @@ pub(super) fn rows(
 }
 
 /// A block that is nothing but one straight cut between known places, and which block of the run it is.
-fn cut(writer: &Writer, record: &Record, block: &Block) -> Option<(Cut, u32)> {
+fn cut(writer: &WordWriter, record: &RunRecord, block: &Block) -> Option<(StraightCut, u32)> {
     let is_plain = block.kind == BlockKind::Words
         && block.comments.is_empty()
         && block.delete.is_none()
@@ -102,10 +102,10 @@ fn cut(writer: &Writer, record: &Record, block: &Block) -> Option<(Cut, u32)> {
     let run = runs.first;
     let context = run.context;
     let is_cut = runs.count == 1
-        && context.did == Did::Line
+        && context.did == BlockEffect::Line
         && run.moves == 1
         && !context.incremental
-        && context.side == Side::Off
+        && context.side == CompensationSide::Off
         && context.feed_mode == FeedMode::PerTime
         && run.known.iter().all(|known| (0..3).all(|axis| known.has(axis)));
     let words = block.words.iter().all(|word| {
@@ -117,11 +117,11 @@ fn cut(writer: &Writer, record: &Record, block: &Block) -> Option<(Cut, u32)> {
     let codes = actions(block, writer.control)
         .all(|(_, action)| action == Action::Motion(MotionCode::Linear))
         && block.all(b'G').count() == actions(block, writer.control).count();
-    (is_cut && words && codes).then(|| (Cut { block: block.clone(), run }, runs.order))
+    (is_cut && words && codes).then(|| (StraightCut { block: block.clone(), run }, runs.order))
 }
 
 /// A cut goes on where the one before it ended, in the same plane and units.
-fn follows(before: &Run, run: &Run) -> bool {
+fn follows(before: &BlockPass, run: &BlockPass) -> bool {
     before.to == run.from
         && before.context.plane == run.context.plane
         && before.context.units == run.context.units

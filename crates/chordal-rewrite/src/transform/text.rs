@@ -4,44 +4,46 @@ use std::collections::HashSet;
 
 use chordal::Job;
 use chordal::diagnostics::{FileId, TextRange, line_end_length};
-use chordal::syntax::{Block, BlockKind, BlockReader, Value, Word};
-use chordal_editor::{Name, Numbering, Role};
+use chordal::syntax::{Block, BlockKind, BlockReader, Word, WordValue};
+use chordal_editor::{NameRole, NumberingOptions, SymbolName};
 
 use crate::source::{first_text, program};
 
-use super::Outcome;
-use super::edit::{Edit, Refusal, apply, changes, line_end};
+use super::StepOutcome;
+use super::edit::{TransformRefusal, WordEdit, apply, changes, line_end};
 
 /// New block numbers, and jumps that go to them.
-pub(super) fn renumber(job: &Job, first: u32, step: u32) -> Result<Outcome, Refusal> {
-    let Some(program) = program(job) else { return Ok(Outcome::default()) };
-    let numbering = Numbering { first, step, all: false };
-    let edits = program.renumbered(numbering).map_err(|error| Refusal {
+pub(super) fn renumber(job: &Job, first: u32, step: u32) -> Result<StepOutcome, TransformRefusal> {
+    let Some(program) = program(job) else { return Ok(StepOutcome::default()) };
+    let numbering = NumberingOptions { first, step, all: false };
+    let edits = program.renumbered(numbering).map_err(|error| TransformRefusal {
         line: 1,
         text: String::new(),
         what: error.to_string(),
         help: "keep the numbers, or write the jump with a number".into(),
     })?;
-    let edits =
-        edits.into_iter().map(|edit| Edit::new(edit.range, edit.text, "numbered anew")).collect();
-    Ok(Outcome { edits, ..Outcome::default() })
+    let edits = edits
+        .into_iter()
+        .map(|edit| WordEdit::new(edit.range, edit.text, "numbered anew"))
+        .collect();
+    Ok(StepOutcome { edits, ..StepOutcome::default() })
 }
 
 /// Takes out the numbers that nothing jumps to.
-pub(super) fn no_numbers(job: &Job) -> Outcome {
+pub(super) fn no_numbers(job: &Job) -> StepOutcome {
     const REASON: &str = "nothing jumps to this number";
     let text = first_text(job);
-    let Some(program) = program(job) else { return Outcome::default() };
+    let Some(program) = program(job) else { return StepOutcome::default() };
     let wanted: HashSet<i64> = program
         .occurrences()
         .into_iter()
-        .filter(|place| place.role == Role::Use)
+        .filter(|place| place.role == NameRole::Use)
         .filter_map(|place| match place.name {
-            Name::Label { number, .. } => Some(number),
+            SymbolName::Label { number, .. } => Some(number),
             _ => None,
         })
         .collect();
-    let mut outcome = Outcome::default();
+    let mut outcome = StepOutcome::default();
     if computed_jump(job) {
         outcome.notes.push("a jump computes its number: all numbers stay".into());
         return outcome;
@@ -55,7 +57,7 @@ pub(super) fn no_numbers(job: &Job) -> Outcome {
         let behind = text.get(word.range.end as usize..).unwrap_or(&[]);
         let blanks = behind.iter().take_while(|byte| **byte == b' ').count() as u32;
         let range = TextRange::new(word.range.start, word.range.end + blanks);
-        outcome.edits.push(Edit::new(range, "", REASON));
+        outcome.edits.push(WordEdit::new(range, "", REASON));
     });
     outcome
 }
@@ -77,12 +79,12 @@ fn computed_jump(job: &Job) -> bool {
 }
 
 /// Takes out comments, and lines that hold nothing else.
-pub(super) fn strip_comments(job: &Job) -> Outcome {
+pub(super) fn strip_comments(job: &Job) -> StepOutcome {
     const REASON: &str = "a comment";
     /// Comments that LinuxCNC acts upon.
     const ACTIVE: [&str; 6] = ["MSG", "DEBUG", "PRINT", "LOG", "PROBEOPEN", "PROBECLOSE"];
     let text = first_text(job);
-    let mut outcome = Outcome::default();
+    let mut outcome = StepOutcome::default();
     each_block(job, |block| {
         let is_idle = block.words.is_empty() && block.kind == BlockKind::Words;
         let mut gone = Vec::new();
@@ -97,7 +99,11 @@ pub(super) fn strip_comments(job: &Job) -> Outcome {
                 .rev()
                 .take_while(|byte| byte.is_ascii_whitespace())
                 .count() as u32;
-            gone.push(Edit::new(TextRange::new(comment.start - blanks, comment.end), "", REASON));
+            gone.push(WordEdit::new(
+                TextRange::new(comment.start - blanks, comment.end),
+                "",
+                REASON,
+            ));
         }
         let left = block.range.len() - gone.iter().map(|edit| edit.range.len()).sum::<u32>();
         let line = TextRange::new(block.range.start, line_end(text, block.range.end));
@@ -109,7 +115,7 @@ pub(super) fn strip_comments(job: &Job) -> Outcome {
         if is_alone {
             let rest = &text[line.end as usize..];
             let end = line.end + if rest.is_empty() { 0 } else { line_end_length(rest) as u32 };
-            gone = vec![Edit::new(TextRange::new(block.range.start, end), "", REASON)];
+            gone = vec![WordEdit::new(TextRange::new(block.range.start, end), "", REASON)];
         }
         outcome.edits.append(&mut gone);
     });
@@ -117,14 +123,14 @@ pub(super) fn strip_comments(job: &Job) -> Outcome {
 }
 
 /// A way to make a text shorter.
-type Shortening = fn(&Job) -> Outcome;
+type ShorteningStep = fn(&Job) -> StepOutcome;
 
 /// Makes the text no longer than so many bytes: by blanks, then digits, then numbers, then comments.
-pub(super) fn shrink(job: &Job, most: usize) -> Result<Outcome, Refusal> {
+pub(super) fn shrink(job: &Job, most: usize) -> Result<StepOutcome, TransformRefusal> {
     let old = first_text(job);
     let mut text = old.to_vec();
     let (mut done, mut made) = (Vec::new(), Vec::new());
-    let ways: [(&str, Shortening); 4] = [
+    let ways: [(&str, ShorteningStep); 4] = [
         ("blanks", blanks),
         ("digits", digits),
         ("block numbers", no_numbers),
@@ -141,7 +147,7 @@ pub(super) fn shrink(job: &Job, most: usize) -> Result<Outcome, Refusal> {
         done.push(name);
     }
     if text.len() > most {
-        return Err(Refusal {
+        return Err(TransformRefusal {
             line: 1,
             text: String::new(),
             what: format!(
@@ -153,7 +159,7 @@ pub(super) fn shrink(job: &Job, most: usize) -> Result<Outcome, Refusal> {
             help: "write repeated blocks as subprograms, or fit arcs (--fit)".into(),
         });
     }
-    let mut outcome = Outcome::default();
+    let mut outcome = StepOutcome::default();
     if done.is_empty() {
         outcome.notes.push(format!("it has {} bytes: there is nothing to do", old.len()));
     } else {
@@ -164,9 +170,9 @@ pub(super) fn shrink(job: &Job, most: usize) -> Result<Outcome, Refusal> {
 }
 
 /// Takes out blanks between words and at the ends of lines.
-fn blanks(job: &Job) -> Outcome {
+fn blanks(job: &Job) -> StepOutcome {
     let text = first_text(job);
-    let mut outcome = Outcome::default();
+    let mut outcome = StepOutcome::default();
     let keeps = job.control().table.lexicon.o_words;
     each_block(job, |block| {
         if block.kind != BlockKind::Words || !block.problems.is_empty() {
@@ -184,7 +190,7 @@ fn blanks(job: &Job) -> Outcome {
             let range = TextRange::new(from, to);
             let is_blank = range.slice(text).iter().all(|byte| matches!(byte, b' ' | b'\t'));
             if is_blank && !range.is_empty() {
-                outcome.edits.push(Edit::new(range, "", "blanks"));
+                outcome.edits.push(WordEdit::new(range, "", "blanks"));
             }
         };
         for piece in pieces {
@@ -197,9 +203,9 @@ fn blanks(job: &Job) -> Outcome {
 }
 
 /// Takes out digits without meaning: zeros at both ends, plus signs.
-fn digits(job: &Job) -> Outcome {
+fn digits(job: &Job) -> StepOutcome {
     let text = first_text(job);
-    let mut outcome = Outcome::default();
+    let mut outcome = StepOutcome::default();
     each_block(job, |block| {
         if block.kind != BlockKind::Words || !block.problems.is_empty() {
             return;
@@ -207,7 +213,7 @@ fn digits(job: &Job) -> Outcome {
         for word in &block.words {
             let short = shorter(text, word);
             if let Some(short) = short {
-                outcome.edits.push(Edit::new(word.range, short, "digits without meaning"));
+                outcome.edits.push(WordEdit::new(word.range, short, "digits without meaning"));
             }
         }
     });
@@ -216,7 +222,7 @@ fn digits(job: &Job) -> Outcome {
 
 /// A word with fewer digits; `None` where it has none to spare.
 fn shorter(text: &[u8], word: &Word) -> Option<String> {
-    let Value::Number(_) = word.value else { return None };
+    let WordValue::Number(_) = word.value else { return None };
     if b"ON".contains(&word.letter) || word.register.is_some() {
         return None;
     }

@@ -6,28 +6,29 @@ use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockKind, BlockReader, Word};
 use chordal::{Control, Job};
 
-use super::Outcome;
-use super::edit::{Edit, Refusal};
-use super::rates::{Rate, scaled};
-use super::record::{Context, Record};
-use super::roles::{Role, actions, roles};
-use super::writer::Writer;
+use super::StepOutcome;
+use super::edit::{TransformRefusal, WordEdit};
+use super::rates::{RateWord, scaled};
+use super::record::{ReadingContext, RunRecord};
+use super::roles::{NumberRole, actions, roles};
+use super::writer::WordWriter;
 
 const REASON: &str = "lengths in the other unit";
 
 /// The edits that write every length in `to`.
-pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
-    let record = Record::with_contours(job);
-    let writer = Writer::new(job);
+pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusal> {
+    let record = RunRecord::with_contours(job);
+    let writer = WordWriter::new(job);
     let wanted = match to {
         Units::Inch => Action::Reading(ReadingCode::Inch),
         Units::Millimetre => Action::Reading(ReadingCode::Millimetre),
     };
     // A cutting speed is written anew, and the revolutions follow it.
     let speed_tolerance = if job.control().table.turns() { 1e-3 } else { 0.0 };
-    let mut outcome = Outcome { feed_tolerance: 1e-3, speed_tolerance, ..Outcome::default() };
+    let mut outcome =
+        StepOutcome { feed_tolerance: 1e-3, speed_tolerance, ..StepOutcome::default() };
     let Some(code) = writer.control.g_codes().find(|row| row.action == wanted) else {
-        return Err(Refusal::new(
+        return Err(TransformRefusal::new(
             writer.text,
             &Block::new(),
             "the control has no code for that unit",
@@ -58,7 +59,7 @@ pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
                 says = true;
                 if action != wanted {
                     let text = writer.code(word, code.code);
-                    outcome.edits.push(Edit::new(word.range, text, "the other unit"));
+                    outcome.edits.push(WordEdit::new(word.range, text, "the other unit"));
                 }
             }
         }
@@ -67,11 +68,11 @@ pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
             first = Some((runs.order, block.range.start));
             is_said = says;
         }
-        let mut edits: Option<Vec<Edit>> = None;
+        let mut edits: Option<Vec<WordEdit>> = None;
         for context in &runs.contexts {
             let these = lengths(&writer, &block, context, to)?;
             if edits.as_ref().is_some_and(|edits| *edits != these) {
-                return Err(Refusal::new(
+                return Err(TransformRefusal::new(
                     writer.text,
                     &block,
                     "the block runs in both units",
@@ -84,23 +85,23 @@ pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
     }
     if let Some((_, at)) = first.filter(|_| !is_said && outcome_changes(&outcome)) {
         let line = format!("{}\n", code.name(b'G'));
-        outcome.edits.push(Edit::insert(at, line, "the unit at power-on no longer applies"));
+        outcome.edits.push(WordEdit::insert(at, line, "the unit at power-on no longer applies"));
     }
     outcome.note_idle(&idle);
     outcome.tolerance_mm = writer.tolerance_mm();
     Ok(outcome)
 }
 
-fn outcome_changes(outcome: &Outcome) -> bool {
+fn outcome_changes(outcome: &StepOutcome) -> bool {
     !outcome.edits.is_empty()
 }
 
 fn lengths(
-    writer: &Writer,
+    writer: &WordWriter,
     block: &Block,
-    context: &Context,
+    context: &ReadingContext,
     to: Units,
-) -> Result<Vec<Edit>, Refusal> {
+) -> Result<Vec<WordEdit>, TransformRefusal> {
     let mut edits = Vec::new();
     if context.units == to {
         return Ok(edits);
@@ -108,24 +109,24 @@ fn lengths(
     let units = (context.units, to);
     for (word, role) in block.words.iter().zip(roles(block, context, writer.control)) {
         let text = match role {
-            Role::Place(_)
-            | Role::Way(_)
-            | Role::Center(_)
-            | Role::Spoke(_)
-            | Role::Length
-            | Role::Machine => writer.scaled_length(block, word, units, 1.0, 0.0)?,
-            Role::Counted => writer.counted(block, word, units, 1.0)?,
-            Role::Speed if context.keeps_surface_speed && !limits(block, writer.control) => {
+            NumberRole::Place(_)
+            | NumberRole::Way(_)
+            | NumberRole::Center(_)
+            | NumberRole::Spoke(_)
+            | NumberRole::Length
+            | NumberRole::Machine => writer.scaled_length(block, word, units, 1.0, 0.0)?,
+            NumberRole::Counted => writer.counted(block, word, units, 1.0)?,
+            NumberRole::Speed if context.keeps_surface_speed && !limits(block, writer.control) => {
                 surface_speed(writer, block, word, units)?
             }
-            Role::Feed | Role::TapFeed | Role::Lead
+            NumberRole::Feed | NumberRole::TapFeed | NumberRole::Lead
                 if context.feed_mode != FeedMode::InverseTime =>
             {
                 let factor = context.units.mm() / to.mm();
-                scaled(writer, block, word, factor, Rate::Feed([context.units, to]))?
+                scaled(writer, block, word, factor, RateWord::Feed([context.units, to]))?
             }
-            Role::Doubtful => {
-                return Err(Refusal::new(
+            NumberRole::Doubtful => {
+                return Err(TransformRefusal::new(
                     writer.text,
                     block,
                     format!("`{}` may be a length", writer.word(word)),
@@ -134,7 +135,7 @@ fn lengths(
             }
             _ => continue,
         };
-        edits.push(Edit::new(word.range, text, REASON));
+        edits.push(WordEdit::new(word.range, text, REASON));
     }
     Ok(edits)
 }
@@ -146,13 +147,13 @@ fn limits(block: &Block, control: &Control) -> bool {
 
 /// A cutting speed: metres or feet in a minute.
 fn surface_speed(
-    writer: &Writer,
+    writer: &WordWriter,
     block: &Block,
     word: &Word,
     (from, to): (Units, Units),
-) -> Result<String, Refusal> {
+) -> Result<String, TransformRefusal> {
     let Some(number) = word.number() else {
-        return Err(Refusal::new(
+        return Err(TransformRefusal::new(
             writer.text,
             block,
             format!("`{}` is computed, and a cutting speed has another unit", writer.word(word)),

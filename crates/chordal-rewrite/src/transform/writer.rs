@@ -3,26 +3,31 @@
 use std::cell::Cell;
 
 use chordal::control::{Action, Units};
-use chordal::syntax::{Block, Decimal, Value, Word};
+use chordal::syntax::{Block, Decimal, Word, WordValue};
 use chordal::{Control, Job};
 
-use super::edit::{Refusal, with_number};
-use super::number::Style;
+use super::edit::{TransformRefusal, with_number};
+use super::number::NumberStyle;
 
 /// Writes words of one text.
-pub(super) struct Writer<'a> {
+pub(super) struct WordWriter<'a> {
     pub(super) text: &'a [u8],
     pub(super) control: &'a Control,
-    pub(super) style: Style,
+    pub(super) style: NumberStyle,
     /// The largest length by which a value was rounded, mm.
     rounded_mm: Cell<f64>,
 }
 
-impl<'a> Writer<'a> {
-    pub(super) fn new(job: &'a Job<'_>) -> Writer<'a> {
+impl<'a> WordWriter<'a> {
+    pub(super) fn new(job: &'a Job<'_>) -> WordWriter<'a> {
         let text = job.sources().get(chordal::diagnostics::FileId(0)).map_or(&[][..], |s| s.text());
         let control = job.control();
-        Writer { text, control, style: Style::of(text, control), rounded_mm: Cell::new(0.0) }
+        WordWriter {
+            text,
+            control,
+            style: NumberStyle::of(text, control),
+            rounded_mm: Cell::new(0.0),
+        }
     }
 
     /// How far paths may be apart for the digits that are written, mm: an arc has its end, its centre
@@ -73,14 +78,14 @@ impl<'a> Writer<'a> {
         units: (Units, Units),
         factor: f64,
         plus: f64,
-    ) -> Result<String, Refusal> {
+    ) -> Result<String, TransformRefusal> {
         match word.value {
-            Value::Number(number) => {
+            WordValue::Number(number) => {
                 let mm = self.length_mm(units.0, number) * factor + plus;
                 let more = if plus == 0.0 { 0 } else { decimals(plus / units.1.mm()) };
                 Ok(with_number(self.text, word, &self.length(mm, units.1, Some(number), more)))
             }
-            Value::Expression(range) => {
+            WordValue::Expression(range) => {
                 let factor = factor * units.0.mm() / units.1.mm();
                 let plus = plus / units.1.mm();
                 let old = String::from_utf8_lossy(range.slice(self.text)).trim().to_string();
@@ -90,7 +95,7 @@ impl<'a> Writer<'a> {
                 );
                 Ok(format!("{head}{}", self.expression(&old, factor, plus)))
             }
-            Value::Register { .. } | Value::Missing => Err(Refusal::new(
+            WordValue::Register { .. } | WordValue::Missing => Err(TransformRefusal::new(
                 self.text,
                 block,
                 format!("the value of `{}` is not written in the block", self.word(word)),
@@ -106,10 +111,10 @@ impl<'a> Writer<'a> {
         word: &Word,
         units: (Units, Units),
         factor: f64,
-    ) -> Result<String, Refusal> {
+    ) -> Result<String, TransformRefusal> {
         let rules = &self.control.parameters.rules;
         let Some(number) = word.number() else {
-            return Err(Refusal::new(
+            return Err(TransformRefusal::new(
                 self.text,
                 block,
                 format!("`{}` is computed, and counts least increments", self.word(word)),

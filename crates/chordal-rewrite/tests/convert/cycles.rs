@@ -4,7 +4,7 @@ use chordal::control::CycleKind::{self, *};
 use chordal::control::{Action, ControlTable, table};
 use chordal::{Command, CommandKind, Diagnostic, Job, Sink};
 use chordal_compare::compare;
-use chordal_rewrite::convert::{Conversion, Options, convert};
+use chordal_rewrite::convert::{Conversion, ConversionOptions, convert};
 
 use super::{MACHINES, job, machine, verdict};
 
@@ -131,7 +131,7 @@ fn each_cycle_on_each_control() {
     let mut table = String::new();
     let mut last = String::new();
     each(|form, on, old, to| {
-        let found = convert(old, &machine(to), &Options::default());
+        let found = convert(old, &machine(to), &ConversionOptions::default());
         let head =
             format!("{} {} | {}", form.kind_name(), form.words, form.more.replace('\n', " | "));
         if head != last {
@@ -179,12 +179,12 @@ impl Form {
 fn nothing_but_the_told_pecks_differs() {
     let mut told = 0;
     each(|form, on, old, to| {
-        let found = convert(old, &machine(to), &Options::default());
+        let found = convert(old, &machine(to), &ConversionOptions::default());
         if !found.holds() {
             return;
         }
         let new = found.job("new").expect("a job");
-        let options = chordal_compare::Options {
+        let options = chordal_compare::ComparisonOptions {
             tolerance_mm: 0.005,
             feed_tolerance: 1e-5,
             assume_known: true,
@@ -216,11 +216,11 @@ fn nothing_but_the_told_pecks_differs() {
 
 #[test]
 fn exact_cycles_make_the_same_moves() {
-    let exact = Options { exact_cycles: true, ..Options::default() };
+    let exact = ConversionOptions { exact_cycles: true, ..ConversionOptions::default() };
     each(|form, on, old, to| {
         let found = convert(old, &machine(to), &exact);
         assert!(found.pecks.is_empty());
-        let default = convert(old, &machine(to), &Options::default());
+        let default = convert(old, &machine(to), &ConversionOptions::default());
         assert_eq!(found.holds(), default.holds(), "{on} to {to}: {:?} {}", form.kind, form.words);
         // What needs no word about its pecks is the same text with and without; of pecks this is known before
         // the run only where the settings are the same.

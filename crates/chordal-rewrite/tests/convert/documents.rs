@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use chordal::Severity;
-use chordal_rewrite::convert::{Options, convert};
+use chordal_rewrite::convert::{ConversionOptions, convert};
 
 use super::{MACHINES, converted, job_of, text_of, verdict};
 
@@ -74,7 +74,7 @@ fn every_program_on_every_control() {
             }
             page += &format!("----\n{}\n", found.text);
             // Back again: the same motion as at the beginning.
-            let twice = Options { tolerance_mm: 0.01, ..Options::default() };
+            let twice = ConversionOptions { tolerance_mm: 0.01, ..ConversionOptions::default() };
             let back = convert(&new, old.machine(), &twice);
             assert!(
                 back.certificate.as_ref().is_some_and(|certificate| certificate.holds()),
@@ -118,7 +118,7 @@ fn unlisted_lines_come_back_as_they_were() {
         for to in MACHINES.iter().filter(|to| super::machine(to).control != old.machine().control) {
             let there = converted(&old, to);
             let new = there.job("converted").expect("a job");
-            let twice = Options { tolerance_mm: 0.01, ..Options::default() };
+            let twice = ConversionOptions { tolerance_mm: 0.01, ..ConversionOptions::default() };
             let back = convert(&new, old.machine(), &twice);
             let listed = |change: &chordal_rewrite::Change| change.line as usize;
             let gone: BTreeSet<usize> = there.changes.iter().map(listed).collect();

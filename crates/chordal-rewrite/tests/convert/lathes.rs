@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use chordal::Job;
 use chordal::control::Units;
-use chordal_rewrite::convert::{Conversion, Options, convert};
+use chordal_rewrite::convert::{Conversion, ConversionOptions, convert};
 use chordal_rewrite::restart::restart;
-use chordal_rewrite::{Step, transform};
+use chordal_rewrite::{TransformStep, transform};
 
 use super::{job, job_of, machine, suite_programs, text_of, verdict};
 
@@ -29,13 +29,13 @@ fn all_programs() {
             if old.control().table.name == to {
                 continue;
             }
-            let found = convert(&old, &machine(with_axes(&old, to)), &Options::default());
+            let found = convert(&old, &machine(with_axes(&old, to)), &ConversionOptions::default());
             all += 1;
             proved += usize::from(found.holds());
             table += &format!("    {to}: {}{}", verdict(&found), other_passes(&found));
             if found.holds() {
                 let new = found.job("converted").expect("settings of the machine");
-                let again = convert(&new, old.machine(), &Options::default());
+                let again = convert(&new, old.machine(), &ConversionOptions::default());
                 back += usize::from(again.holds());
                 table += &format!("; back: {}", verdict(&again));
             }
@@ -83,7 +83,7 @@ fn programs(root: &str, name: &str) -> Vec<String> {
 /// The lines of a Fanuc program on another lathe, each proved, without the head that is the same.
 fn lines(body: &str, from: &str, to: &str) -> Vec<String> {
     let old = job(body, machine(from));
-    let found = convert(&old, &machine(to), &Options::default());
+    let found = convert(&old, &machine(to), &ConversionOptions::default());
     assert!(found.holds(), "{}: {}", verdict(&found), found.text);
     found.text.lines().map(str::to_string).collect()
 }
@@ -145,7 +145,7 @@ fn radii_become_diameters_and_systems_of_codes_their_own() {
     system_b.set("settings.\"No. 3401\"=\"B\"").expect("a setting");
     let text = "G21 G18 G40 G99\nT0101\nG50 S3000\nG97 S800 M3\nG0 X62. Z2.\nG90 X60. Z-20. F.2\nG0 U2.\nM30\n";
     let old = job(text, machine("fanuc-lathe"));
-    let found = convert(&old, &system_b, &Options::default());
+    let found = convert(&old, &system_b, &ConversionOptions::default());
     assert!(found.holds(), "{}", verdict(&found));
     for line in ["G21 G18 G40 G95", "G92 S3000", "G77 X60. Z-20. F.2"] {
         assert!(found.text.lines().any(|own| own == line), "{line}: {}", found.text);
@@ -157,12 +157,12 @@ fn passes_of_cycles_that_stay_are_measured() {
     let text = "G21 G18 G40 G99\nT0101\nG97 S800 M3\nG0 X62. Z2.\nG71 U2.5 R1.\nG71 P10 Q20 U.6 W.2 F.3\n\
                 N10 G0 X20.\nG1 Z-20.\nN20 X62.\nM30\n";
     let old = job(text, machine("fanuc-lathe"));
-    let found = convert(&old, &machine("haas-lathe"), &Options::default());
+    let found = convert(&old, &machine("haas-lathe"), &ConversionOptions::default());
     let [change] = found.passes.as_slice() else { panic!("{:?}", found.passes) };
     assert_eq!((change.lines[0], change.cycle.as_str()), (6, "G71"));
     // Levels from X62.6 down to 20.6 in steps of 5: eight, and the contour; from X62: eight as well.
     assert_eq!(change.readings.map(|reading| reading.cuts), [9, 9]);
-    let exact = Options { exact_cycles: true, ..Options::default() };
+    let exact = ConversionOptions { exact_cycles: true, ..ConversionOptions::default() };
     let written = convert(&old, &machine("haas-lathe"), &exact);
     assert!(written.holds() && written.passes.is_empty());
     assert!(!written.text.lines().any(|line| line.starts_with("G71")), "{}", written.text);
@@ -174,7 +174,7 @@ fn another_last_pass_is_written_out() {
     let text = "G21 G18 G40 G99\nT0101\nG97 S800 M3\nG0 X28. Z6.\nG76 P010560 Q100 R0\n\
                 G76 X20.32 Z-19. P1840 Q500 F3.\nM30\n";
     let old = job(text, machine("fanuc-lathe"));
-    let found = convert(&old, &machine("haas-lathe"), &Options::default());
+    let found = convert(&old, &machine("haas-lathe"), &ConversionOptions::default());
     assert!(found.holds() && found.passes.is_empty(), "{}", verdict(&found));
     assert!(found.text.contains("G32 Z-17.5 F3."), "{}", found.text);
 }
@@ -183,12 +183,12 @@ fn another_last_pass_is_written_out() {
 #[test]
 fn all_programs_changed_in_place() {
     let steps = [
-        ("shift Z", Step::Shift([0.0, 0.0, -12.5])),
-        ("inch", Step::Units(Units::Inch)),
-        ("mm", Step::Units(Units::Millimetre)),
-        ("mirror X", Step::MirrorX),
-        ("scale 2", Step::Scale(2.0)),
-        ("shift X", Step::Shift([1.0, 0.0, 0.0])),
+        ("shift Z", TransformStep::Shift([0.0, 0.0, -12.5])),
+        ("inch", TransformStep::Units(Units::Inch)),
+        ("mm", TransformStep::Units(Units::Millimetre)),
+        ("mirror X", TransformStep::MirrorX),
+        ("scale 2", TransformStep::Scale(2.0)),
+        ("shift X", TransformStep::Shift([1.0, 0.0, 0.0])),
     ];
     let mut table = String::new();
     for root in ["tests/suite", "examples"] {
@@ -286,19 +286,21 @@ fn a_limit_of_the_spindle_is_no_moved_zero() {
 #[test]
 fn what_a_shift_along_z_changes_in_cycles() {
     let old = job(SHAFT, machine("fanuc-lathe"));
-    let found = transform(&old, &[Step::Shift([0.0, 0.0, -10.0])]).expect("a shift along Z");
+    let found =
+        transform(&old, &[TransformStep::Shift([0.0, 0.0, -10.0])]).expect("a shift along Z");
     assert!(found.certificate.holds());
     let text = String::from_utf8(found.text).expect("text");
     for line in ["G71 P10 Q20 U.6 W.2 F.3", "G1 Z-30. F.1", "G76 X20.32 Z-28. P1840 Q500 F3."] {
         assert!(text.lines().any(|own| own == line), "{line}: {text}");
     }
-    let inch = transform(&old, &[Step::Units(Units::Inch)]).expect("the other unit");
+    let inch = transform(&old, &[TransformStep::Units(Units::Inch)]).expect("the other unit");
     let text = String::from_utf8(inch.text).expect("text");
     // 2.5 mm, 200 m/min, 1.84 mm and a lead of 3 mm.
     for word in ["U.0984", "S656", "P724", "F.11811"] {
         assert!(text.contains(word), "{word}: {text}");
     }
-    let other = transform(&old, &[Step::Shift([1.0, 0.0, 0.0])]).expect_err("another part");
+    let other =
+        transform(&old, &[TransformStep::Shift([1.0, 0.0, 0.0])]).expect_err("another part");
     assert!(other.what.contains("this makes another part"), "{}", other.what);
 }
 
@@ -378,7 +380,8 @@ fn a_cylinder_is_written_in_degrees_and_in_lengths() {
 #[test]
 fn a_target_without_c_is_refused() {
     for (from, to) in [("fanuc-lathe-c", "haas-lathe"), ("fanuc-lathe-c", "mitsubishi-lathe")] {
-        let found = convert(&job(POLAR, machine(from)), &machine(to), &Options::default());
+        let found =
+            convert(&job(POLAR, machine(from)), &machine(to), &ConversionOptions::default());
         let [refusal] = found.refusals.as_slice() else { panic!("{:?}", found.refusals) };
         assert_eq!(refusal.reason, format!("{to} has no C axis"));
         assert_eq!(refusal.line, 8);
@@ -388,7 +391,7 @@ fn a_target_without_c_is_refused() {
     let found = convert(
         &job(&haas, machine("haas-lathe-y")),
         &machine("fanuc-lathe-c"),
-        &Options::default(),
+        &ConversionOptions::default(),
     );
     assert!(found.holds(), "{}", verdict(&found));
 }

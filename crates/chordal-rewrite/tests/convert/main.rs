@@ -12,7 +12,7 @@ mod suite;
 use std::path::Path;
 
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_rewrite::convert::{Conversion, Options, convert};
+use chordal_rewrite::convert::{Conversion, ConversionOptions, convert};
 
 /// A machine of each control.
 const MACHINES: [&str; 5] =
@@ -75,7 +75,7 @@ fn job_of(text: &str, set: &[&str]) -> Job<'static> {
 }
 
 fn converted(job: &Job, to: &str) -> Conversion {
-    convert(job, &machine(to), &Options::default())
+    convert(job, &machine(to), &ConversionOptions::default())
 }
 
 /// What a conversion came to, in a line.

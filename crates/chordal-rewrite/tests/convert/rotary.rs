@@ -52,6 +52,7 @@ fn a_text_that_keeps_f_is_not_proved() {
     let found = converted(&old, "linuxcnc-mill");
     let kept = found.text.replace("F294.174", "F300.");
     assert_ne!(kept, found.text);
-    let certificate = prove_text(&old, &found, kept, &Options::default()).expect("a certificate");
+    let certificate =
+        prove_text(&old, &found, kept, &ConversionOptions::default()).expect("a certificate");
     assert!(!certificate.holds());
 }

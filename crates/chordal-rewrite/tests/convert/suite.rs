@@ -1,7 +1,7 @@
 //! The programs of the suite, whatever they are about: what becomes of each on each control.
 
 use chordal::RunOptions;
-use chordal_rewrite::convert::{Options, convert};
+use chordal_rewrite::convert::{ConversionOptions, convert};
 
 use super::{MACHINES, converted, job_of, suite_programs, text_of, verdict};
 
@@ -43,7 +43,7 @@ fn changed_bytes_get_an_answer() {
     };
     let rounds =
         std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
-    let despite = Options { despite_errors: true, ..Options::default() };
+    let despite = ConversionOptions { despite_errors: true, ..ConversionOptions::default() };
     let paths = suite_programs(&["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc"]);
     for path in paths.iter().flat_map(|path| std::iter::repeat_n(path, rounds)) {
         let whole = text_of(path);

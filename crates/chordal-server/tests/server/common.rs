@@ -8,8 +8,8 @@ use std::thread;
 use std::time::Duration;
 
 use chordal::{Machine, ShopAnswer, ShopCall};
-use chordal_compare::Options;
-use chordal_editor::{Program, Setup};
+use chordal_compare::ComparisonOptions;
+use chordal_editor::{EditorProgram, EditorSetup};
 use chordal_server::{Against, MachineChoice, Programs, Refusal, Server, save};
 use serde_json::Value;
 use tungstenite::client::IntoClientRequest;
@@ -44,7 +44,7 @@ impl Shown {
     /// Compared with another program.
     pub fn against(self, other: Shown, own_text: bool) -> Shown {
         let programs = Arc::new(other);
-        let against = Against { programs, own_text, options: Options::default() };
+        let against = Against { programs, own_text, options: ComparisonOptions::default() };
         Shown { against: Some(Arc::new(against)), ..self }
     }
 }
@@ -78,7 +78,7 @@ impl Programs for Shown {
         save(self.path.as_deref().expect("a file"), bytes)
     }
 
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<EditorProgram, Refusal> {
         let none = |name: &str| Err(format!("no file {name}"));
         let machine = match &self.setup {
             Some(setup) => Machine::from_toml("setup.toml", setup, &none),
@@ -89,11 +89,11 @@ impl Programs for Shown {
             help: errors[0].help.clone(),
         })?;
         let beside = vec![("O77.nc".to_string(), b"(BESIDE)\nO77\nM99\n".to_vec())];
-        let mut setup = Setup { beside, ..Setup::of(machine) };
+        let mut setup = EditorSetup { beside, ..EditorSetup::of(machine) };
         if text.windows(FAILS.len()).any(|word| word == FAILS.as_bytes()) {
             setup.options.shop_codes = Some(Arc::new(fails));
         }
-        Ok(Program::set_up("part.nc", text, setup).expect("settings that the control knows"))
+        Ok(EditorProgram::set_up("part.nc", text, setup).expect("settings that the control knows"))
     }
 
     fn against(&self) -> Option<Arc<Against>> {

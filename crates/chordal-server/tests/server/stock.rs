@@ -1,6 +1,6 @@
 //! The stock of a page: its frames give the stock of a direct run again, forward and backward.
 
-use chordal::stock::{Drop, Replay, ReplayOptions, StockBefore};
+use chordal::stock::{ColumnDrop, ReplayOptions, ReplaySink, StockBefore};
 use chordal::{Job, Machine, Source, SourceMap};
 
 use crate::common::{Columns, Live, Shown, Told, serve};
@@ -46,7 +46,7 @@ fn whole() -> String {
 /// What a page holds of it.
 struct Page {
     stock: Columns,
-    drops: Vec<Drop>,
+    drops: Vec<ColumnDrop>,
 }
 
 fn gather(live: &mut Live) -> Page {
@@ -58,7 +58,7 @@ fn gather(live: &mut Live) -> Page {
         let (shares, heights) = (some.f32("share"), some.f32("height"));
         for (at, &column) in columns.iter().enumerate() {
             let (row, share, height) = (rows[at], shares[at], heights[at]);
-            drops.push(Drop { column, row, share, height });
+            drops.push(ColumnDrop { column, row, share, height });
         }
         if some.header["progress"] == 1.0 {
             return Page { stock, drops };
@@ -69,11 +69,11 @@ fn gather(live: &mut Live) -> Page {
 /// A direct run of a program: the stock before, and what is left of it.
 fn direct(program: &str, columns: u32) -> (StockBefore, Vec<f32>) {
     struct Before(Option<StockBefore>);
-    impl Replay for Before {
+    impl ReplaySink for Before {
         fn before(&mut self, stock: &StockBefore) {
             self.0 = Some(stock.clone());
         }
-        fn lowered(&mut self, _drops: &[Drop], _progress: f64) -> bool {
+        fn lowered(&mut self, _drops: &[ColumnDrop], _progress: f64) -> bool {
             true
         }
     }

@@ -5,20 +5,20 @@
 
 use chordal_geometry::{Curve, ParamCurve};
 
-use super::Contact;
-use super::gaps::Solid;
-use super::grid::{BLOCK, BLOCKS, CELLS, Grid};
+use super::ContactDepth;
+use super::gaps::SolidColumn;
+use super::grid::{BLOCK, BLOCKS, CELLS, StockGrid};
 use super::heights::POINT;
-use super::tile::Tile;
+use super::tile::StockTile;
 use crate::floor::merge;
-use crate::{Span, Sweep, Undercut};
+use crate::{CutterSweep, RemovedSpan, Undercut};
 
 /// The gap of the bounds where there is no closed form, mm: far below any resolution, and cheap.
 const GAP: f64 = 1e-4;
 
 /// A whole move of an undercut.
 #[derive(Clone, Debug)]
-pub(crate) struct Below {
+pub(crate) struct UndercutMove {
     /// Number of the cutter in the plan.
     pub cutter: u32,
     /// The path of its lower end.
@@ -28,7 +28,7 @@ pub(crate) struct Below {
     pub tag: u32,
 }
 
-impl Below {
+impl UndercutMove {
     /// The first and the last tile, or block, of a width that it meets, along X and Y from an origin; none where the
     /// first is larger.
     pub fn range(
@@ -65,10 +65,10 @@ impl Below {
 
 /// A move of an undercut on a tile.
 pub(crate) struct OnTile<'a> {
-    pub grid: &'a Grid,
+    pub grid: &'a StockGrid,
     pub number: usize,
-    pub tile: &'a mut Tile,
-    pub below: &'a Below,
+    pub tile: &'a mut StockTile,
+    pub below: &'a UndercutMove,
     pub cutter: &'a Undercut,
     pub by_tag: bool,
     /// Whether what is removed in the middles of cells is kept.
@@ -79,19 +79,19 @@ pub(crate) struct OnTile<'a> {
 
 /// The spans of a cell, from the stock's top.
 #[derive(Default)]
-struct Spans {
-    surely: Vec<Span>,
-    maybe: Vec<Span>,
-    /// In the middle, after [`Spans::find_middle`].
-    middle: Vec<Span>,
+struct CellSpans {
+    surely: Vec<RemovedSpan>,
+    maybe: Vec<RemovedSpan>,
+    /// In the middle, after [`CellSpans::find_middle`].
+    middle: Vec<RemovedSpan>,
 }
 
 /// Where the bounds of a span differ by less, mm, its ends in the middle are midway between them.
 const NEAR_SPAN_MM: f64 = 2e-3;
 
-impl Spans {
+impl CellSpans {
     /// Of a square about its middle; false where the move does not meet it.
-    fn find(&mut self, sweep: &Sweep<'_>, middle: [f64; 2], side: f64, top: f64) -> bool {
+    fn find(&mut self, sweep: &CutterSweep<'_>, middle: [f64; 2], side: f64, top: f64) -> bool {
         self.surely.clear();
         self.maybe.clear();
         sweep.cell_spans(middle, side, &mut self.surely, &mut self.maybe);
@@ -102,14 +102,14 @@ impl Spans {
     }
 
     /// What is removed in the middle of a square.
-    fn find_middle(&mut self, sweep: &Sweep<'_>, middle: [f64; 2], top: f64) {
+    fn find_middle(&mut self, sweep: &CutterSweep<'_>, middle: [f64; 2], top: f64) {
         self.middle.clear();
-        let is_near = |(a, b): (&Span, &Span)| {
+        let is_near = |(a, b): (&RemovedSpan, &RemovedSpan)| {
             (a.floor - b.floor).abs() < NEAR_SPAN_MM && (a.top - b.top).abs() < NEAR_SPAN_MM
         };
         let mut pairs = self.surely.iter().zip(&self.maybe);
         if self.surely.len() == self.maybe.len() && pairs.all(is_near) {
-            self.middle.extend(self.surely.iter().zip(&self.maybe).map(|(a, b)| Span {
+            self.middle.extend(self.surely.iter().zip(&self.maybe).map(|(a, b)| RemovedSpan {
                 floor: 0.5 * (a.floor + b.floor),
                 top: 0.5 * (a.top + b.top),
             }));
@@ -126,7 +126,7 @@ impl Spans {
 }
 
 /// Spans that touch as one, counted from a top, mm.
-fn from_top(spans: &mut Vec<Span>, top: f64) {
+fn from_top(spans: &mut Vec<RemovedSpan>, top: f64) {
     merge(spans);
     for span in spans {
         (span.floor, span.top) = (span.floor - top, span.top - top);
@@ -138,9 +138,9 @@ impl OnTile<'_> {
     fn each(
         &mut self,
         finds_middles: bool,
-        mut found: impl FnMut(&mut Self, [usize; 2], &Spans),
+        mut found: impl FnMut(&mut Self, [usize; 2], &CellSpans),
     ) -> u64 {
-        let sweep = Sweep::of_undercut(self.cutter, &self.below.curve, GAP);
+        let sweep = CutterSweep::of_undercut(self.cutter, &self.below.curve, GAP);
         let (cell, corner) = (self.grid.resolution(), self.grid.corner(self.number));
         let top = self.grid.bounds().max.z;
         let width = cell * BLOCK as f64;
@@ -148,7 +148,7 @@ impl OnTile<'_> {
         let [columns, rows] = self.grid.cells();
         let radius = self.cutter.radius() + cell;
         let [across, up] = self.below.range(radius, corner, width, [BLOCKS as u32; 2]);
-        let mut spans = Spans::default();
+        let mut spans = CellSpans::default();
         let mut count = 0;
         for row in up[0]..=up[1] {
             for column in across[0]..=across[1] {
@@ -197,22 +197,22 @@ impl OnTile<'_> {
     }
 
     /// How deep the cutter goes into stock, at least and at most, and where. With the number of cells.
-    pub fn compare(mut self) -> (Contact, u64) {
+    pub fn compare(mut self) -> (ContactDepth, u64) {
         let bounds = self.grid.bounds();
         let (top, bottom) = (bounds.max.z, -bounds.size().z);
         let (cell, corner) = (self.grid.resolution(), self.grid.corner(self.number));
-        let mut deepest = Contact::NONE;
+        let mut deepest = ContactDepth::NONE;
         let count = self.each(false, |on, place, spans| {
             let [outer, inner] = on.tile.heights(place);
             let column = on.tile.gaps().of(place);
             let [surely, maybe] =
                 column.map_or([&[][..]; 2], |column| [&column.surely[..], &column.maybe[..]]);
-            let depth = |solid: Solid<'_>, spans: &[Span]| {
-                let of = |span: &Span| solid.within(bottom, [span.floor, span.top]);
+            let depth = |solid: SolidColumn<'_>, spans: &[RemovedSpan]| {
+                let of = |span: &RemovedSpan| solid.within(bottom, [span.floor, span.top]);
                 spans.iter().map(of).fold(0.0, f64::max)
             };
-            let most = depth(Solid { height: outer, gaps: surely }, &spans.maybe);
-            let least = depth(Solid { height: inner, gaps: maybe }, &spans.surely);
+            let most = depth(SolidColumn { height: outer, gaps: surely }, &spans.maybe);
+            let least = depth(SolidColumn { height: inner, gaps: maybe }, &spans.surely);
             deepest.least = deepest.least.max(least);
             if most > deepest.most {
                 let [block, at] = place;

@@ -7,22 +7,22 @@
 use wide::{CmpEq, f32x4};
 
 use super::grid::{BLOCK, LANES};
-use crate::sweep::lanes::{Course, LOWER, NOTHING, PLAIN, UPPER};
-use crate::sweep::shape::Shape;
+use crate::sweep::lanes::{LOWER, NOTHING, PLAIN, TileCourse, UPPER};
+use crate::sweep::shape::PartKind;
 
 /// Groups of four cells in a row of a block.
 const GROUPS_OF_ROW: usize = BLOCK / LANES;
 
 /// Some cells of a block: from a column and a row, so many groups of four columns, so many rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Part {
+pub(crate) struct BlockPart {
     pub column: usize,
     pub row: usize,
     pub groups: usize,
     pub rows: usize,
 }
 
-impl Part {
+impl BlockPart {
     /// Number of its cells.
     pub fn cells(&self) -> usize {
         self.groups * LANES * self.rows
@@ -56,11 +56,11 @@ fn load(from: &[f32; STRIDE * STRIDE], at: usize) -> f32x4 {
 /// above `hi` and not below `lo`, and what it is in the middle of each cell. `corner`: the block's, in cells of the tile. `lowest`: the least height of
 /// the part of the cutter on the block.
 #[inline(always)]
-pub(crate) fn certified<const LEVEL: bool, S: Shape>(
-    course: &Course,
+pub(crate) fn certified<const LEVEL: bool, S: PartKind>(
+    course: &TileCourse,
     shape: &S,
     corner: [f32; 2],
-    part: &Part,
+    part: &BlockPart,
     lowest: f32,
     mut put: impl FnMut(usize, f32x4, f32x4, f32x4),
 ) {
@@ -121,11 +121,11 @@ pub(crate) fn certified<const LEVEL: bool, S: Shape>(
 
 /// As [`certified`], with the floor at the middle of each cell.
 #[inline(always)]
-pub(crate) fn sampled<const LEVEL: bool, S: Shape>(
-    course: &Course,
+pub(crate) fn sampled<const LEVEL: bool, S: PartKind>(
+    course: &TileCourse,
     shape: &S,
     corner: [f32; 2],
-    part: &Part,
+    part: &BlockPart,
     mut put: impl FnMut(usize, f32x4),
 ) {
     let (x, y) = (corner[0] + part.column as f32 + 0.5, corner[1] + part.row as f32 + 0.5);

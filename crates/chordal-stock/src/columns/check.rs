@@ -4,80 +4,84 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use chordal_geometry::Aabb;
 
-use super::heights::{Hollows, Lower};
-use super::plan::Task;
-use super::{AT_ONCE, Contact, Found, Job, Options, Stock, StockError, Touch};
-use crate::sweep::Move;
+use super::heights::{CellCeiling, CellHollows};
+use super::plan::StockTask;
+use super::{
+    AT_ONCE, ColumnOptions, ColumnStock, ContactDepth, JobResult, StockError, TileJob, TouchAnswer,
+};
+use crate::sweep::TipMove;
 
 /// A program of tasks on a stock that is at its beginning.
 #[derive(Clone, Copy)]
-pub struct Check<'a> {
+pub struct StockCheck<'a> {
     /// The box of the stock, mm.
     pub bounds: Aabb,
     /// How coarse it begins.
-    pub options: Options,
-    /// The stock's shape: see [`Stock::shaped`].
+    pub options: ColumnOptions,
+    /// The stock's shape: see [`ColumnStock::shaped`].
     pub heights: &'a dyn Fn([f64; 2], [f64; 2]) -> [f64; 2],
-    /// Where it is hollow below its tops: see [`Stock::hollow`].
-    pub hollows: Option<&'a Hollows<'a>>,
+    /// Where it is hollow below its tops: see [`ColumnStock::hollow`].
+    pub hollows: Option<&'a CellHollows<'a>>,
     /// What is done, in this order.
-    pub tasks: &'a [Task<'a>],
-    /// What else is gone before some tasks, by their numbers: see [`Stock::lower`].
-    pub lowered: &'a [(usize, &'a Lower<'a>)],
-    /// Bodies may reach so deep into stock, mm: see [`Contact::touch`].
+    pub tasks: &'a [StockTask<'a>],
+    /// What else is gone before some tasks, by their numbers: see [`ColumnStock::lower`].
+    pub lowered: &'a [(usize, &'a CellCeiling<'a>)],
+    /// Bodies may reach so deep into stock, mm: see [`ContactDepth::touch`].
     pub tolerance: f64,
     /// Cells are not made smaller than this, mm.
     pub finest: f64,
 }
 
 /// Runs all of some jobs.
-pub type Runner<'a> = dyn Fn(Vec<Job<'_>>) -> Vec<Found> + 'a;
+pub type JobRunner<'a> = dyn Fn(Vec<TileJob<'_>>) -> Vec<JobResult> + 'a;
 
 /// What a check found.
 #[derive(Clone, Debug)]
-pub struct Checked {
+pub struct CheckedStock {
     /// The stock at the end, as coarse as it began.
-    pub stock: Stock,
+    pub stock: ColumnStock,
     /// For each task, each of its bodies, each move. A contact that is undecided for the tolerance is so at the
     /// finest cells.
-    pub contacts: Vec<Vec<Vec<Contact>>>,
+    pub contacts: Vec<Vec<Vec<ContactDepth>>>,
     /// Tiles that were done again, each in four, at any size.
     pub refined: usize,
 }
 
 /// A question: a task, a body and a move of it.
-type Question = (usize, u32, u32);
+type ContactQuestion = (usize, u32, u32);
 
 /// The questions that a tile leaves open, with what it knows.
-type Open = BTreeMap<usize, BTreeMap<Question, Contact>>;
+type OpenQuestions = BTreeMap<usize, BTreeMap<ContactQuestion, ContactDepth>>;
 
 /// What happens on a part of the stock: moves of each task, with their numbers in it.
-struct Part {
+struct RefinedRegion {
     bounds: Aabb,
     resolution: f64,
-    moves: Vec<Vec<Move>>,
+    moves: Vec<Vec<TipMove>>,
     numbers: Vec<Vec<u32>>,
-    asked: BTreeSet<Question>,
+    asked: BTreeSet<ContactQuestion>,
 }
 
-impl Check<'_> {
+impl StockCheck<'_> {
     /// Runs the tasks, and again on tiles with questions that cells are too coarse for.
     ///
     /// # Errors
-    /// As [`Stock::new`].
-    pub fn run(&self) -> Result<Checked, StockError> {
-        self.run_by(&|jobs| jobs.into_iter().map(Job::run).collect())
+    /// As [`ColumnStock::new`].
+    pub fn run(&self) -> Result<CheckedStock, StockError> {
+        self.run_by(&|jobs| jobs.into_iter().map(TileJob::run).collect())
     }
 
-    /// As [`Check::run`], with a function that runs all of some jobs, in any order and on any threads.
+    /// As [`StockCheck::run`], with a function that runs all of some jobs, in any order and on any threads.
     ///
     /// # Errors
-    /// As [`Stock::new`].
-    pub fn run_by(&self, runner: &Runner<'_>) -> Result<Checked, StockError> {
+    /// As [`ColumnStock::new`].
+    pub fn run_by(&self, runner: &JobRunner<'_>) -> Result<CheckedStock, StockError> {
         let mut stock = self.begin(self.bounds, self.options)?;
-        let none = |task: &Task<'_>| vec![vec![Contact::NONE; task.moves.len()]; task.bodies.len()];
-        let mut contacts: Vec<Vec<Vec<Contact>>> = self.tasks.iter().map(none).collect();
-        let mut open = Open::new();
+        let none = |task: &StockTask<'_>| {
+            vec![vec![ContactDepth::NONE; task.moves.len()]; task.bodies.len()]
+        };
+        let mut contacts: Vec<Vec<Vec<ContactDepth>>> = self.tasks.iter().map(none).collect();
+        let mut open = OpenQuestions::new();
         for (number, task) in self.tasks.iter().enumerate() {
             self.lower(&mut stock, number);
             for (first, task) in chunks(*task) {
@@ -97,18 +101,18 @@ impl Check<'_> {
             }
         }
         self.answered(&mut open, &mut contacts);
-        let moves: Vec<&[Move]> = self.tasks.iter().map(|task| task.moves).collect();
+        let moves: Vec<&[TipMove]> = self.tasks.iter().map(|task| task.moves).collect();
         let parts = self.parts(&stock, &moves, None, open);
         let mut refined = 0;
         for part in parts {
             refined += self.again(part, runner, &mut contacts)?;
         }
-        Ok(Checked { stock, contacts, refined })
+        Ok(CheckedStock { stock, contacts, refined })
     }
 
     /// The stock in a box before everything.
-    fn begin(&self, bounds: Aabb, options: Options) -> Result<Stock, StockError> {
-        let mut stock = Stock::shaped(bounds, options, self.heights)?;
+    fn begin(&self, bounds: Aabb, options: ColumnOptions) -> Result<ColumnStock, StockError> {
+        let mut stock = ColumnStock::shaped(bounds, options, self.heights)?;
         if let Some(hollows) = self.hollows {
             stock.hollow(hollows);
         }
@@ -116,7 +120,7 @@ impl Check<'_> {
     }
 
     /// Takes what else is gone before a task.
-    fn lower(&self, stock: &mut Stock, task: usize) {
+    fn lower(&self, stock: &mut ColumnStock, task: usize) {
         for (_, lower) in self.lowered.iter().filter(|(before, _)| *before == task) {
             stock.lower(lower);
         }
@@ -127,14 +131,15 @@ impl Check<'_> {
         &self,
         resolution: f64,
         tile: usize,
-        found: impl Iterator<Item = (Question, Contact)>,
-        open: &mut Open,
-        contacts: &mut [Vec<Vec<Contact>>],
+        found: impl Iterator<Item = (ContactQuestion, ContactDepth)>,
+        open: &mut OpenQuestions,
+        contacts: &mut [Vec<Vec<ContactDepth>>],
     ) {
         for (question, contact) in found {
-            let undecided = matches!(contact.touch(self.tolerance), Touch::Undecided { .. });
+            let undecided = matches!(contact.touch(self.tolerance), TouchAnswer::Undecided { .. });
             if undecided && resolution / 2.0 >= self.finest {
-                let known = open.entry(tile).or_default().entry(question).or_insert(Contact::NONE);
+                let known =
+                    open.entry(tile).or_default().entry(question).or_insert(ContactDepth::NONE);
                 *known = known.deeper(contact);
             } else {
                 settle(question, contact, contacts);
@@ -143,12 +148,12 @@ impl Check<'_> {
     }
 
     /// Settles open questions that another tile has answered: the body surely touches there.
-    fn answered(&self, open: &mut Open, contacts: &mut [Vec<Vec<Contact>>]) {
+    fn answered(&self, open: &mut OpenQuestions, contacts: &mut [Vec<Vec<ContactDepth>>]) {
         open.retain(|_, questions| {
             questions.retain(|&question, &mut contact| {
                 let (task, body, number) = question;
                 let known = contacts[task][body as usize][number as usize];
-                let hit = matches!(known.touch(self.tolerance), Touch::Hit { .. });
+                let hit = matches!(known.touch(self.tolerance), TouchAnswer::Hit { .. });
                 if hit {
                     settle(question, contact, contacts);
                 }
@@ -161,25 +166,25 @@ impl Check<'_> {
     /// The tiles with open questions, each with the moves that meet it up to its last question.
     fn parts(
         &self,
-        stock: &Stock,
-        moves: &[&[Move]],
+        stock: &ColumnStock,
+        moves: &[&[TipMove]],
         numbers: Option<&[Vec<u32>]>,
-        open: Open,
-    ) -> Vec<Part> {
+        open: OpenQuestions,
+    ) -> Vec<RefinedRegion> {
         let tasks = self.tasks.len();
-        let mut parts: BTreeMap<usize, Part> = BTreeMap::new();
+        let mut parts: BTreeMap<usize, RefinedRegion> = BTreeMap::new();
         for (tile, asked) in open {
             let (bounds, resolution) =
                 (stock.grid().box_of(tile), stock.options().resolution / 2.0);
             let (moves, numbers) = (vec![Vec::new(); tasks], vec![Vec::new(); tasks]);
             let asked = asked.into_keys().collect();
-            parts.insert(tile, Part { bounds, resolution, moves, numbers, asked });
+            parts.insert(tile, RefinedRegion { bounds, resolution, moves, numbers, asked });
         }
         if parts.is_empty() {
             return Vec::new();
         }
         for (number, task) in self.tasks.iter().enumerate() {
-            for (first, task) in chunks(Task { moves: moves[number], ..*task }) {
+            for (first, task) in chunks(StockTask { moves: moves[number], ..*task }) {
                 let plan = stock.plan(&task);
                 for (tile, todo) in plan.tiles() {
                     let Some(part) = parts.get_mut(&tile) else { continue };
@@ -203,14 +208,18 @@ impl Check<'_> {
     /// Runs a part at its resolution, and what stays open again.
     fn again(
         &self,
-        part: Part,
-        runner: &Runner<'_>,
-        contacts: &mut [Vec<Vec<Contact>>],
+        part: RefinedRegion,
+        runner: &JobRunner<'_>,
+        contacts: &mut [Vec<Vec<ContactDepth>>],
     ) -> Result<usize, StockError> {
-        let options =
-            Options { resolution: part.resolution, middles: false, by_tag: false, ..self.options };
+        let options = ColumnOptions {
+            resolution: part.resolution,
+            middles: false,
+            by_tag: false,
+            ..self.options
+        };
         let mut stock = self.begin(part.bounds, options)?;
-        let mut open = Open::new();
+        let mut open = OpenQuestions::new();
         for (number, task) in self.tasks.iter().enumerate() {
             self.lower(&mut stock, number);
             let of_task = &part.numbers[number];
@@ -219,7 +228,7 @@ impl Check<'_> {
                 part.asked.range((number, 0, 0)..(number + 1, 0, 0)).any(|asked| asked.2 == of_task)
             };
             let asked: Vec<u32> = (0..of_task.len() as u32).filter(is_asked).collect();
-            let task = Task { moves: &part.moves[number], asked: Some(&asked), ..*task };
+            let task = StockTask { moves: &part.moves[number], asked: Some(&asked), ..*task };
             for (first, task) in chunks(task) {
                 for found in run(&mut stock, &task, runner) {
                     let questions = found.contacts.iter().filter_map(|&(body, at, contact)| {
@@ -231,7 +240,7 @@ impl Check<'_> {
             }
         }
         self.answered(&mut open, contacts);
-        let moves: Vec<&[Move]> = part.moves.iter().map(Vec::as_slice).collect();
+        let moves: Vec<&[TipMove]> = part.moves.iter().map(Vec::as_slice).collect();
         let mut refined = 1;
         for finer in self.parts(&stock, &moves, Some(&part.numbers), open) {
             refined += self.again(finer, runner, contacts)?;
@@ -240,21 +249,25 @@ impl Check<'_> {
     }
 }
 
-fn settle((task, body, number): Question, contact: Contact, contacts: &mut [Vec<Vec<Contact>>]) {
+fn settle(
+    (task, body, number): ContactQuestion,
+    contact: ContactDepth,
+    contacts: &mut [Vec<Vec<ContactDepth>>],
+) {
     let known = &mut contacts[task][body as usize][number as usize];
     *known = known.deeper(contact);
 }
 
-fn run(stock: &mut Stock, task: &Task<'_>, runner: &Runner<'_>) -> Vec<Found> {
+fn run(stock: &mut ColumnStock, task: &StockTask<'_>, runner: &JobRunner<'_>) -> Vec<JobResult> {
     let plan = stock.plan(task);
     runner(stock.jobs(&plan))
 }
 
 /// A task in parts of so many moves as are planned at once, each with the number of its first move.
-pub(crate) fn chunks(task: Task<'_>) -> impl Iterator<Item = (u32, Task<'_>)> {
+pub(crate) fn chunks(task: StockTask<'_>) -> impl Iterator<Item = (u32, StockTask<'_>)> {
     let some = task.moves.chunks(AT_ONCE).enumerate();
     some.map(move |(n, moves)| {
         let first = (n * AT_ONCE) as u32;
-        (first, Task { moves, first, ..task })
+        (first, StockTask { moves, first, ..task })
     })
 }

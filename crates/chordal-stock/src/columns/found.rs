@@ -1,10 +1,10 @@
 //! What jobs find besides lower columns.
 
-use super::Contact;
+use super::ContactDepth;
 
 /// What was looked at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
+pub struct ColumnCounts {
     /// Columns whose floor was found, each time it was.
     pub columns: u64,
     /// Blocks that were compared with a piece of the path.
@@ -13,9 +13,9 @@ pub struct Counts {
     pub even: u64,
 }
 
-impl Counts {
-    pub(crate) fn plus(self, other: Counts) -> Counts {
-        Counts {
+impl ColumnCounts {
+    pub(crate) fn plus(self, other: ColumnCounts) -> ColumnCounts {
+        ColumnCounts {
             columns: self.columns + other.columns,
             blocks: self.blocks + other.blocks,
             even: self.even + other.even,
@@ -25,10 +25,10 @@ impl Counts {
 
 /// What a job found.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Found {
+pub struct JobResult {
     pub(crate) tile: usize,
     /// What was looked at.
-    pub counts: Counts,
+    pub counts: ColumnCounts,
     /// Body, move, and how deep the one touches on the other on this tile.
-    pub(crate) contacts: Vec<(u32, u32, Contact)>,
+    pub(crate) contacts: Vec<(u32, u32, ContactDepth)>,
 }

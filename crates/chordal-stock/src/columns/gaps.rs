@@ -8,23 +8,23 @@ use std::collections::BTreeMap;
 
 use super::grid::{BLOCKS, CELLS};
 use super::heights::{round_down, round_up};
-use crate::Span;
+use crate::RemovedSpan;
 
 /// A gap from its floor to its top, from the stock's top, mm.
-pub(crate) type Gap = [f32; 2];
+pub(crate) type ColumnGap = [f32; 2];
 
 /// The gaps of a column from below, none of which touch each other or the height.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Column {
+pub(crate) struct ColumnGaps {
     /// Surely no stock.
-    pub surely: Vec<Gap>,
+    pub surely: Vec<ColumnGap>,
     /// Where there may be none.
-    pub maybe: Vec<Gap>,
+    pub maybe: Vec<ColumnGap>,
     /// Where there is none in the middle of the cell, where that is kept.
-    pub middle: Vec<Gap>,
+    pub middle: Vec<ColumnGap>,
 }
 
-impl Column {
+impl ColumnGaps {
     fn is_empty(&self) -> bool {
         self.count() == 0
     }
@@ -36,8 +36,8 @@ impl Column {
 
 /// The gaps of the columns of a tile, by block and cell.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Gaps {
-    columns: BTreeMap<u16, Column>,
+pub(crate) struct TileGaps {
+    columns: BTreeMap<u16, ColumnGaps>,
     /// Blocks with a column that has gaps.
     blocks: u64,
     /// By block, no gap of it reaches higher, mm; empty without any.
@@ -47,14 +47,14 @@ pub(crate) struct Gaps {
 }
 
 /// Bytes of a column in the table, about, and of a gap.
-const COLUMN_BYTES: usize = size_of::<Column>() + 2 * size_of::<u64>();
-const GAP_BYTES: usize = size_of::<Gap>();
+const COLUMN_BYTES: usize = size_of::<ColumnGaps>() + 2 * size_of::<u64>();
+const GAP_BYTES: usize = size_of::<ColumnGap>();
 
 fn key([block, cell]: [usize; 2]) -> u16 {
     (block * CELLS + cell) as u16
 }
 
-impl Gaps {
+impl TileGaps {
     pub fn bytes(&self) -> usize {
         self.columns.len() * COLUMN_BYTES + self.count * GAP_BYTES
     }
@@ -73,12 +73,12 @@ impl Gaps {
         self.columns.is_empty()
     }
 
-    pub fn of(&self, place: [usize; 2]) -> Option<&Column> {
+    pub fn of(&self, place: [usize; 2]) -> Option<&ColumnGaps> {
         if self.is_in(place[0]) { self.columns.get(&key(place)) } else { None }
     }
 
     /// The columns of a block with gaps, by cell.
-    pub fn of_block(&self, block: usize) -> impl Iterator<Item = (usize, &Column)> {
+    pub fn of_block(&self, block: usize) -> impl Iterator<Item = (usize, &ColumnGaps)> {
         let range = if self.is_in(block) { key([block, 0])..key([block, CELLS]) } else { 0..0 };
         self.columns
             .range(range)
@@ -91,7 +91,7 @@ impl Gaps {
     pub fn add(
         &mut self,
         place: [usize; 2],
-        [surely, maybe, middle]: [&[Span]; 3],
+        [surely, maybe, middle]: [&[RemovedSpan]; 3],
         heights: [f32; 3],
         bottom: f32,
         limit: usize,
@@ -126,7 +126,7 @@ impl Gaps {
     fn put(
         &mut self,
         place: [usize; 2],
-        mut column: Column,
+        mut column: ColumnGaps,
         [outer, inner, middle]: [f32; 3],
     ) -> [f32; 3] {
         let outer = come_to_light(&mut column.surely, outer);
@@ -154,7 +154,7 @@ impl Gaps {
 }
 
 /// Adds a gap, and joins it with those that it touches.
-fn insert(gaps: &mut Vec<Gap>, [mut floor, mut top]: Gap) {
+fn insert(gaps: &mut Vec<ColumnGap>, [mut floor, mut top]: ColumnGap) {
     if floor >= top {
         return;
     }
@@ -170,7 +170,7 @@ fn insert(gaps: &mut Vec<Gap>, [mut floor, mut top]: Gap) {
 }
 
 /// Gaps that reach the height, or are above it, are none; the height after that.
-fn come_to_light(gaps: &mut Vec<Gap>, mut height: f32) -> f32 {
+fn come_to_light(gaps: &mut Vec<ColumnGap>, mut height: f32) -> f32 {
     while let Some(&[floor, top]) = gaps.last() {
         if top < height {
             break;
@@ -182,22 +182,22 @@ fn come_to_light(gaps: &mut Vec<Gap>, mut height: f32) -> f32 {
 }
 
 /// How much of a column from the bottom to a height is left beside gaps, mm.
-pub(crate) fn solid(height: f32, bottom: f64, gaps: &[Gap]) -> f64 {
+pub(crate) fn solid(height: f32, bottom: f64, gaps: &[ColumnGap]) -> f64 {
     (f64::from(height) - bottom).max(0.0) - gaps.iter().map(length).sum::<f64>()
 }
 
-fn length([floor, top]: &Gap) -> f64 {
+fn length([floor, top]: &ColumnGap) -> f64 {
     (f64::from(*top) - f64::from(*floor)).max(0.0)
 }
 
 /// A column as stretches of stock from below: its height with gaps.
 #[derive(Clone, Copy)]
-pub(crate) struct Solid<'a> {
+pub(crate) struct SolidColumn<'a> {
     pub height: f32,
-    pub gaps: &'a [Gap],
+    pub gaps: &'a [ColumnGap],
 }
 
-impl Solid<'_> {
+impl SolidColumn<'_> {
     /// Its stretches from a bottom on.
     fn stretches(&self, bottom: f64) -> impl Iterator<Item = [f64; 2]> {
         let floors = core::iter::once(bottom).chain(self.gaps.iter().map(|gap| f64::from(gap[1])));
@@ -212,7 +212,7 @@ impl Solid<'_> {
     }
 
     /// How much of it is not in another one, mm.
-    pub fn without(&self, other: &Solid<'_>, bottom: f64) -> f64 {
+    pub fn without(&self, other: &SolidColumn<'_>, bottom: f64) -> f64 {
         let own = self.stretches(bottom);
         own.map(|part| (part[1] - part[0]).max(0.0) - other.within(bottom, part)).sum()
     }
@@ -225,16 +225,16 @@ mod tests {
     const PLACE: [usize; 2] = [3, 17];
     const ALL: usize = 1 << 20;
 
-    fn span(floor: f64, top: f64) -> Span {
-        Span { floor, top }
+    fn span(floor: f64, top: f64) -> RemovedSpan {
+        RemovedSpan { floor, top }
     }
 
     #[test]
     fn gaps_join_and_come_to_light() {
-        let mut gaps = Gaps::default();
-        let all = |spans: &'static [Span]| [spans, spans, spans];
-        static LOW: [Span; 1] = [Span { floor: -12.0, top: -8.0 }];
-        static NEXT: [Span; 1] = [Span { floor: -8.0, top: -7.0 }];
+        let mut gaps = TileGaps::default();
+        let all = |spans: &'static [RemovedSpan]| [spans, spans, spans];
+        static LOW: [RemovedSpan; 1] = [RemovedSpan { floor: -12.0, top: -8.0 }];
+        static NEXT: [RemovedSpan; 1] = [RemovedSpan { floor: -8.0, top: -7.0 }];
         assert_eq!(gaps.add(PLACE, all(&LOW), [0.0; 3], -20.0, ALL), [0.0; 3]);
         assert_eq!(gaps.add(PLACE, all(&NEXT), [0.0; 3], -20.0, ALL), [0.0; 3]);
         assert_eq!(gaps.of(PLACE).unwrap().surely, [[-12.0, -7.0]]);
@@ -247,7 +247,7 @@ mod tests {
 
     #[test]
     fn a_column_without_room_for_gaps_has_wider_bounds() {
-        let mut gaps = Gaps::default();
+        let mut gaps = TileGaps::default();
         let spans = [span(-12.0, -8.0)];
         assert_eq!(gaps.add(PLACE, [&spans; 3], [0.0; 3], -20.0, 0), [0.0, -12.0, 0.0]);
         assert!(gaps.is_empty());
@@ -256,9 +256,9 @@ mod tests {
     #[test]
     fn what_is_left_of_columns() {
         let gaps = [[-12.0, -8.0], [-4.0, -3.0]];
-        let column = Solid { height: -1.0, gaps: &gaps };
+        let column = SolidColumn { height: -1.0, gaps: &gaps };
         assert_eq!(solid(-1.0, -20.0, &gaps), 14.0);
         assert_eq!(column.within(-20.0, [-9.0, -3.5]), 4.0);
-        assert_eq!(column.without(&Solid { height: -8.0, gaps: &[] }, -20.0), 6.0);
+        assert_eq!(column.without(&SolidColumn { height: -8.0, gaps: &[] }, -20.0), 6.0);
     }
 }

@@ -21,7 +21,7 @@ pub(crate) const GROUPS: usize = CELLS / LANES;
 
 /// The cells of a stock.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Grid {
+pub struct StockGrid {
     bounds: Aabb,
     resolution: f64,
     cells: [u32; 2],
@@ -35,11 +35,16 @@ pub(crate) fn count(length: f64, resolution: f64) -> f64 {
     (length / resolution - ROUNDING).ceil().max(1.0)
 }
 
-impl Grid {
-    pub(crate) fn new(bounds: Aabb, resolution: f64) -> Grid {
+impl StockGrid {
+    pub(crate) fn new(bounds: Aabb, resolution: f64) -> StockGrid {
         let size = bounds.size();
         let cells = [size.x, size.y].map(|length| count(length, resolution) as u32);
-        Grid { bounds, resolution, cells, tiles: cells.map(|cells| cells.div_ceil(TILE as u32)) }
+        StockGrid {
+            bounds,
+            resolution,
+            cells,
+            tiles: cells.map(|cells| cells.div_ceil(TILE as u32)),
+        }
     }
 
     /// The box of the stock, mm.

@@ -3,43 +3,43 @@
 use wide::{CmpGt, f32x4};
 
 use super::below::OnTile;
-use super::block::{Part, certified, sampled};
-use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, Grid, LANES, TILE};
-use super::heights::{Range, bottom};
-use super::plan::{Action, Step};
-use super::recorder::{Lowered, Recorder};
-use super::tile::Tile;
-use super::{Contact, Found, Mode, Options, Plan};
-use crate::sweep::lanes::{Course, Place};
-use crate::sweep::shape::{AnyShape, Shape};
+use super::block::{BlockPart, certified, sampled};
+use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, LANES, StockGrid, TILE};
+use super::heights::{HeightRange, bottom};
+use super::plan::{PlanStep, StepAction};
+use super::recorder::{LoweredColumn, TileRecorder};
+use super::tile::StockTile;
+use super::{ColumnOptions, ContactDepth, JobResult, Mode, StockPlan};
+use crate::sweep::lanes::{CourseFrame, TileCourse};
+use crate::sweep::shape::{AnyShape, PartKind};
 use crate::sweep::strip::across;
-use crate::sweep::{Part as CutterPart, Piece};
+use crate::sweep::{BodyPart as CutterPart, SweepPiece};
 
 /// The steps of a plan on one tile.
 #[derive(Debug)]
-pub struct Job<'a> {
-    pub(crate) grid: &'a Grid,
-    pub(crate) options: &'a Options,
+pub struct TileJob<'a> {
+    pub(crate) grid: &'a StockGrid,
+    pub(crate) options: &'a ColumnOptions,
     pub(crate) number: usize,
-    pub(crate) tile: &'a mut Tile,
-    pub(crate) plan: &'a Plan,
+    pub(crate) tile: &'a mut StockTile,
+    pub(crate) plan: &'a StockPlan,
     pub(crate) todo: &'a [(u32, u32)],
 }
 
-impl Job<'_> {
+impl TileJob<'_> {
     /// Does the steps, in the order of the program.
-    pub fn run(self) -> Found {
+    pub fn run(self) -> JobResult {
         self.run_with(None).0
     }
 
-    /// As [`Job::run`], and says which columns were lowered; `shares`: those of the plan's pieces.
-    pub(crate) fn run_recording(self, shares: &[[f32; 2]]) -> (Found, Vec<Lowered>) {
+    /// As [`TileJob::run`], and says which columns were lowered; `shares`: those of the plan's pieces.
+    pub(crate) fn run_recording(self, shares: &[[f32; 2]]) -> (JobResult, Vec<LoweredColumn>) {
         self.run_with(Some(shares))
     }
 
-    fn run_with(self, shares: Option<&[[f32; 2]]>) -> (Found, Vec<Lowered>) {
+    fn run_with(self, shares: Option<&[[f32; 2]]>) -> (JobResult, Vec<LoweredColumn>) {
         let bounds = self.grid.bounds();
-        let place = Place {
+        let place = CourseFrame {
             corner: self.grid.corner(self.number),
             cell: self.grid.resolution(),
             cells: TILE as u32,
@@ -49,7 +49,7 @@ impl Job<'_> {
         let [columns, rows] = self.grid.cells();
         let [column, row] = self.grid.first_cell(self.number);
         let within = [columns - column, rows - row].map(|cells| (cells as usize).min(TILE));
-        let mut run = Run {
+        let mut run = TileRun {
             grid: self.grid,
             number: self.number,
             tile: self.tile,
@@ -60,12 +60,12 @@ impl Job<'_> {
             place,
             within,
             bottom: bottom(self.grid),
-            found: Found { tile: self.number, ..Found::default() },
+            found: JobResult { tile: self.number, ..JobResult::default() },
             contact: None,
             only_inner: false,
             recorder: shares.map(|shares| {
                 let corner = self.grid.corner(self.number);
-                Recorder::new(shares, [column, row], columns, corner, self.grid.resolution())
+                TileRecorder::new(shares, [column, row], columns, corner, self.grid.resolution())
             }),
         };
         for &(_, step) in self.todo {
@@ -76,39 +76,39 @@ impl Job<'_> {
     }
 }
 
-struct Run<'a> {
-    grid: &'a Grid,
+struct TileRun<'a> {
+    grid: &'a StockGrid,
     number: usize,
-    tile: &'a mut Tile,
+    tile: &'a mut StockTile,
     mode: Mode,
     /// Whether the heights in the middles of cells are kept.
     keeps_middles: bool,
     by_tag: bool,
     /// Bytes that the gaps of the tile may take.
     limit: usize,
-    place: Place,
+    place: CourseFrame,
     /// Cells of the tile inside the stock's box, along X and Y.
     within: [usize; 2],
     bottom: f32,
-    found: Found,
+    found: JobResult,
     /// The deepest place of the step, where it compares.
-    contact: Option<Deepest>,
+    contact: Option<DeepestReach>,
     /// Only what is surely left is lowered by the step.
     only_inner: bool,
-    recorder: Option<Recorder<'a>>,
+    recorder: Option<TileRecorder<'a>>,
 }
 
 /// Where a body reaches deepest into the tile.
 #[derive(Clone, Copy, Debug)]
-struct Deepest {
+struct DeepestReach {
     least: f32,
     most: f32,
     cell: [usize; 2],
     top: f32,
 }
 
-impl Run<'_> {
-    fn step(&mut self, plan: &Plan, step: &Step) {
+impl TileRun<'_> {
+    fn step(&mut self, plan: &StockPlan, step: &PlanStep) {
         if step.action.is_below() {
             self.below(plan, step);
             return;
@@ -117,7 +117,7 @@ impl Run<'_> {
         if !step.action.is_cut() {
             piece = piece.alone();
         }
-        self.only_inner = step.action == Action::CutMost;
+        self.only_inner = step.action == StepAction::CutMost;
         if self.only_inner && self.mode == Mode::Sampled {
             return;
         }
@@ -131,27 +131,30 @@ impl Run<'_> {
         if let Some(recorder) = &mut self.recorder {
             recorder.begin(piece, step.piece);
         }
-        let course = Course::new(piece, part, &self.place);
+        let course = TileCourse::new(piece, part, &self.place);
         self.contact = match step.action {
-            Action::Compare(_) | Action::CompareMost(_) => {
-                Some(Deepest { least: 0.0, most: 0.0, cell: [0; 2], top: 0.0 })
+            StepAction::Compare(_) | StepAction::CompareMost(_) => {
+                Some(DeepestReach { least: 0.0, most: 0.0, cell: [0; 2], top: 0.0 })
             }
-            Action::Cut | Action::CutMost | Action::CutBelow | Action::CompareBelow(_) => None,
+            StepAction::Cut
+            | StepAction::CutMost
+            | StepAction::CutBelow
+            | StepAction::CompareBelow(_) => None,
         };
         self.shapes(piece, part, step, &course);
-        let (Action::Compare(body) | Action::CompareMost(body), Some(mut deepest)) =
+        let (StepAction::Compare(body) | StepAction::CompareMost(body), Some(mut deepest)) =
             (step.action, self.contact)
         else {
             return;
         };
-        if step.action == Action::CompareMost(body) {
+        if step.action == StepAction::CompareMost(body) {
             deepest.least = 0.0;
         }
         if deepest.most > 0.0 {
             let [x, y] = [0, 1].map(|axis| {
                 self.place.corner[axis] + self.place.cell * (deepest.cell[axis] as f64 + 0.5)
             });
-            let contact = Contact {
+            let contact = ContactDepth {
                 least: f64::from(deepest.least),
                 most: f64::from(deepest.most),
                 at: [x, y, self.place.top + f64::from(deepest.top)],
@@ -161,7 +164,7 @@ impl Run<'_> {
     }
 
     /// A whole move of an undercut.
-    fn below(&mut self, plan: &Plan, step: &Step) {
+    fn below(&mut self, plan: &StockPlan, step: &PlanStep) {
         let below = &plan.below[step.piece as usize];
         let on_tile = OnTile {
             grid: self.grid,
@@ -173,7 +176,7 @@ impl Run<'_> {
             keeps_middles: self.keeps_middles,
             limit: self.limit,
         };
-        if let Action::CompareBelow(body) = step.action {
+        if let StepAction::CompareBelow(body) = step.action {
             let (contact, count) = on_tile.compare();
             self.found.counts.columns += count;
             if contact.most > 0.0 {
@@ -185,7 +188,13 @@ impl Run<'_> {
         }
     }
 
-    fn shapes(&mut self, piece: &Piece, part: &CutterPart, step: &Step, course: &Course) {
+    fn shapes(
+        &mut self,
+        piece: &SweepPiece,
+        part: &CutterPart,
+        step: &PlanStep,
+        course: &TileCourse,
+    ) {
         // Neighbours share the cutter: only the slope of the next piece is another.
         let next = AnyShape::new(part, piece.next.map_or(piece.slope, |joint| joint.slope));
         match (AnyShape::new(part, piece.slope), next) {
@@ -204,7 +213,13 @@ impl Run<'_> {
         }
     }
 
-    fn either<S: Shape>(&mut self, piece: &Piece, step: &Step, course: &Course, shapes: [&S; 2]) {
+    fn either<S: PartKind>(
+        &mut self,
+        piece: &SweepPiece,
+        step: &PlanStep,
+        course: &TileCourse,
+        shapes: [&S; 2],
+    ) {
         if piece.slope == 0.0 {
             self.lower::<true, S>(piece, step, course, shapes);
         } else {
@@ -213,11 +228,11 @@ impl Run<'_> {
     }
 
     /// Finds the blocks of the strip and lowers them.
-    fn lower<const LEVEL: bool, S: Shape>(
+    fn lower<const LEVEL: bool, S: PartKind>(
         &mut self,
-        piece: &Piece,
-        step: &Step,
-        course: &Course,
+        piece: &SweepPiece,
+        step: &PlanStep,
+        course: &TileCourse,
         shapes: [&S; 2],
     ) {
         let cell = self.place.cell;
@@ -232,7 +247,7 @@ impl Run<'_> {
             begin[1] + ends[0].max(ends[1]) + sideways,
         ];
         let width = cell * BLOCK as f64;
-        let units = Units::new(piece, cell);
+        let units = BlockUnits::new(piece, cell);
         let [first, last] = between(rows, width, self.within[1].div_ceil(BLOCK));
         for block_row in first..=last {
             let y = f64::from(block_row) * width - begin[1];
@@ -250,12 +265,12 @@ impl Run<'_> {
 
     /// Lowers a part of a block.
     #[inline]
-    fn block<const LEVEL: bool, S: Shape>(
+    fn block<const LEVEL: bool, S: PartKind>(
         &mut self,
-        course: &Course,
+        course: &TileCourse,
         shape: &S,
         block: usize,
-        part: &Part,
+        part: &BlockPart,
         tag: u32,
     ) {
         let corner = corner(block);
@@ -294,12 +309,12 @@ impl Run<'_> {
     }
 
     #[inline]
-    fn lower_block<const LEVEL: bool, S: Shape>(
+    fn lower_block<const LEVEL: bool, S: PartKind>(
         &mut self,
-        course: &Course,
+        course: &TileCourse,
         shape: &S,
         block: usize,
-        part: &Part,
+        part: &BlockPart,
         lowest: f32,
     ) {
         let (corner, range) = (corner(block), self.tile.range(block));
@@ -315,7 +330,7 @@ impl Run<'_> {
                 lower(data, at, floor.fast_max(bottom));
             });
             let outer = ends(data);
-            Range { outer, inner: outer, middle: outer }
+            HeightRange { outer, inner: outer, middle: outer }
         } else {
             let (outer, rest) = data.split_at_mut(GROUPS);
             let (inner, middle) = rest.split_at_mut(GROUPS);
@@ -332,19 +347,19 @@ impl Run<'_> {
             });
             let range = ends(outer);
             let middle = if middle.is_empty() { range } else { ends(middle) };
-            Range { outer: range, inner: ends(inner), middle }
+            HeightRange { outer: range, inner: ends(inner), middle }
         };
         self.tile.close(block, range);
         self.tile.settle_gaps(block);
     }
 
     /// Looks how deep a part of a body reaches into a part of a block.
-    fn compare<const LEVEL: bool, S: Shape>(
+    fn compare<const LEVEL: bool, S: PartKind>(
         &mut self,
-        course: &Course,
+        course: &TileCourse,
         shape: &S,
         block: usize,
-        part: &Part,
+        part: &BlockPart,
         lowest: f32,
     ) {
         let Some(mut deepest) = self.contact else { return };
@@ -375,7 +390,7 @@ impl Run<'_> {
                 }
                 deepest.least = deepest.least.max(least);
                 if most > deepest.most {
-                    deepest = Deepest { most, cell, top: heights.outer[place], ..deepest };
+                    deepest = DeepestReach { most, cell, top: heights.outer[place], ..deepest };
                 }
             }
         };
@@ -395,7 +410,13 @@ impl Run<'_> {
     }
 
     /// Makes a block even, if a level disc covers it and no cell is lower.
-    fn even(&mut self, course: &Course, block: usize, corner: [f32; 2], range: Range) -> bool {
+    fn even(
+        &mut self,
+        course: &TileCourse,
+        block: usize,
+        corner: [f32; 2],
+        range: HeightRange,
+    ) -> bool {
         let side = BLOCK as f32;
         let ends = [(0.0, 0.0), (side, 0.0), (0.0, side), (side, side)]
             .map(|(x, y)| course.at(corner[0] + x, corner[1] + y));
@@ -415,7 +436,7 @@ impl Run<'_> {
             return false;
         }
         self.found.counts.even += 1;
-        self.tile.close(block, Range::uniform(hi, lo, middle));
+        self.tile.close(block, HeightRange::uniform(hi, lo, middle));
         self.tile.settle_gaps(block);
         true
     }
@@ -447,33 +468,33 @@ fn corner(block: usize) -> [f32; 2] {
 }
 
 /// A block in four: squares where the path runs along X, else bands of rows.
-struct Units {
+struct BlockUnits {
     squares: bool,
     /// Half their sizes along the piece and across it, mm.
     half: [f32; 2],
 }
 
-impl Units {
+impl BlockUnits {
     const BAND: f64 = (BLOCK / LANES) as f64;
 
-    fn new(piece: &Piece, cell: f64) -> Units {
+    fn new(piece: &SweepPiece, cell: f64) -> BlockUnits {
         let [ux, uy] = piece.along.map(f64::abs);
         let squares = ux >= uy;
         let (width, height) =
-            if squares { (LANES as f64, LANES as f64) } else { (BLOCK as f64, Units::BAND) };
+            if squares { (LANES as f64, LANES as f64) } else { (BLOCK as f64, BlockUnits::BAND) };
         let (x, y) = (width * cell / 2.0, height * cell / 2.0);
-        Units { squares, half: [(ux * x + uy * y) as f32, (uy * x + ux * y) as f32] }
+        BlockUnits { squares, half: [(ux * x + uy * y) as f32, (uy * x + ux * y) as f32] }
     }
 
     /// The part of a block that the piece may not leave to its neighbours.
     #[inline(always)]
-    fn part<S: Shape>(
+    fn part<S: PartKind>(
         &self,
-        piece: &Piece,
-        course: &Course,
+        piece: &SweepPiece,
+        course: &TileCourse,
         shapes: [&S; 2],
         corner: [f32; 2],
-    ) -> Option<Part> {
+    ) -> Option<BlockPart> {
         let middles = if self.squares {
             [[2.0, 2.0], [6.0, 2.0], [2.0, 6.0], [6.0, 6.0]]
         } else {
@@ -489,7 +510,7 @@ impl Units {
             // By pairs of bits: columns left and right, rows below and above.
             let (left, right) = (taken & 0b0101 != 0, taken & 0b1010 != 0);
             let (low, high) = (taken & 0b0011 != 0, taken & 0b1100 != 0);
-            Part {
+            BlockPart {
                 column: if left { 0 } else { LANES },
                 row: if low { 0 } else { LANES },
                 groups: usize::from(left) + usize::from(right),
@@ -499,7 +520,7 @@ impl Units {
             let band = BLOCK / LANES;
             let first = taken.trailing_zeros() as usize;
             let last = (taken as u32).ilog2() as usize;
-            Part {
+            BlockPart {
                 column: 0,
                 row: first * band,
                 groups: BLOCK / LANES,

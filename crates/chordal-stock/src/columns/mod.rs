@@ -4,8 +4,8 @@
 //! cell; below its *inner* height, down to the bottom, everything on the cell is stock. A cut lowers the
 //! outer height to what it surely removes, and the inner one to what it may remove.
 //!
-//! [`Stock::cut`] does all by itself. A shell with threads makes a [`Plan`] of moves, gets a [`Job`] for each
-//! tile that they meet ([`Stock::jobs`]), and runs these in any order: the result has the same bits.
+//! [`ColumnStock::cut`] does all by itself. A shell with threads makes a [`StockPlan`] of moves, gets a [`TileJob`] for each
+//! tile that they meet ([`ColumnStock::jobs`]), and runs these in any order: the result has the same bits.
 
 mod below;
 mod block;
@@ -24,20 +24,20 @@ mod window;
 
 use chordal_geometry::Aabb;
 
-pub use check::{Check, Checked, Runner};
-pub use found::{Counts, Found};
-pub use grid::Grid;
-pub use heights::{Hollows, Lower};
-pub use job::Job;
-pub use plan::{Plan, Task};
-pub use recorder::Lowered;
-pub use touch::{Contact, Touch};
-pub use volume::{Amount, CellHeights, OTHERS};
-pub(crate) use window::{Ends, Window};
+pub use check::{CheckedStock, JobRunner, StockCheck};
+pub use found::{ColumnCounts, JobResult};
+pub use grid::StockGrid;
+pub use heights::{CellCeiling, CellHollows};
+pub use job::TileJob;
+pub use plan::{StockPlan, StockTask};
+pub use recorder::LoweredColumn;
+pub use touch::{ContactDepth, TouchAnswer};
+pub use volume::{CellHeights, OTHERS, VolumeInterval};
+pub(crate) use window::{HeightWindow, StockLimits};
 
-use crate::sweep::{Body, Move};
-use crate::{Cutter, Span, Undercut};
-use tile::Tile;
+use crate::sweep::{RevolvedBody, TipMove};
+use crate::{CutterProfile, RemovedSpan, Undercut};
+use tile::StockTile;
 
 /// How the heights of cells are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,7 +51,7 @@ pub enum Mode {
 
 /// How fine a stock is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
+pub struct ColumnOptions {
     /// The side of a cell, mm.
     pub resolution: f64,
     /// How heights are found.
@@ -60,7 +60,7 @@ pub struct Options {
     /// the bounds.
     pub chord_share: f64,
     /// Whether the height in the middle of each cell is kept besides the bounds, for surfaces and pictures
-    /// ([`Stock::middles`]): half as much memory again.
+    /// ([`ColumnStock::middles`]): half as much memory again.
     pub middles: bool,
     /// Whether volumes are told apart by the tags of moves: blocks are then kept as they were while the moves
     /// of one tag change them, which may take as much memory again.
@@ -69,9 +69,9 @@ pub struct Options {
     pub budget: u64,
 }
 
-impl Options {
+impl ColumnOptions {
     /// Bytes that the gaps of undercuts may take in a tile: an even share of what the columns leave of the budget.
-    pub(crate) fn gap_bytes(&self, grid: &Grid) -> usize {
+    pub(crate) fn gap_bytes(&self, grid: &StockGrid) -> usize {
         let rest = self.budget as f64 - tile::bytes(grid.bounds(), self.resolution, self);
         (rest.max(0.0) / grid.tiles() as f64) as usize
     }
@@ -83,8 +83,8 @@ impl Options {
 
     /// Certified, curves within a tenth of the resolution (mm), no heights in the middles, no volumes by tag, in a
     /// budget of bytes.
-    pub const fn new(resolution: f64, budget: u64) -> Options {
-        Options {
+    pub const fn new(resolution: f64, budget: u64) -> ColumnOptions {
+        ColumnOptions {
             resolution,
             mode: Mode::Certified,
             chord_share: 0.1,
@@ -138,21 +138,21 @@ const AT_ONCE: usize = 1 << 15;
 
 /// Stock that tools remove.
 #[derive(Clone, Debug)]
-pub struct Stock {
-    grid: Grid,
-    options: Options,
-    tiles: Vec<Tile>,
+pub struct ColumnStock {
+    grid: StockGrid,
+    options: ColumnOptions,
+    tiles: Vec<StockTile>,
     /// The volume at the beginning, mm³.
-    begun: Amount,
+    begun: VolumeInterval,
 }
 
-impl Stock {
+impl ColumnStock {
     /// A full box, mm.
     ///
     /// # Errors
     /// When the box or the options are no use, or the columns do not fit in the budget.
-    pub fn new(bounds: Aabb, options: Options) -> Result<Stock, StockError> {
-        Stock::shaped(bounds, options, |_, _| [bounds.max.z, bounds.max.z])
+    pub fn new(bounds: Aabb, options: ColumnOptions) -> Result<ColumnStock, StockError> {
+        ColumnStock::shaped(bounds, options, |_, _| [bounds.max.z, bounds.max.z])
     }
 
     /// Stock of any shape in a box, mm, by the heights of the cells: for the corners of a cell (least and
@@ -161,12 +161,12 @@ impl Stock {
     /// millionth of a millimetre in the middle, too.
     ///
     /// # Errors
-    /// As [`Stock::new`].
+    /// As [`ColumnStock::new`].
     pub fn shaped(
         bounds: Aabb,
-        options: Options,
+        options: ColumnOptions,
         heights: impl Fn([f64; 2], [f64; 2]) -> [f64; 2],
-    ) -> Result<Stock, StockError> {
+    ) -> Result<ColumnStock, StockError> {
         let positive = |what, value: f64| {
             let right = value > 0.0 && value.is_finite();
             if right { Ok(()) } else { Err(StockError::NotPositive { what, value }) }
@@ -190,27 +190,29 @@ impl Stock {
                 fits: tile::finest(bounds, &options),
             });
         }
-        let grid = Grid::new(bounds, options.resolution);
-        let tiles = (0..grid.tiles()).map(|number| Tile::new(&grid, &options, number, &heights));
-        let mut stock = Stock { tiles: tiles.collect(), grid, options, begun: Amount::default() };
+        let grid = StockGrid::new(bounds, options.resolution);
+        let tiles =
+            (0..grid.tiles()).map(|number| StockTile::new(&grid, &options, number, &heights));
+        let mut stock =
+            ColumnStock { tiles: tiles.collect(), grid, options, begun: VolumeInterval::default() };
         stock.begun = stock.left();
         Ok(stock)
     }
 
     /// The grid of its cells.
-    pub fn grid(&self) -> &Grid {
+    pub fn grid(&self) -> &StockGrid {
         &self.grid
     }
 
     /// How fine it is.
-    pub fn options(&self) -> &Options {
+    pub fn options(&self) -> &ColumnOptions {
         &self.options
     }
 
     /// Removes what a cutter sweeps on its moves, in this order.
-    pub fn cut(&mut self, cutter: &Cutter, moves: &[Move]) -> Counts {
-        let mut counts = Counts::default();
-        let task = Task { cutter: Some(cutter), moves, ..Task::default() };
+    pub fn cut(&mut self, cutter: &CutterProfile, moves: &[TipMove]) -> ColumnCounts {
+        let mut counts = ColumnCounts::default();
+        let task = StockTask { cutter: Some(cutter), moves, ..StockTask::default() };
         for (_, task) in check::chunks(task) {
             counts = self.run(&self.plan(&task)).1.plus(counts);
         }
@@ -218,9 +220,9 @@ impl Stock {
     }
 
     /// Removes what undercuts sweep, each with the height of its lower end above the tip of the moves, mm.
-    pub fn cut_below(&mut self, undercuts: &[(f64, Undercut)], moves: &[Move]) -> Counts {
-        let mut counts = Counts::default();
-        let task = Task { undercuts, moves, ..Task::default() };
+    pub fn cut_below(&mut self, undercuts: &[(f64, Undercut)], moves: &[TipMove]) -> ColumnCounts {
+        let mut counts = ColumnCounts::default();
+        let task = StockTask { undercuts, moves, ..StockTask::default() };
         for (_, task) in check::chunks(task) {
             counts = self.run(&self.plan(&task)).1.plus(counts);
         }
@@ -228,37 +230,37 @@ impl Stock {
     }
 
     /// Takes what a cutter sweeps for what may be removed: what is surely left becomes less, and nothing else.
-    pub fn cut_at_most(&mut self, cutter: &Cutter, moves: &[Move]) {
-        let task = Task { may: Some(cutter), moves, ..Task::default() };
+    pub fn cut_at_most(&mut self, cutter: &CutterProfile, moves: &[TipMove]) {
+        let task = StockTask { may: Some(cutter), moves, ..StockTask::default() };
         for (_, task) in check::chunks(task) {
             self.run(&self.plan(&task));
         }
     }
 
-    /// As [`Stock::cut`], and says which columns were lowered, in the order in which the axis of the tool passes
+    /// As [`ColumnStock::cut`], and says which columns were lowered, in the order in which the axis of the tool passes
     /// them. What columns under the tool lose before that is missing until then: cut the tool where it stands.
-    pub fn cut_telling(&mut self, cutter: &Cutter, moves: &[Move]) -> Vec<Lowered> {
+    pub fn cut_telling(&mut self, cutter: &CutterProfile, moves: &[TipMove]) -> Vec<LoweredColumn> {
         let mut all = Vec::new();
-        let task = Task { cutter: Some(cutter), moves, ..Task::default() };
+        let task = StockTask { cutter: Some(cutter), moves, ..StockTask::default() };
         for (first, task) in check::chunks(task) {
             let plan = self.plan(&task);
             let shares = recorder::shares(&plan.pieces);
             let jobs = self.jobs(&plan).into_iter();
-            let mut lowered: Vec<Lowered> =
+            let mut lowered: Vec<LoweredColumn> =
                 jobs.flat_map(|job| job.run_recording(&shares).1).collect();
             // Stable: what lowers a column twice at one moment stays in its order.
             lowered.sort_by(|a, b| a.number.cmp(&b.number).then(a.share.total_cmp(&b.share)));
-            let numbered = |at: Lowered| Lowered { number: first + at.number, ..at };
+            let numbered = |at: LoweredColumn| LoweredColumn { number: first + at.number, ..at };
             all.extend(lowered.into_iter().map(numbered));
         }
         all
     }
 
     /// How deep a body touches the stock on each of its moves; nothing is removed. A rapid of a cutter, say: with
-    /// [`Body::of_cutter`].
-    pub fn touch(&mut self, body: &Body, moves: &[Move]) -> Vec<Contact> {
+    /// [`RoundBody::of_cutter`].
+    pub fn touch(&mut self, body: &RevolvedBody, moves: &[TipMove]) -> Vec<ContactDepth> {
         let mut contacts = Vec::new();
-        let task = Task { bodies: core::slice::from_ref(body), moves, ..Task::default() };
+        let task = StockTask { bodies: core::slice::from_ref(body), moves, ..StockTask::default() };
         for (_, task) in check::chunks(task) {
             contacts.extend(self.run(&self.plan(&task)).0.into_iter().flatten());
         }
@@ -266,16 +268,16 @@ impl Stock {
     }
 
     /// Removes what a cutter sweeps, and says for each body and each move how deep the body touches what the
-    /// cutter has left until then: the shank, the holder, what is above the edges. `drop`: see [`Task::drop`].
+    /// cutter has left until then: the shank, the holder, what is above the edges. `drop`: see [`StockTask::drop`].
     pub fn cut_watching(
         &mut self,
-        cutter: &Cutter,
-        bodies: &[Body],
-        moves: &[Move],
+        cutter: &CutterProfile,
+        bodies: &[RevolvedBody],
+        moves: &[TipMove],
         drop: f64,
-    ) -> Vec<Vec<Contact>> {
+    ) -> Vec<Vec<ContactDepth>> {
         let mut contacts = vec![Vec::new(); bodies.len()];
-        let task = Task { cutter: Some(cutter), bodies, moves, drop, ..Task::default() };
+        let task = StockTask { cutter: Some(cutter), bodies, moves, drop, ..StockTask::default() };
         for (_, task) in check::chunks(task) {
             let (found, _) = self.run(&self.plan(&task));
             for (all, some) in contacts.iter_mut().zip(found) {
@@ -285,16 +287,18 @@ impl Stock {
         contacts
     }
 
-    /// As [`Stock::cut_below`], and says for each body and each move how deep the body touches what is left when it
+    /// As [`ColumnStock::cut_below`], and says for each body and each move how deep the body touches what is left when it
     /// comes: a neck, a holder. Bodies are above the undercuts.
     pub fn cut_watching_below(
         &mut self,
         undercuts: &[(f64, Undercut)],
-        bodies: &[Body],
-        moves: &[Move],
-    ) -> Vec<Vec<Contact>> {
+        bodies: &[RevolvedBody],
+        moves: &[TipMove],
+    ) -> Vec<Vec<ContactDepth>> {
         let mut contacts = vec![Vec::new(); bodies.len()];
-        for (_, task) in check::chunks(Task { undercuts, bodies, moves, ..Task::default() }) {
+        for (_, task) in
+            check::chunks(StockTask { undercuts, bodies, moves, ..StockTask::default() })
+        {
             let (found, _) = self.run(&self.plan(&task));
             for (all, some) in contacts.iter_mut().zip(found) {
                 all.extend(some);
@@ -305,7 +309,7 @@ impl Stock {
 
     /// Takes what the stock lacks below its tops before anything is cut: hollows from below, say. What takes more memory
     /// than the budget leaves makes the bounds wider.
-    pub fn hollow(&mut self, hollows: &Hollows<'_>) {
+    pub fn hollow(&mut self, hollows: &CellHollows<'_>) {
         let limit = self.options.gap_bytes(&self.grid);
         for (number, tile) in self.tiles.iter_mut().enumerate() {
             tile.begin_hollow(&self.grid, number, limit, hollows);
@@ -315,50 +319,53 @@ impl Stock {
 
     /// Takes what is gone for another reason than moves: above which height nothing is left of each cell. Among
     /// volumes by tag it is that of [`OTHERS`].
-    pub fn lower(&mut self, lower: &Lower<'_>) {
+    pub fn lower(&mut self, lower: &CellCeiling<'_>) {
         for (number, tile) in self.tiles.iter_mut().enumerate() {
             tile.lower(&self.grid, number, self.options.by_tag, lower);
         }
     }
 
     /// The tiles that moves meet, and what each has to do.
-    pub fn plan(&self, task: &Task<'_>) -> Plan {
-        Plan::new(&self.grid, &self.options, task)
+    pub fn plan(&self, task: &StockTask<'_>) -> StockPlan {
+        StockPlan::new(&self.grid, &self.options, task)
     }
 
     /// All jobs of a plan, one after the other.
-    fn run(&mut self, plan: &Plan) -> (Vec<Vec<Contact>>, Counts) {
-        let found: Vec<Found> = self.jobs(plan).into_iter().map(Job::run).collect();
-        let counts = found.iter().map(|found| found.counts).fold(Counts::default(), Counts::plus);
+    fn run(&mut self, plan: &StockPlan) -> (Vec<Vec<ContactDepth>>, ColumnCounts) {
+        let found: Vec<JobResult> = self.jobs(plan).into_iter().map(TileJob::run).collect();
+        let counts = found
+            .iter()
+            .map(|found| found.counts)
+            .fold(ColumnCounts::default(), ColumnCounts::plus);
         (plan.contacts(&found), counts)
     }
 
     /// One job for each tile of a plan of this stock: run in any order, on any thread, all of them before
     /// those of the next plan.
-    pub fn jobs<'a>(&'a mut self, plan: &'a Plan) -> Vec<Job<'a>> {
+    pub fn jobs<'a>(&'a mut self, plan: &'a StockPlan) -> Vec<TileJob<'a>> {
         let grid = &self.grid;
         let options = &self.options;
         let mut tiles = self.tiles.iter_mut().enumerate();
         plan.tiles()
             .filter_map(|(number, todo)| {
                 let (_, tile) = tiles.find(|(at, _)| *at == number)?;
-                Some(Job { grid, options, number, tile, plan, todo })
+                Some(TileJob { grid, options, number, tile, plan, todo })
             })
             .collect()
     }
 
     /// What is left, mm³.
-    pub fn left(&self) -> Amount {
+    pub fn left(&self) -> VolumeInterval {
         let tiles = self.tiles.iter().enumerate();
         tiles
             .map(|(number, tile)| tile.left(&self.grid, number))
-            .fold(Amount::default(), Amount::plus)
+            .fold(VolumeInterval::default(), VolumeInterval::plus)
     }
 
     /// What was removed, mm³.
-    pub fn removed(&self) -> Amount {
+    pub fn removed(&self) -> VolumeInterval {
         let left = self.left();
-        let all = Amount {
+        let all = VolumeInterval {
             least: (self.begun.least - left.most).max(0.0),
             most: self.begun.most - left.least,
         };
@@ -366,14 +373,14 @@ impl Stock {
             return all;
         }
         let by_tag = self.removed_by_tag().into_iter();
-        let sum = by_tag.fold(Amount::default(), |sum, (_, amount)| sum.plus(amount));
+        let sum = by_tag.fold(VolumeInterval::default(), |sum, (_, amount)| sum.plus(amount));
         // Both enclose the truth: the second says nothing of cells that no move has met, the first does not add
         // up what is uncertain again for each tag.
-        Amount { least: all.least.max(sum.least), most: all.most.min(sum.most) }
+        VolumeInterval { least: all.least.max(sum.least), most: all.most.min(sum.most) }
     }
 
-    /// What the moves of each tag have removed, mm³, by rising tags; empty without [`Options::by_tag`].
-    pub fn removed_by_tag(&self) -> Vec<(u32, Amount)> {
+    /// What the moves of each tag have removed, mm³, by rising tags; empty without [`ColumnOptions::by_tag`].
+    pub fn removed_by_tag(&self) -> Vec<(u32, VolumeInterval)> {
         let mut amounts = Vec::new();
         for (number, tile) in self.tiles.iter().enumerate() {
             tile.removed(&self.grid, number, &mut amounts);
@@ -397,7 +404,7 @@ impl Stock {
     fn by_cell<T: Copy>(
         &self,
         begun: T,
-        of_block: impl Fn(&Tile, usize) -> [T; grid::CELLS],
+        of_block: impl Fn(&StockTile, usize) -> [T; grid::CELLS],
     ) -> Vec<T> {
         let [columns, rows] = self.grid.cells().map(|cells| cells as usize);
         let mut all = vec![begun; columns * rows];
@@ -437,7 +444,7 @@ impl Stock {
     /// The height in the middle of each cell, between its bounds, mm: row by row from the least y on, in each by x.
     /// It is what the moves make of the column there, to rounding and to what curves are off their straight pieces:
     /// so a wall through a cell leaves it with one of the levels on both sides. Midway between the bounds without
-    /// [`Options::middles`].
+    /// [`ColumnOptions::middles`].
     pub fn middles(&self) -> Vec<f64> {
         let top = self.grid.bounds().max.z;
         self.by_cell(0.0, |tile, block| {
@@ -451,13 +458,13 @@ impl Stock {
     }
 
     /// What undercuts have removed in the middle of a cell (column, row) below its height there, from below, mm; nothing
-    /// without [`Options::middles`].
-    pub fn gaps_in_middle(&self, column: u32, row: u32) -> Vec<Span> {
-        let of = |column: &gaps::Column| self.spans(&column.middle);
+    /// without [`ColumnOptions::middles`].
+    pub fn gaps_in_middle(&self, column: u32, row: u32) -> Vec<RemovedSpan> {
+        let of = |column: &gaps::ColumnGaps| self.spans(&column.middle);
         self.column_at(column, row).map_or_else(Vec::new, of)
     }
 
-    fn column_at(&self, column: u32, row: u32) -> Option<&gaps::Column> {
+    fn column_at(&self, column: u32, row: u32) -> Option<&gaps::ColumnGaps> {
         let [columns, rows] = self.grid.cells();
         if column >= columns || row >= rows {
             return None;
@@ -466,18 +473,18 @@ impl Stock {
         self.tiles[tile].gaps().of(cell)
     }
 
-    fn spans(&self, gaps: &[gaps::Gap]) -> Vec<Span> {
+    fn spans(&self, gaps: &[gaps::ColumnGap]) -> Vec<RemovedSpan> {
         let top = self.grid.bounds().max.z;
-        let span = |gap: &gaps::Gap| {
+        let span = |gap: &gaps::ColumnGap| {
             let [floor, top] = gap.map(|height| top + f64::from(height));
-            Span { floor, top }
+            RemovedSpan { floor, top }
         };
         gaps.iter().map(span).collect()
     }
 
     /// What undercuts have removed from a cell (column, row) below its heights, from below, mm: surely from all of
     /// it, and what may be removed anywhere on it.
-    pub fn gaps_at(&self, column: u32, row: u32) -> [Vec<Span>; 2] {
+    pub fn gaps_at(&self, column: u32, row: u32) -> [Vec<RemovedSpan>; 2] {
         match self.column_at(column, row) {
             Some(column) => [self.spans(&column.surely), self.spans(&column.maybe)],
             None => [Vec::new(), Vec::new()],
@@ -491,6 +498,6 @@ impl Stock {
 
     /// The bytes that its columns take now.
     pub fn bytes(&self) -> u64 {
-        self.tiles.iter().map(Tile::bytes).sum()
+        self.tiles.iter().map(StockTile::bytes).sum()
     }
 }

@@ -2,25 +2,25 @@
 
 use chordal_geometry::{ParamCurve, Transform, Vec3};
 
-use super::below::Below;
+use super::below::UndercutMove;
 use super::grid::TILE;
-use super::{Contact, Found, Grid, Options};
-use crate::sweep::strip::{Strip, across, strip};
-use crate::sweep::{Body, Move, Part, Piece, Splitter, parts};
-use crate::{Cutter, Undercut};
+use super::{ColumnOptions, ContactDepth, JobResult, StockGrid};
+use crate::sweep::strip::{SweepStrip, across, strip};
+use crate::sweep::{BodyPart, MoveSplitter, RevolvedBody, SweepPiece, TipMove, parts};
+use crate::{CutterProfile, Undercut};
 
 /// A part of the cutter on a piece of the path.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Step {
+pub(crate) struct PlanStep {
     pub piece: u32,
     pub part: u32,
-    pub strip: Strip,
-    pub action: Action,
+    pub strip: SweepStrip,
+    pub action: StepAction,
 }
 
 /// What a step does with the columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Action {
+pub(crate) enum StepAction {
     /// Lowers them.
     Cut,
     /// Lowers what is surely left of them alone.
@@ -35,32 +35,32 @@ pub(crate) enum Action {
     CompareBelow(u32),
 }
 
-impl Action {
+impl StepAction {
     /// Whether its piece is a whole move of an undercut.
     pub fn is_below(self) -> bool {
-        matches!(self, Action::CutBelow | Action::CompareBelow(_))
+        matches!(self, StepAction::CutBelow | StepAction::CompareBelow(_))
     }
 
     /// Whether pieces of the path may leave columns to each other.
     pub fn is_cut(self) -> bool {
-        matches!(self, Action::Cut | Action::CutMost)
+        matches!(self, StepAction::Cut | StepAction::CutMost)
     }
 }
 
 /// What moves do.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Task<'a> {
+pub struct StockTask<'a> {
     /// The cutter that removes what it sweeps; none for moves that only ask.
-    pub cutter: Option<&'a Cutter>,
+    pub cutter: Option<&'a CutterProfile>,
     /// A larger one of which it is not known how much it removes: what it sweeps may be gone.
-    pub may: Option<&'a Cutter>,
+    pub may: Option<&'a CutterProfile>,
     /// Undercuts that remove what they sweep, each with the height of its lower end above the tip, mm. Not together with
     /// a cutter, which it would be for to say what is above.
     pub undercuts: &'a [(f64, Undercut)],
     /// Bodies that are compared with the stock, each on each piece of the moves before the cutter is.
-    pub bodies: &'a [Body],
+    pub bodies: &'a [RevolvedBody],
     /// The moves, in order.
-    pub moves: &'a [Move],
+    pub moves: &'a [TipMove],
     /// The numbers, rising, of the moves whose bodies are compared; of all of them if there are none given.
     pub asked: Option<&'a [u32]>,
     /// The number of the first move, for `asked`.
@@ -73,12 +73,12 @@ pub struct Task<'a> {
 
 /// The moves of a cutter, cut into pieces and told to the tiles that they meet.
 #[derive(Clone, Debug)]
-pub struct Plan {
-    pub(crate) pieces: Vec<Piece>,
-    pub(crate) parts: Vec<Part>,
-    pub(crate) steps: Vec<Step>,
+pub struct StockPlan {
+    pub(crate) pieces: Vec<SweepPiece>,
+    pub(crate) parts: Vec<BodyPart>,
+    pub(crate) steps: Vec<PlanStep>,
     pub(crate) undercuts: Vec<Undercut>,
-    pub(crate) below: Vec<Below>,
+    pub(crate) below: Vec<UndercutMove>,
     /// Tile and number of a step, by tile, then in the order of the program.
     todo: Vec<(u32, u32)>,
     bodies: usize,
@@ -89,7 +89,7 @@ pub struct Plan {
 /// the tiles count.
 const MARGIN: f64 = 1e-5;
 
-impl Task<'_> {
+impl StockTask<'_> {
     /// Whether bodies are compared on a move.
     fn asks(&self, number: u32) -> bool {
         let asked = |asked: &[u32]| asked.binary_search(&(self.first + number)).is_ok();
@@ -98,7 +98,7 @@ impl Task<'_> {
 
     /// The heights of the tip between which it may take something away: above it is over the stock, and below all
     /// of its edges are under it.
-    fn heights(&self, grid: &Grid) -> [f64; 2] {
+    fn heights(&self, grid: &StockGrid) -> [f64; 2] {
         let cutters = self.cutter.into_iter().chain(self.may);
         let tops = cutters.map(|cutter| {
             cutter.edges().iter().map(|ring| ring.height_at(ring.to)).fold(0.0, f64::max)
@@ -108,9 +108,13 @@ impl Task<'_> {
     }
 }
 
-impl Plan {
-    pub(crate) fn new(grid: &Grid, options: &Options, task: &Task<'_>) -> Plan {
-        let mut splitter = Splitter::new(options.chord_share * grid.resolution());
+impl StockPlan {
+    pub(crate) fn new(
+        grid: &StockGrid,
+        options: &ColumnOptions,
+        task: &StockTask<'_>,
+    ) -> StockPlan {
+        let mut splitter = MoveSplitter::new(options.chord_share * grid.resolution());
         let heights = task.heights(grid);
         for (number, path) in task.moves.iter().enumerate() {
             let divided = task.cutter.is_some() && task.asks(number as u32);
@@ -129,18 +133,18 @@ impl Plan {
             }
         }
         let mut of = Vec::new();
-        let mut all: Vec<Part> = Vec::new();
-        for (body, Body { parts, .. }) in task.bodies.iter().enumerate() {
+        let mut all: Vec<BodyPart> = Vec::new();
+        for (body, RevolvedBody { parts, .. }) in task.bodies.iter().enumerate() {
             all.extend(parts);
-            of.resize(all.len(), Action::Compare(body as u32));
+            of.resize(all.len(), StepAction::Compare(body as u32));
         }
         all.extend(task.cutter.map_or(Vec::new(), |cutter| parts(&cutter.edges())));
-        of.resize(all.len(), Action::Cut);
+        of.resize(all.len(), StepAction::Cut);
         all.extend(task.may.map_or(Vec::new(), |cutter| parts(&cutter.edges())));
-        of.resize(all.len(), Action::CutMost);
+        of.resize(all.len(), StepAction::CutMost);
         let of_bodies = task.bodies.iter().flat_map(|body| &body.undercuts);
         let undercuts = task.undercuts.iter().chain(of_bodies);
-        let mut plan = Plan {
+        let mut plan = StockPlan {
             pieces,
             parts: all,
             steps: Vec::new(),
@@ -155,8 +159,8 @@ impl Plan {
     }
 
     /// For each body and each move how deep it touches, from what the jobs found, in any order.
-    pub fn contacts(&self, found: &[Found]) -> Vec<Vec<Contact>> {
-        let mut contacts = vec![vec![Contact::NONE; self.moves]; self.bodies];
+    pub fn contacts(&self, found: &[JobResult]) -> Vec<Vec<ContactDepth>> {
+        let mut contacts = vec![vec![ContactDepth::NONE; self.moves]; self.bodies];
         for &(body, number, contact) in found.iter().flat_map(|found| &found.contacts) {
             let known = &mut contacts[body as usize][number as usize];
             *known = known.deeper(contact);
@@ -167,7 +171,7 @@ impl Plan {
     /// Finds the tiles of each step. With undercuts a body, which is above their edges, meets what they leave: on the way down
     /// they never again reach what it touches, so it is compared after them; on the way up they have not been there
     /// yet, so it is compared before. On a move that does both it can only be said what is touched at most.
-    fn tell(&mut self, grid: &Grid, task: &Task<'_>, actions: &[Action]) {
+    fn tell(&mut self, grid: &StockGrid, task: &StockTask<'_>, actions: &[StepAction]) {
         let pieces = core::mem::take(&mut self.pieces);
         let mut first = 0;
         for of_move in pieces.chunk_by(|a, b| a.number == b.number) {
@@ -175,15 +179,15 @@ impl Plan {
             let path = &task.moves[number as usize];
             let [rises, falls] = match task.undercuts {
                 [] => [true, false],
-                _ => Below::rises_and_falls(&path.curve),
+                _ => UndercutMove::rises_and_falls(&path.curve),
             };
             let asks = task.asks(number);
-            let compare = |plan: &mut Plan, only_most: bool| {
+            let compare = |plan: &mut StockPlan, only_most: bool| {
                 for (n, piece) in of_move.iter().enumerate() {
                     for (part, action) in actions.iter().enumerate() {
                         let action = match *action {
-                            Action::Compare(_) if !asks => continue,
-                            Action::Compare(body) if only_most => Action::CompareMost(body),
+                            StepAction::Compare(_) if !asks => continue,
+                            StepAction::Compare(body) if only_most => StepAction::CompareMost(body),
                             action => action,
                         };
                         plan.tell_piece(grid, [first + n, part], piece, action);
@@ -205,10 +209,10 @@ impl Plan {
 
     fn tell_piece(
         &mut self,
-        grid: &Grid,
+        grid: &StockGrid,
         [at, part_at]: [usize; 2],
-        piece: &Piece,
-        action: Action,
+        piece: &SweepPiece,
+        action: StepAction,
     ) {
         let bounds = grid.bounds();
         let width = grid.resolution() * TILE as f64;
@@ -224,16 +228,23 @@ impl Plan {
             self.todo.push((tile, step));
         });
         if self.todo.len() > before {
-            self.steps.push(Step { piece: at as u32, part: part_at as u32, strip, action });
+            self.steps.push(PlanStep { piece: at as u32, part: part_at as u32, strip, action });
         }
     }
 
     /// The undercuts of a move, and those of the bodies that are compared.
-    fn tell_below(&mut self, grid: &Grid, task: &Task<'_>, number: u32, path: &Move, asks: bool) {
-        let own = task.undercuts.iter().map(|(lift, _)| (Action::CutBelow, *lift));
+    fn tell_below(
+        &mut self,
+        grid: &StockGrid,
+        task: &StockTask<'_>,
+        number: u32,
+        path: &TipMove,
+        asks: bool,
+    ) {
+        let own = task.undercuts.iter().map(|(lift, _)| (StepAction::CutBelow, *lift));
         let of_bodies =
-            task.bodies.iter().enumerate().flat_map(|(body, Body { undercuts, .. })| {
-                let action = Action::CompareBelow(body as u32);
+            task.bodies.iter().enumerate().flat_map(|(body, RevolvedBody { undercuts, .. })| {
+                let action = StepAction::CompareBelow(body as u32);
                 undercuts.iter().map(move |(lift, _)| (action, *lift))
             });
         let bounds = grid.bounds();
@@ -241,10 +252,10 @@ impl Plan {
         for (cutter, (action, lift)) in own.chain(of_bodies).enumerate() {
             let up = Transform::translation(Vec3::Z * lift);
             let curve = path.curve.transformed(&up);
-            if action != Action::CutBelow && !asks || curve.bounds().min.z >= bounds.max.z {
+            if action != StepAction::CutBelow && !asks || curve.bounds().min.z >= bounds.max.z {
                 continue;
             }
-            let below = Below { cutter: cutter as u32, curve, number, tag: path.tag };
+            let below = UndercutMove { cutter: cutter as u32, curve, number, tag: path.tag };
             // Cells are looked at with what is around them, so what meets a cell by rounding counts.
             let radius = self.undercuts[cutter].radius() + grid.resolution();
             let origin = [bounds.min.x, bounds.min.y];
@@ -257,14 +268,14 @@ impl Plan {
                 }
             }
             let piece = self.below.len() as u32;
-            self.steps.push(Step { piece, part: 0, strip: Strip::default(), action });
+            self.steps.push(PlanStep { piece, part: 0, strip: SweepStrip::default(), action });
             self.below.push(below);
         }
     }
 
     /// The number of the move of a step.
     pub(crate) fn number(&self, step: u32) -> u32 {
-        let Step { piece, action, .. } = self.steps[step as usize];
+        let PlanStep { piece, action, .. } = self.steps[step as usize];
         if action.is_below() {
             self.below[piece as usize].number
         } else {
@@ -288,8 +299,8 @@ fn between([from, to]: [f64; 2], width: f64, count: u32) -> [i64; 2] {
 }
 
 fn tiles(
-    strip: &Strip,
-    piece: &Piece,
+    strip: &SweepStrip,
+    piece: &SweepPiece,
     origin: Vec3,
     width: f64,
     margin: f64,

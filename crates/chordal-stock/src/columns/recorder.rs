@@ -1,12 +1,12 @@
 //! Which columns a job lowers, when on which move.
 
 use super::grid::{BLOCK, BLOCKS, CELLS, TILE};
-use super::heights::Heights;
-use crate::sweep::Piece;
+use super::heights::BlockHeights;
+use crate::sweep::SweepPiece;
 
 /// A column that a move has lowered.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lowered {
+pub struct LoweredColumn {
     /// The column, by rows: that at (x, y) is `y · columns + x`.
     pub cell: u32,
     /// The move, by its place in the list.
@@ -18,8 +18,8 @@ pub struct Lowered {
 }
 
 /// Of each piece of a plan, from which share of its move to which it goes.
-pub(crate) fn shares(pieces: &[Piece]) -> Vec<[f32; 2]> {
-    let of_move = |move_: &[Piece]| {
+pub(crate) fn shares(pieces: &[SweepPiece]) -> Vec<[f32; 2]> {
+    let of_move = |move_: &[SweepPiece]| {
         let count = move_.len() as f32;
         (0..move_.len())
             .map(move |n| [n as f32 / count, (n + 1) as f32 / count])
@@ -30,7 +30,7 @@ pub(crate) fn shares(pieces: &[Piece]) -> Vec<[f32; 2]> {
 
 /// Writes down what changes on a tile.
 #[derive(Debug)]
-pub(crate) struct Recorder<'a> {
+pub(crate) struct TileRecorder<'a> {
     shares: &'a [[f32; 2]],
     /// The first column of the tile, and columns in a row of the stock.
     first: [u32; 2],
@@ -38,11 +38,11 @@ pub(crate) struct Recorder<'a> {
     /// The middle of the tile's first column, mm.
     middle: [f64; 2],
     cell: f64,
-    now: Option<(Piece, [f32; 2])>,
-    pub lowered: Vec<Lowered>,
+    now: Option<(SweepPiece, [f32; 2])>,
+    pub lowered: Vec<LoweredColumn>,
 }
 
-impl<'a> Recorder<'a> {
+impl<'a> TileRecorder<'a> {
     /// For a tile by its first column, its corner (mm) and the side of a column (mm).
     pub fn new(
         shares: &'a [[f32; 2]],
@@ -50,18 +50,24 @@ impl<'a> Recorder<'a> {
         columns: u32,
         corner: [f64; 2],
         cell: f64,
-    ) -> Recorder<'a> {
+    ) -> TileRecorder<'a> {
         let middle = corner.map(|at| at + cell / 2.0);
-        Recorder { shares, first, columns, middle, cell, now: None, lowered: Vec::new() }
+        TileRecorder { shares, first, columns, middle, cell, now: None, lowered: Vec::new() }
     }
 
     /// What changes now is of this piece, by its number in the plan.
-    pub fn begin(&mut self, piece: &Piece, number: u32) {
+    pub fn begin(&mut self, piece: &SweepPiece, number: u32) {
         self.now = Some((*piece, self.shares[number as usize]));
     }
 
     /// Compares the heights of a block before with those after. `within`: columns of the tile in the stock.
-    pub fn changed(&mut self, block: usize, before: &Heights, after: &Heights, within: [usize; 2]) {
+    pub fn changed(
+        &mut self,
+        block: usize,
+        before: &BlockHeights,
+        after: &BlockHeights,
+        within: [usize; 2],
+    ) {
         let Some((piece, [from, to])) = &self.now else { return };
         for cell in 0..CELLS {
             if after.outer[cell] == before.outer[cell] {
@@ -80,7 +86,7 @@ impl<'a> Recorder<'a> {
             let done =
                 if piece.length > 0.0 { (along / piece.length).clamp(0.0, 1.0) } else { 1.0 };
             let (x, y) = (self.first[0] + column as u32, self.first[1] + row as u32);
-            self.lowered.push(Lowered {
+            self.lowered.push(LoweredColumn {
                 cell: y * self.columns + x,
                 number: piece.number,
                 share: from + (to - from) * done as f32,

@@ -3,47 +3,50 @@
 use chordal_geometry::Aabb;
 use wide::f32x4;
 
-use super::gaps::{Column, Gaps, Solid, solid};
-use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, Grid, LANES, TILE, count};
-use super::heights::{Heights, Hollows, Lower, POINT, Range, bottom, round_down, round_up};
-use super::volume::{Kept, Ledger, OTHERS, integral};
-use super::{Amount, Mode, Options};
-use crate::Span;
+use super::gaps::{ColumnGaps, SolidColumn, TileGaps, solid};
+use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, LANES, StockGrid, TILE, count};
+use super::heights::{
+    BlockHeights, CellCeiling, CellHollows, HeightRange, POINT, bottom, round_down, round_up,
+};
+use super::volume::{BlockSnapshot, OTHERS, TagVolumes, integral};
+use super::{ColumnOptions, Mode, VolumeInterval};
+use crate::RemovedSpan;
 
 /// A block has no heights of its own: all cells have that of its range.
 const UNIFORM: u32 = u32::MAX;
 
 #[derive(Clone, Copy, Debug)]
-struct Block {
-    range: Range,
+struct TileBlock {
+    range: HeightRange,
     slot: u32,
 }
 
 /// The columns of a tile. A sampled one stores one height for each cell: outer and inner are the same. One with middles
 /// stores three.
 #[derive(Clone, Debug)]
-pub(crate) struct Tile {
-    blocks: Box<[Block]>,
+pub(crate) struct StockTile {
+    blocks: Box<[TileBlock]>,
     data: Vec<f32x4>,
     free: Vec<u32>,
     /// Groups of a block: 16, 32 or 48.
     stride: usize,
     /// No outer height is above this, mm: as of the last job.
     top: f32,
-    ledger: Ledger,
+    ledger: TagVolumes,
     /// What undercuts have removed below the tops of columns.
-    gaps: Gaps,
+    gaps: TileGaps,
 }
 
 /// The most bytes of a tile. With volumes by tag every block may be kept as it was.
-fn most_bytes(options: &Options) -> usize {
-    let kept = if options.by_tag { size_of::<Kept>() + size_of::<Heights>() } else { 0 };
-    let block = size_of::<Block>() + stride(options) * size_of::<f32x4>() + kept;
-    BLOCKS * BLOCKS * block + size_of::<Tile>()
+fn most_bytes(options: &ColumnOptions) -> usize {
+    let kept =
+        if options.by_tag { size_of::<BlockSnapshot>() + size_of::<BlockHeights>() } else { 0 };
+    let block = size_of::<TileBlock>() + stride(options) * size_of::<f32x4>() + kept;
+    BLOCKS * BLOCKS * block + size_of::<StockTile>()
 }
 
 /// The most bytes that columns of this resolution take.
-pub(crate) fn bytes(bounds: Aabb, resolution: f64, options: &Options) -> f64 {
+pub(crate) fn bytes(bounds: Aabb, resolution: f64, options: &ColumnOptions) -> f64 {
     let size = bounds.size();
     let tiles = (count(size.x, resolution) / TILE as f64).ceil()
         * (count(size.y, resolution) / TILE as f64).ceil();
@@ -51,7 +54,7 @@ pub(crate) fn bytes(bounds: Aabb, resolution: f64, options: &Options) -> f64 {
 }
 
 /// The finest resolution at which a box fits in a budget of bytes, mm, to a part in a thousand.
-pub(crate) fn finest(bounds: Aabb, options: &Options) -> f64 {
+pub(crate) fn finest(bounds: Aabb, options: &ColumnOptions) -> f64 {
     const FINER: f64 = 1.001;
     let size = bounds.size();
     let widest = size.x.max(size.y);
@@ -68,7 +71,7 @@ pub(crate) fn finest(bounds: Aabb, options: &Options) -> f64 {
     resolution
 }
 
-fn stride(options: &Options) -> usize {
+fn stride(options: &ColumnOptions) -> usize {
     match options.mode {
         Mode::Certified if options.middles => WITH_MIDDLES,
         Mode::Certified => 2 * GROUPS,
@@ -85,29 +88,30 @@ fn middle_of([low, high]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     [off(-0.5 * POINT), off(0.5 * POINT)]
 }
 
-impl Tile {
+impl StockTile {
     pub fn new(
-        grid: &Grid,
-        options: &Options,
+        grid: &StockGrid,
+        options: &ColumnOptions,
         number: usize,
         heights: &impl Fn([f64; 2], [f64; 2]) -> [f64; 2],
-    ) -> Tile {
+    ) -> StockTile {
         let bottom = bottom(grid);
-        let empty = Block { range: Range::uniform(bottom, bottom, bottom), slot: UNIFORM };
-        let mut tile = Tile {
+        let empty =
+            TileBlock { range: HeightRange::uniform(bottom, bottom, bottom), slot: UNIFORM };
+        let mut tile = StockTile {
             blocks: vec![empty; BLOCKS * BLOCKS].into_boxed_slice(),
             data: Vec::new(),
             free: Vec::new(),
             stride: stride(options),
             top: 0.0,
-            ledger: Ledger::default(),
-            gaps: Gaps::default(),
+            ledger: TagVolumes::default(),
+            gaps: TileGaps::default(),
         };
         let top = grid.bounds().max.z;
         let [column, row] = grid.first_cell(number);
         let [columns, rows] = grid.cells();
         for block in 0..BLOCKS * BLOCKS {
-            let mut cells = Heights { outer: [bottom; CELLS], inner: [bottom; CELLS] };
+            let mut cells = BlockHeights { outer: [bottom; CELLS], inner: [bottom; CELLS] };
             let mut middles = [bottom; CELLS];
             for (cell, middle) in middles.iter_mut().enumerate() {
                 let x = column + (block % BLOCKS * BLOCK + cell % BLOCK) as u32;
@@ -147,20 +151,23 @@ impl Tile {
     }
 
     /// The range of a block.
-    pub fn range(&self, block: usize) -> Range {
+    pub fn range(&self, block: usize) -> HeightRange {
         self.blocks[block].range
     }
 
     /// The heights of a block.
-    pub fn get(&self, block: usize) -> Heights {
-        let Block { range, slot } = self.blocks[block];
+    pub fn get(&self, block: usize) -> BlockHeights {
+        let TileBlock { range, slot } = self.blocks[block];
         if slot == UNIFORM {
             return range.even();
         }
         let at = slot as usize * self.stride;
         let data = &self.data[at..at + self.stride];
         let inner = if self.stride > GROUPS { GROUPS } else { 0 };
-        Heights { outer: cells_of(&data[..GROUPS]), inner: cells_of(&data[inner..inner + GROUPS]) }
+        BlockHeights {
+            outer: cells_of(&data[..GROUPS]),
+            inner: cells_of(&data[inner..inner + GROUPS]),
+        }
     }
 
     /// The heights in the middles of the cells of a block, where they are kept.
@@ -168,7 +175,7 @@ impl Tile {
         if self.stride != WITH_MIDDLES {
             return None;
         }
-        let Block { range, slot } = self.blocks[block];
+        let TileBlock { range, slot } = self.blocks[block];
         if slot == UNIFORM {
             return Some([range.middle[0]; CELLS]);
         }
@@ -179,7 +186,7 @@ impl Tile {
     /// Where the heights of a block are stored: outer, inner, those in the middles where they are kept; one list in a
     /// sampled tile. A uniform block gets a place for them.
     pub fn open(&mut self, block: usize) -> &mut [f32x4] {
-        let Block { range, slot } = self.blocks[block];
+        let TileBlock { range, slot } = self.blocks[block];
         let slot = if slot == UNIFORM {
             let slot = self.free.pop().unwrap_or((self.data.len() / self.stride) as u32);
             let at = slot as usize * self.stride;
@@ -201,7 +208,7 @@ impl Tile {
     }
 
     /// Sets the range of a block, by its heights; one that is uniform gives up its place.
-    pub fn close(&mut self, block: usize, range: Range) {
+    pub fn close(&mut self, block: usize, range: HeightRange) {
         let entry = &mut self.blocks[block];
         entry.range = range;
         if range.is_uniform() && entry.slot != UNIFORM {
@@ -211,14 +218,14 @@ impl Tile {
     }
 
     /// Sets the heights of a block; those in the middles count where they are kept.
-    fn put(&mut self, block: usize, heights: &Heights, middles: &[f32; CELLS]) {
+    fn put(&mut self, block: usize, heights: &BlockHeights, middles: &[f32; CELLS]) {
         let ends = |cells: &[f32; CELLS]| {
             let least = cells.iter().copied().fold(f32::INFINITY, f32::min);
             [least, cells.iter().copied().fold(f32::NEG_INFINITY, f32::max)]
         };
         let middles = if self.stride == WITH_MIDDLES { middles } else { &heights.outer };
         let (outer, inner) = (ends(&heights.outer), ends(&heights.inner));
-        let range = Range { outer, inner, middle: ends(middles) };
+        let range = HeightRange { outer, inner, middle: ends(middles) };
         if !range.is_uniform() {
             let stride = self.stride;
             let data = self.open(block);
@@ -245,12 +252,18 @@ impl Tile {
     }
 
     /// The gaps of its columns.
-    pub fn gaps(&self) -> &Gaps {
+    pub fn gaps(&self) -> &TileGaps {
         &self.gaps
     }
 
-    /// Takes what is surely, what may be and what is in its middle removed from a column: see [`Gaps::add`].
-    pub fn hollow(&mut self, place: [usize; 2], spans: [&[Span]; 3], bottom: f32, limit: usize) {
+    /// Takes what is surely, what may be and what is in its middle removed from a column: see [`TileGaps::add`].
+    pub fn hollow(
+        &mut self,
+        place: [usize; 2],
+        spans: [&[RemovedSpan]; 3],
+        bottom: f32,
+        limit: usize,
+    ) {
         let [block, cell] = place;
         let (mut heights, mut middles) = (self.get(block), self.middles_or_outer(block));
         let before = [heights.outer[cell], heights.inner[cell], middles[cell]];
@@ -288,10 +301,10 @@ impl Tile {
     /// Takes what columns lack below their tops from the beginning.
     pub fn begin_hollow(
         &mut self,
-        grid: &Grid,
+        grid: &StockGrid,
         number: usize,
         limit: usize,
-        hollows: &Hollows<'_>,
+        hollows: &CellHollows<'_>,
     ) {
         let (top, bottom) = (grid.bounds().max.z, bottom(grid));
         let [column, row] = grid.first_cell(number);
@@ -303,9 +316,13 @@ impl Tile {
                 if x >= columns || y >= rows {
                     continue;
                 }
-                let down = |span: Span| Span { floor: span.floor - top, top: span.top - top };
+                let down = |span: RemovedSpan| RemovedSpan {
+                    floor: span.floor - top,
+                    top: span.top - top,
+                };
                 let ask = |corners: [[f64; 2]; 2]| {
-                    hollows(corners).map(|spans| spans.into_iter().map(down).collect::<Vec<Span>>())
+                    hollows(corners)
+                        .map(|spans| spans.into_iter().map(down).collect::<Vec<RemovedSpan>>())
                 };
                 let corners = grid.corners(x, y);
                 let [surely, maybe] = ask(corners);
@@ -327,7 +344,13 @@ impl Tile {
     }
 
     /// Lowers what is gone for another reason than moves.
-    pub fn lower(&mut self, grid: &Grid, number: usize, by_tag: bool, lower: &Lower<'_>) {
+    pub fn lower(
+        &mut self,
+        grid: &StockGrid,
+        number: usize,
+        by_tag: bool,
+        lower: &CellCeiling<'_>,
+    ) {
         let (top, bottom) = (grid.bounds().max.z, bottom(grid));
         let [column, row] = grid.first_cell(number);
         let [columns, rows] = grid.cells();
@@ -358,28 +381,28 @@ impl Tile {
     }
 
     /// What is left of it, mm³.
-    pub fn left(&self, grid: &Grid, number: usize) -> Amount {
+    pub fn left(&self, grid: &StockGrid, number: usize) -> VolumeInterval {
         let bottom = -grid.bounds().size().z;
         let volume = |block: usize| {
             let sides = grid.sides(number, block);
             let heights = self.get(block);
             let mut outer = heights.outer.map(|height| (f64::from(height) - bottom).max(0.0));
             let mut inner = heights.inner.map(|height| (f64::from(height) - bottom).max(0.0));
-            for (cell, Column { surely, maybe, .. }) in self.gaps.of_block(block) {
+            for (cell, ColumnGaps { surely, maybe, .. }) in self.gaps.of_block(block) {
                 outer[cell] = solid(heights.outer[cell], bottom, surely);
                 inner[cell] = solid(heights.inner[cell], bottom, maybe);
             }
-            Amount {
+            VolumeInterval {
                 least: integral(&sides, |cell| inner[cell]),
                 most: integral(&sides, |cell| outer[cell]),
             }
         };
-        (0..BLOCKS * BLOCKS).map(volume).fold(Amount::default(), Amount::plus)
+        (0..BLOCKS * BLOCKS).map(volume).fold(VolumeInterval::default(), VolumeInterval::plus)
     }
 
     /// Keeps a block as it is before the first of the moves of a tag that follow each other.
     #[inline]
-    pub fn keep(&mut self, tag: u32, block: usize, grid: &Grid, number: usize) {
+    pub fn keep(&mut self, tag: u32, block: usize, grid: &StockGrid, number: usize) {
         if !self.ledger.is_new(tag, block) {
             return;
         }
@@ -391,12 +414,12 @@ impl Tile {
         let heights = (!range.is_uniform()).then(|| Box::new(self.get(block)));
         let gaps = self.gaps.of_block(block).map(|(cell, column)| (cell, column.clone()));
         let gaps = gaps.collect();
-        self.ledger.keep(Kept { block, range, heights, gaps });
+        self.ledger.keep(BlockSnapshot { block, range, heights, gaps });
     }
 
     /// What the moves of the last tag have removed, mm³.
-    fn removed_last(&self, grid: &Grid, number: usize) -> Amount {
-        let removed = |kept: &Kept| {
+    fn removed_last(&self, grid: &StockGrid, number: usize) -> VolumeInterval {
+        let removed = |kept: &BlockSnapshot| {
             let sides = grid.sides(number, kept.block);
             let even = kept.range.even();
             let before = kept.heights.as_deref().unwrap_or(&even);
@@ -418,22 +441,27 @@ impl Tile {
                     most[cell] = old_outer.without(&new_inner, bottom);
                 }
             }
-            Amount {
+            VolumeInterval {
                 least: integral(&sides, |cell| least[cell]),
                 most: integral(&sides, |cell| most[cell]),
             }
         };
-        self.ledger.open().1.iter().map(removed).fold(Amount::default(), Amount::plus)
+        self.ledger
+            .open()
+            .1
+            .iter()
+            .map(removed)
+            .fold(VolumeInterval::default(), VolumeInterval::plus)
     }
 
     /// Adds what the moves of each tag have removed, mm³.
-    pub fn removed(&self, grid: &Grid, number: usize, to: &mut Vec<(u32, Amount)>) {
+    pub fn removed(&self, grid: &StockGrid, number: usize, to: &mut Vec<(u32, VolumeInterval)>) {
         self.ledger.tell(self.removed_last(grid, number), to);
     }
 
     pub fn bytes(&self) -> u64 {
-        (size_of::<Tile>()
-            + self.blocks.len() * size_of::<Block>()
+        (size_of::<StockTile>()
+            + self.blocks.len() * size_of::<TileBlock>()
             + self.data.capacity() * size_of::<f32x4>()
             + self.ledger.bytes()
             + self.gaps.bytes()) as u64
@@ -450,11 +478,15 @@ fn cells_of(groups: &[f32x4]) -> [f32; CELLS] {
 }
 
 /// A column of a block with its gaps, by its outer and its inner height.
-fn both<'a>(heights: &Heights, cell: usize, column: Option<&'a Column>) -> [Solid<'a>; 2] {
+fn both<'a>(
+    heights: &BlockHeights,
+    cell: usize,
+    column: Option<&'a ColumnGaps>,
+) -> [SolidColumn<'a>; 2] {
     let [surely, maybe] =
         column.map_or([&[][..]; 2], |column| [&column.surely[..], &column.maybe[..]]);
     [
-        Solid { height: heights.outer[cell], gaps: surely },
-        Solid { height: heights.inner[cell], gaps: maybe },
+        SolidColumn { height: heights.outer[cell], gaps: surely },
+        SolidColumn { height: heights.inner[cell], gaps: maybe },
     ]
 }

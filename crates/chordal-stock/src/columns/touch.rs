@@ -2,7 +2,7 @@
 
 /// How deep a body may reach into stock on a move, along Z, mm. Nothing touches where it is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
+pub struct ContactDepth {
     /// The body reaches at least so deep into what is surely left.
     pub least: f64,
     /// It reaches nowhere deeper into what may be left.
@@ -13,7 +13,7 @@ pub struct Contact {
 
 /// The answer to the question whether a body reaches deeper into stock than a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Touch {
+pub enum TouchAnswer {
     /// It surely does not.
     Clean,
     /// It surely does, by so much (along Z, mm).
@@ -34,28 +34,28 @@ pub enum Touch {
     },
 }
 
-impl Contact {
+impl ContactDepth {
     /// No contact.
-    pub const NONE: Contact = Contact { least: 0.0, most: 0.0, at: [0.0; 3] };
+    pub const NONE: ContactDepth = ContactDepth { least: 0.0, most: 0.0, at: [0.0; 3] };
 
     /// The answer for a tolerance, mm: heights themselves are known to a hundredth of a micrometre at best, so
     /// a body that only slides over a face needs one.
-    pub fn touch(&self, tolerance: f64) -> Touch {
-        let Contact { least, most, at } = *self;
+    pub fn touch(&self, tolerance: f64) -> TouchAnswer {
+        let ContactDepth { least, most, at } = *self;
         if most <= tolerance {
-            Touch::Clean
+            TouchAnswer::Clean
         } else if least > tolerance {
-            Touch::Hit { least, most, at }
+            TouchAnswer::Hit { least, most, at }
         } else {
-            Touch::Undecided { most, at }
+            TouchAnswer::Undecided { most, at }
         }
     }
 
     /// The deeper of two, whichever comes first.
-    pub(crate) fn deeper(self, other: Contact) -> Contact {
+    pub(crate) fn deeper(self, other: ContactDepth) -> ContactDepth {
         let first = self.most > other.most
             || (self.most == other.most && self.at.map(f64::to_bits) <= other.at.map(f64::to_bits));
         let deeper = if first { self } else { other };
-        Contact { least: self.least.max(other.least), ..deeper }
+        ContactDepth { least: self.least.max(other.least), ..deeper }
     }
 }

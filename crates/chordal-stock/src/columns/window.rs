@@ -2,16 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use super::gaps::{Column, Gap};
+use super::gaps::{ColumnGap, ColumnGaps};
 use super::grid::{BLOCK, BLOCKS};
-use super::{Amount, Stock};
+use super::{ColumnStock, VolumeInterval};
 
 /// Below every stock: where there is none.
 const NONE: f32 = f32::NEG_INFINITY;
 
 /// The heights of a rectangle of cells, counted from the top of the stock, mm.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Window {
+pub(crate) struct HeightWindow {
     /// The first cell of the rectangle, within the grid.
     first: [usize; 2],
     /// Cells along X and Y.
@@ -25,7 +25,7 @@ pub(crate) struct Window {
     outer: Vec<f32>,
     inner: Vec<f32>,
     /// The gaps of cells that have some.
-    gaps: BTreeMap<usize, Column>,
+    gaps: BTreeMap<usize, ColumnGaps>,
     /// No outer height is above this.
     highest: f32,
 }
@@ -33,7 +33,7 @@ pub(crate) struct Window {
 /// What is known of the stock on some cells over a stretch of heights, mm: it is nowhere outside of `maybe` on that, and
 /// everywhere in `surely`, which is empty where it ends below its beginning. Both may reach further.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Ends {
+pub(crate) struct StockLimits {
     pub maybe: [f64; 2],
     pub surely: [f64; 2],
 }
@@ -41,9 +41,9 @@ pub(crate) struct Ends {
 /// No stock.
 const NOTHING: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
-impl Stock {
+impl ColumnStock {
     /// The heights of the cells that a rectangle meets, mm.
-    pub(crate) fn window(&self, low: [f64; 2], high: [f64; 2]) -> Window {
+    pub(crate) fn window(&self, low: [f64; 2], high: [f64; 2]) -> HeightWindow {
         let grid = self.grid();
         let (cell, bounds, cells) = (grid.resolution(), grid.bounds(), grid.cells());
         let origin = [bounds.min.x, bounds.min.y];
@@ -56,7 +56,7 @@ impl Stock {
             end.min(cells[axis] as usize).saturating_sub(first[axis])
         });
         let count = size[0] * size[1];
-        let mut window = Window {
+        let mut window = HeightWindow {
             first,
             size,
             corner: [0, 1].map(|axis| origin[axis] + cell * first[axis] as f64),
@@ -78,7 +78,7 @@ impl Stock {
         window
     }
 
-    fn fill(&self, window: &mut Window) {
+    fn fill(&self, window: &mut HeightWindow) {
         let [columns, rows] = window.size;
         let [first_column, first_row] = window.first;
         let across = self.grid().tile_counts()[0] as usize;
@@ -108,7 +108,7 @@ impl Stock {
     }
 }
 
-impl Window {
+impl HeightWindow {
     /// Nothing of the stock on the window is above this, mm.
     pub fn highest(&self) -> f64 {
         self.top + f64::from(self.highest)
@@ -122,7 +122,7 @@ impl Window {
 
     /// What is known of the stock on the cells that a rectangle about a place meets, by half its sides, over a stretch of
     /// heights, mm. Outside the window there is no stock.
-    pub fn ends(&self, place: [f64; 2], half: [f64; 2], stretch: [f64; 2]) -> Ends {
+    pub fn ends(&self, place: [f64; 2], half: [f64; 2], stretch: [f64; 2]) -> StockLimits {
         let stretch = stretch.map(|height| height - self.top);
         let [x0, x1] = self.cells(0, place[0] - half[0], place[0] + half[0]);
         let [y0, y1] = self.cells(1, place[1] - half[1], place[1] + half[1]);
@@ -139,7 +139,7 @@ impl Window {
             }
         }
         let from_top = |ends: [f64; 2]| ends.map(|height| self.top + height);
-        Ends { maybe: from_top(maybe), surely: from_top(surely) }
+        StockLimits { maybe: from_top(maybe), surely: from_top(surely) }
     }
 
     /// The stock of a cell over a stretch of heights: where it may be, and the part of what it surely is that has most of
@@ -149,7 +149,7 @@ impl Window {
         let Some(column) = self.gaps.get(&at) else {
             return [[f64::NEG_INFINITY, outer], [f64::NEG_INFINITY, inner]];
         };
-        let within = |gap: &&Gap| f64::from(gap[0]) <= from && from <= f64::from(gap[1]);
+        let within = |gap: &&ColumnGap| f64::from(gap[0]) <= from && from <= f64::from(gap[1]);
         let maybe = match column.surely.iter().find(within) {
             Some(gap) if to <= f64::from(gap[1]) => NOTHING,
             Some(gap) => [f64::from(gap[1]), outer],
@@ -188,7 +188,7 @@ impl Window {
         let column = self.cell(place).and_then(|at| self.gaps.get(&at));
         let Some(column) = column else { return 0.0 };
         let [from, to] = stretch.map(|height| height - self.top);
-        let taken = |gap: &Gap| {
+        let taken = |gap: &ColumnGap| {
             let [floor, top] = gap.map(f64::from);
             if to > from {
                 (top.min(to) - floor.max(from)).max(0.0) / (to - from)
@@ -196,7 +196,7 @@ impl Window {
                 f64::from(u8::from(floor <= from && from <= top))
             }
         };
-        let sum = |gaps: &[Gap]| gaps.iter().map(taken).sum::<f64>().min(1.0);
+        let sum = |gaps: &[ColumnGap]| gaps.iter().map(taken).sum::<f64>().min(1.0);
         0.5 * (sum(&column.surely) + sum(&column.maybe))
     }
 
@@ -204,7 +204,7 @@ impl Window {
     fn filled(&self, at: usize) -> [f64; 2] {
         let heights = [self.outer[at], self.inner[at]].map(f64::from);
         let Some(column) = self.gaps.get(&at) else { return heights };
-        let taken = |gaps: &[Gap]| {
+        let taken = |gaps: &[ColumnGap]| {
             gaps.iter().map(|gap| f64::from(gap[1]) - f64::from(gap[0])).sum::<f64>()
         };
         [heights[0] - taken(&column.surely), heights[1] - taken(&column.maybe)]
@@ -212,8 +212,12 @@ impl Window {
 
     /// What was removed between this window and a later one of the same cells, mm³: its bounds, and by the middles
     /// of the two heights of each cell. `counts`: the cells that count, by their middles.
-    pub fn removed(&self, after: &Window, counts: impl Fn([f64; 2]) -> bool) -> (Amount, f64) {
-        let (mut amount, mut middle) = (Amount::default(), 0.0);
+    pub fn removed(
+        &self,
+        after: &HeightWindow,
+        counts: impl Fn([f64; 2]) -> bool,
+    ) -> (VolumeInterval, f64) {
+        let (mut amount, mut middle) = (VolumeInterval::default(), 0.0);
         for at in 0..self.outer.len().min(after.outer.len()) {
             let [[before, inner], [outer, after]] = [self.filled(at), after.filled(at)];
             if before == outer && inner == after {
@@ -238,16 +242,16 @@ impl Window {
 mod tests {
     use chordal_geometry::{Aabb, Line, Vec3};
 
-    use crate::{Cutter, Move, Options};
+    use crate::{ColumnOptions, CutterProfile, TipMove};
 
     use super::*;
 
     #[test]
     fn a_window_has_the_heights_of_its_cells() {
         let bounds = Aabb::of_points(Vec3::new(-3.0, 2.0, -10.0), Vec3::new(40.3, 31.1, 1.0));
-        let mut stock = Stock::new(bounds, Options::new(0.5, 10_000_000)).unwrap();
+        let mut stock = ColumnStock::new(bounds, ColumnOptions::new(0.5, 10_000_000)).unwrap();
         let curve = Line::new(Vec3::new(0.0, 5.0, -2.0), Vec3::new(30.0, 22.0, -6.0)).into();
-        stock.cut(&Cutter::ball(6.0).unwrap(), &[Move { curve, tag: 0 }]);
+        stock.cut(&CutterProfile::ball(6.0).unwrap(), &[TipMove { curve, tag: 0 }]);
         let window = stock.window([-9.0, 7.3], [22.2, 19.9]);
         assert_eq!((window.first, window.size), ([0, 10], [51, 26]));
         for row in 0..26 {
@@ -267,10 +271,10 @@ mod tests {
     #[test]
     fn a_window_has_the_gaps_of_its_cells() {
         let bounds = Aabb::of_points(Vec3::new(0.0, 0.0, -20.0), Vec3::new(40.0, 30.0, 0.0));
-        let mut stock = Stock::new(bounds, Options::new(0.5, 10_000_000)).unwrap();
+        let mut stock = ColumnStock::new(bounds, ColumnOptions::new(0.5, 10_000_000)).unwrap();
         let disc = crate::Undercut::t_slot(20.0, 4.0, 8.0).unwrap();
         let curve = Line::new(Vec3::new(-20.0, 15.0, -12.0), Vec3::new(60.0, 15.0, -12.0)).into();
-        stock.cut_below(&[(0.0, disc)], &[Move { curve, tag: 0 }]);
+        stock.cut_below(&[(0.0, disc)], &[TipMove { curve, tag: 0 }]);
         let window = stock.window([0.0, 0.0], [40.0, 30.0]);
         let near = |value: f64, truth: f64| (value - truth).abs() < 0.01;
         let ends = |y: f64, stretch: [f64; 2]| window.ends([20.25, y], [0.1; 2], stretch);
@@ -293,7 +297,7 @@ mod tests {
         assert_eq!(window.missing([20.25, 2.25], [-12.0, -4.0]), 0.0);
         // What a hole to the gap removes is the stock above it.
         let drop = Line::new(Vec3::new(20.0, 15.0, 1.0), Vec3::new(20.0, 15.0, -9.0)).into();
-        stock.cut(&Cutter::flat(10.0).unwrap(), &[Move { curve: drop, tag: 0 }]);
+        stock.cut(&CutterProfile::flat(10.0).unwrap(), &[TipMove { curve: drop, tag: 0 }]);
         let after = stock.window([0.0, 0.0], [40.0, 30.0]);
         let (bounds, middle) = window.removed(&after, |_| true);
         let truth = 8.0 * 25.0 * std::f64::consts::PI;

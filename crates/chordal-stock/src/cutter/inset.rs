@@ -3,7 +3,7 @@
 
 use libm::{cos, sin};
 
-use super::{Cutter, CutterError};
+use super::{CutterError, CutterProfile};
 
 /// Chords of half a circle: they are nowhere further from it than 0.5 % of its radius.
 const CHORDS: u32 = 16;
@@ -14,12 +14,12 @@ const SAME: f64 = 1e-9;
 
 /// A piece of a surface, from one radius to a larger one.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct SurfacePiece {
     from: [f64; 2],
     to: [f64; 2],
 }
 
-impl Piece {
+impl SurfacePiece {
     fn height_at(&self, radius: f64) -> f64 {
         let share = (radius - self.from[0]) / (self.to[0] - self.from[0]);
         self.from[1] + (self.to[1] - self.from[1]) * share
@@ -30,8 +30,9 @@ impl Piece {
     }
 
     /// Where two pieces cross.
-    fn crossing(&self, other: &Piece) -> Option<f64> {
-        let slope = |piece: &Piece| (piece.to[1] - piece.from[1]) / (piece.to[0] - piece.from[0]);
+    fn crossing(&self, other: &SurfacePiece) -> Option<f64> {
+        let slope =
+            |piece: &SurfacePiece| (piece.to[1] - piece.from[1]) / (piece.to[0] - piece.from[0]);
         let apart = slope(self) - slope(other);
         if apart == 0.0 {
             return None;
@@ -43,18 +44,18 @@ impl Piece {
     }
 }
 
-impl Cutter {
-    /// Two cutters, with the same tip, by an outline as of [`Cutter::outline`]: the first holds everything that lies at
+impl CutterProfile {
+    /// Two cutters, with the same tip, by an outline as of [`CutterProfile::outline`]: the first holds everything that lies at
     /// least `depth` inside of it, mm, the second lies in that. They differ by no more than a hundredth of the depth.
     /// `None` where nothing is left, or the outline has more than 100 points.
     ///
     /// # Errors
-    /// As [`Cutter::outline`].
+    /// As [`CutterProfile::outline`].
     pub fn outline_inside(
         points: &[[f64; 2]],
         depth: f64,
-    ) -> Result<Option<[Cutter; 2]>, CutterError> {
-        let whole = Cutter::outline(points)?;
+    ) -> Result<Option<[CutterProfile; 2]>, CutterError> {
+        let whole = CutterProfile::outline(points)?;
         let reach = whole.radius() - depth;
         if reach <= SAME || points.len() > MOST_POINTS || depth <= 0.0 || !depth.is_finite() {
             return Ok(None);
@@ -64,13 +65,13 @@ impl Cutter {
             let pieces = pieces(points, depth, tangents);
             *points_of = outline(&pieces, reach);
         }
-        let [holds, within] = made.map(|points| Cutter::outline(&points));
+        let [holds, within] = made.map(|points| CutterProfile::outline(&points));
         Ok(Some([holds?, within?]))
     }
 }
 
 /// The pieces whose highest is the surface so much inside of an outline; circles by chords or by tangents.
-fn pieces(points: &[[f64; 2]], depth: f64, tangents: bool) -> Vec<Piece> {
+fn pieces(points: &[[f64; 2]], depth: f64, tangents: bool) -> Vec<SurfacePiece> {
     // As radius and height, from the axis on.
     let first = [0.0, points[0][0]];
     let corners: Vec<[f64; 2]> = core::iter::once(first)
@@ -79,7 +80,7 @@ fn pieces(points: &[[f64; 2]], depth: f64, tangents: bool) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let mut add = |from: [f64; 2], to: [f64; 2]| {
         if to[0] - from[0] > SAME {
-            pieces.push(Piece { from, to });
+            pieces.push(SurfacePiece { from, to });
         }
     };
     for pair in corners.windows(2) {
@@ -122,7 +123,7 @@ fn circle(radius: f64, tangents: bool) -> Vec<[f64; 2]> {
 }
 
 /// The outline of the highest of pieces from the axis to a radius, as points of height and radius; it never falls.
-fn outline(pieces: &[Piece], reach: f64) -> Vec<[f64; 2]> {
+fn outline(pieces: &[SurfacePiece], reach: f64) -> Vec<[f64; 2]> {
     let mut ends: Vec<f64> = vec![0.0, reach];
     let mut add = |radius: f64| {
         if radius > 0.0 && radius < reach {
@@ -177,7 +178,7 @@ mod tests {
 
     /// The surface so much inside of an outline, by places of the outline near together.
     fn sampled(points: &[[f64; 2]], depth: f64, radius: f64) -> f64 {
-        let whole = Cutter::outline(points).unwrap();
+        let whole = CutterProfile::outline(points).unwrap();
         let count = 4000;
         (0..=count)
             .map(|k| {
@@ -201,8 +202,9 @@ mod tests {
             .collect();
         for outline in [step, point, &round] {
             for depth in [0.02, 0.05, 0.3, 1.1] {
-                let [holds, within] = Cutter::outline_inside(outline, depth).unwrap().unwrap();
-                let whole = Cutter::outline(outline).unwrap();
+                let [holds, within] =
+                    CutterProfile::outline_inside(outline, depth).unwrap().unwrap();
+                let whole = CutterProfile::outline(outline).unwrap();
                 assert_eq!(holds.radius(), whole.radius() - depth);
                 assert_eq!(within.radius(), whole.radius() - depth);
                 for k in 0..200 {
@@ -226,7 +228,7 @@ mod tests {
                 }
             }
         }
-        assert!(Cutter::outline_inside(step, 8.0).unwrap().is_none());
-        assert!(Cutter::outline_inside(&[[1.0, 2.0], [0.0, 3.0]], 0.1).is_err());
+        assert!(CutterProfile::outline_inside(step, 8.0).unwrap().is_none());
+        assert!(CutterProfile::outline_inside(&[[1.0, 2.0], [0.0, 3.0]], 0.1).is_err());
     }
 }

@@ -13,7 +13,7 @@ pub use undercut::Undercut;
 
 /// What a cutter is on a ring, by the distance r from the axis, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Element {
+pub enum RingElement {
     /// Flat, at this height above the tip.
     Disc {
         /// Above the tip, mm.
@@ -45,16 +45,16 @@ pub struct Ring {
     /// The outer radius, mm.
     pub to: f64,
     /// What is there.
-    pub element: Element,
+    pub element: RingElement,
 }
 
 impl Ring {
     /// The height above the tip at a radius on the ring, mm.
     pub fn height_at(&self, radius: f64) -> f64 {
         match self.element {
-            Element::Disc { height } => height,
-            Element::Cone { height, slope } => height + slope * (radius - self.from),
-            Element::Torus { height, round, middle } => {
+            RingElement::Disc { height } => height,
+            RingElement::Cone { height, slope } => height + slope * (radius - self.from),
+            RingElement::Torus { height, round, middle } => {
                 let d = radius - middle;
                 height + d * d / (round + (round * round - d * d).max(0.0).sqrt())
             }
@@ -69,9 +69,9 @@ impl Ring {
             return self.to;
         }
         let radius = match self.element {
-            Element::Disc { .. } => self.from,
-            Element::Cone { height, slope } => self.from + (limit - height) / slope,
-            Element::Torus { height, round, middle } => {
+            RingElement::Disc { .. } => self.from,
+            RingElement::Cone { height, slope } => self.from + (limit - height) / slope,
+            RingElement::Torus { height, round, middle } => {
                 let rise = limit - height;
                 middle + (rise * (2.0 * round - rise)).max(0.0).sqrt()
             }
@@ -112,13 +112,13 @@ pub enum CutterError {
 /// A cutter that is no wider lower down: what it removes from a column is everything above its
 /// lowest place, up to the end of its edges.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Cutter {
+pub struct CutterProfile {
     rings: Vec<Ring>,
     /// The height of the edges above the tip, mm; `None` where it is not known.
     flutes: Option<f64>,
 }
 
-impl Cutter {
+impl CutterProfile {
     /// The rings from the axis outward: they follow each other without a gap.
     pub fn rings(&self) -> &[Ring] {
         &self.rings
@@ -136,7 +136,7 @@ impl Cutter {
 
     /// The same cutter with edges that reach so far up, mm.
     #[must_use]
-    pub fn with_flutes(mut self, flutes: Option<f64>) -> Cutter {
+    pub fn with_flutes(mut self, flutes: Option<f64>) -> CutterProfile {
         self.flutes = flutes;
         self
     }
@@ -172,9 +172,9 @@ impl Cutter {
     pub fn is_convex(&self) -> bool {
         const SAME: f64 = 1e-12;
         let slopes = |ring: &Ring| match ring.element {
-            Element::Disc { .. } => [0.0, 0.0],
-            Element::Cone { slope, .. } => [slope, slope],
-            Element::Torus { round, middle, .. } => [ring.from, ring.to].map(|radius| {
+            RingElement::Disc { .. } => [0.0, 0.0],
+            RingElement::Cone { slope, .. } => [slope, slope],
+            RingElement::Torus { round, middle, .. } => [ring.from, ring.to].map(|radius| {
                 let d = radius - middle;
                 d / (round * round - d * d).max(f64::MIN_POSITIVE).sqrt()
             }),

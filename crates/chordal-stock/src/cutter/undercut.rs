@@ -3,7 +3,7 @@
 use libm::tan;
 
 use super::shapes::{at_most, positive};
-use super::{Cutter, CutterError, Element, Ring};
+use super::{CutterError, CutterProfile, Ring, RingElement};
 
 /// A cutter that is wider below than above: it removes from a column what is between its lower and its
 /// upper side.
@@ -11,9 +11,9 @@ use super::{Cutter, CutterError, Element, Ring};
 /// The neck above the edges never cuts. It is a part of the shank, and so is what it would run into.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undercut {
-    lower: Cutter,
+    lower: CutterProfile,
     /// The upper side, upside down.
-    upper: Cutter,
+    upper: CutterProfile,
     /// From the tip to the highest place of the edges, mm.
     height: f64,
     neck: f64,
@@ -26,8 +26,8 @@ impl Undercut {
     /// # Errors
     /// When the sides differ in radius, cross each other, or the neck is wider than they are.
     pub fn of(
-        lower: Cutter,
-        upper: Cutter,
+        lower: CutterProfile,
+        upper: CutterProfile,
         height: f64,
         neck: f64,
     ) -> Result<Undercut, CutterError> {
@@ -48,7 +48,7 @@ impl Undercut {
     /// # Errors
     /// When a dimension is not above zero, or the neck is wider than the disc.
     pub fn t_slot(diameter: f64, thickness: f64, neck: f64) -> Result<Undercut, CutterError> {
-        let side = Cutter::flat(diameter)?;
+        let side = CutterProfile::flat(diameter)?;
         Undercut::of(side.clone(), side, positive("thickness", thickness)?, neck)
     }
 
@@ -57,7 +57,7 @@ impl Undercut {
     /// # Errors
     /// When a dimension is not above zero, or the neck is wider than the ball.
     pub fn lollipop(diameter: f64, neck: f64) -> Result<Undercut, CutterError> {
-        let side = Cutter::ball(diameter)?;
+        let side = CutterProfile::ball(diameter)?;
         Undercut::of(side.clone(), side, diameter, neck)
     }
 
@@ -86,21 +86,21 @@ impl Undercut {
         if slope == 0.0 || from >= to {
             return Undercut::t_slot(diameter, crest, neck);
         }
-        let side = Cutter::of(vec![
-            Ring { from: 0.0, to: from, element: Element::Disc { height: 0.0 } },
-            Ring { from, to, element: Element::Cone { height: 0.0, slope } },
+        let side = CutterProfile::of(vec![
+            Ring { from: 0.0, to: from, element: RingElement::Disc { height: 0.0 } },
+            Ring { from, to, element: RingElement::Cone { height: 0.0, slope } },
         ]);
         let height = crest + 2.0 * side.side();
         Undercut::of(side.clone(), side, height, neck)
     }
 
     /// The lower side.
-    pub const fn lower(&self) -> &Cutter {
+    pub const fn lower(&self) -> &CutterProfile {
         &self.lower
     }
 
     /// The upper side, upside down: `height() − upper().height_at(r)` above the tip at the distance r.
-    pub const fn upper(&self) -> &Cutter {
+    pub const fn upper(&self) -> &CutterProfile {
         &self.upper
     }
 
@@ -146,9 +146,9 @@ mod tests {
         assert!(Undercut::t_slot(20.0, f64::NAN, 8.0).is_err());
         assert!(Undercut::thread_disc(20.0, 1.0, -0.1, 8.0).is_err());
         assert!(Undercut::thread_disc(20.0, 1.0, 1.57, 8.0).is_err());
-        let (wide, narrow) = (Cutter::flat(8.0).unwrap(), Cutter::flat(6.0).unwrap());
+        let (wide, narrow) = (CutterProfile::flat(8.0).unwrap(), CutterProfile::flat(6.0).unwrap());
         assert!(Undercut::of(wide.clone(), narrow, 2.0, 4.0).is_err());
-        let ball = Cutter::ball(8.0).unwrap();
+        let ball = CutterProfile::ball(8.0).unwrap();
         assert!(Undercut::of(ball, wide, 3.0, 4.0).is_err());
     }
 }

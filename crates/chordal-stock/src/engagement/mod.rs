@@ -2,7 +2,7 @@
 //!
 //! A place of the cutter's surface with the outward normal n takes a chip of the thickness f·(u·n) where it is in
 //! material: u is the direction of the feed, f the feed of a tooth. All answers here are for f = 1, so that the
-//! caller has the feed: [`Slice::chip`] is u·n.
+//! caller has the feed: [`EngagementSlice::chip`] is u·n.
 //!
 //! The surface is cut into patches ([`patches`]), the move into slices. On a slice a patch passes over some cells:
 //! what may stand on any of them gives what is at most engaged, what surely stands on all of them what is at least.
@@ -15,14 +15,14 @@ mod slice;
 
 use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
 
-use crate::columns::Window;
-use crate::sweep::Move;
-use crate::{Amount, Cutter, Stock};
+use crate::columns::HeightWindow;
+use crate::sweep::TipMove;
+use crate::{ColumnStock, CutterProfile, VolumeInterval};
 
-pub use slice::{Between, Slice, engagement_angle};
+pub use slice::{BoundedValue, EngagementSlice, engagement_angle};
 
-use patches::Patches;
-use slice::Place;
+use patches::CutterPatches;
+use slice::CutterPose;
 
 /// The most that a piece of a curve turns, rad: on the rest of a curve stock is looked at anew.
 const TURN: f64 = 0.2;
@@ -41,7 +41,7 @@ const LEVEL: f64 = 1e-9;
 
 /// How moves are measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measuring {
+pub struct MeasureOptions {
     /// Length of a slice, mm: about the side of a cell is fine enough.
     pub spacing: f64,
     /// Contacts that are no deeper are none, mm. On curves at least as much as chords may be off them, as the floors of
@@ -51,43 +51,47 @@ pub struct Measuring {
 
 /// What a move has removed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Removed {
+pub struct RemovedVolume {
     /// Its bounds, mm³. What is uncertain on a cell counts for every move that changes it.
-    pub bounds: Amount,
+    pub bounds: VolumeInterval,
     /// By the middle between the bounds of each cell, mm³: over all moves the sum is what they remove together.
     pub middle: f64,
 }
 
 /// A cutter whose engagement is measured.
 #[derive(Clone, Debug)]
-pub struct Meter {
-    cutter: Cutter,
-    patches: Patches,
-    measuring: Measuring,
+pub struct EngagementMeter {
+    cutter: CutterProfile,
+    patches: CutterPatches,
+    measuring: MeasureOptions,
 }
 
-impl Meter {
+impl EngagementMeter {
     /// A cutter on stock of some resolution, mm.
-    pub fn new(cutter: Cutter, resolution: f64, measuring: Measuring) -> Meter {
+    pub fn new(
+        cutter: CutterProfile,
+        resolution: f64,
+        measuring: MeasureOptions,
+    ) -> EngagementMeter {
         let graze = measuring.graze.max(LEAST_GRAZE);
         let spacing = if measuring.spacing > 0.0 { measuring.spacing } else { resolution };
-        Meter {
-            patches: Patches::new(&cutter, resolution),
-            measuring: Measuring { spacing, graze },
+        EngagementMeter {
+            patches: CutterPatches::new(&cutter, resolution),
+            measuring: MeasureOptions { spacing, graze },
             cutter,
         }
     }
 }
 
-impl Stock {
+impl ColumnStock {
     /// Removes what a cutter sweeps on a move, and gives every slice of it on which the cutter may be in material.
     pub fn cut_measuring(
         &mut self,
-        meter: &Meter,
-        path: &Move,
-        see: &mut dyn FnMut(&Slice),
-    ) -> Removed {
-        let mut removed = Removed::default();
+        meter: &EngagementMeter,
+        path: &TipMove,
+        see: &mut dyn FnMut(&EngagementSlice),
+    ) -> RemovedVolume {
+        let mut removed = RemovedVolume::default();
         let length = path.curve.length();
         if !length.is_finite() || !path.curve.start().is_finite() || !path.curve.end().is_finite() {
             return removed;
@@ -105,7 +109,7 @@ impl Stock {
         let margin = radius + self.grid().resolution();
         if let Curve::Line(line) = &path.curve {
             // It does not come back to what it has cut, so all of it is looked at before it is.
-            let windows: Vec<Window> = (0..count)
+            let windows: Vec<HeightWindow> = (0..count)
                 .map(|k| {
                     let piece = piece(k);
                     let window = self.window_around(&piece, margin);
@@ -114,7 +118,7 @@ impl Stock {
                 })
                 .collect();
             self.cut(&meter.cutter, core::slice::from_ref(path));
-            let shares = Shares::new(line, count);
+            let shares = LineShares::new(line, count);
             for (k, before) in (0..count).zip(&windows) {
                 let after = self.window_around(&piece(k), margin);
                 removed.add(before.removed(&after, |place| shares.of(place) == k));
@@ -128,14 +132,14 @@ impl Stock {
             let piece = piece(k);
             let before = self.window_around(&piece, margin);
             measure(meter, &before, &piece, ends(k)[0], [bend, graze], see);
-            self.cut(&meter.cutter, &[Move { curve: piece, tag: path.tag }]);
+            self.cut(&meter.cutter, &[TipMove { curve: piece, tag: path.tag }]);
             removed.add(before.removed(&self.window_around(&piece, margin), |_| true));
         }
         removed
     }
 
     /// The cells around a curve, with a margin, mm.
-    fn window_around(&self, curve: &Curve, margin: f64) -> Window {
+    fn window_around(&self, curve: &Curve, margin: f64) -> HeightWindow {
         let bounds = curve.bounds();
         self.window(
             [bounds.min.x - margin, bounds.min.y - margin],
@@ -144,27 +148,27 @@ impl Stock {
     }
 }
 
-impl Removed {
-    fn add(&mut self, (bounds, middle): (Amount, f64)) {
+impl RemovedVolume {
+    fn add(&mut self, (bounds, middle): (VolumeInterval, f64)) {
         self.bounds = self.bounds.plus(bounds);
         self.middle += middle;
     }
 }
 
 /// Which piece of a line a place belongs to, so that no cell counts twice.
-struct Shares {
+struct LineShares {
     start: Vec3,
     /// Along the line in plan, in pieces by mm.
     along: [f64; 2],
     count: u64,
 }
 
-impl Shares {
-    fn new(line: &Line, count: u64) -> Shares {
+impl LineShares {
+    fn new(line: &Line, count: u64) -> LineShares {
         let way = line.end - line.start;
         let square = way.x * way.x + way.y * way.y;
         let scale = if square > 0.0 { count as f64 / square } else { 0.0 };
-        Shares { start: line.start, along: [way.x * scale, way.y * scale], count }
+        LineShares { start: line.start, along: [way.x * scale, way.y * scale], count }
     }
 
     fn of(&self, place: [f64; 2]) -> u64 {
@@ -180,12 +184,12 @@ const MOST_PIECES: f64 = 1e6;
 /// Looks at the slices of a piece that begins so far along its move: `bend` is its largest curvature, 1/mm; contacts
 /// no deeper than `graze` are none, mm.
 fn measure(
-    meter: &Meter,
-    window: &Window,
+    meter: &EngagementMeter,
+    window: &HeightWindow,
     piece: &Curve,
     begin: f64,
     [bend, graze]: [f64; 2],
-    see: &mut dyn FnMut(&Slice),
+    see: &mut dyn FnMut(&EngagementSlice),
 ) {
     if window.highest() <= piece.bounds().min.z + meter.measuring.graze {
         return;
@@ -199,7 +203,7 @@ fn measure(
         let direction = direction(piece, at);
         let rises = [at - half, at, at + half].map(|at| self::direction(piece, at).z);
         let tilts = (rises[0] - rises[1]).abs().max((rises[2] - rises[1]).abs()) > LEVEL;
-        let place = Place {
+        let place = CutterPose {
             tip: piece.point_at(at),
             direction,
             half,

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use libm::{asin, atan2, sincos};
 
-use crate::cutter::{Cutter, Element, Ring};
+use crate::cutter::{CutterProfile, Ring, RingElement};
 
 /// The side of a cutter is cut into so many patches around at least and at most. More than 720, half a degree each,
 /// say nothing that cells of the usual sizes know.
@@ -16,7 +16,7 @@ const MOST_RINGS: f64 = 24.0;
 
 /// A ring of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Band {
+pub(super) struct PatchBand {
     /// Radii, mm.
     pub radii: [f64; 2],
     /// Heights above the tip, mm.
@@ -33,9 +33,9 @@ pub(super) struct Band {
 
 /// The surface of a cutter.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Patches {
-    pub end: Vec<Band>,
-    pub side: Band,
+pub(super) struct CutterPatches {
+    pub end: Vec<PatchBand>,
+    pub side: PatchBand,
     /// The directions of the middles of patches around the axis: sine and cosine, from the feed on.
     pub around_end: Vec<[f64; 2]>,
     pub around_side: Vec<[f64; 2]>,
@@ -43,8 +43,8 @@ pub(super) struct Patches {
     pub flutes: f64,
 }
 
-impl Patches {
-    pub fn new(cutter: &Cutter, resolution: f64) -> Patches {
+impl CutterPatches {
+    pub fn new(cutter: &CutterProfile, resolution: f64) -> CutterPatches {
         let radius = cutter.radius();
         let count = |[least, most]: [f64; 2], width: f64| {
             // By four: a patch begins at the feed and across it.
@@ -62,7 +62,7 @@ impl Patches {
             );
         }
         let flutes = cutter.flutes().unwrap_or(f64::INFINITY);
-        let side = Band {
+        let side = PatchBand {
             radii: [radius; 2],
             heights: [cutter.side().min(flutes); 2],
             length: 0.0,
@@ -70,7 +70,7 @@ impl Patches {
             bow: 0.0,
             is_side: true,
         };
-        Patches {
+        CutterPatches {
             end,
             side,
             around_end: around(count(AROUND_END, width)),
@@ -99,21 +99,21 @@ fn slant(round: f64, middle: f64, radius: f64) -> f64 {
 /// The length of a ring along its outline, mm.
 fn length(ring: &Ring) -> f64 {
     match ring.element {
-        Element::Disc { .. } => ring.to - ring.from,
-        Element::Cone { slope, .. } => (ring.to - ring.from) * (1.0 + slope * slope).sqrt(),
-        Element::Torus { round, middle, .. } => {
+        RingElement::Disc { .. } => ring.to - ring.from,
+        RingElement::Cone { slope, .. } => (ring.to - ring.from) * (1.0 + slope * slope).sqrt(),
+        RingElement::Torus { round, middle, .. } => {
             round * (slant(round, middle, ring.to) - slant(round, middle, ring.from))
         }
     }
 }
 
 /// The part of a ring between two shares of its outline.
-fn band(ring: &Ring, from: f64, to: f64) -> Band {
+fn band(ring: &Ring, from: f64, to: f64) -> PatchBand {
     let along = |share: f64| ring.from + (ring.to - ring.from) * share;
     let (radii, slants) = match ring.element {
-        Element::Disc { .. } => ([along(from), along(to)], [0.0; 2]),
-        Element::Cone { slope, .. } => ([along(from), along(to)], [atan2(slope, 1.0); 2]),
-        Element::Torus { round, middle, .. } => {
+        RingElement::Disc { .. } => ([along(from), along(to)], [0.0; 2]),
+        RingElement::Cone { slope, .. } => ([along(from), along(to)], [atan2(slope, 1.0); 2]),
+        RingElement::Torus { round, middle, .. } => {
             let [first, last] = [ring.from, ring.to].map(|radius| slant(round, middle, radius));
             let slants = [from, to].map(|share| first + (last - first) * share);
             (slants.map(|slant| middle + round * sincos(slant).0), slants)
@@ -121,7 +121,7 @@ fn band(ring: &Ring, from: f64, to: f64) -> Band {
     };
     let heights = radii.map(|radius| ring.height_at(radius.clamp(ring.from, ring.to)));
     let angle = (slants[1] - slants[0]).clamp(0.0, FRAC_PI_2);
-    Band {
+    PatchBand {
         radii,
         heights,
         length: length(ring) * (to - from),
@@ -143,11 +143,11 @@ mod tests {
     fn patches_have_the_area_of_the_cutter() {
         // Half a ball: 2πR²; a point of 90 degrees: πR²·√2.
         for (cutter, area) in [
-            (Cutter::ball(6.0).unwrap(), 2.0 * PI * 9.0),
-            (Cutter::pointed(8.0, 0.0, FRAC_PI_2).unwrap(), PI * 16.0 * 2.0_f64.sqrt()),
-            (Cutter::flat(10.0).unwrap(), PI * 25.0),
+            (CutterProfile::ball(6.0).unwrap(), 2.0 * PI * 9.0),
+            (CutterProfile::pointed(8.0, 0.0, FRAC_PI_2).unwrap(), PI * 16.0 * 2.0_f64.sqrt()),
+            (CutterProfile::flat(10.0).unwrap(), PI * 25.0),
         ] {
-            let patches = Patches::new(&cutter, 0.05);
+            let patches = CutterPatches::new(&cutter, 0.05);
             let sum: f64 = patches
                 .end
                 .iter()

@@ -5,12 +5,12 @@ use std::f64::consts::PI;
 use chordal_geometry::Vec3;
 use libm::asin;
 
-use super::patches::{Band, Patches};
-use crate::columns::{Ends, Window};
+use super::patches::{CutterPatches, PatchBand};
+use crate::columns::{HeightWindow, StockLimits};
 
 /// A number that is known to lie between two.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Between {
+pub struct BoundedValue {
     /// At least.
     pub least: f64,
     /// At most.
@@ -19,30 +19,30 @@ pub struct Between {
 
 /// How the cutter is engaged on a slice of a move. Everything is for the slice's worst place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Slice {
+pub struct EngagementSlice {
     /// The middle of the slice, from the start of the move, mm.
     pub at: f64,
     /// How long it is, mm.
     pub length: f64,
     /// The thickest chip, as a share of the feed of a tooth: the largest u·n.
-    pub chip: Between,
+    pub chip: BoundedValue,
     /// The mean chip, as a share of the feed of a tooth, over the engaged surface by the middle heights of cells.
     pub mean: f64,
     /// From the first to the last engaged place across the feed, mm.
-    pub across: Between,
+    pub across: BoundedValue,
     /// From the lowest to the highest engaged place along the axis, mm.
-    pub axial: Between,
+    pub axial: BoundedValue,
     /// From the first to the last engaged place around the axis, rad.
-    pub angle: Between,
+    pub angle: BoundedValue,
     /// The engaged surface seen along the feed, mm²: what is removed by length of path.
-    pub section: Between,
+    pub section: BoundedValue,
     /// The same by the middle heights of cells, mm².
     pub section_middle: f64,
 }
 
 /// Where the cutter is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct CutterPose {
     /// Its tip at the middle of the slice, mm.
     pub tip: Vec3,
     /// The direction of the feed.
@@ -63,7 +63,7 @@ pub(super) struct Place {
     pub fine: f64,
 }
 
-impl Place {
+impl CutterPose {
     /// The tip is nowhere lower on the slice, mm.
     pub fn lowest(&self) -> f64 {
         self.tip.z - self.direction.z.abs() * self.half - self.sag
@@ -76,13 +76,13 @@ impl Place {
 
 /// A range that grows; empty at first.
 #[derive(Clone, Copy, Debug)]
-struct Extent {
+struct GrowingRange {
     from: f64,
     to: f64,
 }
 
-impl Extent {
-    const NONE: Extent = Extent { from: f64::INFINITY, to: f64::NEG_INFINITY };
+impl GrowingRange {
+    const NONE: GrowingRange = GrowingRange { from: f64::INFINITY, to: f64::NEG_INFINITY };
 
     fn add(&mut self, from: f64, to: f64) {
         self.from = self.from.min(from);
@@ -96,36 +96,36 @@ impl Extent {
 
 /// What is engaged, from one side.
 #[derive(Clone, Copy, Debug)]
-struct Side {
+struct SideEngagement {
     chip: f64,
-    across: Extent,
-    axial: Extent,
-    around: Extent,
+    across: GrowingRange,
+    axial: GrowingRange,
+    around: GrowingRange,
     section: f64,
 }
 
-impl Side {
-    const NONE: Side = Side {
+impl SideEngagement {
+    const NONE: SideEngagement = SideEngagement {
         chip: 0.0,
-        across: Extent::NONE,
-        axial: Extent::NONE,
-        around: Extent::NONE,
+        across: GrowingRange::NONE,
+        axial: GrowingRange::NONE,
+        around: GrowingRange::NONE,
         section: 0.0,
     };
 }
 
 /// What a look at all patches gathers.
-struct Look<'a> {
-    window: &'a Window,
-    place: &'a Place,
+struct PatchScan<'a> {
+    window: &'a HeightWindow,
+    place: &'a CutterPose,
     /// The feed seen from above, or X where it goes straight down, and across it to the left.
     ahead: [f64; 2],
     /// Lengths of the feed's direction in plan and along the axis.
     plan: f64,
     rise: f64,
     flutes: f64,
-    most: Side,
-    least: Side,
+    most: SideEngagement,
+    least: SideEngagement,
     /// The engaged surface, mm², and seen along the feed, by the middle heights.
     surface: f64,
     section: f64,
@@ -139,19 +139,24 @@ const SLIDES: f64 = 1e-6;
 const UPRIGHT: f64 = 1e-9;
 
 /// Looks which patches of a cutter are in material; `None` where none may be.
-pub(super) fn look(patches: &Patches, window: &Window, place: &Place, at: f64) -> Option<Slice> {
+pub(super) fn look(
+    patches: &CutterPatches,
+    window: &HeightWindow,
+    place: &CutterPose,
+    at: f64,
+) -> Option<EngagementSlice> {
     let direction = place.direction;
     let plan = libm::hypot(direction.x, direction.y);
     let ahead = if plan > UPRIGHT { [direction.x / plan, direction.y / plan] } else { [1.0, 0.0] };
-    let mut look = Look {
+    let mut look = PatchScan {
         window,
         place,
         ahead,
         plan: if plan > UPRIGHT { plan } else { 0.0 },
         rise: direction.z,
         flutes: patches.flutes,
-        most: Side::NONE,
-        least: Side::NONE,
+        most: SideEngagement::NONE,
+        least: SideEngagement::NONE,
         surface: 0.0,
         section: 0.0,
     };
@@ -163,14 +168,14 @@ pub(super) fn look(patches: &Patches, window: &Window, place: &Place, at: f64) -
     look.slice(at, widest)
 }
 
-impl Look<'_> {
-    fn slice(&self, at: f64, widest: f64) -> Option<Slice> {
+impl PatchScan<'_> {
+    fn slice(&self, at: f64, widest: f64) -> Option<EngagementSlice> {
         let (most, least) = (&self.most, &self.least);
         if most.chip <= 0.0 && self.section <= 0.0 {
             return None;
         }
-        let between = |least: f64, most: f64| Between { least: least.min(most), most };
-        Some(Slice {
+        let between = |least: f64, most: f64| BoundedValue { least: least.min(most), most };
+        Some(EngagementSlice {
             at,
             length: 2.0 * self.place.half,
             chip: between(least.chip, most.chip.min(1.0)),
@@ -184,7 +189,7 @@ impl Look<'_> {
     }
 
     /// Looks at the patches of a ring.
-    fn band(&mut self, band: &Band, around: &[[f64; 2]]) {
+    fn band(&mut self, band: &PatchBand, around: &[[f64; 2]]) {
         let place = self.place;
         let low = place.lowest() + band.heights[0];
         if self.window.highest() <= low + place.fine {
@@ -209,7 +214,7 @@ impl Look<'_> {
 
     fn patch(
         &mut self,
-        band: &Band,
+        band: &PatchBand,
         [sine, cosine]: [f64; 2],
         ends: [[f64; 2]; 2],
         angles: [f64; 2],
@@ -247,7 +252,7 @@ impl Look<'_> {
         let top = place.highest() + self.flutes;
         let heights = [place.lowest() + band.heights[0], place.highest() + band.heights[1]];
         let stretch = [heights[0], if band.is_side { top } else { heights[1] }];
-        let Ends { maybe, surely } = self.window.ends(middle, reach, stretch);
+        let StockLimits { maybe, surely } = self.window.ends(middle, reach, stretch);
         let bottom = heights[0].max(maybe[0]);
         let highest = maybe[1].min(top);
         let lowest = surely[1].min(place.lowest() + self.flutes);
@@ -287,7 +292,7 @@ impl Look<'_> {
     }
 
     /// Adds a patch by the middle height of the cell at its middle.
-    fn middle(&mut self, band: &Band, [_, cosine]: [f64; 2], middle: [f64; 2], width: f64) {
+    fn middle(&mut self, band: &PatchBand, [_, cosine]: [f64; 2], middle: [f64; 2], width: f64) {
         let [a, b] = band.normals.map(|normal| self.facing(normal, cosine));
         let facing = 0.5 * (a + b);
         let [bottom, above] = band.heights.map(|height| self.place.tip.z + height);

@@ -12,12 +12,12 @@ use std::f64::consts::{PI, TAU};
 use chordal_geometry::{Arc, Vec3};
 use libm::{asin, atan2, sincos};
 
-use super::profile::{Low, Profile};
-use crate::cutter::{Element, Ring};
+use super::profile::{LowestOffer, PushedProfile};
+use crate::cutter::{Ring, RingElement};
 
 /// An arc or a helix about a vertical axis; its parameter is the angle travelled, from nothing to `sweep`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Around {
+pub(super) struct HorizontalArc {
     center: Vec3,
     /// Towards the start, in plan.
     u: [f64; 2],
@@ -31,7 +31,7 @@ pub(super) struct Around {
 }
 
 /// A column as the turn sees it.
-struct Seen {
+struct ColumnView {
     /// From the axis of the turn, mm.
     distance: f64,
     /// The angle travelled to the nearest place, within half a turn of the start.
@@ -42,7 +42,7 @@ struct Seen {
     four: f64,
 }
 
-impl Seen {
+impl ColumnView {
     /// sin²(ψ/2) where the axis is a distance away; `None` where it never is so near.
     fn half_sine2(&self, distance: f64) -> Option<f64> {
         let square = (distance - self.least) * (distance + self.least);
@@ -69,14 +69,14 @@ fn half_sine2(angle: f64) -> f64 {
     sine * sine
 }
 
-impl Around {
+impl HorizontalArc {
     /// Of an arc about an axis along Z with a radius and a sweep.
-    pub(super) fn new(arc: &Arc) -> Around {
+    pub(super) fn new(arc: &Arc) -> HorizontalArc {
         let up = if arc.w.z < 0.0 { -1.0 } else { 1.0 };
         let turn = up * arc.sweep.signum();
         let u = [arc.u.x, arc.u.y];
         let sweep = arc.sweep.abs();
-        Around {
+        HorizontalArc {
             center: arc.center,
             u,
             v: [-turn * u[1], turn * u[0]],
@@ -98,16 +98,16 @@ impl Around {
         self.center.z + self.rise * angle
     }
 
-    fn seen_from(&self, place: [f64; 2]) -> Seen {
+    fn seen_from(&self, place: [f64; 2]) -> ColumnView {
         let [x, y] = [place[0] - self.center.x, place[1] - self.center.y];
         let distance = (x * x + y * y).sqrt();
         let nearest = atan2(x * self.v[0] + y * self.v[1], x * self.u[0] + y * self.u[1]);
         let least = (self.radius - distance).abs();
-        Seen { distance, nearest, least, four: 4.0 * self.radius * distance }
+        ColumnView { distance, nearest, least, four: 4.0 * self.radius * distance }
     }
 
     /// The whole turns after which a range of angles about the nearest place meets a range of the path.
-    fn turns(seen: &Seen, reach: f64, [from, to]: [f64; 2]) -> [i64; 2] {
+    fn turns(seen: &ColumnView, reach: f64, [from, to]: [f64; 2]) -> [i64; 2] {
         let first = ((from - seen.nearest - reach) / TAU).ceil();
         let last = ((to - seen.nearest + reach) / TAU).floor();
         [first as i64, last as i64]
@@ -122,7 +122,7 @@ impl Around {
         }
         let Some(half_sine2) = seen.half_sine2(radius) else { return };
         let reach = angle(half_sine2);
-        let [first, last] = Around::turns(&seen, reach, [0.0, self.sweep]);
+        let [first, last] = HorizontalArc::turns(&seen, reach, [0.0, self.sweep]);
         for turn in first..=last {
             let middle = seen.nearest + TAU * turn as f64;
             let range = [(middle - reach).max(0.0), (middle + reach).min(self.sweep)];
@@ -132,29 +132,28 @@ impl Around {
         }
     }
 
-    /// Whether [`Around::lowest`] has a closed form for a cutter: not for a round about a circle that
+    /// Whether [`HorizontalArc::lowest`] has a closed form for a cutter: not for a round about a circle that
     /// rises while it turns.
-    pub(super) fn is_closed_for(&self, profile: Profile) -> bool {
-        let bull =
-            |ring: &Ring| matches!(ring.element, Element::Torus { middle, .. } if middle != 0.0);
+    pub(super) fn is_closed_for(&self, profile: PushedProfile) -> bool {
+        let bull = |ring: &Ring| matches!(ring.element, RingElement::Torus { middle, .. } if middle != 0.0);
         self.is_level() || !profile.rings().any(|ring| bull(&ring))
     }
 
     /// The lowest point above a column within a range of the angle.
     pub(super) fn lowest(
         &self,
-        profile: Profile,
+        profile: PushedProfile,
         place: [f64; 2],
         [from, to]: [f64; 2],
-    ) -> Option<Low> {
+    ) -> Option<LowestOffer> {
         let seen = self.seen_from(place);
-        let mut low = Low::NONE;
+        let mut low = LowestOffer::NONE;
         // On the axis of the turn all places are as near.
         if self.is_level() || seen.four <= f64::MIN_POSITIVE {
             self.offer_level(&seen, profile, [from, to], &mut low);
             return low.found();
         }
-        let [first, last] = Around::turns(&seen, PI, [from, to]);
+        let [first, last] = HorizontalArc::turns(&seen, PI, [from, to]);
         // On a higher turn everything is the same, but higher: the lowest one and, since that may be
         // there in part only, the next one.
         let turns =
@@ -172,21 +171,34 @@ impl Around {
     }
 
     /// Where the height does not depend on ψ, or the distance not: the nearest place, or the lower end.
-    fn offer_level(&self, seen: &Seen, profile: Profile, [from, to]: [f64; 2], low: &mut Low) {
+    fn offer_level(
+        &self,
+        seen: &ColumnView,
+        profile: PushedProfile,
+        [from, to]: [f64; 2],
+        low: &mut LowestOffer,
+    ) {
         let mut offer = |angle: f64, at: f64| {
             let distance = seen.distance_at(half_sine2(angle - seen.nearest));
             low.offer(self.height_at(at) + profile.height_at(distance), at);
         };
         offer(from, from);
         offer(to, to);
-        let [first, last] = Around::turns(seen, 0.0, [from, to]);
+        let [first, last] = HorizontalArc::turns(seen, 0.0, [from, to]);
         if first <= last {
             offer(seen.nearest, seen.nearest + TAU * first as f64);
         }
     }
 
     /// The lowest point of one ring in one turn; `range` is that of ψ, `middle` the angle of its zero.
-    fn offer_ring(&self, seen: &Seen, ring: &Ring, middle: f64, range: [f64; 2], low: &mut Low) {
+    fn offer_ring(
+        &self,
+        seen: &ColumnView,
+        ring: &Ring,
+        middle: f64,
+        range: [f64; 2],
+        low: &mut LowestOffer,
+    ) {
         let Some(outer) = seen.half_sine2(ring.to) else { return };
         // Farther than the path ever is: its angle would be half a turn, but the ring is not there.
         if ring.from > seen.least && (ring.from * ring.from) > seen.least * seen.least + seen.four {
@@ -227,19 +239,19 @@ impl Around {
 }
 
 /// sin²(ψ/2) where the height of an element stands still on a helix of a rise by radian.
-fn stationary(element: Element, seen: &Seen, rise: f64) -> [f64; 2] {
+fn stationary(element: RingElement, seen: &ColumnView, rise: f64) -> [f64; 2] {
     let product = 0.25 * seen.four;
     match element {
-        Element::Disc { .. } => [f64::NAN; 2],
+        RingElement::Disc { .. } => [f64::NAN; 2],
         // k²A²D²·sin²ψ = p²ρ²
-        Element::Cone { slope, .. } => {
+        RingElement::Cone { slope, .. } => {
             let share = rise / (slope * product);
             let flat = rise / slope;
             let least = seen.least * share;
             roots(1.0 - flat * share, 0.25 * least * least)
         }
         // A²D²·sin²ψ = p²(c² − ρ²)
-        Element::Torus { round, .. } => {
+        RingElement::Torus { round, .. } => {
             let share = rise / product;
             let left = (round - seen.least) * (round + seen.least);
             roots(1.0 + rise * share, 0.25 * share * share * left)

@@ -7,11 +7,11 @@
 //! function of the place, which is greatest at a corner and, reflected through the middle, not below twice
 //! the middle less that.
 
-use super::Sweep;
-use super::path::Path;
+use super::CutterSweep;
+use super::path::TipPath;
 use super::pieces::WIDE;
-use super::profile::Profile;
-use crate::floor::Span;
+use super::profile::PushedProfile;
+use crate::floor::RemovedSpan;
 
 /// What rounding may move a column or a height by at most, mm, on slopes below a thousand and lengths of
 /// some metres. Windows are too wide by less.
@@ -21,20 +21,20 @@ const SHARE: f64 = 64.0 * f64::EPSILON;
 
 /// Two bounds of a height over all of a cell, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
+pub struct HeightBounds {
     /// No column of the cell has it lower.
     pub lower: f64,
     /// No column of the cell has it higher.
     pub upper: f64,
 }
 
-impl Bounds {
+impl HeightBounds {
     /// Of the floor where no column is reached.
-    const NOWHERE: Bounds = Bounds { lower: f64::INFINITY, upper: f64::INFINITY };
+    const NOWHERE: HeightBounds = HeightBounds { lower: f64::INFINITY, upper: f64::INFINITY };
 }
 
 /// A square about its middle, grown by what rounding and the ends of an arc may be off.
-struct Cell {
+struct CellSquare {
     middle: [f64; 2],
     /// Half a side.
     half: f64,
@@ -45,16 +45,16 @@ struct Cell {
     gap: f64,
 }
 
-impl Cell {
+impl CellSquare {
     fn corners(&self) -> [[f64; 2]; 4] {
         let ([x, y], half) = (self.middle, self.half);
         [[x - half, y - half], [x + half, y - half], [x - half, y + half], [x + half, y + half]]
     }
 
     /// The floor of a profile along the whole path.
-    fn floor(&self, path: &Path, profile: Profile, is_convex: bool) -> Bounds {
+    fn floor(&self, path: &TipPath, profile: PushedProfile, is_convex: bool) -> HeightBounds {
         let outer = path.lowest(profile.pushed(self.reach), self.middle, self.gap);
-        let Some(outer) = outer else { return Bounds::NOWHERE };
+        let Some(outer) = outer else { return HeightBounds::NOWHERE };
         let lower = outer.lower - self.off;
         if is_convex && path.is_straight() {
             let at = |place: [f64; 2]| {
@@ -63,19 +63,22 @@ impl Cell {
             let upper = self.corners().map(at).into_iter().fold(f64::NEG_INFINITY, f64::max);
             if upper < f64::INFINITY {
                 let reflected = 2.0 * at(self.middle) - upper;
-                return Bounds { lower: lower.max(reflected - self.off), upper: upper + self.off };
+                return HeightBounds {
+                    lower: lower.max(reflected - self.off),
+                    upper: upper + self.off,
+                };
             }
         }
         let inner = path.lowest(profile.pushed(-self.reach), self.middle, self.gap);
         let upper = inner.map_or(f64::INFINITY, |low| low.upper + self.off);
-        Bounds { lower, upper }
+        HeightBounds { lower, upper }
     }
 
     /// The same within a range of the path.
     fn floor_within(
         &self,
-        path: &Path,
-        profile: Profile,
+        path: &TipPath,
+        profile: PushedProfile,
         range: [f64; 2],
         is_outer: bool,
     ) -> Option<f64> {
@@ -85,18 +88,18 @@ impl Cell {
     }
 }
 
-impl Sweep<'_> {
-    fn cell(&self, middle: [f64; 2], side: f64) -> Cell {
+impl CutterSweep<'_> {
+    fn cell(&self, middle: [f64; 2], side: f64) -> CellSquare {
         let size = middle.into_iter().fold(self.path.size(), |size, x| size.max(x.abs()));
         let off = ROUNDING + SHARE * size + self.path.off();
         let half = 0.5 * side + off;
-        Cell { middle, half, reach: half * std::f64::consts::SQRT_2, off, gap: self.gap }
+        CellSquare { middle, half, reach: half * std::f64::consts::SQRT_2, off, gap: self.gap }
     }
 
     /// Bounds of the floor over a cell of a side (mm) about its middle. The upper one is infinite where the
     /// cutter may miss a column of it, both where it misses all.
     #[must_use]
-    pub fn cell_floor(&self, middle: [f64; 2], side: f64) -> Bounds {
+    pub fn cell_floor(&self, middle: [f64; 2], side: f64) -> HeightBounds {
         let cell = self.cell(middle, side);
         cell.floor(&self.path, self.profile(), self.is_convex)
     }
@@ -107,8 +110,8 @@ impl Sweep<'_> {
         &self,
         middle: [f64; 2],
         side: f64,
-        surely: &mut Vec<Span>,
-        maybe: &mut Vec<Span>,
+        surely: &mut Vec<RemovedSpan>,
+        maybe: &mut Vec<RemovedSpan>,
     ) {
         let cell = self.cell(middle, side);
         let profile = self.profile();
@@ -116,10 +119,10 @@ impl Sweep<'_> {
             let floor = cell.floor(&self.path, profile, self.is_convex);
             // Upside down.
             let top = self.top.as_ref().map(|top| {
-                let floor = cell.floor(&top.path, Profile::new(&top.rings), top.is_convex);
-                Bounds { lower: top.height - floor.upper, upper: top.height - floor.lower }
+                let floor = cell.floor(&top.path, PushedProfile::new(&top.rings), top.is_convex);
+                HeightBounds { lower: top.height - floor.upper, upper: top.height - floor.lower }
             });
-            let top = top.unwrap_or(Bounds::NOWHERE);
+            let top = top.unwrap_or(HeightBounds::NOWHERE);
             push(surely, floor.upper, top.lower);
             push(maybe, floor.lower, top.upper);
             return;
@@ -131,7 +134,7 @@ impl Sweep<'_> {
                 let top = match &self.top {
                     None => Some(f64::INFINITY),
                     Some(top) => {
-                        let profile = Profile::new(&top.rings);
+                        let profile = PushedProfile::new(&top.rings);
                         let low = cell.floor_within(&top.path, profile, range, is_outer);
                         low.map(|low| top.height - low)
                     }
@@ -144,8 +147,8 @@ impl Sweep<'_> {
     }
 }
 
-fn push(spans: &mut Vec<Span>, floor: f64, top: f64) {
+fn push(spans: &mut Vec<RemovedSpan>, floor: f64, top: f64) {
     if floor < top {
-        spans.push(Span { floor, top });
+        spans.push(RemovedSpan { floor, top });
     }
 }

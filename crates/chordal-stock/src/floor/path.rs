@@ -2,12 +2,12 @@
 
 use chordal_geometry::{Arc, Curve, ParamCurve, Spiral, Transform, Vec3};
 
-use super::around::Around;
-use super::pieces::Pieces;
-use super::profile::{Low, Profile};
-use super::straight::Straight;
-use super::upright::Upright;
-use super::{At, Lowest};
+use super::around::HorizontalArc;
+use super::pieces::NumericCurve;
+use super::profile::{LowestOffer, PushedProfile};
+use super::straight::StraightPath;
+use super::upright::VerticalArc;
+use super::{LowestLocation, LowestPoint};
 
 /// Lengths (mm) and angles beyond this, and what is no number, are no path and no place: nothing is removed.
 const LARGEST: f64 = 1e12;
@@ -18,50 +18,50 @@ const SAME_HEIGHT: f64 = 1e-12;
 
 /// A path of the tip, of one of the kinds that are dealt with by themselves.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Path {
+pub(super) struct TipPath {
     /// As the curve gives them: those of an arc may be a little off its circle.
     start: Vec3,
     end: Vec3,
-    kind: Kind,
+    kind: TipPathKind,
 }
 
 #[derive(Clone, Copy, Debug)]
 #[allow(clippy::large_enum_variant, reason = "one for each move")]
-enum Kind {
+enum TipPathKind {
     /// Not of finite numbers: nowhere.
     Nowhere,
-    Straight(Straight),
-    Around(Around, Pieces),
-    Upright(Upright, Pieces),
-    Pieces(Pieces),
+    Straight(StraightPath),
+    Around(HorizontalArc, NumericCurve),
+    Upright(VerticalArc, NumericCurve),
+    Pieces(NumericCurve),
 }
 
-impl Path {
-    pub(super) fn new(curve: &Curve) -> Path {
+impl TipPath {
+    pub(super) fn new(curve: &Curve) -> TipPath {
         let (start, end) = (curve.start(), curve.end());
-        let straight = Kind::Straight(Straight::new(start, end));
+        let straight = TipPathKind::Straight(StraightPath::new(start, end));
         let kind = match curve {
-            _ if !is_possible(curve) => Kind::Nowhere,
+            _ if !is_possible(curve) => TipPathKind::Nowhere,
             Curve::Line(_) => straight,
             Curve::Arc(arc) => of_arc(arc).unwrap_or(straight),
             Curve::Spiral(spiral) => of_spiral(spiral).unwrap_or(straight),
             Curve::Spline(spline) if spline.order() <= 2 => straight,
-            Curve::Spline(spline) => Kind::Pieces(Pieces::Spline(*spline)),
+            Curve::Spline(spline) => TipPathKind::Pieces(NumericCurve::Spline(*spline)),
         };
-        Path { start, end, kind }
+        TipPath { start, end, kind }
     }
 
     /// The path of the same curve upside down; its parameter is the same.
-    pub(super) fn mirrored(curve: &Curve) -> Path {
-        Path::new(&curve.transformed(&Transform::mirror(Vec3::Z, Vec3::ZERO)))
+    pub(super) fn mirrored(curve: &Curve) -> TipPath {
+        TipPath::new(&curve.transformed(&Transform::mirror(Vec3::Z, Vec3::ZERO)))
     }
 
     /// All of the parameter.
     pub(super) const fn whole(&self) -> [f64; 2] {
         match &self.kind {
-            Kind::Nowhere | Kind::Straight(_) | Kind::Pieces(_) => [0.0, 1.0],
-            Kind::Around(around, _) => [0.0, around.sweep()],
-            Kind::Upright(upright, _) => [0.0, upright.sweep()],
+            TipPathKind::Nowhere | TipPathKind::Straight(_) | TipPathKind::Pieces(_) => [0.0, 1.0],
+            TipPathKind::Around(around, _) => [0.0, around.sweep()],
+            TipPathKind::Upright(upright, _) => [0.0, upright.sweep()],
         }
     }
 
@@ -78,27 +78,32 @@ impl Path {
             return;
         }
         match &self.kind {
-            Kind::Nowhere => {}
-            Kind::Straight(line) => {
+            TipPathKind::Nowhere => {}
+            TipPathKind::Straight(line) => {
                 if let Some(range) = line.window(place, radius) {
                     push(range);
                 }
             }
-            Kind::Around(around, _) => around.windows(place, radius, push),
-            Kind::Upright(upright, _) => upright.windows(place, radius, push),
-            Kind::Pieces(pieces) => pieces.windows(place, radius, is_outer, push),
+            TipPathKind::Around(around, _) => around.windows(place, radius, push),
+            TipPathKind::Upright(upright, _) => upright.windows(place, radius, push),
+            TipPathKind::Pieces(pieces) => pieces.windows(place, radius, is_outer, push),
         }
     }
 
     /// The lowest point above a column along the whole path; nothing but a lower bound, and an infinite upper
     /// one, where it cannot be decided whether the column is reached.
-    pub(super) fn lowest(&self, profile: Profile, place: [f64; 2], gap: f64) -> Option<Lowest> {
+    pub(super) fn lowest(
+        &self,
+        profile: PushedProfile,
+        place: [f64; 2],
+        gap: f64,
+    ) -> Option<LowestPoint> {
         let whole = self.whole();
         let upright = match &self.kind {
-            Kind::Upright(upright, _) if Upright::is_closed_for(profile) => upright,
+            TipPathKind::Upright(upright, _) if VerticalArc::is_closed_for(profile) => upright,
             _ => return self.lowest_within(profile, place, whole, gap),
         };
-        let mut low = Low::NONE;
+        let mut low = LowestOffer::NONE;
         upright.windows(place, profile.radius(), &mut |range| {
             if let Some(found) = upright.lowest(profile, place, range) {
                 low.offer(found.height, found.at);
@@ -107,27 +112,29 @@ impl Path {
         self.with_ends(profile, place, whole, exact(low.found()))
     }
 
-    /// The lowest point above a column within a range that [`Path::windows`] has handed on.
+    /// The lowest point above a column within a range that [`TipPath::windows`] has handed on.
     pub(super) fn lowest_within(
         &self,
-        profile: Profile,
+        profile: PushedProfile,
         place: [f64; 2],
         range: [f64; 2],
         gap: f64,
-    ) -> Option<Lowest> {
+    ) -> Option<LowestPoint> {
         if !place.iter().all(|x| is_length(*x)) {
             return None;
         }
         let found = match &self.kind {
-            Kind::Nowhere => return None,
-            Kind::Straight(line) => exact(line.lowest(profile, place)),
-            Kind::Around(around, _) if around.is_closed_for(profile) => {
+            TipPathKind::Nowhere => return None,
+            TipPathKind::Straight(line) => exact(line.lowest(profile, place)),
+            TipPathKind::Around(around, _) if around.is_closed_for(profile) => {
                 exact(around.lowest(profile, place, range))
             }
-            Kind::Upright(upright, _) if Upright::is_closed_for(profile) => {
+            TipPathKind::Upright(upright, _) if VerticalArc::is_closed_for(profile) => {
                 exact(upright.lowest(profile, place, range))
             }
-            Kind::Around(_, pieces) | Kind::Upright(_, pieces) | Kind::Pieces(pieces) => {
+            TipPathKind::Around(_, pieces)
+            | TipPathKind::Upright(_, pieces)
+            | TipPathKind::Pieces(pieces) => {
                 // Their parameter runs from 0 to 1.
                 let [_, end] = self.whole();
                 pieces.lowest(profile, place, range.map(|at| at / end), gap)
@@ -139,8 +146,10 @@ impl Path {
     /// How far the ends as they were given are from the curve, mm.
     pub(super) fn off(&self) -> f64 {
         match &self.kind {
-            Kind::Nowhere | Kind::Straight(_) => 0.0,
-            Kind::Around(_, pieces) | Kind::Upright(_, pieces) | Kind::Pieces(pieces) => {
+            TipPathKind::Nowhere | TipPathKind::Straight(_) => 0.0,
+            TipPathKind::Around(_, pieces)
+            | TipPathKind::Upright(_, pieces)
+            | TipPathKind::Pieces(pieces) => {
                 let [start, end] = [0.0, 1.0].map(|t| pieces.point(t));
                 start.distance(self.start).max(end.distance(self.end))
             }
@@ -152,25 +161,25 @@ impl Path {
         let ends = [self.start, self.end].into_iter().flat_map(Vec3::to_array);
         let size = ends.fold(0.0_f64, |size, x| size.max(x.abs()));
         match &self.kind {
-            Kind::Nowhere | Kind::Straight(_) => size,
-            Kind::Around(_, pieces) | Kind::Upright(_, pieces) | Kind::Pieces(pieces) => {
-                size.max(pieces.size())
-            }
+            TipPathKind::Nowhere | TipPathKind::Straight(_) => size,
+            TipPathKind::Around(_, pieces)
+            | TipPathKind::Upright(_, pieces)
+            | TipPathKind::Pieces(pieces) => size.max(pieces.size()),
         }
     }
 
     pub(super) const fn is_straight(&self) -> bool {
-        matches!(self.kind, Kind::Straight(_))
+        matches!(self.kind, TipPathKind::Straight(_))
     }
 
     /// With the ends as they were given, and what they say about where the lowest point is.
     fn with_ends(
         &self,
-        profile: Profile,
+        profile: PushedProfile,
         place: [f64; 2],
         range: [f64; 2],
-        found: Option<(f64, Low)>,
-    ) -> Option<Lowest> {
+        found: Option<(f64, LowestOffer)>,
+    ) -> Option<LowestPoint> {
         let whole = self.whole();
         let height = |end: Vec3, is_within: bool| {
             let (x, y) = (end.x - place[0], end.y - place[1]);
@@ -186,13 +195,13 @@ impl Path {
             return None;
         }
         let at = if end <= upper + SAME_HEIGHT {
-            At::End
+            LowestLocation::End
         } else if start <= upper + SAME_HEIGHT {
-            At::Start
+            LowestLocation::Start
         } else {
-            At::Between
+            LowestLocation::Between
         };
-        Some(Lowest { lower, upper, at })
+        Some(LowestPoint { lower, upper, at })
     }
 }
 
@@ -221,30 +230,30 @@ fn is_possible(curve: &Curve) -> bool {
 }
 
 /// A lower bound and what was found, from a closed form.
-fn exact(low: Option<Low>) -> Option<(f64, Low)> {
+fn exact(low: Option<LowestOffer>) -> Option<(f64, LowestOffer)> {
     low.map(|low| (low.height, low))
 }
 
 /// `None` for an arc that is a straight line.
-fn of_arc(arc: &Arc) -> Option<Kind> {
+fn of_arc(arc: &Arc) -> Option<TipPathKind> {
     if arc.sweep == 0.0 || arc.radius == 0.0 {
         return None;
     }
-    let pieces = Pieces::of_arc(arc);
+    let pieces = NumericCurve::of_arc(arc);
     let lean = arc.radius + arc.rise.abs();
     let level = (arc.w.x * arc.w.x + arc.w.y * arc.w.y).sqrt();
     if level * lean <= UPRIGHT {
-        return Some(Kind::Around(Around::new(arc), pieces));
+        return Some(TipPathKind::Around(HorizontalArc::new(arc), pieces));
     }
     let upright = arc.rise == 0.0 && arc.w.z.abs() * lean <= UPRIGHT;
-    match Upright::new(arc).filter(|_| upright) {
-        Some(upright) => Some(Kind::Upright(upright, pieces)),
-        None => Some(Kind::Pieces(pieces)),
+    match VerticalArc::new(arc).filter(|_| upright) {
+        Some(upright) => Some(TipPathKind::Upright(upright, pieces)),
+        None => Some(TipPathKind::Pieces(pieces)),
     }
 }
 
 /// `None` for a spiral that is a straight line.
-fn of_spiral(spiral: &Spiral) -> Option<Kind> {
+fn of_spiral(spiral: &Spiral) -> Option<TipPathKind> {
     if spiral.sweep == 0.0 {
         return None;
     }
@@ -252,5 +261,5 @@ fn of_spiral(spiral: &Spiral) -> Option<Kind> {
         let Spiral { center, u, w, radius_start: radius, sweep, rise, start, end, .. } = *spiral;
         return of_arc(&Arc { center, u, w, radius, sweep, rise, start, end });
     }
-    Some(Kind::Pieces(Pieces::of_spiral(spiral)))
+    Some(TipPathKind::Pieces(NumericCurve::of_spiral(spiral)))
 }

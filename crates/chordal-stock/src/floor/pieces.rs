@@ -11,8 +11,8 @@ use std::collections::BinaryHeap;
 use chordal_geometry::{Arc, Spiral, SplinePiece, Vec3};
 use libm::sincos;
 
-use super::profile::{Low, Profile};
-use super::straight::Straight;
+use super::profile::{LowestOffer, PushedProfile};
+use super::straight::StraightPath;
 
 /// Nearer to its chord than this, mm, a part of a curve is its chord: what is left is like a column that
 /// stands so much aside.
@@ -28,14 +28,14 @@ const MOST_PARTS: usize = 1 << 18;
 /// A curve that has no closed form; its parameter runs from 0 to 1.
 #[derive(Clone, Copy, Debug)]
 #[allow(clippy::large_enum_variant, reason = "one for each move")]
-pub(super) enum Pieces {
-    Winding(Winding),
+pub(super) enum NumericCurve {
+    Winding(NumericWinding),
     Spline(SplinePiece),
 }
 
 /// A turn about any axis with an even change of radius and height.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Winding {
+pub(super) struct NumericWinding {
     center: Vec3,
     u: Vec3,
     v: Vec3,
@@ -51,7 +51,7 @@ pub(super) struct Winding {
 
 /// The chord of a part, and how far the part is from it at most, mm.
 #[derive(Clone, Copy, Debug)]
-struct Chord {
+struct PartChord {
     start: Vec3,
     end: Vec3,
     /// In plan.
@@ -60,14 +60,14 @@ struct Chord {
     above: f64,
 }
 
-impl Chord {
+impl PartChord {
     /// Whether a part from a parameter to another is its chord, to rounding.
     fn is_all(&self, from: f64, to: f64) -> bool {
         self.aside.max(self.above) <= SAME || to - from <= SHORTEST
     }
 }
 
-impl Winding {
+impl NumericWinding {
     fn point(&self, t: f64) -> Vec3 {
         let (sine, cosine) = sincos(self.sweep * t);
         let out = self.u * cosine + self.v * sine;
@@ -75,17 +75,22 @@ impl Winding {
     }
 
     /// At equal parameter a chord is within |c″|·Δ²/8; c″ = −r·e + 2·r′·e′ by radian.
-    fn chord(&self, from: f64, to: f64) -> Chord {
+    fn chord(&self, from: f64, to: f64) -> PartChord {
         let turn = self.sweep * (to - from);
         let largest = (self.radius + self.growth * from).max(self.radius + self.growth * to);
         let spread = 2.0 * self.growth / self.sweep;
         let bend = (largest * largest + spread * spread).sqrt() * turn * turn / 8.0;
         let upright = (1.0 - self.w.z * self.w.z).max(0.0).sqrt();
-        Chord { start: self.point(from), end: self.point(to), aside: bend, above: bend * upright }
+        PartChord {
+            start: self.point(from),
+            end: self.point(to),
+            aside: bend,
+            above: bend * upright,
+        }
     }
 }
 
-fn spline_chord(spline: &SplinePiece, from: f64, to: f64) -> Chord {
+fn spline_chord(spline: &SplinePiece, from: f64, to: f64) -> PartChord {
     let mut points = [([0.0; 3], 0.0); SplinePiece::MOST_ORDER];
     let order = spline.order();
     let origin = spline.points()[0];
@@ -110,7 +115,7 @@ fn spline_chord(spline: &SplinePiece, from: f64, to: f64) -> Chord {
         aside = aside.max((off.x * off.x + off.y * off.y).sqrt());
         above = above.max(off.z.abs());
     }
-    Chord { start: start + origin, end: end + origin, aside, above }
+    PartChord { start: start + origin, end: end + origin, aside, above }
 }
 
 /// The control points of the part before or after a parameter, by de Casteljau's steps.
@@ -133,47 +138,47 @@ fn halve(points: &mut [([f64; 3], f64)], t: f64, before: bool) {
 
 /// A part of the curve that may hold the lowest point.
 #[derive(Clone, Copy, Debug)]
-struct Part {
+struct ParameterPart {
     least: f64,
     from: f64,
     to: f64,
 }
 
-impl Ord for Part {
+impl Ord for ParameterPart {
     /// The lowest is the greatest, that a heap hands out first; of equal ones the first on the curve.
-    fn cmp(&self, other: &Part) -> Ordering {
+    fn cmp(&self, other: &ParameterPart) -> Ordering {
         other.least.total_cmp(&self.least).then(other.from.total_cmp(&self.from))
     }
 }
 
-impl PartialOrd for Part {
-    fn partial_cmp(&self, other: &Part) -> Option<Ordering> {
+impl PartialOrd for ParameterPart {
+    fn partial_cmp(&self, other: &ParameterPart) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl PartialEq for Part {
-    fn eq(&self, other: &Part) -> bool {
+impl PartialEq for ParameterPart {
+    fn eq(&self, other: &ParameterPart) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl Eq for Part {}
+impl Eq for ParameterPart {}
 
-impl Pieces {
-    pub(super) fn of_arc(arc: &Arc) -> Pieces {
+impl NumericCurve {
+    pub(super) fn of_arc(arc: &Arc) -> NumericCurve {
         let (radius, sweep, rise) = (arc.radius, arc.sweep, arc.rise);
         let v = arc.w.cross(arc.u);
         let (center, u, w) = (arc.center, arc.u, arc.w);
-        Pieces::Winding(Winding { center, u, v, w, radius, growth: 0.0, sweep, rise })
+        NumericCurve::Winding(NumericWinding { center, u, v, w, radius, growth: 0.0, sweep, rise })
     }
 
-    pub(super) fn of_spiral(spiral: &Spiral) -> Pieces {
+    pub(super) fn of_spiral(spiral: &Spiral) -> NumericCurve {
         let (radius, sweep, rise) = (spiral.radius_start, spiral.sweep, spiral.rise);
         let v = spiral.w.cross(spiral.u);
         let growth = spiral.radius_end - spiral.radius_start;
         let (center, u, w) = (spiral.center, spiral.u, spiral.w);
-        Pieces::Winding(Winding { center, u, v, w, radius, growth, sweep, rise })
+        NumericCurve::Winding(NumericWinding { center, u, v, w, radius, growth, sweep, rise })
     }
 
     /// The largest of the numbers of the curve, mm.
@@ -181,27 +186,27 @@ impl Pieces {
         let largest =
             |p: &Vec3| p.to_array().into_iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         match self {
-            Pieces::Winding(winding) => {
+            NumericCurve::Winding(winding) => {
                 largest(&winding.center)
                     + winding.radius
                     + winding.growth.abs()
                     + winding.rise.abs()
             }
-            Pieces::Spline(spline) => spline.points().iter().map(largest).fold(0.0, f64::max),
+            NumericCurve::Spline(spline) => spline.points().iter().map(largest).fold(0.0, f64::max),
         }
     }
 
     pub(super) fn point(&self, t: f64) -> Vec3 {
         match self {
-            Pieces::Winding(winding) => winding.point(t),
-            Pieces::Spline(spline) => spline.jet_at_parameter(t)[0],
+            NumericCurve::Winding(winding) => winding.point(t),
+            NumericCurve::Spline(spline) => spline.jet_at_parameter(t)[0],
         }
     }
 
-    fn chord(&self, from: f64, to: f64) -> Chord {
+    fn chord(&self, from: f64, to: f64) -> PartChord {
         match self {
-            Pieces::Winding(winding) => winding.chord(from, to),
-            Pieces::Spline(spline) => spline_chord(spline, from, to),
+            NumericCurve::Winding(winding) => winding.chord(from, to),
+            NumericCurve::Spline(spline) => spline_chord(spline, from, to),
         }
     }
 
@@ -210,14 +215,14 @@ impl Pieces {
     /// nothing was found until then). `None` where the cutter is nowhere over the column.
     pub(super) fn lowest(
         &self,
-        profile: Profile,
+        profile: PushedProfile,
         place: [f64; 2],
         [from, to]: [f64; 2],
         gap: f64,
-    ) -> Option<(f64, Low)> {
-        let mut low = Low::NONE;
+    ) -> Option<(f64, LowestOffer)> {
+        let mut low = LowestOffer::NONE;
         let mut open = BinaryHeap::new();
-        open.push(Part { least: f64::NEG_INFINITY, from, to });
+        open.push(ParameterPart { least: f64::NEG_INFINITY, from, to });
         let mut count = 0;
         let mut least = f64::INFINITY;
         while let Some(part) = open.pop() {
@@ -231,7 +236,7 @@ impl Pieces {
                 if let Some(least) = self.part(profile, place, [from, to], &mut low) {
                     let least = least.max(part.least);
                     if least < low.height {
-                        open.push(Part { least, from, to });
+                        open.push(ParameterPart { least, from, to });
                     }
                 }
             }
@@ -243,13 +248,13 @@ impl Pieces {
     /// Looks at a part: offers what it finds there, and returns a lower bound of what else may be there.
     fn part(
         &self,
-        profile: Profile,
+        profile: PushedProfile,
         place: [f64; 2],
         [from, to]: [f64; 2],
-        low: &mut Low,
+        low: &mut LowestOffer,
     ) -> Option<f64> {
         let chord = self.chord(from, to);
-        let line = Straight::new(chord.start, chord.end);
+        let line = StraightPath::new(chord.start, chord.end);
         if chord.is_all(from, to) {
             let found = line.lowest(profile, place)?;
             low.offer(found.height, from + (to - from) * found.at);
@@ -285,7 +290,7 @@ impl Pieces {
         while let Some([from, to]) = open.pop() {
             count += 1;
             let chord = self.chord(from, to);
-            let line = Straight::new(chord.start, chord.end);
+            let line = StraightPath::new(chord.start, chord.end);
             let Some(range) = line.window(place, radius + chord.aside) else { continue };
             let beyond = |end: Vec3| {
                 let (x, y) = (end.x - place[0], end.y - place[1]);

@@ -1,24 +1,24 @@
 //! The lower side of a cutter, also grown outwards by a distance.
 
-use crate::cutter::{Element, Ring};
+use crate::cutter::{Ring, RingElement};
 
 /// The rings of a cutter, each pushed outwards: the lowest place of a cutter whose axis is anywhere
 /// within `push` of where it is taken to be. Pulled inwards, it is the highest that this place can be.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Profile<'a> {
+pub(super) struct PushedProfile<'a> {
     rings: &'a [Ring],
     /// Outwards, mm; below zero inwards.
     push: f64,
 }
 
-impl<'a> Profile<'a> {
-    pub(super) const fn new(rings: &'a [Ring]) -> Profile<'a> {
-        Profile { rings, push: 0.0 }
+impl<'a> PushedProfile<'a> {
+    pub(super) const fn new(rings: &'a [Ring]) -> PushedProfile<'a> {
+        PushedProfile { rings, push: 0.0 }
     }
 
     /// The same rings pushed outwards by so much more, or pulled inwards, mm.
-    pub(super) fn pushed(self, by: f64) -> Profile<'a> {
-        Profile { push: self.push + by, ..self }
+    pub(super) fn pushed(self, by: f64) -> PushedProfile<'a> {
+        PushedProfile { push: self.push + by, ..self }
     }
 
     /// The largest radius, mm; below zero where all is pulled in.
@@ -43,17 +43,17 @@ impl<'a> Profile<'a> {
         let middle = self.rings.first().filter(|_| push > 0.0).map(|ring| Ring {
             from: 0.0,
             to: push,
-            element: Element::Disc { height: ring.height_at(ring.from) },
+            element: RingElement::Disc { height: ring.height_at(ring.from) },
         });
         let moved = move |ring: &Ring| {
             let (from, to) = ((ring.from + push).max(0.0), ring.to + push);
             let element = match ring.element {
-                Element::Torus { height, round, middle } => {
-                    Element::Torus { height, round, middle: middle + push }
+                RingElement::Torus { height, round, middle } => {
+                    RingElement::Torus { height, round, middle: middle + push }
                 }
                 // What is left of a cone that has come to the axis begins higher up.
-                Element::Cone { slope, .. } if ring.from + push < 0.0 => {
-                    Element::Cone { height: ring.height_at(-push), slope }
+                RingElement::Cone { slope, .. } if ring.from + push < 0.0 => {
+                    RingElement::Cone { height: ring.height_at(-push), slope }
                 }
                 other => other,
             };
@@ -65,22 +65,22 @@ impl<'a> Profile<'a> {
 
 /// The lowest of the heights that were offered, and where on the path it was.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Low {
+pub(super) struct LowestOffer {
     pub height: f64,
     /// Parameter of the path.
     pub at: f64,
 }
 
-impl Low {
-    pub(super) const NONE: Low = Low { height: f64::INFINITY, at: f64::NAN };
+impl LowestOffer {
+    pub(super) const NONE: LowestOffer = LowestOffer { height: f64::INFINITY, at: f64::NAN };
 
     pub(super) fn offer(&mut self, height: f64, at: f64) {
         if height < self.height {
-            *self = Low { height, at };
+            *self = LowestOffer { height, at };
         }
     }
 
-    pub(super) fn found(self) -> Option<Low> {
+    pub(super) fn found(self) -> Option<LowestOffer> {
         (self.height < f64::INFINITY).then_some(self)
     }
 }

@@ -8,12 +8,12 @@
 
 use chordal_geometry::Vec3;
 
-use super::profile::{Low, Profile};
-use crate::cutter::{Element, Ring};
+use super::profile::{LowestOffer, PushedProfile};
+use crate::cutter::{Ring, RingElement};
 
 /// A straight move, or a plunge, where it has no length in plan.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Straight {
+pub(super) struct StraightPath {
     start: Vec3,
     end: Vec3,
     /// Length in plan, mm.
@@ -22,12 +22,12 @@ pub(super) struct Straight {
     direction: [f64; 2],
 }
 
-impl Straight {
-    pub(super) fn new(start: Vec3, end: Vec3) -> Straight {
+impl StraightPath {
+    pub(super) fn new(start: Vec3, end: Vec3) -> StraightPath {
         let along = [end.x - start.x, end.y - start.y];
         let length = (along[0] * along[0] + along[1] * along[1]).sqrt();
         let direction = if length > 0.0 { along.map(|x| x / length) } else { [1.0, 0.0] };
-        Straight { start, end, length, direction }
+        StraightPath { start, end, length, direction }
     }
 
     /// The way along the move to the foot of a column, and the distance of the column from it, mm.
@@ -56,9 +56,9 @@ impl Straight {
     }
 
     /// The lowest point above a column; its place is a fraction of the way.
-    pub(super) fn lowest(&self, profile: Profile, place: [f64; 2]) -> Option<Low> {
+    pub(super) fn lowest(&self, profile: PushedProfile, place: [f64; 2]) -> Option<LowestOffer> {
         let (foot, aside) = self.seen_from(place);
-        let mut low = Low::NONE;
+        let mut low = LowestOffer::NONE;
         if self.length <= 0.0 {
             let height = profile.height_at((foot * foot + aside * aside).sqrt());
             low.offer(self.start.z + height, 0.0);
@@ -110,8 +110,8 @@ fn free_minimiser(ring: &Ring, aside: f64, slope: f64) -> f64 {
     let downhill = -slope.signum();
     let steep = slope.abs();
     match ring.element {
-        Element::Disc { .. } => downhill * f64::INFINITY,
-        Element::Cone { slope: rise, .. } => {
+        RingElement::Disc { .. } => downhill * f64::INFINITY,
+        RingElement::Cone { slope: rise, .. } => {
             let square = (rise - steep) * (rise + steep);
             if rise > steep && square > 0.0 {
                 downhill * (steep * aside / square.sqrt())
@@ -119,11 +119,11 @@ fn free_minimiser(ring: &Ring, aside: f64, slope: f64) -> f64 {
                 downhill * f64::INFINITY
             }
         }
-        Element::Torus { round, middle: 0.0, .. } => {
+        RingElement::Torus { round, middle: 0.0, .. } => {
             let q = chord(round, aside).unwrap_or(0.0);
             downhill * (steep * q / (1.0 + steep * steep).sqrt())
         }
-        Element::Torus { round, middle, .. } => {
+        RingElement::Torus { round, middle, .. } => {
             downhill * way_on_torus(round, middle, aside, steep)
         }
     }

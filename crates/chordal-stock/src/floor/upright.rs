@@ -10,13 +10,13 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use chordal_geometry::{Arc, Vec3};
 use libm::{acos, atan2, sincos};
 
-use super::profile::{Low, Profile};
+use super::profile::{LowestOffer, PushedProfile};
 use super::straight::chord;
-use crate::cutter::Element;
+use crate::cutter::RingElement;
 
 /// An arc in a vertical plane; its parameter is the angle travelled, from nothing to `sweep`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Upright {
+pub(super) struct VerticalArc {
     center: Vec3,
     /// Unit vector of the plane in plan.
     direction: [f64; 2],
@@ -29,29 +29,29 @@ pub(super) struct Upright {
     sweep: f64,
 }
 
-impl Upright {
+impl VerticalArc {
     /// Of an arc about a horizontal axis that does not rise, with a radius and a sweep. `None` where its
     /// axis has no direction in plan.
-    pub(super) fn new(arc: &Arc) -> Option<Upright> {
+    pub(super) fn new(arc: &Arc) -> Option<VerticalArc> {
         let across = Vec3::new(arc.w.x, arc.w.y, 0.0).normalized()?;
         // Turned about the axis by a quarter, this points up.
         let direction = [-across.y, across.x];
         let first = atan2(arc.u.z, arc.u.x * direction[0] + arc.u.y * direction[1]);
         let turn = arc.sweep.signum();
         let (center, radius) = (arc.center, arc.radius);
-        Some(Upright { center, direction, radius, first, turn, sweep: arc.sweep.abs() })
+        Some(VerticalArc { center, direction, radius, first, turn, sweep: arc.sweep.abs() })
     }
 
     pub(super) const fn sweep(&self) -> f64 {
         self.sweep
     }
 
-    /// Whether [`Upright::lowest`] has a closed form for a cutter.
-    pub(super) fn is_closed_for(profile: Profile) -> bool {
+    /// Whether [`VerticalArc::lowest`] has a closed form for a cutter.
+    pub(super) fn is_closed_for(profile: PushedProfile) -> bool {
         profile.rings().all(|ring| match ring.element {
-            Element::Disc { .. } => true,
-            Element::Cone { .. } => false,
-            Element::Torus { middle, .. } => middle == 0.0,
+            RingElement::Disc { .. } => true,
+            RingElement::Cone { .. } => false,
+            RingElement::Torus { middle, .. } => middle == 0.0,
         })
     }
 
@@ -111,9 +111,14 @@ impl Upright {
 
     /// The lowest point above a column within a range of the angle in which the cutter is over it all
     /// the time.
-    pub(super) fn lowest(&self, profile: Profile, place: [f64; 2], range: [f64; 2]) -> Option<Low> {
+    pub(super) fn lowest(
+        &self,
+        profile: PushedProfile,
+        place: [f64; 2],
+        range: [f64; 2],
+    ) -> Option<LowestOffer> {
         let (along, aside) = self.seen_from(place);
-        let mut low = Low::NONE;
+        let mut low = LowestOffer::NONE;
         let distance = |theta: f64| {
             let w = self.radius * sincos(theta).1 - along;
             (w * w + aside * aside).sqrt()
@@ -130,7 +135,7 @@ impl Upright {
             let inner = chord(ring.from, aside).unwrap_or(0.0);
             // Where the ring begins and ends, both ways, and where the height may stand still.
             let edges = [along + outer, along - outer, along + inner, along - inner];
-            let offer = |theta: f64, low: &mut Low| {
+            let offer = |theta: f64, low: &mut LowestOffer| {
                 self.each_at(theta, range, &mut |at| {
                     let far = distance(theta);
                     // An edge is on the ring but for rounding.
@@ -150,7 +155,7 @@ impl Upright {
                 }
             }
             match ring.element {
-                Element::Torus { round, .. } => {
+                RingElement::Torus { round, .. } => {
                     let q = chord(round, aside).unwrap_or(0.0);
                     let valley = along / (self.radius + q);
                     if valley.abs() <= 1.0 {
@@ -161,7 +166,7 @@ impl Upright {
                         offer(acos(hill), &mut low);
                     }
                 }
-                Element::Disc { .. } | Element::Cone { .. } => offer(-FRAC_PI_2, &mut low),
+                RingElement::Disc { .. } | RingElement::Cone { .. } => offer(-FRAC_PI_2, &mut low),
             }
         }
         low.found()

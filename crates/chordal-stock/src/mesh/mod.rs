@@ -13,7 +13,7 @@ use chordal_geometry::{Aabb, Vec3};
 
 pub use edges::Edges;
 pub use smooth::SmoothError;
-pub use steps::{HeightField, HeightFieldError, HeightMesh, LayerField, Stretches};
+pub use steps::{HeightField, HeightFieldError, HeightMesh, LayerField, SolidIntervals};
 pub use stl::{LengthUnit, Stl, StlError, StlForm, StlOptions, TextProblem, read_stl};
 
 /// The largest coordinate of a vertex, mm: a hundred metres. Up to here the rounding of coordinates stays

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use chordal_geometry::Vec3;
 
 use super::steps::{HeightField, HeightFieldError};
-use super::weld::Welder;
+use super::weld::VertexWelder;
 use super::{Mesh, MeshError};
 
 /// Why there is no such surface.
@@ -31,7 +31,7 @@ pub enum SmoothError {
 }
 
 /// A corner by its column and row of the ring's grid.
-type Corner = [u32; 2];
+type GridCorner = [u32; 2];
 
 /// Places cut through that touch in an edge are filled so far, mm: far below every tolerance, and more than a float of
 /// 32 bits rounds.
@@ -50,7 +50,7 @@ impl HeightField<'_> {
         if self.columns < 2 || self.rows < 2 {
             return Err(SmoothError::Narrow);
         }
-        let mut grid = Corners::of(self, tolerance);
+        let mut grid = SurfaceCorners::of(self, tolerance);
         for _ in 0..ROUNDS {
             let top = grid.triangles(true);
             let touching = grid.touching(&top);
@@ -71,7 +71,7 @@ impl HeightField<'_> {
 }
 
 /// The corners of the surface.
-struct Corners {
+struct SurfaceCorners {
     x: Vec<f64>,
     y: Vec<f64>,
     /// Heights row by row, mm; `None`: nothing is there, or it is the ring.
@@ -82,8 +82,8 @@ struct Corners {
     tolerance: f64,
 }
 
-impl Corners {
-    fn of(field: &HeightField<'_>, tolerance: f64) -> Corners {
+impl SurfaceCorners {
+    fn of(field: &HeightField<'_>, tolerance: f64) -> SurfaceCorners {
         let HeightField { origin, cell, columns, rows, size, .. } = *field;
         let along = |from: f64, count: usize, size: f64| -> Vec<f64> {
             let place = |at: usize| match at {
@@ -104,7 +104,7 @@ impl Corners {
         }
         let side = (columns.max(rows) as u32 + 1).next_power_of_two();
         let bottom = origin.z + floor;
-        Corners {
+        SurfaceCorners {
             x: along(origin.x, columns, size[0]),
             y: along(origin.y, rows, size[1]),
             z,
@@ -114,32 +114,32 @@ impl Corners {
         }
     }
 
-    fn index(&self, [x, y]: Corner) -> Option<usize> {
+    fn index(&self, [x, y]: GridCorner) -> Option<usize> {
         let (x, y) = (x as usize, y as usize);
         (x < self.x.len() && y < self.y.len()).then(|| y * self.x.len() + x)
     }
 
     /// Nothing outside of the ring, too.
-    fn height(&self, at: Corner) -> Option<f64> {
+    fn height(&self, at: GridCorner) -> Option<f64> {
         self.index(at).and_then(|at| self.z[at])
     }
 
-    fn fill(&mut self, at: Corner) {
+    fn fill(&mut self, at: GridCorner) {
         if let Some(at) = self.index(at) {
             self.z[at] = Some(self.bottom + FILLED);
         }
     }
 
-    fn place(&self, [x, y]: Corner) -> [f64; 2] {
+    fn place(&self, [x, y]: GridCorner) -> [f64; 2] {
         let last = |all: &[f64], at: u32| all[(at as usize).min(all.len() - 1)];
         [last(&self.x, x), last(&self.y, y)]
     }
 
     /// The triangles where something is: of the top, or of the bottom, which is flat.
-    fn triangles(&self, is_top: bool) -> Vec<[Corner; 3]> {
+    fn triangles(&self, is_top: bool) -> Vec<[GridCorner; 3]> {
         let n = self.side;
         let across = n as usize + 1;
-        let mut halved = Halved { bits: vec![false; across * across], across, count: 0 };
+        let mut halved = HalvedEdges { bits: vec![false; across * across], across, count: 0 };
         let roots = [[[0, 0], [n, n], [n, 0]], [[n, n], [0, 0], [0, n]]];
         for root in roots {
             self.ask(root, is_top, &mut halved);
@@ -162,7 +162,7 @@ impl Corners {
     }
 
     /// Whether a triangle is to be halved, or one in it.
-    fn ask(&self, triangle: [Corner; 3], is_top: bool, halved: &mut Halved) -> bool {
+    fn ask(&self, triangle: [GridCorner; 3], is_top: bool, halved: &mut HalvedEdges) -> bool {
         let [a, b, c] = triangle;
         if is_single(a, b) || self.is_outside(&triangle) {
             return false;
@@ -177,7 +177,7 @@ impl Corners {
     }
 
     /// Halves what holds a halved one; whether that is so.
-    fn spread(&self, triangle: [Corner; 3], halved: &mut Halved) -> bool {
+    fn spread(&self, triangle: [GridCorner; 3], halved: &mut HalvedEdges) -> bool {
         let [a, b, c] = triangle;
         if is_single(a, b) || self.is_outside(&triangle) {
             return false;
@@ -190,18 +190,18 @@ impl Corners {
         halved.has(middle)
     }
 
-    fn is_outside(&self, corners: &[Corner; 3]) -> bool {
+    fn is_outside(&self, corners: &[GridCorner; 3]) -> bool {
         let least = |axis: usize| corners.iter().map(|at| at[axis]).min().unwrap_or(0) as usize;
         least(0) >= self.x.len() || least(1) >= self.y.len()
     }
 
     /// Whether all corners in a triangle are near its plane, or none of them is there.
-    fn fits(&self, corners: &[Corner; 3], is_top: bool) -> bool {
+    fn fits(&self, corners: &[GridCorner; 3], is_top: bool) -> bool {
         let [a, b, c] = *corners;
         let heights = corners.map(|at| self.height(at));
         let places = corners.map(|at| self.place(at));
         let plane = match heights {
-            [Some(a), Some(b), Some(c)] => Some(Plane::through(places, [a, b, c])),
+            [Some(a), Some(b), Some(c)] => Some(HeightPlane::through(places, [a, b, c])),
             [None, None, None] => None,
             _ => return false,
         };
@@ -212,13 +212,13 @@ impl Corners {
             // Beyond the ring there is nothing.
             low..=high.min(most as u32)
         };
-        let side = |from: Corner, to: Corner, at: Corner| {
+        let side = |from: GridCorner, to: GridCorner, at: GridCorner| {
             let [fx, fy, tx, ty, x, y] =
                 [from[0], from[1], to[0], to[1], at[0], at[1]].map(i64::from);
             (tx - fx) * (y - fy) - (x - fx) * (ty - fy)
         };
         let turn = side(a, b, c).signum();
-        let is_inside = |at: Corner| {
+        let is_inside = |at: GridCorner| {
             [side(a, b, at), side(b, c, at), side(c, a, at)].iter().all(|side| side * turn >= 0)
         };
         range(1, self.y.len()).all(|y| {
@@ -238,7 +238,12 @@ impl Corners {
         })
     }
 
-    fn gather(&self, triangle: [Corner; 3], halved: &Halved, all: &mut Vec<[Corner; 3]>) {
+    fn gather(
+        &self,
+        triangle: [GridCorner; 3],
+        halved: &HalvedEdges,
+        all: &mut Vec<[GridCorner; 3]>,
+    ) {
         let [a, b, c] = triangle;
         if !is_single(a, b) && halved.has(middle(a, b)) {
             let middle = middle(a, b);
@@ -250,8 +255,8 @@ impl Corners {
     }
 
     /// Corners that are cut through, and in which an edge of two triangles ends that are not: four would meet there.
-    fn touching(&self, top: &[[Corner; 3]]) -> Vec<Corner> {
-        let mut edges: BTreeMap<[Corner; 2], usize> = BTreeMap::new();
+    fn touching(&self, top: &[[GridCorner; 3]]) -> Vec<GridCorner> {
+        let mut edges: BTreeMap<[GridCorner; 2], usize> = BTreeMap::new();
         for [a, b, c] in top {
             for [from, to] in [[a, b], [b, c], [c, a]] {
                 if self.height(*from).is_none() && self.height(*to).is_none() {
@@ -259,7 +264,7 @@ impl Corners {
                 }
             }
         }
-        let is_ring = |[x, y]: Corner| {
+        let is_ring = |[x, y]: GridCorner| {
             let (x, y) = (x as usize, y as usize);
             x == 0 || y == 0 || x + 1 >= self.x.len() || y + 1 >= self.y.len()
         };
@@ -267,13 +272,13 @@ impl Corners {
         twice.flat_map(|(ends, _)| ends.into_iter().find(|end| !is_ring(*end))).collect()
     }
 
-    fn mesh(&self, top: &[[Corner; 3]], bottom: &[[Corner; 3]]) -> Result<Mesh, MeshError> {
+    fn mesh(&self, top: &[[GridCorner; 3]], bottom: &[[GridCorner; 3]]) -> Result<Mesh, MeshError> {
         let over = top.iter().map(|corners| corners.map(|at| self.vertex(at, true)));
         let under = bottom.iter().map(|[a, b, c]| [*c, *b, *a].map(|at| self.vertex(at, false)));
         welded(&over.chain(under).collect::<Vec<_>>())
     }
 
-    fn vertex(&self, at: Corner, is_top: bool) -> Vec3 {
+    fn vertex(&self, at: GridCorner, is_top: bool) -> Vec3 {
         let [x, y] = self.place(at);
         let z = self.height(at).filter(|_| is_top).unwrap_or(self.bottom);
         Vec3::new(x, y, z)
@@ -281,22 +286,22 @@ impl Corners {
 }
 
 /// The long edges that are halved, by their middles.
-struct Halved {
+struct HalvedEdges {
     bits: Vec<bool>,
     across: usize,
     count: usize,
 }
 
-impl Halved {
-    fn at(&self, [x, y]: Corner) -> usize {
+impl HalvedEdges {
+    fn at(&self, [x, y]: GridCorner) -> usize {
         y as usize * self.across + x as usize
     }
 
-    fn has(&self, at: Corner) -> bool {
+    fn has(&self, at: GridCorner) -> bool {
         self.bits[self.at(at)]
     }
 
-    fn set(&mut self, at: Corner) {
+    fn set(&mut self, at: GridCorner) {
         let at = self.at(at);
         self.count += usize::from(!self.bits[at]);
         self.bits[at] = true;
@@ -304,28 +309,28 @@ impl Halved {
 }
 
 /// The middle of a long edge.
-fn middle(a: Corner, b: Corner) -> Corner {
+fn middle(a: GridCorner, b: GridCorner) -> GridCorner {
     [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]
 }
 
 /// A triangle of a single cell: its long edge has no corner in the middle.
-fn is_single(a: Corner, b: Corner) -> bool {
+fn is_single(a: GridCorner, b: GridCorner) -> bool {
     (a[0] + b[0]) % 2 == 1 || (a[1] + b[1]) % 2 == 1
 }
 
 /// A plane over X and Y.
-struct Plane {
+struct HeightPlane {
     from: [f64; 2],
     z: f64,
     slope: [f64; 2],
 }
 
-impl Plane {
-    fn through([a, b, c]: [[f64; 2]; 3], [za, zb, zc]: [f64; 3]) -> Plane {
+impl HeightPlane {
+    fn through([a, b, c]: [[f64; 2]; 3], [za, zb, zc]: [f64; 3]) -> HeightPlane {
         let [ux, uy, vx, vy] = [b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]];
         let area = ux * vy - uy * vx;
         let [u, v] = [zb - za, zc - za];
-        Plane { from: a, z: za, slope: [(u * vy - v * uy) / area, (v * ux - u * vx) / area] }
+        HeightPlane { from: a, z: za, slope: [(u * vy - v * uy) / area, (v * ux - u * vx) / area] }
     }
 
     fn at(&self, [x, y]: [f64; 2]) -> f64 {
@@ -335,7 +340,7 @@ impl Plane {
 
 /// One vertex for each place; triangles without a size are left out.
 fn welded(corners: &[[Vec3; 3]]) -> Result<Mesh, MeshError> {
-    let mut welder = Welder::new(0.0);
+    let mut welder = VertexWelder::new(0.0);
     let numbered = corners.iter().map(|triangle| triangle.map(|corner| welder.vertex(corner)));
     let triangles: Vec<[u32; 3]> =
         numbered.filter(|[a, b, c]| a != b && b != c && c != a).collect();

@@ -7,7 +7,7 @@ use chordal_geometry::Vec3;
 /// Gathers corners into vertices.
 ///
 /// Keys are only looked up, never walked through, so that nothing depends on the order of hashing.
-pub(super) struct Welder {
+pub(super) struct VertexWelder {
     vertices: Vec<Vec3>,
     /// How far corners of one vertex may be apart, mm; zero for the same numbers.
     distance: f64,
@@ -17,10 +17,10 @@ pub(super) struct Welder {
     before: Vec<Option<u32>>,
 }
 
-impl Welder {
-    pub(super) fn new(distance: f64) -> Welder {
+impl VertexWelder {
+    pub(super) fn new(distance: f64) -> VertexWelder {
         let (same, cells) = (HashMap::new(), HashMap::new());
-        Welder { vertices: Vec::new(), distance, same, cells, before: Vec::new() }
+        VertexWelder { vertices: Vec::new(), distance, same, cells, before: Vec::new() }
     }
 
     pub(super) fn into_vertices(self) -> Vec<Vec3> {
@@ -87,11 +87,11 @@ mod tests {
 
     #[test]
     fn the_same_numbers_and_near_ones() {
-        let mut exact = Welder::new(0.0);
+        let mut exact = VertexWelder::new(0.0);
         assert_eq!(exact.vertex(Vec3::new(0.0, 1.0, 2.0)), 0);
         assert_eq!(exact.vertex(Vec3::new(-0.0, 1.0, 2.0)), 0);
         assert_eq!(exact.vertex(Vec3::new(1e-9, 1.0, 2.0)), 1);
-        let mut near = Welder::new(0.01);
+        let mut near = VertexWelder::new(0.01);
         for step in 0..100 {
             // Across many borders of cells.
             let at = f64::from(step) * 0.1;

@@ -3,8 +3,8 @@
 use chordal_geometry::{Aabb, Vec3};
 use libm::{acos, asin, cos, sincos};
 
-use super::convex::Convex;
-use crate::cutter::{Cutter, Element, Ring};
+use super::convex::ConvexBody;
+use crate::cutter::{CutterProfile, Ring, RingElement};
 
 /// A cylinder or a cut cone about the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +46,7 @@ pub enum BodyError {
 
 /// On which side of the truth a body lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bound {
+pub enum BodyBound {
     /// It contains the truth.
     Outer,
     /// The truth contains it.
@@ -55,16 +55,16 @@ pub enum Bound {
 
 /// Frustums above a tip: a tool, a shank, a holder, or all of them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Body {
+pub struct RoundBody {
     frustums: Vec<Frustum>,
 }
 
-impl Body {
+impl RoundBody {
     /// The body of these parts, which may overlap or leave gaps.
     ///
     /// # Errors
     /// When there is no part, or one has no height or a radius below zero.
-    pub fn new(frustums: Vec<Frustum>) -> Result<Body, BodyError> {
+    pub fn new(frustums: Vec<Frustum>) -> Result<RoundBody, BodyError> {
         if frustums.is_empty() {
             return Err(BodyError::Empty);
         }
@@ -75,7 +75,7 @@ impl Body {
                 return Err(BodyError::Part { part, frustum });
             }
         }
-        Ok(Body { frustums })
+        Ok(RoundBody { frustums })
     }
 
     /// A cutter from its tip up to a height above it. Rounds become cones that keep within `tolerance` of them,
@@ -84,28 +84,28 @@ impl Body {
     /// # Errors
     /// When `top` is not above the cutter's end, or the tolerance is not above zero.
     pub fn of_cutter(
-        cutter: &Cutter,
+        cutter: &CutterProfile,
         top: f64,
         tolerance: f64,
-        bound: Bound,
-    ) -> Result<Body, BodyError> {
+        bound: BodyBound,
+    ) -> Result<RoundBody, BodyError> {
         let good = top.is_finite() && top > cutter.side() && tolerance > 0.0;
         if !good {
             return Err(BodyError::Cutter { top, tolerance });
         }
-        let mut outline = Outline { frustums: Vec::new(), at: [0.0, 0.0] };
+        let mut outline = BodyOutline { frustums: Vec::new(), at: [0.0, 0.0] };
         for ring in cutter.rings() {
             outline.to([ring.from, ring.height_at(ring.from)]);
             match ring.element {
-                Element::Torus { height, round, middle } => {
+                RingElement::Torus { height, round, middle } => {
                     outline.round(ring, [middle, height + round], round, tolerance, bound);
                 }
-                Element::Disc { .. } | Element::Cone { .. } => {}
+                RingElement::Disc { .. } | RingElement::Cone { .. } => {}
             }
             outline.to([ring.to, ring.height_at(ring.to)]);
         }
         outline.to([cutter.radius(), top]);
-        Body::new(outline.frustums)
+        RoundBody::new(outline.frustums)
     }
 
     /// The parts.
@@ -115,7 +115,7 @@ impl Body {
 
     /// This body and another one about the same axis and tip.
     #[must_use]
-    pub fn and(mut self, other: &Body) -> Body {
+    pub fn and(mut self, other: &RoundBody) -> RoundBody {
         self.frustums.extend_from_slice(&other.frustums);
         self
     }
@@ -127,13 +127,13 @@ impl Body {
 }
 
 /// A way outward and up, as frustums below it.
-struct Outline {
+struct BodyOutline {
     frustums: Vec<Frustum>,
     /// Distance from the axis and height, mm.
     at: [f64; 2],
 }
 
-impl Outline {
+impl BodyOutline {
     fn to(&mut self, [radius, height]: [f64; 2]) {
         let [lower, from] = self.at;
         if height > from {
@@ -143,22 +143,29 @@ impl Outline {
     }
 
     /// The arc of a ring about a middle, as chords (inside) or tangents (outside).
-    fn round(&mut self, ring: &Ring, [x, z]: [f64; 2], round: f64, tolerance: f64, bound: Bound) {
+    fn round(
+        &mut self,
+        ring: &Ring,
+        [x, z]: [f64; 2],
+        round: f64,
+        tolerance: f64,
+        bound: BodyBound,
+    ) {
         /// More sides than any tolerance needs that a tool is made to.
         const MOST_SIDES: f64 = 1000.0;
         let [first, last] =
             [ring.from, ring.to].map(|radius| asin(((radius - x) / round).clamp(-1.0, 1.0)));
         // A chord is nearest to the middle at r·cos, a corner of tangents furthest at r/cos, of half its angle.
         let cosine = match bound {
-            Bound::Inner => 1.0 - tolerance / round,
-            Bound::Outer => round / (round + tolerance),
+            BodyBound::Inner => 1.0 - tolerance / round,
+            BodyBound::Outer => round / (round + tolerance),
         };
         let step = 2.0 * acos(cosine.max(0.0));
         let sides = ((last - first) / step).ceil().clamp(1.0, MOST_SIDES);
         let angle = (last - first) / sides;
         let (reach, offset, count) = match bound {
-            Bound::Inner => (round, 1.0, sides as usize - 1),
-            Bound::Outer => (round / cos(angle / 2.0), 0.5, sides as usize),
+            BodyBound::Inner => (round, 1.0, sides as usize - 1),
+            BodyBound::Outer => (round / cos(angle / 2.0), 0.5, sides as usize),
         };
         for side in 0..count {
             let (sin, cos) = sincos(first + (side as f64 + offset) * angle);
@@ -169,13 +176,13 @@ impl Outline {
 
 /// A part of a body on a straight way: convex too.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Swept {
+pub(super) struct SweptFrustum {
     pub frustum: Frustum,
     pub from: Vec3,
     pub to: Vec3,
 }
 
-impl Swept {
+impl SweptFrustum {
     pub(super) fn bounds(&self) -> Aabb {
         let Frustum { from, to, lower, upper } = self.frustum;
         let radius = lower.max(upper);
@@ -187,7 +194,7 @@ impl Swept {
     }
 }
 
-impl Convex for Swept {
+impl ConvexBody for SweptFrustum {
     fn furthest(&self, way: Vec3) -> Vec3 {
         let Frustum { from, to, lower, upper } = self.frustum;
         let plan = (way.x * way.x + way.y * way.y).sqrt();

@@ -3,7 +3,7 @@
 
 use chordal_geometry::Aabb;
 
-use super::{Kind, Shape, ShapeError};
+use super::{ShapeError, ShapeKind, SolidShape};
 use crate::mesh::LARGEST_COORDINATE;
 
 /// How far from its own edge a cell begins, mm, if it does not grow. A wall that lies in the edge of a cell, but for
@@ -12,7 +12,7 @@ pub const EDGE: f64 = 2e-9;
 
 /// Square cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grid {
+pub struct CellGrid {
     /// The corner with the lowest x and y, mm.
     pub origin: [f64; 2],
     /// The side of a cell, mm.
@@ -28,7 +28,7 @@ pub struct Grid {
 
 /// From one height to another, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span {
+pub struct HeightSpan {
     /// The lower one.
     pub from: f64,
     /// The higher one.
@@ -37,22 +37,22 @@ pub struct Span {
 
 /// A rectangle along the axes, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rect {
-    pub x: Span,
-    pub y: Span,
+pub(super) struct CellRect {
+    pub x: HeightSpan,
+    pub y: HeightSpan,
 }
 
-impl Grid {
+impl CellGrid {
     /// What is certified for a cell: half of [`EDGE`] is left for the rounding of everything that follows.
-    pub(super) fn rect(&self, column: usize, row: usize) -> Rect {
-        Rect { x: self.strip(0, column), y: self.strip(1, row) }
+    pub(super) fn rect(&self, column: usize, row: usize) -> CellRect {
+        CellRect { x: self.strip(0, column), y: self.strip(1, row) }
     }
 
     /// The cells of one number along X (0) or Y (1).
-    pub(super) fn strip(&self, axis: usize, number: usize) -> Span {
+    pub(super) fn strip(&self, axis: usize, number: usize) -> HeightSpan {
         let out = self.grow - EDGE / 2.0;
         let at = |number: usize| self.origin[axis] + number as f64 * self.cell;
-        Span { from: at(number) - out, to: at(number + 1) + out }
+        HeightSpan { from: at(number) - out, to: at(number + 1) + out }
     }
 
     /// The middle of the cells of one number along X (0) or Y (1), mm.
@@ -61,7 +61,7 @@ impl Grid {
     }
 
     /// The cells of a row whose strips may reach into a span along X: the first, and the one after the last.
-    pub(super) fn reached(&self, span: Span) -> [usize; 2] {
+    pub(super) fn reached(&self, span: HeightSpan) -> [usize; 2] {
         let cell = |value: f64| (value - self.origin[0]) / self.cell;
         // EDGE is more than rounding; a float beyond the range becomes its end.
         let out = self.grow + EDGE;
@@ -71,7 +71,7 @@ impl Grid {
     }
 
     fn check(&self) -> Result<(), ShapeError> {
-        let Grid { columns, rows, cell, .. } = *self;
+        let CellGrid { columns, rows, cell, .. } = *self;
         let counted = columns.checked_mul(rows).is_some_and(|count| count < u32::MAX as usize);
         let reach = columns.max(rows) as f64 * cell + self.grow;
         let near = self.origin.iter().all(|from| from.abs() + reach <= LARGEST_COORDINATE);
@@ -83,14 +83,14 @@ impl Grid {
 
 /// Lists of spans, one for each cell.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct Lists {
+struct SpanLists {
     /// Where the list of each cell ends.
     ends: Vec<usize>,
-    spans: Vec<Span>,
+    spans: Vec<HeightSpan>,
 }
 
-impl Lists {
-    fn at(&self, cell: usize) -> &[Span] {
+impl SpanLists {
+    fn at(&self, cell: usize) -> &[HeightSpan] {
         let from = cell.checked_sub(1).map_or(0, |before| self.ends[before]);
         &self.spans[from..self.ends[cell]]
     }
@@ -98,18 +98,18 @@ impl Lists {
 
 /// What a shape fills over the cells of a grid.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Cells {
+pub struct ShapeCells {
     columns: usize,
-    outer: Lists,
-    inner: Lists,
+    outer: SpanLists,
+    inner: SpanLists,
 }
 
-impl Cells {
+impl ShapeCells {
     /// What the shape may fill: over no place of the cell it fills anything else. Spans from the lowest, apart.
     ///
     /// # Panics
     /// When the grid has no such cell.
-    pub fn outer(&self, column: usize, row: usize) -> &[Span] {
+    pub fn outer(&self, column: usize, row: usize) -> &[HeightSpan] {
         self.outer.at(row * self.columns + column)
     }
 
@@ -117,32 +117,32 @@ impl Cells {
     ///
     /// # Panics
     /// When the grid has no such cell.
-    pub fn inner(&self, column: usize, row: usize) -> &[Span] {
+    pub fn inner(&self, column: usize, row: usize) -> &[HeightSpan] {
         self.inner.at(row * self.columns + column)
     }
 }
 
 /// Takes the lists of one cell after the other.
-pub(super) struct Filler {
-    cells: Cells,
+pub(super) struct CellFiller {
+    cells: ShapeCells,
 }
 
-impl Filler {
-    pub(super) fn new(grid: &Grid) -> Filler {
-        let lists = || Lists {
+impl CellFiller {
+    pub(super) fn new(grid: &CellGrid) -> CellFiller {
+        let lists = || SpanLists {
             ends: Vec::with_capacity(grid.columns * grid.rows),
             spans: Vec::with_capacity(grid.columns * grid.rows),
         };
-        Filler { cells: Cells { columns: grid.columns, outer: lists(), inner: lists() } }
+        CellFiller { cells: ShapeCells { columns: grid.columns, outer: lists(), inner: lists() } }
     }
 
     /// What the next cell may be filled with.
-    pub(super) fn outer(&mut self, span: Span) {
+    pub(super) fn outer(&mut self, span: HeightSpan) {
         self.cells.outer.spans.push(span);
     }
 
     /// What the next cell is surely filled with.
-    pub(super) fn inner(&mut self, span: Span) {
+    pub(super) fn inner(&mut self, span: HeightSpan) {
         self.cells.inner.spans.push(span);
     }
 
@@ -153,12 +153,12 @@ impl Filler {
         }
     }
 
-    pub(super) fn cells(self) -> Cells {
+    pub(super) fn cells(self) -> ShapeCells {
         self.cells
     }
 }
 
-impl Shape {
+impl SolidShape {
     /// What the shape fills over the cells of a grid, for each with an outer and an inner bound.
     ///
     /// For a box and an upright cylinder the heights are exact; round sides, slopes and walls within a cell make the
@@ -168,10 +168,10 @@ impl Shape {
     /// # Errors
     /// When the grid has too many cells or numbers that are none, or the shape is a mesh that is not closed or has
     /// too many triangles above each other.
-    pub fn cells(&self, grid: &Grid) -> Result<Cells, ShapeError> {
+    pub fn cells(&self, grid: &CellGrid) -> Result<ShapeCells, ShapeError> {
         grid.check()?;
-        let mut filler = Filler::new(grid);
-        let mut each = |fill: &dyn Fn(Rect, &mut Filler)| {
+        let mut filler = CellFiller::new(grid);
+        let mut each = |fill: &dyn Fn(CellRect, &mut CellFiller)| {
             for row in 0..grid.rows {
                 for column in 0..grid.columns {
                     fill(grid.rect(column, row), &mut filler);
@@ -180,28 +180,32 @@ impl Shape {
             }
         };
         match &self.0 {
-            Kind::Cuboid(around) => each(&|rect, filler| fill_box(around, rect, filler)),
-            Kind::Round(round) => each(&|rect, filler| round.fill(rect, filler)),
-            Kind::Meshed(meshed) if meshed.edges.are_closed() => meshed.fill(grid, &mut filler)?,
-            Kind::Meshed(meshed) => return Err(ShapeError::Open { edges: meshed.edges }),
+            ShapeKind::Cuboid(around) => each(&|rect, filler| fill_box(around, rect, filler)),
+            ShapeKind::Round(round) => each(&|rect, filler| round.fill(rect, filler)),
+            ShapeKind::Meshed(meshed) if meshed.edges.are_closed() => {
+                meshed.fill(grid, &mut filler)?
+            }
+            ShapeKind::Meshed(meshed) => return Err(ShapeError::Open { edges: meshed.edges }),
         }
         Ok(filler.cells())
     }
 }
 
-impl Span {
-    pub(super) fn overlaps(self, other: Span) -> bool {
+impl HeightSpan {
+    pub(super) fn overlaps(self, other: HeightSpan) -> bool {
         self.from < other.to && other.from < self.to
     }
 
-    pub(super) fn contains(self, other: Span) -> bool {
+    pub(super) fn contains(self, other: HeightSpan) -> bool {
         self.from <= other.from && other.to <= self.to
     }
 }
 
-fn fill_box(around: &Aabb, rect: Rect, filler: &mut Filler) {
-    let side =
-        |axis: usize| Span { from: around.min.component(axis), to: around.max.component(axis) };
+fn fill_box(around: &Aabb, rect: CellRect, filler: &mut CellFiller) {
+    let side = |axis: usize| HeightSpan {
+        from: around.min.component(axis),
+        to: around.max.component(axis),
+    };
     if side(0).overlaps(rect.x) && side(1).overlaps(rect.y) {
         filler.outer(side(2));
     }

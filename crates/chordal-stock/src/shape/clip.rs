@@ -2,21 +2,21 @@
 
 use chordal_geometry::Vec3;
 
-use super::cells::Span;
+use super::cells::HeightSpan;
 
 /// A triangle cut by two strips has seven corners at most; the rest is for corners that rounding makes two of.
 const MOST_CORNERS: usize = 12;
 
 /// A flat polygon in space.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Polygon {
+pub(super) struct FlatPolygon {
     corners: [Vec3; MOST_CORNERS],
     count: usize,
 }
 
-impl Polygon {
-    pub(super) fn of_triangle([a, b, c]: [Vec3; 3]) -> Polygon {
-        let mut polygon = Polygon { corners: [Vec3::ZERO; MOST_CORNERS], count: 3 };
+impl FlatPolygon {
+    pub(super) fn of_triangle([a, b, c]: [Vec3; 3]) -> FlatPolygon {
+        let mut polygon = FlatPolygon { corners: [Vec3::ZERO; MOST_CORNERS], count: 3 };
         polygon.corners[..3].copy_from_slice(&[a, b, c]);
         polygon
     }
@@ -26,22 +26,22 @@ impl Polygon {
     }
 
     /// From the least to the largest coordinate: 0 is x, 1 is y, 2 is z.
-    pub(super) fn range(&self, axis: usize) -> Span {
-        let nothing = Span { from: f64::INFINITY, to: f64::NEG_INFINITY };
+    pub(super) fn range(&self, axis: usize) -> HeightSpan {
+        let nothing = HeightSpan { from: f64::INFINITY, to: f64::NEG_INFINITY };
         self.corners[..self.count].iter().fold(nothing, |range, corner| {
             let value = corner.component(axis);
-            Span { from: range.from.min(value), to: range.to.max(value) }
+            HeightSpan { from: range.from.min(value), to: range.to.max(value) }
         })
     }
 
     /// The part within a strip of x (0) or y (1).
-    pub(super) fn within(&self, axis: usize, strip: Span) -> Polygon {
+    pub(super) fn within(&self, axis: usize, strip: HeightSpan) -> FlatPolygon {
         self.beside(axis, strip.from, 1.0).beside(axis, strip.to, -1.0)
     }
 
     /// The part on the higher (1) or lower (−1) side of a coordinate.
-    fn beside(&self, axis: usize, limit: f64, side: f64) -> Polygon {
-        let mut kept = Polygon { corners: [Vec3::ZERO; MOST_CORNERS], count: 0 };
+    fn beside(&self, axis: usize, limit: f64, side: f64) -> FlatPolygon {
+        let mut kept = FlatPolygon { corners: [Vec3::ZERO; MOST_CORNERS], count: 0 };
         let corners = &self.corners[..self.count];
         let mut push = |corner: Vec3| {
             debug_assert!(kept.count < MOST_CORNERS, "a convex polygon has one more for each cut");

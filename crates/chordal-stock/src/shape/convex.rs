@@ -9,34 +9,35 @@ use chordal_geometry::Vec3;
 
 /// A distance between two bounds, mm. Nothing is less than zero: bodies that overlap have none.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Distance {
+pub struct DistanceInterval {
     /// It is not less.
     pub lower: f64,
     /// It is not more.
     pub upper: f64,
 }
 
-impl Distance {
-    pub(super) const TOUCHING: Distance = Distance { lower: 0.0, upper: 0.0 };
-    pub(super) const ENDLESS: Distance = Distance { lower: f64::INFINITY, upper: f64::INFINITY };
+impl DistanceInterval {
+    pub(super) const TOUCHING: DistanceInterval = DistanceInterval { lower: 0.0, upper: 0.0 };
+    pub(super) const ENDLESS: DistanceInterval =
+        DistanceInterval { lower: f64::INFINITY, upper: f64::INFINITY };
 
-    pub(super) const fn exact(distance: f64) -> Distance {
-        Distance { lower: distance, upper: distance }
+    pub(super) const fn exact(distance: f64) -> DistanceInterval {
+        DistanceInterval { lower: distance, upper: distance }
     }
 
     /// The distance of the nearer of two.
-    pub(super) fn or(self, other: Distance) -> Distance {
-        Distance { lower: self.lower.min(other.lower), upper: self.upper.min(other.upper) }
+    pub(super) fn or(self, other: DistanceInterval) -> DistanceInterval {
+        DistanceInterval { lower: self.lower.min(other.lower), upper: self.upper.min(other.upper) }
     }
 }
 
 /// A body that knows its furthest point in any direction.
-pub(super) trait Convex {
+pub(super) trait ConvexBody {
     /// A point furthest in a direction of any length, mm.
     fn furthest(&self, way: Vec3) -> Vec3;
 }
 
-impl Convex for [Vec3] {
+impl ConvexBody for [Vec3] {
     fn furthest(&self, way: Vec3) -> Vec3 {
         let mut best = (f64::NEG_INFINITY, Vec3::ZERO);
         for &corner in self {
@@ -49,7 +50,7 @@ impl Convex for [Vec3] {
     }
 }
 
-impl Convex for chordal_geometry::Aabb {
+impl ConvexBody for chordal_geometry::Aabb {
     fn furthest(&self, way: Vec3) -> Vec3 {
         let at = |way: f64, low: f64, high: f64| if way > 0.0 { high } else { low };
         let (low, high) = (self.min, self.max);
@@ -61,16 +62,16 @@ impl Convex for chordal_geometry::Aabb {
 const MOST_STEPS: usize = 96;
 
 /// The distance of two convex bodies, mm: known to `resolution`, or no further than that it is above `enough`.
-pub(super) fn distance<A: Convex + ?Sized, B: Convex + ?Sized>(
+pub(super) fn distance<A: ConvexBody + ?Sized, B: ConvexBody + ?Sized>(
     a: &A,
     b: &B,
     resolution: f64,
     enough: f64,
-) -> Distance {
+) -> DistanceInterval {
     let difference = |way: Vec3| a.furthest(way) - b.furthest(-way);
     let mut nearest = difference(Vec3::X);
     let mut simplex = Simplex { corners: [nearest; 4], count: 1 };
-    let mut found = Distance { lower: 0.0, upper: nearest.length() };
+    let mut found = DistanceInterval { lower: 0.0, upper: nearest.length() };
     for _ in 0..MOST_STEPS {
         if found.upper <= 0.0 {
             break;
@@ -87,7 +88,7 @@ pub(super) fn distance<A: Convex + ?Sized, B: Convex + ?Sized>(
         simplex.count += 1;
         let Some(point) = simplex.reduce() else {
             // Zero lies within.
-            return Distance { lower: 0.0, upper: 0.0 };
+            return DistanceInterval { lower: 0.0, upper: 0.0 };
         };
         let length = point.length();
         if length >= found.upper {

@@ -2,38 +2,38 @@
 
 use chordal_geometry::{Aabb, Vec3};
 
-use super::body::{Body, Swept};
-use super::cells::Span;
-use super::convex::{self, Distance};
-use super::meshed::Meshed;
+use super::body::{RoundBody, SweptFrustum};
+use super::cells::HeightSpan;
+use super::convex::{self, DistanceInterval};
+use super::meshed::MeshedShape;
 use super::profile;
-use super::round::Round;
-use super::tree::Inside;
-use super::{Axis, Kind, Shape};
+use super::round::CylinderShape;
+use super::tree::NodeContent;
+use super::{ShapeAxis, ShapeKind, SolidShape};
 
-impl Shape {
+impl SolidShape {
     /// The distance of a body with its tip at a place, mm: exact for boxes and for cylinders and tubes that stand
     /// upright, otherwise to `resolution`, but for rounding. Only a tube may leave more between the bounds, where
     /// much of its wall is as near.
-    pub fn distance(&self, body: &Body, tip: Vec3, resolution: f64) -> Distance {
-        let exact = |radii: Span, heights: Span| {
+    pub fn distance(&self, body: &RoundBody, tip: Vec3, resolution: f64) -> DistanceInterval {
+        let exact = |radii: HeightSpan, heights: HeightSpan| {
             let parts = body.frustums().iter();
             let of = |part| profile::distance(part, tip.z, radii, heights);
-            Distance::exact(parts.map(of).fold(f64::INFINITY, f64::min))
+            DistanceInterval::exact(parts.map(of).fold(f64::INFINITY, f64::min))
         };
         match &self.0 {
-            Kind::Cuboid(around) => {
+            ShapeKind::Cuboid(around) => {
                 let parts = body.frustums().iter();
                 let of = |part| profile::from_box(part, tip, around);
-                Distance::exact(parts.map(of).fold(f64::INFINITY, f64::min))
+                DistanceInterval::exact(parts.map(of).fold(f64::INFINITY, f64::min))
             }
-            Kind::Round(round) if round.axis == Axis::Z => {
+            ShapeKind::Round(round) if round.axis == ShapeAxis::Z => {
                 let (x, y) = (round.middle.x - tip.x, round.middle.y - tip.y);
                 let off = (x * x + y * y).sqrt();
                 // From the outside, or from within the bore.
                 let from = (off - round.outer).max(round.inner - off).max(0.0);
-                let radii = Span { from, to: off + round.outer };
-                exact(radii, Span { from: round.from, to: round.to })
+                let radii = HeightSpan { from, to: off + round.outer };
+                exact(radii, HeightSpan { from: round.from, to: round.to })
             }
             _ => self.distance_along(body, tip, tip, resolution),
         }
@@ -42,15 +42,21 @@ impl Shape {
     /// The least distance of a body whose tip goes straight from one place to another, mm, to `resolution`, but for
     /// rounding: the way of a cone is convex, so the whole of it is one question. Only a tube may leave more between
     /// the bounds, where much of its wall is as near.
-    pub fn distance_along(&self, body: &Body, from: Vec3, to: Vec3, resolution: f64) -> Distance {
-        let mut least = Distance::ENDLESS;
+    pub fn distance_along(
+        &self,
+        body: &RoundBody,
+        from: Vec3,
+        to: Vec3,
+        resolution: f64,
+    ) -> DistanceInterval {
+        let mut least = DistanceInterval::ENDLESS;
         for &frustum in body.frustums() {
-            let swept = Swept { frustum, from, to };
+            let swept = SweptFrustum { frustum, from, to };
             let enough = least.upper;
             let found = match &self.0 {
-                Kind::Cuboid(around) => convex::distance(&swept, around, resolution, enough),
-                Kind::Round(round) => round.distance(&swept, resolution, enough),
-                Kind::Meshed(meshed) => meshed.distance(&swept, resolution, enough),
+                ShapeKind::Cuboid(around) => convex::distance(&swept, around, resolution, enough),
+                ShapeKind::Round(round) => round.distance(&swept, resolution, enough),
+                ShapeKind::Meshed(meshed) => meshed.distance(&swept, resolution, enough),
             };
             least = least.or(found);
         }
@@ -58,8 +64,8 @@ impl Shape {
     }
 }
 
-impl Round {
-    fn distance(&self, swept: &Swept, resolution: f64, enough: f64) -> Distance {
+impl CylinderShape {
+    fn distance(&self, swept: &SweptFrustum, resolution: f64, enough: f64) -> DistanceInterval {
         let whole = convex::distance(swept, self, resolution, enough);
         if self.inner <= 0.0 || whole.lower >= enough {
             return whole;
@@ -67,12 +73,12 @@ impl Round {
         // No nearer than the tube with its bore filled; in the bore no nearer than the place furthest from the axis.
         let lower = whole.lower.max(self.inner - self.furthest_from_axis(swept));
         let wall = self.wall_distance(swept, resolution, enough);
-        Distance { lower: wall.lower.max(lower).min(wall.upper), upper: wall.upper }
+        DistanceInterval { lower: wall.lower.max(lower).min(wall.upper), upper: wall.upper }
     }
 
     /// How far from the axis of the cylinder a body reaches on its way, mm. The distance from a line is convex,
     /// so its largest value is at an end of the way and of the frustum.
-    fn furthest_from_axis(&self, swept: &Swept) -> f64 {
+    fn furthest_from_axis(&self, swept: &SweptFrustum) -> f64 {
         let part = swept.frustum;
         let mut most: f64 = 0.0;
         for tip in [swept.from, swept.to] {
@@ -80,9 +86,9 @@ impl Round {
                 let off = tip - self.middle;
                 let up = off.z + height;
                 let reach = match self.axis {
-                    Axis::X => [off.y.abs() + radius, up],
-                    Axis::Y => [off.x.abs() + radius, up],
-                    Axis::Z => [(off.x * off.x + off.y * off.y).sqrt() + radius, 0.0],
+                    ShapeAxis::X => [off.y.abs() + radius, up],
+                    ShapeAxis::Y => [off.x.abs() + radius, up],
+                    ShapeAxis::Z => [(off.x * off.x + off.y * off.y).sqrt() + radius, 0.0],
                 };
                 most = most.max((reach[0] * reach[0] + reach[1] * reach[1]).sqrt());
             }
@@ -92,7 +98,12 @@ impl Round {
 
     /// The distance of a body from the wall of a tube: the wall is divided around its axis where it may be nearest,
     /// until the staves around and inside of a part say the same.
-    fn wall_distance(&self, swept: &Swept, resolution: f64, enough: f64) -> Distance {
+    fn wall_distance(
+        &self,
+        swept: &SweptFrustum,
+        resolution: f64,
+        enough: f64,
+    ) -> DistanceInterval {
         /// Parts at first: an eighth of a turn is not far from its chord.
         const PARTS: usize = 8;
         /// Where all parts are as near the search ends; the staves are then alike to a millionth of the radius.
@@ -108,10 +119,10 @@ impl Round {
             } else {
                 f64::INFINITY
             };
-            (Distance { lower, upper }, from, to)
+            (DistanceInterval { lower, upper }, from, to)
         };
         let eighth = std::f64::consts::TAU / PARTS as f64;
-        let mut parts: Vec<(Distance, f64, f64)> = (0..PARTS)
+        let mut parts: Vec<(DistanceInterval, f64, f64)> = (0..PARTS)
             .map(|number| part(number as f64 * eighth, (number + 1) as f64 * eighth))
             .collect();
         let mut upper = parts.iter().fold(f64::INFINITY, |least, part| least.min(part.0.upper));
@@ -121,7 +132,7 @@ impl Round {
                 .unwrap_or(0);
             let (found, from, to) = parts[lowest];
             if upper - found.lower <= resolution || found.lower >= enough {
-                return Distance { lower: found.lower, upper };
+                return DistanceInterval { lower: found.lower, upper };
             }
             let middle = from + (to - from) / 2.0;
             parts[lowest] = part(from, middle);
@@ -131,7 +142,7 @@ impl Round {
             }
         }
         let lower = parts.iter().fold(f64::INFINITY, |least, part| least.min(part.0.lower));
-        Distance { lower: lower.min(upper), upper }
+        DistanceInterval { lower: lower.min(upper), upper }
     }
 
     /// The corners of a stave between two angles and two radii.
@@ -144,37 +155,37 @@ impl Round {
             let (sin, cos) = around[bit(1)];
             let (u, v) = (radii[bit(2)] * cos, radii[bit(2)] * sin);
             match self.axis {
-                Axis::X => Vec3::new(end, y + u, z + v),
-                Axis::Y => Vec3::new(x + u, end, z + v),
-                Axis::Z => Vec3::new(x + u, y + v, end),
+                ShapeAxis::X => Vec3::new(end, y + u, z + v),
+                ShapeAxis::Y => Vec3::new(x + u, end, z + v),
+                ShapeAxis::Z => Vec3::new(x + u, y + v, end),
             }
         })
     }
 }
 
-impl Meshed {
-    fn distance(&self, swept: &Swept, resolution: f64, enough: f64) -> Distance {
+impl MeshedShape {
+    fn distance(&self, swept: &SweptFrustum, resolution: f64, enough: f64) -> DistanceInterval {
         // A body that does not meet the surface is inside as a whole, or outside.
         let middle = Vec3::Z * (0.5 * (swept.frustum.from + swept.frustum.to));
         if self.contains(swept.from + middle) {
-            return Distance::TOUCHING;
+            return DistanceInterval::TOUCHING;
         }
         let bounds = swept.bounds();
-        let reach = Reach { bounds, swept };
-        let mut least = Distance { lower: enough, upper: enough };
+        let reach = BoxDistance { bounds, swept };
+        let mut least = DistanceInterval { lower: enough, upper: enough };
         let mut open = vec![(0, reach.lower(&self.tree.node(0).bounds, enough))];
         while let Some((number, lower)) = open.pop() {
             if lower >= least.upper {
                 continue;
             }
             match self.tree.node(number).inside {
-                Inside::Boxes(a, b) => {
+                NodeContent::Boxes(a, b) => {
                     let lower = |number| reach.lower(&self.tree.node(number).bounds, least.upper);
                     let [a, b] = [(a, lower(a)), (b, lower(b))];
                     // The nearer one is looked into first.
                     open.extend(if a.1 < b.1 { [b, a] } else { [a, b] });
                 }
-                Inside::Triangles(first, count) => {
+                NodeContent::Triangles(first, count) => {
                     for triangle in self.tree.triangles(first, count) {
                         let corners = self.mesh.corners(triangle);
                         let around = corners.into_iter().fold(Aabb::EMPTY, Aabb::include);
@@ -192,12 +203,12 @@ impl Meshed {
 }
 
 /// A quick lower bound of the distance of a box.
-struct Reach<'a> {
+struct BoxDistance<'a> {
     bounds: Aabb,
-    swept: &'a Swept,
+    swept: &'a SweptFrustum,
 }
 
-impl Reach<'_> {
+impl BoxDistance<'_> {
     /// Less exact where it is above `enough` anyhow.
     fn lower(&self, around: &Aabb, enough: f64) -> f64 {
         let gap = |axis: usize| {
@@ -213,7 +224,7 @@ impl Reach<'_> {
     /// From the bodies themselves: exact where the body stands, otherwise a twentieth of what is enough less.
     fn convex(&self, around: &Aabb, enough: f64) -> f64 {
         const PART: f64 = 0.05;
-        let Swept { frustum, from, to } = *self.swept;
+        let SweptFrustum { frustum, from, to } = *self.swept;
         if from == to {
             profile::from_box(&frustum, from, around)
         } else if enough.is_finite() {
@@ -225,7 +236,7 @@ impl Reach<'_> {
 
     /// Seen from above: beside the way of the axis, less the radius.
     fn plan(&self, around: &Aabb) -> f64 {
-        let Swept { frustum, from, to } = *self.swept;
+        let SweptFrustum { frustum, from, to } = *self.swept;
         let (x, y) = (to.x - from.x, to.y - from.y);
         let length = (x * x + y * y).sqrt();
         if length <= 0.0 {

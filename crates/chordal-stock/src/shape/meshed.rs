@@ -7,16 +7,16 @@
 use chordal_geometry::{Aabb, Vec3};
 
 use super::ShapeError;
-use super::cells::{Filler, Grid, Rect, Span};
-use super::clip::Polygon;
-use super::tree::Tree;
+use super::cells::{CellFiller, CellGrid, CellRect, HeightSpan};
+use super::clip::FlatPolygon;
+use super::tree::TriangleTree;
 use crate::mesh::{Edges, Mesh};
 
 #[derive(Clone, Debug)]
-pub(super) struct Meshed {
+pub(super) struct MeshedShape {
     pub mesh: Mesh,
     pub edges: Edges,
-    pub tree: Tree,
+    pub tree: TriangleTree,
 }
 
 /// The most triangles over the cells of a row, each counted once for every cell: a gigabyte of memory.
@@ -24,21 +24,21 @@ const MOST_BANDS: usize = 1 << 24;
 
 /// The heights of a triangle over a cell of a row.
 #[derive(Clone, Copy, Debug)]
-struct Band {
+struct TriangleBand {
     column: usize,
-    heights: Span,
+    heights: HeightSpan,
     /// How often the middle of the cell crosses it from inside to outside on the way up.
     outward: i32,
 }
 
-impl Meshed {
-    pub(super) fn new(mesh: Mesh, edges: Edges) -> Meshed {
-        let tree = Tree::new(&mesh);
-        Meshed { mesh, edges, tree }
+impl MeshedShape {
+    pub(super) fn new(mesh: Mesh, edges: Edges) -> MeshedShape {
+        let tree = TriangleTree::new(&mesh);
+        MeshedShape { mesh, edges, tree }
     }
 
     /// Row by row, so that memory is that of one row.
-    pub(super) fn fill(&self, grid: &Grid, filler: &mut Filler) -> Result<(), ShapeError> {
+    pub(super) fn fill(&self, grid: &CellGrid, filler: &mut CellFiller) -> Result<(), ShapeError> {
         let mut bands = Vec::new();
         for row in 0..grid.rows {
             bands.clear();
@@ -57,10 +57,15 @@ impl Meshed {
         Ok(())
     }
 
-    fn bands(&self, grid: &Grid, row: usize, bands: &mut Vec<Band>) -> Result<(), ShapeError> {
+    fn bands(
+        &self,
+        grid: &CellGrid,
+        row: usize,
+        bands: &mut Vec<TriangleBand>,
+    ) -> Result<(), ShapeError> {
         let Some(last) = grid.columns.checked_sub(1) else { return Ok(()) };
-        let Rect { x: Span { from, .. }, y } = grid.rect(0, row);
-        let x = Span { from, to: grid.strip(0, last).to };
+        let CellRect { x: HeightSpan { from, .. }, y } = grid.rect(0, row);
+        let x = HeightSpan { from, to: grid.strip(0, last).to };
         let reaches = |around: &Aabb| {
             around.min.x <= x.to
                 && around.max.x >= x.from
@@ -75,12 +80,18 @@ impl Meshed {
         if bands.len() > MOST_BANDS { Err(ShapeError::TooManyTriangles { row }) } else { Ok(()) }
     }
 
-    fn bands_of(&self, triangle: usize, grid: &Grid, row: usize, bands: &mut Vec<Band>) {
-        let whole = Polygon::of_triangle(self.mesh.corners(triangle));
+    fn bands_of(
+        &self,
+        triangle: usize,
+        grid: &CellGrid,
+        row: usize,
+        bands: &mut Vec<TriangleBand>,
+    ) {
+        let whole = FlatPolygon::of_triangle(self.mesh.corners(triangle));
         let heights = whole.range(2);
         // What rounding may have done to a height between two corners.
         let pad = 4.0 * f64::EPSILON * heights.from.abs().max(heights.to.abs());
-        let padded = |part: Span| Span {
+        let padded = |part: HeightSpan| HeightSpan {
             from: (part.from - pad).max(heights.from),
             to: (part.to + pad).min(heights.to),
         };
@@ -106,12 +117,12 @@ impl Meshed {
             } else {
                 continue;
             };
-            bands.push(Band { column, heights, outward });
+            bands.push(TriangleBand { column, heights, outward });
         }
     }
 
     /// Where the sides of a triangle cross a line along X, seen from above.
-    fn crossings(&self, triangle: usize, y: f64) -> [Option<Crossing>; 3] {
+    fn crossings(&self, triangle: usize, y: f64) -> [Option<SideCrossing>; 3] {
         let [a, b, c] = self.mesh.triangles()[triangle];
         [(a, b), (b, c), (c, a)].map(|(from, to)| {
             // Two triangles with a common side compute it from the same end: they agree to the bit.
@@ -123,7 +134,7 @@ impl Meshed {
                 let up = below == (from < to);
                 let x = low.x + t * (high.x - low.x);
                 // Within the box of the triangle, by which the tree leaves triangles out.
-                Crossing { x: x.clamp(low.x.min(high.x), low.x.max(high.x)), up }
+                SideCrossing { x: x.clamp(low.x.min(high.x), low.x.max(high.x)), up }
             })
         })
     }
@@ -146,7 +157,7 @@ impl Meshed {
             let outward = outward(&self.crossings(triangle, y), x);
             if outward != 0 {
                 let corners = self.mesh.corners(triangle);
-                let heights = Polygon::of_triangle(corners).range(2);
+                let heights = FlatPolygon::of_triangle(corners).range(2);
                 let [a, b, c] = corners;
                 let normal = (b - a).cross(c - a);
                 // Behind a face that looks up, or before one that looks down.
@@ -162,21 +173,21 @@ impl Meshed {
 
 /// Where a side crosses a line along X.
 #[derive(Clone, Copy, Debug)]
-struct Crossing {
+struct SideCrossing {
     x: f64,
     /// Whether the side runs towards higher y.
     up: bool,
 }
 
 /// 1 where a triangle that looks up lies over or under a place, −1 for one that looks down, 0 beside it.
-fn outward(crossings: &[Option<Crossing>; 3], x: f64) -> i32 {
+fn outward(crossings: &[Option<SideCrossing>; 3], x: f64) -> i32 {
     let beyond = crossings.iter().flatten().filter(|crossing| crossing.x > x);
     beyond.map(|crossing| if crossing.up { 1 } else { -1 }).sum()
 }
 
 /// The lists of a cell from its bands, which begin at rising heights.
-fn fill_cell(bands: &[Band], filler: &mut Filler) {
-    let mut filled: Option<Span> = None;
+fn fill_cell(bands: &[TriangleBand], filler: &mut CellFiller) {
+    let mut filled: Option<HeightSpan> = None;
     let mut winding = 0;
     let mut at = 0;
     while let Some(first) = bands.get(at) {
@@ -191,7 +202,7 @@ fn fill_cell(bands: &[Band], filler: &mut Filler) {
         span.to = band.to;
         let above = bands.get(at).filter(|_| winding != 0);
         match above {
-            Some(next) => filler.inner(Span { from: band.to, to: next.heights.from }),
+            Some(next) => filler.inner(HeightSpan { from: band.to, to: next.heights.from }),
             None => filler.outer(*span),
         }
         if above.is_none() {

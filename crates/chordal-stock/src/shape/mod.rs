@@ -1,8 +1,8 @@
 //! What stock, fixtures and targets are: boxes, cylinders, tubes and meshes.
 //!
 //! Two questions are answered, each with a bound on both sides: what a shape fills over each cell of a grid
-//! ([`Shape::cells`]), and how far it is from a body that turns about a vertical axis ([`Shape::distance`],
-//! [`Shape::distance_along`], [`Shape::passage`]).
+//! ([`SolidShape::cells`]), and how far it is from a body that turns about a vertical axis ([`SolidShape::distance`],
+//! [`SolidShape::distance_along`], [`SolidShape::passage`]).
 
 mod body;
 mod cells;
@@ -19,17 +19,17 @@ mod turned;
 use chordal_geometry::{Aabb, Vec3};
 
 use crate::mesh::{Edges, LARGEST_COORDINATE, Mesh};
-use meshed::Meshed;
-use round::Round;
+use meshed::MeshedShape;
+use round::CylinderShape;
 
-pub use body::{Body, BodyError, Bound, Frustum};
-pub use cells::{Cells, EDGE, Grid, Span};
-pub use convex::Distance;
-pub use passage::{Passage, Path};
+pub use body::{BodyBound, BodyError, Frustum, RoundBody};
+pub use cells::{CellGrid, EDGE, HeightSpan, ShapeCells};
+pub use convex::DistanceInterval;
+pub use passage::{PassageAnswer, TipMotion};
 
 /// A direction of the axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
+pub enum ShapeAxis {
     /// Along X.
     X,
     /// Along Y.
@@ -87,13 +87,13 @@ fn place(edges: &Edges, end: usize) -> String {
 
 /// A body or, for a mesh that is not closed, a surface.
 #[derive(Clone, Debug)]
-pub struct Shape(Kind);
+pub struct SolidShape(ShapeKind);
 
 #[derive(Clone, Debug)]
-enum Kind {
+enum ShapeKind {
     Cuboid(Aabb),
-    Round(Round),
-    Meshed(Box<Meshed>),
+    Round(CylinderShape),
+    Meshed(Box<MeshedShape>),
 }
 
 fn finite(what: &'static str, value: f64) -> Result<f64, ShapeError> {
@@ -105,12 +105,12 @@ fn positive(what: &'static str, value: f64) -> Result<f64, ShapeError> {
     if value > 0.0 { finite(what, value) } else { Err(ShapeError::Dimension { what, value }) }
 }
 
-impl Shape {
+impl SolidShape {
     /// The box between two opposite corners, mm.
     ///
     /// # Errors
     /// When a side has no length.
-    pub fn cuboid(a: Vec3, b: Vec3) -> Result<Shape, ShapeError> {
+    pub fn cuboid(a: Vec3, b: Vec3) -> Result<SolidShape, ShapeError> {
         for point in [a, b] {
             for value in point.to_array() {
                 finite("corner", value)?;
@@ -121,7 +121,7 @@ impl Shape {
         {
             positive(what, value)?;
         }
-        Ok(Shape(Kind::Cuboid(around)))
+        Ok(SolidShape(ShapeKind::Cuboid(around)))
     }
 
     /// The cylinder about an axis through `middle`, of a diameter, from one coordinate along the axis to another,
@@ -130,54 +130,54 @@ impl Shape {
     /// # Errors
     /// When the diameter or the length is not above zero.
     pub fn cylinder(
-        axis: Axis,
+        axis: ShapeAxis,
         middle: Vec3,
         diameter: f64,
         from: f64,
         to: f64,
-    ) -> Result<Shape, ShapeError> {
-        Shape::round(axis, middle, [positive("diameter", diameter)?, 0.0], [from, to])
+    ) -> Result<SolidShape, ShapeError> {
+        SolidShape::round(axis, middle, [positive("diameter", diameter)?, 0.0], [from, to])
     }
 
-    /// The tube between two diameters, as [`Shape::cylinder`].
+    /// The tube between two diameters, as [`SolidShape::cylinder`].
     ///
     /// # Errors
     /// When a diameter or the length is not above zero, or the bore is no smaller than the diameter.
     pub fn tube(
-        axis: Axis,
+        axis: ShapeAxis,
         middle: Vec3,
         [diameter, bore]: [f64; 2],
         from: f64,
         to: f64,
-    ) -> Result<Shape, ShapeError> {
+    ) -> Result<SolidShape, ShapeError> {
         positive("diameter", diameter)?;
         let bore = positive("bore", bore)?;
         if bore >= diameter {
             return Err(ShapeError::Dimension { what: "bore", value: bore });
         }
-        Shape::round(axis, middle, [diameter, bore], [from, to])
+        SolidShape::round(axis, middle, [diameter, bore], [from, to])
     }
 
     fn round(
-        axis: Axis,
+        axis: ShapeAxis,
         middle: Vec3,
         [diameter, bore]: [f64; 2],
         [from, to]: [f64; 2],
-    ) -> Result<Shape, ShapeError> {
+    ) -> Result<SolidShape, ShapeError> {
         for value in middle.to_array() {
             finite("middle", value)?;
         }
         let (from, to) = (finite("end", from)?.min(to), finite("end", to)?.max(from));
         positive("length", to - from)?;
         let (outer, inner) = (diameter / 2.0, bore / 2.0);
-        Ok(Shape(Kind::Round(Round { axis, middle, outer, inner, from, to })))
+        Ok(SolidShape(ShapeKind::Round(CylinderShape { axis, middle, outer, inner, from, to })))
     }
 
     /// The body inside a closed mesh. Where its triangles are clockwise from outside they are turned.
     ///
     /// # Errors
     /// When the mesh is open or has no triangle.
-    pub fn solid(mesh: Mesh) -> Result<Shape, ShapeError> {
+    pub fn solid(mesh: Mesh) -> Result<SolidShape, ShapeError> {
         let edges = mesh.edges();
         if mesh.triangles().is_empty() {
             return Err(ShapeError::NoTriangle);
@@ -186,7 +186,7 @@ impl Shape {
             return Err(ShapeError::Open { edges });
         }
         let mesh = if mesh.volume() < 0.0 { mesh.turned() } else { mesh };
-        Ok(Shape(Kind::Meshed(Box::new(Meshed::new(mesh, edges)))))
+        Ok(SolidShape(ShapeKind::Meshed(Box::new(MeshedShape::new(mesh, edges)))))
     }
 
     /// The triangles of a mesh: of a body if it is closed, otherwise a surface without an inside, which can be
@@ -194,39 +194,39 @@ impl Shape {
     ///
     /// # Errors
     /// When the mesh has no triangle.
-    pub fn surface(mesh: Mesh) -> Result<Shape, ShapeError> {
+    pub fn surface(mesh: Mesh) -> Result<SolidShape, ShapeError> {
         let edges = mesh.edges();
         if edges.are_closed() {
-            return Shape::solid(mesh);
+            return SolidShape::solid(mesh);
         }
         if mesh.triangles().is_empty() {
             return Err(ShapeError::NoTriangle);
         }
-        Ok(Shape(Kind::Meshed(Box::new(Meshed::new(mesh, edges)))))
+        Ok(SolidShape(ShapeKind::Meshed(Box::new(MeshedShape::new(mesh, edges)))))
     }
 
     /// The box around the shape.
     pub fn bounds(&self) -> Aabb {
         match &self.0 {
-            Kind::Cuboid(around) => *around,
-            Kind::Round(round) => round.bounds(),
-            Kind::Meshed(meshed) => meshed.mesh.bounds(),
+            ShapeKind::Cuboid(around) => *around,
+            ShapeKind::Round(round) => round.bounds(),
+            ShapeKind::Meshed(meshed) => meshed.mesh.bounds(),
         }
     }
 
     /// The volume, mm³; nothing for a surface that is not closed.
     pub fn volume(&self) -> f64 {
         match &self.0 {
-            Kind::Cuboid(around) => {
+            ShapeKind::Cuboid(around) => {
                 let size = around.size();
                 size.x * size.y * size.z
             }
-            Kind::Round(round) => {
+            ShapeKind::Round(round) => {
                 let square = round.outer * round.outer - round.inner * round.inner;
                 std::f64::consts::PI * square * (round.to - round.from)
             }
-            Kind::Meshed(meshed) if meshed.edges.are_closed() => meshed.mesh.volume(),
-            Kind::Meshed(_) => 0.0,
+            ShapeKind::Meshed(meshed) if meshed.edges.are_closed() => meshed.mesh.volume(),
+            ShapeKind::Meshed(_) => 0.0,
         }
     }
 }

@@ -3,12 +3,12 @@
 
 use chordal_geometry::Vec3;
 
-use super::Shape;
-use super::body::Body;
-use super::convex::Distance;
+use super::SolidShape;
+use super::body::RoundBody;
+use super::convex::DistanceInterval;
 
 /// A way of a tip, from 0 to 1.
-pub struct Path<'a> {
+pub struct TipMotion<'a> {
     /// The place of the tip at a fraction, mm.
     pub tip: &'a dyn Fn(f64) -> Vec3,
     /// The most that the tip moves for one unit of the fraction, mm: for a curve at even speed its length.
@@ -17,7 +17,7 @@ pub struct Path<'a> {
 
 /// How a body passed a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Passage {
+pub enum PassageAnswer {
     /// It is never nearer than the clearance, and never nearer than this.
     Clean {
         /// The distance is not less anywhere on the way, mm.
@@ -29,28 +29,28 @@ pub enum Passage {
         /// Where, from 0 to 1.
         fraction: f64,
         /// The distance there.
-        distance: Distance,
+        distance: DistanceInterval,
     },
     /// Not decided in the steps allowed, or where the distance is not known well enough.
     Undecided {
         /// Up to here it is clean, from 0 to 1.
         fraction: f64,
         /// The distance there.
-        distance: Distance,
+        distance: DistanceInterval,
     },
 }
 
-impl Shape {
+impl SolidShape {
     /// Whether a body keeps a clearance (mm, may be zero) on its way. A hit is where the distance is surely not above
     /// clearance and tolerance; the tolerance (mm) must be above zero.
     pub fn passage(
         &self,
-        body: &Body,
-        path: &Path,
+        body: &RoundBody,
+        path: &TipMotion,
         clearance: f64,
         tolerance: f64,
         steps: usize,
-    ) -> Passage {
+    ) -> PassageAnswer {
         // So that a step which is no hit is at least three quarters of the tolerance long.
         let resolution = tolerance / 4.0;
         let mut fraction = 0.0;
@@ -58,15 +58,15 @@ impl Shape {
         let mut nearest = distance.lower;
         for _ in 0..steps {
             if distance.upper <= clearance + tolerance {
-                return Passage::Hit { fraction, distance };
+                return PassageAnswer::Hit { fraction, distance };
             }
             if fraction >= 1.0 {
-                return Passage::Clean { nearest };
+                return PassageAnswer::Clean { nearest };
             }
             let free = distance.lower - clearance;
             let next = if path.speed > 0.0 { fraction + free / path.speed } else { 1.0 };
             if !(free > 0.0 && next > fraction) {
-                return Passage::Undecided { fraction, distance };
+                return PassageAnswer::Undecided { fraction, distance };
             }
             let next = next.min(1.0);
             let ahead = self.distance(body, (path.tip)(next), resolution);
@@ -75,6 +75,6 @@ impl Shape {
             nearest = nearest.min(ahead.lower).min(between.max(clearance));
             (fraction, distance) = (next, ahead);
         }
-        Passage::Undecided { fraction, distance }
+        PassageAnswer::Undecided { fraction, distance }
     }
 }

@@ -7,24 +7,26 @@
 use chordal_geometry::{Aabb, Vec3};
 
 use super::body::Frustum;
-use super::cells::Span;
+use super::cells::HeightSpan;
 use super::round::distances;
 
-type Point = [f64; 2];
+type ProfilePoint = [f64; 2];
 
 /// The distance of a part of a body with its tip at a place from a box, mm.
 pub(super) fn from_box(frustum: &Frustum, tip: Vec3, around: &Aabb) -> f64 {
-    let span =
-        |axis: usize| Span { from: around.min.component(axis), to: around.max.component(axis) };
+    let span = |axis: usize| HeightSpan {
+        from: around.min.component(axis),
+        to: around.max.component(axis),
+    };
     let (x, y) = (distances(span(0), tip.x), distances(span(1), tip.y));
     let from = (x.from * x.from + y.from * y.from).sqrt();
     let to = (x.to * x.to + y.to * y.to).sqrt();
-    distance(frustum, tip.z, Span { from, to }, span(2))
+    distance(frustum, tip.z, HeightSpan { from, to }, span(2))
 }
 
 /// The distance of a part of a body, with the tip at a height, from the places between two distances from its
 /// axis and between two heights, mm.
-pub(super) fn distance(frustum: &Frustum, tip: f64, radii: Span, heights: Span) -> f64 {
+pub(super) fn distance(frustum: &Frustum, tip: f64, radii: HeightSpan, heights: HeightSpan) -> f64 {
     let (low, high) = (tip + frustum.from, tip + frustum.to);
     let body = [[0.0, low], [frustum.lower, low], [frustum.upper, high], [0.0, high]];
     let (near, far) = (radii.from, radii.to);
@@ -37,19 +39,19 @@ pub(super) fn distance(frustum: &Frustum, tip: f64, radii: Span, heights: Span) 
 }
 
 /// Whether a side of one of two convex figures, or a direction across an axis, lies between them.
-fn apart(a: &[Point; 4], b: &[Point; 4]) -> bool {
-    let sides = |figure: &[Point; 4]| {
+fn apart(a: &[ProfilePoint; 4], b: &[ProfilePoint; 4]) -> bool {
+    let sides = |figure: &[ProfilePoint; 4]| {
         let figure = *figure;
         [0, 1, 2, 3].map(|at: usize| {
             let (from, to) = (figure[at], figure[(at + 1) % 4]);
             [to[1] - from[1], from[0] - to[0]]
         })
     };
-    let separates = |[x, y]: Point| {
-        let range = |figure: &[Point; 4]| {
+    let separates = |[x, y]: ProfilePoint| {
+        let range = |figure: &[ProfilePoint; 4]| {
             let along = figure.map(|point| point[0] * x + point[1] * y);
             let low = along.into_iter().fold(f64::INFINITY, f64::min);
-            Span { from: low, to: along.into_iter().fold(f64::NEG_INFINITY, f64::max) }
+            HeightSpan { from: low, to: along.into_iter().fold(f64::NEG_INFINITY, f64::max) }
         };
         let (of_a, of_b) = (range(a), range(b));
         of_a.to < of_b.from || of_b.to < of_a.from
@@ -58,7 +60,7 @@ fn apart(a: &[Point; 4], b: &[Point; 4]) -> bool {
 }
 
 /// The least distance of the corners of one figure from the sides of the other.
-fn nearest(corners: &[Point; 4], figure: &[Point; 4]) -> f64 {
+fn nearest(corners: &[ProfilePoint; 4], figure: &[ProfilePoint; 4]) -> f64 {
     let mut least = f64::INFINITY;
     for &[x, y] in corners {
         for at in 0..4 {

@@ -2,14 +2,14 @@
 
 use chordal_geometry::{Aabb, Vec3};
 
-use super::Axis;
-use super::cells::{Filler, Rect, Span};
-use super::convex::Convex;
+use super::ShapeAxis;
+use super::cells::{CellFiller, CellRect, HeightSpan};
+use super::convex::ConvexBody;
 
 /// A cylinder, or a tube where `inner` is above zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Round {
-    pub axis: Axis,
+pub(super) struct CylinderShape {
+    pub axis: ShapeAxis,
     /// A point of the axis, mm.
     pub middle: Vec3,
     /// The radius, mm.
@@ -27,38 +27,38 @@ fn half_height(radius: f64, distance: f64) -> Option<f64> {
 }
 
 /// The smallest and the largest distance of a place in a span from another place.
-pub(super) fn distances(span: Span, from: f64) -> Span {
+pub(super) fn distances(span: HeightSpan, from: f64) -> HeightSpan {
     let (below, above) = (span.from - from, span.to - from);
-    Span { from: below.max(-above).max(0.0), to: above.max(-below) }
+    HeightSpan { from: below.max(-above).max(0.0), to: above.max(-below) }
 }
 
-impl Round {
+impl CylinderShape {
     pub(super) fn bounds(&self) -> Aabb {
         let mut low = self.middle - Vec3::new(self.outer, self.outer, self.outer);
         let mut high = self.middle + Vec3::new(self.outer, self.outer, self.outer);
         let (below, above) = match self.axis {
-            Axis::X => (&mut low.x, &mut high.x),
-            Axis::Y => (&mut low.y, &mut high.y),
-            Axis::Z => (&mut low.z, &mut high.z),
+            ShapeAxis::X => (&mut low.x, &mut high.x),
+            ShapeAxis::Y => (&mut low.y, &mut high.y),
+            ShapeAxis::Z => (&mut low.z, &mut high.z),
         };
         (*below, *above) = (self.from, self.to);
         Aabb { min: low, max: high }
     }
 
-    pub(super) fn fill(&self, rect: Rect, filler: &mut Filler) {
+    pub(super) fn fill(&self, rect: CellRect, filler: &mut CellFiller) {
         match self.axis {
-            Axis::X => self.fill_lying(rect.x, rect.y, self.middle.y, filler),
-            Axis::Y => self.fill_lying(rect.y, rect.x, self.middle.x, filler),
-            Axis::Z => self.fill_upright(rect, filler),
+            ShapeAxis::X => self.fill_lying(rect.x, rect.y, self.middle.y, filler),
+            ShapeAxis::Y => self.fill_lying(rect.y, rect.x, self.middle.x, filler),
+            ShapeAxis::Z => self.fill_upright(rect, filler),
         }
     }
 
-    fn fill_upright(&self, rect: Rect, filler: &mut Filler) {
+    fn fill_upright(&self, rect: CellRect, filler: &mut CellFiller) {
         let x = distances(rect.x, self.middle.x);
         let y = distances(rect.y, self.middle.y);
         let near = (x.from * x.from + y.from * y.from).sqrt();
         let far = (x.to * x.to + y.to * y.to).sqrt();
-        let whole = Span { from: self.from, to: self.to };
+        let whole = HeightSpan { from: self.from, to: self.to };
         let hollow = self.inner > 0.0;
         if near < self.outer && !(hollow && far < self.inner) {
             filler.outer(whole);
@@ -69,8 +69,14 @@ impl Round {
     }
 
     /// For a strip along the axis and one across it.
-    fn fill_lying(&self, along: Span, across: Span, middle: f64, filler: &mut Filler) {
-        let whole = Span { from: self.from, to: self.to };
+    fn fill_lying(
+        &self,
+        along: HeightSpan,
+        across: HeightSpan,
+        middle: f64,
+        filler: &mut CellFiller,
+    ) {
+        let whole = HeightSpan { from: self.from, to: self.to };
         let distance = distances(across, middle);
         let z = self.middle.z;
         // What rounding may have done to a root and to its sum with the height.
@@ -81,10 +87,10 @@ impl Round {
             // Empty wherever in the strip one looks.
             match half_height(self.inner, distance.to) {
                 Some(bore) if bore > pad => {
-                    filler.outer(Span { from: low, to: z - bore + pad });
-                    filler.outer(Span { from: z + bore - pad, to: high });
+                    filler.outer(HeightSpan { from: low, to: z - bore + pad });
+                    filler.outer(HeightSpan { from: z + bore - pad, to: high });
                 }
-                _ => filler.outer(Span { from: low, to: high }),
+                _ => filler.outer(HeightSpan { from: low, to: high }),
             }
         }
         if let Some(least) = half_height(self.outer, distance.to).filter(|_| whole.contains(along))
@@ -93,15 +99,15 @@ impl Round {
             match half_height(self.inner, distance.from) {
                 Some(bore) => {
                     for span in [
-                        Span { from: low, to: z - bore - pad },
-                        Span { from: z + bore + pad, to: high },
+                        HeightSpan { from: low, to: z - bore - pad },
+                        HeightSpan { from: z + bore + pad, to: high },
                     ] {
                         if span.from < span.to {
                             filler.inner(span);
                         }
                     }
                 }
-                None if low < high => filler.inner(Span { from: low, to: high }),
+                None if low < high => filler.inner(HeightSpan { from: low, to: high }),
                 None => {}
             }
         }
@@ -109,20 +115,20 @@ impl Round {
 }
 
 /// The cylinder without its bore.
-impl Convex for Round {
+impl ConvexBody for CylinderShape {
     fn furthest(&self, way: Vec3) -> Vec3 {
         let (along, across) = match self.axis {
-            Axis::X => (way.x, Vec3::new(0.0, way.y, way.z)),
-            Axis::Y => (way.y, Vec3::new(way.x, 0.0, way.z)),
-            Axis::Z => (way.z, Vec3::new(way.x, way.y, 0.0)),
+            ShapeAxis::X => (way.x, Vec3::new(0.0, way.y, way.z)),
+            ShapeAxis::Y => (way.y, Vec3::new(way.x, 0.0, way.z)),
+            ShapeAxis::Z => (way.z, Vec3::new(way.x, way.y, 0.0)),
         };
         let end = if along > 0.0 { self.to } else { self.from };
         let rim = across.normalized().map_or(Vec3::ZERO, |unit| unit * self.outer);
         let Vec3 { x, y, z } = self.middle;
         rim + match self.axis {
-            Axis::X => Vec3::new(end, y, z),
-            Axis::Y => Vec3::new(x, end, z),
-            Axis::Z => Vec3::new(x, y, end),
+            ShapeAxis::X => Vec3::new(end, y, z),
+            ShapeAxis::Y => Vec3::new(x, end, z),
+            ShapeAxis::Z => Vec3::new(x, y, end),
         }
     }
 }

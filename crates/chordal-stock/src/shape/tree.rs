@@ -9,14 +9,14 @@ const FEW: usize = 4;
 
 /// A box, and what is in it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node {
+pub(super) struct BoxNode {
     pub bounds: Aabb,
-    pub inside: Inside,
+    pub inside: NodeContent,
 }
 
 /// What is in a box.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Inside {
+pub(super) enum NodeContent {
     /// Two boxes, by their numbers.
     Boxes(usize, usize),
     /// Triangles: where they begin in the order of the tree, and how many there are.
@@ -25,15 +25,15 @@ pub(super) enum Inside {
 
 /// A tree over the triangles of a mesh.
 #[derive(Clone, Debug)]
-pub(super) struct Tree {
-    nodes: Vec<Node>,
+pub(super) struct TriangleTree {
+    nodes: Vec<BoxNode>,
     /// The triangles in the order of the boxes.
     order: Vec<u32>,
 }
 
-impl Tree {
+impl TriangleTree {
     /// The tree of a mesh of at least one triangle.
-    pub(super) fn new(mesh: &Mesh) -> Tree {
+    pub(super) fn new(mesh: &Mesh) -> TriangleTree {
         let around = |triangle: u32| {
             let corners = mesh.corners(triangle as usize);
             corners.into_iter().fold(Aabb::EMPTY, |around, corner| around.include(corner))
@@ -41,7 +41,7 @@ impl Tree {
         // A mesh has no more triangles than 32 bits number.
         let mut order: Vec<u32> = (0..mesh.triangles().len() as u32).collect();
         let bounds: Vec<Aabb> = order.iter().map(|triangle| around(*triangle)).collect();
-        let mut tree = Tree { nodes: Vec::new(), order: Vec::new() };
+        let mut tree = TriangleTree { nodes: Vec::new(), order: Vec::new() };
         tree.divide(&bounds, &mut order, 0);
         tree.order = order;
         tree
@@ -54,8 +54,8 @@ impl Tree {
             .iter()
             .fold(Aabb::EMPTY, |around, triangle| around.union(bounds[*triangle as usize]));
         let node = self.nodes.len();
-        let inside = Inside::Triangles(first, part.len());
-        self.nodes.push(Node { bounds: around, inside });
+        let inside = NodeContent::Triangles(first, part.len());
+        self.nodes.push(BoxNode { bounds: around, inside });
         if part.len() > FEW {
             let Vec3 { x, y, z } = around.size();
             let axis = if x >= y && x >= z {
@@ -74,13 +74,13 @@ impl Tree {
             let (low, high) = part.split_at_mut(half);
             let low = self.divide(bounds, low, first);
             let high = self.divide(bounds, high, first + half);
-            self.nodes[node].inside = Inside::Boxes(low, high);
+            self.nodes[node].inside = NodeContent::Boxes(low, high);
         }
         node
     }
 
     /// The box around everything has the number zero.
-    pub(super) fn node(&self, number: usize) -> Node {
+    pub(super) fn node(&self, number: usize) -> BoxNode {
         self.nodes[number]
     }
 
@@ -98,8 +98,10 @@ impl Tree {
                 continue;
             }
             match node.inside {
-                Inside::Boxes(a, b) => open.extend([b, a]),
-                Inside::Triangles(first, count) => self.triangles(first, count).for_each(&mut call),
+                NodeContent::Boxes(a, b) => open.extend([b, a]),
+                NodeContent::Triangles(first, count) => {
+                    self.triangles(first, count).for_each(&mut call)
+                }
             }
         }
     }

@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use chordal_geometry::{Aabb, Transform, Vec3};
 
-use super::round::Round;
-use super::{Axis, Bound, Kind, Shape};
+use super::round::CylinderShape;
+use super::{BodyBound, ShapeAxis, ShapeKind, SolidShape};
 use crate::mesh::Mesh;
 
 /// A direction that differs from an axis by less is that axis: the end of the longest part is then off by far
@@ -14,59 +14,60 @@ const ALONG: f64 = 1e-12;
 /// Sides of a cylinder as triangles: at least, at most.
 const SIDES: [f64; 2] = [12.0, 2048.0];
 
-impl Axis {
-    const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+impl ShapeAxis {
+    const ALL: [ShapeAxis; 3] = [ShapeAxis::X, ShapeAxis::Y, ShapeAxis::Z];
 
     /// The direction, and the two across it, as a right hand has them.
     fn frame(self) -> [Vec3; 3] {
         match self {
-            Axis::X => [Vec3::X, Vec3::Y, Vec3::Z],
-            Axis::Y => [Vec3::Y, Vec3::Z, Vec3::X],
-            Axis::Z => [Vec3::Z, Vec3::X, Vec3::Y],
+            ShapeAxis::X => [Vec3::X, Vec3::Y, Vec3::Z],
+            ShapeAxis::Y => [Vec3::Y, Vec3::Z, Vec3::X],
+            ShapeAxis::Z => [Vec3::Z, Vec3::X, Vec3::Y],
         }
     }
 }
 
-impl Shape {
+impl SolidShape {
     /// The shape elsewhere, turned: one that holds it, and one that lies in it. The two differ by no more than
     /// `sag` (mm), and only where a cylinder lies askew.
     ///
     /// # Errors
     /// `None` where numbers become too large.
-    pub fn turned(&self, by: &Transform, sag: f64) -> Option<[Shape; 2]> {
-        if let Kind::Round(round) = &self.0
+    pub fn turned(&self, by: &Transform, sag: f64) -> Option<[SolidShape; 2]> {
+        if let ShapeKind::Round(round) = &self.0
             && let Some(same) = turned_round(round, by)
         {
-            let same = Shape(Kind::Round(same));
+            let same = SolidShape(ShapeKind::Round(same));
             return Some([same.clone(), same]);
         }
         let shape = |bound| {
             let mesh = self.triangles(sag, bound);
             let vertices = mesh.vertices().iter().map(|at| by.apply_point(*at)).collect();
-            Shape::surface(Mesh::new(vertices, mesh.triangles().to_vec()).ok()?).ok()
+            SolidShape::surface(Mesh::new(vertices, mesh.triangles().to_vec()).ok()?).ok()
         };
-        Some([shape(Bound::Outer)?, shape(Bound::Inner)?])
+        Some([shape(BodyBound::Outer)?, shape(BodyBound::Inner)?])
     }
 
     /// The shape as triangles, which hold it or lie in it, no more than `sag` (mm) from its surface.
-    pub fn triangles(&self, sag: f64, bound: Bound) -> Mesh {
+    pub fn triangles(&self, sag: f64, bound: BodyBound) -> Mesh {
         match &self.0 {
-            Kind::Cuboid(around) => cuboid(around),
-            Kind::Round(round) => prism(round, sag, bound),
-            Kind::Meshed(meshed) => meshed.mesh.clone(),
+            ShapeKind::Cuboid(around) => cuboid(around),
+            ShapeKind::Round(round) => prism(round, sag, bound),
+            ShapeKind::Meshed(meshed) => meshed.mesh.clone(),
         }
     }
 }
 
 /// A cylinder whose axis is one of the three again.
-fn turned_round(round: &Round, by: &Transform) -> Option<Round> {
+fn turned_round(round: &CylinderShape, by: &Transform) -> Option<CylinderShape> {
     let [along, ..] = round.axis.frame();
     let way = by.apply_direction(along);
-    let axis = Axis::ALL.into_iter().find(|axis| way.dot(axis.frame()[0]).abs() > 1.0 - ALONG)?;
+    let axis =
+        ShapeAxis::ALL.into_iter().find(|axis| way.dot(axis.frame()[0]).abs() > 1.0 - ALONG)?;
     let own = round.middle - along * along.dot(round.middle);
     let ends = [round.from, round.to].map(|at| by.apply_point(own + along * at));
     let [a, b] = ends.map(|end| end.dot(axis.frame()[0]));
-    Some(Round { axis, middle: ends[0], from: a.min(b), to: a.max(b), ..*round })
+    Some(CylinderShape { axis, middle: ends[0], from: a.min(b), to: a.max(b), ..*round })
 }
 
 fn cuboid(Aabb { min, max }: &Aabb) -> Mesh {
@@ -82,7 +83,7 @@ fn cuboid(Aabb { min, max }: &Aabb) -> Mesh {
     Mesh::new((0..8).map(corner).collect(), triangles).unwrap_or_default()
 }
 
-fn prism(round: &Round, sag: f64, bound: Bound) -> Mesh {
+fn prism(round: &CylinderShape, sag: f64, bound: BodyBound) -> Mesh {
     let [along, u, v] = round.axis.frame();
     let own = round.middle - along * along.dot(round.middle);
     let part = (sag.max(0.0) / round.outer).min(1.0);
@@ -90,8 +91,8 @@ fn prism(round: &Round, sag: f64, bound: Bound) -> Mesh {
     let sides = (PI / libm::acos(1.0 - part).max(1e-9)).ceil().clamp(SIDES[0], SIDES[1]);
     let wide = 1.0 / libm::cos(PI / sides);
     let [outer, inner] = match bound {
-        Bound::Outer => [round.outer * wide, round.inner],
-        Bound::Inner => [round.outer, round.inner * wide],
+        BodyBound::Outer => [round.outer * wide, round.inner],
+        BodyBound::Inner => [round.outer, round.inner * wide],
     };
     let count = sides as u32;
     let ring = |radius: f64, end: f64| {
@@ -131,13 +132,13 @@ fn prism(round: &Round, sag: f64, bound: Bound) -> Mesh {
 mod tests {
     use super::*;
 
-    fn shapes() -> [Shape; 4] {
+    fn shapes() -> [SolidShape; 4] {
         let corner = Vec3::new(10.0, 6.0, 4.0);
         [
-            Shape::cuboid(Vec3::ZERO, corner).expect("a box"),
-            Shape::cylinder(Axis::X, corner, 10.0, 0.0, 30.0).expect("a bar"),
-            Shape::cylinder(Axis::Y, corner, 10.0, -5.0, 3.0).expect("a disc"),
-            Shape::tube(Axis::Z, corner, [10.0, 6.0], 0.0, 30.0).expect("a tube"),
+            SolidShape::cuboid(Vec3::ZERO, corner).expect("a box"),
+            SolidShape::cylinder(ShapeAxis::X, corner, 10.0, 0.0, 30.0).expect("a bar"),
+            SolidShape::cylinder(ShapeAxis::Y, corner, 10.0, -5.0, 3.0).expect("a disc"),
+            SolidShape::tube(ShapeAxis::Z, corner, [10.0, 6.0], 0.0, 30.0).expect("a tube"),
         ]
     }
 
@@ -145,7 +146,7 @@ mod tests {
     fn triangles_are_closed_and_hold_the_shape_or_lie_in_it() {
         for shape in shapes() {
             let [outer, inner] =
-                [Bound::Outer, Bound::Inner].map(|bound| shape.triangles(1e-3, bound));
+                [BodyBound::Outer, BodyBound::Inner].map(|bound| shape.triangles(1e-3, bound));
             assert!(outer.edges().are_closed() && inner.edges().are_closed());
             let volume = shape.volume();
             assert!(inner.volume() <= volume * (1.0 + 1e-12) && inner.volume() > 0.998 * volume);

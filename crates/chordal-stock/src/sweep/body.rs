@@ -1,48 +1,48 @@
 //! What must not touch stock: a shank, a neck, a holder, the part of a cutter above its edges.
 
-use super::{Kind, Part, parts};
-use crate::{Cutter, Undercut};
+use super::{BodyPart, PartShape, parts};
+use crate::{CutterProfile, Undercut};
 
 /// A body of revolution about the tool axis, as its lowest surface. Heights above the tool tip, mm.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Body {
-    pub(crate) parts: Vec<Part>,
+pub struct RevolvedBody {
+    pub(crate) parts: Vec<BodyPart>,
     /// Undercuts, each with the height of its lower end above the tip, mm.
     pub(crate) undercuts: Vec<(f64, Undercut)>,
 }
 
-impl Body {
+impl RevolvedBody {
     /// A cutter itself: for moves that should not cut.
-    pub fn of_cutter(cutter: &Cutter) -> Body {
-        Body { parts: parts(cutter.rings()), ..Body::default() }
+    pub fn of_cutter(cutter: &CutterProfile) -> RevolvedBody {
+        RevolvedBody { parts: parts(cutter.rings()), ..RevolvedBody::default() }
     }
 
     /// Undercuts themselves, each with the height of its lower end above the tip, mm: for moves that should not
     /// cut. Unlike other bodies they end at their upper sides.
-    pub fn of_undercuts(undercuts: &[(f64, Undercut)]) -> Body {
-        Body { undercuts: undercuts.to_vec(), ..Body::default() }
+    pub fn of_undercuts(undercuts: &[(f64, Undercut)]) -> RevolvedBody {
+        RevolvedBody { undercuts: undercuts.to_vec(), ..RevolvedBody::default() }
     }
 
     /// What is above the edges of a cutter, as wide as the cutter; `None` if their length is not known. What it
     /// touches is a cut deeper than the edges.
-    pub fn above_flutes(cutter: &Cutter) -> Option<Body> {
-        Some(Body::cylinder(2.0 * cutter.radius(), cutter.flutes()?))
+    pub fn above_flutes(cutter: &CutterProfile) -> Option<RevolvedBody> {
+        Some(RevolvedBody::cylinder(2.0 * cutter.radius(), cutter.flutes()?))
     }
 
     /// A cylinder of a diameter from a height up, mm: a shank.
-    pub fn cylinder(diameter: f64, height: f64) -> Body {
-        Body::stack(height, &[[0.0, diameter, diameter]])
+    pub fn cylinder(diameter: f64, height: f64) -> RevolvedBody {
+        RevolvedBody::stack(height, &[[0.0, diameter, diameter]])
     }
 
     /// Cylinders and cones upon each other from a height on: the length, the lower and the upper diameter of
     /// each, mm. A narrower one above a wider one is hidden by it. Numbers that are no size add nothing.
-    pub fn stack(height: f64, segments: &[[f64; 3]]) -> Body {
-        let mut parts: Vec<Part> = Vec::new();
+    pub fn stack(height: f64, segments: &[[f64; 3]]) -> RevolvedBody {
+        let mut parts: Vec<BodyPart> = Vec::new();
         let (mut height, mut widest) = (height, 0.0_f64);
         for &[length, lower, upper] in segments {
             let (lower, upper) = (lower / 2.0, upper / 2.0);
             if lower > widest {
-                parts.push(Part { height, core: lower, reach: lower, kind: Kind::Flat });
+                parts.push(BodyPart { height, core: lower, reach: lower, kind: PartShape::Flat });
                 widest = lower;
             }
             if upper > widest && upper > lower && length > 0.0 {
@@ -52,18 +52,18 @@ impl Body {
                 if parts.last().is_some_and(|last| last.reach == widest && last.height == from) {
                     parts.pop();
                 }
-                let kind = Kind::Cone(slope);
-                parts.push(Part { height: from, core: widest, reach: upper, kind });
+                let kind = PartShape::Cone(slope);
+                parts.push(BodyPart { height: from, core: widest, reach: upper, kind });
                 widest = upper;
             } else if upper > widest {
                 // Wider at once.
                 let height = height + length.max(0.0);
-                parts.push(Part { height, core: upper, reach: upper, kind: Kind::Flat });
+                parts.push(BodyPart { height, core: upper, reach: upper, kind: PartShape::Flat });
                 widest = upper;
             }
             height += length.max(0.0);
         }
-        Body { parts, ..Body::default() }
+        RevolvedBody { parts, ..RevolvedBody::default() }
     }
 }
 
@@ -71,7 +71,7 @@ impl Body {
 mod tests {
     use super::*;
 
-    fn lowest(body: &Body, radius: f64) -> f64 {
+    fn lowest(body: &RevolvedBody, radius: f64) -> f64 {
         let reached = body.parts.iter().filter(|part| radius <= part.reach);
         reached.map(|part| part.height_at(radius)).fold(f64::INFINITY, f64::min)
     }
@@ -80,7 +80,7 @@ mod tests {
     fn a_holder_is_its_lowest_surface() {
         // A shank of 6, a cone from 10 to 20, a neck of 16, a flange of 40.
         let segments = [[20.0, 6.0, 6.0], [10.0, 10.0, 20.0], [5.0, 16.0, 16.0], [8.0, 40.0, 40.0]];
-        let body = Body::stack(12.0, &segments);
+        let body = RevolvedBody::stack(12.0, &segments);
         for (radius, height) in [(2.0, 12.0), (4.0, 32.0), (7.5, 37.0), (9.0, 40.0), (15.0, 47.0)] {
             assert!((lowest(&body, radius) - height).abs() < 1e-12, "{radius}");
         }

@@ -8,8 +8,8 @@
 
 use wide::{CmpGe, CmpLe, CmpLt, f32x4};
 
-use super::shape::{ROUND_SHIFT, Shape, is_ball};
-use super::{Kind, Part, Piece};
+use super::shape::{PartKind, ROUND_SHIFT, is_ball};
+use super::{BodyPart, PartShape, SweepPiece};
 
 const ZERO: f32x4 = f32x4::ZERO;
 
@@ -35,7 +35,7 @@ pub(crate) const LOWER: u8 = 2;
 
 /// What bounds a floor from one side.
 #[derive(Clone, Copy)]
-pub(crate) struct Side {
+pub(crate) struct FloorSide {
     reach_square: f32x4,
     reach: f32x4,
     /// From here to here along the piece, from the anchor, mm.
@@ -47,16 +47,16 @@ pub(crate) struct Side {
 
 /// A piece near a tile. Places along it are counted from its point nearest to the middle of the tile, the
 /// anchor; heights from the top of the stock.
-pub(crate) struct Course {
+pub(crate) struct TileCourse {
     /// Places along the piece and across it at the tile's corner, and their changes from cell to cell, mm.
     pub along: [f32; 3],
     pub across: [f32; 3],
     pub slope: f32,
     /// −1 when the piece rises, 1 when it falls: where the lowest contact lies.
     pub behind: f32x4,
-    pub upper: Side,
-    pub lower: Side,
-    pub plain: Side,
+    pub upper: FloorSide,
+    pub lower: FloorSide,
+    pub plain: FloorSide,
     /// From above the profile is pushed outward by this, mm.
     grow: f32x4,
     /// From below columns are this much nearer to the piece, mm.
@@ -76,7 +76,7 @@ pub(crate) struct Course {
 }
 
 /// What a course depends on besides the piece.
-pub(crate) struct Place {
+pub(crate) struct CourseFrame {
     /// The corner of the tile, mm.
     pub corner: [f64; 2],
     /// The size of a cell, mm.
@@ -89,8 +89,8 @@ pub(crate) struct Place {
     pub depth: f64,
 }
 
-impl Course {
-    pub fn new(piece: &Piece, part: &Part, place: &Place) -> Course {
+impl TileCourse {
+    pub fn new(piece: &SweepPiece, part: &BodyPart, place: &CourseFrame) -> TileCourse {
         let [ux, uy] = piece.along;
         let width = place.cell * f64::from(place.cells);
         let corner = [place.corner[0] - piece.start.x, place.corner[1] - piece.start.y];
@@ -102,8 +102,8 @@ impl Course {
         let far = part.reach + 2.0 * width;
         let (from, to) = ((-anchor).max(-far), (piece.length - anchor).min(far));
         let newton = match part.kind {
-            Kind::Round { .. } if !is_ball(part) => ROUND_SHIFT * part.reach,
-            Kind::Round { .. } | Kind::Flat | Kind::Cone(_) => 0.0,
+            PartShape::Round { .. } if !is_ball(part) => ROUND_SHIFT * part.reach,
+            PartShape::Round { .. } | PartShape::Flat | PartShape::Cone(_) => 0.0,
         };
         let round = SHIFT * (part.reach + width) + newton;
         let height = piece.start.z + piece.slope * anchor + part.height - place.top;
@@ -120,7 +120,7 @@ impl Course {
             let low = if piece.slope > 0.0 { from } else { to };
             (inner_from, inner_to) = (low as f32, low as f32);
         }
-        let side = |reach: f64, ends: [f32; 2], height: f64| Side {
+        let side = |reach: f64, ends: [f32; 2], height: f64| FloorSide {
             // Nothing is reached where what is uncertain is as large as the part.
             reach_square: lane(if reach > 0.0 { reach * reach } else { -1.0 }),
             reach: lane(reach),
@@ -131,7 +131,7 @@ impl Course {
         let rows = |step: f64| core::array::from_fn(|row| lane(step * row as f64));
         let low = height - lift - piece.off_in_run - slope * (under + round);
         let longer = [(from - under - round) as f32, (to + under + round) as f32];
-        Course {
+        TileCourse {
             along: [along as f32, (ux * place.cell) as f32, (uy * place.cell) as f32],
             across: [across as f32, (-uy * place.cell) as f32, (ux * place.cell) as f32],
             slope: piece.slope as f32,
@@ -162,7 +162,7 @@ impl Course {
     /// The floor of a column, from one side, by its place along the piece and across it; `NOTHING` where it is
     /// not reached.
     #[inline(always)]
-    pub fn floor<const LEVEL: bool, const SIDE: u8, S: Shape>(
+    pub fn floor<const LEVEL: bool, const SIDE: u8, S: PartKind>(
         &self,
         shape: &S,
         along: f32x4,
@@ -205,7 +205,7 @@ impl Course {
     /// What the floor is surely not below within `radius` mm of a column: the lowest place of the piece in
     /// reach, and the part's height at the least distance. `lowest` is from `lowest_in_reach`.
     #[inline(always)]
-    pub fn least_within<S: Shape>(
+    pub fn least_within<S: PartKind>(
         &self,
         shape: &S,
         lowest: f32,
@@ -246,9 +246,9 @@ impl Course {
     /// any column may be this piece's own: reached, and not left to a neighbour. `next`: the shape on the slope of
     /// the next piece.
     #[inline(always)]
-    pub fn takes<S: Shape>(
+    pub fn takes<S: PartKind>(
         &self,
-        piece: &Piece,
+        piece: &SweepPiece,
         [shape, next]: [&S; 2],
         [along, across]: [f32x4; 2],
         half: [f32; 2],
@@ -292,7 +292,7 @@ impl Course {
 
 /// Between these the lowest contact lies, ahead of a column's place on a piece, for distances from near to far.
 #[inline(always)]
-fn contact<S: Shape>(
+fn contact<S: PartKind>(
     shape: &S,
     slope: f64,
     near: f32x4,

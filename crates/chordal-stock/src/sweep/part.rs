@@ -5,11 +5,11 @@
 //! cutter is the least of the floors of its parts, and each of these is a convex function of the column
 //! on a straight move. Hollow outlines need no rule of their own.
 
-use crate::{Element, Ring};
+use crate::{Ring, RingElement};
 
 /// What a part is outside its core.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Kind {
+pub(crate) enum PartShape {
     /// Nothing: the part ends with its core.
     Flat,
     /// This rise by radius.
@@ -20,41 +20,43 @@ pub(crate) enum Kind {
 
 /// A disc of the radius `core` at `height` above the tip, and what follows up to the radius `reach`, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Part {
+pub(crate) struct BodyPart {
     pub height: f64,
     pub core: f64,
     pub reach: f64,
-    pub kind: Kind,
+    pub kind: PartShape,
 }
 
 /// The parts of a cutter, and where a disc is only the core of the next part, not the disc.
-pub(crate) fn parts(rings: &[Ring]) -> Vec<Part> {
+pub(crate) fn parts(rings: &[Ring]) -> Vec<BodyPart> {
     let part = |ring: &Ring| {
         let (kind, core) = match ring.element {
-            Element::Disc { .. } => (Kind::Flat, ring.to),
-            Element::Cone { slope, .. } => (Kind::Cone(slope), ring.from),
-            Element::Torus { round, middle, .. } => (Kind::Round { round, middle }, ring.from),
+            RingElement::Disc { .. } => (PartShape::Flat, ring.to),
+            RingElement::Cone { slope, .. } => (PartShape::Cone(slope), ring.from),
+            RingElement::Torus { round, middle, .. } => {
+                (PartShape::Round { round, middle }, ring.from)
+            }
         };
-        Part { height: ring.height_at(ring.from), core, reach: ring.to, kind }
+        BodyPart { height: ring.height_at(ring.from), core, reach: ring.to, kind }
     };
     let is_core = |n: usize| {
         let next = rings.get(n + 1);
-        matches!(rings[n].element, Element::Disc { height } if
+        matches!(rings[n].element, RingElement::Disc { height } if
             next.is_some_and(|next| next.height_at(next.from) <= height))
     };
     (0..rings.len()).filter(|&n| !is_core(n)).map(|n| part(&rings[n])).collect()
 }
 
-impl Part {
+impl BodyPart {
     /// The height above the tip at a distance from the axis, mm; that of the core inside it.
     #[cfg(test)]
     pub fn height_at(&self, radius: f64) -> f64 {
         let radius = radius.max(self.core);
         self.height
             + match self.kind {
-                Kind::Flat => 0.0,
-                Kind::Cone(slope) => slope * (radius - self.core),
-                Kind::Round { round, middle } => {
+                PartShape::Flat => 0.0,
+                PartShape::Cone(slope) => slope * (radius - self.core),
+                PartShape::Round { round, middle } => {
                     let rise = |radius: f64| {
                         let d = radius - middle;
                         round - (round * round - d * d).max(0.0).sqrt()
@@ -70,10 +72,10 @@ impl Part {
         let rise = slope.abs();
         let most = match self.kind {
             _ if rise == 0.0 => return [0.0; 2],
-            Kind::Flat => self.reach,
-            Kind::Cone(k) if rise < k => self.core.max(self.reach * rise / k),
-            Kind::Cone(_) => self.reach,
-            Kind::Round { round, middle } => {
+            PartShape::Flat => self.reach,
+            PartShape::Cone(k) if rise < k => self.core.max(self.reach * rise / k),
+            PartShape::Cone(_) => self.reach,
+            PartShape::Round { round, middle } => {
                 let round = middle.max(0.0) + round * rise / (1.0 + rise * rise).sqrt();
                 self.core.max(round).min(self.reach)
             }
@@ -85,16 +87,17 @@ impl Part {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Cutter;
+    use crate::CutterProfile;
 
     #[test]
     fn parts_have_the_height_of_their_cutter() {
-        let hollow = Cutter::outline(&[[0.0, 0.0], [2.0, 1.0], [2.5, 3.0], [4.0, 3.0], [4.5, 5.0]]);
+        let hollow =
+            CutterProfile::outline(&[[0.0, 0.0], [2.0, 1.0], [2.5, 3.0], [4.0, 3.0], [4.5, 5.0]]);
         for cutter in [
             hollow.unwrap(),
-            Cutter::bull(10.0, 2.0).unwrap(),
-            Cutter::pointed(6.0, 1.0, 1.0).unwrap(),
-            Cutter::ball(3.0).unwrap(),
+            CutterProfile::bull(10.0, 2.0).unwrap(),
+            CutterProfile::pointed(6.0, 1.0, 1.0).unwrap(),
+            CutterProfile::ball(3.0).unwrap(),
         ] {
             let parts = parts(cutter.rings());
             for n in 0..=1000 {
@@ -111,7 +114,7 @@ mod tests {
 
     #[test]
     fn a_flat_end_below_a_round_is_no_part_of_its_own() {
-        assert_eq!(parts(Cutter::bull(10.0, 2.0).unwrap().rings()).len(), 1);
-        assert_eq!(parts(Cutter::pointed(6.0, 1.0, 1.0).unwrap().rings()).len(), 1);
+        assert_eq!(parts(CutterProfile::bull(10.0, 2.0).unwrap().rings()).len(), 1);
+        assert_eq!(parts(CutterProfile::pointed(6.0, 1.0, 1.0).unwrap().rings()).len(), 1);
     }
 }

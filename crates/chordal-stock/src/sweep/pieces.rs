@@ -2,7 +2,7 @@
 
 use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
 
-use super::Move;
+use super::TipMove;
 
 /// Shorter in plan than this a piece is vertical, mm: its lower end is taken, its length counts as distance
 /// from the path. Far below any resolution, far above the rounding of coordinates.
@@ -21,7 +21,7 @@ const MOST_PIECES: f64 = 1e5;
 
 /// How the piece after this one begins: the turn in plan from here to there, and its rise by length.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Joint {
+pub(crate) struct PieceJoint {
     pub cos: f64,
     pub sin: f64,
     pub slope: f64,
@@ -29,7 +29,7 @@ pub(crate) struct Joint {
 
 /// A straight piece of a path of the tip.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Piece {
+pub(crate) struct SweepPiece {
     /// Where it begins, mm; of a vertical one the lower end.
     pub start: Vec3,
     /// Its direction in plan, of length 1.
@@ -49,35 +49,35 @@ pub(crate) struct Piece {
     /// Whether another piece of the run ends where it begins.
     pub follows: bool,
     /// The piece of the run that begins where it ends.
-    pub next: Option<Joint>,
+    pub next: Option<PieceJoint>,
 }
 
-impl Piece {
+impl SweepPiece {
     /// The tip is nowhere lower on the path of the piece, mm.
     pub fn lowest(&self) -> f64 {
         self.start.z + (self.slope * self.length).min(0.0) - self.off_in_run - ROUNDING
     }
 
     /// The piece without neighbours.
-    pub fn alone(&self) -> Piece {
-        Piece { follows: false, next: None, ..*self }
+    pub fn alone(&self) -> SweepPiece {
+        SweepPiece { follows: false, next: None, ..*self }
     }
 }
 
 /// Cuts moves into pieces, and finds runs: pieces each of which begins where the last one ended.
-pub(crate) struct Splitter {
+pub(crate) struct MoveSplitter {
     tolerance: f64,
     /// The place and the tag where a run may go on.
     open: Option<(Vec3, u32)>,
     /// Where the run begins in `pieces`.
     run_from: usize,
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<SweepPiece>,
 }
 
-impl Splitter {
+impl MoveSplitter {
     /// Pieces may lie so far from curves, mm.
-    pub fn new(tolerance: f64) -> Splitter {
-        Splitter { tolerance, open: None, run_from: 0, pieces: Vec::new() }
+    pub fn new(tolerance: f64) -> MoveSplitter {
+        MoveSplitter { tolerance, open: None, run_from: 0, pieces: Vec::new() }
     }
 
     /// Ends the run: what comes next is no neighbour.
@@ -92,7 +92,7 @@ impl Splitter {
     }
 
     /// The pieces, all runs ended.
-    pub fn finish(mut self) -> Vec<Piece> {
+    pub fn finish(mut self) -> Vec<SweepPiece> {
         self.end_run();
         self.pieces
     }
@@ -102,7 +102,7 @@ impl Splitter {
     ///
     /// `heights`: the least and the largest height of the tip between which a plunge may find another stock at each
     /// piece. Above and below nothing changes, so that what is left of a plunge is one piece.
-    pub fn add(&mut self, number: u32, path: &Move, drop: f64, heights: [f64; 2]) {
+    pub fn add(&mut self, number: u32, path: &TipMove, drop: f64, heights: [f64; 2]) {
         let curve = &path.curve;
         let length = curve.length();
         if !(length.is_finite() && curve.start().is_finite() && curve.end().is_finite()) {
@@ -158,7 +158,7 @@ impl Splitter {
         if length <= VERTICAL {
             self.end_run();
             let start = if to.z < from.z { to } else { from };
-            self.pieces.push(Piece {
+            self.pieces.push(SweepPiece {
                 start,
                 along: [1.0, 0.0],
                 length: 0.0,
@@ -180,13 +180,13 @@ impl Splitter {
             self.end_run();
         }
         if follows && let Some(last) = self.pieces.last_mut() {
-            last.next = Some(Joint {
+            last.next = Some(PieceJoint {
                 cos: last.along[0] * along[0] + last.along[1] * along[1],
                 sin: last.along[0] * along[1] - last.along[1] * along[0],
                 slope,
             });
         }
-        self.pieces.push(Piece {
+        self.pieces.push(SweepPiece {
             start: from,
             along,
             length,
@@ -210,8 +210,8 @@ mod tests {
     fn lower_ends(from: f64, to: f64) -> Vec<f64> {
         let at = |z: f64| Vec3::new(3.0, 4.0, z);
         let line = Line { start: at(from), end: at(to) };
-        let mut splitter = Splitter::new(0.1);
-        splitter.add(0, &Move { curve: Curve::Line(line), tag: 0 }, 1.0, [-10.0, 0.0]);
+        let mut splitter = MoveSplitter::new(0.1);
+        splitter.add(0, &TipMove { curve: Curve::Line(line), tag: 0 }, 1.0, [-10.0, 0.0]);
         splitter.finish().iter().map(|piece| piece.start.z).collect()
     }
 

@@ -2,14 +2,14 @@
 
 use wide::{CmpGt, CmpLt, f32x4};
 
-use super::{Kind, Part};
+use super::{BodyPart, PartShape};
 
 const ZERO: f32x4 = f32x4::ZERO;
 /// No divisor is smaller.
 const TINY: f32x4 = f32x4::new([1e-12; 4]);
 
 /// A kind of part. Radii and heights in mm; heights above the core.
-pub(crate) trait Shape: Copy {
+pub(crate) trait PartKind: Copy {
     /// Whether it has no height outside its core.
     const FLAT: bool = false;
 
@@ -41,9 +41,9 @@ pub(crate) trait Shape: Copy {
 
 /// A disc.
 #[derive(Clone, Copy)]
-pub(crate) struct Flat;
+pub(crate) struct FlatPart;
 
-impl Shape for Flat {
+impl PartKind for FlatPart {
     const FLAT: bool = true;
 
     #[inline(always)]
@@ -65,7 +65,7 @@ impl Shape for Flat {
 /// A cone about a core, on a slope: it touches at `lean`·e, or at `steep`, which is beyond the end of what it
 /// reaches where the slope is the steeper one, and nothing elsewhere.
 #[derive(Clone, Copy)]
-pub(crate) struct Cone {
+pub(crate) struct ConePart {
     slope: f32x4,
     core: f32x4,
     core_square: f32x4,
@@ -73,7 +73,7 @@ pub(crate) struct Cone {
     steep: f32x4,
 }
 
-impl Shape for Cone {
+impl PartKind for ConePart {
     #[inline(always)]
     fn height(&self, square: f32x4) -> f32x4 {
         self.height_beyond(square, ZERO)
@@ -104,7 +104,7 @@ impl Shape for Cone {
 
 /// Half a ball: it reaches as far as its round.
 #[derive(Clone, Copy)]
-pub(crate) struct Ball {
+pub(crate) struct BallPart {
     round: f32x4,
     round_square: f32x4,
     /// Slope by √(1 + slope²), without its sign.
@@ -113,7 +113,7 @@ pub(crate) struct Ball {
     twice_round: f32x4,
 }
 
-impl Shape for Ball {
+impl PartKind for BallPart {
     #[inline(always)]
     fn height(&self, square: f32x4) -> f32x4 {
         -(self.round_square - square).fast_max(ZERO).sqrt()
@@ -137,7 +137,7 @@ impl Shape for Ball {
 
 /// A round about a circle.
 #[derive(Clone, Copy)]
-pub(crate) struct Round {
+pub(crate) struct RoundPart {
     round: f32x4,
     round_square: f32x4,
     middle: f32x4,
@@ -167,7 +167,7 @@ const STEPS: usize = 3;
 /// of four million cases with rounds from a hundredth of the radius and slopes up to a hundred.
 pub(crate) const ROUND_SHIFT: f64 = 1.0 / (1 << 15) as f64;
 
-impl Shape for Round {
+impl PartKind for RoundPart {
     #[inline(always)]
     fn height(&self, square: f32x4) -> f32x4 {
         self.height_beyond(square, ZERO)
@@ -214,8 +214,8 @@ impl Shape for Round {
 }
 
 /// Whether a round is half a ball, whose contact has a closed form.
-pub(crate) fn is_ball(part: &Part) -> bool {
-    matches!(part.kind, Kind::Round { round, middle }
+pub(crate) fn is_ball(part: &BodyPart) -> bool {
+    matches!(part.kind, PartShape::Round { round, middle }
         if middle == 0.0 && part.core == 0.0 && part.reach == round)
 }
 
@@ -224,19 +224,19 @@ const FAR: f64 = 1e9;
 
 /// A part on a slope, as one of the shapes.
 pub(crate) enum AnyShape {
-    Flat(Flat),
-    Cone(Cone),
-    Ball(Ball),
-    Round(Round),
+    Flat(FlatPart),
+    Cone(ConePart),
+    Ball(BallPart),
+    Round(RoundPart),
 }
 
 impl AnyShape {
-    pub fn new(part: &Part, slope: f64) -> AnyShape {
+    pub fn new(part: &BodyPart, slope: f64) -> AnyShape {
         let rise = slope.abs();
         let lane = |value: f64| f32x4::splat(value as f32);
         match part.kind {
-            Kind::Flat => AnyShape::Flat(Flat),
-            Kind::Cone(k) => AnyShape::Cone(Cone {
+            PartShape::Flat => AnyShape::Flat(FlatPart),
+            PartShape::Cone(k) => AnyShape::Cone(ConePart {
                 slope: lane(k),
                 core: lane(part.core),
                 core_square: lane(part.core * part.core),
@@ -248,16 +248,16 @@ impl AnyShape {
                 }),
                 steep: lane(if rise < k { 0.0 } else { FAR }),
             }),
-            Kind::Round { round, .. } if is_ball(part) => AnyShape::Ball(Ball {
+            PartShape::Round { round, .. } if is_ball(part) => AnyShape::Ball(BallPart {
                 round: lane(round),
                 round_square: lane(round * round),
                 sine: lane(rise / (1.0 + rise * rise).sqrt()),
                 twice_round: lane(2.0 * round),
             }),
-            Kind::Round { round, middle } => {
+            PartShape::Round { round, middle } => {
                 let d = part.core - middle;
                 let sine = rise / (1.0 + rise * rise).sqrt();
-                AnyShape::Round(Round {
+                AnyShape::Round(RoundPart {
                     round: lane(round),
                     round_square: lane(round * round),
                     middle: lane(middle),
@@ -304,8 +304,8 @@ mod tests {
         let mut worst = 0.0_f64;
         for round in [0.02, 0.05, 0.2, 0.5, 0.9] {
             let middle: f64 = 1.0 - round;
-            let kind = Kind::Round { round, middle };
-            let part = Part { height: 0.0, core: middle, reach: 1.0, kind };
+            let kind = PartShape::Round { round, middle };
+            let part = BodyPart { height: 0.0, core: middle, reach: 1.0, kind };
             for slope in [0.001, 0.01, 0.03, 0.2, 1.0, 7.0, 50.0] {
                 let AnyShape::Round(shape) = AnyShape::new(&part, slope) else { unreachable!() };
                 for n in 0..=2000 {

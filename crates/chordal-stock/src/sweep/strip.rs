@@ -3,18 +3,18 @@
 //! Where the lowest contact of a column would lie before the piece begins, the piece that ends there is at
 //! least as low, and likewise at its end. A column that both might leave belongs to the earlier piece.
 
-use super::{Part, Piece};
+use super::{BodyPart, SweepPiece};
 
 /// A rectangle along a piece: `from` to `to` along it from its start, `reach` to both sides, mm.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub(crate) struct Strip {
+pub(crate) struct SweepStrip {
     pub from: f64,
     pub to: f64,
     pub reach: f64,
 }
 
 /// The strip of a piece for a part of the cutter; it holds at least what no neighbour takes.
-pub(crate) fn strip(piece: &Piece, part: &Part) -> Strip {
+pub(crate) fn strip(piece: &SweepPiece, part: &BodyPart) -> SweepStrip {
     let reach = part.reach;
     let [back, ahead] = part.contact(piece.slope);
     let from = if piece.follows { -ahead } else { -reach };
@@ -29,7 +29,7 @@ pub(crate) fn strip(piece: &Piece, part: &Part) -> Strip {
         };
         left.max(-back)
     });
-    Strip { from, to: piece.length + to, reach }
+    SweepStrip { from, to: piece.length + to, reach }
 }
 
 /// The values of u with low ≤ c·u + d·v ≤ high for some v between two; none when the first is larger.
@@ -48,7 +48,7 @@ pub(crate) fn span(c: f64, d: f64, [low, high]: [f64; 2], [v0, v1]: [f64; 2]) ->
 
 /// The values of x of a strip between two values of y, both from the start of its piece; of y between two
 /// of x with `along` exchanged.
-pub(crate) fn across(strip: &Strip, along: [f64; 2], band: [f64; 2], margin: f64) -> [f64; 2] {
+pub(crate) fn across(strip: &SweepStrip, along: [f64; 2], band: [f64; 2], margin: f64) -> [f64; 2] {
     let [ux, uy] = along;
     let lengthwise = [strip.from - margin, strip.to + margin];
     let sideways = [-strip.reach - margin, strip.reach + margin];
@@ -61,13 +61,13 @@ pub(crate) fn across(strip: &Strip, along: [f64; 2], band: [f64; 2], margin: f64
 mod tests {
     use super::*;
     use crate::sweep::parts;
-    use crate::sweep::pieces::Joint;
+    use crate::sweep::pieces::PieceJoint;
     use chordal_geometry::Vec3;
 
     #[test]
     fn a_straight_run_shares_its_columns_without_a_gap() {
-        let ball = parts(crate::Cutter::ball(6.0).unwrap().rings())[0];
-        let piece = Piece {
+        let ball = parts(crate::CutterProfile::ball(6.0).unwrap().rings())[0];
+        let piece = SweepPiece {
             start: Vec3::ZERO,
             along: [1.0, 0.0],
             length: 0.1,
@@ -77,7 +77,7 @@ mod tests {
             number: 0,
             tag: 0,
             follows: true,
-            next: Some(Joint { cos: 1.0, sin: 0.0, slope: 0.75 }),
+            next: Some(PieceJoint { cos: 1.0, sin: 0.0, slope: 0.75 }),
         };
         let strip = strip(&piece, &ball);
         // The contact is 3·0.75/1.25 = 1.8 behind at the most.

@@ -7,14 +7,14 @@
 
 use chordal_geometry::Vec2;
 
-use super::crossing::{Split, crossings};
-use super::edge::Edge;
-use super::hull::Hull;
-use super::weld::Weld;
+use super::crossing::{EdgeSplit, crossings};
+use super::edge::RegionEdge;
+use super::hull::DirectionHull;
+use super::weld::PointWeld;
 
 /// Which points belong to a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Rule {
+pub(crate) enum RegionRule {
     /// In the first and not in the second.
     Difference,
     /// In both.
@@ -25,46 +25,46 @@ pub(crate) enum Rule {
     Odd,
 }
 
-impl Rule {
+impl RegionRule {
     fn holds(self, first: i32, second: i32) -> bool {
         match self {
-            Rule::Difference => first > 0 && second <= 0,
-            Rule::Intersection => first > 0 && second > 0,
-            Rule::Union => first > 0 || second > 0,
-            Rule::Odd => second % 2 != 0,
+            RegionRule::Difference => first > 0 && second <= 0,
+            RegionRule::Intersection => first > 0 && second > 0,
+            RegionRule::Union => first > 0 || second > 0,
+            RegionRule::Odd => second % 2 != 0,
         }
     }
 }
 
 /// The edges of the first set that are not given.
-pub(crate) trait Others {
+pub(crate) trait UnlistedEdges {
     /// What they add to the winding number at a place.
-    fn passages(&self, side: &Side) -> i32;
+    fn passages(&self, side: &WindingSide) -> i32;
 }
 
 /// All edges are given.
 pub(crate) struct NoOthers;
 
-impl Others for NoOthers {
-    fn passages(&self, _: &Side) -> i32 {
+impl UnlistedEdges for NoOthers {
+    fn passages(&self, _: &WindingSide) -> i32 {
         0
     }
 }
 
 /// What is laid over each other.
 #[derive(Clone, Copy)]
-pub(crate) struct Input<'a> {
+pub(crate) struct ArrangementInput<'a> {
     /// Edges of the first set: all that may come near the second's.
-    pub first: &'a [Edge],
+    pub first: &'a [RegionEdge],
     /// Its other edges.
-    pub others: &'a dyn Others,
+    pub others: &'a dyn UnlistedEdges,
     /// All edges of the second set.
-    pub second: &'a [Edge],
+    pub second: &'a [RegionEdge],
     /// Whether the second set is one loop that does not meet itself.
     pub simple: bool,
     /// Vertices of the first set within it and `margin` (mm) may be moved by the tolerance: all their edges
     /// are given.
-    pub hull: &'a Hull,
+    pub hull: &'a DirectionHull,
     pub margin: f64,
     /// Points within it are the same, mm.
     pub tolerance: f64,
@@ -72,7 +72,7 @@ pub(crate) struct Input<'a> {
 
 /// A part of an edge between two vertices.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct EdgePiece {
     edge: u32,
     from: u32,
     to: u32,
@@ -80,7 +80,7 @@ struct Piece {
 
 /// Pieces that lie on each other, directed from the lower to the higher vertex.
 #[derive(Clone, Copy, Debug)]
-struct Group {
+struct EdgeGroup {
     low: u32,
     high: u32,
     /// Whose shape it has: the first of its edges.
@@ -96,20 +96,20 @@ struct Group {
 
 /// Work space, kept between runs for its memory.
 #[derive(Debug, Default)]
-pub(crate) struct Arrangement {
-    weld: Weld,
+pub(crate) struct EdgeArrangement {
+    weld: PointWeld,
     splits: Vec<(u32, u32)>,
     order: Vec<u32>,
     /// The vertices on one edge, by how far along it.
     along: Vec<(f64, u32)>,
-    pieces: Vec<Piece>,
+    pieces: Vec<EdgePiece>,
     /// Pieces by their vertices: lower, higher, piece.
     keyed: Vec<(u32, u32, u32)>,
     /// The group of each piece.
     of_piece: Vec<u32>,
     /// A count for each vertex.
     tally: Vec<i32>,
-    groups: Vec<Group>,
+    groups: Vec<EdgeGroup>,
     /// Where the pieces of each edge begin.
     first_piece: Vec<u32>,
     count: usize,
@@ -119,19 +119,19 @@ pub(crate) struct Arrangement {
 
 /// What became of the edges of the first set.
 #[derive(Debug, Default)]
-pub(crate) struct Outcome {
+pub(crate) struct ArrangementResult {
     /// Which of the given edges are no longer there.
     pub gone: Vec<u32>,
     /// The edges that came in. Ends with a number below `NEW` are vertices of the first set.
-    pub came: Vec<Edge>,
+    pub came: Vec<RegionEdge>,
 }
 
 /// Vertices with this bit are new; the rest of the number tells them apart.
 pub(crate) const NEW: u64 = 1 << 63;
 
-impl Arrangement {
+impl EdgeArrangement {
     /// Divides, welds and classifies.
-    pub fn lay(&mut self, input: &Input<'_>) {
+    pub fn lay(&mut self, input: &ArrangementInput<'_>) {
         self.count = input.first.len() + input.second.len();
         self.weld.clear();
         self.splits.clear();
@@ -158,7 +158,7 @@ impl Arrangement {
         self.classify(input);
     }
 
-    fn edge<'a>(input: &Input<'a>, at: u32) -> &'a Edge {
+    fn edge<'a>(input: &ArrangementInput<'a>, at: u32) -> &'a RegionEdge {
         let at = at as usize;
         match at < input.first.len() {
             true => &input.first[at],
@@ -167,7 +167,7 @@ impl Arrangement {
     }
 
     /// Finds crossings along the axis: of edges sorted by their least z, only those whose boxes meet.
-    fn cross(&mut self, input: &Input<'_>) {
+    fn cross(&mut self, input: &ArrangementInput<'_>) {
         let Self { weld, splits, order, own_crossings, count, .. } = &mut *self;
         order.clear();
         order.extend(0..*count as u32);
@@ -191,7 +191,7 @@ impl Arrangement {
                 if same_set && (at < firsts || input.simple) || !bounds.meets(&theirs) {
                     continue;
                 }
-                crossings(one, two, input.tolerance, |Split { place, first, second }| {
+                crossings(one, two, input.tolerance, |EdgeSplit { place, first, second }| {
                     let vertex = weld.push(place);
                     if first {
                         splits.push((at, vertex));
@@ -213,7 +213,7 @@ impl Arrangement {
 
     /// A crossing that lies on a third edge divides that one too: edges that lie on each other are then
     /// divided at the same places.
-    fn divide_by_neighbours(&mut self, input: &Input<'_>) {
+    fn divide_by_neighbours(&mut self, input: &ArrangementInput<'_>) {
         let Self { weld, splits, order, count, .. } = self;
         order.clear();
         order.extend(2 * *count as u32..weld.points.len() as u32);
@@ -233,7 +233,7 @@ impl Arrangement {
     }
 
     /// Cuts every edge at its vertices.
-    fn divide(&mut self, input: &Input<'_>) {
+    fn divide(&mut self, input: &ArrangementInput<'_>) {
         let Self { weld, splits, pieces, first_piece, along, .. } = self;
         pieces.clear();
         first_piece.clear();
@@ -257,26 +257,26 @@ impl Arrangement {
                 along.sort_unstable_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
                 for (_, vertex) in along.iter() {
                     if *vertex != from && *vertex != end && *vertex != start {
-                        pieces.push(Piece { edge: at, from, to: *vertex });
+                        pieces.push(EdgePiece { edge: at, from, to: *vertex });
                         from = *vertex;
                     }
                 }
             }
             if from != end {
-                pieces.push(Piece { edge: at, from, to: end });
+                pieces.push(EdgePiece { edge: at, from, to: end });
             }
         }
         first_piece.push(pieces.len() as u32);
     }
 
     /// The middle of a piece between its welded ends.
-    fn middle(&self, input: &Input<'_>, edge: u32, from: u32, to: u32) -> Vec2 {
+    fn middle(&self, input: &ArrangementInput<'_>, edge: u32, from: u32, to: u32) -> Vec2 {
         let (from, to) = (self.weld.points[from as usize], self.weld.points[to as usize]);
         Self::edge(input, edge).between(from, to).middle()
     }
 
     /// Puts pieces that lie on each other together.
-    fn group(&mut self, input: &Input<'_>) {
+    fn group(&mut self, input: &ArrangementInput<'_>) {
         let mut keyed = core::mem::take(&mut self.keyed);
         keyed.clear();
         for (at, piece) in self.pieces.iter().enumerate() {
@@ -305,7 +305,7 @@ impl Arrangement {
                 None => {
                     let (edge, along) = (piece.edge, piece.from == low);
                     let (times, left) = ([0; 2], [0; 2]);
-                    self.groups.push(Group { low, high, edge, along, middle, times, left });
+                    self.groups.push(EdgeGroup { low, high, edge, along, middle, times, left });
                     self.groups.len() - 1
                 }
             };
@@ -316,7 +316,7 @@ impl Arrangement {
     }
 
     /// Finds the winding numbers of both sets beside each group.
-    fn classify(&mut self, input: &Input<'_>) {
+    fn classify(&mut self, input: &ArrangementInput<'_>) {
         self.reach_first(input);
         for at in 0..self.groups.len() {
             let group = self.groups[at];
@@ -334,14 +334,14 @@ impl Arrangement {
     }
 
     /// The winding number of the first set to the left of a group.
-    fn count_first(&self, at: usize, input: &Input<'_>) -> i32 {
+    fn count_first(&self, at: usize, input: &ArrangementInput<'_>) -> i32 {
         let side = self.side(&self.groups[at]);
         let counted = input.others.passages(&side) + self.passages(at, 0, input, &side);
         side.to_left(counted, self.groups[at].times[0])
     }
 
     /// The winding numbers of the first set. Along the second it changes only where the first is met.
-    fn reach_first(&mut self, input: &Input<'_>) {
+    fn reach_first(&mut self, input: &ArrangementInput<'_>) {
         let mut met = core::mem::take(&mut self.tally);
         met.clear();
         met.resize(self.weld.points.len(), 0);
@@ -353,7 +353,8 @@ impl Arrangement {
         // Where the last piece ended without meeting the first set, and what is known there.
         let mut last: Option<(u32, i32)> = None;
         for piece in self.first_piece[input.first.len()] as usize..self.pieces.len() {
-            let (Piece { from, to, .. }, at) = (self.pieces[piece], self.of_piece[piece] as usize);
+            let (EdgePiece { from, to, .. }, at) =
+                (self.pieces[piece], self.of_piece[piece] as usize);
             if self.groups[at].times[0] != 0 {
                 last = None;
                 continue;
@@ -375,20 +376,26 @@ impl Arrangement {
     }
 
     /// The place at which a group is asked for what lies above.
-    fn side(&self, group: &Group) -> Side {
+    fn side(&self, group: &EdgeGroup) -> WindingSide {
         let (low, high) = self.ends(group);
         let Vec2 { a: z, b: r } = group.middle;
         if (low.a < z && z < high.a) || (high.a < z && z < low.a) {
-            return Side { z, r, before: false, left: low.a < high.a };
+            return WindingSide { z, r, before: false, left: low.a < high.a };
         }
         // Upright: beside it, towards −z if it goes up, which is to its left.
         let up = high.b > low.b;
         let z = if up { low.a.min(high.a) } else { low.a.max(high.a) };
-        Side { z, r, before: up, left: true }
+        WindingSide { z, r, before: up, left: true }
     }
 
     /// The winding number of a set by what passes above a side, the group itself left out.
-    fn passages(&self, own: usize, set: usize, input: &Input<'_>, side: &Side) -> i32 {
+    fn passages(
+        &self,
+        own: usize,
+        set: usize,
+        input: &ArrangementInput<'_>,
+        side: &WindingSide,
+    ) -> i32 {
         let mut sum = 0;
         for (at, group) in self.groups.iter().enumerate() {
             if group.times[set] == 0 || at == own {
@@ -407,11 +414,11 @@ impl Arrangement {
 
     /// Whether the pieces kept by a rule bound a closed region: at every vertex as much goes in as out.
     /// With a difference or a union, what the first set's own edges leave open may be open.
-    pub fn closes(&mut self, rule: Rule) -> bool {
+    pub fn closes(&mut self, rule: RegionRule) -> bool {
         let Self { tally, groups, weld, .. } = self;
         tally.clear();
         tally.resize(weld.points.len(), 0);
-        let open = matches!(rule, Rule::Difference | Rule::Union);
+        let open = matches!(rule, RegionRule::Difference | RegionRule::Union);
         for group in groups.iter() {
             let times = group.kept(rule) - if open { group.times[0] } else { 0 };
             tally[group.low as usize] += times;
@@ -421,7 +428,12 @@ impl Arrangement {
     }
 
     /// The bounds of a result, each piece of its own. Their vertices have numbers of this arrangement.
-    pub fn bounds(&self, input: &Input<'_>, rule: Rule, mut found: impl FnMut(Edge)) {
+    pub fn bounds(
+        &self,
+        input: &ArrangementInput<'_>,
+        rule: RegionRule,
+        mut found: impl FnMut(RegionEdge),
+    ) {
         for group in &self.groups {
             let times = group.kept(rule);
             if times != 0 {
@@ -431,25 +443,30 @@ impl Arrangement {
     }
 
     /// A group as an edge from low to high, or back.
-    fn directed(&self, input: &Input<'_>, group: &Group, forward: bool) -> Edge {
+    fn directed(
+        &self,
+        input: &ArrangementInput<'_>,
+        group: &EdgeGroup,
+        forward: bool,
+    ) -> RegionEdge {
         let ends = [u64::from(group.low), u64::from(group.high)];
         let edge = self.shape(input, group);
         let edge = if group.along == forward { edge } else { edge.reversed() };
-        Edge { ends: if forward { ends } else { [ends[1], ends[0]] }, ..edge }
+        RegionEdge { ends: if forward { ends } else { [ends[1], ends[0]] }, ..edge }
     }
 
-    fn ends(&self, group: &Group) -> (Vec2, Vec2) {
+    fn ends(&self, group: &EdgeGroup) -> (Vec2, Vec2) {
         (self.weld.points[group.low as usize], self.weld.points[group.high as usize])
     }
 
     /// The part of its first edge that a group is, as that edge goes.
-    fn shape(&self, input: &Input<'_>, group: &Group) -> Edge {
+    fn shape(&self, input: &ArrangementInput<'_>, group: &EdgeGroup) -> RegionEdge {
         let (low, high) = self.ends(group);
         let edge = Self::edge(input, group.edge);
         if group.along { edge.between(low, high) } else { edge.between(high, low) }
     }
 
-    fn vertex(&self, input: &Input<'_>, at: u32) -> u64 {
+    fn vertex(&self, input: &ArrangementInput<'_>, at: u32) -> u64 {
         let edge = at as usize / 2;
         if edge < input.first.len() {
             input.first[edge].ends[at as usize % 2]
@@ -460,7 +477,12 @@ impl Arrangement {
 
     /// What a difference or a union makes of the first set: edges that go, and edges that come. Pieces of
     /// one edge that stay neighbours stay one.
-    pub fn outcome(&mut self, input: &Input<'_>, rule: Rule, outcome: &mut Outcome) {
+    pub fn outcome(
+        &mut self,
+        input: &ArrangementInput<'_>,
+        rule: RegionRule,
+        outcome: &mut ArrangementResult,
+    ) {
         outcome.gone.clear();
         outcome.came.clear();
         let mut degree = core::mem::take(&mut self.tally);
@@ -473,11 +495,11 @@ impl Arrangement {
         for at in 0..self.count as u32 {
             let of_first = (at as usize) < input.first.len();
             let pieces = self.first_piece[at as usize]..self.first_piece[at as usize + 1];
-            let mut run: Option<Run> = None;
+            let mut run: Option<EdgeRun> = None;
             let came = outcome.came.len();
             for piece in pieces.clone() {
                 let group = &self.groups[self.of_piece[piece as usize] as usize];
-                let Piece { from, to, .. } = self.pieces[piece as usize];
+                let EdgePiece { from, to, .. } = self.pieces[piece as usize];
                 let kept = group.kept(rule);
                 if kept == 0 || group.edge != at {
                     self.finish(input, at, run.take(), outcome);
@@ -490,11 +512,11 @@ impl Arrangement {
                             && run.forward == forward
                             && degree[from as usize] == 2 =>
                     {
-                        Some(Run { to, ..run })
+                        Some(EdgeRun { to, ..run })
                     }
                     other => {
                         self.finish(input, at, other, outcome);
-                        Some(Run { from, to, forward })
+                        Some(EdgeRun { from, to, forward })
                     }
                 };
             }
@@ -512,7 +534,13 @@ impl Arrangement {
         self.tally = degree;
     }
 
-    fn finish(&self, input: &Input<'_>, at: u32, run: Option<Run>, outcome: &mut Outcome) {
+    fn finish(
+        &self,
+        input: &ArrangementInput<'_>,
+        at: u32,
+        run: Option<EdgeRun>,
+        outcome: &mut ArrangementResult,
+    ) {
         let Some(run) = run else { return };
         let place = |vertex: u32| self.weld.points[vertex as usize];
         let mut edge = Self::edge(input, at).between(place(run.from), place(run.to));
@@ -523,15 +551,15 @@ impl Arrangement {
 
 /// Neighbouring pieces of an edge.
 #[derive(Clone, Copy, Debug)]
-struct Run {
+struct EdgeRun {
     from: u32,
     to: u32,
     forward: bool,
 }
 
-impl Group {
+impl EdgeGroup {
     /// 1 if a rule keeps it from low to high, −1 if back, 0 if it bounds nothing.
-    fn kept(&self, rule: Rule) -> i32 {
+    fn kept(&self, rule: RegionRule) -> i32 {
         let left = rule.holds(self.left[0], self.left[1]);
         let right = rule.holds(self.left[0] - self.times[0], self.left[1] - self.times[1]);
         i32::from(left) - i32::from(right)
@@ -540,7 +568,7 @@ impl Group {
 
 /// Where winding numbers are counted: beside the middle of a group.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Side {
+pub(crate) struct WindingSide {
     pub z: f64,
     pub r: f64,
     /// Edges that end at z count, and not those that begin there.
@@ -549,7 +577,7 @@ pub(crate) struct Side {
     left: bool,
 }
 
-impl Side {
+impl WindingSide {
     /// The winding number left of the group from the one counted above it.
     fn to_left(self, counted: i32, times: i32) -> i32 {
         // Above a group that goes towards −z is to its right.
@@ -564,7 +592,7 @@ impl Side {
 }
 
 /// What an edge adds to the winding number below it: 1 if it goes towards −z above the place.
-pub(crate) fn passage(edge: &Edge, side: &Side) -> i32 {
+pub(crate) fn passage(edge: &RegionEdge, side: &WindingSide) -> i32 {
     if !side.is_under(edge.start.a, edge.end.a) || !edge.is_above(side.z, side.r) {
         return 0;
     }

@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 use chordal_geometry::Vec2;
 
 use super::region::{RegionError, circle_of, in_range};
-use super::segment::Segment;
+use super::segment::OutlineSegment;
 
 /// Steps of a whole turn: 1.4e-12 rad, what an angle of numbers near each other is worth.
 pub(crate) const TURN: i64 = 1 << 42;
@@ -28,7 +28,7 @@ pub(crate) fn angle(steps: i64) -> f64 {
 
 /// A line or a counter-clockwise arc (radius above zero) of the outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Side {
+struct OutlineSide {
     start: Vec2,
     end: Vec2,
     center: Vec2,
@@ -41,7 +41,7 @@ struct Side {
 
 /// A part of a walk round the outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Element {
+pub(crate) enum WalkElement {
     /// A corner.
     Corner(Vec2),
     /// A line.
@@ -52,27 +52,27 @@ pub(crate) enum Element {
 
 /// An element with the tangents between which the walk passes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Step {
-    pub element: Element,
+pub(crate) struct WalkStep {
+    pub element: WalkElement,
     pub tangents: [Vec2; 2],
     pub steps: [i64; 2],
 }
 
 /// The outline, counter-clockwise.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Convex {
-    sides: Vec<Side>,
+pub(crate) struct ConvexOutline {
+    sides: Vec<OutlineSide>,
 }
 
-impl Convex {
+impl ConvexOutline {
     /// From a closed loop of segments, counter-clockwise; `None` if it is not convex.
-    pub fn of(segments: &[Segment]) -> Result<Option<Convex>, RegionError> {
+    pub fn of(segments: &[OutlineSegment]) -> Result<Option<ConvexOutline>, RegionError> {
         let mut sides = Vec::new();
         for segment in segments {
             for value in [segment.start.a, segment.start.b, segment.end.a, segment.end.b] {
                 in_range(value)?;
             }
-            let Segment { start, end, .. } = *segment;
+            let OutlineSegment { start, end, .. } = *segment;
             let circle = circle_of(segment)?;
             if circle.is_some_and(|circle| !circle.counterclockwise) {
                 return Ok(None);
@@ -87,13 +87,13 @@ impl Convex {
             let turned = if start == end { TURN } else { steps(last) - steps(first) };
             let turned = if turned < 0 { turned + TURN } else { turned };
             let (tangents, steps) = ([first, last], [steps(first), steps(first) + turned]);
-            sides.push(Side { start, end, center, radius, tangents, steps });
+            sides.push(OutlineSide { start, end, center, radius, tangents, steps });
         }
-        Ok(Convex { sides }.unwound())
+        Ok(ConvexOutline { sides }.unwound())
     }
 
     /// With steps that grow along the outline by one turn in all; `None` if they do not.
-    fn unwound(mut self) -> Option<Convex> {
+    fn unwound(mut self) -> Option<ConvexOutline> {
         let first = self.sides.first()?.steps[0];
         let mut last = first;
         for side in &mut self.sides {
@@ -116,12 +116,12 @@ impl Convex {
     }
 
     /// Mirrored at a z (`along_axis`) or at the axis.
-    pub fn mirrored(&self, along_axis: bool) -> Option<Convex> {
+    pub fn mirrored(&self, along_axis: bool) -> Option<ConvexOutline> {
         let flip = |p: Vec2| if along_axis { Vec2::new(-p.a, p.b) } else { Vec2::new(p.a, -p.b) };
         let sides = self.sides.iter().rev().map(|side| {
             let tangents = [side.tangents[1], side.tangents[0]].map(|tangent| -flip(tangent));
             let first = steps(tangents[0]);
-            Side {
+            OutlineSide {
                 start: flip(side.end),
                 end: flip(side.start),
                 center: flip(side.center),
@@ -130,11 +130,11 @@ impl Convex {
                 steps: [first, first + side.steps[1] - side.steps[0]],
             }
         });
-        Convex { sides: sides.collect() }.unwound()
+        ConvexOutline { sides: sides.collect() }.unwound()
     }
 
     /// Moved so that another point is the origin.
-    pub fn moved(mut self, by: Vec2) -> Convex {
+    pub fn moved(mut self, by: Vec2) -> ConvexOutline {
         for side in &mut self.sides {
             side.start = side.start + by;
             side.end = side.end + by;
@@ -144,17 +144,17 @@ impl Convex {
     }
 
     /// As segments.
-    pub fn outline(&self) -> Vec<Segment> {
-        let of = |side: &Side| match side.radius == 0.0 {
-            true => Segment::line(side.start, side.end),
-            false => Segment::arc(side.start, side.end, side.center, true),
+    pub fn outline(&self) -> Vec<OutlineSegment> {
+        let of = |side: &OutlineSide| match side.radius == 0.0 {
+            true => OutlineSegment::line(side.start, side.end),
+            false => OutlineSegment::arc(side.start, side.end, side.center, true),
         };
         self.sides.iter().map(of).collect()
     }
 
     /// What is passed while the tangent turns from `from` up to, and without, `to`, in order. The tangents
     /// given are those of the two steps.
-    pub fn walk(&self, from: (i64, Vec2), to: (i64, Vec2), mut found: impl FnMut(Step)) {
+    pub fn walk(&self, from: (i64, Vec2), to: (i64, Vec2), mut found: impl FnMut(WalkStep)) {
         let Some(first) = self.sides.first().map(|side| side.steps[0]) else { return };
         let mut clip = |element, tangents: [Vec2; 2], steps: [i64; 2]| {
             let (mut tangents, mut steps) = (tangents, steps);
@@ -165,7 +165,7 @@ impl Convex {
                 (steps[1], tangents[1]) = to;
             }
             if steps[0] < steps[1] {
-                found(Step { element, tangents, steps });
+                found(WalkStep { element, tangents, steps });
             }
         };
         let mut base = (from.0 - first).div_euclid(TURN) * TURN;
@@ -173,9 +173,9 @@ impl Convex {
             for (at, side) in self.sides.iter().enumerate() {
                 let on = side.steps.map(|step| step + base);
                 if side.radius > 0.0 {
-                    clip(Element::Arc(side.center, side.radius), side.tangents, on);
+                    clip(WalkElement::Arc(side.center, side.radius), side.tangents, on);
                 } else if from.0 <= on[0] && on[0] < to.0 {
-                    let element = Element::Line(side.start, side.end);
+                    let element = WalkElement::Line(side.start, side.end);
                     // A line has one step, so it is told without clipping.
                     clip(element, side.tangents, [on[0], on[0] + 1]);
                 }
@@ -184,7 +184,7 @@ impl Convex {
                     Some(next) => (next.tangents[0], next.steps[0]),
                     None => (self.sides[0].tangents[0], first + TURN),
                 };
-                let corner = Element::Corner(side.end);
+                let corner = WalkElement::Corner(side.end);
                 clip(corner, [side.tangents[1], tangent], [on[1], step + base]);
             }
             base += TURN;

@@ -2,11 +2,11 @@
 
 use chordal_geometry::{Circle2, Line2, Meeting, Vec2, circle_circle, line_circle, line_line};
 
-use super::edge::Edge;
+use super::edge::RegionEdge;
 
 /// A place where edges are divided, and which of the two.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Split {
+pub(crate) struct EdgeSplit {
     pub place: Vec2,
     pub first: bool,
     pub second: bool,
@@ -14,18 +14,23 @@ pub(crate) struct Split {
 
 /// Every place where one of two edges has to be divided: ends of one that lie on the other, and proper
 /// crossings. What lies within `tolerance` (mm) of an end is that end, which welding sees to.
-pub(crate) fn crossings(first: &Edge, second: &Edge, tolerance: f64, mut found: impl FnMut(Split)) {
+pub(crate) fn crossings(
+    first: &RegionEdge,
+    second: &RegionEdge,
+    tolerance: f64,
+    mut found: impl FnMut(EdgeSplit),
+) {
     for place in [second.start, second.end] {
         if first.passes(place, tolerance) {
-            found(Split { place, first: true, second: false });
+            found(EdgeSplit { place, first: true, second: false });
         }
     }
     for place in [first.start, first.end] {
         if second.passes(place, tolerance) {
-            found(Split { place, first: false, second: true });
+            found(EdgeSplit { place, first: false, second: true });
         }
     }
-    let mut both = |place| found(Split { place, first: true, second: true });
+    let mut both = |place| found(EdgeSplit { place, first: true, second: true });
     match (first.is_straight(), second.is_straight()) {
         (true, true) => {
             if let Some(crossing) = line_line(line_of(first), line_of(second), 0.0) {
@@ -44,11 +49,11 @@ pub(crate) fn crossings(first: &Edge, second: &Edge, tolerance: f64, mut found: 
     }
 }
 
-fn line_of(edge: &Edge) -> Line2 {
+fn line_of(edge: &RegionEdge) -> Line2 {
     Line2 { point: edge.start, direction: edge.end - edge.start }
 }
 
-fn circle_of(edge: &Edge) -> Circle2 {
+fn circle_of(edge: &RegionEdge) -> Circle2 {
     Circle2 { center: edge.circle.center, radius: edge.circle.radius }
 }
 
@@ -63,7 +68,7 @@ fn shallow(meeting: Meeting, depth: impl Fn(f64) -> f64, tolerance: f64) -> Meet
     }
 }
 
-fn line_with_arc(line: &Edge, arc: &Edge, tolerance: f64, mut found: impl FnMut(Vec2)) {
+fn line_with_arc(line: &RegionEdge, arc: &RegionEdge, tolerance: f64, mut found: impl FnMut(Vec2)) {
     let along = line.end - line.start;
     let meeting = line_circle(line_of(line), circle_of(arc), 0.0);
     let depth = |half: f64| 0.5 * half * half / arc.circle.radius;
@@ -75,7 +80,7 @@ fn line_with_arc(line: &Edge, arc: &Edge, tolerance: f64, mut found: impl FnMut(
     }
 }
 
-fn arcs(first: &Edge, second: &Edge, tolerance: f64, mut found: impl FnMut(Vec2)) {
+fn arcs(first: &RegionEdge, second: &RegionEdge, tolerance: f64, mut found: impl FnMut(Vec2)) {
     let (a, b) = (circle_of(first), circle_of(second));
     let between = a.center.distance(b.center);
     let depth = |_| (a.radius + b.radius - between).min(between - (a.radius - b.radius).abs());

@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 use chordal_geometry::Vec2;
 
 use super::region::RegionError;
-use super::segment::Segment;
+use super::segment::OutlineSegment;
 
 /// The most segments that a drawing may have.
 const MOST: usize = 10_000;
@@ -55,13 +55,13 @@ pub enum DxfError {
 }
 
 /// The closed loops of a drawing; its unit is so many mm.
-pub fn read_dxf(bytes: &[u8], unit_mm: f64) -> Result<Vec<Vec<Segment>>, DxfError> {
+pub fn read_dxf(bytes: &[u8], unit_mm: f64) -> Result<Vec<Vec<OutlineSegment>>, DxfError> {
     let text = core::str::from_utf8(bytes).map_err(|_| DxfError::NotText)?;
     if text.starts_with("AutoCAD Binary") {
         return Err(DxfError::NotText);
     }
     let mut segments = Vec::new();
-    let mut entity = Entity::default();
+    let mut entity = DxfEntity::default();
     let mut section = String::new();
     let mut lines = text.lines().enumerate();
     while let (Some((at, code)), Some((_, value))) = (lines.next(), lines.next()) {
@@ -98,7 +98,7 @@ pub fn read_dxf(bytes: &[u8], unit_mm: f64) -> Result<Vec<Vec<Segment>>, DxfErro
 
 /// What is being read.
 #[derive(Default)]
-struct Entity {
+struct DxfEntity {
     kind: String,
     /// Corners of a polyline, with the bulge after each.
     corners: Vec<[f64; 3]>,
@@ -110,14 +110,14 @@ struct Entity {
     in_polyline: bool,
 }
 
-impl Entity {
+impl DxfEntity {
     fn begin(&mut self, kind: &str) {
         if self.in_polyline && kind == "VERTEX" {
             self.corners.push([0.0; 3]);
             return;
         }
         let in_polyline = kind == "POLYLINE";
-        *self = Entity { kind: kind.to_string(), in_polyline, ..Entity::default() };
+        *self = DxfEntity { kind: kind.to_string(), in_polyline, ..DxfEntity::default() };
     }
 
     fn take(&mut self, code: i32, number: f64) {
@@ -149,22 +149,22 @@ impl Entity {
         &mut self,
         next: &str,
         unit: f64,
-        segments: &mut Vec<Segment>,
+        segments: &mut Vec<OutlineSegment>,
     ) -> Result<(), DxfError> {
         if self.in_polyline && next == "VERTEX" {
             return Ok(());
         }
         let [x, y, to_x, to_y] = self.ends.map(|value| value * unit);
         match self.kind.as_str() {
-            "LINE" => segments.push(Segment::line(Vec2::new(x, y), Vec2::new(to_x, to_y))),
+            "LINE" => segments.push(OutlineSegment::line(Vec2::new(x, y), Vec2::new(to_x, to_y))),
             "ARC" => {
                 let (center, radius) = (Vec2::new(x, y), self.radius * unit);
                 let [from, to] = self.angles.map(|angle| on_circle(center, radius, angle));
-                segments.push(Segment::arc(from, to, center, true));
+                segments.push(OutlineSegment::arc(from, to, center, true));
             }
             "CIRCLE" => {
                 let right = Vec2::new(x + self.radius * unit, y);
-                segments.push(Segment::arc(right, right, Vec2::new(x, y), true));
+                segments.push(OutlineSegment::arc(right, right, Vec2::new(x, y), true));
             }
             "LWPOLYLINE" | "POLYLINE" => self.polyline(unit, segments),
             "SPLINE" | "ELLIPSE" => {
@@ -175,7 +175,7 @@ impl Entity {
         Ok(())
     }
 
-    fn polyline(&mut self, unit: f64, segments: &mut Vec<Segment>) {
+    fn polyline(&mut self, unit: f64, segments: &mut Vec<OutlineSegment>) {
         let count = self.corners.len();
         let sides = if self.closed { count } else { count.saturating_sub(1) };
         for at in 0..sides {
@@ -187,15 +187,15 @@ impl Entity {
 }
 
 /// A side of a polyline: its bulge is the tangent of a quarter of its angle.
-fn bulged(start: Vec2, end: Vec2, bulge: f64) -> Segment {
+fn bulged(start: Vec2, end: Vec2, bulge: f64) -> OutlineSegment {
     if bulge == 0.0 || start == end {
-        return Segment::line(start, end);
+        return OutlineSegment::line(start, end);
     }
     let chord = end - start;
     // The centre is to the left of the chord by half of it times (1 − b²)/2b.
     let off = (1.0 - bulge * bulge) / (4.0 * bulge);
     let center = (start + end) * 0.5 + chord.turned_left() * off;
-    Segment::arc(start, end, center, bulge > 0.0)
+    OutlineSegment::arc(start, end, center, bulge > 0.0)
 }
 
 fn on_circle(center: Vec2, radius: f64, degrees: f64) -> Vec2 {
@@ -203,17 +203,19 @@ fn on_circle(center: Vec2, radius: f64, degrees: f64) -> Vec2 {
     center + Vec2::new(cosine, sine) * radius
 }
 
-fn reversed(segment: &Segment) -> Segment {
+fn reversed(segment: &OutlineSegment) -> OutlineSegment {
     match segment.bend {
-        None => Segment::line(segment.end, segment.start),
-        Some(bend) => Segment::arc(segment.end, segment.start, bend.center, !bend.counterclockwise),
+        None => OutlineSegment::line(segment.end, segment.start),
+        Some(bend) => {
+            OutlineSegment::arc(segment.end, segment.start, bend.center, !bend.counterclockwise)
+        }
     }
 }
 
 /// Joins segments end to end.
-fn loops(mut open: Vec<Segment>) -> Result<Vec<Vec<Segment>>, DxfError> {
+fn loops(mut open: Vec<OutlineSegment>) -> Result<Vec<Vec<OutlineSegment>>, DxfError> {
     let on_axis = |p: Vec2| p.b.abs() <= GAP;
-    let lies_on_axis = |segment: &Segment| {
+    let lies_on_axis = |segment: &OutlineSegment| {
         segment.bend.is_none() && on_axis(segment.start) && on_axis(segment.end)
     };
     open.retain(|segment| {
@@ -224,7 +226,7 @@ fn loops(mut open: Vec<Segment>) -> Result<Vec<Vec<Segment>>, DxfError> {
     while let Some(first) = open.pop() {
         let mut chain = vec![first];
         grow(&mut chain, &mut open);
-        let ends = |chain: &[Segment]| (chain[0].start, chain[chain.len() - 1].end);
+        let ends = |chain: &[OutlineSegment]| (chain[0].start, chain[chain.len() - 1].end);
         let (start, end) = ends(&chain);
         if start.distance(end) > GAP {
             // The other end.
@@ -236,7 +238,7 @@ fn loops(mut open: Vec<Segment>) -> Result<Vec<Vec<Segment>>, DxfError> {
                 if !on_axis(loose) {
                     return Err(DxfError::Open { z: loose.a, r: loose.b });
                 }
-                chain.push(Segment::line(end, start));
+                chain.push(OutlineSegment::line(end, start));
             }
         }
         loops.push(chain);
@@ -245,14 +247,14 @@ fn loops(mut open: Vec<Segment>) -> Result<Vec<Vec<Segment>>, DxfError> {
 }
 
 /// Appends what begins where the chain ends, until it is closed or nothing fits.
-fn grow(chain: &mut Vec<Segment>, open: &mut Vec<Segment>) {
+fn grow(chain: &mut Vec<OutlineSegment>, open: &mut Vec<OutlineSegment>) {
     loop {
         let (start, end) = (chain[0].start, chain[chain.len() - 1].end);
         let is_closed = start.distance(end) <= GAP && (chain.len() > 1 || chain[0].bend.is_some());
         if is_closed {
             return;
         }
-        let fits = |segment: &Segment| {
+        let fits = |segment: &OutlineSegment| {
             segment.start.distance(end) <= GAP || segment.end.distance(end) <= GAP
         };
         let Some(at) = open.iter().position(fits) else { return };

@@ -7,7 +7,7 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use chordal_geometry::Vec2;
 
-use super::segment::{Bend, Segment};
+use super::segment::{OutlineSegment, SegmentArc};
 
 /// Half the angle of an arc (rad) below which a series says its segment's area and moment: the closed
 /// forms lose as many digits as this is small, the series has no more to add (1e-15) at this size.
@@ -36,7 +36,7 @@ impl Box2 {
         }
     }
 
-    pub fn around(edges: &[Edge]) -> Box2 {
+    pub fn around(edges: &[RegionEdge]) -> Box2 {
         edges.iter().fold(Box2::NOTHING, |all, edge| all.with(&edge.bounds()))
     }
 
@@ -72,29 +72,29 @@ impl Box2 {
 
 /// The circle of an arc, and its sense. A radius of zero says that the edge is straight.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Circle {
+pub(crate) struct ArcCircle {
     pub center: Vec2,
     pub radius: f64,
     pub counterclockwise: bool,
 }
 
-const STRAIGHT: Circle = Circle { center: Vec2::ZERO, radius: 0.0, counterclockwise: true };
+const STRAIGHT: ArcCircle = ArcCircle { center: Vec2::ZERO, radius: 0.0, counterclockwise: true };
 
 /// A directed edge; the region lies to its left.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Edge {
+pub(crate) struct RegionEdge {
     pub start: Vec2,
     pub end: Vec2,
     /// The vertices it joins. Equal numbers are the same vertex, whatever its coordinates.
     pub ends: [u64; 2],
-    pub circle: Circle,
+    pub circle: ArcCircle,
     /// The move that made it.
     pub tag: u32,
 }
 
-impl Edge {
-    pub fn line(start: Vec2, end: Vec2, tag: u32) -> Edge {
-        Edge { start, end, ends: [0; 2], circle: STRAIGHT, tag }
+impl RegionEdge {
+    pub fn line(start: Vec2, end: Vec2, tag: u32) -> RegionEdge {
+        RegionEdge { start, end, ends: [0; 2], circle: STRAIGHT, tag }
     }
 
     pub fn is_straight(&self) -> bool {
@@ -105,42 +105,42 @@ impl Edge {
         Box2::of(self.start, self.end)
     }
 
-    pub fn reversed(&self) -> Edge {
+    pub fn reversed(&self) -> RegionEdge {
         let counterclockwise = !self.circle.counterclockwise;
-        Edge {
+        RegionEdge {
             start: self.end,
             end: self.start,
             ends: [self.ends[1], self.ends[0]],
-            circle: Circle { counterclockwise, ..self.circle },
+            circle: ArcCircle { counterclockwise, ..self.circle },
             ..*self
         }
     }
 
     /// The same curve between other points on it.
-    pub fn between(&self, start: Vec2, end: Vec2) -> Edge {
-        Edge { start, end, ..*self }
+    pub fn between(&self, start: Vec2, end: Vec2) -> RegionEdge {
+        RegionEdge { start, end, ..*self }
     }
 
-    pub fn moved(&self, by: Vec2) -> Edge {
+    pub fn moved(&self, by: Vec2) -> RegionEdge {
         let circle = match self.is_straight() {
             true => self.circle,
-            false => Circle { center: self.circle.center + by, ..self.circle },
+            false => ArcCircle { center: self.circle.center + by, ..self.circle },
         };
-        Edge { start: self.start + by, end: self.end + by, circle, ..*self }
+        RegionEdge { start: self.start + by, end: self.end + by, circle, ..*self }
     }
 
     /// Mirrored at the axis, and turned round, so that a region stays to the left.
-    pub fn mirrored(&self) -> Edge {
+    pub fn mirrored(&self) -> RegionEdge {
         let flip = |p: Vec2| Vec2::new(p.a, -p.b);
-        let circle = Circle { center: flip(self.circle.center), ..self.circle };
-        Edge { start: flip(self.end), end: flip(self.start), circle, ..*self }
+        let circle = ArcCircle { center: flip(self.circle.center), ..self.circle };
+        RegionEdge { start: flip(self.end), end: flip(self.start), circle, ..*self }
     }
 
     /// With z and r exchanged, and turned round, so that a region stays to the left.
-    pub fn transposed(&self) -> Edge {
+    pub fn transposed(&self) -> RegionEdge {
         let swap = |p: Vec2| Vec2::new(p.b, p.a);
-        let circle = Circle { center: swap(self.circle.center), ..self.circle };
-        Edge { start: swap(self.end), end: swap(self.start), circle, ..*self }
+        let circle = ArcCircle { center: swap(self.circle.center), ..self.circle };
+        RegionEdge { start: swap(self.end), end: swap(self.start), circle, ..*self }
     }
 
     /// The point halfway.
@@ -149,7 +149,7 @@ impl Edge {
         if self.is_straight() {
             return half;
         }
-        let Circle { center, radius, .. } = self.circle;
+        let ArcCircle { center, radius, .. } = self.circle;
         match (half - center).normalized() {
             Some(out) => center + out * radius,
             None => half,
@@ -251,7 +251,7 @@ impl Edge {
             let share = (z - self.start.a) / (self.end.a - self.start.a);
             self.start.b + (self.end.b - self.start.b) * share
         } else {
-            let Circle { center, radius, .. } = self.circle;
+            let ArcCircle { center, radius, .. } = self.circle;
             let across = z - center.a;
             let up = ((radius - across) * (radius + across)).max(0.0).sqrt();
             if self.is_lower_half() { center.b - up } else { center.b + up }
@@ -318,7 +318,7 @@ impl Edge {
         let (from, to) = (along.dot(self.start), along.dot(self.end));
         let (mut low, mut high) = (from.min(to), from.max(to));
         if !self.is_straight() {
-            let Circle { center, radius, .. } = self.circle;
+            let ArcCircle { center, radius, .. } = self.circle;
             for out in [along, -along] {
                 let place = center + out * radius;
                 if self.faces(place) {
@@ -352,25 +352,25 @@ impl Edge {
     }
 
     /// As it is drawn.
-    pub fn to_segment(self) -> Segment {
-        let bend = (!self.is_straight()).then_some(Bend {
+    pub fn to_segment(self) -> OutlineSegment {
+        let bend = (!self.is_straight()).then_some(SegmentArc {
             center: self.circle.center,
             radius: self.circle.radius,
             counterclockwise: self.circle.counterclockwise,
         });
-        Segment { start: self.start, end: self.end, bend, tag: self.tag }
+        OutlineSegment { start: self.start, end: self.end, bend, tag: self.tag }
     }
 }
 
 /// Divides an arc at the quadrants of its circle. `sweep` is the size of its angle, rad, up to a turn.
 pub(crate) fn push_arc(
-    edges: &mut Vec<Edge>,
+    edges: &mut Vec<RegionEdge>,
     (start, end): (Vec2, Vec2),
-    circle: Circle,
+    circle: ArcCircle,
     sweep: f64,
     tag: u32,
 ) {
-    let Circle { center, radius, counterclockwise } = circle;
+    let ArcCircle { center, radius, counterclockwise } = circle;
     let sign = if counterclockwise { 1.0 } else { -1.0 };
     let to_start = start - center;
     // Measured along the sense of travel.
@@ -390,12 +390,12 @@ pub(crate) fn push_arc(
                 2 => Vec2::new(center.a - radius, center.b),
                 _ => Vec2::new(center.a, center.b - radius),
             };
-            edges.push(Edge { start: from, end: to, ends: [0; 2], circle, tag });
+            edges.push(RegionEdge { start: from, end: to, ends: [0; 2], circle, tag });
             from = to;
         }
         quarter += 1.0;
     }
-    edges.push(Edge { start: from, end, ends: [0; 2], circle, tag });
+    edges.push(RegionEdge { start: from, end, ends: [0; 2], circle, tag });
 }
 
 #[cfg(test)]
@@ -408,11 +408,16 @@ mod tests {
             for h in [0.199_999_999, 0.2] {
                 let (sin, cos) = libm::sincos(h);
                 let radius = 3.0;
-                let circle = Circle { center: Vec2::ZERO, radius, counterclockwise };
+                let circle = ArcCircle { center: Vec2::ZERO, radius, counterclockwise };
                 let (start, end) = (Vec2::new(cos, -sin), Vec2::new(cos, sin));
                 let (start, end) = if counterclockwise { (start, end) } else { (end, start) };
-                let edge =
-                    Edge { start: start * radius, end: end * radius, ends: [0; 2], circle, tag: 0 };
+                let edge = RegionEdge {
+                    start: start * radius,
+                    end: end * radius,
+                    ends: [0; 2],
+                    circle,
+                    tag: 0,
+                };
                 let sign = if counterclockwise { 1.0 } else { -1.0 };
                 let area = sign * radius * radius * (h - sin * cos);
                 let moment =
@@ -430,7 +435,8 @@ mod tests {
             let angle = f64::from(step) * PI / 32.0;
             let (sin, cos) = libm::sincos(angle);
             for counterclockwise in [true, false] {
-                let circle = Circle { center: Vec2::new(5.0, 7.0), radius: 2.0, counterclockwise };
+                let circle =
+                    ArcCircle { center: Vec2::new(5.0, 7.0), radius: 2.0, counterclockwise };
                 let start = circle.center + Vec2::new(cos, sin) * 2.0;
                 let mut edges = Vec::new();
                 push_arc(&mut edges, (start, start), circle, TAU, 0);
@@ -439,7 +445,7 @@ mod tests {
                 let sign = if counterclockwise { 1.0 } else { -1.0 };
                 assert!((area - sign * 4.0 * PI).abs() < 1e-13);
                 // Pappus: 2π·7·4π.
-                let volume: f64 = edges.iter().map(Edge::volume).sum();
+                let volume: f64 = edges.iter().map(RegionEdge::volume).sum();
                 assert!((volume - sign * 56.0 * PI * PI).abs() < 1e-11);
             }
         }

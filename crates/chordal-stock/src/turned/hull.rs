@@ -2,7 +2,7 @@
 
 use chordal_geometry::Vec2;
 
-use super::edge::{Box2, Edge};
+use super::edge::{Box2, RegionEdge};
 
 /// Directions that are tried: a sweep of a usual insert has no more edges, of others some suffice.
 const MOST: usize = 16;
@@ -11,14 +11,14 @@ const OF_ARC: u32 = 6;
 
 /// Directions, and how far edges reach along them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Hull {
+pub(crate) struct DirectionHull {
     reach: Vec<(Vec2, f64)>,
 }
 
-impl Hull {
+impl DirectionHull {
     /// Around edges: outward directions of their own. Those of one convex loop are its farthest points
     /// themselves.
-    pub fn of(&mut self, edges: &[Edge], convex: bool) {
+    pub fn of(&mut self, edges: &[RegionEdge], convex: bool) {
         self.reach.clear();
         if convex {
             edges.iter().for_each(|edge| self.add_convex(edge));
@@ -36,7 +36,7 @@ impl Hull {
         }
     }
 
-    fn add_convex(&mut self, edge: &Edge) {
+    fn add_convex(&mut self, edge: &RegionEdge) {
         if edge.is_straight() {
             if let Some(along) = (edge.end - edge.start).normalized() {
                 let out = -along.turned_left();

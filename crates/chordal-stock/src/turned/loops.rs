@@ -2,14 +2,14 @@
 
 use chordal_geometry::Vec2;
 
-use super::edge::Edge;
-use super::segment::Segment;
+use super::edge::RegionEdge;
+use super::segment::OutlineSegment;
 
 /// Sines of angles below it are those of edges that go on straight.
 const STRAIGHT_ON: f64 = 1e-9;
 
 /// The edges, loop by loop. What does not close (it always does, after a checked operation) ends its loop.
-pub(crate) fn loops(edges: &[Edge]) -> Vec<Vec<Edge>> {
+pub(crate) fn loops(edges: &[RegionEdge]) -> Vec<Vec<RegionEdge>> {
     let mut by_start: Vec<u32> = (0..edges.len() as u32).collect();
     by_start.sort_unstable_by_key(|at| (edges[*at as usize].ends[0], *at));
     let mut used = vec![false; edges.len()];
@@ -34,7 +34,13 @@ pub(crate) fn loops(edges: &[Edge]) -> Vec<Vec<Edge>> {
 }
 
 /// The edge that follows, which is the loop's first one at its end.
-fn next(edges: &[Edge], by_start: &[u32], used: &[bool], at: usize, first: usize) -> Option<usize> {
+fn next(
+    edges: &[RegionEdge],
+    by_start: &[u32],
+    used: &[bool],
+    at: usize,
+    first: usize,
+) -> Option<usize> {
     let edge = &edges[at];
     let begin = by_start.partition_point(|at| edges[*at as usize].ends[0] < edge.ends[1]);
     let here = by_start[begin..].iter().map(|at| *at as usize);
@@ -45,7 +51,7 @@ fn next(edges: &[Edge], by_start: &[u32], used: &[bool], at: usize, first: usize
 
 /// How far to the left one goes from an edge to the next, from −π to π: loops that touch in a vertex stay
 /// apart when each takes the sharpest turn to the side of its region.
-fn turn(edge: &Edge, next: &Edge) -> f64 {
+fn turn(edge: &RegionEdge, next: &RegionEdge) -> f64 {
     let (from, to) = (edge.direction(true), next.direction(false));
     let angle = libm::atan2(from.cross(to), from.dot(to));
     // Straight back is a turn to the left if the next edge bends away to the left.
@@ -57,13 +63,15 @@ fn turn(edge: &Edge, next: &Edge) -> f64 {
 }
 
 /// A loop as it is drawn: neighbours of one line or circle, made by one move, are one segment.
-pub(crate) fn outline(chain: &[Edge], tolerance: f64) -> Vec<Segment> {
-    let goes_on = |one: &Edge, two: &Edge| one.tag == two.tag && is_continued(one, two, tolerance);
+pub(crate) fn outline(chain: &[RegionEdge], tolerance: f64) -> Vec<OutlineSegment> {
+    let goes_on = |one: &RegionEdge, two: &RegionEdge| {
+        one.tag == two.tag && is_continued(one, two, tolerance)
+    };
     let count = chain.len();
     // Begin at a corner, so that no segment is cut by the beginning.
     let begin = (0..count).find(|at| !goes_on(&chain[(at + count - 1) % count], &chain[*at]));
     let begin = begin.unwrap_or(0);
-    let mut drawn: Vec<Edge> = Vec::new();
+    let mut drawn: Vec<RegionEdge> = Vec::new();
     for at in 0..count {
         let edge = &chain[(begin + at) % count];
         match drawn.last_mut() {
@@ -72,11 +80,11 @@ pub(crate) fn outline(chain: &[Edge], tolerance: f64) -> Vec<Segment> {
             _ => drawn.push(*edge),
         }
     }
-    drawn.into_iter().map(Edge::to_segment).collect()
+    drawn.into_iter().map(RegionEdge::to_segment).collect()
 }
 
 /// Whether the second edge lies on the line or circle of the first and goes on in its sense.
-fn is_continued(one: &Edge, two: &Edge, tolerance: f64) -> bool {
+fn is_continued(one: &RegionEdge, two: &RegionEdge, tolerance: f64) -> bool {
     if one.is_straight() != two.is_straight() {
         return false;
     }

@@ -8,22 +8,22 @@
 //! | to | see |
 //! |---|---|
 //! | say what the stock is, measure, combine, draw it | [`Region`] |
-//! | say what a tool is | [`Insert`], [`Blade`], [`Tool`] |
-//! | cut, and learn what went | [`Turned::cut`], [`Pass`] |
-//! | ask whether a rapid, a holder or a shank touches | [`Turned::touch`] |
+//! | say what a tool is | [`Insert`], [`Blade`], [`ToolOutline`] |
+//! | cut, and learn what went | [`LatheStock::cut`], [`TurnedPass`] |
+//! | ask whether a rapid, a holder or a shank touches | [`LatheStock::touch`] |
 //! | ask for radii, walls, grooves, a neck, loose parts | [`Region::radii_at`], [`Region::spans_at`], [`Region::neck`], [`Region::bodies`] |
 //!
 //! A pass is a boolean of exact curves. Crossings divide edges, points within 1e-11 of the size become one
 //! vertex, pieces that lie on each other become one, winding numbers on both sides say what bounds the result,
 //! loops are put together by the numbers of their vertices and never by coordinates. Each is checked:
 //! area(A−B) + area(A∩B) = area(A) within 1e-9 of it. Where that fails the sweep is shifted by 1e-7 of the
-//! size; [`Pass::bound`] says so. Only edges near the sweep are looked at.
+//! size; [`TurnedPass::bound`] says so. Only edges near the sweep are looked at.
 //!
 //! | question about a program | answer |
 //! |---|---|
-//! | does a rapid touch the stock, and how deep? | [`Turned::touch`] along it: [`Pass::touched`], [`Pass::depth`], [`Pass::place`] |
-//! | is the holder in the shoulder? | the same with [`Tool::polygon`] |
-//! | what is in the cut at a place, what is the chip of one revolution? | the same without a move, or moved on by the feed: [`Pass::area`] |
+//! | does a rapid touch the stock, and how deep? | [`LatheStock::touch`] along it: [`TurnedPass::touched`], [`TurnedPass::depth`], [`TurnedPass::place`] |
+//! | is the holder in the shoulder? | the same with [`ToolOutline::polygon`] |
+//! | what is in the cut at a place, what is the chip of one revolution? | the same without a move, or moved on by the feed: [`TurnedPass::area`] |
 //! | is a wall left between grooves, is a groove wider than its blade? | [`Region::spans_at`] below the surface |
 //! | is the part off, or does a pip hold it? | [`Region::neck`] over the blade's stretch, [`Region::bodies`] |
 //! | is the half section in a drawing? | [`read_dxf`] |
@@ -33,12 +33,12 @@
 //!
 //! ```
 //! use chordal_geometry::Vec2;
-//! use chordal_stock::turned::{Insert, Region, Segment, Tip, Turned};
+//! use chordal_stock::turned::{Insert, Region, OutlineSegment, Tip, LatheStock};
 //!
 //! // Diameter 50 to 40 over 30 mm, with an ideal point.
-//! let mut stock = Turned::new(&Region::bar(25.0, -60.0, 0.0)?);
+//! let mut stock = LatheStock::new(&Region::bar(25.0, -60.0, 0.0)?);
 //! let tool = Insert::ideal_point(Tip::new(3)?, 40.0)?.outline()?;
-//! let pass = stock.cut(&tool, &Segment::line(Vec2::new(2.0, 20.0), Vec2::new(-30.0, 20.0)))?;
+//! let pass = stock.cut(&tool, &OutlineSegment::line(Vec2::new(2.0, 20.0), Vec2::new(-30.0, 20.0)))?;
 //! assert!((pass.volume - 6750.0 * core::f64::consts::PI).abs() < 1e-9);
 //! assert_eq!((pass.across, pass.along), (5.0, 30.0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -63,9 +63,9 @@ mod tool;
 mod weld;
 
 pub use dxf::{DxfError, read_dxf};
-pub use overlay::Unresolved;
-pub use questions::Towards;
-pub use region::{Combined, Region, RegionError};
-pub use segment::{Bend, Segment};
-pub use stock::{Pass, PassError, Turned};
-pub use tool::{Blade, BladePoint, Facing, Insert, InsertShape, Tip, Tool, ToolError};
+pub use overlay::OverlayError;
+pub use questions::PlaceSide;
+pub use region::{CombinedRegion, Region, RegionError};
+pub use segment::{OutlineSegment, SegmentArc};
+pub use stock::{LatheStock, PassError, TurnedPass};
+pub use tool::{Blade, BladeFacing, BladePoint, Insert, InsertShape, Tip, ToolError, ToolOutline};

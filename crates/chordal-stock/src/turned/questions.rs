@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use chordal_geometry::Vec2;
 
-use super::edge::Edge;
+use super::edge::RegionEdge;
 use super::loops::loops;
 use super::region::Region;
 
@@ -12,14 +12,14 @@ impl Region {
     /// The intervals of radius that are filled at `z`, from the axis outward, mm. At a wall it is what lies on
     /// the side that is asked for: −z of it or +z.
     #[must_use]
-    pub fn radii_at(&self, z: f64, towards: Towards) -> Vec<(f64, f64)> {
+    pub fn radii_at(&self, z: f64, towards: PlaceSide) -> Vec<(f64, f64)> {
         filled(self.edges(), z, towards)
     }
 
     /// The largest radius at `z`, on either side, mm; `None` where nothing is filled.
     #[must_use]
     pub fn highest_at(&self, z: f64) -> Option<f64> {
-        let sides = [Towards::Lower, Towards::Higher];
+        let sides = [PlaceSide::Lower, PlaceSide::Higher];
         let tops = sides.iter().filter_map(|side| Some(self.radii_at(z, *side).last()?.1));
         tops.max_by(f64::total_cmp)
     }
@@ -27,7 +27,7 @@ impl Region {
     /// The least radius at `z`, on either side, mm; `None` where nothing is filled.
     #[must_use]
     pub fn lowest_at(&self, z: f64) -> Option<f64> {
-        let sides = [Towards::Lower, Towards::Higher];
+        let sides = [PlaceSide::Lower, PlaceSide::Higher];
         let bottoms = sides.iter().filter_map(|side| Some(self.radii_at(z, *side).first()?.0));
         bottoms.min_by(f64::total_cmp)
     }
@@ -35,8 +35,8 @@ impl Region {
     /// The intervals of z that are filled at radius `r`, towards +z, mm: walls. What lies between two of them
     /// is a groove. At the radius of a step it is what lies on the side that is asked for.
     #[must_use]
-    pub fn spans_at(&self, r: f64, towards: Towards) -> Vec<(f64, f64)> {
-        let turned: Vec<Edge> = self.edges().iter().map(Edge::transposed).collect();
+    pub fn spans_at(&self, r: f64, towards: PlaceSide) -> Vec<(f64, f64)> {
+        let turned: Vec<RegionEdge> = self.edges().iter().map(RegionEdge::transposed).collect();
         filled(&turned, r, towards)
     }
 
@@ -48,9 +48,9 @@ impl Region {
         let corners = self.edges().iter().map(|edge| edge.start.a);
         let inner = corners.filter(|z| low < *z && *z < high);
         // Edges rise or fall all along, so the largest radius is least at a corner or an end.
-        let mut places: Vec<(f64, Towards)> = inner
-            .flat_map(|z| [(z, Towards::Lower), (z, Towards::Higher)])
-            .chain([(low, Towards::Higher), (high, Towards::Lower)])
+        let mut places: Vec<(f64, PlaceSide)> = inner
+            .flat_map(|z| [(z, PlaceSide::Lower), (z, PlaceSide::Higher)])
+            .chain([(low, PlaceSide::Higher), (high, PlaceSide::Lower)])
             .collect();
         places.sort_by(|x, y| x.0.total_cmp(&y.0));
         places.dedup();
@@ -69,7 +69,7 @@ impl Region {
     #[must_use]
     pub fn bodies(&self) -> Vec<Region> {
         let chains = loops(self.edges());
-        let area = |chain: &[Edge]| -> f64 {
+        let area = |chain: &[RegionEdge]| -> f64 {
             let origin = chain[0].start;
             chain.iter().map(|edge| edge.area(origin)).sum()
         };
@@ -79,7 +79,7 @@ impl Region {
             if area > 0.0 { outer.push((area, chain)) } else { holes.push(chain) }
         }
         outer.sort_by(|x, y| y.0.total_cmp(&x.0));
-        let mut bodies: Vec<(Vec<Edge>, Vec<Edge>)> =
+        let mut bodies: Vec<(Vec<RegionEdge>, Vec<RegionEdge>)> =
             outer.into_iter().map(|(_, chain)| (chain, Vec::new())).collect();
         for hole in holes {
             // In the smallest part around it.
@@ -89,7 +89,7 @@ impl Region {
                 bodies[at].1.extend(hole);
             }
         }
-        let whole = |(mut chain, holes): (Vec<Edge>, Vec<Edge>)| {
+        let whole = |(mut chain, holes): (Vec<RegionEdge>, Vec<RegionEdge>)| {
             chain.extend(holes);
             Region::of(chain)
         };
@@ -105,23 +105,23 @@ impl Region {
 
 /// The side of a place that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Towards {
+pub enum PlaceSide {
     /// Just before it: towards −z, or the axis.
     Lower,
     /// Just after it: towards +z, or away from the axis.
     Higher,
 }
 
-fn reaches(edge: &Edge, z: f64, towards: Towards) -> bool {
+fn reaches(edge: &RegionEdge, z: f64, towards: PlaceSide) -> bool {
     let (low, high) = (edge.start.a.min(edge.end.a), edge.start.a.max(edge.end.a));
     match towards {
-        Towards::Lower => low < z && z <= high,
-        Towards::Higher => low <= z && z < high,
+        PlaceSide::Lower => low < z && z <= high,
+        PlaceSide::Higher => low <= z && z < high,
     }
 }
 
 /// What is filled along a vertical, between edges with the region above and edges with it below.
-fn filled(edges: &[Edge], z: f64, towards: Towards) -> Vec<(f64, f64)> {
+fn filled(edges: &[RegionEdge], z: f64, towards: PlaceSide) -> Vec<(f64, f64)> {
     let crossed = edges.iter().filter(|edge| reaches(edge, z, towards));
     let mut passages: Vec<(f64, i32)> = crossed
         .map(|edge| (edge.radius_at(z), if edge.end.a > edge.start.a { 1 } else { -1 }))
@@ -142,8 +142,8 @@ fn filled(edges: &[Edge], z: f64, towards: Towards) -> Vec<(f64, f64)> {
 }
 
 /// Whether a point lies within closed edges, by what passes above it.
-fn surrounds(edges: &[Edge], p: Vec2) -> bool {
-    let over = edges.iter().filter(|edge| reaches(edge, p.a, Towards::Higher));
+fn surrounds(edges: &[RegionEdge], p: Vec2) -> bool {
+    let over = edges.iter().filter(|edge| reaches(edge, p.a, PlaceSide::Higher));
     let above = over.filter(|edge| edge.is_above(p.a, p.b));
     above.map(|edge| if edge.end.a < edge.start.a { 1 } else { -1 }).sum::<i32>() > 0
 }

@@ -2,12 +2,16 @@
 
 use chordal_geometry::Vec2;
 
-use super::arrange::{Arrangement, Input, NEW, NoOthers, Outcome, Rule};
-use super::edge::{Box2, Circle, Edge, push_arc};
-use super::hull::Hull;
+use super::arrange::{
+    ArrangementInput, ArrangementResult, EdgeArrangement, NEW, NoOthers, RegionRule,
+};
+use super::edge::{ArcCircle, Box2, RegionEdge, push_arc};
+use super::hull::DirectionHull;
 use super::loops::{loops, outline};
-use super::overlay::{Amounts, Operands, Overlay, Scale, Unresolved, measure};
-use super::segment::Segment;
+use super::overlay::{
+    AreaAndVolume, OverlayError, OverlayOperands, OverlayScale, OverlayWorkspace, measure,
+};
+use super::segment::OutlineSegment;
 
 /// Coordinates up to this size (mm) are taken: what turns on a lathe is smaller, and squares of it keep
 /// their digits.
@@ -91,12 +95,12 @@ pub enum RegionError {
 /// A point is a [`Vec2`] whose `a` is z and whose `b` is r, both in mm, r from 0 up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Region {
-    edges: Vec<Edge>,
+    edges: Vec<RegionEdge>,
 }
 
 /// What a boolean operation made, and how exact it is.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Combined {
+pub struct CombinedRegion {
     /// The result.
     pub region: Region,
     /// How far its outline may be off the exact one, mm. As a rule 0; 1e-11 of the size where the first
@@ -130,15 +134,15 @@ impl Region {
         let corner = |z, r| Vec2::new(z, r);
         let corners =
             [corner(low, inner), corner(high, inner), corner(high, outer), corner(low, outer)];
-        let mut edges: Vec<Edge> =
-            (0..4).map(|at| Edge::line(corners[at], corners[(at + 1) % 4], 0)).collect();
+        let mut edges: Vec<RegionEdge> =
+            (0..4).map(|at| RegionEdge::line(corners[at], corners[(at + 1) % 4], 0)).collect();
         number_in_turn(&mut edges, 0);
         Ok(Region { edges })
     }
 
     /// Any outline: closed loops in either sense. What lies within an odd number of them belongs to the
     /// region, so holes are loops within loops.
-    pub fn contour(loops: &[Vec<Segment>]) -> Result<Region, RegionError> {
+    pub fn contour(loops: &[Vec<OutlineSegment>]) -> Result<Region, RegionError> {
         let mut edges = Vec::new();
         for (at, segments) in loops.iter().enumerate() {
             closed_loop(&mut edges, segments, at + 1)?;
@@ -150,10 +154,10 @@ impl Region {
             }
         }
         let bounds = Box2::around(&edges);
-        let mut arrangement = Arrangement::default();
-        let Scale { tolerance, margin, .. } = Scale::new(bounds.size(), 0.0);
-        let hull = &Hull::default();
-        let input = Input {
+        let mut arrangement = EdgeArrangement::default();
+        let OverlayScale { tolerance, margin, .. } = OverlayScale::new(bounds.size(), 0.0);
+        let hull = &DirectionHull::default();
+        let input = ArrangementInput {
             first: &[],
             others: &NoOthers,
             second: &edges,
@@ -163,16 +167,16 @@ impl Region {
             tolerance,
         };
         arrangement.lay(&input);
-        if arrangement.own_crossings > 0 || !arrangement.closes(Rule::Odd) {
+        if arrangement.own_crossings > 0 || !arrangement.closes(RegionRule::Odd) {
             return Err(RegionError::CrossesItself);
         }
-        let mut outcome = Outcome::default();
-        arrangement.outcome(&input, Rule::Odd, &mut outcome);
+        let mut outcome = ArrangementResult::default();
+        arrangement.outcome(&input, RegionRule::Odd, &mut outcome);
         Ok(Region::of(outcome.came))
     }
 
     /// From edges with vertices of any numbers.
-    pub(crate) fn of(mut edges: Vec<Edge>) -> Region {
+    pub(crate) fn of(mut edges: Vec<RegionEdge>) -> Region {
         let mut vertices: Vec<u64> = edges.iter().flat_map(|edge| edge.ends).collect();
         vertices.sort_unstable();
         vertices.dedup();
@@ -182,7 +186,7 @@ impl Region {
         Region { edges }
     }
 
-    pub(crate) fn edges(&self) -> &[Edge] {
+    pub(crate) fn edges(&self) -> &[RegionEdge] {
         &self.edges
     }
 
@@ -204,8 +208,8 @@ impl Region {
         self.amounts().volume
     }
 
-    pub(crate) fn amounts(&self) -> Amounts {
-        let Some((low, high)) = self.bounds() else { return Amounts::default() };
+    pub(crate) fn amounts(&self) -> AreaAndVolume {
+        let Some((low, high)) = self.bounds() else { return AreaAndVolume::default() };
         measure(&self.edges, (low + high) * 0.5)
     }
 
@@ -220,16 +224,16 @@ impl Region {
     /// holes clockwise (z to the right, r up). Neighbours on one line or circle that one move made are one
     /// segment.
     #[must_use]
-    pub fn outline(&self) -> Vec<Vec<Segment>> {
+    pub fn outline(&self) -> Vec<Vec<OutlineSegment>> {
         let tolerance = ON_EDGE * Box2::around(&self.edges).size();
         loops(&self.edges).iter().map(|chain| outline(chain, tolerance)).collect()
     }
 
     /// The outline without regard to who made it: neighbours on one line or circle are one segment.
     #[must_use]
-    pub fn shape(&self) -> Vec<Vec<Segment>> {
+    pub fn shape(&self) -> Vec<Vec<OutlineSegment>> {
         let tolerance = ON_EDGE * Box2::around(&self.edges).size();
-        let plain = |edge: &Edge| Edge { tag: 0, ..*edge };
+        let plain = |edge: &RegionEdge| RegionEdge { tag: 0, ..*edge };
         let chains = loops(&self.edges);
         chains
             .iter()
@@ -245,46 +249,46 @@ impl Region {
     }
 
     /// What is in this region and not in the other one.
-    pub fn difference(&self, other: &Region) -> Result<Combined, Unresolved> {
-        self.combined(other, Rule::Difference)
+    pub fn difference(&self, other: &Region) -> Result<CombinedRegion, OverlayError> {
+        self.combined(other, RegionRule::Difference)
     }
 
     /// What is in both.
-    pub fn intersection(&self, other: &Region) -> Result<Combined, Unresolved> {
-        self.combined(other, Rule::Intersection)
+    pub fn intersection(&self, other: &Region) -> Result<CombinedRegion, OverlayError> {
+        self.combined(other, RegionRule::Intersection)
     }
 
     /// What is in one of them or in both.
-    pub fn union(&self, other: &Region) -> Result<Combined, Unresolved> {
-        self.combined(other, Rule::Union)
+    pub fn union(&self, other: &Region) -> Result<CombinedRegion, OverlayError> {
+        self.combined(other, RegionRule::Union)
     }
 
-    fn combined(&self, other: &Region, rule: Rule) -> Result<Combined, Unresolved> {
+    fn combined(&self, other: &Region, rule: RegionRule) -> Result<CombinedRegion, OverlayError> {
         let bounds = Box2::around(&self.edges).with(&Box2::around(&other.edges));
-        let operands = Operands {
+        let operands = OverlayOperands {
             first: &self.edges,
             others: &NoOthers,
             second: &other.edges,
             simple: false,
             bounds,
             // Without directions everything is near.
-            hull: &Hull::default(),
-            scale: Scale::new(bounds.size(), self.area()),
+            hull: &DirectionHull::default(),
+            scale: OverlayScale::new(bounds.size(), self.area()),
         };
-        let mut overlay = Overlay::default();
+        let mut overlay = OverlayWorkspace::default();
         overlay.lay(&operands).or_else(|_| overlay.lay_shifted(&operands))?;
-        let mut outcome = Outcome::default();
+        let mut outcome = ArrangementResult::default();
         overlay.outcome(&operands, rule, &mut outcome);
         let mut gone = vec![false; self.edges.len()];
         outcome.gone.iter().for_each(|at| gone[*at as usize] = true);
         let stay = self.edges.iter().zip(gone).filter(|(_, gone)| !gone).map(|(edge, _)| *edge);
         let region = Region::of(stay.chain(outcome.came).collect());
-        Ok(Combined { region, bound: overlay.off })
+        Ok(CombinedRegion { region, bound: overlay.off })
     }
 }
 
 /// Numbers the vertices of one loop.
-fn number_in_turn(edges: &mut [Edge], first: u64) {
+fn number_in_turn(edges: &mut [RegionEdge], first: u64) {
     let count = edges.len() as u64;
     for (at, edge) in (0..).zip(edges.iter_mut()) {
         edge.ends = [first + at, first + (at + 1) % count];
@@ -297,8 +301,8 @@ pub(crate) fn in_range(value: f64) -> Result<(), RegionError> {
 
 /// The edges of a loop of segments.
 fn closed_loop(
-    edges: &mut Vec<Edge>,
-    segments: &[Segment],
+    edges: &mut Vec<RegionEdge>,
+    segments: &[OutlineSegment],
     number: usize,
 ) -> Result<(), RegionError> {
     let first = edges.len();
@@ -315,7 +319,7 @@ fn closed_loop(
         }
         // The one before may have ended elsewhere within the gap.
         let start = if at == 0 { from } else { edges.last().map_or(from, |edge| edge.end) };
-        push_segment(edges, &Segment { start, ..*segment })?;
+        push_segment(edges, &OutlineSegment { start, ..*segment })?;
         from = segment.end;
     }
     let area: f64 = edges[first..].iter().map(|edge| edge.area(from)).sum();
@@ -328,13 +332,13 @@ fn closed_loop(
 }
 
 /// One segment as edges. The centre of an arc is moved to the middle between its ends.
-fn push_segment(edges: &mut Vec<Edge>, segment: &Segment) -> Result<(), RegionError> {
-    let Segment { start, end, tag, .. } = *segment;
+fn push_segment(edges: &mut Vec<RegionEdge>, segment: &OutlineSegment) -> Result<(), RegionError> {
+    let OutlineSegment { start, end, tag, .. } = *segment;
     match circle_of(segment)? {
         None if start == end => {}
-        None => edges.push(Edge::line(start, end, tag)),
+        None => edges.push(RegionEdge::line(start, end, tag)),
         Some(circle) => {
-            let arc = Segment::arc(start, end, circle.center, circle.counterclockwise);
+            let arc = OutlineSegment::arc(start, end, circle.center, circle.counterclockwise);
             push_arc(edges, (start, end), circle, arc.sweep().abs(), tag);
         }
     }
@@ -342,11 +346,11 @@ fn push_segment(edges: &mut Vec<Edge>, segment: &Segment) -> Result<(), RegionEr
 }
 
 /// The circle through both ends whose centre is nearest to the one given; `None` where that is not near.
-fn centered(start: Vec2, end: Vec2, given: Vec2, counterclockwise: bool) -> Option<Circle> {
+fn centered(start: Vec2, end: Vec2, given: Vec2, counterclockwise: bool) -> Option<ArcCircle> {
     let (first, second) = (start.distance(given), end.distance(given));
     if (first - second).abs() <= SAME_RADII && first + second > 0.0 {
         // Of a short arc the middle between the ends may be far away.
-        return Some(Circle { center: given, radius: 0.5 * (first + second), counterclockwise });
+        return Some(ArcCircle { center: given, radius: 0.5 * (first + second), counterclockwise });
     }
     let half = (start + end) * 0.5;
     let center = match (end - start).normalized() {
@@ -355,12 +359,12 @@ fn centered(start: Vec2, end: Vec2, given: Vec2, counterclockwise: bool) -> Opti
     };
     let radius = start.distance(center);
     let near = center.distance(given) <= RADII && radius > 0.0;
-    near.then_some(Circle { center, radius, counterclockwise })
+    near.then_some(ArcCircle { center, radius, counterclockwise })
 }
 
 /// The circle of an arc between its two ends, as [`Region::contour`] takes it.
-pub(crate) fn circle_of(segment: &Segment) -> Result<Option<Circle>, RegionError> {
-    let Segment { start, end, bend, .. } = *segment;
+pub(crate) fn circle_of(segment: &OutlineSegment) -> Result<Option<ArcCircle>, RegionError> {
+    let OutlineSegment { start, end, bend, .. } = *segment;
     let Some(bend) = bend else { return Ok(None) };
     in_range(bend.center.a)?;
     in_range(bend.center.b)?;

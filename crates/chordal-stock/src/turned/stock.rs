@@ -2,15 +2,17 @@
 
 use chordal_geometry::Vec2;
 
-use super::arrange::{NEW, Others, Outcome, Rule, Side};
-use super::edge::{Box2, Edge};
-use super::hull::Hull;
-use super::overlay::{Amounts, Operands, Overlay, Scale, Unresolved};
+use super::arrange::{ArrangementResult, NEW, RegionRule, UnlistedEdges, WindingSide};
+use super::edge::{Box2, RegionEdge};
+use super::hull::DirectionHull;
+use super::overlay::{
+    AreaAndVolume, OverlayError, OverlayOperands, OverlayScale, OverlayWorkspace,
+};
 use super::region::{Region, RegionError};
-use super::segment::Segment;
-use super::store::Store;
-use super::sweep::{Swept, sweep};
-use super::tool::Tool;
+use super::segment::OutlineSegment;
+use super::store::EdgeStore;
+use super::sweep::{SweptRegion, sweep};
+use super::tool::ToolOutline;
 
 /// Why a pass was not made. The stock is as it was.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -20,12 +22,12 @@ pub enum PassError {
     Path(#[from] RegionError),
     /// What the tool sweeps cannot be told apart from the outline of the stock.
     #[error(transparent)]
-    Unresolved(#[from] Unresolved),
+    Unresolved(#[from] OverlayError),
 }
 
 /// What a tool takes from stock along one move, or would take.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pass {
+pub struct TurnedPass {
     /// Area of the half section that goes, mm².
     pub area: f64,
     /// Volume that goes, mm³.
@@ -46,7 +48,7 @@ pub struct Pass {
     pub bound: f64,
 }
 
-impl Pass {
+impl TurnedPass {
     /// The lesser of what goes along the feed and across it, mm: how deep a rapid that should not have
     /// touched is in the stock.
     #[must_use]
@@ -57,64 +59,64 @@ impl Pass {
 
 /// Work space of one pass.
 #[derive(Debug, Default)]
-struct Work {
-    given: Given,
-    overlay: Overlay,
-    outcome: Outcome,
+struct PassWorkspace {
+    given: PassInput,
+    overlay: OverlayWorkspace,
+    outcome: ArrangementResult,
 }
 
 /// What a pass is about: what is swept, and the stock near it.
 #[derive(Debug, Default)]
-struct Given {
-    swept: Vec<Edge>,
-    hull: Hull,
-    near: Vec<Edge>,
+struct PassInput {
+    swept: Vec<RegionEdge>,
+    hull: DirectionHull,
+    near: Vec<RegionEdge>,
     slots: Vec<u32>,
 }
 
 /// The stock without what is given.
-struct Rest<'a> {
-    store: &'a Store,
+struct RemainingRegion<'a> {
+    store: &'a EdgeStore,
     without: &'a [u32],
 }
 
-impl Others for Rest<'_> {
-    fn passages(&self, side: &Side) -> i32 {
+impl UnlistedEdges for RemainingRegion<'_> {
+    fn passages(&self, side: &WindingSide) -> i32 {
         self.store.passages(side, self.without)
     }
 }
 
 /// Stock that turns: the exact region of its half section, and the tools that cut it.
 #[derive(Debug)]
-pub struct Turned {
-    store: Store,
+pub struct LatheStock {
+    store: EdgeStore,
     bounds: Box2,
     area: f64,
     size: f64,
     vertices: u64,
-    work: Work,
+    work: PassWorkspace,
 }
 
-impl Clone for Turned {
+impl Clone for LatheStock {
     fn clone(&self) -> Self {
-        Turned { store: self.store.clone(), work: Work::default(), ..*self }
+        LatheStock { store: self.store.clone(), work: PassWorkspace::default(), ..*self }
     }
 }
 
-impl Turned {
+impl LatheStock {
     /// Stock that fills a region.
     #[must_use]
-    pub fn new(region: &Region) -> Turned {
+    pub fn new(region: &Region) -> LatheStock {
         let edges = region.edges();
         let bounds = Box2::around(edges);
-        Turned {
-            store: Store::of(edges),
+        LatheStock {
+            store: EdgeStore::of(edges),
             bounds,
             area: region.area(),
             size: bounds.size(),
             // More than any number of its vertices.
             vertices: 1 + edges.iter().flat_map(|edge| edge.ends).max().unwrap_or(0),
-            work: Work::default(),
+            work: PassWorkspace::default(),
         }
     }
 
@@ -136,13 +138,13 @@ impl Turned {
         self.amounts().volume
     }
 
-    fn amounts(&self) -> Amounts {
+    fn amounts(&self) -> AreaAndVolume {
         if self.store.len() == 0 {
-            return Amounts::default();
+            return AreaAndVolume::default();
         }
         let origin = (self.bounds.min + self.bounds.max) * 0.5;
         let edges = self.store.iter();
-        edges.fold(Amounts::default(), |sum, edge| Amounts {
+        edges.fold(AreaAndVolume::default(), |sum, edge| AreaAndVolume {
             area: sum.area + edge.area(origin),
             volume: sum.volume + edge.volume(),
         })
@@ -156,7 +158,11 @@ impl Turned {
 
     /// Cuts what a tool sweeps along a move: the path of its programmed point, a line or an arc. The new
     /// edges have the tag of the move.
-    pub fn cut(&mut self, tool: &Tool, path: &Segment) -> Result<Pass, PassError> {
+    pub fn cut(
+        &mut self,
+        tool: &ToolOutline,
+        path: &OutlineSegment,
+    ) -> Result<TurnedPass, PassError> {
         let mut work = core::mem::take(&mut self.work);
         let found = self.lay(&mut work, tool, path);
         if matches!(&found, Ok(pass) if pass.area > 0.0) {
@@ -168,36 +174,49 @@ impl Turned {
     }
 
     /// Cuts as [`cut`](Self::cut) does, and hands out what was removed.
-    pub fn cut_out(&mut self, tool: &Tool, path: &Segment) -> Result<(Pass, Region), PassError> {
+    pub fn cut_out(
+        &mut self,
+        tool: &ToolOutline,
+        path: &OutlineSegment,
+    ) -> Result<(TurnedPass, Region), PassError> {
         let pass = self.cut(tool, path)?;
         Ok((pass, Region::of(self.work.overlay.common.clone())))
     }
 
     /// What a tool, a holder or a rapid would take along a move; the stock stays as it is.
-    pub fn touch(&self, tool: &Tool, path: &Segment) -> Result<(Pass, Region), PassError> {
-        let mut work = Work::default();
+    pub fn touch(
+        &self,
+        tool: &ToolOutline,
+        path: &OutlineSegment,
+    ) -> Result<(TurnedPass, Region), PassError> {
+        let mut work = PassWorkspace::default();
         let pass = self.lay(&mut work, tool, path)?;
         Ok((pass, Region::of(work.overlay.common)))
     }
 
-    fn lay(&self, work: &mut Work, tool: &Tool, path: &Segment) -> Result<Pass, PassError> {
-        let mut pass = Pass { bound: tool.bound(), ..Pass::default() };
-        let Work { given, overlay, outcome } = work;
+    fn lay(
+        &self,
+        work: &mut PassWorkspace,
+        tool: &ToolOutline,
+        path: &OutlineSegment,
+    ) -> Result<TurnedPass, PassError> {
+        let mut pass = TurnedPass { bound: tool.bound(), ..TurnedPass::default() };
+        let PassWorkspace { given, overlay, outcome } = work;
         overlay.common.clear();
         let swept = sweep(tool.parts(), path, &mut given.swept)?;
-        let scale = Scale::new(self.size, self.area.max(0.0));
+        let scale = OverlayScale::new(self.size, self.area.max(0.0));
         if self.store.len() == 0 || !self.bounds.meets(&swept.bounds.grown(scale.margin)) {
             return Ok(pass);
         }
         given.hull.of(&given.swept, swept.simple);
         self.gather(given, &swept, scale);
-        let lay = Overlay::lay;
+        let lay = OverlayWorkspace::lay;
         if self.overlay(given, &swept, scale, overlay, outcome, lay).is_err() {
             let scale = scale.wide();
             self.gather(given, &swept, scale);
-            self.overlay(given, &swept, scale, overlay, outcome, Overlay::lay_shifted)?;
+            self.overlay(given, &swept, scale, overlay, outcome, OverlayWorkspace::lay_shifted)?;
         }
-        let Overlay { common, amounts, off, .. } = overlay;
+        let OverlayWorkspace { common, amounts, off, .. } = overlay;
         pass.bound += *off;
         if common.is_empty() {
             return Ok(pass);
@@ -206,15 +225,15 @@ impl Turned {
         // Of next to nothing rounding may leave less.
         (pass.area, pass.volume) = (amounts.area.max(0.0), amounts.volume.max(0.0));
         (pass.across, pass.along) = extents(common, path);
-        let around: f64 = common.iter().map(Edge::length).sum();
+        let around: f64 = common.iter().map(RegionEdge::length).sum();
         pass.touched = amounts.area > scale.tolerance * around;
         pass.place = Some((bounds.min, bounds.max));
         Ok(pass)
     }
 
     /// Finds the edges near what is swept.
-    fn gather(&self, given: &mut Given, swept: &Swept, scale: Scale) {
-        let Given { hull, near, slots, .. } = given;
+    fn gather(&self, given: &mut PassInput, swept: &SweptRegion, scale: OverlayScale) {
+        let PassInput { hull, near, slots, .. } = given;
         near.clear();
         slots.clear();
         let area = swept.bounds.grown(scale.margin);
@@ -226,15 +245,15 @@ impl Turned {
 
     fn overlay(
         &self,
-        given: &Given,
-        swept: &Swept,
-        scale: Scale,
-        overlay: &mut Overlay,
-        outcome: &mut Outcome,
-        lay: impl Fn(&mut Overlay, &Operands<'_>) -> Result<(), Unresolved>,
-    ) -> Result<(), Unresolved> {
-        let rest = Rest { store: &self.store, without: &given.slots };
-        let operands = Operands {
+        given: &PassInput,
+        swept: &SweptRegion,
+        scale: OverlayScale,
+        overlay: &mut OverlayWorkspace,
+        outcome: &mut ArrangementResult,
+        lay: impl Fn(&mut OverlayWorkspace, &OverlayOperands<'_>) -> Result<(), OverlayError>,
+    ) -> Result<(), OverlayError> {
+        let rest = RemainingRegion { store: &self.store, without: &given.slots };
+        let operands = OverlayOperands {
             first: &given.near,
             others: &rest,
             second: &given.swept,
@@ -245,13 +264,13 @@ impl Turned {
         };
         lay(overlay, &operands)?;
         if !overlay.common.is_empty() {
-            overlay.outcome(&operands, Rule::Difference, outcome);
+            overlay.outcome(&operands, RegionRule::Difference, outcome);
         }
         Ok(())
     }
 
     /// Puts the outcome of the last operation in the place of the edges it was made of.
-    fn take(&mut self, work: &mut Work) {
+    fn take(&mut self, work: &mut PassWorkspace) {
         for at in &work.outcome.gone {
             self.store.remove(work.given.slots[*at as usize]);
         }
@@ -274,8 +293,8 @@ impl Turned {
 }
 
 /// How far edges extend across and along a path, mm.
-fn extents(edges: &[Edge], path: &Segment) -> (f64, f64) {
-    let spread = |reach: &dyn Fn(&Edge) -> (f64, f64)| {
+fn extents(edges: &[RegionEdge], path: &OutlineSegment) -> (f64, f64) {
+    let spread = |reach: &dyn Fn(&RegionEdge) -> (f64, f64)| {
         let ends = edges.iter().map(reach);
         let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |all, one| {
             (all.0.min(one.0), all.1.max(one.1))

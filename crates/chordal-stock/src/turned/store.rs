@@ -1,16 +1,16 @@
 //! The edges of stock, found by place: in blocks of neighbours, each with its box.
 
-use super::arrange::{Side, passage};
-use super::edge::{Box2, Edge};
-use super::hull::Hull;
+use super::arrange::{WindingSide, passage};
+use super::edge::{Box2, RegionEdge};
+use super::hull::DirectionHull;
 
 /// Edges of a block: so many boxes are compared where a block is touched.
 const BLOCK: usize = 32;
 
 /// Edges in slots that keep their number.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Store {
-    slots: Vec<Option<Edge>>,
+pub(crate) struct EdgeStore {
+    slots: Vec<Option<RegionEdge>>,
     boxes: Vec<Box2>,
     blocks: Vec<Box2>,
     free: Vec<u32>,
@@ -18,9 +18,9 @@ pub(crate) struct Store {
     count: usize,
 }
 
-impl Store {
-    pub fn of(edges: &[Edge]) -> Store {
-        let mut store = Store::default();
+impl EdgeStore {
+    pub fn of(edges: &[RegionEdge]) -> EdgeStore {
+        let mut store = EdgeStore::default();
         edges.iter().for_each(|edge| store.insert(*edge));
         store
     }
@@ -29,12 +29,12 @@ impl Store {
         self.count
     }
 
-    pub fn iter(&self) -> impl Iterator<Item = &Edge> {
+    pub fn iter(&self) -> impl Iterator<Item = &RegionEdge> {
         self.slots.iter().flatten()
     }
 
     /// Slots that became free last are filled first: they belong to neighbours.
-    pub fn insert(&mut self, edge: Edge) {
+    pub fn insert(&mut self, edge: RegionEdge) {
         let bounds = edge.bounds();
         self.count += 1;
         let at = match self.free.pop() {
@@ -77,7 +77,13 @@ impl Store {
     }
 
     /// The edges that may come within `margin` (mm) of a hull in `area`, with their slots in growing order.
-    pub fn near(&self, area: &Box2, hull: &Hull, margin: f64, mut found: impl FnMut(u32, &Edge)) {
+    pub fn near(
+        &self,
+        area: &Box2,
+        hull: &DirectionHull,
+        margin: f64,
+        mut found: impl FnMut(u32, &RegionEdge),
+    ) {
         let mut tried = 0;
         let mut comes_near =
             |bounds: &Box2| bounds.meets(area) && !hull.parts(bounds, margin, &mut tried);
@@ -98,7 +104,7 @@ impl Store {
     }
 
     /// What the edges add to the winding number at a place, without those in some slots.
-    pub fn passages(&self, side: &Side, without: &[u32]) -> i32 {
+    pub fn passages(&self, side: &WindingSide, without: &[u32]) -> i32 {
         let over = |bounds: &Box2| {
             bounds.min.a <= side.z && side.z <= bounds.max.a && bounds.max.b >= side.r
         };

@@ -9,17 +9,17 @@
 
 use chordal_geometry::Vec2;
 
-use super::convex::{Convex, Element, Step, TURN, angle, steps};
-use super::edge::{Box2, Circle, Edge, push_arc};
+use super::convex::{ConvexOutline, TURN, WalkElement, WalkStep, angle, steps};
+use super::edge::{ArcCircle, Box2, RegionEdge, push_arc};
 use super::region::{RegionError, circle_of, in_range};
-use super::segment::Segment;
+use super::segment::OutlineSegment;
 
 /// Gaps and edges below it are rounding, mm.
 const NO_LENGTH: f64 = 1e-11;
 
 /// What was swept.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Swept {
+pub(crate) struct SweptRegion {
     pub bounds: Box2,
     /// Whether it is one loop that does not meet itself.
     pub simple: bool,
@@ -28,17 +28,17 @@ pub(crate) struct Swept {
 /// Sweeps every part along a path of the origin. What comes to lie on the other side of the axis turns with
 /// the work, so its mirror image is swept too.
 pub(crate) fn sweep(
-    parts: &[Convex],
-    path: &Segment,
-    edges: &mut Vec<Edge>,
-) -> Result<Swept, RegionError> {
+    parts: &[ConvexOutline],
+    path: &OutlineSegment,
+    edges: &mut Vec<RegionEdge>,
+) -> Result<SweptRegion, RegionError> {
     for value in [path.start.a, path.start.b, path.end.a, path.end.b] {
         in_range(value)?;
     }
     let circle = circle_of(path)?;
     edges.clear();
     for part in parts {
-        let mut tracer = Tracer { edges, at: None, tag: path.tag };
+        let mut tracer = SweepTracer { edges, at: None, tag: path.tag };
         match circle {
             None => along_line(part, path, &mut tracer),
             Some(circle) => along_arc(part, path, circle, &mut tracer),
@@ -53,10 +53,10 @@ pub(crate) fn sweep(
         }
         bounds = Box2::around(edges);
     }
-    Ok(Swept { bounds, simple: parts.len() == 1 && circle.is_none() && !past_axis })
+    Ok(SweptRegion { bounds, simple: parts.len() == 1 && circle.is_none() && !past_axis })
 }
 
-fn along_line(part: &Convex, path: &Segment, tracer: &mut Tracer<'_>) {
+fn along_line(part: &ConvexOutline, path: &OutlineSegment, tracer: &mut SweepTracer<'_>) {
     let tangent = (path.end - path.start).normalized().unwrap_or(Vec2::new(1.0, 0.0));
     let first = (steps(tangent), tangent);
     let back = (first.0 + TURN / 2, -tangent);
@@ -64,13 +64,18 @@ fn along_line(part: &Convex, path: &Segment, tracer: &mut Tracer<'_>) {
     part.walk(back, (first.0 + TURN, tangent), |step| tracer.outline(path.start, &step));
 }
 
-fn along_arc(part: &Convex, path: &Segment, circle: Circle, tracer: &mut Tracer<'_>) {
+fn along_arc(
+    part: &ConvexOutline,
+    path: &OutlineSegment,
+    circle: ArcCircle,
+    tracer: &mut SweepTracer<'_>,
+) {
     // Clockwise is the same counter-clockwise backwards.
     let (start, end) = match circle.counterclockwise {
         true => (path.start, path.end),
         false => (path.end, path.start),
     };
-    let Circle { center, radius, .. } = circle;
+    let ArcCircle { center, radius, .. } = circle;
     let tangent = |p: Vec2| (p - center).turned_left().normalized().unwrap_or(Vec2::new(1.0, 0.0));
     let begin = (steps(tangent(start)), tangent(start));
     let mut finish = (steps(tangent(end)), tangent(end));
@@ -95,26 +100,26 @@ fn outward(tangent: Vec2) -> Vec2 {
 }
 
 /// Draws one closed curve.
-struct Tracer<'a> {
-    edges: &'a mut Vec<Edge>,
+struct SweepTracer<'a> {
+    edges: &'a mut Vec<RegionEdge>,
     /// Where the curve began and where it is.
     at: Option<(Vec2, Vec2)>,
     tag: u32,
 }
 
-impl Tracer<'_> {
+impl SweepTracer<'_> {
     fn line_to(&mut self, to: Vec2) {
         let Some((first, at)) = self.at else {
             self.at = Some((to, to));
             return;
         };
         if at.distance(to) > NO_LENGTH {
-            self.edges.push(Edge::line(at, to, self.tag));
+            self.edges.push(RegionEdge::line(at, to, self.tag));
             self.at = Some((first, to));
         }
     }
 
-    fn arc_to(&mut self, from: Vec2, to: Vec2, circle: Circle, sweep: f64) {
+    fn arc_to(&mut self, from: Vec2, to: Vec2, circle: ArcCircle, sweep: f64) {
         self.line_to(from);
         let Some((first, at)) = self.at else { return };
         if circle.radius > NO_LENGTH && sweep * circle.radius > NO_LENGTH {
@@ -131,46 +136,46 @@ impl Tracer<'_> {
         match self.edges.last_mut() {
             // Its end, but for rounding.
             Some(last) if at.distance(first) <= NO_LENGTH => last.end = first,
-            _ => self.edges.push(Edge::line(at, first, self.tag)),
+            _ => self.edges.push(RegionEdge::line(at, first, self.tag)),
         }
     }
 
     /// The outline itself, with its origin at `place`.
-    fn outline(&mut self, place: Vec2, step: &Step) {
+    fn outline(&mut self, place: Vec2, step: &WalkStep) {
         self.forth(place, 0.0, step);
     }
 
     /// The outline on a path about `center`, which turns as the outline does.
-    fn forth(&mut self, center: Vec2, radius: f64, step: &Step) {
+    fn forth(&mut self, center: Vec2, radius: f64, step: &WalkStep) {
         let [from, to] = step.tangents.map(outward);
         let sweep = angle(step.steps[1] - step.steps[0]);
         match step.element {
-            Element::Line(start, end) => {
+            WalkElement::Line(start, end) => {
                 self.line_to(center + from * radius + start);
                 self.line_to(center + from * radius + end);
             }
-            Element::Corner(corner) => {
+            WalkElement::Corner(corner) => {
                 self.turn(center + corner, radius, [from, to], sweep, true);
             }
-            Element::Arc(middle, nose) => {
+            WalkElement::Arc(middle, nose) => {
                 self.turn(center + middle, radius + nose, [from, to], sweep, true);
             }
         }
     }
 
     /// The outline on the way back.
-    fn back(&mut self, center: Vec2, radius: f64, step: &Step) {
+    fn back(&mut self, center: Vec2, radius: f64, step: &WalkStep) {
         let [from, to] = step.tangents.map(outward);
         let sweep = angle(step.steps[1] - step.steps[0]);
         match step.element {
-            Element::Line(start, end) => {
+            WalkElement::Line(start, end) => {
                 self.line_to(center - from * radius + end);
                 self.line_to(center - from * radius + start);
             }
-            Element::Corner(corner) => {
+            WalkElement::Corner(corner) => {
                 self.turn(center + corner, -radius, [to, from], sweep, false);
             }
-            Element::Arc(middle, nose) => {
+            WalkElement::Arc(middle, nose) => {
                 self.turn(center + middle, nose - radius, [to, from], sweep, false);
             }
         }
@@ -180,7 +185,7 @@ impl Tracer<'_> {
     /// side.
     fn turn(&mut self, center: Vec2, reach: f64, out: [Vec2; 2], sweep: f64, forth: bool) {
         let [from, to] = out.map(|out| center + out * reach);
-        let circle = Circle { center, radius: reach.abs(), counterclockwise: forth };
+        let circle = ArcCircle { center, radius: reach.abs(), counterclockwise: forth };
         self.arc_to(from, to, circle, sweep);
     }
 }

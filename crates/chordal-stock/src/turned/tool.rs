@@ -8,10 +8,10 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use chordal_geometry::Vec2;
 
-use super::convex::Convex;
+use super::convex::ConvexOutline;
 use super::polygon::triangles;
 use super::region::RegionError;
-use super::segment::Segment;
+use super::segment::OutlineSegment;
 
 /// The most pieces into which an arc that bends inward is divided.
 const MOST_CHORDS: f64 = 1024.0;
@@ -110,7 +110,7 @@ pub enum InsertShape {
 
 /// Which way a blade's body extends from its front edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Facing {
+pub enum BladeFacing {
     /// Towards +r: it cuts from outside towards the axis.
     Outside,
     /// Towards the axis: it cuts in a bore.
@@ -145,15 +145,15 @@ pub struct Blade {
     /// Slope of the front edge, rad: the end at the greater coordinate stands back by width·tan of it.
     pub lead: f64,
     /// Which way the body extends.
-    pub facing: Facing,
+    pub facing: BladeFacing,
     /// Which point is programmed. It is the foremost point of the front edge there.
     pub point: BladePoint,
 }
 
 /// The outline of a tool, or of a holder.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Tool {
-    parts: Vec<Convex>,
+pub struct ToolOutline {
+    parts: Vec<ConvexOutline>,
     bound: f64,
 }
 
@@ -201,7 +201,7 @@ impl Insert {
     }
 
     /// Its outline.
-    pub fn outline(&self) -> Result<Tool, ToolError> {
+    pub fn outline(&self) -> Result<ToolOutline, ToolError> {
         let [first, second] = self.flanks;
         let included = second - first;
         let (nose, length) =
@@ -217,25 +217,25 @@ impl Insert {
             return Err(ToolError::TooLarge { what: "nose radius", value: nose, most });
         }
         let center = a * tangent + a.turned_left() * nose;
-        let mut outline = vec![Segment::line(a * tangent, a * length)];
+        let mut outline = vec![OutlineSegment::line(a * tangent, a * length)];
         let corners = match self.shape {
             InsertShape::Parallelogram => vec![a * length, (a + b) * length, b * length],
             InsertShape::Triangle => vec![a * length, b * length],
         };
-        outline.extend(corners.windows(2).map(|two| Segment::line(two[0], two[1])));
-        outline.push(Segment::line(b * length, b * tangent));
+        outline.extend(corners.windows(2).map(|two| OutlineSegment::line(two[0], two[1])));
+        outline.push(OutlineSegment::line(b * length, b * tangent));
         if nose > 0.0 {
-            outline.push(Segment::arc(b * tangent, a * tangent, center, true));
+            outline.push(OutlineSegment::arc(b * tangent, a * tangent, center, true));
         }
         // The programmed point lies off the centre as the tip says.
         let point = center - self.tip.to_center() * nose;
-        Tool::convex(&outline, -point)
+        ToolOutline::convex(&outline, -point)
     }
 }
 
 impl Blade {
     /// Its outline.
-    pub fn outline(&self) -> Result<Tool, ToolError> {
+    pub fn outline(&self) -> Result<ToolOutline, ToolError> {
         let (width, length) = (positive("width", self.width)?, positive("length", self.length)?);
         let [lower, upper] = self.corners;
         not_negative("corner radius", lower)?;
@@ -267,16 +267,16 @@ impl Blade {
         let top = [Vec2::new(width, length), Vec2::new(0.0, length)];
         let mut outline = Vec::new();
         if from.distance(to) > width * 1e-12 {
-            outline.push(Segment::line(from, to));
+            outline.push(OutlineSegment::line(from, to));
         }
         if upper > 0.0 {
-            outline.push(Segment::arc(to, sides[1], centers[1], true));
+            outline.push(OutlineSegment::arc(to, sides[1], centers[1], true));
         }
-        outline.push(Segment::line(sides[1], top[0]));
-        outline.push(Segment::line(top[0], top[1]));
-        outline.push(Segment::line(top[1], sides[0]));
+        outline.push(OutlineSegment::line(sides[1], top[0]));
+        outline.push(OutlineSegment::line(top[0], top[1]));
+        outline.push(OutlineSegment::line(top[1], sides[0]));
         if lower > 0.0 {
-            outline.push(Segment::arc(sides[0], from, centers[0], true));
+            outline.push(OutlineSegment::arc(sides[0], from, centers[0], true));
         }
         let at = match self.point {
             BladePoint::Lower => 0.0,
@@ -286,29 +286,29 @@ impl Blade {
         // What is programmed lies on the foremost height, as it is touched off.
         let foremost = if lean >= 0.0 { centers[0].b - lower } else { centers[1].b - upper };
         let point = Vec2::new(at, foremost);
-        let placed: Vec<Segment> =
+        let placed: Vec<OutlineSegment> =
             outline.iter().map(|segment| faced(segment, point, self.facing)).collect();
         let placed = match self.facing {
-            Facing::Outside | Facing::BackFace => placed,
+            BladeFacing::Outside | BladeFacing::BackFace => placed,
             // Mirrored: the other way round.
-            Facing::Inside | Facing::Face => turned_round(&placed),
+            BladeFacing::Inside | BladeFacing::Face => turned_round(&placed),
         };
-        Tool::convex(&placed, Vec2::ZERO)
+        ToolOutline::convex(&placed, Vec2::ZERO)
     }
 }
 
-impl Tool {
+impl ToolOutline {
     /// A round insert of this radius (mm) about its centre; `tip` says which point is programmed.
-    pub fn round(radius: f64, tip: Tip) -> Result<Tool, ToolError> {
+    pub fn round(radius: f64, tip: Tip) -> Result<ToolOutline, ToolError> {
         positive("radius", radius)?;
         let right = Vec2::new(radius, 0.0);
-        let circle = Segment::arc(right, right, Vec2::ZERO, true);
-        Tool::convex(&[circle], tip.to_center() * radius)
+        let circle = OutlineSegment::arc(right, right, Vec2::ZERO, true);
+        ToolOutline::convex(&[circle], tip.to_center() * radius)
     }
 
     /// A drill or a boring cutter on the axis that cuts towards −z, by its diameter (mm), the angle of its
     /// point (rad, π is flat) and its length (mm). The tip is programmed, at r 0.
-    pub fn drill(diameter: f64, point_angle: f64, length: f64) -> Result<Tool, ToolError> {
+    pub fn drill(diameter: f64, point_angle: f64, length: f64) -> Result<ToolOutline, ToolError> {
         let (diameter, length) = (positive("diameter", diameter)?, positive("length", length)?);
         if positive("point angle", point_angle)? > PI {
             return Err(ToolError::TooLarge { what: "point angle", value: point_angle, most: PI });
@@ -324,25 +324,26 @@ impl Tool {
             });
         }
         let corners = [(0.0, 0.0), (length, 0.0), (length, radius), (cone, radius)].map(Vec2::from);
-        Tool::polygon(&corners)
+        ToolOutline::polygon(&corners)
     }
 
     /// The area within corners, in either sense: a holder, a bar, a simple form.
-    pub fn polygon(corners: &[Vec2]) -> Result<Tool, ToolError> {
+    pub fn polygon(corners: &[Vec2]) -> Result<ToolOutline, ToolError> {
         let count = corners.len();
-        let sides: Vec<Segment> =
-            (0..count).map(|at| Segment::line(corners[at], corners[(at + 1) % count])).collect();
-        Tool::form(&sides, 1.0)
+        let sides: Vec<OutlineSegment> = (0..count)
+            .map(|at| OutlineSegment::line(corners[at], corners[(at + 1) % count]))
+            .collect();
+        ToolOutline::form(&sides, 1.0)
     }
 
     /// Any closed outline in either sense: a form tool. Arcs that bend outward, of up to half a turn, are
     /// exact; those that bend inward become chords on the side of the work, at most `chord_error` (mm) off, and
     /// [`bound`](Self::bound) says how much that is.
-    pub fn form(outline: &[Segment], chord_error: f64) -> Result<Tool, ToolError> {
+    pub fn form(outline: &[OutlineSegment], chord_error: f64) -> Result<ToolOutline, ToolError> {
         positive("chord error", chord_error)?;
         for side in [outline.to_vec(), turned_round(outline)] {
-            if let Some(convex) = Convex::of(&side)? {
-                return Ok(Tool { parts: vec![convex], bound: 0.0 });
+            if let Some(convex) = ConvexOutline::of(&side)? {
+                return Ok(ToolOutline { parts: vec![convex], bound: 0.0 });
             }
         }
         let clockwise = signed_area(outline) < 0.0;
@@ -364,8 +365,8 @@ impl Tool {
                 let part = f64::from(piece) / pieces * segment.sweep();
                 let to = if last { segment.end } else { turned(segment.start, bend.center, part) };
                 if bend.counterclockwise {
-                    let arc = Segment::arc(from, to, bend.center, true);
-                    let cap = Convex::of(&[arc, Segment::line(to, from)])?;
+                    let arc = OutlineSegment::arc(from, to, bend.center, true);
+                    let cap = ConvexOutline::of(&[arc, OutlineSegment::line(to, from)])?;
                     parts.push(cap.ok_or(ToolError::NotSimple)?);
                 }
                 if !last {
@@ -375,20 +376,21 @@ impl Tool {
             }
         }
         for triangle in triangles(&corners).ok_or(ToolError::NotSimple)? {
-            let sides = [0, 1, 2].map(|at| Segment::line(triangle[at], triangle[(at + 1) % 3]));
-            parts.extend(Convex::of(&sides)?);
+            let sides =
+                [0, 1, 2].map(|at| OutlineSegment::line(triangle[at], triangle[(at + 1) % 3]));
+            parts.extend(ConvexOutline::of(&sides)?);
         }
-        Ok(Tool { parts, bound })
+        Ok(ToolOutline { parts, bound })
     }
 
-    fn convex(outline: &[Segment], by: Vec2) -> Result<Tool, ToolError> {
-        let convex = Convex::of(outline)?.ok_or(ToolError::NotSimple)?;
-        Ok(Tool { parts: vec![convex.moved(by)], bound: 0.0 })
+    fn convex(outline: &[OutlineSegment], by: Vec2) -> Result<ToolOutline, ToolError> {
+        let convex = ConvexOutline::of(outline)?.ok_or(ToolError::NotSimple)?;
+        Ok(ToolOutline { parts: vec![convex.moved(by)], bound: 0.0 })
     }
 
     /// Both outlines as one tool.
     #[must_use]
-    pub fn with(mut self, other: &Tool) -> Tool {
+    pub fn with(mut self, other: &ToolOutline) -> ToolOutline {
         self.parts.extend(other.parts.iter().cloned());
         self.bound = self.bound.max(other.bound);
         self
@@ -396,24 +398,24 @@ impl Tool {
 
     /// The same with another point programmed: the outline moves by (z, r), mm.
     #[must_use]
-    pub fn moved(self, by: Vec2) -> Tool {
-        Tool { parts: self.parts.into_iter().map(|part| part.moved(by)).collect(), ..self }
+    pub fn moved(self, by: Vec2) -> ToolOutline {
+        ToolOutline { parts: self.parts.into_iter().map(|part| part.moved(by)).collect(), ..self }
     }
 
     /// Mirrored along the axis: for a second spindle.
-    pub fn mirrored(&self) -> Result<Tool, ToolError> {
+    pub fn mirrored(&self) -> Result<ToolOutline, ToolError> {
         self.flipped(true)
     }
 
     /// Mirrored at the axis: for a tool at negative diameters.
-    pub fn across(&self) -> Result<Tool, ToolError> {
+    pub fn across(&self) -> Result<ToolOutline, ToolError> {
         self.flipped(false)
     }
 
-    fn flipped(&self, along_axis: bool) -> Result<Tool, ToolError> {
-        let parts: Option<Vec<Convex>> =
+    fn flipped(&self, along_axis: bool) -> Result<ToolOutline, ToolError> {
+        let parts: Option<Vec<ConvexOutline>> =
             self.parts.iter().map(|part| part.mirrored(along_axis)).collect();
-        Ok(Tool { parts: parts.ok_or(ToolError::NotSimple)?, bound: self.bound })
+        Ok(ToolOutline { parts: parts.ok_or(ToolError::NotSimple)?, bound: self.bound })
     }
 
     /// How far the outline may be off the one that was given, mm: 0 where it is exact.
@@ -424,11 +426,11 @@ impl Tool {
 
     /// The outlines of the convex parts.
     #[must_use]
-    pub fn outlines(&self) -> Vec<Vec<Segment>> {
-        self.parts.iter().map(Convex::outline).collect()
+    pub fn outlines(&self) -> Vec<Vec<OutlineSegment>> {
+        self.parts.iter().map(ConvexOutline::outline).collect()
     }
 
-    pub(crate) fn parts(&self) -> &[Convex] {
+    pub(crate) fn parts(&self) -> &[ConvexOutline] {
         &self.parts
     }
 }
@@ -458,38 +460,40 @@ fn not_negative(what: &'static str, value: f64) -> Result<f64, ToolError> {
 }
 
 /// A blade's outline drawn with its body up, about its programmed point, as it faces.
-fn faced(segment: &Segment, point: Vec2, facing: Facing) -> Segment {
+fn faced(segment: &OutlineSegment, point: Vec2, facing: BladeFacing) -> OutlineSegment {
     let place = |p: Vec2| {
         let p = p - point;
         match facing {
-            Facing::Outside => p,
-            Facing::Inside => Vec2::new(p.a, -p.b),
-            Facing::Face => Vec2::new(p.b, p.a),
-            Facing::BackFace => Vec2::new(-p.b, p.a),
+            BladeFacing::Outside => p,
+            BladeFacing::Inside => Vec2::new(p.a, -p.b),
+            BladeFacing::Face => Vec2::new(p.b, p.a),
+            BladeFacing::BackFace => Vec2::new(-p.b, p.a),
         }
     };
-    let mirrored = matches!(facing, Facing::Inside | Facing::Face);
+    let mirrored = matches!(facing, BladeFacing::Inside | BladeFacing::Face);
     match segment.bend {
-        None => Segment::line(place(segment.start), place(segment.end)),
+        None => OutlineSegment::line(place(segment.start), place(segment.end)),
         Some(bend) => {
             let sense = bend.counterclockwise != mirrored;
-            Segment::arc(place(segment.start), place(segment.end), place(bend.center), sense)
+            OutlineSegment::arc(place(segment.start), place(segment.end), place(bend.center), sense)
         }
     }
 }
 
 /// The outline in the other sense.
-fn turned_round(outline: &[Segment]) -> Vec<Segment> {
-    let back = |segment: &Segment| match segment.bend {
-        None => Segment::line(segment.end, segment.start),
-        Some(bend) => Segment::arc(segment.end, segment.start, bend.center, !bend.counterclockwise),
+fn turned_round(outline: &[OutlineSegment]) -> Vec<OutlineSegment> {
+    let back = |segment: &OutlineSegment| match segment.bend {
+        None => OutlineSegment::line(segment.end, segment.start),
+        Some(bend) => {
+            OutlineSegment::arc(segment.end, segment.start, bend.center, !bend.counterclockwise)
+        }
     };
     outline.iter().rev().map(back).collect()
 }
 
 /// Twice the area within an outline.
-fn signed_area(outline: &[Segment]) -> f64 {
-    let part = |segment: &Segment| {
+fn signed_area(outline: &[OutlineSegment]) -> f64 {
+    let part = |segment: &OutlineSegment| {
         let bulge = segment.bend.map_or(0.0, |bend| {
             let sweep = segment.sweep();
             bend.radius * bend.radius * (sweep - libm::sin(sweep))

@@ -4,14 +4,14 @@ use chordal_geometry::Vec2;
 
 /// Points and which of them are the same. Kept between runs for its memory.
 #[derive(Debug, Default)]
-pub(crate) struct Weld {
+pub(crate) struct PointWeld {
     pub points: Vec<Vec2>,
     /// The first of the points that are the same.
     first: Vec<u32>,
     order: Vec<u32>,
 }
 
-impl Weld {
+impl PointWeld {
     pub fn clear(&mut self) {
         self.points.clear();
     }

@@ -2,7 +2,7 @@
 
 use chordal_geometry::{Arc, Frame, Vec3};
 use chordal_stock::floor::merge;
-use chordal_stock::{Cutter, Span, Sweep};
+use chordal_stock::{CutterProfile, CutterSweep, RemovedSpan};
 
 use crate::moves::{self, KINDS, Kind, Random, SHAPES, Shape};
 
@@ -13,18 +13,24 @@ fn rounds() -> u64 {
 }
 
 /// Whether all of some spans is within others.
-fn within(inner: &[Span], outer: &[Span]) -> bool {
+fn within(inner: &[RemovedSpan], outer: &[RemovedSpan]) -> bool {
     inner
         .iter()
         .all(|span| outer.iter().any(|other| other.floor <= span.floor && span.top <= other.top))
 }
 
-fn merged(mut spans: Vec<Span>) -> Vec<Span> {
+fn merged(mut spans: Vec<RemovedSpan>) -> Vec<RemovedSpan> {
     merge(&mut spans);
     spans
 }
 
-fn check(sweep: &Sweep, middle: [f64; 2], side: f64, random: &mut Random, what: &str) -> bool {
+fn check(
+    sweep: &CutterSweep,
+    middle: [f64; 2],
+    side: f64,
+    random: &mut Random,
+    what: &str,
+) -> bool {
     const COLUMNS: u64 = 12;
     let bounds = sweep.cell_floor(middle, side);
     let (mut surely, mut maybe) = (Vec::new(), Vec::new());
@@ -46,9 +52,12 @@ fn check(sweep: &Sweep, middle: [f64; 2], side: f64, random: &mut Random, what: 
         sweep.spans(place, &mut spans);
         // Where a span is known to the gap only, so is what it may be.
         let shrink = |by: f64| {
-            spans.iter().map(|span| Span { floor: span.floor + by, top: span.top - by }).collect()
+            spans
+                .iter()
+                .map(|span| RemovedSpan { floor: span.floor + by, top: span.top - by })
+                .collect()
         };
-        let (whole, least): (Vec<Span>, Vec<Span>) = (shrink(-GAP), shrink(0.0));
+        let (whole, least): (Vec<RemovedSpan>, Vec<RemovedSpan>) = (shrink(-GAP), shrink(0.0));
         assert!(within(&surely, &merged(whole)), "{place:?} {spans:?} {surely:?} {what}");
         assert!(within(&merged(least), &maybe), "{place:?} {spans:?} {maybe:?} {what}");
     }
@@ -69,13 +78,13 @@ fn no_column_of_a_cell_is_outside_its_bounds() {
                 let middle = moves::place(&curve, cutter.radius(), &mut random);
                 let side = random.between(0.01, 0.5);
                 let what = format!("{cutter:?} {curve:?} {middle:?} {side}");
-                let sweep = Sweep::new(&cutter, &curve, GAP);
+                let sweep = CutterSweep::new(&cutter, &curve, GAP);
                 reached += u64::from(check(&sweep, middle, side, &mut random, &what));
 
                 let cutter = moves::undercut(&mut random);
                 let middle = moves::place(&curve, cutter.radius(), &mut random);
                 let what = format!("{cutter:?} {curve:?} {middle:?} {side}");
-                let sweep = Sweep::of_undercut(&cutter, &curve, GAP);
+                let sweep = CutterSweep::of_undercut(&cutter, &curve, GAP);
                 check(&sweep, middle, side, &mut random, &what);
             }
         }
@@ -92,9 +101,9 @@ fn mean_gap(kind: Kind, shape: Shape, side: f64) -> f64 {
         let cutter = moves::cutter(shape, &mut random);
         let curve = moves::curve(kind, &mut random);
         let middle = moves::place(&curve, 0.7 * cutter.radius(), &mut random);
-        let bounds = Sweep::new(&cutter, &curve, 1e-6).cell_floor(middle, side);
+        let bounds = CutterSweep::new(&cutter, &curve, 1e-6).cell_floor(middle, side);
         // The same cells for all sides: those that a large one reaches.
-        if Sweep::new(&cutter, &curve, 1e-6).cell_floor(middle, 0.25).upper < f64::INFINITY {
+        if CutterSweep::new(&cutter, &curve, 1e-6).cell_floor(middle, 0.25).upper < f64::INFINITY {
             sum += bounds.upper - bounds.lower;
             count += 1;
         }
@@ -122,13 +131,13 @@ fn bounds_close_with_the_side_of_a_cell() {
 /// the push again it is beyond the rim by rounding, and was not counted.
 #[test]
 fn the_rim_of_a_pushed_cutter_counts() {
-    let flat = Cutter::flat(3.76017863078379).unwrap();
+    let flat = CutterProfile::flat(3.76017863078379).unwrap();
     let (sine, cosine) = libm::sincos(0.2490610411948797);
     let center = Vec3::new(-15.070943442608073, -4.508585269673651, 6.823557612994016);
     let towards = Vec3::Z * cosine + Vec3::X * sine;
     let frame = Frame::from_normal(center, Vec3::Y, towards).unwrap();
     let hill = Arc::new(frame, 10.363389637542303, -0.7586677991447726, 0.0).into();
-    let sweep = Sweep::new(&flat, &hill, 1e-6);
+    let sweep = CutterSweep::new(&flat, &hill, 1e-6);
     let (middle, side) = ([-17.242791246112418, -5.6651598581193126], 0.9790640104599871);
     let floor = sweep.floor([-17.73232325085288, -5.908649322239445]).unwrap();
     let bounds = sweep.cell_floor(middle, side);

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, SplinePiece, Vec3};
-use chordal_stock::{Cutter, Undercut};
+use chordal_stock::{CutterProfile, Undercut};
 
 /// Numbers that look random (splitmix64).
 pub struct Random(u64);
@@ -49,15 +49,15 @@ pub enum Shape {
 pub const SHAPES: [Shape; 5] =
     [Shape::Flat, Shape::Ball, Shape::Bull, Shape::Pointed, Shape::Outline];
 
-pub fn cutter(shape: Shape, random: &mut Random) -> Cutter {
+pub fn cutter(shape: Shape, random: &mut Random) -> CutterProfile {
     let diameter = random.between(1.0, 12.0);
     let cutter = match shape {
-        Shape::Flat => Cutter::flat(diameter),
-        Shape::Ball => Cutter::ball(diameter),
-        Shape::Bull => Cutter::bull(diameter, random.between(0.02, 0.5) * diameter),
+        Shape::Flat => CutterProfile::flat(diameter),
+        Shape::Ball => CutterProfile::ball(diameter),
+        Shape::Bull => CutterProfile::bull(diameter, random.between(0.02, 0.5) * diameter),
         Shape::Pointed => {
             let tip = if random.below(2) == 0 { 0.0 } else { random.between(0.0, 0.9) * diameter };
-            Cutter::pointed(diameter, tip, random.between(0.3, 3.0))
+            CutterProfile::pointed(diameter, tip, random.between(0.3, 3.0))
         }
         // Hollow, bulged and stepped ones.
         Shape::Outline => {
@@ -72,7 +72,7 @@ pub fn cutter(shape: Shape, random: &mut Random) -> Cutter {
                 points.push(at);
             }
             points.push([at[0] + 0.5, at[1] + 1.0]);
-            Cutter::outline(&points)
+            CutterProfile::outline(&points)
         }
     };
     cutter.unwrap()

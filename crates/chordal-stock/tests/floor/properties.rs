@@ -3,8 +3,8 @@
 use chordal_geometry::{
     Arc, Curve, Frame, Line, ParamCurve, Placement, Spiral, SplinePiece, Transform, Vec3,
 };
-use chordal_stock::floor::{At, Lowest};
-use chordal_stock::{Cutter, Sweep};
+use chordal_stock::floor::{LowestLocation, LowestPoint};
+use chordal_stock::{CutterProfile, CutterSweep};
 use proptest::prelude::*;
 
 use crate::moves::{self, KINDS, Random, SHAPES};
@@ -19,7 +19,7 @@ fn cases() -> u32 {
 }
 
 /// A cutter, a move and a column that is not just at the rim.
-fn case(seed: u64, kind: usize, shape: usize) -> (Cutter, Curve, [f64; 2]) {
+fn case(seed: u64, kind: usize, shape: usize) -> (CutterProfile, Curve, [f64; 2]) {
     let mut random = Random::new(seed);
     let cutter = moves::cutter(SHAPES[shape], &mut random);
     let curve = moves::curve(KINDS[kind], &mut random);
@@ -27,12 +27,12 @@ fn case(seed: u64, kind: usize, shape: usize) -> (Cutter, Curve, [f64; 2]) {
     (cutter, curve, place)
 }
 
-fn lowest(cutter: &Cutter, curve: &Curve, place: [f64; 2]) -> Option<Lowest> {
-    Sweep::new(cutter, curve, GAP).lowest(place)
+fn lowest(cutter: &CutterProfile, curve: &Curve, place: [f64; 2]) -> Option<LowestPoint> {
+    CutterSweep::new(cutter, curve, GAP).lowest(place)
 }
 
 /// Two brackets of one truth overlap.
-fn agree(one: Option<Lowest>, other: Option<Lowest>) -> bool {
+fn agree(one: Option<LowestPoint>, other: Option<LowestPoint>) -> bool {
     match (one, other) {
         (None, None) => true,
         (Some(a), Some(b)) => a.lower <= b.upper + SAME && b.lower <= a.upper + SAME,
@@ -40,19 +40,19 @@ fn agree(one: Option<Lowest>, other: Option<Lowest>) -> bool {
     }
 }
 
-fn least(of: impl IntoIterator<Item = Option<Lowest>>) -> Option<Lowest> {
-    of.into_iter().flatten().reduce(|a, b| Lowest {
+fn least(of: impl IntoIterator<Item = Option<LowestPoint>>) -> Option<LowestPoint> {
+    of.into_iter().flatten().reduce(|a, b| LowestPoint {
         lower: a.lower.min(b.lower),
         upper: a.upper.min(b.upper),
-        at: At::Between,
+        at: LowestLocation::Between,
     })
 }
 
-fn swapped(at: At) -> At {
+fn swapped(at: LowestLocation) -> LowestLocation {
     match at {
-        At::Start => At::End,
-        At::Between => At::Between,
-        At::End => At::Start,
+        LowestLocation::Start => LowestLocation::End,
+        LowestLocation::Between => LowestLocation::Between,
+        LowestLocation::End => LowestLocation::Start,
     }
 }
 
@@ -82,7 +82,7 @@ proptest! {
         let both = least(parts);
         prop_assert!(agree(whole, both), "{whole:?} {both:?}");
         // What is left to a neighbour is there.
-        if let [Some(first), _] = parts && first.at == At::End {
+        if let [Some(first), _] = parts && first.at == LowestLocation::End {
             let after = parts[1].map_or(f64::INFINITY, |low| low.upper);
             prop_assert!(after <= first.upper + GAP, "{parts:?}");
         }
@@ -112,11 +112,11 @@ proptest! {
         const INCH: f64 = 25.4;
         let (_, curve, place) = case(seed, kind, 0);
         let small = curve.transformed(&Transform::scale(1.0 / INCH).unwrap());
-        for make in [Cutter::flat, Cutter::ball] {
+        for make in [CutterProfile::flat, CutterProfile::ball] {
             let here = lowest(&make(diameter).unwrap(), &curve, place);
             let there = lowest(&make(diameter / INCH).unwrap(), &small, place.map(|x| x / INCH));
             let there = there.map(|low| {
-                Lowest { lower: low.lower * INCH, upper: low.upper * INCH, at: low.at }
+                LowestPoint { lower: low.lower * INCH, upper: low.upper * INCH, at: low.at }
             });
             // At the rim it is for rounding to say.
             if here.is_some() && there.is_some() {
@@ -147,7 +147,7 @@ proptest! {
         curves.extend(SplinePiece::new(&points, &[1.0; 3]).map(Curve::from));
         for curve in curves {
             for place in [[0.0, 0.0], [number(), number()]] {
-                let sweep = Sweep::new(&cutter, &curve, 1e-3);
+                let sweep = CutterSweep::new(&cutter, &curve, 1e-3);
                 let mut out = Vec::new();
                 sweep.spans(place, &mut out);
                 let low = sweep.lowest(place);
@@ -172,13 +172,13 @@ proptest! {
         }).collect();
         let middle = &chain[random.below(count as u64) as usize];
         let place = moves::place(middle, cutter.radius(), &mut random);
-        let lows: Vec<Option<Lowest>> =
+        let lows: Vec<Option<LowestPoint>> =
             chain.iter().map(|curve| lowest(&cutter, curve, place)).collect();
         let at = |k: usize| lows[k].map(|low| low.at);
         // What is lowest at an end is left to the neighbour there, but not by both of them.
         let is_left = |k: usize| match at(k) {
-            Some(At::End) => k + 1 < count,
-            Some(At::Start) => k > 0 && at(k - 1) != Some(At::End),
+            Some(LowestLocation::End) => k + 1 < count,
+            Some(LowestLocation::Start) => k > 0 && at(k - 1) != Some(LowestLocation::End),
             _ => false,
         };
         let plain = least(lows.iter().copied());
@@ -195,14 +195,14 @@ proptest! {
         let corner = random.between(0.1, 0.9) * radius;
         // The cutter with all its sides moved outwards; its tip comes to lie lower by as much.
         let moved = |by: f64| match shape {
-            0 => Cutter::flat(2.0 * (radius + by)),
-            1 => Cutter::ball(2.0 * (radius + by)),
-            _ => Cutter::bull(2.0 * (radius + by), corner + by),
+            0 => CutterProfile::flat(2.0 * (radius + by)),
+            1 => CutterProfile::ball(2.0 * (radius + by)),
+            _ => CutterProfile::bull(2.0 * (radius + by), corner + by),
         }.unwrap();
         let curve = moves::curve(KINDS[kind], &mut random);
         let place = moves::place(&curve, radius, &mut random);
         let corners: Vec<Vec3> = curve.chords(sagitta, Placement::Inscribed).unwrap().collect();
-        let along = |cutter: &Cutter| {
+        let along = |cutter: &CutterProfile| {
             let chord = |pair: &[Vec3]| {
                 lowest(cutter, &Line::new(pair[0], pair[1]).into(), place).map(|low| low.upper)
             };

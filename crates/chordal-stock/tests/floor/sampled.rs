@@ -2,8 +2,8 @@
 //!
 //! More cases: `CHORDAL_ROUNDS=20000 cargo test --release -p chordal-stock --test floor sampled -- --nocapture`.
 
-use chordal_stock::floor::At;
-use chordal_stock::{Span, Sweep};
+use chordal_stock::floor::LowestLocation;
+use chordal_stock::{CutterSweep, RemovedSpan};
 
 use crate::moves::{self, KINDS, Kind, Random, SHAPES, Shape};
 use crate::sampler;
@@ -42,7 +42,7 @@ fn check(kind: Kind, shape: Shape) {
         if over.grazes {
             continue;
         }
-        let sweep = Sweep::new(&cutter, &curve, GAP);
+        let sweep = CutterSweep::new(&cutter, &curve, GAP);
         let lowest = sweep.lowest(place);
         let what =
             || format!("{kind:?} {shape:?} {round}: {lowest:?}\n{cutter:?}\n{curve:?}\n{place:?}");
@@ -60,7 +60,7 @@ fn check(kind: Kind, shape: Shape) {
         worst = worst.max(off);
         assert!(off <= SAME, "off by {off:e}: sampled {floor}, {}", what());
         // Where it is: no end is lower than what is between.
-        for (at, share) in [(At::Start, 0.0), (At::End, 1.0)] {
+        for (at, share) in [(LowestLocation::Start, 0.0), (LowestLocation::End, 1.0)] {
             if lowest.at == at {
                 let p = moves::point(&curve, share);
                 let (x, y) = (p.x - place[0], p.y - place[1]);
@@ -80,7 +80,7 @@ fn check(kind: Kind, shape: Shape) {
 }
 
 fn compare(
-    spans: &[Span],
+    spans: &[RemovedSpan],
     windows: &[sampler::Sampled],
     worst: &mut f64,
     what: &dyn Fn() -> String,
@@ -135,7 +135,7 @@ fn undercuts_on_every_kind_of_move() {
             if over.grazes {
                 continue;
             }
-            let sweep = Sweep::of_undercut(&cutter, &curve, GAP);
+            let sweep = CutterSweep::of_undercut(&cutter, &curve, GAP);
             let mut spans = Vec::new();
             sweep.spans(place, &mut spans);
             let what = || format!("{kind:?} {round}\n{cutter:?}\n{curve:?}\n{place:?}");

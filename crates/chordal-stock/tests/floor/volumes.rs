@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use chordal_geometry::{Arc, Curve, Frame, Line, Vec3};
 use chordal_stock::floor::merge;
-use chordal_stock::{Cutter, Span, Sweep, Undercut};
+use chordal_stock::{CutterProfile, CutterSweep, RemovedSpan, Undercut};
 
 /// Side of a column, mm.
 const STEP: f64 = 0.05;
@@ -15,13 +15,13 @@ const STEP: f64 = 0.05;
 const FINE: f64 = 0.01;
 
 /// What some moves remove below z = 0 from a box in plan.
-fn volume(sweeps: &[Sweep], from: [f64; 2], to: [f64; 2]) -> f64 {
+fn volume(sweeps: &[CutterSweep], from: [f64; 2], to: [f64; 2]) -> f64 {
     by_columns(sweeps, from, to, STEP)
 }
 
-fn by_columns(sweeps: &[Sweep], from: [f64; 2], to: [f64; 2], step: f64) -> f64 {
+fn by_columns(sweeps: &[CutterSweep], from: [f64; 2], to: [f64; 2], step: f64) -> f64 {
     let count = [0, 1].map(|k| ((to[k] - from[k]) / step).round() as usize);
-    let mut spans: Vec<Span> = Vec::new();
+    let mut spans: Vec<RemovedSpan> = Vec::new();
     let mut sum = 0.0;
     for i in 0..count[0] {
         for j in 0..count[1] {
@@ -42,10 +42,10 @@ fn line(from: [f64; 3], to: [f64; 3]) -> Curve {
 }
 
 /// A groove of 60 mm by a cutter at a depth, with both its ends.
-fn groove(cutter: &Cutter, depth: f64) -> f64 {
+fn groove(cutter: &CutterProfile, depth: f64) -> f64 {
     let along = line([0.0, 0.0, -depth], [60.0, 0.0, -depth]);
     let reach = 6.0;
-    volume(&[Sweep::new(cutter, &along, 1e-6)], [-reach, -reach], [60.0 + reach, reach])
+    volume(&[CutterSweep::new(cutter, &along, 1e-6)], [-reach, -reach], [60.0 + reach, reach])
 }
 
 fn near(found: f64, expected: f64, share: f64) {
@@ -60,52 +60,60 @@ const SMOOTH: f64 = 3e-5;
 
 #[test]
 fn slots_and_grooves() {
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     near(groove(&flat, 5.0), 3392.699, WALLS);
-    let ball = Cutter::ball(10.0).unwrap();
+    let ball = CutterProfile::ball(10.0).unwrap();
     near(groove(&ball, 3.0), 1302.107, SMOOTH);
     near(groove(&ball, 7.0), 3975.074, WALLS);
-    near(groove(&Cutter::bull(10.0, 2.0).unwrap(), 5.0), 3265.132, WALLS);
-    let vee = Cutter::pointed(10.0, 0.0, FRAC_PI_2).unwrap();
+    near(groove(&CutterProfile::bull(10.0, 2.0).unwrap(), 5.0), 3265.132, WALLS);
+    let vee = CutterProfile::pointed(10.0, 0.0, FRAC_PI_2).unwrap();
     near(groove(&vee, 3.0), 568.274, SMOOTH);
 }
 
 #[test]
 fn through_and_across() {
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     let one = line([-10.0, 30.0, -5.0], [110.0, 30.0, -5.0]);
     let two = line([50.0, -10.0, -5.0], [50.0, 70.0, -5.0]);
-    let sweeps = [Sweep::new(&flat, &one, 1e-6), Sweep::new(&flat, &two, 1e-6)];
+    let sweeps = [CutterSweep::new(&flat, &one, 1e-6), CutterSweep::new(&flat, &two, 1e-6)];
     near(volume(&sweeps[..1], [0.0, 0.0], [100.0, 60.0]), 5000.0, 1e-9);
     near(volume(&sweeps, [0.0, 0.0], [100.0, 60.0]), 7500.0, 1e-9);
 }
 
 #[test]
 fn drills_and_ramps() {
-    let drill = Cutter::pointed(10.0, 0.0, 118.0_f64.to_radians()).unwrap();
+    let drill = CutterProfile::pointed(10.0, 0.0, 118.0_f64.to_radians()).unwrap();
     let plunge = line([0.0, 0.0, 2.0], [0.0, 0.0, -20.0]);
-    let hole = by_columns(&[Sweep::new(&drill, &plunge, 1e-6)], [-6.0, -6.0], [6.0, 6.0], FINE);
+    let hole =
+        by_columns(&[CutterSweep::new(&drill, &plunge, 1e-6)], [-6.0, -6.0], [6.0, 6.0], FINE);
     near(hole, 1413.491, WALLS);
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     let ramp = line([0.0, 0.0, 0.0], [60.0, 0.0, -6.0]);
-    near(volume(&[Sweep::new(&flat, &ramp, 1e-6)], [-6.0, -6.0], [66.0, 6.0]), 2271.239, WALLS);
+    near(
+        volume(&[CutterSweep::new(&flat, &ramp, 1e-6)], [-6.0, -6.0], [66.0, 6.0]),
+        2271.239,
+        WALLS,
+    );
 }
 
 #[test]
 fn arcs_and_bores() {
     let quarter =
         Arc::new(Frame { origin: Vec3::Z * -4.0, ..Frame::IDENTITY }, 20.0, FRAC_PI_2, 0.0);
-    let flat = Cutter::flat(6.0).unwrap();
-    let slot = volume(&[Sweep::new(&flat, &quarter.into(), 1e-6)], [-4.0, -4.0], [24.0, 24.0]);
+    let flat = CutterProfile::flat(6.0).unwrap();
+    let slot =
+        volume(&[CutterSweep::new(&flat, &quarter.into(), 1e-6)], [-4.0, -4.0], [24.0, 24.0]);
     near(slot, 867.080, WALLS);
     // Five turns of pitch 2, and one on the floor.
-    let flat = Cutter::flat(10.0).unwrap();
+    let flat = CutterProfile::flat(10.0).unwrap();
     for (radius, with, without) in [(8.0, 5026.548, 4667.323), (4.0, 2544.690, 2415.713)] {
         let helix = Arc::new(Frame::IDENTITY, radius, 5.0 * TAU, -10.0);
         let floor =
             Arc::new(Frame { origin: Vec3::Z * -10.0, ..Frame::IDENTITY }, radius, TAU, 0.0);
-        let sweeps =
-            [Sweep::new(&flat, &helix.into(), 1e-6), Sweep::new(&flat, &floor.into(), 1e-6)];
+        let sweeps = [
+            CutterSweep::new(&flat, &helix.into(), 1e-6),
+            CutterSweep::new(&flat, &floor.into(), 1e-6),
+        ];
         near(volume(&sweeps, [-14.0, -14.0], [14.0, 14.0]), with, WALLS);
         near(volume(&sweeps[..1], [-14.0, -14.0], [14.0, 14.0]), without, WALLS);
     }
@@ -113,18 +121,22 @@ fn arcs_and_bores() {
 
 #[test]
 fn undercuts() {
-    let slot = Cutter::flat(10.0).unwrap();
+    let slot = CutterProfile::flat(10.0).unwrap();
     let under = Undercut::t_slot(20.0, 4.0, 9.0).unwrap();
     let along = line([-20.0, 0.0, -12.0], [120.0, 0.0, -12.0]);
-    let sweeps = [Sweep::new(&slot, &along, 1e-6), Sweep::of_undercut(&under, &along, 1e-6)];
+    let sweeps =
+        [CutterSweep::new(&slot, &along, 1e-6), CutterSweep::of_undercut(&under, &along, 1e-6)];
     let [from, to] = [[0.0, -12.0], [100.0, 12.0]];
     near(volume(&sweeps, from, to) - volume(&sweeps[..1], from, to), 4000.0, 1e-9);
 
     // A lollipop whose neck has a slot of its width above it: the area across, on a length of 10.
     let ball = Undercut::lollipop(6.0, 3.0).unwrap();
-    let neck = Cutter::flat(3.0).unwrap();
+    let neck = CutterProfile::flat(3.0).unwrap();
     let at = |z: f64| line([-10.0, 0.0, z], [20.0, 0.0, z]);
-    let sweeps = [Sweep::of_undercut(&ball, &at(-9.0), 1e-6), Sweep::new(&neck, &at(-6.0), 1e-6)];
+    let sweeps = [
+        CutterSweep::of_undercut(&ball, &at(-9.0), 1e-6),
+        CutterSweep::new(&neck, &at(-6.0), 1e-6),
+    ];
     near(volume(&sweeps, [0.0, -4.0], [10.0, 4.0]) / 10.0, 37.664_831, 3e-4);
 
     // A thread beyond the bore of R13, by turn: two whole turns less the two that are whole already.
@@ -132,7 +144,7 @@ fn undercuts() {
     let deep = Frame { origin: Vec3::Z * -60.0, ..Frame::IDENTITY };
     let turns = |count: f64| -> Curve { Arc::new(deep, 6.0, count * TAU, 3.0 * count).into() };
     let beyond = |curve: &Curve| {
-        let sweep = Sweep::of_undercut(&disc, curve, 1e-6);
+        let sweep = CutterSweep::of_undercut(&disc, curve, 1e-6);
         let mut spans = Vec::new();
         let mut sum = 0.0;
         let count = (34.0 / STEP) as usize;
@@ -155,9 +167,9 @@ fn undercuts() {
 #[test]
 fn scallops() {
     // R3 at a step of 0.5: the ridge, and the mean over the step.
-    let ball = Cutter::ball(6.0).unwrap();
+    let ball = CutterProfile::ball(6.0).unwrap();
     let sweeps = [0.0, 0.5].map(|y| line([-10.0, y, 0.0], [10.0, y, 0.0]));
-    let sweeps = sweeps.each_ref().map(|curve| Sweep::new(&ball, curve, 1e-6));
+    let sweeps = sweeps.each_ref().map(|curve| CutterSweep::new(&ball, curve, 1e-6));
     let floor = |y: f64| sweeps.iter().filter_map(|s| s.floor([0.0, y])).fold(1.0, f64::min);
     assert!((floor(0.25) - 0.010_435).abs() < 5e-7);
     let count = 10_000;

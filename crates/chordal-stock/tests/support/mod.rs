@@ -4,7 +4,7 @@
 pub mod surface;
 
 use chordal_geometry::{Aabb, Curve, Line, ParamCurve, Vec3};
-use chordal_stock::{Cutter, Mode, Move, Options, Stock};
+use chordal_stock::{ColumnOptions, ColumnStock, CutterProfile, Mode, TipMove};
 
 /// Numbers that look random: the same in every run.
 pub struct Random(pub u64);
@@ -26,29 +26,33 @@ pub fn point([x, y, z]: [f64; 3]) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-pub fn line(from: [f64; 3], to: [f64; 3]) -> Move {
-    Move { curve: Curve::Line(Line::new(point(from), point(to))), tag: 0 }
+pub fn line(from: [f64; 3], to: [f64; 3]) -> TipMove {
+    TipMove { curve: Curve::Line(Line::new(point(from), point(to))), tag: 0 }
 }
 
 /// Moves along corners.
-pub fn path(corners: &[[f64; 3]]) -> Vec<Move> {
+pub fn path(corners: &[[f64; 3]]) -> Vec<TipMove> {
     corners.windows(2).map(|two| line(two[0], two[1])).collect()
 }
 
 pub const BUDGET: u64 = 1 << 30;
 
-pub fn stock(min: [f64; 3], max: [f64; 3], resolution: f64) -> Stock {
-    Stock::new(Aabb { min: point(min), max: point(max) }, Options::new(resolution, BUDGET)).unwrap()
+pub fn stock(min: [f64; 3], max: [f64; 3], resolution: f64) -> ColumnStock {
+    ColumnStock::new(
+        Aabb { min: point(min), max: point(max) },
+        ColumnOptions::new(resolution, BUDGET),
+    )
+    .unwrap()
 }
 
-pub fn sampled(min: [f64; 3], max: [f64; 3], resolution: f64) -> Stock {
-    let options = Options { mode: Mode::Sampled, ..Options::new(resolution, BUDGET) };
-    Stock::new(Aabb { min: point(min), max: point(max) }, options).unwrap()
+pub fn sampled(min: [f64; 3], max: [f64; 3], resolution: f64) -> ColumnStock {
+    let options = ColumnOptions { mode: Mode::Sampled, ..ColumnOptions::new(resolution, BUDGET) };
+    ColumnStock::new(Aabb { min: point(min), max: point(max) }, options).unwrap()
 }
 
 /// The floor at a place: the least height of the cutter's surface over many places of the path, and over many
 /// more between the neighbours of the best ones. Never below the truth.
-pub fn floor(cutter: &Cutter, curve: &Curve, [x, y]: [f64; 2], places: u32) -> f64 {
+pub fn floor(cutter: &CutterProfile, curve: &Curve, [x, y]: [f64; 2], places: u32) -> f64 {
     const ROUNDS: u32 = 7;
     const BEST: usize = 3;
     let length = curve.length();
@@ -85,15 +89,22 @@ pub fn floor(cutter: &Cutter, curve: &Curve, [x, y]: [f64; 2], places: u32) -> f
     least
 }
 
-pub fn cutters() -> Vec<Cutter> {
+pub fn cutters() -> Vec<CutterProfile> {
     vec![
-        Cutter::flat(4.0).unwrap(),
-        Cutter::ball(4.0).unwrap(),
-        Cutter::bull(4.0, 0.7).unwrap(),
-        Cutter::pointed(4.0, 0.0, 118_f64.to_radians()).unwrap(),
-        Cutter::pointed(4.0, 1.0, 90_f64.to_radians()).unwrap(),
+        CutterProfile::flat(4.0).unwrap(),
+        CutterProfile::ball(4.0).unwrap(),
+        CutterProfile::bull(4.0, 0.7).unwrap(),
+        CutterProfile::pointed(4.0, 0.0, 118_f64.to_radians()).unwrap(),
+        CutterProfile::pointed(4.0, 1.0, 90_f64.to_radians()).unwrap(),
         // A hollow outline, with a step.
-        Cutter::outline(&[[0.0, 0.0], [0.5, 0.8], [0.9, 0.9], [1.4, 0.9], [1.5, 1.5], [4.0, 2.0]])
-            .unwrap(),
+        CutterProfile::outline(&[
+            [0.0, 0.0],
+            [0.5, 0.8],
+            [0.9, 0.9],
+            [1.4, 0.9],
+            [1.5, 1.5],
+            [4.0, 2.0],
+        ])
+        .unwrap(),
     ]
 }

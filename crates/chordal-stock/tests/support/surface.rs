@@ -1,6 +1,6 @@
 //! Finishing a wavy surface: a raster of lines along X, there and back.
 
-use chordal_stock::Move;
+use chordal_stock::TipMove;
 
 /// The side of the surface, mm.
 pub const SIDE: f64 = 60.0;
@@ -15,12 +15,12 @@ fn height(x: f64, y: f64) -> f64 {
 }
 
 /// The moves of the whole surface, in lines of about one length, mm.
-pub fn raster(length: f64) -> Vec<Move> {
+pub fn raster(length: f64) -> Vec<TipMove> {
     raster_of([SIDE, SIDE], length)
 }
 
 /// The same on so much along X and Y, mm.
-pub fn raster_of([width, depth]: [f64; 2], length: f64) -> Vec<Move> {
+pub fn raster_of([width, depth]: [f64; 2], length: f64) -> Vec<TipMove> {
     let rows = (depth / STEP).round() as u32;
     let lines = (width / length).round() as u32;
     let mut corners = Vec::new();

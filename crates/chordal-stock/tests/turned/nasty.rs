@@ -2,8 +2,8 @@
 
 use chordal_geometry::Vec2;
 use chordal_stock::turned::{
-    Bend, Combined, Insert, InsertShape, Region, RegionError, Segment, Tip, Tool, Turned,
-    Unresolved,
+    CombinedRegion, Insert, InsertShape, LatheStock, OutlineSegment, OverlayError, Region,
+    RegionError, SegmentArc, Tip, ToolOutline,
 };
 
 use crate::shop::{Random, at, bar, near, point, rounds};
@@ -31,7 +31,7 @@ fn place(random: &mut Random, sloppy: i32) -> Vec2 {
 }
 
 /// Corners joined by lines and arcs. Some cross themselves.
-fn loop_of(random: &mut Random, corners: &[Vec2]) -> Vec<Segment> {
+fn loop_of(random: &mut Random, corners: &[Vec2]) -> Vec<OutlineSegment> {
     let count = corners.len();
     (0..count)
         .map(|side| {
@@ -39,9 +39,9 @@ fn loop_of(random: &mut Random, corners: &[Vec2]) -> Vec<Segment> {
             let half = (from + to) * 0.5;
             let aside = (to - from).turned_left();
             match random.below(4) {
-                0 => Segment::arc(from, to, half + aside * random.between(0.5, 4.0), true),
-                1 => Segment::arc(from, to, half, random.below(2) == 0),
-                _ => Segment::line(from, to),
+                0 => OutlineSegment::arc(from, to, half + aside * random.between(0.5, 4.0), true),
+                1 => OutlineSegment::arc(from, to, half, random.below(2) == 0),
+                _ => OutlineSegment::line(from, to),
             }
         })
         .collect()
@@ -57,7 +57,12 @@ fn shape(random: &mut Random, sloppy: i32) -> Result<Region, RegionError> {
             let center = place(random, sloppy);
             let radius = [1.0, 2.0, center.b, random.between(0.1, 3.0)][random.below(4)];
             let right = center + at(radius, 0.0);
-            Region::contour(&[vec![Segment::arc(right, right, center, random.below(2) == 0)]])
+            Region::contour(&[vec![OutlineSegment::arc(
+                right,
+                right,
+                center,
+                random.below(2) == 0,
+            )]])
         }
         2 => {
             let corners = [0; 3].map(|_| place(random, sloppy));
@@ -78,7 +83,7 @@ fn shape(random: &mut Random, sloppy: i32) -> Result<Region, RegionError> {
     }
 }
 
-fn combine(random: &mut Random, a: &Region, b: &Region) -> Result<Combined, Unresolved> {
+fn combine(random: &mut Random, a: &Region, b: &Region) -> Result<CombinedRegion, OverlayError> {
     match random.below(3) {
         0 => a.difference(b),
         1 => a.union(b),
@@ -87,7 +92,7 @@ fn combine(random: &mut Random, a: &Region, b: &Region) -> Result<Combined, Unre
 }
 
 /// Areas of all results fit together, and points are where they belong.
-fn check(random: &mut Random, a: &Region, b: &Region) -> Result<(), Unresolved> {
+fn check(random: &mut Random, a: &Region, b: &Region) -> Result<(), OverlayError> {
     let (less, both, either) = (a.difference(b)?, a.intersection(b)?, a.union(b)?);
     let shifted = less.bound.max(both.bound).max(either.bound);
     let off = 1e-8 + 100.0 * shifted;
@@ -108,7 +113,7 @@ fn check(random: &mut Random, a: &Region, b: &Region) -> Result<(), Unresolved> 
 
 fn distance(region: &Region, p: Vec2) -> f64 {
     let sides = region.outline();
-    let off = |side: &Segment| match side.bend {
+    let off = |side: &OutlineSegment| match side.bend {
         None => {
             let along = side.end - side.start;
             let share = ((p - side.start).dot(along) / along.dot(along)).clamp(0.0, 1.0);
@@ -140,7 +145,7 @@ fn random_booleans_of_nasty_regions() {
             done += 3;
             match check(&mut random, &all, other) {
                 Ok(()) => {}
-                Err(Unresolved) => unresolved += 1,
+                Err(OverlayError) => unresolved += 1,
             }
             done += 1;
             if let Ok(combined) = combine(&mut random, &all, other) {
@@ -181,20 +186,21 @@ fn the_same_profile_many_times() {
         };
         let tool = insert.outline().unwrap();
         let profile = [
-            Segment::line(at(1.0, 10.0), at(-10.0, 10.0)),
-            Segment::arc(at(-10.0, 10.0), at(-15.0, 15.0), at(-10.0, 15.0), false),
-            Segment::line(at(-15.0, 15.0), at(-15.0, 18.0)),
-            Segment::arc(at(-15.0, 18.0), at(-17.0, 20.0), at(-17.0, 18.0), true),
-            Segment::line(at(-17.0, 20.0), at(-40.0, 20.0)),
-            Segment::line(at(-40.0, 20.0), at(1.0, 20.0)),
+            OutlineSegment::line(at(1.0, 10.0), at(-10.0, 10.0)),
+            OutlineSegment::arc(at(-10.0, 10.0), at(-15.0, 15.0), at(-10.0, 15.0), false),
+            OutlineSegment::line(at(-15.0, 15.0), at(-15.0, 18.0)),
+            OutlineSegment::arc(at(-15.0, 18.0), at(-17.0, 20.0), at(-17.0, 18.0), true),
+            OutlineSegment::line(at(-17.0, 20.0), at(-40.0, 20.0)),
+            OutlineSegment::line(at(-40.0, 20.0), at(1.0, 20.0)),
         ];
         let mut stock = bar(22.0, -60.0, 0.0);
         let mut areas = Vec::new();
         for _ in 0..4 {
             for side in &profile {
                 let off = at(random.between(-1.0, 1.0), random.between(-1.0, 1.0)) * sloppy;
-                let bend = side.bend.map(|bend| Bend { center: bend.center + off, ..bend });
-                let path = Segment { start: side.start + off, end: side.end + off, bend, ..*side };
+                let bend = side.bend.map(|bend| SegmentArc { center: bend.center + off, ..bend });
+                let path =
+                    OutlineSegment { start: side.start + off, end: side.end + off, bend, ..*side };
                 let pass = stock.cut(&tool, &path).unwrap();
                 bounds += u64::from(pass.bound > 0.0);
             }
@@ -251,15 +257,17 @@ fn passes_of_any_numbers_do_not_panic() {
         };
         let tools = [
             insert.outline(),
-            Tool::polygon(&[from, to, center]),
-            Tool::drill(numbers[0], numbers[1], numbers[2]),
-            Tool::round(numbers[0], Tip::new(0).unwrap()),
+            ToolOutline::polygon(&[from, to, center]),
+            ToolOutline::drill(numbers[0], numbers[1], numbers[2]),
+            ToolOutline::round(numbers[0], Tip::new(0).unwrap()),
             Ok(point()),
         ];
         let mut stock = bar(10.0, -20.0, 0.0);
         let before = stock.volume();
         for tool in tools.into_iter().flatten() {
-            for path in [Segment::line(from, to), Segment::arc(from, to, center, true)] {
+            for path in
+                [OutlineSegment::line(from, to), OutlineSegment::arc(from, to, center, true)]
+            {
                 if let Ok(pass) = stock.cut(&tool, &path) {
                     answered += 1;
                     assert!(pass.area >= -1e-6 && pass.volume >= -1e-6, "{pass:?}");
@@ -273,6 +281,6 @@ fn passes_of_any_numbers_do_not_panic() {
     assert!(answered > rounds / 2, "{answered}");
 }
 
-fn bound_of(stock: &Turned) -> (Vec2, Vec2) {
+fn bound_of(stock: &LatheStock) -> (Vec2, Vec2) {
     stock.region().bounds().unwrap_or((Vec2::ZERO, Vec2::ZERO))
 }

@@ -1,7 +1,7 @@
 //! What must not matter: where a move is divided, its sense, the order of passes that do not meet, which way
 //! z points; and that twice the same takes nothing.
 
-use chordal_stock::turned::{Bend, Region, Segment, Turned};
+use chordal_stock::turned::{LatheStock, OutlineSegment, Region, SegmentArc};
 
 use crate::raster::{LENGTH, RADIUS, random_path, random_place, random_tool};
 use crate::shop::{Random, at, bar, near, point, rounds};
@@ -9,7 +9,7 @@ use crate::shop::{Random, at, bar, near, point, rounds};
 /// Areas of regions that are the same differ by no more, mm².
 const SAME: f64 = 1e-7;
 
-fn same(one: &Turned, two: &Turned, what: &str) {
+fn same(one: &LatheStock, two: &LatheStock, what: &str) {
     let (one, two) = (one.region(), two.region());
     for (less, other) in [(&one, &two), (&two, &one)] {
         let off = less.difference(other).unwrap().region.area();
@@ -18,7 +18,7 @@ fn same(one: &Turned, two: &Turned, what: &str) {
 }
 
 /// Two parts of a path, divided at a place on it.
-fn parts(path: &Segment, share: f64) -> [Segment; 2] {
+fn parts(path: &OutlineSegment, share: f64) -> [OutlineSegment; 2] {
     let middle = match path.bend {
         None => path.start + (path.end - path.start) * share,
         Some(bend) => {
@@ -27,24 +27,24 @@ fn parts(path: &Segment, share: f64) -> [Segment; 2] {
             bend.center + to * cos + to.turned_left() * sin
         }
     };
-    [Segment { end: middle, ..*path }, Segment { start: middle, ..*path }]
+    [OutlineSegment { end: middle, ..*path }, OutlineSegment { start: middle, ..*path }]
 }
 
-fn reversed(path: &Segment) -> Segment {
-    let back = |bend: Bend| Bend { counterclockwise: !bend.counterclockwise, ..bend };
-    Segment { start: path.end, end: path.start, bend: path.bend.map(back), ..*path }
+fn reversed(path: &OutlineSegment) -> OutlineSegment {
+    let back = |bend: SegmentArc| SegmentArc { counterclockwise: !bend.counterclockwise, ..bend };
+    OutlineSegment { start: path.end, end: path.start, bend: path.bend.map(back), ..*path }
 }
 
 /// Mirrored at the middle of the stock.
-fn mirrored(path: &Segment) -> Segment {
+fn mirrored(path: &OutlineSegment) -> OutlineSegment {
     let flip = |p: chordal_geometry::Vec2| at(-LENGTH - p.a, p.b);
-    let back = |bend: Bend| Bend {
+    let back = |bend: SegmentArc| SegmentArc {
         center: flip(bend.center),
         counterclockwise: !bend.counterclockwise,
         ..bend
     };
     let (start, end) = (flip(path.start), flip(path.end));
-    Segment { start, end, bend: path.bend.map(back), ..*path }
+    OutlineSegment { start, end, bend: path.bend.map(back), ..*path }
 }
 
 #[test]
@@ -83,16 +83,18 @@ fn divided_reversed_repeated_and_mirrored_moves_leave_the_same() {
 fn passes_that_do_not_meet_come_in_any_order() {
     for round in 0..rounds(200) {
         let mut random = Random(0xABCD_EF01_2345_6789 ^ (round + 1).wrapping_mul(0x9E37_79B9));
-        let tool =
-            chordal_stock::turned::Tool::round(random.between(0.2, 2.0), crate::shop::tip(0));
+        let tool = chordal_stock::turned::ToolOutline::round(
+            random.between(0.2, 2.0),
+            crate::shop::tip(0),
+        );
         let tool = tool.unwrap();
         // Each in its own stretch of 10 mm.
-        let mut passes: Vec<Segment> = (0..6)
+        let mut passes: Vec<OutlineSegment> = (0..6)
             .map(|stretch| {
                 let z = -10.0 * f64::from(stretch);
                 let mut place =
                     || at(z - random.between(2.5, 7.5), random.between(0.5, 1.1) * RADIUS);
-                Segment::line(place(), place())
+                OutlineSegment::line(place(), place())
             })
             .collect();
         let mut forward = bar(RADIUS, -LENGTH, 0.0);
@@ -110,11 +112,12 @@ fn passes_that_do_not_meet_come_in_any_order() {
 #[test]
 fn an_outline_comes_back_as_it_went_in() {
     let mut stock = bar(RADIUS, -LENGTH, 0.0);
-    let fillet = Segment::arc(at(-20.0, 15.0), at(-25.0, 20.0), at(-20.0, 20.0), false).tagged(2);
+    let fillet =
+        OutlineSegment::arc(at(-20.0, 15.0), at(-25.0, 20.0), at(-20.0, 20.0), false).tagged(2);
     let path = [
-        Segment::line(at(1.0, 15.0), at(-20.0, 15.0)).tagged(1),
+        OutlineSegment::line(at(1.0, 15.0), at(-20.0, 15.0)).tagged(1),
         fillet,
-        Segment::line(at(-25.0, 20.0), at(-25.0, 31.0)).tagged(3),
+        OutlineSegment::line(at(-25.0, 20.0), at(-25.0, 31.0)).tagged(3),
     ];
     for move_ in &path {
         stock.cut(&point(), move_).unwrap();
@@ -125,7 +128,7 @@ fn an_outline_comes_back_as_it_went_in() {
     let made = |tag: u32| outline[0].iter().filter(|side| side.tag == tag).count();
     // The flank has cut the wall while the tip was on the arc: nothing is left for the third.
     assert_eq!([made(0), made(1), made(2), made(3)], [4, 1, 2, 0], "{outline:?}");
-    let arcs: Vec<&Segment> = outline[0].iter().filter(|side| side.bend.is_some()).collect();
+    let arcs: Vec<&OutlineSegment> = outline[0].iter().filter(|side| side.bend.is_some()).collect();
     assert_eq!(arcs.len(), 1);
     let arc = arcs[0];
     assert!(arc.start.distance(fillet.start) < 1e-12 || arc.end.distance(fillet.start) < 1e-12);

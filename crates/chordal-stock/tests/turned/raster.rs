@@ -6,7 +6,8 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use chordal_geometry::Vec2;
 use chordal_stock::turned::{
-    Blade, BladePoint, Facing, Insert, InsertShape, Segment, Tip, Tool, Turned,
+    Blade, BladeFacing, BladePoint, Insert, InsertShape, LatheStock, OutlineSegment, Tip,
+    ToolOutline,
 };
 
 use crate::shop::{Random, at, bar, rounds};
@@ -24,9 +25,9 @@ struct Part {
     discs: Vec<(Vec2, f64)>,
 }
 
-fn parts(tool: &Tool) -> Vec<Part> {
+fn parts(tool: &ToolOutline) -> Vec<Part> {
     let outlines = tool.outlines();
-    let part = |outline: &Vec<Segment>| Part {
+    let part = |outline: &Vec<OutlineSegment>| Part {
         corners: outline.iter().map(|side| side.start).collect(),
         discs: outline
             .iter()
@@ -37,7 +38,7 @@ fn parts(tool: &Tool) -> Vec<Part> {
 }
 
 impl Part {
-    fn sweeps(&self, path: &Segment, p: Vec2) -> bool {
+    fn sweeps(&self, path: &OutlineSegment, p: Vec2) -> bool {
         let near = |(center, radius): &(Vec2, f64)| distance(path, p - *center) <= *radius;
         self.discs.iter().any(near) || (self.corners.len() > 2 && self.polygon_sweeps(path, p))
     }
@@ -52,7 +53,7 @@ impl Part {
         })
     }
 
-    fn polygon_sweeps(&self, path: &Segment, p: Vec2) -> bool {
+    fn polygon_sweeps(&self, path: &OutlineSegment, p: Vec2) -> bool {
         match path.bend {
             None => {
                 // normal·(p − start − t·along) ≤ reach, for some t from 0 to 1.
@@ -94,7 +95,7 @@ impl Part {
     }
 }
 
-fn faces(path: &Segment, place: Vec2) -> bool {
+fn faces(path: &OutlineSegment, place: Vec2) -> bool {
     let Some(bend) = path.bend else { return false };
     let angle = |p: Vec2| libm::atan2(p.b - bend.center.b, p.a - bend.center.a);
     let passed = angle(place) - angle(path.start);
@@ -103,7 +104,7 @@ fn faces(path: &Segment, place: Vec2) -> bool {
     passed <= path.sweep().abs() + 1e-9 || passed > TAU - 1e-9
 }
 
-fn distance(path: &Segment, p: Vec2) -> f64 {
+fn distance(path: &OutlineSegment, p: Vec2) -> f64 {
     let ends = p.distance(path.start).min(p.distance(path.end));
     match path.bend {
         None => {
@@ -121,11 +122,11 @@ fn distance(path: &Segment, p: Vec2) -> f64 {
 }
 
 /// The distance of a point from an outline.
-fn off_outline(outline: &[Vec<Segment>], p: Vec2) -> f64 {
+fn off_outline(outline: &[Vec<OutlineSegment>], p: Vec2) -> f64 {
     outline.iter().flatten().map(|side| distance(side, p)).fold(f64::INFINITY, f64::min)
 }
 
-pub fn random_tool(random: &mut Random) -> Tool {
+pub fn random_tool(random: &mut Random) -> ToolOutline {
     let number = 1 + random.below(8) as u8;
     let tip = Tip::new(number).unwrap();
     let nose = [0.0, 0.4, 0.8, 1.2, random.between(0.01, 3.0)][random.below(5)];
@@ -144,7 +145,12 @@ pub fn random_tool(random: &mut Random) -> Tool {
         2 | 3 => {
             let width = [2.0, 3.0, random.between(1.0, 6.0)][random.below(3)];
             let corner = [0.0, 0.2, 0.5 * width, random.between(0.0, 0.4) * width][random.below(4)];
-            let facing = [Facing::Outside, Facing::Inside, Facing::Face, Facing::BackFace];
+            let facing = [
+                BladeFacing::Outside,
+                BladeFacing::Inside,
+                BladeFacing::Face,
+                BladeFacing::BackFace,
+            ];
             let points = [BladePoint::Lower, BladePoint::Middle, BladePoint::Upper];
             let blade = Blade {
                 width,
@@ -157,7 +163,7 @@ pub fn random_tool(random: &mut Random) -> Tool {
             let square = Blade { corners: [0.0; 2], ..blade };
             blade.outline().or_else(|_| square.outline()).unwrap()
         }
-        4 => Tool::round(random.between(0.5, 6.0), tip).unwrap(),
+        4 => ToolOutline::round(random.between(0.5, 6.0), tip).unwrap(),
         _ => {
             // An angle with an inner corner.
             let (wide, tall, thick) =
@@ -170,7 +176,7 @@ pub fn random_tool(random: &mut Random) -> Tool {
                 at(wide, tall),
                 at(0.0, tall),
             ];
-            Tool::polygon(&corners).unwrap()
+            ToolOutline::polygon(&corners).unwrap()
         }
     }
 }
@@ -185,7 +191,7 @@ pub fn random_place(random: &mut Random) -> Vec2 {
     }
 }
 
-pub fn random_path(random: &mut Random, from: Vec2) -> Segment {
+pub fn random_path(random: &mut Random, from: Vec2) -> OutlineSegment {
     let far = random_place(random);
     let to = match random.below(5) {
         0 => at(from.a, far.b),
@@ -194,11 +200,11 @@ pub fn random_path(random: &mut Random, from: Vec2) -> Segment {
         _ => far,
     };
     if random.below(3) > 0 || from.distance(to) < 1e-3 {
-        return Segment::line(from, to);
+        return OutlineSegment::line(from, to);
     }
     // A centre beside the middle of the chord.
     let aside = (to - from).turned_left() * [0.0, 0.5, -0.5, 1.3, -2.0][random.below(5)];
-    Segment::arc(from, to, (from + to) * 0.5 + aside, random.below(2) == 0)
+    OutlineSegment::arc(from, to, (from + to) * 0.5 + aside, random.below(2) == 0)
 }
 
 struct Raster {
@@ -222,7 +228,7 @@ impl Raster {
     }
 
     /// How many points go.
-    fn cut(&mut self, parts: &[Part], path: &Segment) -> usize {
+    fn cut(&mut self, parts: &[Part], path: &OutlineSegment) -> usize {
         let mut count = 0;
         let reach = reach(parts, path);
         for (point, left) in self.points.iter().zip(&mut self.left) {
@@ -242,7 +248,7 @@ impl Raster {
         count
     }
 
-    fn agrees(&self, stock: &Turned) {
+    fn agrees(&self, stock: &LatheStock) {
         let region = stock.region();
         let outline = region.outline();
         for (point, left) in self.points.iter().zip(&self.left) {
@@ -255,7 +261,7 @@ impl Raster {
 }
 
 /// The middle of a path, and how far along z and r the tool comes from there at most.
-fn reach(parts: &[Part], path: &Segment) -> (Vec2, Vec2) {
+fn reach(parts: &[Part], path: &OutlineSegment) -> (Vec2, Vec2) {
     let corners = parts.iter().flat_map(|part| part.corners.iter().map(|corner| (*corner, 0.0)));
     let discs = parts.iter().flat_map(|part| part.discs.iter().copied());
     let mut tool = at(0.0, 0.0);
@@ -308,7 +314,7 @@ fn random_passes_leave_what_a_raster_leaves() {
     println!("{} passes, {cut} of them cut, {shifted} were shifted", rounds * PASSES);
 }
 
-fn length(side: &Segment) -> f64 {
+fn length(side: &OutlineSegment) -> f64 {
     match side.bend {
         None => side.start.distance(side.end),
         Some(bend) => bend.radius * side.sweep().abs(),

@@ -2,7 +2,8 @@
 
 use chordal_geometry::Vec2;
 use chordal_stock::turned::{
-    Blade, BladePoint, Facing, Insert, Pass, Region, Segment, Tip, Tool, Turned,
+    Blade, BladeFacing, BladePoint, Insert, LatheStock, OutlineSegment, Region, Tip, ToolOutline,
+    TurnedPass,
 };
 
 /// Numbers that look random: the same in every run.
@@ -39,12 +40,12 @@ pub fn tip(number: u8) -> Tip {
 }
 
 /// An ideal point with all behind it, for outside work towards −z.
-pub fn point() -> Tool {
+pub fn point() -> ToolOutline {
     Insert::ideal_point(tip(3), 200.0).unwrap().outline().unwrap()
 }
 
-pub fn bar(radius: f64, from: f64, to: f64) -> Turned {
-    Turned::new(&Region::bar(radius, from, to).unwrap())
+pub fn bar(radius: f64, from: f64, to: f64) -> LatheStock {
+    LatheStock::new(&Region::bar(radius, from, to).unwrap())
 }
 
 /// A blade for outside grooves, its lower corner programmed.
@@ -54,24 +55,28 @@ pub fn blade(width: f64, corner: f64) -> Blade {
         corners: [corner; 2],
         length: 100.0,
         lead: 0.0,
-        facing: Facing::Outside,
+        facing: BladeFacing::Outside,
         point: BladePoint::Lower,
     }
 }
 
 /// Straight moves along corners given as (diameter, z), as programs write them.
-pub fn turn(stock: &mut Turned, tool: &Tool, corners: &[(f64, f64)]) -> Vec<Pass> {
+pub fn turn(stock: &mut LatheStock, tool: &ToolOutline, corners: &[(f64, f64)]) -> Vec<TurnedPass> {
     corners
         .windows(2)
         .map(|two| {
             let [from, to] = [two[0], two[1]].map(|(diameter, z)| at(z, diameter / 2.0));
-            stock.cut(tool, &Segment::line(from, to)).unwrap()
+            stock.cut(tool, &OutlineSegment::line(from, to)).unwrap()
         })
         .collect()
 }
 
 /// Moves as segments.
-pub fn follow(stock: &mut Turned, tool: &Tool, path: &[Segment]) -> Vec<Pass> {
+pub fn follow(
+    stock: &mut LatheStock,
+    tool: &ToolOutline,
+    path: &[OutlineSegment],
+) -> Vec<TurnedPass> {
     path.iter().map(|move_| stock.cut(tool, move_).unwrap()).collect()
 }
 

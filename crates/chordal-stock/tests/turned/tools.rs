@@ -4,21 +4,21 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use chordal_geometry::Vec2;
 use chordal_stock::turned::{
-    Blade, BladePoint, Facing, Insert, InsertShape, Region, Segment, Tip, Tool,
+    Blade, BladeFacing, BladePoint, Insert, InsertShape, OutlineSegment, Region, Tip, ToolOutline,
 };
 
 use crate::shop::{at, bar, blade, near, tip};
 
 /// The area of a tool of one convex part.
-fn area(tool: &Tool) -> f64 {
+fn area(tool: &ToolOutline) -> f64 {
     let outlines = tool.outlines();
     assert_eq!(outlines.len(), 1);
     let up = |p: Vec2| at(p.a, p.b + 1000.0);
-    let lifted = |side: &Segment| match side.bend {
-        None => Segment::line(up(side.start), up(side.end)),
-        Some(bend) => Segment::arc(up(side.start), up(side.end), up(bend.center), true),
+    let lifted = |side: &OutlineSegment| match side.bend {
+        None => OutlineSegment::line(up(side.start), up(side.end)),
+        Some(bend) => OutlineSegment::arc(up(side.start), up(side.end), up(bend.center), true),
     };
-    let lifted: Vec<Segment> = outlines[0].iter().map(lifted).collect();
+    let lifted: Vec<OutlineSegment> = outlines[0].iter().map(lifted).collect();
     Region::contour(&[lifted]).unwrap().area()
 }
 
@@ -72,7 +72,9 @@ fn held_inserts_lean_as_holders_hold_them() {
 
 #[test]
 fn blades_have_their_width_and_corners() {
-    for facing in [Facing::Outside, Facing::Inside, Facing::Face, Facing::BackFace] {
+    for facing in
+        [BladeFacing::Outside, BladeFacing::Inside, BladeFacing::Face, BladeFacing::BackFace]
+    {
         for (point, from) in
             [(BladePoint::Lower, 0.0), (BladePoint::Middle, -1.5), (BladePoint::Upper, -3.0)]
         {
@@ -80,8 +82,8 @@ fn blades_have_their_width_and_corners() {
             near(area(&tool), 60.0 - 2.0 * 0.04 * (1.0 - PI / 4.0), 1e-9);
             let outlines = tool.outlines();
             let across = |p: Vec2| match facing {
-                Facing::Outside | Facing::Inside => p.a,
-                Facing::Face | Facing::BackFace => p.b,
+                BladeFacing::Outside | BladeFacing::Inside => p.a,
+                BladeFacing::Face | BladeFacing::BackFace => p.b,
             };
             let places = || outlines[0].iter().map(|side| across(side.start));
             near(places().fold(f64::INFINITY, f64::min), from, 1e-14);
@@ -95,28 +97,29 @@ fn a_form_tool_is_exact_outside_and_bounded_inside() {
     // A concave radius of 4 between two lips: it leaves a bead.
     let outline = |bulge: bool| {
         vec![
-            Segment::line(at(-6.0, 0.0), at(-4.0, 0.0)),
-            Segment::arc(at(-4.0, 0.0), at(4.0, 0.0), at(0.0, 0.0), bulge),
-            Segment::line(at(4.0, 0.0), at(6.0, 0.0)),
-            Segment::line(at(6.0, 0.0), at(6.0, 12.0)),
-            Segment::line(at(6.0, 12.0), at(-6.0, 12.0)),
-            Segment::line(at(-6.0, 12.0), at(-6.0, 0.0)),
+            OutlineSegment::line(at(-6.0, 0.0), at(-4.0, 0.0)),
+            OutlineSegment::arc(at(-4.0, 0.0), at(4.0, 0.0), at(0.0, 0.0), bulge),
+            OutlineSegment::line(at(4.0, 0.0), at(6.0, 0.0)),
+            OutlineSegment::line(at(6.0, 0.0), at(6.0, 12.0)),
+            OutlineSegment::line(at(6.0, 12.0), at(-6.0, 12.0)),
+            OutlineSegment::line(at(-6.0, 12.0), at(-6.0, 0.0)),
         ]
     };
-    let inward = Tool::form(&outline(false), 0.01).unwrap();
+    let inward = ToolOutline::form(&outline(false), 0.01).unwrap();
     assert!(inward.bound() > 0.0 && inward.bound() <= 0.01);
     let mut stock = bar(20.0, -40.0, 0.0);
-    let pass = stock.cut(&inward, &Segment::line(at(-20.0, 30.0), at(-20.0, 14.0))).unwrap();
+    let pass = stock.cut(&inward, &OutlineSegment::line(at(-20.0, 30.0), at(-20.0, 14.0))).unwrap();
     assert_eq!(pass.bound, inward.bound());
     let wanted = 12.0 * 6.0 - 8.0 * PI;
     assert!(pass.area >= wanted && pass.area <= wanted + 4.0 * PI * pass.bound, "{pass:?}");
     near(stock.region().highest_at(-20.0).unwrap(), 18.0, pass.bound + 1e-12);
 
     // The same bulging outward is exact, also along an arc.
-    let outward = Tool::form(&outline(true), 0.01).unwrap();
+    let outward = ToolOutline::form(&outline(true), 0.01).unwrap();
     assert_eq!(outward.bound(), 0.0);
     let mut stock = bar(20.0, -40.0, 0.0);
-    let pass = stock.cut(&outward, &Segment::line(at(-20.0, 30.0), at(-20.0, 18.0))).unwrap();
+    let pass =
+        stock.cut(&outward, &OutlineSegment::line(at(-20.0, 30.0), at(-20.0, 18.0))).unwrap();
     near(pass.area, 12.0 * 2.0 + 8.0 * PI, 1e-9);
     assert_eq!(pass.bound, 0.0);
 }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use chordal_stock::turned::{Insert, InsertShape, Region, Segment, Turned};
+use chordal_stock::turned::{Insert, InsertShape, LatheStock, OutlineSegment, Region};
 
 use crate::shop::{at, bar, blade, follow, near, point, tip, turn};
 
@@ -14,7 +14,7 @@ fn a_bar_turned_down_a_taper_and_a_groove() {
     assert_eq!((pass.across, pass.along), (5.0, 30.0));
 
     let mut stock = bar(25.0, -60.0, 0.0);
-    let taper = Segment::line(at(0.0, 15.0), at(-40.0, 25.0));
+    let taper = OutlineSegment::line(at(0.0, 15.0), at(-40.0, 25.0));
     let pass = stock.cut(&point(), &taper).unwrap();
     near(pass.volume, 27_227.136, 5e-4);
     // The cone that stays is π/3·40·(15² + 15·25 + 25²).
@@ -31,8 +31,8 @@ fn a_bar_turned_down_a_taper_and_a_groove() {
 fn half_a_sphere_and_a_relief() {
     let mut stock = bar(15.0, -50.0, 0.0);
     let path = [
-        Segment::arc(at(0.0, 0.0), at(-10.0, 10.0), at(-10.0, 0.0), true),
-        Segment::line(at(-10.0, 10.0), at(-10.0, 16.0)),
+        OutlineSegment::arc(at(0.0, 0.0), at(-10.0, 10.0), at(-10.0, 0.0), true),
+        OutlineSegment::line(at(-10.0, 10.0), at(-10.0, 16.0)),
     ];
     let volume: f64 = follow(&mut stock, &point(), &path).iter().map(|pass| pass.volume).sum();
     near(volume, 2250.0 * PI - 2000.0 * PI / 3.0, 1e-9);
@@ -61,7 +61,7 @@ fn what_a_nose_leaves_on_a_taper_and_a_cusp() {
     let mut stock = bar(30.0, -60.0, 0.0);
     let slope = 30_f64.to_radians().tan();
     stock
-        .cut(&tool, &Segment::line(at(1.0, 15.0 - slope), at(-40.0, 15.0 + 40.0 * slope)))
+        .cut(&tool, &OutlineSegment::line(at(1.0, 15.0 - slope), at(-40.0, 15.0 + 40.0 * slope)))
         .unwrap();
     let (z, radius) = (-20.0, 15.0 + 20.0 * slope);
     let top = stock.region().highest_at(z).unwrap();
@@ -72,7 +72,7 @@ fn what_a_nose_leaves_on_a_taper_and_a_cusp() {
     let mut stock = bar(30.0, -60.0, 0.0);
     for step in 0..20 {
         let z = -10.0 - 0.2 * f64::from(step);
-        stock.cut(&tool, &Segment::line(at(z, 31.0), at(z, 29.0))).unwrap();
+        stock.cut(&tool, &OutlineSegment::line(at(z, 31.0), at(z, 29.0))).unwrap();
     }
     // Between two places of the nose, whose centre is 0.8 to the right of the programmed point.
     let ridge = stock.region().highest_at(-10.0 + 0.8 - 0.1 - 1.0).unwrap();
@@ -111,7 +111,7 @@ fn a_roughing_cycle_and_its_finish() {
     let corners = [(0.0, -60.0), (0.0, 0.0), (10.0, 0.0), (10.0, -20.0), (20.0, -35.0)];
     let corners = corners.into_iter().chain([(20.0, -50.0), (30.0, -50.0), (30.0, -60.0)]);
     let corners: Vec<_> = corners.map(|(r, z)| at(z, r)).collect();
-    let sides = (0..8).map(|side| Segment::line(corners[side], corners[(side + 1) % 8]));
+    let sides = (0..8).map(|side| OutlineSegment::line(corners[side], corners[(side + 1) % 8]));
     let target = Region::contour(&[sides.collect()]).unwrap();
     let left = stock.region().difference(&target).unwrap().region;
     near(left.area(), 18.94, 1e-9);
@@ -173,7 +173,7 @@ fn a_wall_stays_between_two_grooves() {
     for z in [-23.0, -26.5] {
         turn(&mut stock, &tool, &[(62.0, z), (40.0, z), (62.0, z)]);
     }
-    let walls = stock.region().spans_at(25.0, chordal_stock::turned::Towards::Higher);
+    let walls = stock.region().spans_at(25.0, chordal_stock::turned::PlaceSide::Higher);
     assert_eq!(walls, [(-60.0, -26.5), (-23.5, -23.0), (-20.0, 0.0)]);
 }
 
@@ -182,22 +182,24 @@ fn a_rapid_and_a_holder_in_the_stock_are_measured() {
     let stock = bar(30.0, -60.0, 0.0);
     let tool = point();
     let (pass, region) =
-        stock.touch(&tool, &Segment::line(at(5.0, 29.9), at(-40.0, 29.9))).unwrap();
+        stock.touch(&tool, &OutlineSegment::line(at(5.0, 29.9), at(-40.0, 29.9))).unwrap();
     assert!(pass.touched);
     near(pass.depth(), 0.1, 1e-12);
     near(region.area(), 4.0, 1e-9);
     // Along the surface, and just above it.
     for r in [30.0, 30.0 + 1e-6] {
-        let (pass, _) = stock.touch(&tool, &Segment::line(at(5.0, r), at(-40.0, r))).unwrap();
+        let (pass, _) =
+            stock.touch(&tool, &OutlineSegment::line(at(5.0, r), at(-40.0, r))).unwrap();
         assert!(!pass.touched);
         assert_eq!(pass.area, 0.0);
     }
     // A holder that begins 10 to the right of the tip and 20 above it, into a shoulder.
-    let mut stock = Turned::new(&Region::bar(50.0, -60.0, 0.0).unwrap());
+    let mut stock = LatheStock::new(&Region::bar(50.0, -60.0, 0.0).unwrap());
     turn(&mut stock, &tool, &[(40.0, 2.0), (40.0, -20.0), (110.0, -20.0)]);
     let corners = [at(-2.0, 20.0), at(20.0, 20.0), at(20.0, 60.0), at(-2.0, 60.0)];
-    let holder = chordal_stock::turned::Tool::polygon(&corners).unwrap();
-    let (pass, _) = stock.touch(&holder, &Segment::line(at(2.0, 20.0), at(-19.5, 20.0))).unwrap();
+    let holder = chordal_stock::turned::ToolOutline::polygon(&corners).unwrap();
+    let (pass, _) =
+        stock.touch(&holder, &OutlineSegment::line(at(2.0, 20.0), at(-19.5, 20.0))).unwrap();
     near(pass.along, 1.5, 1e-12);
     near(pass.across, 10.0, 1e-12);
 }

@@ -4,7 +4,7 @@ use super::{Function, Operator};
 
 /// The brackets of expressions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Brackets {
+pub enum BracketStyle {
     /// `[ ]`; `( )` is a comment.
     Square,
     /// `( )`.
@@ -28,7 +28,7 @@ pub struct OperatorRow {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct MacroGrammar {
     /// The brackets.
-    pub brackets: Brackets,
+    pub brackets: BracketStyle,
     /// The operators.
     pub operators: &'static [OperatorRow],
     /// The functions by name, upper case.
@@ -42,7 +42,7 @@ pub struct MacroGrammar {
     /// Operators stand inside brackets only (LinuxCNC).
     pub operators_in_brackets_only: bool,
     /// Variables written as letters and a number (Fadal `V1`, `FX(V10)`); a longer one stands
-    /// before one that begins it. The place in the list is [`Op::Letters`](super::Op)'s number.
+    /// before one that begins it. The place in the list is [`StackOp::Letters`](super::StackOp)'s number.
     pub letter_variables: &'static [&'static str],
     /// Deepest nesting of brackets, those of functions and conditions counted; more is an
     /// alarm. `None` where no limit is known.
@@ -223,7 +223,7 @@ const FADAL_VARIABLES: &[&str] = &[
 impl MacroGrammar {
     /// Macro B of Fanuc.
     pub const FANUC: MacroGrammar = MacroGrammar {
-        brackets: Brackets::Square,
+        brackets: BracketStyle::Square,
         operators: MACRO_B_OPERATORS,
         functions: FANUC_FUNCTIONS,
         abbreviations: true,
@@ -263,7 +263,7 @@ impl MacroGrammar {
 
     /// Fadal `#` lines.
     pub const FADAL: MacroGrammar = MacroGrammar {
-        brackets: Brackets::Round,
+        brackets: BracketStyle::Round,
         operators: FADAL_OPERATORS,
         functions: FADAL_FUNCTIONS,
         abbreviations: false,
@@ -275,8 +275,8 @@ impl MacroGrammar {
     /// The opening and the closing bracket.
     pub const fn bracket_bytes(&self) -> (u8, u8) {
         match self.brackets {
-            Brackets::Square => (b'[', b']'),
-            Brackets::Round => (b'(', b')'),
+            BracketStyle::Square => (b'[', b']'),
+            BracketStyle::Round => (b'(', b')'),
         }
     }
 }

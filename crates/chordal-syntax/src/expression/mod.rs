@@ -8,7 +8,7 @@
 mod grammar;
 mod parse;
 
-pub use grammar::{Brackets, MacroGrammar, OperatorRow};
+pub use grammar::{BracketStyle, MacroGrammar, OperatorRow};
 pub use parse::ExpressionParser;
 
 use chordal_diagnostics::TextRange;
@@ -87,7 +87,7 @@ pub enum Function {
 
 /// What a step does with the stack.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Op {
+pub enum StackOp {
     /// Pushes a literal.
     Number(f64),
     /// Pushes what could not be read: the value is not known.
@@ -113,9 +113,9 @@ pub enum Op {
 
 /// One step.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Step {
+pub struct ExpressionStep {
     /// What it does.
-    pub op: Op,
+    pub op: StackOp,
     /// The text that it comes from, operands included.
     pub range: TextRange,
 }

@@ -2,7 +2,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
 
-use super::{Brackets, Expression, Function, MacroGrammar, Op, Step};
+use super::{BracketStyle, Expression, ExpressionStep, Function, MacroGrammar, StackOp};
 use crate::decimal;
 
 /// Brackets deeper than this are not read on any control, so that reading cannot overflow.
@@ -19,7 +19,7 @@ pub struct ExpressionParser<'a> {
     pub(crate) grammar: &'static MacroGrammar,
     pub(crate) at: usize,
     pub(crate) end: usize,
-    steps: Vec<Step>,
+    steps: Vec<ExpressionStep>,
     depth: u32,
     deepest: u32,
     /// What could not be read.
@@ -75,7 +75,7 @@ impl<'a> ExpressionParser<'a> {
     }
 
     /// The steps of an expression.
-    pub fn steps(&self, expression: Expression) -> &[Step] {
+    pub fn steps(&self, expression: Expression) -> &[ExpressionStep] {
         &self.steps[expression.first as usize..expression.end as usize]
     }
 
@@ -180,11 +180,11 @@ impl<'a> ExpressionParser<'a> {
     /// Reads `#…` up to the number of the variable, without reading its value: the target of
     /// an assignment. The last step says what kind of variable it is: it is left out for a
     /// numbered one.
-    pub fn variable(&mut self) -> (Expression, Option<Op>) {
+    pub fn variable(&mut self) -> (Expression, Option<StackOp>) {
         let mut whole = self.begin(Self::primary);
         let last = self.steps.last().map(|step| step.op).filter(|_| !whole.is_empty());
         match last {
-            Some(op @ (Op::Read | Op::ReadNamed(_) | Op::Letters(_))) => {
+            Some(op @ (StackOp::Read | StackOp::ReadNamed(_) | StackOp::Letters(_))) => {
                 self.steps.pop();
                 whole.end -= 1;
                 (whole, Some(op))
@@ -193,9 +193,9 @@ impl<'a> ExpressionParser<'a> {
         }
     }
 
-    fn push(&mut self, op: Op, start: usize) {
+    fn push(&mut self, op: StackOp, start: usize) {
         let range = TextRange::new(start as u32, self.at as u32);
-        self.steps.push(Step { op, range });
+        self.steps.push(ExpressionStep { op, range });
     }
 
     /// Operands joined by operators of at least a level. The loop takes operators of equal
@@ -210,7 +210,7 @@ impl<'a> ExpressionParser<'a> {
         while let Some(row) = self.operator().filter(|row| row.level > level) {
             self.at += row.text.len();
             self.binary(row.level);
-            self.push(Op::Binary(row.operator), start);
+            self.push(StackOp::Binary(row.operator), start);
         }
     }
 
@@ -230,7 +230,7 @@ impl<'a> ExpressionParser<'a> {
         }
         self.primary();
         if negative {
-            self.push(Op::Negate, start);
+            self.push(StackOp::Negate, start);
         }
     }
 
@@ -251,7 +251,7 @@ impl<'a> ExpressionParser<'a> {
         match decimal::scan(&self.text[self.at..self.end]) {
             Some((number, length)) => {
                 self.at += length;
-                self.push(Op::Number(number.to_f64()), start);
+                self.push(StackOp::Number(number.to_f64()), start);
             }
             None => {
                 let digits = |b: &u8| b.is_ascii_digit() || *b == b'.';
@@ -261,9 +261,9 @@ impl<'a> ExpressionParser<'a> {
                 let long = std::str::from_utf8(&rest[..length]).ok();
                 let long = long.and_then(|text| text.parse::<f64>().ok());
                 if let Some(number) = long.filter(|_| self.grammar.names) {
-                    return self.push(Op::Number(number), start);
+                    return self.push(StackOp::Number(number), start);
                 }
-                self.push(Op::Unreadable, start);
+                self.push(StackOp::Unreadable, start);
                 let range = TextRange::new(start as u32, self.at as u32);
                 self.problem(Code::BadExpression, range, |d| d.label("this is not a number"));
             }
@@ -279,7 +279,7 @@ impl<'a> ExpressionParser<'a> {
         self.deepest = self.deepest.max(self.depth);
         if self.depth > HARD_DEPTH {
             self.at = self.end;
-            self.push(Op::Unreadable, start);
+            self.push(StackOp::Unreadable, start);
             let range = TextRange::new(start as u32, start as u32 + 1);
             self.problem(Code::BracketsTooDeep, range, |d| {
                 d.label("the rest of the line is not read").help("no control allows so many levels")
@@ -339,14 +339,14 @@ impl<'a> ExpressionParser<'a> {
                 self.at += length;
                 let number = std::str::from_utf8(&rest[..length]).ok();
                 let index = number.and_then(|text| text.parse().ok()).unwrap_or(f64::INFINITY);
-                self.push(Op::Number(index), digits_at);
+                self.push(StackOp::Number(index), digits_at);
             }
             b'+' | b'-' if self.grammar.names => self.unary(),
             mark if mark == open => self.bracket(),
             b'<' if self.grammar.names => return self.named(start, marks),
             mark if mark.is_ascii_alphabetic() && self.grammar.names => self.name(start),
             _ => {
-                self.push(Op::Unreadable, start);
+                self.push(StackOp::Unreadable, start);
                 let range = TextRange::new(start as u32, self.at as u32);
                 self.problem(Code::BadExpression, range, |d| {
                     d.label("which variable?").help("write its number after the `#`")
@@ -355,7 +355,7 @@ impl<'a> ExpressionParser<'a> {
             }
         }
         for _ in 0..marks {
-            self.push(Op::Read, start);
+            self.push(StackOp::Read, start);
         }
     }
 
@@ -367,14 +367,14 @@ impl<'a> ExpressionParser<'a> {
             Some(length) => {
                 self.at += length + 1;
                 let name = TextRange::new(name as u32, (name + length) as u32);
-                self.push(Op::ReadNamed(name), start);
+                self.push(StackOp::ReadNamed(name), start);
                 for _ in 1..marks {
-                    self.push(Op::Read, start);
+                    self.push(StackOp::Read, start);
                 }
             }
             None => {
                 self.at = self.end;
-                self.push(Op::Unreadable, start);
+                self.push(StackOp::Unreadable, start);
                 let range = TextRange::new(start as u32, name as u32);
                 self.problem(Code::BadExpression, range, |d| {
                     d.label("this name is not closed").help("close it with `>`")
@@ -399,7 +399,7 @@ impl<'a> ExpressionParser<'a> {
             return self.letter_variable(index, start);
         }
         self.at += length;
-        self.push(Op::Unreadable, start);
+        self.push(StackOp::Unreadable, start);
         let range = TextRange::new(start as u32, self.at as u32);
         let known: Vec<&str> = self.grammar.functions.iter().map(|(name, _)| *name).collect();
         self.problem(Code::UnsupportedMacro, range, |d| {
@@ -436,12 +436,12 @@ impl<'a> ExpressionParser<'a> {
         if function == Function::Not {
             // NOT binds looser than a comparison: `NOT V1=2`.
             self.within_limit(start, |parser| parser.binary(1));
-            return self.push(Op::Call { function, two }, start);
+            return self.push(StackOp::Call { function, two }, start);
         }
         if self.next_mark() != open {
             // `SIN#1`: some writers leave the brackets out, and most controls read it.
             self.within_limit(start, Self::unary);
-            return self.push(Op::Call { function, two }, start);
+            return self.push(StackOp::Call { function, two }, start);
         }
         let bracket = self.at;
         self.at += 1;
@@ -470,14 +470,14 @@ impl<'a> ExpressionParser<'a> {
                 self.at = before;
             }
         }
-        self.push(Op::Call { function, two }, start);
+        self.push(StackOp::Call { function, two }, start);
     }
 
     fn within_limit(&mut self, start: usize, read: impl FnOnce(&mut Self)) {
         self.depth += 1;
         if self.depth > HARD_DEPTH {
             self.at = self.end;
-            self.push(Op::Unreadable, start);
+            self.push(StackOp::Unreadable, start);
         } else {
             read(self);
         }
@@ -491,15 +491,15 @@ impl<'a> ExpressionParser<'a> {
             b'0'..=b'9' => self.number(self.at),
             mark if mark == open => self.bracket(),
             // `VF`, `AX`: there is only one.
-            _ => self.push(Op::Number(0.0), start),
+            _ => self.push(StackOp::Number(0.0), start),
         }
-        self.push(Op::Letters(index as u8), start);
+        self.push(StackOp::Letters(index as u8), start);
     }
 
     fn missing(&mut self, start: usize) {
-        self.push(Op::Unreadable, start);
+        self.push(StackOp::Unreadable, start);
         let mark = self.peek();
-        let shown = self.at < self.end && self.grammar.brackets == Brackets::Square;
+        let shown = self.at < self.end && self.grammar.brackets == BracketStyle::Square;
         let end = start as u32 + u32::from(self.at < self.end);
         self.problem(Code::BadExpression, TextRange::new(start as u32, end), |d| {
             let d = d.label("a value is missing here");

@@ -10,7 +10,7 @@ impl BlockReader<'_> {
     pub(super) fn flow_control(&self) -> bool {
         let line = &self.text[self.at + 1..self.end];
         let line = &line[..memchr::memchr2(b'\n', b'\r', line).unwrap_or(line.len())];
-        let blank = |b: &u8| CLASSES[*b as usize] == Class::Blank;
+        let blank = |b: &u8| CLASSES[*b as usize] == CharClass::Blank;
         let mut at = line.iter().take_while(|b| blank(b)).count();
         match line.get(at) {
             Some(b'<' | b'#') => return true,
@@ -46,7 +46,7 @@ impl BlockReader<'_> {
         let letter = if is_head { b'O' } else { b'P' };
         let range = TextRange::new(self.at as u32, (self.at + length) as u32);
         self.at += length;
-        let value = Value::Number(Decimal::integer(i64::from(number)));
+        let value = WordValue::Number(Decimal::integer(i64::from(number)));
         block.push(Word { letter, register: None, comma: false, value, range });
     }
 
@@ -118,7 +118,7 @@ impl BlockReader<'_> {
 
     /// `#12`, `#[…]`, `[…]`, `SIN[…]`, with a sign; brackets are matched, the line end closes
     /// all. What is inside is read when the block is carried out.
-    pub(super) fn expression(&mut self) -> Value {
+    pub(super) fn expression(&mut self) -> WordValue {
         let start = self.at;
         self.operand();
         // `X#1+10.`: a sum without brackets.
@@ -131,11 +131,11 @@ impl BlockReader<'_> {
         {
             self.operand();
         }
-        Value::Expression(TextRange::new(start as u32, self.at as u32))
+        WordValue::Expression(TextRange::new(start as u32, self.at as u32))
     }
 
     pub(super) fn operand(&mut self) {
-        let blank = |b: u8| CLASSES[b as usize] == Class::Blank;
+        let blank = |b: u8| CLASSES[b as usize] == CharClass::Blank;
         while self.at < self.end
             && (matches!(self.peek(), b'+' | b'-' | b'#') || blank(self.peek()))
         {

@@ -5,7 +5,11 @@ use super::*;
 impl BlockReader<'_> {
     /// `X1O.5`, `XO`, `Xl.5`: the letter O for a zero, a small l for a one.
     #[cold]
-    pub(super) fn letter_for_digit(&mut self, block: &mut Block, start: usize) -> Option<Value> {
+    pub(super) fn letter_for_digit(
+        &mut self,
+        block: &mut Block,
+        start: usize,
+    ) -> Option<WordValue> {
         let rest = &self.text[self.at..self.end];
         let numeric = |b: &u8| b.is_ascii_digit() || matches!(b, b'.' | b'+' | b'-');
         let token: Vec<u8> = rest
@@ -45,7 +49,7 @@ impl BlockReader<'_> {
                     applicability: Applicability::Safe,
                 })
         });
-        Some(Value::Number(number))
+        Some(WordValue::Number(number))
     }
 
     /// `(cut) o100 repeat [2]`: the interpreter reads the O as a letter like any other, and has none.
@@ -62,7 +66,7 @@ impl BlockReader<'_> {
     #[cold]
     pub(super) fn bad_number(&mut self, block: &mut Block, start: usize) {
         let rest = &self.text[self.at..self.end];
-        let token = rest.iter().take_while(|b| CLASSES[**b as usize] == Class::Digit).count();
+        let token = rest.iter().take_while(|b| CLASSES[**b as usize] == CharClass::Digit).count();
         self.at += token;
         let words = &rest[..token];
         let points = words.iter().filter(|b| **b == b'.').count();
@@ -95,7 +99,7 @@ impl BlockReader<'_> {
             return;
         }
         let rest = &self.text[start..self.end];
-        let token = rest.iter().take_while(|b| CLASSES[**b as usize] == Class::Digit).count();
+        let token = rest.iter().take_while(|b| CLASSES[**b as usize] == CharClass::Digit).count();
         self.at += token.max(1);
         let words = &rest[..token];
         // The words after it, not a comment's.
@@ -139,7 +143,7 @@ impl BlockReader<'_> {
     pub(super) fn unexpected(&mut self, block: &mut Block) {
         let start = self.at;
         let strange = |b: &u8| {
-            CLASSES[*b as usize] == Class::Other && !matches!(b, b'(' | b';' | b'/' | b'%')
+            CLASSES[*b as usize] == CharClass::Other && !matches!(b, b'(' | b';' | b'/' | b'%')
         };
         let rest = &self.text[start..self.end];
         self.at += rest.iter().take_while(|b| strange(b)).count().max(1);

@@ -8,7 +8,7 @@ const LOOKED_AT: usize = 400;
 
 /// What the text to the end of a line holds.
 #[derive(Default)]
-struct Tokens {
+struct CommentTokens {
     /// Letters alone, two or more of them.
     prose: usize,
     /// Prose of three letters and more.
@@ -23,9 +23,9 @@ struct Tokens {
     closes: bool,
 }
 
-impl Tokens {
-    fn of(line: &[u8]) -> Tokens {
-        let mut tokens = Tokens::default();
+impl CommentTokens {
+    fn of(line: &[u8]) -> CommentTokens {
+        let mut tokens = CommentTokens::default();
         for token in line.split(|byte| matches!(byte, b' ' | b'\t')) {
             let token = token.trim_ascii();
             let bare = without_marks(token);
@@ -66,7 +66,7 @@ fn is_word(token: &[u8]) -> bool {
     let [letter, number @ ..] = token else { return false };
     letter.is_ascii_alphabetic()
         && number.iter().any(u8::is_ascii_digit)
-        && number.iter().all(|byte| CLASSES[*byte as usize] == Class::Digit)
+        && number.iter().all(|byte| CLASSES[*byte as usize] == CharClass::Digit)
 }
 
 /// A token without the marks of a sentence after it.
@@ -83,7 +83,7 @@ impl BlockReader<'_> {
     pub(super) fn remark(&mut self, block: &mut Block, start: usize) -> bool {
         // A megabyte on one line must not be searched for its end again and again.
         let head = prose_of(self.line_from(start, LOOKED_AT));
-        let tokens = Tokens::of(head);
+        let tokens = CommentTokens::of(head);
         // A keyword alone is a statement of a macro language.
         if !tokens.is_prose() || tokens.prose == 1 && self.keyword(start) {
             return false;

@@ -7,7 +7,7 @@ use chordal_diagnostics::Diagnostic;
 use chordal_geometry::{Curve, EvenPart, Line, ParamCurve, Transform, Vec3};
 use chordal_kernel::Outcome;
 use chordal_kernel::rules::{PathRules, RapidFeed};
-use chordal_machine::{AXES, FeedLimits, Machine, Times};
+use chordal_machine::{AXES, FeedLimits, Machine, NonMotionTimes};
 use chordal_motion::{Axes, Corner, Move, MoveKind};
 use chordal_path::{
     PathBuilder, PathCommand, PathSink, RotaryLimits, Segment, SegmentKind, SurfacePart, curve_of,
@@ -42,7 +42,7 @@ pub(crate) struct MotionBuilder<'a, S> {
     path: PathBuilder<'a>,
     segments: Vec<Segment>,
     rules: PathRules,
-    times: Times,
+    times: NonMotionTimes,
     feed: FeedLimits,
     rapid_speeds: Axes,
     /// A G0 is given its speed by a feed.

@@ -7,7 +7,7 @@ use super::limits::MachineLimits;
 use super::options::MotionOptions;
 use super::plan::{PlanSink, Planning};
 use super::steps::{MotionReport, MotionSink};
-use crate::compensated::Compensated;
+use crate::compensated::CompensationSink;
 use crate::job::Job;
 
 impl Job<'_> {
@@ -22,7 +22,7 @@ impl Job<'_> {
     ) -> Result<(MotionReport, S), LimitError> {
         let limits = MachineLimits::of(self.machine())?;
         let builder = MotionBuilder::new(self, limits, options, sink);
-        let (outcomes, builder) = Compensated::run(self, builder);
+        let (outcomes, builder) = CompensationSink::run(self, builder);
         Ok(builder.finish(outcomes))
     }
 

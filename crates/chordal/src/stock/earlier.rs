@@ -4,10 +4,10 @@
 use std::rc::Rc;
 
 use chordal_geometry::{Aabb, Transform, Vec3};
-use chordal_stock::Stock;
-use chordal_stock::shape::Shape;
+use chordal_stock::ColumnStock;
+use chordal_stock::shape::SolidShape;
 
-use super::heights::Heights;
+use super::heights::ShapeHeights;
 use super::turns::boxed;
 
 /// Places that differ by less are the same, mm.
@@ -16,22 +16,22 @@ const SAME: f64 = 1e-6;
 const HALVINGS: u32 = 4;
 
 /// The heights above which nothing is left of a side.
-pub(super) struct Tops {
+pub(super) struct SideTops {
     low: [f64; 2],
     cell: f64,
     cells: [usize; 2],
     outer: Vec<f32>,
 }
 
-impl Tops {
-    pub fn of(stock: &Stock) -> Tops {
+impl SideTops {
+    pub fn of(stock: &ColumnStock) -> SideTops {
         let grid = stock.grid();
         let min = grid.bounds().min;
         let up = |height: f64| {
             let near = height as f32;
             if f64::from(near) < height { near.next_up() } else { near }
         };
-        Tops {
+        SideTops {
             low: [min.x, min.y],
             cell: grid.resolution(),
             cells: grid.cells().map(|cells| cells as usize),
@@ -57,13 +57,13 @@ impl Tops {
 
 /// What a side was at a moment before, as another one sees it.
 #[derive(Clone)]
-pub(super) struct Earlier {
-    pub tops: Rc<Tops>,
+pub(super) struct EarlierSide {
+    pub tops: Rc<SideTops>,
     /// From where the part lies now to where it lay then.
     pub there: Transform,
 }
 
-impl Earlier {
+impl EarlierSide {
     /// Above which height nothing is left of a column between two corners, of which nothing was left above `top`.
     fn below(&self, [low, high]: [[f64; 2]; 2], top: f64, bottom: f64) -> f64 {
         let is_empty = |from: f64, to: f64| {
@@ -88,21 +88,25 @@ impl Earlier {
 }
 
 /// A stock as its columns begin: a shape less what sides before have surely removed.
-pub(super) struct Begun<'s> {
-    pub shape: Heights<'s>,
-    earlier: Vec<Earlier>,
+pub(super) struct InitialStock<'s> {
+    pub shape: ShapeHeights<'s>,
+    earlier: Vec<EarlierSide>,
     bottom: f64,
 }
 
-impl<'s> Begun<'s> {
+impl<'s> InitialStock<'s> {
     /// Between two shapes, in cells of a resolution, mm.
-    pub fn new(shapes: [&'s Shape; 2], resolution: f64, earlier: Vec<Earlier>) -> Begun<'s> {
-        let shape = Heights::between(shapes, resolution);
+    pub fn new(
+        shapes: [&'s SolidShape; 2],
+        resolution: f64,
+        earlier: Vec<EarlierSide>,
+    ) -> InitialStock<'s> {
+        let shape = ShapeHeights::between(shapes, resolution);
         let bottom = shape.bounds().min.z;
-        Begun { shape, earlier, bottom }
+        InitialStock { shape, earlier, bottom }
     }
 
-    /// As [`Heights::of`].
+    /// As [`ShapeHeights::of`].
     pub fn of(&self, low: [f64; 2], high: [f64; 2]) -> [f64; 2] {
         let [outer, inner] = self.shape.of(low, high);
         let outer = below(&self.earlier, [low, high], outer, self.bottom);
@@ -111,6 +115,6 @@ impl<'s> Begun<'s> {
 }
 
 /// Above which height nothing is left of a column between two corners for sides before, mm.
-pub(super) fn below(earlier: &[Earlier], corners: [[f64; 2]; 2], top: f64, bottom: f64) -> f64 {
+pub(super) fn below(earlier: &[EarlierSide], corners: [[f64; 2]; 2], top: f64, bottom: f64) -> f64 {
     earlier.iter().fold(top, |top, side| side.below(corners, top, bottom))
 }

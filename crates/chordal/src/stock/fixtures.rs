@@ -2,11 +2,11 @@
 
 use chordal_diagnostics::Code;
 use chordal_geometry::{Aabb, ParamCurve};
-use chordal_stock::shape::{Body, Bound, Frustum, Passage, Path, Shape};
-use chordal_stock::{Amount, Move};
+use chordal_stock::shape::{BodyBound, Frustum, PassageAnswer, RoundBody, SolidShape, TipMotion};
+use chordal_stock::{TipMove, VolumeInterval};
 
-use super::pass::Run;
-use super::problems::{Fixture, Problems};
+use super::pass::PassContext;
+use super::problems::{FixtureClearance, StockProblems};
 use super::tools::ToolBody;
 
 /// Rounds of a tool are cones within this, outside of the truth, mm.
@@ -16,10 +16,10 @@ const STEPS: usize = 100_000;
 
 /// Looks at every move of every tool.
 pub(super) fn look_at_fixtures(
-    run: &Run<'_>,
-    fixture: &Fixture<'_>,
-    shape: &Shape,
-    problems: &mut Problems,
+    run: &PassContext<'_>,
+    fixture: &FixtureClearance<'_>,
+    shape: &SolidShape,
+    problems: &mut StockProblems,
 ) {
     let bounds = shape.bounds();
     let clearance = fixture.clearance;
@@ -33,14 +33,16 @@ pub(super) fn look_at_fixtures(
             }
             let length = path.curve.length();
             let tip = |share: f64| path.curve.point_at(share * length);
-            let path = Path { tip: &tip, speed: length };
+            let path = TipMotion { tip: &tip, speed: length };
             let passage = shape.passage(&body, &path, clearance, run.options.tolerance_mm, STEPS);
             let (code, share, distance) = match passage {
-                Passage::Clean { .. } => continue,
-                Passage::Hit { fraction, distance } => (Code::FixtureHit, fraction, distance),
-                Passage::Undecided { fraction, distance } => (Code::NotProved, fraction, distance),
+                PassageAnswer::Clean { .. } => continue,
+                PassageAnswer::Hit { fraction, distance } => (Code::FixtureHit, fraction, distance),
+                PassageAnswer::Undecided { fraction, distance } => {
+                    (Code::NotProved, fraction, distance)
+                }
             };
-            let missing = Amount {
+            let missing = VolumeInterval {
                 least: (clearance - distance.upper).max(0.0),
                 most: (clearance - distance.lower).max(0.0),
             };
@@ -51,7 +53,7 @@ pub(super) fn look_at_fixtures(
 }
 
 /// A move that passes the box of a fixture at a distance.
-fn is_far(path: &Move, fixture: &Aabb, reach: f64, top: f64) -> bool {
+fn is_far(path: &TipMove, fixture: &Aabb, reach: f64, top: f64) -> bool {
     let bounds = path.curve.bounds();
     let apart = |low: f64, high: f64, from: f64, to: f64| low > to + reach || high < from - reach;
     apart(bounds.min.x, bounds.max.x, fixture.min.x, fixture.max.x)
@@ -60,9 +62,9 @@ fn is_far(path: &Move, fixture: &Aabb, reach: f64, top: f64) -> bool {
 }
 
 /// Cutter, shank and holder as one body.
-fn whole(tool: &ToolBody) -> Option<Body> {
+fn whole(tool: &ToolBody) -> Option<RoundBody> {
     let edges = tool.cutter.flutes().unwrap_or_else(|| tool.top()).max(tool.cutter.side() + ROUND);
-    let cutter = Body::of_cutter(&tool.cutter, edges, ROUND, Bound::Outer).ok()?;
+    let cutter = RoundBody::of_cutter(&tool.cutter, edges, ROUND, BodyBound::Outer).ok()?;
     let frustums: Vec<Frustum> = tool
         .shank
         .iter()
@@ -75,7 +77,7 @@ fn whole(tool: &ToolBody) -> Option<Body> {
             upper: piece.upper / 2.0,
         })
         .collect();
-    match Body::new(frustums) {
+    match RoundBody::new(frustums) {
         Ok(above) => Some(cutter.and(&above)),
         Err(_) => Some(cutter),
     }
@@ -89,7 +91,7 @@ mod tests {
 
     #[test]
     fn far_moves_are_passed_over() {
-        let line = |z: f64| Move {
+        let line = |z: f64| TipMove {
             curve: Curve::Line(Line {
                 start: Vec3::new(0.0, 0.0, z),
                 end: Vec3::new(10.0, 0.0, z),

@@ -5,16 +5,16 @@ use std::collections::BTreeMap;
 use chordal_command::{AxisMask, CommandKind, FeedMode, Origin, SpindleState, Units, WorkNaming};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
-use chordal_machine::Rotary;
+use chordal_machine::RotaryAxis;
 use chordal_path::{PathCommand, Segment, SegmentKind, depth_mm};
-use chordal_stock::Move;
+use chordal_stock::TipMove;
 
 use super::problems::{assumed_point_angle, not_cut};
 use super::tools::{NoBody, ToolBody};
-use super::turns::{self, Turn};
+use super::turns::{self, PartOrientation};
 use super::visited::{VisitedPlaces, is_upright};
 use crate::job::Job;
-use crate::report::Watch;
+use crate::report::RunWatch;
 
 /// The most angles of a run at which the part is cut: each has columns of its own.
 const MOST_TURNS: usize = 64;
@@ -32,7 +32,7 @@ pub(super) const TIP_NOT_KNOWN: &str =
 
 /// What moves are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum BatchKind {
     /// At rapid speed: nothing may be cut.
     Rapid,
     /// The same with the spindle at its mark: a boring bar beside its hole.
@@ -43,32 +43,32 @@ pub(super) enum Kind {
     Still,
 }
 
-impl Kind {
+impl BatchKind {
     pub fn is_rapid(self) -> bool {
-        matches!(self, Kind::Rapid | Kind::Aside)
+        matches!(self, BatchKind::Rapid | BatchKind::Aside)
     }
 }
 
 /// Moves of one kind and tool, one after the other, on a part that lies the same way.
 #[derive(Debug)]
-pub(super) struct Batch {
+pub(super) struct MoveBatch {
     pub tool: u32,
-    pub kind: Kind,
-    /// How the part lies, by its number in [`Gathered::turns`].
+    pub kind: BatchKind,
+    /// How the part lies, by its number in [`StockMoves::turns`].
     pub turn: usize,
-    pub moves: Vec<Move>,
+    pub moves: Vec<TipMove>,
     /// Of moves that must touch nothing the part of each that may touch what no cut of the tool has touched before.
-    pub asked: Vec<Option<Move>>,
+    pub asked: Vec<Option<TipMove>>,
     pub origins: Vec<Origin>,
     /// How fast each move goes.
-    pub rates: Vec<Rate>,
+    pub rates: Vec<ProgrammedRate>,
     /// The number of each among all pieces of path of the run.
     pub rows: Vec<u32>,
 }
 
 /// How fast a move is programmed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rate {
+pub(super) struct ProgrammedRate {
     /// Along the path, mm/s; zero where no feed is known.
     pub feed: f64,
     /// Revolutions of the spindle by minute; zero where it stands.
@@ -88,14 +88,14 @@ enum PartlyKnown {
 }
 
 /// Gathers what a run moves.
-pub(super) struct Gathered<'a> {
+pub(super) struct StockMoves<'a> {
     tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
-    rotary: &'a [Rotary; 3],
+    rotary: &'a [RotaryAxis; 3],
     /// Parts that were turned are followed; otherwise only while they lie as they were given.
     follows_turns: bool,
-    pub batches: Vec<Batch>,
+    pub batches: Vec<MoveBatch>,
     /// How the part lies on one move or another; first as it was given.
-    pub turns: Vec<Turn>,
+    pub turns: Vec<PartOrientation>,
     /// Moves on which the part turns.
     pub swings: Vec<Segment>,
     /// Moves are left out on which the part is turned, or turns.
@@ -131,20 +131,20 @@ pub(super) struct Gathered<'a> {
     pub order: Vec<u32>,
 }
 
-impl<'a> Gathered<'a> {
+impl<'a> StockMoves<'a> {
     pub fn new(
         job: &'a Job<'_>,
         tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
         follows_turns: bool,
-    ) -> Gathered<'a> {
+    ) -> StockMoves<'a> {
         let control = job.control();
         let (naming, units) = (control.table.work_names, control.parameters.rules.units);
-        Gathered {
+        StockMoves {
             tools,
             rotary: &job.machine().rotary,
             follows_turns,
             batches: Vec::new(),
-            turns: vec![Turn::NONE],
+            turns: vec![PartOrientation::NONE],
             swings: Vec::new(),
             leaves_out_turned: false,
             visited: VisitedPlaces::default(),
@@ -202,7 +202,7 @@ impl<'a> Gathered<'a> {
         if let Some(known) = self.turns.iter().position(|turn| turn.is_at(angles)) {
             return Ok(known);
         }
-        let turn = Turn::of(self.rotary, angles)?;
+        let turn = PartOrientation::of(self.rotary, angles)?;
         if !self.follows_turns {
             self.leaves_out_turned = true;
             return Err(format!("the part is turned to {}", turn.name()));
@@ -214,7 +214,7 @@ impl<'a> Gathered<'a> {
         Ok(self.turns.len() - 1)
     }
 
-    fn segment(&mut self, segment: &Segment, kind: Kind) {
+    fn segment(&mut self, segment: &Segment, kind: BatchKind) {
         let reason = match self.tools.get(&segment.tool) {
             Some(Ok(_)) => None,
             Some(Err(reason)) => Some(reason.why()),
@@ -257,7 +257,7 @@ impl<'a> Gathered<'a> {
     /// How the work offset lies to that of the first cut is not known. A rapid whose height is not known in its own
     /// work offset either is one before the first approach, or a reference return: it is taken to be above the part,
     /// unless the tool was left below the clearance plane.
-    fn frame_not_known(&mut self, segment: &Segment, kind: Kind) {
+    fn frame_not_known(&mut self, segment: &Segment, kind: BatchKind) {
         let is_upright = is_upright(segment.curve.start(), segment.curve.end());
         let is_left_low = self.height_mm.is_some_and(|z| z < self.depth_mm);
         if !kind.is_rapid() || segment.to_known.has(2) || is_left_low && !is_upright {
@@ -297,7 +297,7 @@ impl<'a> Gathered<'a> {
     }
 
     /// A move between known places.
-    fn segment_from(&mut self, segment: &Segment, kind: Kind) {
+    fn segment_from(&mut self, segment: &Segment, kind: BatchKind) {
         if !segment.tip_known {
             return self.tip_not_known(segment, kind);
         }
@@ -335,10 +335,10 @@ impl<'a> Gathered<'a> {
             }
         }
         let follows =
-            |batch: &Batch| (batch.tool, batch.kind, batch.turn) == (segment.tool, kind, turn);
+            |batch: &MoveBatch| (batch.tool, batch.kind, batch.turn) == (segment.tool, kind, turn);
         if !self.batches.last().is_some_and(follows) {
             let (moves, asked, origins, rates, rows) = Default::default();
-            self.batches.push(Batch {
+            self.batches.push(MoveBatch {
                 tool: segment.tool,
                 kind,
                 turn,
@@ -350,12 +350,12 @@ impl<'a> Gathered<'a> {
             });
         }
         let Segment { length_mm, duration_s, origin, .. } = *segment;
-        let rate = Rate {
+        let rate = ProgrammedRate {
             feed: if duration_s > 0.0 { length_mm / duration_s } else { 0.0 },
             rpm: if self.spindle_turns { self.rpm } else { 0.0 },
             by_time: self.by_time && !origin.cycle,
         };
-        let path = Move { curve: segment.curve, tag: segment.tool };
+        let path = TipMove { curve: segment.curve, tag: segment.tool };
         let asked = self.asked(&path, kind, turn);
         if let Some(batch) = self.batches.last_mut() {
             batch.moves.push(path);
@@ -367,9 +367,9 @@ impl<'a> Gathered<'a> {
     }
 
     /// What is asked of a move that must touch nothing; cuts are followed.
-    fn asked(&mut self, path: &Move, kind: Kind, turn: usize) -> Option<Option<Move>> {
+    fn asked(&mut self, path: &TipMove, kind: BatchKind, turn: usize) -> Option<Option<TipMove>> {
         match (kind, &path.curve, self.tools.get(&path.tag)) {
-            (Kind::Cut, ..) => {
+            (BatchKind::Cut, ..) => {
                 self.visited.cut(path.tag, turn, &path.curve);
                 None
             }
@@ -377,7 +377,7 @@ impl<'a> Gathered<'a> {
                 let asked = self.visited.rapid(path.tag, turn, body, line);
                 // A bar that steps aside in its hole is narrow enough for that: its cycle asks for it.
                 let steps_aside =
-                    kind == Kind::Aside && self.visited.has(path.tag, turn, line.start);
+                    kind == BatchKind::Aside && self.visited.has(path.tag, turn, line.start);
                 Some(asked.of(path).filter(|_| !steps_aside))
             }
             _ => Some(Some(*path)),
@@ -386,7 +386,7 @@ impl<'a> Gathered<'a> {
 
     /// The length offset in force is not that of the tool. A tool change leaves the tool clear of the part: until it
     /// moves in Z nothing is asked.
-    fn tip_not_known(&mut self, segment: &Segment, kind: Kind) {
+    fn tip_not_known(&mut self, segment: &Segment, kind: BatchKind) {
         let is_level = segment.curve.start().z == segment.curve.end().z;
         if kind.is_rapid() && is_level && !self.has_moved_in_z {
             return;
@@ -406,7 +406,7 @@ impl<'a> Gathered<'a> {
     }
 }
 
-impl Watch for Gathered<'_> {
+impl RunWatch for StockMoves<'_> {
     fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
         let kind = &path.command.kind;
         match kind {
@@ -430,10 +430,10 @@ impl Watch for Gathered<'_> {
         self.by_time =
             kind.feed().is_some_and(|feed| feed.mode == FeedMode::PerTime) && !kind.only_turns();
         let kind = match kind.feed() {
-            None if self.is_oriented && path.command.origin.cycle => Kind::Aside,
-            None => Kind::Rapid,
-            Some(_) if self.spindle_turns => Kind::Cut,
-            Some(_) => Kind::Still,
+            None if self.is_oriented && path.command.origin.cycle => BatchKind::Aside,
+            None => BatchKind::Rapid,
+            Some(_) if self.spindle_turns => BatchKind::Cut,
+            Some(_) => BatchKind::Still,
         };
         for segment in segments {
             self.segment(segment, kind);

@@ -1,35 +1,35 @@
 //! Shapes as heights over cells, as columns begin with them.
 
 use chordal_geometry::Aabb;
-use chordal_stock::Span as Hollow;
-use chordal_stock::shape::{Cells, Grid, Shape, Span};
+use chordal_stock::RemovedSpan as Hollow;
+use chordal_stock::shape::{CellGrid, HeightSpan, ShapeCells, SolidShape};
 
 /// The heights of a shape over cells of any size: quick on those of one grid.
-pub(super) struct Heights<'s> {
+pub(super) struct ShapeHeights<'s> {
     /// What holds the shape.
-    outer: &'s Shape,
+    outer: &'s SolidShape,
     /// What lies in it, where that is another.
-    inner: Option<&'s Shape>,
-    grid: Grid,
-    cells: Option<Cells>,
-    inner_cells: Option<Cells>,
+    inner: Option<&'s SolidShape>,
+    grid: CellGrid,
+    cells: Option<ShapeCells>,
+    inner_cells: Option<ShapeCells>,
     bottom: f64,
     is_hollow: bool,
 }
 
-impl<'s> Heights<'s> {
+impl<'s> ShapeHeights<'s> {
     /// With the cells of a resolution in the box of the shape, mm.
-    pub fn new(shape: &'s Shape, resolution: f64) -> Heights<'s> {
-        Heights::between([shape, shape], resolution)
+    pub fn new(shape: &'s SolidShape, resolution: f64) -> ShapeHeights<'s> {
+        ShapeHeights::between([shape, shape], resolution)
     }
 
     /// Of a shape between two: one that holds it, and one that lies in it.
-    pub fn between([shape, inner]: [&'s Shape; 2], resolution: f64) -> Heights<'s> {
+    pub fn between([shape, inner]: [&'s SolidShape; 2], resolution: f64) -> ShapeHeights<'s> {
         let inner = (!std::ptr::eq(shape, inner)).then_some(inner);
         let bounds = shape.bounds();
         let size = bounds.size();
         let count = |length: f64| (length / resolution).ceil().max(1.0) as usize;
-        let grid = Grid {
+        let grid = CellGrid {
             origin: [bounds.min.x, bounds.min.y],
             cell: resolution,
             columns: count(size.x),
@@ -40,7 +40,7 @@ impl<'s> Heights<'s> {
         let inner_cells = inner.and_then(|inner| inner.cells(&grid).ok());
         let bottom = bounds.min.z;
         // Cells of another size are asked as well then.
-        let is_full = |cells: &Cells| {
+        let is_full = |cells: &ShapeCells| {
             let places = (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |at| [at, row]));
             places.into_iter().all(|[column, row]| match cells.inner(column, row) {
                 [] => true,
@@ -50,7 +50,7 @@ impl<'s> Heights<'s> {
         };
         let known = inner_cells.as_ref().or(cells.as_ref());
         let is_hollow = !known.is_some_and(is_full);
-        Heights { outer: shape, inner, grid, cells, inner_cells, bottom, is_hollow }
+        ShapeHeights { outer: shape, inner, grid, cells, inner_cells, bottom, is_hollow }
     }
 
     /// The box around the shape.
@@ -73,7 +73,7 @@ impl<'s> Heights<'s> {
     }
 
     /// The cell of its own grid between two corners, where it is one, and a grid of that cell alone.
-    fn place(&self, low: [f64; 2], high: [f64; 2]) -> (Option<(usize, usize)>, Grid) {
+    fn place(&self, low: [f64; 2], high: [f64; 2]) -> (Option<(usize, usize)>, CellGrid) {
         let side = (high[0] - low[0]).max(high[1] - low[1]);
         let is_own = (side - self.grid.cell).abs() <= 1e-9 * self.grid.cell;
         let at = |axis: usize| (low[axis] - self.grid.origin[axis]) / self.grid.cell;
@@ -84,19 +84,19 @@ impl<'s> Heights<'s> {
             && (column as usize) < self.grid.columns
             && (row as usize) < self.grid.rows;
         let place = is_known.then_some((column as usize, row as usize));
-        (place, Grid { origin: low, cell: side, columns: 1, rows: 1, grow: GROW })
+        (place, CellGrid { origin: low, cell: side, columns: 1, rows: 1, grow: GROW })
     }
 
     /// Of what lies under the top nothing is said: a touch begins there.
     fn of_shape(
         &self,
-        shape: &Shape,
-        cells: Option<&Cells>,
+        shape: &SolidShape,
+        cells: Option<&ShapeCells>,
         place: Option<(usize, usize)>,
-        one: &Grid,
+        one: &CellGrid,
     ) -> [f64; 2] {
-        let heights = |cells: &Cells, (column, row): (usize, usize)| {
-            let top = |spans: &[Span]| spans.last().map_or(self.bottom, |span| span.to);
+        let heights = |cells: &ShapeCells, (column, row): (usize, usize)| {
+            let top = |spans: &[HeightSpan]| spans.last().map_or(self.bottom, |span| span.to);
             [top(cells.outer(column, row)), top(cells.inner(column, row))]
         };
         match (cells, place) {
@@ -113,13 +113,13 @@ impl<'s> Heights<'s> {
     /// everywhere, mm.
     pub fn filled(&self, [low, high]: [[f64; 2]; 2]) -> [Vec<[f64; 2]>; 2] {
         let (place, one) = self.place(low, high);
-        let of = |cells: &Cells, (column, row): (usize, usize)| {
+        let of = |cells: &ShapeCells, (column, row): (usize, usize)| {
             [cells.outer(column, row), cells.inner(column, row)].map(|spans| {
                 let spans = spans.iter().map(|span| [span.from.max(self.bottom), span.to]);
                 spans.filter(|[from, to]| from < to).collect::<Vec<[f64; 2]>>()
             })
         };
-        let both = |shape: &Shape, cells: Option<&Cells>| match (cells, place) {
+        let both = |shape: &SolidShape, cells: Option<&ShapeCells>| match (cells, place) {
             (Some(cells), Some(place)) => of(cells, place),
             _ => match shape.cells(&one) {
                 Ok(cells) => of(&cells, (0, 0)),

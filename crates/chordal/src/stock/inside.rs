@@ -1,12 +1,12 @@
 //! What lies everywhere so much inside of a cutter: where it touches a part, the cutter is deeper in it than that.
 
-use chordal_stock::{Body, Cutter, CutterError, Undercut};
+use chordal_stock::{CutterError, CutterProfile, RevolvedBody, Undercut};
 
-use super::teeth::{FLANK, Teeth, core};
+use super::teeth::{FLANK, ThreadMillTeeth, core};
 
 /// A cutter of which a smaller one inside is known, by its dimensions, mm and rad.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Dimensions {
+pub(super) enum CutterDimensions {
     Flat {
         diameter: f64,
     },
@@ -47,82 +47,87 @@ pub(super) enum Dimensions {
 }
 
 /// What lies inside of a cutter.
-pub(super) struct Inside {
+pub(super) struct InnerCutter {
     /// Everything that does is in it.
-    pub holds: Body,
-    pub sure: Sure,
+    pub holds: RevolvedBody,
+    pub sure: InnerCertainty,
     /// How much higher than the tip of the cutter both have theirs, mm.
     pub lift: f64,
 }
 
 /// What surely lies inside.
-pub(super) enum Sure {
+pub(super) enum InnerCertainty {
     /// The body that holds everything.
     Same,
-    Body(Body),
+    Body(RevolvedBody),
     Nothing,
 }
 
-impl Dimensions {
+impl CutterDimensions {
     /// Its lower side.
-    pub fn cutter(&self) -> Result<Cutter, CutterError> {
+    pub fn cutter(&self) -> Result<CutterProfile, CutterError> {
         match *self {
-            Dimensions::Disc { diameter, .. } | Dimensions::Threads { diameter, .. } => {
-                Cutter::flat(diameter)
+            CutterDimensions::Disc { diameter, .. }
+            | CutterDimensions::Threads { diameter, .. } => CutterProfile::flat(diameter),
+            CutterDimensions::Lollipop { diameter } => CutterProfile::ball(diameter),
+            CutterDimensions::Flat { diameter } | CutterDimensions::Tap { diameter, .. } => {
+                CutterProfile::flat(diameter)
             }
-            Dimensions::Lollipop { diameter } => Cutter::ball(diameter),
-            Dimensions::Flat { diameter } | Dimensions::Tap { diameter, .. } => {
-                Cutter::flat(diameter)
+            CutterDimensions::Ball { diameter } => CutterProfile::ball(diameter),
+            CutterDimensions::Bull { diameter, corner } => CutterProfile::bull(diameter, corner),
+            CutterDimensions::Pointed { diameter, tip, angle } => {
+                CutterProfile::pointed(diameter, tip, angle)
             }
-            Dimensions::Ball { diameter } => Cutter::ball(diameter),
-            Dimensions::Bull { diameter, corner } => Cutter::bull(diameter, corner),
-            Dimensions::Pointed { diameter, tip, angle } => Cutter::pointed(diameter, tip, angle),
-            Dimensions::Outline(ref points) => Cutter::outline(points),
+            CutterDimensions::Outline(ref points) => CutterProfile::outline(points),
         }
     }
 
     /// What it surely removes, where that is less than it may: a thread of a pitch a turn stands in the hole of a tap.
-    pub fn core(&self) -> Option<Cutter> {
+    pub fn core(&self) -> Option<CutterProfile> {
         match *self {
-            Dimensions::Tap { diameter, pitch } => Cutter::flat(core(diameter, pitch)).ok(),
-            Dimensions::Flat { .. }
-            | Dimensions::Ball { .. }
-            | Dimensions::Bull { .. }
-            | Dimensions::Pointed { .. }
-            | Dimensions::Disc { .. }
-            | Dimensions::Lollipop { .. }
-            | Dimensions::Outline(_)
-            | Dimensions::Threads { .. } => None,
+            CutterDimensions::Tap { diameter, pitch } => {
+                CutterProfile::flat(core(diameter, pitch)).ok()
+            }
+            CutterDimensions::Flat { .. }
+            | CutterDimensions::Ball { .. }
+            | CutterDimensions::Bull { .. }
+            | CutterDimensions::Pointed { .. }
+            | CutterDimensions::Disc { .. }
+            | CutterDimensions::Lollipop { .. }
+            | CutterDimensions::Outline(_)
+            | CutterDimensions::Threads { .. } => None,
         }
     }
 
     /// What lies at least `depth` inside of it everywhere, mm; `None` where nothing does.
-    pub fn inside(&self, depth: f64) -> Option<Inside> {
+    pub fn inside(&self, depth: f64) -> Option<InnerCutter> {
         let less = |diameter: f64| diameter - 2.0 * depth;
-        let of_cutter = |cutter: Result<Cutter, CutterError>, lift: f64| {
-            let holds = Body::of_cutter(&cutter.ok()?);
-            Some(Inside { holds, sure: Sure::Same, lift })
+        let of_cutter = |cutter: Result<CutterProfile, CutterError>, lift: f64| {
+            let holds = RevolvedBody::of_cutter(&cutter.ok()?);
+            Some(InnerCutter { holds, sure: InnerCertainty::Same, lift })
         };
         // Whatever bears it is a part of the shank.
         let of_undercut = |undercut: Result<Undercut, CutterError>| {
-            let holds = Body::of_undercuts(&[(0.0, undercut.ok()?)]);
-            Some(Inside { holds, sure: Sure::Same, lift: depth })
+            let holds = RevolvedBody::of_undercuts(&[(0.0, undercut.ok()?)]);
+            Some(InnerCutter { holds, sure: InnerCertainty::Same, lift: depth })
         };
         match *self {
-            Dimensions::Bull { diameter, corner } if corner > depth => {
-                of_cutter(Cutter::bull(less(diameter), corner - depth), depth)
+            CutterDimensions::Bull { diameter, corner } if corner > depth => {
+                of_cutter(CutterProfile::bull(less(diameter), corner - depth), depth)
             }
-            Dimensions::Flat { diameter } | Dimensions::Bull { diameter, .. } => {
-                of_cutter(Cutter::flat(less(diameter)), depth)
+            CutterDimensions::Flat { diameter } | CutterDimensions::Bull { diameter, .. } => {
+                of_cutter(CutterProfile::flat(less(diameter)), depth)
             }
-            Dimensions::Ball { diameter } => of_cutter(Cutter::ball(less(diameter)), depth),
-            Dimensions::Disc { diameter, thickness } => {
+            CutterDimensions::Ball { diameter } => {
+                of_cutter(CutterProfile::ball(less(diameter)), depth)
+            }
+            CutterDimensions::Disc { diameter, thickness } => {
                 of_undercut(disc(less(diameter), thickness - 2.0 * depth))
             }
-            Dimensions::Lollipop { diameter } => {
+            CutterDimensions::Lollipop { diameter } => {
                 of_undercut(Undercut::lollipop(less(diameter), 0.5 * less(diameter)))
             }
-            Dimensions::Pointed { diameter, tip, angle } => {
+            CutterDimensions::Pointed { diameter, tip, angle } => {
                 // The side of the cone moves inward by depth/cos, measured across the axis.
                 let (sine, cosine) = libm::sincos(angle / 2.0);
                 let rise = sine / cosine;
@@ -130,23 +135,23 @@ impl Dimensions {
                 let lift =
                     if at_lift(depth) < 0.0 { (depth / cosine - tip / 2.0) / rise } else { depth };
                 let tip = 2.0 * at_lift(lift).max(0.0);
-                of_cutter(Cutter::pointed(less(diameter), tip, angle), lift)
+                of_cutter(CutterProfile::pointed(less(diameter), tip, angle), lift)
             }
-            Dimensions::Outline(ref points) => {
-                let [holds, within] = Cutter::outline_inside(points, depth).ok()??;
-                let sure = Sure::Body(Body::of_cutter(&within));
-                Some(Inside { holds: Body::of_cutter(&holds), sure, lift: 0.0 })
+            CutterDimensions::Outline(ref points) => {
+                let [holds, within] = CutterProfile::outline_inside(points, depth).ok()??;
+                let sure = InnerCertainty::Body(RevolvedBody::of_cutter(&within));
+                Some(InnerCutter { holds: RevolvedBody::of_cutter(&holds), sure, lift: 0.0 })
             }
-            Dimensions::Threads { diameter, pitch, teeth } => {
+            CutterDimensions::Threads { diameter, pitch, teeth } => {
                 inside_threads(diameter, pitch, teeth, depth)
             }
-            Dimensions::Tap { diameter, pitch } => {
-                let holds = Body::of_cutter(&Cutter::flat(less(diameter)).ok()?);
-                let sure = match Cutter::flat(less(core(diameter, pitch))) {
-                    Ok(cutter) => Sure::Body(Body::of_cutter(&cutter)),
-                    Err(_) => Sure::Nothing,
+            CutterDimensions::Tap { diameter, pitch } => {
+                let holds = RevolvedBody::of_cutter(&CutterProfile::flat(less(diameter)).ok()?);
+                let sure = match CutterProfile::flat(less(core(diameter, pitch))) {
+                    Ok(cutter) => InnerCertainty::Body(RevolvedBody::of_cutter(&cutter)),
+                    Err(_) => InnerCertainty::Nothing,
                 };
-                Some(Inside { holds, sure, lift: depth })
+                Some(InnerCutter { holds, sure, lift: depth })
             }
         }
     }
@@ -159,9 +164,9 @@ fn disc(diameter: f64, thickness: f64) -> Result<Undercut, CutterError> {
 /// Beyond the core only the flanks and the crest of a tooth are near, so its inset is exact there. In the core what
 /// is near the mouth of a groove lies a little deeper than in the core alone: `holds` has all of it, `sure` the core's
 /// own inset.
-fn inside_threads(diameter: f64, pitch: f64, teeth: u32, depth: f64) -> Option<Inside> {
+fn inside_threads(diameter: f64, pitch: f64, teeth: u32, depth: f64) -> Option<InnerCutter> {
     let core = core(diameter, pitch);
-    let Teeth { tooth, top, .. } = Teeth::new(diameter, pitch, teeth).ok()?;
+    let ThreadMillTeeth { tooth, top, .. } = ThreadMillTeeth::new(diameter, pitch, teeth).ok()?;
     let (rise, cosine) = (libm::tan(FLANK), libm::cos(FLANK));
     // Half the width of a tooth at a radius, and that of its inset.
     let half = 0.5 * tooth.height();
@@ -191,8 +196,8 @@ fn inside_threads(diameter: f64, pitch: f64, teeth: u32, depth: f64) -> Option<I
         sure.extend(all);
     }
     let sure = match sure[..] {
-        [] => Sure::Nothing,
-        _ => Sure::Body(Body::of_undercuts(&sure)),
+        [] => InnerCertainty::Nothing,
+        _ => InnerCertainty::Body(RevolvedBody::of_undercuts(&sure)),
     };
-    Some(Inside { holds: Body::of_undercuts(&holds), sure, lift: 0.0 })
+    Some(InnerCutter { holds: RevolvedBody::of_undercuts(&holds), sure, lift: 0.0 })
 }

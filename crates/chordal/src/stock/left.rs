@@ -1,12 +1,12 @@
 //! What a program leaves, of a mill or of a lathe.
 
-use chordal_stock::Amount;
-use chordal_stock::columns::Runner;
+use chordal_stock::VolumeInterval;
+use chordal_stock::columns::JobRunner;
 
 use super::pass::StockOptions;
 use super::report::{StockReport, StockVerdict};
 use super::run::StockRunError;
-use super::setup::Files;
+use super::setup::SetupFileReader;
 use super::turned::{TurnedOptions, TurnedReport};
 use crate::job::Job;
 use crate::report::Report;
@@ -27,7 +27,7 @@ pub struct ToolRemoves {
     /// Its number.
     pub number: u32,
     /// mm³.
-    pub removed_mm3: Amount,
+    pub removed_mm3: VolumeInterval,
     /// The lowest place of its tip at feed, mm, where there is one.
     pub lowest_mm: Option<f64>,
 }
@@ -41,8 +41,8 @@ impl Job<'_> {
     pub fn stock_left(
         &self,
         options: &StockOptions,
-        files: Files<'_>,
-        runner: &Runner<'_>,
+        files: SetupFileReader<'_>,
+        runner: &JobRunner<'_>,
     ) -> Result<StockLeft, StockRunError> {
         if self.turns() {
             let options = TurnedOptions { tolerance_mm: options.tolerance_mm, replay: false };
@@ -83,7 +83,7 @@ impl StockLeft {
     }
 
     /// What is removed, and what is left, mm³.
-    pub fn volumes_mm3(&self) -> [Amount; 2] {
+    pub fn volumes_mm3(&self) -> [VolumeInterval; 2] {
         match self {
             StockLeft::Columns(found) => [found.removed_mm3, found.left_mm3],
             StockLeft::Section(found) => [found.removed_mm3, found.left_mm3],

@@ -28,27 +28,29 @@ mod turned;
 mod turns;
 mod visited;
 
-pub use chordal_stock::columns::{Found, Job as TileJob, Runner};
+pub use chordal_stock::columns::{JobResult, JobRunner, TileJob};
 pub use chordal_stock::mesh;
-pub use chordal_stock::{Amount, CellHeights, Stock, StockError};
+pub use chordal_stock::{CellHeights, ColumnStock, StockError, VolumeInterval};
 pub use engagement::{
-    Between, Chip, Effort, EngagementOptions, EngagementProblem, EngagementReport, MATERIALS,
-    Material, MaterialGroup, MoveEngagement, NoMaterial, POWER_SHARE, Peak, Slice, ToolEngagement,
-    engagement_angle,
+    BoundedValue, ChipThickness, CuttingLoad, EngagementOptions, EngagementProblem,
+    EngagementReport, EngagementSlice, LoadPeak, MATERIALS, MaterialData, MaterialGroup,
+    MoveEngagement, NoMaterial, POWER_SHARE, ToolEngagement, engagement_angle,
 };
 pub use left::{StockLeft, ToolRemoves};
 pub use pass::StockOptions;
 pub use problems::StockProblem;
-pub use replay::{Drop, FixtureMesh, GapChange, Missing, Replay, ReplayOptions, StockBefore};
+pub use replay::{
+    ColumnDrop, FixtureMesh, GapChange, ReplayOmissions, ReplayOptions, ReplaySink, StockBefore,
+};
 pub use report::{StockReport, StockVerdict, ToolRemoved};
 pub use run::StockRunError;
-pub use setup::{Files, SetupError};
+pub use setup::{SetupError, SetupFileReader};
 pub use target::TargetReport;
 pub use turned::{
-    Loose, Maker, Thread, TurnedMove, TurnedOptions, TurnedPiece, TurnedReplay, TurnedReport,
-    TurnedShape, TurnedTarget, TurnedToolRemoved, WayHit, WayIn,
+    CutOffPart, SegmentOrigin, TurnedMove, TurnedOptions, TurnedPiece, TurnedReplay, TurnedReport,
+    TurnedShape, TurnedTarget, TurnedThread, TurnedToolRemoved, WayHit, WayIn,
 };
 /// Half sections: what lathes turn.
 pub mod section {
-    pub use chordal_stock::turned::{Bend, Region, Segment, Towards};
+    pub use chordal_stock::turned::{OutlineSegment, PlaceSide, Region, SegmentArc};
 }

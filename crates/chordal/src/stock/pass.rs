@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use chordal_command::{Origin, Units};
-use chordal_stock::Options;
-use chordal_stock::columns::{Found, Job as Tile, Runner};
+use chordal_stock::ColumnOptions;
+use chordal_stock::columns::{JobResult, JobRunner, TileJob as Tile};
 
-use super::gather::Batch;
-use super::problems::Place;
+use super::gather::MoveBatch;
+use super::problems::ContactReport;
 use super::tools::{NoBody, ToolBody};
 use crate::job::Job;
 
@@ -33,23 +33,23 @@ impl Default for StockOptions {
 }
 
 /// What the passes of a run share.
-pub(super) struct Run<'a> {
+pub(super) struct PassContext<'a> {
     pub job: &'a Job<'a>,
     pub options: StockOptions,
     pub resolution: f64,
     pub tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
     /// Those of one way that the part lies.
-    pub batches: Vec<&'a Batch>,
+    pub batches: Vec<&'a MoveBatch>,
     pub units: Units,
     /// Cuts tiles of columns.
-    pub runner: &'a Runner<'a>,
+    pub runner: &'a JobRunner<'a>,
 }
 
-impl<'a> Run<'a> {
+impl<'a> PassContext<'a> {
     /// The options of columns that are cut.
-    pub fn columns(&self) -> Options {
-        let own = Options::new(self.resolution, self.options.budget);
-        Options { by_tag: true, middles: true, ..own }
+    pub fn columns(&self) -> ColumnOptions {
+        let own = ColumnOptions::new(self.resolution, self.options.budget);
+        ColumnOptions { by_tag: true, middles: true, ..own }
     }
 
     pub fn finest(&self) -> f64 {
@@ -62,15 +62,15 @@ impl<'a> Run<'a> {
     }
 
     /// Runs what is to be done on tiles; nothing of it once the run is to end early, and then nothing counts.
-    pub fn tiles(&self, tiles: Vec<Tile<'_>>) -> Vec<Found> {
+    pub fn tiles(&self, tiles: Vec<Tile<'_>>) -> Vec<JobResult> {
         if self.job.is_interrupted() {
             return Vec::new();
         }
         (self.runner)(tiles)
     }
 
-    pub fn place(&self, origin: Origin, tool: u32) -> Place<'_> {
+    pub fn place(&self, origin: Origin, tool: u32) -> ContactReport<'_> {
         let (units, sources) = (self.units, self.job.sources());
-        Place { origin, tool, units, sources, is_aside: false, fixture: None }
+        ContactReport { origin, tool, units, sources, is_aside: false, fixture: None }
     }
 }

@@ -3,7 +3,7 @@
 use chordal_command::{Origin, Units};
 use chordal_diagnostics::{Code, Diagnostic, SourceMap};
 use chordal_geometry::Vec3;
-use chordal_stock::{Amount, Contact, Touch};
+use chordal_stock::{ContactDepth, TouchAnswer, VolumeInterval};
 
 /// A touch, or one that cannot be excluded.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +17,7 @@ pub struct StockProblem {
     /// The tool.
     pub tool: u32,
     /// How deep, mm: at least and at most.
-    pub depth_mm: Amount,
+    pub depth_mm: VolumeInterval,
     /// The deepest place, in the frame of the run, mm.
     pub at: Vec3,
 }
@@ -50,7 +50,7 @@ const MOST: usize = 1000;
 
 /// Gathers problems.
 #[derive(Debug, Default)]
-pub(super) struct Problems {
+pub(super) struct StockProblems {
     pub list: Vec<StockProblem>,
     pub diagnostics: Vec<Diagnostic>,
     pub more: u64,
@@ -62,7 +62,7 @@ pub(super) struct Problems {
 
 /// What touches, where it is told.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place<'a> {
+pub(super) struct ContactReport<'a> {
     pub origin: Origin,
     pub tool: u32,
     pub units: Units,
@@ -70,20 +70,20 @@ pub(super) struct Place<'a> {
     /// The spindle stands at its mark: the tool is no wider than its shape, and nobody knows how much narrower.
     pub is_aside: bool,
     /// What is touched, where it is no stock.
-    pub fixture: Option<Fixture<'a>>,
+    pub fixture: Option<FixtureClearance<'a>>,
 }
 
 /// A fixture, and how far the tool must stay away, mm.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Fixture<'a> {
+pub(super) struct FixtureClearance<'a> {
     pub name: &'a str,
     pub clearance: f64,
 }
 
-impl Fixture<'_> {
+impl FixtureClearance<'_> {
     /// What a tool does that comes too near.
     fn said(&self, units: Units) -> String {
-        let Fixture { name, clearance } = *self;
+        let FixtureClearance { name, clearance } = *self;
         if clearance > 0.0 {
             let clearance = units.length_text(clearance);
             format!("comes nearer to `{name}` than its clearance of {clearance}")
@@ -93,32 +93,32 @@ impl Fixture<'_> {
     }
 }
 
-impl Problems {
+impl StockProblems {
     /// Takes what the bodies of a tool may touch on a move: of sure touches the first, as the others follow from
     /// it; only without one what cannot be excluded.
     pub fn touches(
         &mut self,
-        contacts: impl Iterator<Item = (Code, Contact)>,
+        contacts: impl Iterator<Item = (Code, ContactDepth)>,
         tolerance: f64,
-        place: &Place<'_>,
+        place: &ContactReport<'_>,
     ) {
-        let mut open: Option<(Amount, [f64; 3])> = None;
+        let mut open: Option<(VolumeInterval, [f64; 3])> = None;
         for (code, contact) in contacts {
             match contact.touch(tolerance) {
-                Touch::Clean => {}
-                Touch::Hit { most, at, .. } if place.is_aside => {
+                TouchAnswer::Clean => {}
+                TouchAnswer::Hit { most, at, .. } if place.is_aside => {
                     if open.is_none_or(|(known, _)| most > known.most) {
-                        open = Some((Amount { least: 0.0, most }, at));
+                        open = Some((VolumeInterval { least: 0.0, most }, at));
                     }
                 }
-                Touch::Hit { least, most, at } => {
+                TouchAnswer::Hit { least, most, at } => {
                     self.hits += 1;
-                    self.push(code, Amount { least, most }, vector(at), place);
+                    self.push(code, VolumeInterval { least, most }, vector(at), place);
                     return;
                 }
-                Touch::Undecided { most, at } => {
+                TouchAnswer::Undecided { most, at } => {
                     if open.is_none_or(|(known, _)| most > known.most) {
-                        open = Some((Amount { least: 0.0, most }, at));
+                        open = Some((VolumeInterval { least: 0.0, most }, at));
                     }
                 }
             }
@@ -133,21 +133,21 @@ impl Problems {
     pub fn fixture(
         &mut self,
         code: Code,
-        fixture: &Fixture<'_>,
-        missing: Amount,
+        fixture: &FixtureClearance<'_>,
+        missing: VolumeInterval,
         at: Vec3,
-        place: &Place<'_>,
+        place: &ContactReport<'_>,
     ) {
         if code == Code::NotProved {
             self.undecided += 1;
         } else {
             self.hits += 1;
         }
-        self.push(code, missing, at, &Place { fixture: Some(*fixture), ..*place });
+        self.push(code, missing, at, &ContactReport { fixture: Some(*fixture), ..*place });
     }
 
     /// Adds a problem, or widens the last one where it is of the same block.
-    fn push(&mut self, code: Code, depth_mm: Amount, at: Vec3, place: &Place<'_>) {
+    fn push(&mut self, code: Code, depth_mm: VolumeInterval, at: Vec3, place: &ContactReport<'_>) {
         let name = place.fixture.map_or("", |fixture| fixture.name);
         let is_same = self.last.as_ref().is_some_and(|(origin, known, of)| {
             (*origin, *known, of.as_str()) == (place.origin, code, name)
@@ -187,12 +187,12 @@ fn vector([x, y, z]: [f64; 3]) -> Vec3 {
 }
 
 /// A depth that is known to lie between two.
-fn between(depth: Amount, units: Units) -> String {
+fn between(depth: VolumeInterval, units: Units) -> String {
     let [least, most] = [depth.least, depth.most].map(|mm| units.length_text(mm));
     if least == most { most } else { format!("{least} to {most}") }
 }
 
-fn diagnostic(code: Code, problem: &StockProblem, place: &Place<'_>) -> Diagnostic {
+fn diagnostic(code: Code, problem: &StockProblem, place: &ContactReport<'_>) -> Diagnostic {
     let units = place.units;
     let depth = between(problem.depth_mm, units);
     let tool = problem.tool;

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use chordal_geometry::{Aabb, Transform};
-use chordal_stock::{Span, Stock};
+use chordal_stock::{ColumnStock, RemovedSpan};
 
-use super::earlier::Begun;
-use super::stretches::{Known, stretches_of};
+use super::earlier::InitialStock;
+use super::stretches::{ColumnKnowledge, stretches_of};
 
 /// Columns along a side of a block of which one height is kept.
 const BLOCK: u32 = 16;
@@ -16,15 +16,15 @@ const SAME: f64 = 1e-6;
 /// The columns of another way that the part lies.
 #[derive(Debug)]
 pub(super) struct OtherSide {
-    pub stock: Stock,
-    pub removed: Removed,
+    pub stock: ColumnStock,
+    pub removed: SideRemoval,
     /// From where the part lies as it was given to where it lies then.
     pub there: Transform,
 }
 
 /// How deep the columns of a side are cut.
 #[derive(Debug)]
-pub(super) struct Removed {
+pub(super) struct SideRemoval {
     low: [f64; 2],
     side: f64,
     blocks: [usize; 2],
@@ -33,11 +33,11 @@ pub(super) struct Removed {
     /// The columns that are cut from above.
     is_cut: Vec<bool>,
     /// What undercuts have surely removed from columns, by their numbers.
-    gaps: BTreeMap<usize, Vec<Span>>,
+    gaps: BTreeMap<usize, Vec<RemovedSpan>>,
 }
 
-impl Removed {
-    pub fn of(stock: &Stock, begun: &Begun<'_>) -> Removed {
+impl SideRemoval {
+    pub fn of(stock: &ColumnStock, begun: &InitialStock<'_>) -> SideRemoval {
         let grid = stock.grid();
         let [columns, rows] = grid.cells();
         let blocks = [columns, rows].map(|count| count.div_ceil(BLOCK) as usize);
@@ -54,7 +54,8 @@ impl Removed {
                     gaps.insert(index, own);
                 }
                 is_cut[index] = pairs[index].inner < begun.of(low, high)[1] - SAME;
-                let left = stretches_of(stock, [column, row], Known::Surely, pairs[index].inner);
+                let left =
+                    stretches_of(stock, [column, row], ColumnKnowledge::Surely, pairs[index].inner);
                 let [_, filled] = begun.shape.filled(corners);
                 let lowest = lowest_removed(&filled, &left);
                 if lowest.is_finite() {
@@ -65,7 +66,7 @@ impl Removed {
         }
         let min = grid.bounds().min;
         let side = f64::from(BLOCK) * grid.resolution();
-        Removed { low: [min.x, min.y], side, blocks, floors, is_cut, gaps }
+        SideRemoval { low: [min.x, min.y], side, blocks, floors, is_cut, gaps }
     }
 
     /// Whether all of a box is under what is removed.
@@ -99,11 +100,15 @@ impl Removed {
 }
 
 /// The sure gaps of a column that it did not have from the beginning.
-fn cut_gaps(stock: &Stock, [column, row]: [u32; 2], hollows: &[Span]) -> Vec<Span> {
+fn cut_gaps(
+    stock: &ColumnStock,
+    [column, row]: [u32; 2],
+    hollows: &[RemovedSpan],
+) -> Vec<RemovedSpan> {
     let [mut surely, _] = stock.gaps_at(column, row);
     surely.retain(|gap| {
         let holds =
-            |hollow: &Span| hollow.floor <= gap.floor + SAME && gap.top <= hollow.top + SAME;
+            |hollow: &RemovedSpan| hollow.floor <= gap.floor + SAME && gap.top <= hollow.top + SAME;
         !hollows.iter().any(holds)
     });
     surely

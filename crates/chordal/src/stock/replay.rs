@@ -2,17 +2,17 @@
 
 mod hollows;
 
-use chordal_stock::shape::{Bound, Shape};
-use chordal_stock::{Lowered, Mode, Options, Stock};
+use chordal_stock::shape::{BodyBound, SolidShape};
+use chordal_stock::{ColumnOptions, ColumnStock, LoweredColumn, Mode};
 
-use super::gather::Gathered;
-use super::heights::Heights;
+use super::gather::StockMoves;
+use super::heights::ShapeHeights;
 use super::run::StockRunError;
-use super::setup::{Files, Named, shift_between};
+use super::setup::{NamedBody, SetupFileReader, shift_between};
 use super::target::TARGET_TOLERANCE;
 use super::tools::{ToolBody, tools_of};
 use crate::job::Job;
-use hollows::Hollows;
+use hollows::ReplayHollows;
 
 /// Moves that are cut at once: what they lower is told after each lot. More where drops are left out, as none is
 /// that is the last of a lot.
@@ -43,7 +43,7 @@ pub struct StockBefore {
     /// What holds the part.
     pub fixtures: Vec<FixtureMesh>,
     /// What the picture does not show.
-    pub missing: Missing,
+    pub missing: ReplayOmissions,
 }
 
 /// A fixture as triangles.
@@ -57,7 +57,7 @@ pub struct FixtureMesh {
 
 /// What a replay leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Missing {
+pub struct ReplayOmissions {
     /// Cuts of undercuts: more moves of them than are looked at one by one.
     pub undercuts: bool,
     /// Cuts while the part is turned.
@@ -66,7 +66,7 @@ pub struct Missing {
 
 /// A column that a cut has lowered.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drop {
+pub struct ColumnDrop {
     /// The column: `y · columns + x`.
     pub column: u32,
     /// The piece of path, by its number among all of the run.
@@ -101,12 +101,12 @@ pub struct ReplayOptions {
 }
 
 /// Takes what a run on stock lowers.
-pub trait Replay {
+pub trait ReplaySink {
     /// The stock before the first cut.
     fn before(&mut self, stock: &StockBefore);
     /// Columns that were lowered, in the order of the run, and how much of it is done, from 0 to 1. Gives
     /// whether to go on.
-    fn lowered(&mut self, drops: &[Drop], progress: f64) -> bool;
+    fn lowered(&mut self, drops: &[ColumnDrop], progress: f64) -> bool;
     /// Columns whose gaps are other ones, in the order of the run. Gives whether to go on.
     fn gaps(&mut self, _changes: &[GapChange]) -> bool {
         true
@@ -123,28 +123,30 @@ impl Job<'_> {
     pub fn replay_stock(
         &self,
         options: &ReplayOptions,
-        files: Files<'_>,
-        replay: &mut dyn Replay,
-    ) -> Result<Option<Stock>, StockRunError> {
+        files: SetupFileReader<'_>,
+        replay: &mut dyn ReplaySink,
+    ) -> Result<Option<ColumnStock>, StockRunError> {
         if self.turns() {
             return Err(StockRunError::Turns);
         }
         let setup = &self.machine().setup;
         let premise = self.stock_premise()?;
         let tools = tools_of(self);
-        let mut gathered = Gathered::new(self, &tools, false);
+        let mut gathered = StockMoves::new(self, &tools, false);
         self.report_watched(&mut gathered);
         let all = gathered.rows();
         let shape_of = |name: &str, body| {
-            let named = Named { name, body };
+            let named = NamedBody { name, body };
             let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
             named.shape(shift, files, false)
         };
         let shape = shape_of("stock", &premise.body)?;
         let resolution = resolution_for(&shape, options.columns);
-        let heights = Heights::new(&shape, resolution);
-        let sampled = Options { mode: Mode::Sampled, ..Options::new(resolution, BUDGET) };
-        let mut stock = Stock::shaped(shape.bounds(), sampled, |low, high| heights.of(low, high))?;
+        let heights = ShapeHeights::new(&shape, resolution);
+        let sampled =
+            ColumnOptions { mode: Mode::Sampled, ..ColumnOptions::new(resolution, BUDGET) };
+        let mut stock =
+            ColumnStock::shaped(shape.bounds(), sampled, |low, high| heights.of(low, high))?;
         let target = match &setup.target {
             Some(body) => {
                 let shape = shape_of("target", body)?;
@@ -163,23 +165,23 @@ impl Job<'_> {
                 && tools.get(&batch.tool).is_some_and(|tool| tool.as_ref().is_ok_and(is_undercut))
         });
         let undercuts = of_undercuts.map(|batch| batch.moves.len()).sum::<usize>() > MOST_UNDERCUTS;
-        before.missing = Missing { undercuts, turned: gathered.leaves_out_turned };
+        before.missing = ReplayOmissions { undercuts, turned: gathered.leaves_out_turned };
         for (name, body) in &setup.fixtures {
-            let named = Named { name, body };
+            let named = NamedBody { name, body };
             let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
-            let mesh = named.shape(shift, files, true)?.triangles(FIXTURE_SAG, Bound::Outer);
+            let mesh = named.shape(shift, files, true)?.triangles(FIXTURE_SAG, BodyBound::Outer);
             let corners = (0..mesh.triangles().len()).flat_map(|at| mesh.corners(at));
             let corners = corners.flat_map(|at| at.to_array().map(|mm| mm as f32)).collect();
             before.fixtures.push(FixtureMesh { name: name.clone(), corners });
         }
         replay.before(&before);
-        let mut hollows = Hollows::new(&before);
+        let mut hollows = ReplayHollows::new(&before);
         if heights.is_hollow() && !replay.gaps(&hollows.all(&stock)) {
             return Ok(None);
         }
         let mut thinning = (options.lag > 0.0).then(|| {
             let most = (options.lag * resolution) as f32;
-            Thinning { most, last: vec![0; before.heights.len()], shown: before.heights }
+            ReplayThinning { most, last: vec![0; before.heights.len()], shown: before.heights }
         });
         let at_once = if thinning.is_some() { AT_ONCE_THINNED } else { AT_ONCE };
         for batch in &gathered.batches {
@@ -205,9 +207,9 @@ impl Job<'_> {
                 if let Some(thinning) = &mut thinning {
                     thinning.thin(&mut lowered);
                 }
-                let drops: Vec<Drop> = lowered
+                let drops: Vec<ColumnDrop> = lowered
                     .iter()
-                    .map(|at| Drop {
+                    .map(|at| ColumnDrop {
                         column: at.cell,
                         row: rows[at.number as usize],
                         share: at.share,
@@ -226,7 +228,7 @@ impl Job<'_> {
 }
 
 /// Leaves drops out.
-struct Thinning {
+struct ReplayThinning {
     /// A column may seem so much too high, mm.
     most: f32,
     /// Of each column the heights that were told last.
@@ -235,8 +237,8 @@ struct Thinning {
     last: Vec<usize>,
 }
 
-impl Thinning {
-    fn thin(&mut self, lowered: &mut Vec<Lowered>) {
+impl ReplayThinning {
+    fn thin(&mut self, lowered: &mut Vec<LoweredColumn>) {
         for (place, at) in lowered.iter().enumerate() {
             self.last[at.cell as usize] = place;
         }
@@ -253,7 +255,7 @@ impl Thinning {
     }
 }
 
-fn before(stock: &Stock, target: Option<(Vec<f32>, f64)>) -> StockBefore {
+fn before(stock: &ColumnStock, target: Option<(Vec<f32>, f64)>) -> StockBefore {
     let grid = stock.grid();
     let (min, max) = (grid.bounds().min, grid.bounds().max);
     let heights = stock.height_pairs();
@@ -265,14 +267,14 @@ fn before(stock: &Stock, target: Option<(Vec<f32>, f64)>) -> StockBefore {
         heights: heights.iter().map(|at| (at.outer - max.z) as f32).collect(),
         target,
         fixtures: Vec::new(),
-        missing: Missing::default(),
+        missing: ReplayOmissions::default(),
     }
 }
 
 /// The heights of the part over the columns of the stock, from its top, mm: the middle of what encloses them.
-fn target_heights(shape: &Shape, stock: &Stock) -> Vec<f32> {
+fn target_heights(shape: &SolidShape, stock: &ColumnStock) -> Vec<f32> {
     let grid = stock.grid();
-    let heights = Heights::new(shape, grid.resolution());
+    let heights = ShapeHeights::new(shape, grid.resolution());
     let [columns, rows] = grid.cells();
     let (bottom, top) = (grid.bounds().min.z, grid.bounds().max.z);
     let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
@@ -285,7 +287,7 @@ fn target_heights(shape: &Shape, stock: &Stock) -> Vec<f32> {
 }
 
 /// A resolution of two digits with no more than so many columns, mm.
-fn resolution_for(stock: &Shape, columns: u32) -> f64 {
+fn resolution_for(stock: &SolidShape, columns: u32) -> f64 {
     let size = stock.bounds().size();
     let most = f64::from(columns.max(1));
     let least = (size.x * size.y / most).sqrt();
@@ -308,8 +310,8 @@ mod tests {
 
     #[test]
     fn what_is_left_out_is_small_and_never_the_last() {
-        let at = |cell, share, height| Lowered { cell, number: 0, share, height };
-        let mut thinning = Thinning { most: 0.1, shown: vec![0.0; 2], last: vec![0; 2] };
+        let at = |cell, share, height| LoweredColumn { cell, number: 0, share, height };
+        let mut thinning = ReplayThinning { most: 0.1, shown: vec![0.0; 2], last: vec![0; 2] };
         let mut lowered = vec![
             at(0, 0.1, -0.06),
             at(1, 0.2, -0.5),

@@ -3,8 +3,8 @@
 use std::sync::OnceLock;
 
 use chordal_diagnostics::Code;
-use chordal_stock::mesh::Stretches;
-use chordal_stock::{Amount, Stock};
+use chordal_stock::mesh::SolidIntervals;
+use chordal_stock::{ColumnStock, VolumeInterval};
 
 use super::problems::StockProblem;
 use super::removed::OtherSide;
@@ -47,7 +47,7 @@ pub struct ToolRemoved {
     /// Moves at feed that were cut from the stock.
     pub moves: u64,
     /// mm³; the places that two tools may have removed are counted for the first of them.
-    pub removed_mm3: Amount,
+    pub removed_mm3: VolumeInterval,
     /// The lowest place of its tip at feed, mm; infinite without one.
     pub lowest_mm: f64,
     /// Its holder is given, and was looked at.
@@ -64,9 +64,9 @@ pub struct StockReport {
     /// Parts of the stock that were cut again with finer columns, to decide what touches.
     pub refined: u64,
     /// What is removed, mm³.
-    pub removed_mm3: Amount,
+    pub removed_mm3: VolumeInterval,
     /// What is left, mm³.
-    pub left_mm3: Amount,
+    pub left_mm3: VolumeInterval,
     /// What can be said.
     pub verdict: StockVerdict,
     /// Every touch, in the order of the run.
@@ -83,9 +83,9 @@ pub struct StockReport {
     /// The columns of the others.
     pub(super) others: Vec<OtherSide>,
     /// Found once they are asked for.
-    pub(super) stretches: OnceLock<Stretches>,
+    pub(super) stretches: OnceLock<SolidIntervals>,
     /// The stock as it is left.
-    pub stock: Stock,
+    pub stock: ColumnStock,
     /// The run, with the problems as diagnostics among the others.
     pub report: Report,
 }

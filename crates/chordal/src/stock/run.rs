@@ -6,22 +6,23 @@ use std::sync::OnceLock;
 
 use chordal_command::Origin;
 use chordal_diagnostics::Code;
-use chordal_stock::columns::{Job as TileJob, Lower, Runner};
-use chordal_stock::shape::Shape;
+use chordal_stock::columns::{CellCeiling, JobRunner, TileJob};
+use chordal_stock::shape::SolidShape;
 use chordal_stock::{
-    Amount, Body, Check, Checked, Contact, Cutter, Move, StockError, Task, Undercut,
+    CheckedStock, ContactDepth, CutterProfile, RevolvedBody, StockCheck, StockError, StockTask,
+    TipMove, Undercut, VolumeInterval,
 };
 
-use super::earlier::{Begun, Earlier, below};
+use super::earlier::{EarlierSide, InitialStock, below};
 use super::fixtures::look_at_fixtures;
-use super::gather::{Batch, Gathered, Kind};
-use super::pass::{Run, StockOptions};
-use super::problems::{Fixture, Place, Problems};
+use super::gather::{BatchKind, MoveBatch, StockMoves};
+use super::pass::{PassContext, StockOptions};
+use super::problems::{ContactReport, FixtureClearance, StockProblems};
 use super::removed::OtherSide;
 use super::report::{StockReport, StockVerdict, ToolRemoved, knows_tips};
-use super::setup::{Files, Named, SetupError, shift_between};
-use super::target::{TARGET_TOLERANCE, Target, TargetReport, look_at_target};
-use super::tools::{Piece, ToolBody, tools_of};
+use super::setup::{NamedBody, SetupError, SetupFileReader, shift_between};
+use super::target::{TARGET_TOLERANCE, TargetPart, TargetReport, look_at_target};
+use super::tools::{ShankPiece, ToolBody, tools_of};
 use crate::job::Job;
 use crate::other_sides::MOST_STOCK_SIDE_RUNS;
 use crate::report::Report;
@@ -60,7 +61,7 @@ impl Job<'_> {
     pub fn stock(
         &self,
         options: &StockOptions,
-        files: Files<'_>,
+        files: SetupFileReader<'_>,
     ) -> Result<StockReport, StockRunError> {
         self.stock_by(options, files, &|tiles| tiles.into_iter().map(TileJob::run).collect())
     }
@@ -73,8 +74,8 @@ impl Job<'_> {
     pub fn stock_by(
         &self,
         options: &StockOptions,
-        files: Files<'_>,
-        runner: &Runner<'_>,
+        files: SetupFileReader<'_>,
+        runner: &JobRunner<'_>,
     ) -> Result<StockReport, StockRunError> {
         let mut found = self.stock_of_run(options, files, runner)?;
         cut_other_sides(self, &mut found.report, &mut found.verdict, |job| {
@@ -88,22 +89,22 @@ impl Job<'_> {
     fn stock_of_run(
         &self,
         options: &StockOptions,
-        files: Files<'_>,
-        runner: &Runner<'_>,
+        files: SetupFileReader<'_>,
+        runner: &JobRunner<'_>,
     ) -> Result<StockReport, StockRunError> {
         if self.turns() {
             return Err(StockRunError::Turns);
         }
         let tools = tools_of(self);
-        let mut gathered = Gathered::new(self, &tools, true);
+        let mut gathered = StockMoves::new(self, &tools, true);
         let report = self.report_watched(&mut gathered);
         let premise = self.stock_premise()?;
-        let bodies = Bodies::of(self, &premise.body, &gathered, files)?;
+        let bodies = SetupBodies::of(self, &premise.body, &gathered, files)?;
         let resolution = options.resolution_mm.unwrap_or_else(|| usual_resolution(&bodies.stock));
         bodies.look_at_swings(self, &mut gathered);
         // Each way that the part lies has columns of its own.
         let budget = options.budget / gathered.turns.len() as u64;
-        let run = |turn: usize| Run {
+        let run = |turn: usize| PassContext {
             job: self,
             options: StockOptions { budget, ..*options },
             resolution,
@@ -112,7 +113,7 @@ impl Job<'_> {
             units: gathered.units,
             runner,
         };
-        let mut problems = Problems::default();
+        let mut problems = StockProblems::default();
         let (cut, target) = match &gathered.turns[..] {
             [_] => bodies.look(&run(0), &mut problems)?,
             turns => bodies.look_turned(turns, &run, &gathered.batches, &mut problems)?,
@@ -152,22 +153,22 @@ pub(super) fn cut_other_sides(
 }
 
 /// The bodies of a setup, where the part is not turned.
-pub(super) struct Bodies<'a> {
-    pub stock: Shape,
-    pub fixtures: Vec<(Fixture<'a>, Shape)>,
+pub(super) struct SetupBodies<'a> {
+    pub stock: SolidShape,
+    pub fixtures: Vec<(FixtureClearance<'a>, SolidShape)>,
     /// The part as it should be, and how near to it cuts must be, mm.
-    pub target: Option<(Shape, f64)>,
+    pub target: Option<(SolidShape, f64)>,
 }
 
-impl<'a> Bodies<'a> {
+impl<'a> SetupBodies<'a> {
     fn of(
         job: &'a Job<'_>,
         body: &chordal_machine::Body,
-        gathered: &Gathered<'_>,
-        files: Files<'_>,
-    ) -> Result<Bodies<'a>, StockRunError> {
+        gathered: &StockMoves<'_>,
+        files: SetupFileReader<'_>,
+    ) -> Result<SetupBodies<'a>, StockRunError> {
         let shape_of = |name: &str, body, may_be_open| {
-            let named = Named { name, body };
+            let named = NamedBody { name, body };
             let shift = shift_between(job.machine(), &named, gathered.work.as_deref())?;
             named.shape(shift, files, may_be_open)
         };
@@ -177,7 +178,7 @@ impl<'a> Bodies<'a> {
         for (name, body) in &setup.fixtures {
             let shape = shape_of(&format!("fixtures.{name}"), body, true)?;
             let clearance = body.clearance_mm.unwrap_or(0.0);
-            fixtures.push((Fixture { name, clearance }, shape));
+            fixtures.push((FixtureClearance { name, clearance }, shape));
         }
         let target = match &setup.target {
             Some(body) => {
@@ -186,17 +187,17 @@ impl<'a> Bodies<'a> {
             }
             None => None,
         };
-        Ok(Bodies { stock, fixtures, target })
+        Ok(SetupBodies { stock, fixtures, target })
     }
 
     /// Cuts a part that is not turned, and looks at all that is touched.
     fn look(
         &self,
-        run: &Run<'_>,
-        problems: &mut Problems,
-    ) -> Result<(Cut, Option<TargetReport>), StockError> {
+        run: &PassContext<'_>,
+        problems: &mut StockProblems,
+    ) -> Result<(CutStock, Option<TargetReport>), StockError> {
         let asked = run.all_asked();
-        let begun = Begun::new([&self.stock, &self.stock], run.resolution, Vec::new());
+        let begun = InitialStock::new([&self.stock, &self.stock], run.resolution, Vec::new());
         let cut = run.cut(&begun, &asked, &[])?;
         for (asked, contacts) in asked.iter().zip(&cut.checked.contacts) {
             run.report(asked, contacts, &|_, contact| contact, problems);
@@ -207,17 +208,17 @@ impl<'a> Bodies<'a> {
         let target = match &self.target {
             Some((shape, tolerance)) => {
                 let shapes = [shape.clone(), shape.clone()];
-                let target = Target { shapes, tolerance: *tolerance };
+                let target = TargetPart { shapes, tolerance: *tolerance };
                 look_at_target(run, &target, Some(&cut.checked.stock), problems)?
             }
             None => None,
         };
-        Ok((Cut { removed_by_tag: cut.checked.stock.removed_by_tag(), ..cut }, target))
+        Ok((CutStock { removed_by_tag: cut.checked.stock.removed_by_tag(), ..cut }, target))
     }
 }
 
 /// A round resolution with about a quarter of a million columns, mm.
-pub(super) fn usual_resolution(stock: &Shape) -> f64 {
+pub(super) fn usual_resolution(stock: &SolidShape) -> f64 {
     const COLUMNS: f64 = 250_000.0;
     const STEPS: [f64; 7] = [0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0];
     let size = stock.bounds().size();
@@ -226,12 +227,12 @@ pub(super) fn usual_resolution(stock: &Shape) -> f64 {
 }
 
 /// Stock that is cut.
-pub(super) struct Cut {
-    pub checked: Checked,
+pub(super) struct CutStock {
+    pub checked: CheckedStock,
     /// What is removed and left, mm³, where the columns of one side alone do not know it.
-    pub volumes: Option<[Amount; 2]>,
+    pub volumes: Option<[VolumeInterval; 2]>,
     /// By tool.
-    pub removed_by_tag: Vec<(u32, Amount)>,
+    pub removed_by_tag: Vec<(u32, VolumeInterval)>,
     /// Ways that the part lies on the cuts; the columns are those of the first.
     pub sides: usize,
     /// The other ones.
@@ -239,24 +240,24 @@ pub(super) struct Cut {
 }
 
 /// A task with what its contacts mean.
-pub(super) struct Asked<'a> {
-    cutter: Option<&'a Cutter>,
-    may: Option<&'a Cutter>,
+pub(super) struct TaskQuestion<'a> {
+    cutter: Option<&'a CutterProfile>,
+    may: Option<&'a CutterProfile>,
     undercuts: &'a [(f64, Undercut)],
     /// What each body means that touches.
     codes: Vec<Code>,
-    bodies: Vec<Body>,
-    pub moves: Cow<'a, [Move]>,
+    bodies: Vec<RevolvedBody>,
+    pub moves: Cow<'a, [TipMove]>,
     origins: Cow<'a, [Origin]>,
     pub tool: u32,
     /// The batch, by its place in the run.
     pub batch: usize,
 }
 
-impl Asked<'_> {
+impl TaskQuestion<'_> {
     /// The same cuts without any question.
-    pub fn only_cuts(&self) -> Asked<'_> {
-        Asked {
+    pub fn only_cuts(&self) -> TaskQuestion<'_> {
+        TaskQuestion {
             codes: Vec::new(),
             bodies: Vec::new(),
             moves: Cow::Borrowed(&self.moves),
@@ -266,9 +267,9 @@ impl Asked<'_> {
     }
 }
 
-impl<'a> Run<'a> {
+impl<'a> PassContext<'a> {
     /// What is asked on all batches.
-    pub fn all_asked(&self) -> Vec<Asked<'a>> {
+    pub fn all_asked(&self) -> Vec<TaskQuestion<'a>> {
         let batches = self.batches.iter().enumerate();
         batches.flat_map(|(number, batch)| self.asked(number, batch)).collect()
     }
@@ -276,37 +277,37 @@ impl<'a> Run<'a> {
     /// Cuts a stock, and looks at what touches it; some of it is lowered before tasks by their numbers.
     pub fn cut(
         &self,
-        begun: &Begun<'_>,
-        asked: &[Asked<'_>],
-        lowered: &[(usize, Vec<Earlier>)],
-    ) -> Result<Cut, StockError> {
-        let tasks: Vec<Task<'_>> = asked
+        begun: &InitialStock<'_>,
+        asked: &[TaskQuestion<'_>],
+        lowered: &[(usize, Vec<EarlierSide>)],
+    ) -> Result<CutStock, StockError> {
+        let tasks: Vec<StockTask<'_>> = asked
             .iter()
-            .map(|asked| Task {
+            .map(|asked| StockTask {
                 cutter: asked.cutter,
                 may: asked.may,
                 undercuts: asked.undercuts,
                 bodies: &asked.bodies,
                 moves: &asked.moves,
                 drop: self.options.tolerance_mm,
-                ..Task::default()
+                ..StockTask::default()
             })
             .collect();
         let heights = |low: [f64; 2], high: [f64; 2]| begun.of(low, high);
         let hollows = |corners: [[f64; 2]; 2]| begun.shape.hollows(corners);
         let bounds = begun.shape.bounds();
-        let lower = |earlier: &[Earlier], corners: [[f64; 2]; 2], top: f64| {
+        let lower = |earlier: &[EarlierSide], corners: [[f64; 2]; 2], top: f64| {
             below(earlier, corners, top, bounds.min.z)
         };
-        let by_task: Vec<(usize, Box<Lower<'_>>)> = lowered
+        let by_task: Vec<(usize, Box<CellCeiling<'_>>)> = lowered
             .iter()
-            .map(|(task, earlier)| -> (usize, Box<Lower<'_>>) {
+            .map(|(task, earlier)| -> (usize, Box<CellCeiling<'_>>) {
                 (*task, Box::new(move |corners, top| lower(earlier, corners, top)))
             })
             .collect();
-        let lowered: Vec<(usize, &Lower<'_>)> =
+        let lowered: Vec<(usize, &CellCeiling<'_>)> =
             by_task.iter().map(|(task, lower)| (*task, &**lower)).collect();
-        let check = Check {
+        let check = StockCheck {
             bounds,
             options: self.columns(),
             heights: &heights,
@@ -318,20 +319,20 @@ impl<'a> Run<'a> {
         };
         let checked = check.run_by(&|tiles| self.tiles(tiles))?;
         let (removed_by_tag, others) = (Vec::new(), Vec::new());
-        Ok(Cut { checked, volumes: None, removed_by_tag, sides: 1, others })
+        Ok(CutStock { checked, volumes: None, removed_by_tag, sides: 1, others })
     }
 
     /// Takes the contacts of a task; `sure` says again what of a contact is sure, by the number of its move.
     pub fn report(
         &self,
-        asked: &Asked<'_>,
-        contacts: &[Vec<Contact>],
-        sure: &dyn Fn(usize, Contact) -> Contact,
-        problems: &mut Problems,
+        asked: &TaskQuestion<'_>,
+        contacts: &[Vec<ContactDepth>],
+        sure: &dyn Fn(usize, ContactDepth) -> ContactDepth,
+        problems: &mut StockProblems,
     ) {
         for (index, origin) in asked.origins.iter().enumerate() {
-            let is_aside = self.batches[asked.batch].kind == Kind::Aside;
-            let place = Place { is_aside, ..self.place(*origin, asked.tool) };
+            let is_aside = self.batches[asked.batch].kind == BatchKind::Aside;
+            let place = ContactReport { is_aside, ..self.place(*origin, asked.tool) };
             let touches = asked.codes.iter().zip(contacts);
             let touches = touches.map(|(code, of_moves)| (*code, sure(index, of_moves[index])));
             problems.touches(touches, self.options.tolerance_mm, &place);
@@ -339,16 +340,16 @@ impl<'a> Run<'a> {
     }
 
     /// What is asked on the moves of a batch, in order.
-    fn asked(&self, number: usize, batch: &'a Batch) -> Vec<Asked<'a>> {
+    fn asked(&self, number: usize, batch: &'a MoveBatch) -> Vec<TaskQuestion<'a>> {
         let Some(tool) = self.tool(batch.tool) else { return Vec::new() };
         let own = |code| match &tool.undercuts[..] {
-            [] => (code, Body::of_cutter(&tool.cutter)),
-            undercuts => (code, Body::of_undercuts(undercuts)),
+            [] => (code, RevolvedBody::of_cutter(&tool.cutter)),
+            undercuts => (code, RevolvedBody::of_undercuts(undercuts)),
         };
         let above = bodies_above(tool);
-        let cuts = |above: Vec<(Code, Body)>| {
+        let cuts = |above: Vec<(Code, RevolvedBody)>| {
             let (codes, bodies) = above.into_iter().unzip();
-            Asked {
+            TaskQuestion {
                 cutter: Some(tool.removes()).filter(|_| tool.undercuts.is_empty()),
                 may: tool.core.as_ref().map(|_| &tool.cutter),
                 undercuts: &tool.undercuts,
@@ -361,12 +362,12 @@ impl<'a> Run<'a> {
             }
         };
         match batch.kind {
-            Kind::Cut => vec![cuts(above)],
-            Kind::Rapid | Kind::Aside => {
+            BatchKind::Cut => vec![cuts(above)],
+            BatchKind::Rapid | BatchKind::Aside => {
                 let own = own(Code::RapidThroughStock);
                 vec![watched(number, batch, std::iter::once(own).chain(above))]
             }
-            Kind::Still => {
+            BatchKind::Still => {
                 let own = own(Code::CutsWithoutSpindle);
                 vec![watched(number, batch, std::iter::once(own)), cuts(above)]
             }
@@ -377,16 +378,16 @@ impl<'a> Run<'a> {
 /// What is asked of the moves of a batch that must touch nothing.
 fn watched<'r>(
     number: usize,
-    batch: &Batch,
-    bodies: impl Iterator<Item = (Code, Body)>,
-) -> Asked<'r> {
+    batch: &MoveBatch,
+    bodies: impl Iterator<Item = (Code, RevolvedBody)>,
+) -> TaskQuestion<'r> {
     let asked = batch.asked.iter().zip(&batch.origins);
-    let (moves, origins): (Vec<Move>, Vec<Origin>) =
+    let (moves, origins): (Vec<TipMove>, Vec<Origin>) =
         asked.filter_map(|(path, from)| Some(((*path)?, *from))).unzip();
     let (codes, bodies) = bodies.unzip();
     let (moves, origins) = (Cow::Owned(moves), Cow::Owned(origins));
     let tool = batch.tool;
-    Asked {
+    TaskQuestion {
         cutter: None,
         may: None,
         undercuts: &[],
@@ -400,19 +401,19 @@ fn watched<'r>(
 }
 
 /// What is above the edges of a tool and must not touch.
-fn bodies_above(tool: &ToolBody) -> Vec<(Code, Body)> {
-    let stack = |pieces: &[Piece]| {
+fn bodies_above(tool: &ToolBody) -> Vec<(Code, RevolvedBody)> {
+    let stack = |pieces: &[ShankPiece]| {
         let from = pieces.first()?.from;
         let segments: Vec<[f64; 3]> =
             pieces.iter().map(|piece| [piece.height, piece.lower, piece.upper]).collect();
-        Some(Body::stack(from, &segments))
+        Some(RevolvedBody::stack(from, &segments))
     };
     let is_below = !tool.undercuts.is_empty();
     // The neck above an undercut is its shank, and never as wide.
-    let flutes = Body::above_flutes(&tool.cutter).filter(|_| !is_below);
+    let flutes = RevolvedBody::above_flutes(&tool.cutter).filter(|_| !is_below);
     let flutes = flutes.map(|body| (Code::DeeperThanFlutes, body));
     // A shank no wider than the cutter touches only what is deeper than the edges.
-    let wide = |piece: &Piece| piece.lower.max(piece.upper) > 2.0 * tool.cutter.radius();
+    let wide = |piece: &ShankPiece| piece.lower.max(piece.upper) > 2.0 * tool.cutter.radius();
     let shank = stack(&tool.shank).filter(|_| is_below || tool.shank.iter().any(wide));
     let shank = shank.map(|body| (Code::ShankInStock, body));
     let holder = stack(&tool.holder).map(|body| (Code::HolderInStock, body));
@@ -421,24 +422,24 @@ fn bodies_above(tool: &ToolBody) -> Vec<(Code, Body)> {
 
 fn finish(
     mut report: Report,
-    cut: Cut,
-    problems: Problems,
+    cut: CutStock,
+    problems: StockProblems,
     is_proved: bool,
-    gathered: &Gathered<'_>,
+    gathered: &StockMoves<'_>,
 ) -> StockReport {
     // A spindle that was started without a speed does not turn either; the run itself knows which one does.
     let is_still = report.diagnostics.iter().any(|found| found.code == Code::SpindleStopped);
     let has_problems = problems.hits > 0 || report.counts.errors > 0 || is_still;
     let is_proved = is_proved && report.is_path_verified() && knows_tips(&report);
     report.add(problems.diagnostics);
-    let Cut { checked: Checked { stock, refined, .. }, volumes, others, .. } = cut;
+    let CutStock { checked: CheckedStock { stock, refined, .. }, volumes, others, .. } = cut;
     let [mut removed_mm3, mut left_mm3] =
         volumes.unwrap_or_else(|| [stock.removed(), stock.left()]);
     if gathered.misses_cuts {
         // Nobody knows what the cuts remove that are not followed.
         (removed_mm3.most, left_mm3.least) = (removed_mm3.least + left_mm3.most, 0.0);
     }
-    let by_tag: BTreeMap<u32, Amount> = cut.removed_by_tag.into_iter().collect();
+    let by_tag: BTreeMap<u32, VolumeInterval> = cut.removed_by_tag.into_iter().collect();
     let tools = gathered.order.iter().map(|number| {
         let (moves, lowest_mm) = gathered.counts[number];
         let removed_mm3 = by_tag.get(number).copied().unwrap_or_default();

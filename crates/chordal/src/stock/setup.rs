@@ -1,9 +1,9 @@
 //! The bodies of a setup as shapes in the frame of the run.
 
 use chordal_geometry::Vec3;
-use chordal_machine::{Axis as MachineAxis, Body, BodyShape, Location, Machine, MeshUnit};
+use chordal_machine::{Axis as MachineAxis, Body, BodyShape, Machine, MeshUnit, ValueLocation};
 use chordal_stock::mesh::{LengthUnit, StlOptions, read_stl};
-use chordal_stock::shape::{Axis, Shape, ShapeError};
+use chordal_stock::shape::{ShapeAxis, ShapeError, SolidShape};
 
 /// Corners of a mesh that are nearer to each other are one, mm: half a unit of six digits.
 const WELD: f64 = 1e-6;
@@ -19,20 +19,20 @@ pub struct SetupError {
     /// What to do.
     pub help: String,
     /// Where it was written.
-    pub location: Option<Location>,
+    pub location: Option<ValueLocation>,
 }
 
 /// Gives the bytes of a file that a setup names, or why it cannot.
-pub type Files<'f> = &'f dyn Fn(&str) -> Result<Vec<u8>, String>;
+pub type SetupFileReader<'f> = &'f dyn Fn(&str) -> Result<Vec<u8>, String>;
 
 /// The name of a body in messages, and what was written of it.
 #[derive(Clone, Copy)]
-pub(super) struct Named<'a> {
+pub(super) struct NamedBody<'a> {
     pub name: &'a str,
     pub body: &'a Body,
 }
 
-impl Named<'_> {
+impl NamedBody<'_> {
     pub(super) fn error(&self, message: String, help: &str) -> SetupError {
         SetupError { message, help: help.to_string(), location: self.body.location.clone() }
     }
@@ -47,9 +47,9 @@ impl Named<'_> {
     pub fn shape(
         &self,
         shift: Vec3,
-        files: Files<'_>,
+        files: SetupFileReader<'_>,
         may_be_open: bool,
-    ) -> Result<Shape, SetupError> {
+    ) -> Result<SolidShape, SetupError> {
         let name = self.name;
         match self.shape_word() {
             None => {
@@ -76,7 +76,7 @@ impl Named<'_> {
         self.body.shape.or_else(by_file)
     }
 
-    fn cuboid(&self, shift: Vec3) -> Result<Shape, SetupError> {
+    fn cuboid(&self, shift: Vec3) -> Result<SolidShape, SetupError> {
         let corner = |key: &str, at: [Option<f64>; 3]| {
             let [x, y, z] = [0, 1, 2].map(|axis| {
                 at[axis].ok_or_else(|| {
@@ -88,10 +88,10 @@ impl Named<'_> {
             Ok::<Vec3, SetupError>(Vec3::new(x?, y?, z?) + shift)
         };
         let (from, to) = (corner("from", self.body.from)?, corner("to", self.body.to)?);
-        Shape::cuboid(from, to).map_err(|error| self.wrong(&error))
+        SolidShape::cuboid(from, to).map_err(|error| self.wrong(&error))
     }
 
-    fn round(&self, shift: Vec3) -> Result<Shape, SetupError> {
+    fn round(&self, shift: Vec3) -> Result<SolidShape, SetupError> {
         let body = self.body;
         let number = body.axis.unwrap_or(MachineAxis::Z) as usize % 3;
         let missing = |key: &str| {
@@ -104,17 +104,22 @@ impl Named<'_> {
         let to = body.to[number].ok_or_else(|| missing("to"))? + along;
         let [x, y, z] = body.from.map(|at| at.unwrap_or(0.0));
         let middle = Vec3::new(x, y, z) + shift;
-        let axis = [Axis::X, Axis::Y, Axis::Z][number];
+        let axis = [ShapeAxis::X, ShapeAxis::Y, ShapeAxis::Z][number];
         let shape = if body.shape == Some(BodyShape::Tube) {
             let bore = body.bore_mm.ok_or_else(|| missing("bore"))?;
-            Shape::tube(axis, middle, [diameter, bore], from, to)
+            SolidShape::tube(axis, middle, [diameter, bore], from, to)
         } else {
-            Shape::cylinder(axis, middle, diameter, from, to)
+            SolidShape::cylinder(axis, middle, diameter, from, to)
         };
         shape.map_err(|error| self.wrong(&error))
     }
 
-    fn mesh(&self, shift: Vec3, files: Files<'_>, may_be_open: bool) -> Result<Shape, SetupError> {
+    fn mesh(
+        &self,
+        shift: Vec3,
+        files: SetupFileReader<'_>,
+        may_be_open: bool,
+    ) -> Result<SolidShape, SetupError> {
         let name = self.name;
         let Some(file) = self.body.file.as_deref() else {
             return Err(self.error(format!("`{name}` has no `file`"), "name the STL file"));
@@ -141,7 +146,7 @@ impl Named<'_> {
             None => read.mesh,
         };
         let mesh = mesh.moved(Vec3::new(x, y, z) + shift);
-        let shape = if may_be_open { Shape::surface(mesh) } else { Shape::solid(mesh) };
+        let shape = if may_be_open { SolidShape::surface(mesh) } else { SolidShape::solid(mesh) };
         shape.map_err(|error| {
             let help =
                 "repair the mesh: stock and target must be closed, each edge with two triangles";
@@ -153,7 +158,7 @@ impl Named<'_> {
 /// What is added to coordinates of a body's work offset to have those of the run, whose first cut is under `run`.
 pub(super) fn shift_between(
     machine: &Machine,
-    named: &Named<'_>,
+    named: &NamedBody<'_>,
     run: Option<&str>,
 ) -> Result<Vec3, SetupError> {
     let Some(own) = named.body.work_offset.as_deref() else { return Ok(Vec3::ZERO) };

@@ -10,18 +10,18 @@ use std::rc::Rc;
 use chordal_geometry::{Aabb, ParamCurve, Vec3};
 use chordal_path::Segment;
 use chordal_stock::columns::OTHERS;
-use chordal_stock::shape::Shape;
-use chordal_stock::{Amount, Contact, StockError};
+use chordal_stock::shape::SolidShape;
+use chordal_stock::{ContactDepth, StockError, VolumeInterval};
 
-use super::earlier::{Begun, Earlier, Tops};
+use super::earlier::{EarlierSide, InitialStock, SideTops};
 use super::fixtures::look_at_fixtures;
-use super::gather::{Batch, Gathered};
-use super::pass::Run;
-use super::problems::Problems;
-use super::removed::{OtherSide, Removed};
-use super::run::{Asked, Bodies, Cut};
-use super::target::{Target, TargetReport, look_at_target};
-use super::turns::{Turn, boxed, swept};
+use super::gather::{MoveBatch, StockMoves};
+use super::pass::PassContext;
+use super::problems::StockProblems;
+use super::removed::{OtherSide, SideRemoval};
+use super::run::{CutStock, SetupBodies, TaskQuestion};
+use super::target::{TargetPart, TargetReport, look_at_target};
+use super::turns::{PartOrientation, boxed, swept};
 use crate::job::Job;
 
 /// So often the part is cut from one side again with what other sides have removed since. Each time all that came before
@@ -29,28 +29,28 @@ use crate::job::Job;
 const MOST_VISITS: usize = 8;
 
 /// The stock of one way that the part lies.
-struct Side<'a> {
-    turn: Turn,
-    asked: Vec<Asked<'a>>,
-    cut: Cut,
-    removed: Removed,
+struct StockSide<'a> {
+    turn: PartOrientation,
+    asked: Vec<TaskQuestion<'a>>,
+    cut: CutStock,
+    removed: SideRemoval,
 }
 
 /// A side while the program goes from one to the other.
-struct Visited<'a> {
-    turn: Turn,
-    shapes: [Shape; 2],
-    asked: Vec<Asked<'a>>,
+struct VisitedSide<'a> {
+    turn: PartOrientation,
+    shapes: [SolidShape; 2],
+    asked: Vec<TaskQuestion<'a>>,
     /// What other sides had removed before it was cut first.
-    begun: Vec<Earlier>,
+    begun: Vec<EarlierSide>,
     /// What they had removed before later tasks, by their numbers.
-    lowered: Vec<(usize, Vec<Earlier>)>,
+    lowered: Vec<(usize, Vec<EarlierSide>)>,
     /// As far as it is cut until now.
-    tops: Option<Rc<Tops>>,
+    tops: Option<Rc<SideTops>>,
 }
 
 /// Batches of one side that follow each other.
-struct Visit {
+struct SideVisit {
     side: usize,
     /// Its batches, by their numbers among those of the side.
     batches: std::ops::Range<usize>,
@@ -60,8 +60,8 @@ struct Visit {
 }
 
 /// The visits of a run, in order.
-fn visits(batches: &[Batch]) -> Vec<Visit> {
-    let mut visits: Vec<Visit> = Vec::new();
+fn visits(batches: &[MoveBatch]) -> Vec<SideVisit> {
+    let mut visits: Vec<SideVisit> = Vec::new();
     let mut counts: BTreeMap<usize, [usize; 2]> = BTreeMap::new();
     for batch in batches {
         let [count, visited] = counts.entry(batch.turn).or_default();
@@ -71,7 +71,7 @@ fn visits(batches: &[Batch]) -> Vec<Visit> {
         if !goes_on && *visited < MOST_VISITS {
             *visited += 1;
             let batches = at..at + 1;
-            visits.push(Visit { side: batch.turn, batches, is_last: false, has_later: false });
+            visits.push(SideVisit { side: batch.turn, batches, is_last: false, has_later: false });
         } else if let Some(own) = visits.iter_mut().rfind(|visit| visit.side == batch.turn) {
             own.batches.end = at + 1;
             own.has_later |= !goes_on;
@@ -84,9 +84,9 @@ fn visits(batches: &[Batch]) -> Vec<Visit> {
     visits
 }
 
-impl Bodies<'_> {
+impl SetupBodies<'_> {
     /// Says of moves on which the part turns whether the tool is clear of it, whatever the angle.
-    pub(super) fn look_at_swings(&self, job: &Job<'_>, gathered: &mut Gathered<'_>) {
+    pub(super) fn look_at_swings(&self, job: &Job<'_>, gathered: &mut StockMoves<'_>) {
         let swings: Vec<Segment> = std::mem::take(&mut gathered.swings);
         for segment in &swings {
             if !self.is_clear(job, gathered, segment) {
@@ -95,13 +95,13 @@ impl Bodies<'_> {
         }
     }
 
-    fn is_clear(&self, job: &Job<'_>, gathered: &Gathered<'_>, segment: &Segment) -> bool {
+    fn is_clear(&self, job: &Job<'_>, gathered: &StockMoves<'_>, segment: &Segment) -> bool {
         let Some(radius) = gathered.radius(segment.tool) else { return false };
         let rotary = &job.machine().rotary;
         // As it lies before the axis turns: whatever it turns by, the swept place is the same.
         let (from, to) = (segment.rotary_from, segment.rotary_to);
         let before = [0, 1, 2].map(|axis| if from[axis] == to[axis] { from[axis] } else { 0.0 });
-        let Ok(turn) = Turn::of(rotary, before) else { return false };
+        let Ok(turn) = PartOrientation::of(rotary, before) else { return false };
         let Aabb { min, max } = segment.curve.bounds();
         let bodies = std::iter::once((&self.stock, 0.0))
             .chain(self.fixtures.iter().map(|(fixture, shape)| (shape, fixture.clearance)));
@@ -120,17 +120,17 @@ impl Bodies<'_> {
     /// Cuts a part that is turned, and looks at all that is touched.
     pub(super) fn look_turned<'a>(
         &self,
-        turns: &[Turn],
-        run: &dyn Fn(usize) -> Run<'a>,
-        batches: &'a [Batch],
-        problems: &mut Problems,
-    ) -> Result<(Cut, Option<TargetReport>), StockError> {
-        let mut sides: Vec<(usize, Side<'a>)> = Vec::new();
-        let mut visited: BTreeMap<usize, Visited<'a>> = BTreeMap::new();
+        turns: &[PartOrientation],
+        run: &dyn Fn(usize) -> PassContext<'a>,
+        batches: &'a [MoveBatch],
+        problems: &mut StockProblems,
+    ) -> Result<(CutStock, Option<TargetReport>), StockError> {
+        let mut sides: Vec<(usize, StockSide<'a>)> = Vec::new();
+        let mut visited: BTreeMap<usize, VisitedSide<'a>> = BTreeMap::new();
         // The first is the part as it was given, even where it is never cut so.
         let mut order = visits(batches);
         if order.iter().all(|visit| visit.side != 0) {
-            order.push(Visit { side: 0, batches: 0..0, is_last: true, has_later: false });
+            order.push(SideVisit { side: 0, batches: 0..0, is_last: true, has_later: false });
         }
         for visit in order {
             let (number, turn) = (visit.side, turns[visit.side]);
@@ -140,7 +140,7 @@ impl Bodies<'_> {
             };
             let earlier = earlier_of(&visited, number, &turn);
             let run = run(number);
-            let side = visited.entry(number).or_insert_with(|| Visited {
+            let side = visited.entry(number).or_insert_with(|| VisitedSide {
                 turn,
                 shapes,
                 asked: run.all_asked(),
@@ -153,20 +153,20 @@ impl Bodies<'_> {
                 side.lowered.extend(task.map(|task| (task, earlier)));
             }
             let [outer, inner] = &side.shapes;
-            let begun = Begun::new([outer, inner], run.resolution, side.begun.clone());
+            let begun = InitialStock::new([outer, inner], run.resolution, side.begun.clone());
             if visit.is_last {
                 let cut = run.cut(&begun, &side.asked, &side.lowered)?;
-                let removed = Removed::of(&cut.checked.stock, &begun);
+                let removed = SideRemoval::of(&cut.checked.stock, &begun);
                 if !visit.has_later {
-                    side.tops = Some(Rc::new(Tops::of(&cut.checked.stock)));
+                    side.tops = Some(Rc::new(SideTops::of(&cut.checked.stock)));
                 }
                 let asked = std::mem::take(&mut side.asked);
-                sides.push((number, Side { turn, asked, cut, removed }));
+                sides.push((number, StockSide { turn, asked, cut, removed }));
             } else {
                 let until = side.asked.iter().filter(|asked| asked.batch < visit.batches.end);
-                let cuts: Vec<Asked<'_>> = until.map(Asked::only_cuts).collect();
+                let cuts: Vec<TaskQuestion<'_>> = until.map(TaskQuestion::only_cuts).collect();
                 let cut = run.cut(&begun, &cuts, &side.lowered)?;
-                side.tops = Some(Rc::new(Tops::of(&cut.checked.stock)));
+                side.tops = Some(Rc::new(SideTops::of(&cut.checked.stock)));
             }
         }
         sides.sort_by_key(|(number, _)| *number);
@@ -182,7 +182,7 @@ impl Bodies<'_> {
             let Some((shape, tolerance)) = &self.target else { continue };
             match side.turn.shapes(shape) {
                 Some(shapes) => {
-                    let target = Target { shapes, tolerance: *tolerance };
+                    let target = TargetPart { shapes, tolerance: *tolerance };
                     look_at_target(&run, &target, None, problems)?;
                 }
                 None => problems.undecided += 1,
@@ -195,12 +195,12 @@ impl Bodies<'_> {
     /// The touches of all sides in the order of the run.
     fn report_turned<'a>(
         &self,
-        sides: &[(usize, Side<'a>)],
-        run: &dyn Fn(usize) -> Run<'a>,
-        batches: &'a [Batch],
-        problems: &mut Problems,
+        sides: &[(usize, StockSide<'a>)],
+        run: &dyn Fn(usize) -> PassContext<'a>,
+        batches: &'a [MoveBatch],
+        problems: &mut StockProblems,
     ) {
-        let runs: Vec<Run<'a>> = sides.iter().map(|(number, _)| run(*number)).collect();
+        let runs: Vec<PassContext<'a>> = sides.iter().map(|(number, _)| run(*number)).collect();
         // Where each batch of a side is in the run.
         let places: Vec<Vec<usize>> = sides
             .iter()
@@ -218,7 +218,7 @@ impl Bodies<'_> {
             let side = &sides[at].1;
             let asked = &side.asked[index];
             let reach = runs[at].tool(asked.tool).map_or(0.0, |tool| tool.radius());
-            let sure = |of_move: usize, contact: Contact| {
+            let sure = |of_move: usize, contact: ContactDepth| {
                 if contact.least <= 0.0 {
                     return contact;
                 }
@@ -226,7 +226,7 @@ impl Bodies<'_> {
                 let others = sides.iter().enumerate().filter(|(other, _)| *other != at);
                 let mut others = others.map(|(_, (_, other))| other);
                 let is_untouched = others.all(|other| other.is_untouched(&body, &side.turn));
-                Contact { least: if is_untouched { contact.least } else { 0.0 }, ..contact }
+                ContactDepth { least: if is_untouched { contact.least } else { 0.0 }, ..contact }
             };
             let contacts = &side.cut.checked.contacts[index];
             runs[at].report(asked, contacts, &sure, problems);
@@ -235,17 +235,21 @@ impl Bodies<'_> {
 }
 
 /// What other sides have removed until now, as a side sees it.
-fn earlier_of(visited: &BTreeMap<usize, Visited<'_>>, number: usize, turn: &Turn) -> Vec<Earlier> {
+fn earlier_of(
+    visited: &BTreeMap<usize, VisitedSide<'_>>,
+    number: usize,
+    turn: &PartOrientation,
+) -> Vec<EarlierSide> {
     let others = visited.iter().filter(|(other, _)| **other != number);
     let earlier = others.filter_map(|(_, side)| {
         let there = turn.to_program.inverse().then(&side.turn.to_program);
-        Some(Earlier { tops: side.tops.clone()?, there })
+        Some(EarlierSide { tops: side.tops.clone()?, there })
     });
     earlier.collect()
 }
 
 /// All that a tool passes on a move and that may be stock.
-fn above(path: &Aabb, reach: f64, side: &Side<'_>) -> Aabb {
+fn above(path: &Aabb, reach: f64, side: &StockSide<'_>) -> Aabb {
     let stock = side.cut.checked.stock.grid().bounds();
     let wide = Vec3::new(reach, reach, 0.0);
     let (low, high) = (path.min - wide, path.max + wide);
@@ -255,9 +259,9 @@ fn above(path: &Aabb, reach: f64, side: &Side<'_>) -> Aabb {
     }
 }
 
-impl Side<'_> {
+impl StockSide<'_> {
     /// Whether nothing of a box, which lies as another side has it, may be removed from this side.
-    fn is_untouched(&self, body: &Aabb, of: &Turn) -> bool {
+    fn is_untouched(&self, body: &Aabb, of: &PartOrientation) -> bool {
         let there = of.to_program.inverse().then(&self.turn.to_program);
         let own = boxed(body, &there);
         self.removed.is_above(&own)
@@ -265,15 +269,15 @@ impl Side<'_> {
 }
 
 /// What all sides have removed: at least what one of them has, at most the sum.
-fn together(stock: &Shape, sides: Vec<Side<'_>>) -> Result<Cut, StockError> {
+fn together(stock: &SolidShape, sides: Vec<StockSide<'_>>) -> Result<CutStock, StockError> {
     let count = sides.len();
-    let mut removed = Amount::default();
+    let mut removed = VolumeInterval::default();
     let mut left_most = stock.volume();
-    let mut by_tag: BTreeMap<u32, Amount> = BTreeMap::new();
-    let mut first: Option<(Cut, Turn)> = None;
+    let mut by_tag: BTreeMap<u32, VolumeInterval> = BTreeMap::new();
+    let mut first: Option<(CutStock, PartOrientation)> = None;
     let mut others = Vec::new();
     let mut refined = 0;
-    for Side { turn, cut, removed: cells, .. } in sides {
+    for StockSide { turn, cut, removed: cells, .. } in sides {
         let own = &cut.checked.stock;
         let [mut gone, left] = [own.removed(), own.left()];
         let by_tag_of_side = own.removed_by_tag();
@@ -304,8 +308,8 @@ fn together(stock: &Shape, sides: Vec<Side<'_>>) -> Result<Cut, StockError> {
     let (mut cut, _) = first.ok_or(StockError::Empty)?;
     removed.most = removed.most.min(stock.volume());
     removed.least = removed.least.max(stock.volume() - left_most);
-    let left = Amount { least: (stock.volume() - removed.most).max(0.0), most: left_most };
+    let left = VolumeInterval { least: (stock.volume() - removed.most).max(0.0), most: left_most };
     cut.volumes = Some([removed, left]);
     cut.checked.refined = refined;
-    Ok(Cut { removed_by_tag: by_tag.into_iter().collect(), sides: count, others, ..cut })
+    Ok(CutStock { removed_by_tag: by_tag.into_iter().collect(), sides: count, others, ..cut })
 }

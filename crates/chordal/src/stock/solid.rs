@@ -5,11 +5,11 @@
 //! tool has made, so the column has what is there in its middle: one of the levels on both sides of the wall.
 
 use chordal_geometry::{Aabb, Vec3};
-use chordal_stock::mesh::{HeightField, HeightFieldError, HeightMesh, LayerField, Stretches};
+use chordal_stock::mesh::{HeightField, HeightFieldError, HeightMesh, LayerField, SolidIntervals};
 
 use super::removed::OtherSide;
 use super::report::StockReport;
-use super::stretches::{Known, stretches_of};
+use super::stretches::{ColumnKnowledge, stretches_of};
 use super::turns::boxed;
 
 /// Where a column is cut from another side is found to this share of a column.
@@ -18,7 +18,7 @@ const HALVINGS: u32 = 6;
 impl StockReport {
     /// What is left as stretches of material in each column of the stock, from its bottom, mm: what is in the middle of
     /// the column. `None` where the heights of the columns say it all.
-    pub fn stretches(&self) -> Option<&Stretches> {
+    pub fn stretches(&self) -> Option<&SolidIntervals> {
         self.has_undersides().then(|| self.stretches.get_or_init(|| self.find_stretches()))
     }
 
@@ -47,22 +47,27 @@ impl StockReport {
         }
     }
 
-    fn find_stretches(&self) -> Stretches {
-        let others: Vec<Other<'_>> = self.others.iter().map(Other::new).collect();
+    fn find_stretches(&self) -> SolidIntervals {
+        let others: Vec<SideHeights<'_>> = self.others.iter().map(SideHeights::new).collect();
         let grid = self.stock.grid();
         let bounds = grid.bounds();
         let [columns, rows] = grid.cells();
         let (pairs, middles) = (self.stock.height_pairs(), self.stock.middles());
-        let mut all = Stretches::default();
+        let mut all = SolidIntervals::default();
         for row in 0..rows {
             for column in 0..columns {
                 let (at, index) =
                     ([column, row], row as usize * columns as usize + column as usize);
                 let pair = pairs[index];
-                let outer = stretches_of(&self.stock, at, Known::Maybe, pair.outer);
-                let inner =
-                    stretches_of(&self.stock, at, Known::Surely, pair.inner.min(pair.outer));
-                let middle = stretches_of(&self.stock, at, Known::InTheMiddle, middles[index]);
+                let outer = stretches_of(&self.stock, at, ColumnKnowledge::Maybe, pair.outer);
+                let inner = stretches_of(
+                    &self.stock,
+                    at,
+                    ColumnKnowledge::Surely,
+                    pair.inner.min(pair.outer),
+                );
+                let middle =
+                    stretches_of(&self.stock, at, ColumnKnowledge::InTheMiddle, middles[index]);
                 let mut own = between(&middle, &outer, &inner);
                 let corners = grid.corners(column, row);
                 for other in &others {
@@ -117,21 +122,21 @@ fn between(middle: &[[f64; 2]], outer: &[[f64; 2]], inner: &[[f64; 2]]) -> Vec<[
 }
 
 /// Another side with the heights of its columns.
-struct Other<'a> {
+struct SideHeights<'a> {
     side: &'a OtherSide,
     /// The height in the middle of each column that is cut; infinite where none is, mm.
     heights: Vec<f64>,
 }
 
-impl<'a> Other<'a> {
-    fn new(side: &'a OtherSide) -> Other<'a> {
+impl<'a> SideHeights<'a> {
+    fn new(side: &'a OtherSide) -> SideHeights<'a> {
         let middles = side.stock.middles().into_iter().enumerate();
         let heights = middles.map(
             |(column, middle)| {
                 if side.removed.is_cut(column) { middle } else { f64::INFINITY }
             },
         );
-        Other { side, heights: heights.collect() }
+        SideHeights { side, heights: heights.collect() }
     }
 
     /// Stretches of a column less what is cut from this side.

@@ -1,10 +1,10 @@
 //! What is left of columns as stretches of material.
 
-use chordal_stock::{Span, Stock};
+use chordal_stock::{ColumnStock, RemovedSpan};
 
 /// What of a column is known.
 #[derive(Clone, Copy)]
-pub(super) enum Known {
+pub(super) enum ColumnKnowledge {
     /// What may be left anywhere on it.
     Maybe,
     /// What is left everywhere on it.
@@ -15,20 +15,20 @@ pub(super) enum Known {
 
 /// What is left of a column, as stretches below its height, mm.
 pub(super) fn stretches_of(
-    stock: &Stock,
+    stock: &ColumnStock,
     [column, row]: [u32; 2],
-    known: Known,
+    known: ColumnKnowledge,
     height: f64,
 ) -> Vec<[f64; 2]> {
     let bottom = stock.grid().bounds().min.z;
     let mut left = if bottom < height { vec![[bottom, height]] } else { Vec::new() };
     let [surely, maybe] = stock.gaps_at(column, row);
     let gaps = match known {
-        Known::Maybe => surely,
-        Known::Surely => maybe,
-        Known::InTheMiddle => stock.gaps_in_middle(column, row),
+        ColumnKnowledge::Maybe => surely,
+        ColumnKnowledge::Surely => maybe,
+        ColumnKnowledge::InTheMiddle => stock.gaps_in_middle(column, row),
     };
-    for Span { floor, top } in &gaps {
+    for RemovedSpan { floor, top } in &gaps {
         left = without(&left, [*floor, *top]);
     }
     left

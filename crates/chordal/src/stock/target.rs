@@ -2,15 +2,18 @@
 
 use chordal_diagnostics::Code;
 use chordal_geometry::{ParamCurve, Transform, Vec3};
-use chordal_stock::shape::Shape;
-use chordal_stock::{Amount, Body, Check, Move, Options, Stock, StockError, Task};
+use chordal_stock::shape::SolidShape;
+use chordal_stock::{
+    ColumnOptions, ColumnStock, RevolvedBody, StockCheck, StockError, StockTask, TipMove,
+    VolumeInterval,
+};
 
-use super::gather::Batch;
-use super::heights::Heights;
-use super::inside::{Inside, Sure};
-use super::pass::Run;
-use super::problems::Problems;
-use super::stretches::{Known, stretches_of, without};
+use super::gather::MoveBatch;
+use super::heights::ShapeHeights;
+use super::inside::{InnerCertainty, InnerCutter};
+use super::pass::PassContext;
+use super::problems::StockProblems;
+use super::stretches::{ColumnKnowledge, stretches_of, without};
 
 /// Contacts that are less deep are rounding, mm.
 const ROUNDING: f64 = 1e-3;
@@ -21,9 +24,9 @@ const OF_TOLERANCE: f64 = 0.5;
 pub(super) const TARGET_TOLERANCE: f64 = 0.05;
 
 /// A part with how near to it the cuts must be, mm.
-pub(super) struct Target {
+pub(super) struct TargetPart {
     /// One that holds it, and one that lies in it.
-    pub shapes: [Shape; 2],
+    pub shapes: [SolidShape; 2],
     pub tolerance: f64,
 }
 
@@ -31,22 +34,22 @@ pub(super) struct Target {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TargetReport {
     /// Material outside of the part, mm³.
-    pub left_over_mm3: Amount,
+    pub left_over_mm3: VolumeInterval,
     /// The highest of it above the part, mm: at least and at most.
-    pub highest_mm: Amount,
+    pub highest_mm: VolumeInterval,
     /// Where that is, mm.
     pub at: Vec3,
 }
 
 /// Looks for cuts into the part, and at what is left on it of a stock that was cut from this side alone.
 pub(super) fn look_at_target(
-    run: &Run<'_>,
-    target: &Target,
-    stock: Option<&Stock>,
-    problems: &mut Problems,
+    run: &PassContext<'_>,
+    target: &TargetPart,
+    stock: Option<&ColumnStock>,
+    problems: &mut StockProblems,
 ) -> Result<Option<TargetReport>, StockError> {
     let [outer, inner] = &target.shapes;
-    let heights = Heights::between([outer, inner], run.resolution);
+    let heights = ShapeHeights::between([outer, inner], run.resolution);
     look_for_gouges(run, target, &heights, problems)?;
     Ok(stock.map(|stock| left_over(&heights, stock)))
 }
@@ -54,44 +57,44 @@ pub(super) fn look_at_target(
 /// A cutter that lies the tolerance inside of the true one touches the part exactly where the true one is deeper
 /// in it than the tolerance.
 fn look_for_gouges(
-    run: &Run<'_>,
-    target: &Target,
-    heights: &Heights<'_>,
-    problems: &mut Problems,
+    run: &PassContext<'_>,
+    target: &TargetPart,
+    heights: &ShapeHeights<'_>,
+    problems: &mut StockProblems,
 ) -> Result<(), StockError> {
     let bounds = heights.bounds();
-    let mut asked: Vec<Asked<'_>> = Vec::new();
+    let mut asked: Vec<TargetQuestion<'_>> = Vec::new();
     for batch in run.batches.iter().filter(|batch| !batch.kind.is_rapid()) {
         let Some(tool) = run.tool(batch.tool) else { continue };
-        let Some(Inside { holds, sure, lift }) = tool.inside(target.tolerance) else {
+        let Some(InnerCutter { holds, sure, lift }) = tool.inside(target.tolerance) else {
             problems.undecided += 1;
             continue;
         };
-        let is_sure = !matches!(sure, Sure::Nothing);
+        let is_sure = !matches!(sure, InnerCertainty::Nothing);
         let bodies = match sure {
-            Sure::Body(sure) => vec![holds, sure],
-            Sure::Same | Sure::Nothing => vec![holds],
+            InnerCertainty::Body(sure) => vec![holds, sure],
+            InnerCertainty::Same | InnerCertainty::Nothing => vec![holds],
         };
         let up = Transform::translation(Vec3::new(0.0, 0.0, lift));
         let moves =
-            batch.moves.iter().map(|path| Move { curve: path.curve.transformed(&up), ..*path });
-        asked.push(Asked { batch, bodies, is_sure, moves: moves.collect() });
+            batch.moves.iter().map(|path| TipMove { curve: path.curve.transformed(&up), ..*path });
+        asked.push(TargetQuestion { batch, bodies, is_sure, moves: moves.collect() });
     }
-    let tasks: Vec<Task<'_>> = asked
+    let tasks: Vec<StockTask<'_>> = asked
         .iter()
-        .map(|asked| Task {
+        .map(|asked| StockTask {
             bodies: &asked.bodies,
             moves: &asked.moves,
             drop: f64::INFINITY,
-            ..Task::default()
+            ..StockTask::default()
         })
         .collect();
     let hollows = |corners: [[f64; 2]; 2]| heights.hollows(corners);
     let is_hollow = heights.is_hollow();
     let heights = |low: [f64; 2], high: [f64; 2]| heights.of(low, high);
-    let check = Check {
+    let check = StockCheck {
         bounds,
-        options: Options { middles: false, ..run.columns() },
+        options: ColumnOptions { middles: false, ..run.columns() },
         heights: &heights,
         hollows: is_hollow.then_some(&hollows),
         tasks: &tasks,
@@ -124,40 +127,40 @@ fn look_for_gouges(
 }
 
 /// The moves of a batch with what lies inside of its tool.
-struct Asked<'a> {
-    batch: &'a Batch,
+struct TargetQuestion<'a> {
+    batch: &'a MoveBatch,
     /// What holds all of that, and, where it is another, what surely lies inside.
-    bodies: Vec<Body>,
+    bodies: Vec<RevolvedBody>,
     /// The last of them surely lies inside.
     is_sure: bool,
-    moves: Vec<Move>,
+    moves: Vec<TipMove>,
 }
 
 fn length(stretches: &[[f64; 2]]) -> f64 {
     stretches.iter().map(|[from, to]| to - from).sum()
 }
 
-fn left_over(heights: &Heights<'_>, stock: &Stock) -> TargetReport {
+fn left_over(heights: &ShapeHeights<'_>, stock: &ColumnStock) -> TargetReport {
     let grid = stock.grid();
     let [columns, rows] = grid.cells();
     let pairs = stock.height_pairs();
-    let mut left = Amount::default();
-    let mut highest = Amount::default();
+    let mut left = VolumeInterval::default();
+    let mut highest = VolumeInterval::default();
     let mut at = Vec3::ZERO;
     for row in 0..rows {
-        let mut of_row = Amount::default();
+        let mut of_row = VolumeInterval::default();
         for column in 0..columns {
             let [low, high] = grid.corners(column, row);
             let area = (high[0] - low[0]) * (high[1] - low[1]);
             let pair = pairs[row as usize * columns as usize + column as usize];
             let [may_be, is] = heights.filled([low, high]);
-            let over = |known: Known, height: f64, part: &[[f64; 2]]| {
+            let over = |known: ColumnKnowledge, height: f64, part: &[[f64; 2]]| {
                 let left = stretches_of(stock, [column, row], known, height);
                 part.iter().fold(left, |left, own| without(&left, *own))
             };
             // What is surely left and in no place of the part, and what may be left and not all part.
-            let surely = over(Known::Surely, pair.inner, &may_be);
-            let maybe = over(Known::Maybe, pair.outer, &is);
+            let surely = over(ColumnKnowledge::Surely, pair.inner, &may_be);
+            let maybe = over(ColumnKnowledge::Maybe, pair.outer, &is);
             let [least, most] = [&surely, &maybe].map(|over| length(over));
             of_row.least += area * least;
             of_row.most += area * most;

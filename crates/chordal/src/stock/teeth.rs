@@ -16,7 +16,7 @@ pub(super) fn core(diameter: f64, pitch: f64) -> f64 {
 }
 
 /// Teeth above each other on the core that bears them.
-pub(super) struct Teeth {
+pub(super) struct ThreadMillTeeth {
     /// The core, then each tooth, with the height of its lower end above the tip, mm.
     pub undercuts: Vec<(f64, Undercut)>,
     /// One of the teeth.
@@ -25,13 +25,13 @@ pub(super) struct Teeth {
     pub top: f64,
 }
 
-impl Teeth {
-    pub fn new(diameter: f64, pitch: f64, teeth: u32) -> Result<Teeth, CutterError> {
+impl ThreadMillTeeth {
+    pub fn new(diameter: f64, pitch: f64, teeth: u32) -> Result<ThreadMillTeeth, CutterError> {
         let core = core(diameter, pitch);
         let tooth = Undercut::thread_disc(diameter, pitch * CREST, FLANK, core)?;
         let top = (pitch * f64::from(teeth)).max(tooth.height());
         let mut undercuts = vec![(0.0, Undercut::t_slot(core, top, core)?)];
         undercuts.extend((0..teeth).map(|n| (pitch * f64::from(n), tooth.clone())));
-        Ok(Teeth { undercuts, tooth, top })
+        Ok(ThreadMillTeeth { undercuts, tooth, top })
     }
 }

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use chordal_machine::{Cutter as Shape, Solid, Tool, ToolShape};
-use chordal_stock::{Cutter, CutterError, Undercut};
+use chordal_machine::{Cutter as Shape, HolderSegment, Tool, ToolShape};
+use chordal_stock::{CutterError, CutterProfile, Undercut};
 
-use super::inside::{Dimensions, Inside};
-use super::teeth::{Teeth, core};
+use super::inside::{CutterDimensions, InnerCutter};
+use super::teeth::{ThreadMillTeeth, core};
 use crate::job::Job;
 use crate::tool_comments::known_tools;
 
@@ -16,28 +16,28 @@ const LONG: f64 = 1000.0;
 /// A tool as a body.
 #[derive(Clone, Debug)]
 pub(super) struct ToolBody {
-    pub cutter: Cutter,
+    pub cutter: CutterProfile,
     /// What it surely removes, where that is less than it may: the core of a tap, whose groove winds nobody knows how.
-    pub core: Option<Cutter>,
+    pub core: Option<CutterProfile>,
     /// What cuts instead of it where it is only the hull of edges above its widest place: each with the height of
     /// its lower end above the tip, mm.
     pub undercuts: Vec<(f64, Undercut)>,
-    dimensions: Dimensions,
+    dimensions: CutterDimensions,
     /// A drill whose point angle nobody gives.
     pub has_assumed_point_angle: bool,
     /// Pieces above the edges, the lowest first, each with its height above the tip, mm.
-    pub shank: Vec<Piece>,
-    pub holder: Vec<Piece>,
+    pub shank: Vec<ShankPiece>,
+    pub holder: Vec<ShankPiece>,
 }
 
 impl ToolBody {
     /// What lies everywhere at least `depth` inside of the cutter, mm; `None` where nothing does, or it is not known.
-    pub fn inside(&self, depth: f64) -> Option<Inside> {
+    pub fn inside(&self, depth: f64) -> Option<InnerCutter> {
         self.dimensions.inside(depth)
     }
 
     /// What it surely removes.
-    pub fn removes(&self) -> &Cutter {
+    pub fn removes(&self) -> &CutterProfile {
         self.core.as_ref().unwrap_or(&self.cutter)
     }
 
@@ -72,7 +72,7 @@ impl ToolBody {
 
 /// A cylinder or cone above the edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Piece {
+pub(super) struct ShankPiece {
     /// Its lower end above the tip, mm.
     pub from: f64,
     pub height: f64,
@@ -125,7 +125,7 @@ fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
         Some(top) => Some(tool.flute_length_mm.map_or(top, |flutes| flutes.max(top))),
         None => tool.flute_length_mm,
     };
-    let Edges { cutter, undercuts, dimensions, top, neck } = edges;
+    let CuttingEdges { cutter, undercuts, dimensions, top, neck } = edges;
     let cutter = cutter.with_flutes(flutes);
     let core = dimensions.core().map(|cutter| cutter.with_flutes(flutes));
     let mut body = ToolBody {
@@ -142,12 +142,12 @@ fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
     body.shank = stacked(&tool.shank, &mut at);
     if let (true, Some(diameter)) = (body.shank.is_empty(), tool.shank_diameter_mm) {
         let height = if tool.holder.is_empty() { LONG } else { 0.0 };
-        body.shank.push(Piece { from: at, height, lower: diameter, upper: diameter });
+        body.shank.push(ShankPiece { from: at, height, lower: diameter, upper: diameter });
         at += height;
     }
     if let Some(from) = top.filter(|top| *top < flutes) {
         // The neck between undercuts and shank.
-        let neck = Piece { from, height: flutes - from, lower: neck, upper: neck };
+        let neck = ShankPiece { from, height: flutes - from, lower: neck, upper: neck };
         body.shank.insert(0, neck);
     }
     body.holder = stacked(&tool.holder, &mut at);
@@ -155,83 +155,84 @@ fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
 }
 
 /// What cuts.
-struct Edges {
-    cutter: Cutter,
+struct CuttingEdges {
+    cutter: CutterProfile,
     undercuts: Vec<(f64, Undercut)>,
-    dimensions: Dimensions,
+    dimensions: CutterDimensions,
     /// How far up they reach, where the shape says it, mm.
     top: Option<f64>,
     /// The diameter of what bears undercuts, mm.
     neck: f64,
 }
 
-fn edges_of(shape: Shape<'_>) -> Result<Edges, NoBody> {
-    let known = |dimensions: Dimensions| {
+fn edges_of(shape: Shape<'_>) -> Result<CuttingEdges, NoBody> {
+    let known = |dimensions: CutterDimensions| {
         let cutter = dimensions.cutter()?;
-        Ok(Edges { cutter, undercuts: Vec::new(), dimensions, top: None, neck: 0.0 })
+        Ok(CuttingEdges { cutter, undercuts: Vec::new(), dimensions, top: None, neck: 0.0 })
     };
-    let found: Result<Edges, CutterError> = match shape {
-        Shape::Flat { diameter_mm } => known(Dimensions::Flat { diameter: diameter_mm }),
-        Shape::Ball { diameter_mm } => known(Dimensions::Ball { diameter: diameter_mm }),
+    let found: Result<CuttingEdges, CutterError> = match shape {
+        Shape::Flat { diameter_mm } => known(CutterDimensions::Flat { diameter: diameter_mm }),
+        Shape::Ball { diameter_mm } => known(CutterDimensions::Ball { diameter: diameter_mm }),
         Shape::Bull { diameter_mm, corner_radius_mm } => {
-            known(Dimensions::Bull { diameter: diameter_mm, corner: corner_radius_mm })
+            known(CutterDimensions::Bull { diameter: diameter_mm, corner: corner_radius_mm })
         }
         Shape::Chamfer { diameter_mm, tip_diameter_mm: tip, point_angle_rad: angle } => {
-            known(Dimensions::Pointed { diameter: diameter_mm, tip, angle })
+            known(CutterDimensions::Pointed { diameter: diameter_mm, tip, angle })
         }
         Shape::Drill { diameter_mm, point_angle_rad: angle } => {
-            known(Dimensions::Pointed { diameter: diameter_mm, tip: 0.0, angle })
+            known(CutterDimensions::Pointed { diameter: diameter_mm, tip: 0.0, angle })
         }
         Shape::Tap { diameter_mm, pitch_mm } => {
-            known(Dimensions::Tap { diameter: diameter_mm, pitch: pitch_mm })
+            known(CutterDimensions::Tap { diameter: diameter_mm, pitch: pitch_mm })
         }
         Shape::ThreadMill { diameter_mm, pitch_mm, teeth } => threads(diameter_mm, pitch_mm, teeth),
         Shape::TSlot { diameter_mm, thickness_mm, neck_mm } => {
             let disc = Undercut::t_slot(diameter_mm, thickness_mm, neck_mm);
-            let dimensions = Dimensions::Disc { diameter: diameter_mm, thickness: thickness_mm };
+            let dimensions =
+                CutterDimensions::Disc { diameter: diameter_mm, thickness: thickness_mm };
             disc.and_then(|disc| below(dimensions, disc))
         }
         Shape::Lollipop { diameter_mm, neck_mm } => {
             let ball = Undercut::lollipop(diameter_mm, neck_mm);
-            ball.and_then(|ball| below(Dimensions::Lollipop { diameter: diameter_mm }, ball))
+            ball.and_then(|ball| below(CutterDimensions::Lollipop { diameter: diameter_mm }, ball))
         }
-        Shape::Form { profile } => known(Dimensions::Outline(profile.to_vec())),
+        Shape::Form { profile } => known(CutterDimensions::Outline(profile.to_vec())),
         Shape::Insert { .. } | Shape::Groove { .. } => return Err(NoBody::Turning),
     };
     found.map_err(NoBody::Wrong)
 }
 
 /// One undercut with its dimensions.
-fn below(dimensions: Dimensions, undercut: Undercut) -> Result<Edges, CutterError> {
+fn below(dimensions: CutterDimensions, undercut: Undercut) -> Result<CuttingEdges, CutterError> {
     let (top, neck) = (Some(undercut.height()), undercut.neck());
     let cutter = dimensions.cutter()?;
-    Ok(Edges { cutter, undercuts: vec![(0.0, undercut)], dimensions, top, neck })
+    Ok(CuttingEdges { cutter, undercuts: vec![(0.0, undercut)], dimensions, top, neck })
 }
 
 /// Teeth above each other, with the core that bears them.
-fn threads(diameter: f64, pitch: f64, teeth: u32) -> Result<Edges, CutterError> {
-    let Teeth { undercuts, top, .. } = Teeth::new(diameter, pitch, teeth)?;
-    let dimensions = Dimensions::Threads { diameter, pitch, teeth };
+fn threads(diameter: f64, pitch: f64, teeth: u32) -> Result<CuttingEdges, CutterError> {
+    let ThreadMillTeeth { undercuts, top, .. } = ThreadMillTeeth::new(diameter, pitch, teeth)?;
+    let dimensions = CutterDimensions::Threads { diameter, pitch, teeth };
     let (cutter, neck) = (dimensions.cutter()?, core(diameter, pitch));
-    Ok(Edges { cutter, undercuts, dimensions, top: Some(top), neck })
+    Ok(CuttingEdges { cutter, undercuts, dimensions, top: Some(top), neck })
 }
 
-fn stacked(solids: &[Solid], at: &mut f64) -> Vec<Piece> {
-    let piece = |solid: &Solid| {
+fn stacked(solids: &[HolderSegment], at: &mut f64) -> Vec<ShankPiece> {
+    let piece = |solid: &HolderSegment| {
         let from = *at;
         *at += solid.height_mm;
-        let Solid { height_mm, lower_mm, upper_mm } = *solid;
-        Piece { from, height: height_mm, lower: lower_mm, upper: upper_mm }
+        let HolderSegment { height_mm, lower_mm, upper_mm } = *solid;
+        ShankPiece { from, height: height_mm, lower: lower_mm, upper: upper_mm }
     };
     solids.iter().map(piece).collect()
 }
 
 /// A body of a cutter with a holder: its height, and its diameters below and above.
 #[cfg(test)]
-pub(super) fn body_for_tests(cutter: Cutter, holder: Option<[f64; 3]>) -> ToolBody {
-    let dimensions = Dimensions::Flat { diameter: 2.0 * cutter.radius() };
+pub(super) fn body_for_tests(cutter: CutterProfile, holder: Option<[f64; 3]>) -> ToolBody {
+    let dimensions = CutterDimensions::Flat { diameter: 2.0 * cutter.radius() };
     let from = cutter.flutes().unwrap_or(0.0);
-    let piece = |[height, lower, upper]: [f64; 3]| Piece { from, height, lower, upper };
+    let piece = |[height, lower, upper]: [f64; 3]| ShankPiece { from, height, lower, upper };
     let holder = holder.map(piece).into_iter().collect();
     ToolBody {
         cutter,

@@ -4,8 +4,8 @@
 use std::f64::consts::TAU;
 
 use chordal_geometry::{Aabb, Transform, Vec3};
-use chordal_machine::{Rotary, Turns};
-use chordal_stock::shape::Shape;
+use chordal_machine::{RotaryAxis, RotaryTarget};
+use chordal_stock::shape::SolidShape;
 
 /// Angles that differ by less are the same, rad.
 const SAME_ANGLE: f64 = 1e-9;
@@ -16,7 +16,7 @@ const AXES: [Vec3; 3] = [Vec3::X, Vec3::Y, Vec3::Z];
 
 /// The rotary axes of a machine at an angle, and the part with them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Turn {
+pub(super) struct PartOrientation {
     /// A, B and C, rad, each within half a turn of zero.
     pub angles: [f64; 3],
     /// From coordinates of the part, which are those of the program while all of them are at zero, to those of the
@@ -24,20 +24,21 @@ pub(super) struct Turn {
     pub to_program: Transform,
 }
 
-impl Turn {
+impl PartOrientation {
     /// The part as its coordinates say.
-    pub const NONE: Turn = Turn { angles: [0.0; 3], to_program: Transform::identity() };
+    pub const NONE: PartOrientation =
+        PartOrientation { angles: [0.0; 3], to_program: Transform::identity() };
 
     /// At some angles; why it is not known how the part lies then.
-    pub fn of(rotary: &[Rotary; 3], angles: [f64; 3]) -> Result<Turn, String> {
+    pub fn of(rotary: &[RotaryAxis; 3], angles: [f64; 3]) -> Result<PartOrientation, String> {
         let angles = angles.map(within_half_a_turn);
         let mut to_part = Transform::identity();
         for (axis, angle) in angles.into_iter().enumerate().filter(|(_, angle)| *angle != 0.0) {
             let letter = LETTERS[axis];
             let degrees = angle.to_degrees();
             match rotary[axis].turns {
-                Some(Turns::Table) => {}
-                Some(Turns::Head) => {
+                Some(RotaryTarget::Table) => {}
+                Some(RotaryTarget::Head) => {
                     return Err(format!(
                         "{letter} turns the tool to {degrees:.3}°, and tools are followed upright only"
                     ));
@@ -52,7 +53,7 @@ impl Turn {
             to_part =
                 to_part.then(&Transform::rotation_about(center(&rotary[axis]), AXES[axis], signed));
         }
-        Ok(Turn { angles, to_program: to_part.inverse() })
+        Ok(PartOrientation { angles, to_program: to_part.inverse() })
     }
 
     pub fn is_none(&self) -> bool {
@@ -65,7 +66,7 @@ impl Turn {
     }
 
     /// A shape of the part as it lies: one that holds it and one in it. `None` where it cannot be turned.
-    pub fn shapes(&self, shape: &Shape) -> Option<[Shape; 2]> {
+    pub fn shapes(&self, shape: &SolidShape) -> Option<[SolidShape; 2]> {
         if self.is_none() {
             return Some([shape.clone(), shape.clone()]);
         }
@@ -95,7 +96,7 @@ fn within_half_a_turn(angle: f64) -> f64 {
     if rest.abs() < SAME_ANGLE { 0.0 } else { rest }
 }
 
-fn center(rotary: &Rotary) -> Vec3 {
+fn center(rotary: &RotaryAxis) -> Vec3 {
     let [x, y, z] = rotary.center_mm.map(|mm| mm.unwrap_or(0.0));
     Vec3::new(x, y, z)
 }
@@ -103,14 +104,14 @@ fn center(rotary: &Rotary) -> Vec3 {
 /// The box of everything that a body with this box passes while one axis of the table turns it, whatever the angle;
 /// `None` where more than that turns, or it is not known what.
 pub(super) fn swept(
-    rotary: &[Rotary; 3],
+    rotary: &[RotaryAxis; 3],
     from: [f64; 3],
     to: [f64; 3],
     body: &Aabb,
 ) -> Option<Aabb> {
     let mut turning = (0..3).filter(|axis| (from[*axis] - to[*axis]).abs() >= SAME_ANGLE);
     let (axis, None) = (turning.next()?, turning.next()) else { return None };
-    if rotary[axis].turns != Some(Turns::Table) {
+    if rotary[axis].turns != Some(RotaryTarget::Table) {
         return None;
     }
     let middle = center(&rotary[axis]);
@@ -150,23 +151,33 @@ pub(super) fn boxed(body: &Aabb, by: &Transform) -> Aabb {
 mod tests {
     use super::*;
 
-    fn table() -> [Rotary; 3] {
-        let a = Rotary { turns: Some(Turns::Table), ..Rotary::default() };
-        [a, Rotary::default(), Rotary { turns: Some(Turns::Head), ..Rotary::default() }]
+    fn table() -> [RotaryAxis; 3] {
+        let a = RotaryAxis { turns: Some(RotaryTarget::Table), ..RotaryAxis::default() };
+        [
+            a,
+            RotaryAxis::default(),
+            RotaryAxis { turns: Some(RotaryTarget::Head), ..RotaryAxis::default() },
+        ]
     }
 
     #[test]
     fn a_part_at_an_angle_lies_where_the_tool_finds_it() {
-        let turn = Turn::of(&table(), [TAU / 4.0, 0.0, 0.0]).expect("a table");
+        let turn = PartOrientation::of(&table(), [TAU / 4.0, 0.0, 0.0]).expect("a table");
         // With A at 90 degrees a tool that comes down at Y0 Z10 is at Y-10 of the part: the tool turns about it
         // as a right-hand screw goes along X.
         let seen = turn.to_program.apply_point(Vec3::new(3.0, -10.0, 0.0));
         assert!((seen - Vec3::new(3.0, 0.0, 10.0)).length() < 1e-9, "{seen:?}");
         assert_eq!(turn.name(), "A90");
         assert!(turn.is_at([TAU / 4.0 + TAU, 0.0, 0.0]) && !turn.is_at([0.0; 3]));
-        assert!(Turn::of(&table(), [0.0, 1.0, 0.0]).is_err_and(|why| why.contains("[rotary.B]")));
-        assert!(Turn::of(&table(), [0.0, 0.0, 1.0]).is_err_and(|why| why.contains("upright")));
-        assert_eq!(Turn::of(&table(), [TAU, 0.0, -TAU]), Ok(Turn::NONE));
+        assert!(
+            PartOrientation::of(&table(), [0.0, 1.0, 0.0])
+                .is_err_and(|why| why.contains("[rotary.B]"))
+        );
+        assert!(
+            PartOrientation::of(&table(), [0.0, 0.0, 1.0])
+                .is_err_and(|why| why.contains("upright"))
+        );
+        assert_eq!(PartOrientation::of(&table(), [TAU, 0.0, -TAU]), Ok(PartOrientation::NONE));
     }
 
     #[test]

@@ -7,7 +7,7 @@
 use std::collections::{HashMap, VecDeque};
 
 use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
-use chordal_stock::Move;
+use chordal_stock::TipMove;
 
 use super::tools::ToolBody;
 
@@ -33,13 +33,13 @@ pub(super) enum RapidRest {
 type ToolAndTurn = (u32, usize);
 
 /// Heights of the tip over one place of X and Y that cuts have passed, mm.
-type Heights = Vec<[f64; 2]>;
+type PassedHeights = Vec<[f64; 2]>;
 
 /// A place of X and Y, mm.
 #[derive(Debug)]
 struct VisitedSpot {
     at: [f64; 2],
-    heights: Heights,
+    heights: PassedHeights,
 }
 
 /// The places of cuts, as far as rapids come back to them.
@@ -164,7 +164,7 @@ impl VisitedPlaces {
         heights.push(new);
     }
 
-    fn heights(&self, key: ToolAndTurn, at: [f64; 2]) -> Option<&Heights> {
+    fn heights(&self, key: ToolAndTurn, at: [f64; 2]) -> Option<&PassedHeights> {
         let [x, y] = cell(at);
         let near = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [x + i, y + j]));
         let spots = near.filter_map(|cell| self.spots.get(&(key, cell)));
@@ -224,17 +224,17 @@ fn are_same(a: [f64; 2], b: [f64; 2]) -> bool {
 
 impl RapidRest {
     /// The part of a move that is asked.
-    pub fn of(self, path: &Move) -> Option<Move> {
+    pub fn of(self, path: &TipMove) -> Option<TipMove> {
         match self {
             RapidRest::Nothing => None,
-            RapidRest::Part(line) => Some(Move { curve: Curve::Line(line), ..*path }),
+            RapidRest::Part(line) => Some(TipMove { curve: Curve::Line(line), ..*path }),
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use chordal_stock::Cutter;
+    use chordal_stock::CutterProfile;
 
     use super::super::tools::body_for_tests;
     use super::*;
@@ -270,7 +270,7 @@ mod tests {
 
     #[test]
     fn what_is_not_asked_was_cut_before() {
-        let cutter = |flutes| Cutter::flat(2.0).expect("a cutter").with_flutes(flutes);
+        let cutter = |flutes| CutterProfile::flat(2.0).expect("a cutter").with_flutes(flutes);
         let bodies = [
             body_for_tests(cutter(None), None),
             body_for_tests(cutter(Some(1.0)), Some([40.0, 4.0, 2.0])),

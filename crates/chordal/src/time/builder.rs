@@ -286,7 +286,7 @@ mod tests {
 
     use super::*;
     use chordal_diagnostics::{FileId, TextRange};
-    use chordal_geometry::{Direction, Line, Plane, arc_from_center};
+    use chordal_geometry::{Line, Plane, TurnDirection, arc_from_center};
     use chordal_motion::{Phase, Piece};
     use chordal_path::SegmentKind;
 
@@ -460,7 +460,7 @@ mod tests {
             Vec3::new(10.0, 0.0, 0.0),
             Vec3::new(10.0, 0.0, 0.0),
             (0.0, 0.0),
-            Direction::Ccw,
+            TurnDirection::Ccw,
             0,
             1e-9,
         );

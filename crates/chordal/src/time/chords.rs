@@ -6,7 +6,7 @@
 //! would give: they are taken from arcs through the points, within the rounding.
 
 use chordal_geometry::{
-    Curve, FitOptions, FitPiece, Line, Measure, ParamCurve, Placement, Vec3, fit_path,
+    Curve, FitMeasure, FitOptions, FitPiece, Line, ParamCurve, Placement, Vec3, fit_path,
 };
 use chordal_motion::{Corner, Limits, Move, MoveKind, Planner, Step};
 
@@ -211,12 +211,13 @@ fn remedies(moves: &[Move], unit_mm: f64, limits: &Limits) -> Vec<(Remedy, f64)>
     let points = points_of(moves);
     if let Some(decimals) = decimals_of(&points, unit_mm) {
         let rounding = unit_mm * 0.1_f64.powi(decimals as i32);
-        let fit = FitOptions { measure: Measure::Points, ..FitOptions::within(0.75 * rounding) };
+        let fit = FitOptions { measure: FitMeasure::Points, ..FitOptions::within(0.75 * rounding) };
         if let Ok(pieces) = fit_path(&points, &fit) {
             tried(Remedy::Decimals(decimals + 1), &at_the_same_places(moves, &points, &pieces));
         }
     }
-    let through = FitOptions { measure: Measure::Points, ..FitOptions::within(0.25 * tolerance) };
+    let through =
+        FitOptions { measure: FitMeasure::Points, ..FitOptions::within(0.25 * tolerance) };
     if let Ok(pieces) = fit_path(&points, &through) {
         let within_mm = 0.25 * tolerance;
         let finer = chords_of(moves, &pieces, within_mm);

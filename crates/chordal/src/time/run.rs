@@ -6,7 +6,7 @@ use chordal_path::{PathCommand, PathSink};
 
 use super::builder::TimeBuilder;
 use super::report::TimeReport;
-use crate::compensated::Compensated;
+use crate::compensated::CompensationSink;
 use crate::job::Job;
 use crate::motion::{
     Level, LimitError, Limits, MachineLimits, MotionBuilder, MotionOptions, MotionReport,
@@ -14,7 +14,7 @@ use crate::motion::{
     StepSource, WithSources,
 };
 use crate::other_sides::{BlockDeleteRuns, MOST_SIDE_RUNS};
-use crate::report::{KEPT_PER_CODE, Report, ReportSink, Watch};
+use crate::report::{KEPT_PER_CODE, Report, ReportSink, RunWatch};
 
 /// The time of a run, and how it was planned.
 #[derive(Clone, Debug)]
@@ -28,7 +28,7 @@ pub struct Timed {
 /// Sees nothing of a run.
 pub(super) struct Unwatched;
 
-impl Watch for Unwatched {}
+impl RunWatch for Unwatched {}
 
 impl Job<'_> {
     /// Runs, plans and adds up the time.
@@ -109,7 +109,7 @@ impl Job<'_> {
         &self,
         options: &MotionOptions,
         most_moves: u64,
-        watch: &mut dyn Watch,
+        watch: &mut dyn RunWatch,
     ) -> (Report, Result<Option<Timed>, LimitError>) {
         match options.level {
             Level::Fast => self.judged(
@@ -127,7 +127,7 @@ impl Job<'_> {
         options: &MotionOptions,
         make: MakePlanner<P>,
         most_moves: u64,
-        watch: &mut dyn Watch,
+        watch: &mut dyn RunWatch,
     ) -> (Report, Result<Option<Timed>, LimitError>) {
         let limits = match MachineLimits::of(self.machine()) {
             Ok(limits) => limits,
@@ -137,7 +137,7 @@ impl Job<'_> {
         let motion = MotionBuilder::new(self, limits, options, planning);
         let report = ReportSink::new(self, watch);
         let both = Both { report, motion: Some(motion), left: most_moves };
-        let (outcomes, Both { report, motion, .. }) = Compensated::judge(self, both);
+        let (outcomes, Both { report, motion, .. }) = CompensationSink::judge(self, both);
         let timed = motion.map(|motion| {
             let (motion, planning) = motion.finish(outcomes.clone());
             Timed { time: planning.finish().finish(), motion }

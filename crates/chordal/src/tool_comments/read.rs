@@ -4,7 +4,7 @@ use chordal_machine::ToolShape;
 
 use super::SaidTool;
 use super::drills::{letter_drill, number_drill, number_screw};
-use super::tokens::{Kind, Token, join_mixed, tokens};
+use super::tokens::{CommentToken, CommentTokenKind, join_mixed, tokens};
 use super::turning::read_turning;
 
 /// Words that name a tool, or a piece of its name.
@@ -90,8 +90,8 @@ pub(super) fn read_description(text: &str, inch: bool) -> Option<SaidTool> {
 }
 
 /// Words of a sentence are among them.
-fn is_sentence(tokens: &[Token<'_>]) -> bool {
-    tokens.iter().filter_map(Token::word).any(|word| SENTENCE.contains(&word))
+fn is_sentence(tokens: &[CommentToken<'_>]) -> bool {
+    tokens.iter().filter_map(CommentToken::word).any(|word| SENTENCE.contains(&word))
 }
 
 /// Upper case, without what stands for people or for other programs: the name of a holder, the suffixes of
@@ -109,13 +109,20 @@ fn plain(text: &str) -> String {
 }
 
 /// What a description says, and whether a key announces its diameter.
-fn described(text: &str, mut rest: Vec<Token<'_>>, inch: bool, turns: bool) -> (SaidTool, bool) {
+fn described(
+    text: &str,
+    mut rest: Vec<CommentToken<'_>>,
+    inch: bool,
+    turns: bool,
+) -> (SaidTool, bool) {
     // `TOOL 1 = 12MM ENDMILL`: the sign belongs to the number of the tool.
-    let is_list_sign = |token: &Token<'_>| matches!(token.kind, Kind::Sign('=' | '-' | ':' | ','));
+    let is_list_sign = |token: &CommentToken<'_>| {
+        matches!(token.kind, CommentTokenKind::Sign('=' | '-' | ':' | ','))
+    };
     let signs = rest.iter().take_while(|token| is_list_sign(token)).count();
     rest.drain(..signs);
     join_mixed(&mut rest);
-    let reader = Reader { tokens: rest, inch, shape: shape_of(text) };
+    let reader = CommentReader { tokens: rest, inch, shape: shape_of(text) };
     let mut said = reader.read();
     if turns {
         read_turning(text, &reader.tokens, inch, &mut said);
@@ -131,8 +138,11 @@ fn shape_of(text: &str) -> Option<ToolShape> {
 }
 
 /// The number of the tool and what else is said.
-fn tool_number<'t>(all: &[Token<'t>], called: Option<u32>) -> Option<(u32, Vec<Token<'t>>)> {
-    let start = all.iter().position(|token| !matches!(token.kind, Kind::Sign(_)))?;
+fn tool_number<'t>(
+    all: &[CommentToken<'t>],
+    called: Option<u32>,
+) -> Option<(u32, Vec<CommentToken<'t>>)> {
+    let start = all.iter().position(|token| !matches!(token.kind, CommentTokenKind::Sign(_)))?;
     let number_at = |at: usize| {
         let whole = all.get(at)?.number()?.whole().filter(|number| (1..=999).contains(number))?;
         // `TOOL 3-FLUTE` and `T1A` are no numbers.
@@ -154,8 +164,8 @@ fn tool_number<'t>(all: &[Token<'t>], called: Option<u32>) -> Option<(u32, Vec<T
         if all[at].word() != Some("TOOL") {
             continue;
         }
-        let passed = |token: &&Token<'_>| {
-            matches!(token.kind, Kind::Sign('#' | '-' | ':' | '=' | '.' | '<'))
+        let passed = |token: &&CommentToken<'_>| {
+            matches!(token.kind, CommentTokenKind::Sign('#' | '-' | ':' | '=' | '.' | '<'))
                 || matches!(token.word(), Some("NO" | "NUM" | "NUMBER"))
         };
         let after = at + 1 + all[at + 1..].iter().take_while(passed).count();
@@ -169,13 +179,13 @@ fn tool_number<'t>(all: &[Token<'t>], called: Option<u32>) -> Option<(u32, Vec<T
     called.map(|number| (number, all.to_vec()))
 }
 
-struct Reader<'t> {
-    tokens: Vec<Token<'t>>,
+struct CommentReader<'t> {
+    tokens: Vec<CommentToken<'t>>,
     inch: bool,
     shape: Option<ToolShape>,
 }
 
-impl Reader<'_> {
+impl CommentReader<'_> {
     fn read(&self) -> SaidTool {
         let (thread_mm, pitch_mm) = self.thread();
         // The thread that a mill cuts is not the diameter of the mill.
@@ -208,7 +218,9 @@ impl Reader<'_> {
 
     /// The place of the first piece at or behind `at` that is no sign of a list.
     fn past_signs(&self, at: usize) -> usize {
-        let is_sign = |token: &&Token<'_>| matches!(token.kind, Kind::Sign('.' | '-' | '=' | ':'));
+        let is_sign = |token: &&CommentToken<'_>| {
+            matches!(token.kind, CommentTokenKind::Sign('.' | '-' | '=' | ':'))
+        };
         at + self.tokens.get(at..).unwrap_or(&[]).iter().take_while(is_sign).count()
     }
 
@@ -225,7 +237,8 @@ impl Reader<'_> {
     /// `D=12.`, `DIA. - .5`, `.25 DIA`, `Ø12`.
     fn keyed_diameter(&self) -> Option<f64> {
         (0..self.tokens.len()).find_map(|at| match self.tokens[at].kind {
-            Kind::Word("DIA" | "DIAM" | "DIAMETER") | Kind::Sign('Ø' | '⌀' | 'ø') => {
+            CommentTokenKind::Word("DIA" | "DIAM" | "DIAMETER")
+            | CommentTokenKind::Sign('Ø' | '⌀' | 'ø') => {
                 let is_size =
                     |at: &usize| self.tokens[*at].number().is_some_and(|number| number.is_size());
                 let behind = self.number_behind(at);
@@ -234,14 +247,14 @@ impl Reader<'_> {
                 self.mm(behind.filter(is_size).or(before).or(behind)?)
             }
             // `D3` is the number of an offset.
-            Kind::Word("D") => {
+            CommentTokenKind::Word("D") => {
                 let keyed = self.tokens.get(at + 1)?.is_sign('=');
                 let value = self.number_behind(at)?;
                 let point = self.tokens[value].number()?.point && self.tokens[at + 1].glued;
                 (keyed || point).then(|| self.mm(value)).flatten()
             }
             // `End Mill {6 mm}`.
-            Kind::Sign('{') => {
+            CommentTokenKind::Sign('{') => {
                 let size = (at + 1..self.tokens.len())
                     .take_while(|at| !self.tokens[*at].is_sign('}'))
                     .find(|at| self.is_size(*at, false))?;
@@ -281,11 +294,11 @@ impl Reader<'_> {
         let number = |at: usize| self.tokens.get(at)?.number().map(|number| number.value());
         let pointed = matches!(self.shape, Some(ToolShape::Drill | ToolShape::Chamfer));
         let degrees = (0..self.tokens.len()).find_map(|at| match self.tokens[at].kind {
-            Kind::Word("TAPER") => {
+            CommentTokenKind::Word("TAPER") => {
                 let side = number(self.number_behind(at)?)?;
                 Some(if self.shape == Some(ToolShape::Chamfer) { 2.0 * side } else { side })
             }
-            Kind::Word("DEG" | "DEGREE" | "DEGREES") | Kind::Sign('°') => {
+            CommentTokenKind::Word("DEG" | "DEGREE" | "DEGREES") | CommentTokenKind::Sign('°') => {
                 number(at.checked_sub(1)?)
             }
             _ => None,

@@ -2,7 +2,7 @@
 
 use chordal_diagnostics::{FileId, Span};
 use chordal_dialect::{Action, BeforeCode, DataTarget};
-use chordal_syntax::{Block, BlockReader, Position};
+use chordal_syntax::{Block, BlockPosition, BlockReader};
 
 use super::forms::{number as plain_number, read_form};
 use super::phrases::{named_tool, read_phrase};
@@ -16,7 +16,7 @@ pub(super) fn scan(job: &Job) -> Vec<(SaidTool, Span)> {
     let text = source.text();
     let writes_tools =
         job.control().table.set_data.iter().any(|(_, target)| *target == DataTarget::ToolTable);
-    let mut scan = Scan {
+    let mut scan = ToolCommentScan {
         job,
         text,
         inch: None,
@@ -33,7 +33,7 @@ pub(super) fn scan(job: &Job) -> Vec<(SaidTool, Span)> {
         if scan.loose.is_none() && !may_say(line) && !(writes_tools && has_g10(line)) {
             continue;
         }
-        reader.seek(Position { offset, line: 1 });
+        reader.seek(BlockPosition { offset, line: 1 });
         if reader.read(&mut block) {
             scan.block(&block);
         }
@@ -42,7 +42,7 @@ pub(super) fn scan(job: &Job) -> Vec<(SaidTool, Span)> {
     scan.finish()
 }
 
-struct Scan<'j, 'a> {
+struct ToolCommentScan<'j, 'a> {
     job: &'j Job<'a>,
     text: &'j [u8],
     inch: Option<bool>,
@@ -57,7 +57,7 @@ struct Scan<'j, 'a> {
     given: Vec<(SaidTool, Span)>,
 }
 
-impl Scan<'_, '_> {
+impl ToolCommentScan<'_, '_> {
     fn block(&mut self, block: &Block) {
         let called = self.called(block);
         if let Some(number) = called {

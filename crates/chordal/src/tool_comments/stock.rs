@@ -44,7 +44,7 @@ pub fn said_stock(job: &Job) -> Option<SaidStock> {
     if comments.is_empty() {
         return None;
     }
-    let head = Head { comments, inch: program_is_inch(job, text), turns: job.turns() };
+    let head = HeadComments { comments, inch: program_is_inch(job, text), turns: job.turns() };
     head.stock()
 }
 
@@ -70,7 +70,7 @@ fn head_comments(job: &Job, text: &[u8]) -> Vec<(String, Span)> {
 }
 
 /// A stock with a size; its zero may be said in another comment.
-struct Sized {
+struct SizedStock {
     size: [f64; 3],
     /// The low corner, where the comment itself says it.
     low: Option<[f64; 3]>,
@@ -78,15 +78,15 @@ struct Sized {
     diameter: Option<f64>,
 }
 
-struct Head {
+struct HeadComments {
     comments: Vec<(String, Span)>,
     inch: bool,
     turns: bool,
 }
 
-impl Head {
+impl HeadComments {
     fn stock(&self) -> Option<SaidStock> {
-        let mut found: Option<(Sized, Span)> = None;
+        let mut found: Option<(SizedStock, Span)> = None;
         for (at, (text, span)) in self.comments.iter().enumerate() {
             let Some(sized) = self.sized(at, text) else { continue };
             let sound = sized.size.iter().all(|side| *side > 0.0 && *side <= LARGEST_MM);
@@ -115,19 +115,19 @@ impl Head {
         if self.inch { 25.4 } else { 1.0 }
     }
 
-    fn sized(&self, at: usize, text: &str) -> Option<Sized> {
+    fn sized(&self, at: usize, text: &str) -> Option<SizedStock> {
         self.record(text)
             .or_else(|| self.work_piece(text))
             .or_else(|| self.cut_viewer(text))
             .or_else(|| self.predator(text))
             .or_else(|| self.bar(text))
             .or_else(|| {
-                self.size_only(at, text).map(|size| Sized { size, low: None, diameter: None })
+                self.size_only(at, text).map(|size| SizedStock { size, low: None, diameter: None })
             })
     }
 
     /// `@F360|STOCK|id=box|…` and `@F360|ORIGIN|…`: of Fusion, FreeCAD and Makera Studio for machines of Makera.
-    fn record(&self, text: &str) -> Option<Sized> {
+    fn record(&self, text: &str) -> Option<SizedStock> {
         let own = fields(text, "STOCK")?;
         let unit = self.comments.iter().find_map(|(text, _)| {
             let unit = fields(text, "UNIT")?;
@@ -152,7 +152,7 @@ impl Head {
             // Of a tube the bore is not said.
             _ => return None,
         };
-        Some(Sized { size, low: self.record_low(size, mm), diameter })
+        Some(SizedStock { size, low: self.record_low(size, mm), diameter })
     }
 
     /// The low corner by the origin, which is said from the centre of the stock.
@@ -174,7 +174,7 @@ impl Head {
     }
 
     /// `WORKPIECE,BOX,XMIN=0,…`: LinuxCNC.
-    fn work_piece(&self, text: &str) -> Option<Sized> {
+    fn work_piece(&self, text: &str) -> Option<SizedStock> {
         let rest = text.strip_prefix("WORKPIECE,")?;
         let several =
             self.comments.iter().filter(|(text, _)| text.starts_with("WORKPIECE,")).count() > 1;
@@ -190,13 +190,13 @@ impl Head {
                 let low = [of("XMIN")?, of("YMIN")?, of("ZMIN")?];
                 let high = [of("XMAX")?, of("YMAX")?, of("ZMAX")?];
                 let size = [0, 1, 2].map(|axis| high[axis] - low[axis]);
-                Some(Sized { size, low: Some(low), diameter: None })
+                Some(SizedStock { size, low: Some(low), diameter: None })
             }
             "CYLINDER" if field(&fields, "AXIS").is_none_or(|axis| axis == "Z") => {
                 let (low, high, diameter) = (of("ZMIN")?, of("ZMAX")?, of("DIAMETER")?);
                 let centre = [of("X").unwrap_or(0.0), of("Y").unwrap_or(0.0)];
                 let corner = centre.map(|at| at - 0.5 * diameter);
-                Some(Sized {
+                Some(SizedStock {
                     size: [diameter, diameter, high - low],
                     low: Some([corner[0], corner[1], low]),
                     diameter: Some(diameter),
@@ -207,7 +207,7 @@ impl Head {
     }
 
     /// `STOCK/BLOCK,l,w,h,ox,oy,oz`: CutViewer; the last three are the zero as seen from the low corner.
-    fn cut_viewer(&self, text: &str) -> Option<Sized> {
+    fn cut_viewer(&self, text: &str) -> Option<SizedStock> {
         let values = numbers(text.strip_prefix("STOCK/BLOCK")?.trim_start().strip_prefix(',')?)?;
         let mm = |at: usize| values.get(at).map(|value| value * self.mm());
         let size = [mm(0)?, mm(1)?, mm(2)?];
@@ -217,22 +217,22 @@ impl Head {
             (at >= -TOLERANCE_MM && at <= size[axis] + TOLERANCE_MM).then_some(-at)
         };
         let low = zero(0).zip(zero(1)).zip(zero(2)).map(|((x, y), z)| [x, y, z]);
-        Some(Sized { size, low, diameter: None })
+        Some(SizedStock { size, low, diameter: None })
     }
 
     /// `SBOX X0 Y0 Z-20 L100 W50 H20`: Predator, BobCAD.
-    fn predator(&self, text: &str) -> Option<Sized> {
+    fn predator(&self, text: &str) -> Option<SizedStock> {
         let words: Vec<&str> = text.strip_prefix("SBOX ")?.split_ascii_whitespace().collect();
         let of = |letter: char| {
             let word = words.iter().find_map(|word| word.strip_prefix(letter));
             Some(number(word?)? * self.mm())
         };
         let low = Some([of('X')?, of('Y')?, of('Z')?]);
-        Some(Sized { size: [of('L')?, of('W')?, of('H')?], low, diameter: None })
+        Some(SizedStock { size: [of('L')?, of('W')?, of('H')?], low, diameter: None })
     }
 
     /// `Zmin:-60 Zmax:0 Diametro:40`, of a lathe.
-    fn bar(&self, text: &str) -> Option<Sized> {
+    fn bar(&self, text: &str) -> Option<SizedStock> {
         if !self.turns {
             return None;
         }
@@ -243,7 +243,7 @@ impl Head {
         let diameter = of("DIAMETRO").or_else(|| of("DIAMETER"))?;
         let low = [-0.5 * diameter, -0.5 * diameter, low];
         let size = [diameter, diameter, high - low[2]];
-        Some(Sized { size, low: Some(low), diameter: Some(diameter) })
+        Some(SizedStock { size, low: Some(low), diameter: Some(diameter) })
     }
 
     /// Forms that say a size along each axis and leave the zero to others.
@@ -401,7 +401,7 @@ fn same(one: &[f64; 3], other: &[f64; 3]) -> bool {
     one.iter().zip(other).all(|(one, other)| (one - other).abs() < TOLERANCE_MM)
 }
 
-fn body(sized: &Sized, low: [f64; 3]) -> Body {
+fn body(sized: &SizedStock, low: [f64; 3]) -> Body {
     let high = [0, 1, 2].map(|axis| low[axis] + sized.size[axis]);
     match sized.diameter {
         Some(diameter) => {

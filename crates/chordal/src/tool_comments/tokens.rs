@@ -2,27 +2,27 @@
 
 /// What a number is counted in, where it says so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Unit {
+pub(super) enum CommentUnit {
     Inch,
     Millimetre,
 }
 
 /// A number as written: `mantissa / (10^scale · over)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Number {
+pub(super) struct CommentNumber {
     mantissa: u64,
     scale: u32,
     over: u32,
     /// A point was written.
     pub point: bool,
-    pub unit: Option<Unit>,
+    pub unit: Option<CommentUnit>,
 }
 
-impl Number {
+impl CommentNumber {
     /// The length in mm, rounded once. Nobody writes a fraction of a millimetre: it is of an inch.
     pub fn mm(&self, inch: bool) -> f64 {
         let inch = match self.unit {
-            Some(unit) => unit == Unit::Inch,
+            Some(unit) => unit == CommentUnit::Inch,
             None => inch || self.is_fraction(),
         };
         let tens = |power: u32| 10f64.powi(power as i32) * f64::from(self.over);
@@ -52,8 +52,8 @@ impl Number {
 
 /// A piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Kind<'t> {
-    Number(Number),
+pub(super) enum CommentTokenKind<'t> {
+    Number(CommentNumber),
     /// Letters only, upper case.
     Word(&'t str),
     Sign(char),
@@ -61,28 +61,28 @@ pub(super) enum Kind<'t> {
 
 /// A piece and whether it hugs the one before.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Token<'t> {
-    pub kind: Kind<'t>,
+pub(super) struct CommentToken<'t> {
+    pub kind: CommentTokenKind<'t>,
     pub glued: bool,
 }
 
-impl<'t> Token<'t> {
+impl<'t> CommentToken<'t> {
     pub fn word(&self) -> Option<&'t str> {
-        if let Kind::Word(word) = self.kind { Some(word) } else { None }
+        if let CommentTokenKind::Word(word) = self.kind { Some(word) } else { None }
     }
 
-    pub fn number(&self) -> Option<Number> {
-        if let Kind::Number(number) = self.kind { Some(number) } else { None }
+    pub fn number(&self) -> Option<CommentNumber> {
+        if let CommentTokenKind::Number(number) = self.kind { Some(number) } else { None }
     }
 
     pub fn is_sign(&self, sign: char) -> bool {
-        self.kind == Kind::Sign(sign)
+        self.kind == CommentTokenKind::Sign(sign)
     }
 }
 
 /// The pieces of an upper-case text.
-pub(super) fn tokens(text: &str) -> Vec<Token<'_>> {
-    let mut tokens: Vec<Token<'_>> = Vec::new();
+pub(super) fn tokens(text: &str) -> Vec<CommentToken<'_>> {
+    let mut tokens: Vec<CommentToken<'_>> = Vec::new();
     let mut rest = text;
     let mut glued = false;
     while let Some(first) = rest.chars().next() {
@@ -92,14 +92,14 @@ pub(super) fn tokens(text: &str) -> Vec<Token<'_>> {
             continue;
         }
         let (kind, length) = match number_at(rest) {
-            Some((number, length)) => (Kind::Number(number), length),
+            Some((number, length)) => (CommentTokenKind::Number(number), length),
             None if first.is_ascii_alphabetic() => {
                 let length = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
-                (Kind::Word(&rest[..length]), length)
+                (CommentTokenKind::Word(&rest[..length]), length)
             }
-            None => (Kind::Sign(first), first.len_utf8()),
+            None => (CommentTokenKind::Sign(first), first.len_utf8()),
         };
-        tokens.push(Token { kind, glued });
+        tokens.push(CommentToken { kind, glued });
         rest = &rest[length..];
         glued = true;
     }
@@ -108,7 +108,7 @@ pub(super) fn tokens(text: &str) -> Vec<Token<'_>> {
 }
 
 /// `12`, `.5`, `3.` or `1/2`, and how long it is.
-fn number_at(text: &str) -> Option<(Number, usize)> {
+fn number_at(text: &str) -> Option<(CommentNumber, usize)> {
     let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
     let whole = digits(text);
     let after = &text[whole..];
@@ -123,7 +123,7 @@ fn number_at(text: &str) -> Option<(Number, usize)> {
     }
     let mut length = whole + decimals.map_or(0, |count| count + 1);
     let text_of_digits: String = text[..length].chars().filter(|c| *c != '.').collect();
-    let mut number = Number {
+    let mut number = CommentNumber {
         mantissa: text_of_digits.parse().ok()?,
         scale: scale as u32,
         over: 1,
@@ -141,22 +141,24 @@ fn number_at(text: &str) -> Option<(Number, usize)> {
 }
 
 /// Gives numbers the unit behind them, and takes its word out.
-fn give_units(tokens: &mut Vec<Token<'_>>) {
+fn give_units(tokens: &mut Vec<CommentToken<'_>>) {
     let mut at = 1;
     while at < tokens.len() {
         let glued = tokens[at].glued;
         let sized = tokens[at - 1].number().is_some_and(|number| number.is_size());
         let unit = match tokens[at].kind {
             // `5 IN PART` is no length.
-            Kind::Word("IN") if !glued && !sized => None,
-            Kind::Word("MM" | "MILLIMETER" | "MILLIMETERS") => Some(Unit::Millimetre),
-            Kind::Word("IN" | "INCH" | "INCHES") => Some(Unit::Inch),
+            CommentTokenKind::Word("IN") if !glued && !sized => None,
+            CommentTokenKind::Word("MM" | "MILLIMETER" | "MILLIMETERS") => {
+                Some(CommentUnit::Millimetre)
+            }
+            CommentTokenKind::Word("IN" | "INCH" | "INCHES") => Some(CommentUnit::Inch),
             // `TOOL 4 "10MM END MILL"` is in quotes.
-            Kind::Sign('"' | '”' | '″') if glued => Some(Unit::Inch),
+            CommentTokenKind::Sign('"' | '”' | '″') if glued => Some(CommentUnit::Inch),
             _ => None,
         };
         match (&mut tokens[at - 1].kind, unit) {
-            (Kind::Number(number), Some(unit)) if number.unit.is_none() => {
+            (CommentTokenKind::Number(number), Some(unit)) if number.unit.is_none() => {
                 number.unit = Some(unit);
                 tokens.remove(at);
             }
@@ -166,19 +168,19 @@ fn give_units(tokens: &mut Vec<Token<'_>>) {
 }
 
 /// Makes one number of `1-1/2` and `1 1/2`.
-pub(super) fn join_mixed(tokens: &mut Vec<Token<'_>>) {
+pub(super) fn join_mixed(tokens: &mut Vec<CommentToken<'_>>) {
     let mut at = 0;
     while at + 1 < tokens.len() {
         let fraction_at = if tokens[at + 1].is_sign('-') { at + 2 } else { at + 1 };
         let whole = tokens[at].number().and_then(|number| number.whole());
-        let fraction = tokens.get(fraction_at).and_then(Token::number);
+        let fraction = tokens.get(fraction_at).and_then(CommentToken::number);
         let is_glued = |at: usize| tokens.get(at).is_some_and(|token| token.glued);
         let hugs = fraction_at == at + 1 || is_glued(at + 1) && is_glued(fraction_at);
         if let (Some(whole @ 1..=9), Some(fraction), true) = (whole, fraction, hugs)
             && fraction.is_fraction()
         {
             let mantissa = fraction.mantissa + u64::from(whole) * u64::from(fraction.over);
-            tokens[at].kind = Kind::Number(Number { mantissa, ..fraction });
+            tokens[at].kind = CommentTokenKind::Number(CommentNumber { mantissa, ..fraction });
             tokens.drain(at + 1..=fraction_at);
         }
         at += 1;

@@ -5,7 +5,7 @@ use chordal_machine::{
 };
 
 use super::SaidTool;
-use super::tokens::{Kind, Token};
+use super::tokens::{CommentToken, CommentTokenKind};
 
 /// Nose radii that are nearer to each other are the same, mm: 1/32 in is 0.8 mm in a catalogue.
 const NOSE_TOLERANCE_MM: f64 = 0.02;
@@ -13,7 +13,12 @@ const NOSE_TOLERANCE_MM: f64 = 0.02;
 const LARGEST_NOSE_MM: f64 = 20.0;
 
 /// Adds what a comment of a lathe says of the insert and its holder.
-pub(super) fn read_turning(text: &str, tokens: &[Token<'_>], inch: bool, said: &mut SaidTool) {
+pub(super) fn read_turning(
+    text: &str,
+    tokens: &[CommentToken<'_>],
+    inch: bool,
+    said: &mut SaidTool,
+) {
     said.insert = insert_in(text);
     said.holder = holder_in(text);
     said.letter = said.insert.map(|insert| insert.letter).or_else(|| letter_after_key(text));
@@ -81,16 +86,17 @@ fn letter_after_key(text: &str) -> Option<InsertLetter> {
 }
 
 /// The number after the words that fit, over signs.
-fn value_after(tokens: &[Token<'_>], keys: &[&[&str]]) -> Option<usize> {
+fn value_after(tokens: &[CommentToken<'_>], keys: &[&[&str]]) -> Option<usize> {
     (0..tokens.len()).find_map(|at| {
         let fits = |key: &&&[&str]| {
-            key.iter()
-                .enumerate()
-                .all(|(step, word)| tokens.get(at + step).and_then(Token::word) == Some(*word))
+            key.iter().enumerate().all(|(step, word)| {
+                tokens.get(at + step).and_then(CommentToken::word) == Some(*word)
+            })
         };
         let key = keys.iter().find(fits)?;
-        let is_sign =
-            |token: &&Token<'_>| matches!(token.kind, Kind::Sign(':' | '=' | '-' | '.' | '#'));
+        let is_sign = |token: &&CommentToken<'_>| {
+            matches!(token.kind, CommentTokenKind::Sign(':' | '=' | '-' | '.' | '#'))
+        };
         let after = at + key.len();
         let value = after + tokens.get(after..)?.iter().take_while(is_sign).count();
         tokens.get(value)?.number().map(|_| value)
@@ -98,7 +104,7 @@ fn value_after(tokens: &[Token<'_>], keys: &[&[&str]]) -> Option<usize> {
 }
 
 /// `NOSE RADIUS: 0.8`, `TNR .031`.
-fn nose(tokens: &[Token<'_>], inch: bool) -> Option<f64> {
+fn nose(tokens: &[CommentToken<'_>], inch: bool) -> Option<f64> {
     let keys: [&[&str]; 5] =
         [&["NOSE", "RADIUS"], &["NOSE", "RAD"], &["NOSE", "R"], &["TNR"], &["NR"]];
     let at = value_after(tokens, &keys)?;
@@ -108,7 +114,7 @@ fn nose(tokens: &[Token<'_>], inch: bool) -> Option<f64> {
 }
 
 /// `TOOL TIP: 3`, `TIP 3`, `ORIENTATION 3`.
-fn tip(tokens: &[Token<'_>]) -> Option<u32> {
+fn tip(tokens: &[CommentToken<'_>]) -> Option<u32> {
     let keys: [&[&str]; 4] =
         [&["TIP"], &["ORIENTATION"], &["TIP", "NUMBER"], &["TIP", "DIRECTION"]];
     let at = value_after(tokens, &keys)?;

@@ -1,6 +1,6 @@
 //! Runs a program through compensation and notes the path of the tool centre.
 
-use chordal::control::{Origin, Side};
+use chordal::control::{CompensationSide, Origin};
 use chordal::geometry::Plane;
 use chordal::{
     CommandKind, Diagnostic, Job, Machine, PathCommand, PathSink, Severity, Source, SourceMap,
@@ -42,7 +42,7 @@ impl PathSink for Ran {
             self.plane = plane;
         }
         let Some(motion) = path.command.kind.motion() else { return };
-        self.begun |= path.side != Side::Off;
+        self.begun |= path.side != CompensationSide::Off;
         if !self.begun {
             return;
         }

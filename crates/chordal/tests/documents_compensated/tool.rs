@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use chordal::control::Side;
+use chordal::control::CompensationSide;
 use chordal::machine::PerAxis;
-use chordal::{CommandKind, Job, Machine, PathCommand, Segment, Source, SourceMap, Watch};
+use chordal::{CommandKind, Job, Machine, PathCommand, RunWatch, Segment, Source, SourceMap};
 
 use crate::part::Piece;
 
@@ -47,9 +47,9 @@ struct Cuts {
     cuts: Vec<Cut>,
 }
 
-impl Watch for Cuts {
+impl RunWatch for Cuts {
     fn path(&mut self, path: PathCommand<'_>, _: &[Segment]) {
-        if path.side == Side::Off {
+        if path.side == CompensationSide::Off {
             return;
         }
         let kind = &path.command.kind;

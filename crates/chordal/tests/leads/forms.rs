@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use chordal::geometry::Vec2;
-use chordal::path::gouge::{PlaneCurve, Side};
+use chordal::path::gouge::{GougeCurve, ToolSide};
 
 use crate::support::Dice;
 use crate::walls::{self, begun_anywhere, circle, piece, reversed};
@@ -11,27 +11,27 @@ use crate::walls::{self, begun_anywhere, circle, piece, reversed};
 /// A program with compensation, and which part of it is wall.
 pub struct Program {
     pub name: String,
-    pub side: Side,
+    pub side: ToolSide,
     pub radius: f64,
     /// Where the lead-in begins.
     pub start: Vec2,
     /// The blocks with the offset.
-    pub chain: Vec<PlaneCurve>,
+    pub chain: Vec<GougeCurve>,
     /// Where the lead-out ends.
     pub end: Vec2,
-    pub wall: Vec<PlaneCurve>,
+    pub wall: Vec<GougeCurve>,
     /// The wall does not come back to its start.
     pub is_open: bool,
     /// The wall without the ends that are also read as leads: the text does not say which of the two
     /// they are.
-    pub sure: Vec<PlaneCurve>,
+    pub sure: Vec<GougeCurve>,
 }
 
 /// Directions at the start of a curve: along it, and to the tool.
-fn frame(curve: &PlaneCurve, side: f64) -> (Vec2, Vec2) {
+fn frame(curve: &GougeCurve, side: f64) -> (Vec2, Vec2) {
     let along = match *curve {
-        PlaneCurve::Line { from, to } => (to - from).normalized().unwrap(),
-        PlaneCurve::Arc { start, sweep, .. } => {
+        GougeCurve::Line { from, to } => (to - from).normalized().unwrap(),
+        GougeCurve::Arc { start, sweep, .. } => {
             Vec2::new(start.cos(), start.sin()).turned_left() * sweep.signum()
         }
     };
@@ -47,7 +47,7 @@ fn turned(p: Vec2, angle: f64) -> Vec2 {
 struct Lead {
     name: &'static str,
     start: Vec2,
-    blocks: Vec<PlaneCurve>,
+    blocks: Vec<GougeCurve>,
 }
 
 struct Maker<'a> {
@@ -67,21 +67,21 @@ impl Maker<'_> {
     }
 
     /// The arc of `radius` that runs into the curve with the tool inside.
-    fn arc(&mut self, curve: &PlaneCurve, radius: f64, sweep: f64) -> PlaneCurve {
+    fn arc(&mut self, curve: &GougeCurve, radius: f64, sweep: f64) -> GougeCurve {
         let (_, to_tool) = frame(curve, self.side);
         let center = curve.from() + to_tool * radius;
         let out = curve.from() - center;
         let end = out.b.atan2(out.a);
-        PlaneCurve::Arc { center, radius, start: end - self.side * sweep, sweep: self.side * sweep }
+        GougeCurve::Arc { center, radius, start: end - self.side * sweep, sweep: self.side * sweep }
     }
 
-    fn line(&mut self, curve: &PlaneCurve) -> Lead {
+    fn line(&mut self, curve: &GougeCurve) -> Lead {
         let (along, to_tool) = frame(curve, self.side);
         let start = self.near(curve.from(), along, to_tool);
         Lead { name: "line", start, blocks: Vec::new() }
     }
 
-    fn rolled(&mut self, curve: &PlaneCurve) -> Lead {
+    fn rolled(&mut self, curve: &GougeCurve) -> Lead {
         let (radius, sweep) =
             (self.dice.between(1.05, 4.0) * self.radius, self.dice.between(0.6, PI));
         let arc = self.arc(curve, radius, sweep);
@@ -90,13 +90,13 @@ impl Maker<'_> {
         Lead { name: "arc", start, blocks: vec![arc] }
     }
 
-    fn line_and_arc(&mut self, curve: &PlaneCurve) -> Lead {
+    fn line_and_arc(&mut self, curve: &GougeCurve) -> Lead {
         let mut lead = self.rolled(curve);
         let arc = lead.blocks[0];
         let (along, _) = frame(&arc, self.side);
         let way = turned(along, self.dice.between(-0.8, 0.8));
         let from = arc.from() - way * (self.dice.between(1.0, 4.0) * self.radius);
-        let line = PlaneCurve::line(from, arc.from());
+        let line = GougeCurve::line(from, arc.from());
         let (along, to_tool) = frame(&line, self.side);
         lead.start = self.near(from, along, to_tool);
         lead.blocks.insert(0, line);
@@ -105,8 +105,8 @@ impl Maker<'_> {
     }
 
     /// A half circle from the centre of a round wall.
-    fn rolled_from_centre(&mut self, curve: &PlaneCurve) -> Option<Lead> {
-        let PlaneCurve::Arc { radius, center, sweep, .. } = *curve else { return None };
+    fn rolled_from_centre(&mut self, curve: &GougeCurve) -> Option<Lead> {
+        let GougeCurve::Arc { radius, center, sweep, .. } = *curve else { return None };
         if sweep * self.side < 0.0 || radius < 2.2 * self.radius {
             return None;
         }
@@ -118,17 +118,17 @@ impl Maker<'_> {
     }
 
     /// Two lines with the offset, the second to the wall at an angle.
-    fn two_lines(&mut self, curve: &PlaneCurve) -> Lead {
+    fn two_lines(&mut self, curve: &GougeCurve) -> Lead {
         let (along, to_tool) = frame(curve, self.side);
         let way = turned(to_tool, self.dice.between(-1.2, 1.2));
         let from = curve.from() + way * (self.dice.between(1.5, 5.0) * self.radius);
-        let line = PlaneCurve::line(from, curve.from());
+        let line = GougeCurve::line(from, curve.from());
         let (_, beside) = frame(&line, self.side);
         let start = from + beside * (1.5 * self.radius) - along * self.radius;
         Lead { name: "two lines", start, blocks: vec![line] }
     }
 
-    fn any(&mut self, curve: &PlaneCurve) -> Lead {
+    fn any(&mut self, curve: &GougeCurve) -> Lead {
         let kind = self.dice.unit();
         if kind < 0.2 {
             return self.line(curve);
@@ -154,7 +154,7 @@ impl Maker<'_> {
     }
 
     /// The same for the end of a chain: the lead of the reversed curve, reversed.
-    fn off(&mut self, curve: &PlaneCurve) -> Lead {
+    fn off(&mut self, curve: &GougeCurve) -> Lead {
         self.side = -self.side;
         let lead = self.any(&curve.reversed());
         self.side = -self.side;
@@ -163,7 +163,7 @@ impl Maker<'_> {
 }
 
 /// Runs a closed chain a little past its start, as further blocks or as a longer last one.
-fn overlapped(dice: &mut Dice, chain: &mut Vec<PlaneCurve>) -> &'static str {
+fn overlapped(dice: &mut Dice, chain: &mut Vec<GougeCurve>) -> &'static str {
     let kind = dice.unit();
     if kind < 0.6 {
         return "";
@@ -176,7 +176,7 @@ fn overlapped(dice: &mut Dice, chain: &mut Vec<PlaneCurve>) -> &'static str {
         return ", run past in one block";
     }
     let whole = if dice.unit() < 0.5 { ((dice.unit() * 4.0) as usize).min(chain.len()) } else { 0 };
-    let again: Vec<PlaneCurve> = chain[..whole].to_vec();
+    let again: Vec<GougeCurve> = chain[..whole].to_vec();
     let next = chain[whole % chain.len()];
     chain.extend(again);
     chain.push(piece(&next, 0.0, share));
@@ -184,15 +184,15 @@ fn overlapped(dice: &mut Dice, chain: &mut Vec<PlaneCurve>) -> &'static str {
 }
 
 /// Whether the second curve goes on along the first.
-fn goes_on(first: &PlaneCurve, second: &PlaneCurve) -> bool {
+fn goes_on(first: &GougeCurve, second: &GougeCurve) -> bool {
     match (first, second) {
-        (PlaneCurve::Line { .. }, PlaneCurve::Line { .. }) => {
+        (GougeCurve::Line { .. }, GougeCurve::Line { .. }) => {
             let (a, b) = (frame(first, 1.0).0, frame(second, 1.0).0);
             a.cross(b).abs() < 1e-9 && a.dot(b) > 0.0
         }
         (
-            PlaneCurve::Arc { center, radius, sweep, .. },
-            PlaneCurve::Arc { center: about, radius: other, sweep: turn, .. },
+            GougeCurve::Arc { center, radius, sweep, .. },
+            GougeCurve::Arc { center: about, radius: other, sweep: turn, .. },
         ) => {
             center.distance(*about) < 1e-9
                 && (radius - other).abs() < 1e-9
@@ -203,12 +203,12 @@ fn goes_on(first: &PlaneCurve, second: &PlaneCurve) -> bool {
     }
 }
 
-fn joined(first: &PlaneCurve, second: &PlaneCurve) -> PlaneCurve {
+fn joined(first: &GougeCurve, second: &GougeCurve) -> GougeCurve {
     match (*first, *second) {
-        (PlaneCurve::Arc { center, radius, start, sweep }, PlaneCurve::Arc { sweep: more, .. }) => {
-            PlaneCurve::Arc { center, radius, start, sweep: sweep + more }
+        (GougeCurve::Arc { center, radius, start, sweep }, GougeCurve::Arc { sweep: more, .. }) => {
+            GougeCurve::Arc { center, radius, start, sweep: sweep + more }
         }
-        _ => PlaneCurve::line(first.from(), second.to()),
+        _ => GougeCurve::line(first.from(), second.to()),
     }
 }
 
@@ -222,7 +222,7 @@ pub fn program(dice: &mut Dice) -> Option<Program> {
         return Some(pocket_with_island(dice));
     }
     let wall = walls::any(dice);
-    let side = if dice.unit() < 0.5 { Side::Left } else { Side::Right };
+    let side = if dice.unit() < 0.5 { ToolSide::Left } else { ToolSide::Right };
     let radius = dice.between(0.4, 4.0);
     let mut chain = begun_anywhere(dice, &wall.curves);
     let mut passes = "";
@@ -253,9 +253,9 @@ pub fn program(dice: &mut Dice) -> Option<Program> {
 
 /// Whether the end block of an open wall is an arc of up to half a turn about the tool, tangent to the next
 /// and of another circle: the same words roll a tool onto the next block and off it.
-fn is_as_a_lead(end: &PlaneCurve, next: &PlaneCurve, side: f64, radius: f64) -> bool {
-    let PlaneCurve::Arc { center, radius: of_end, sweep, .. } = *end else { return false };
-    let same_circle = matches!(*next, PlaneCurve::Arc { center: about, radius: other, .. }
+fn is_as_a_lead(end: &GougeCurve, next: &GougeCurve, side: f64, radius: f64) -> bool {
+    let GougeCurve::Arc { center, radius: of_end, sweep, .. } = *end else { return false };
+    let same_circle = matches!(*next, GougeCurve::Arc { center: about, radius: other, .. }
         if about.distance(center) < 0.01 && (other - of_end).abs() < 0.01);
     let leaves = frame(&end.reversed(), 1.0).0 * -1.0;
     let bend = leaves.cross(frame(next, 1.0).0).abs();
@@ -269,7 +269,7 @@ fn is_as_a_lead(end: &PlaneCurve, next: &PlaneCurve, side: f64, radius: f64) -> 
 
 /// The blocks of an open wall that can be nothing but wall. An end beyond which there is a lead with the
 /// offset on is one of them: then that lead is the end of the chain.
-fn sure_of(wall: &[PlaneCurve], side: f64, radius: f64, led: [bool; 2]) -> Vec<PlaneCurve> {
+fn sure_of(wall: &[GougeCurve], side: f64, radius: f64, led: [bool; 2]) -> Vec<GougeCurve> {
     let count = wall.len();
     let [last, before] = [wall[count - 1].reversed(), wall[count - 2].reversed()];
     let first_may_lead = !led[0] && is_as_a_lead(&wall[0], &wall[1], side, radius);
@@ -285,7 +285,7 @@ fn open_wall(dice: &mut Dice) -> Option<Program> {
     }
     let count = 2 + (dice.unit() * (whole.curves.len() - 3) as f64) as usize;
     let wall = whole.curves[..count].to_vec();
-    let side = if dice.unit() < 0.5 { Side::Left } else { Side::Right };
+    let side = if dice.unit() < 0.5 { ToolSide::Left } else { ToolSide::Right };
     let radius = dice.between(0.4, 4.0);
     let mut maker = Maker { dice, side: side.sign(), radius };
     let first = wall[0];
@@ -325,13 +325,13 @@ fn pocket_with_island(dice: &mut Dice) -> Program {
     let arc = maker.arc(&first, roll, sweep);
     let (along, to_tool) = frame(&arc, 1.0);
     let start = arc.from() + to_tool * (1.1 * radius) - along * (0.2 * radius);
-    let wall: Vec<PlaneCurve> = chain.iter().chain(&island).copied().collect();
+    let wall: Vec<GougeCurve> = chain.iter().chain(&island).copied().collect();
     chain.insert(0, arc);
-    chain.push(PlaneCurve::line(Vec2::new(outer, 0.0), island[0].from()));
+    chain.push(GougeCurve::line(Vec2::new(outer, 0.0), island[0].from()));
     chain.extend(&island);
     let out = (island[0].from() - center).normalized().unwrap();
     let end = island[0].from() + out * (2.0 * radius);
     let name = "pocket with island".into();
     let sure = wall.clone();
-    Program { name, side: Side::Left, radius, start, chain, end, wall, is_open: false, sure }
+    Program { name, side: ToolSide::Left, radius, start, chain, end, wall, is_open: false, sure }
 }

@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 
 use chordal::control::Origin;
 use chordal::geometry::Vec2;
-use chordal::path::gouge::PlaneCurve;
+use chordal::path::gouge::GougeCurve;
 use chordal::path::{ContourCheck, ContourLevel, ContourPiece, PathCommand, PathSink};
 use chordal::{Code, Diagnostic};
 use forms::Program;
@@ -30,7 +30,7 @@ const LEAST_DEPTH_MM: f64 = 0.002;
 /// The path of the tool centre and what is reported about it.
 #[derive(Default)]
 struct Seen {
-    path: Vec<PlaneCurve>,
+    path: Vec<GougeCurve>,
     check: ContourCheck,
     gouges: Vec<String>,
     at_leads: Vec<String>,
@@ -77,13 +77,13 @@ fn text(program: &Program) -> String {
 
 /// Walls that are looked at from one point after the other.
 struct Walls<'a> {
-    curves: &'a [PlaneCurve],
+    curves: &'a [GougeCurve],
     /// The middle of each curve and how far it reaches from there.
     reach: Vec<(Vec2, f64)>,
 }
 
 impl<'a> Walls<'a> {
-    fn of(curves: &'a [PlaneCurve]) -> Walls<'a> {
+    fn of(curves: &'a [GougeCurve]) -> Walls<'a> {
         let reach = curves.iter().map(|curve| (curve.at(0.5), 0.5 * curve.length())).collect();
         Walls { curves, reach }
     }
@@ -102,7 +102,7 @@ impl<'a> Walls<'a> {
 
 /// How near the path comes to the walls, by samples a fraction of the radius apart and nearer ones
 /// around the best of each move; where points in `spared` are nearest, they do not count.
-fn sampled(walls: &Walls<'_>, path: &[PlaneCurve], radius: f64, spared: &[Vec2]) -> f64 {
+fn sampled(walls: &Walls<'_>, path: &[GougeCurve], radius: f64, spared: &[Vec2]) -> f64 {
     let counts = |p: Vec2| spared.iter().all(|end| end.distance(p) > 2.0 * radius);
     let mut least = f64::INFINITY;
     for curve in path.iter().filter(|curve| curve.length() > 0.0) {
@@ -130,7 +130,7 @@ fn sampled(walls: &Walls<'_>, path: &[PlaneCurve], radius: f64, spared: &[Vec2])
 
 /// Whether the path surely comes nowhere nearer than `limit`: every piece of it is looked at until its
 /// middle is farther away than the piece is long.
-fn surely_beyond(walls: &Walls<'_>, path: &[PlaneCurve], limit: f64) -> bool {
+fn surely_beyond(walls: &Walls<'_>, path: &[GougeCurve], limit: f64) -> bool {
     path.iter().all(|curve| {
         let mut pieces = vec![(0.0, 1.0)];
         while let Some((low, high)) = pieces.pop() {
@@ -162,7 +162,7 @@ enum Answer {
 }
 
 /// An open wall is cut near its ends only, and that a lead cuts there is told.
-fn told_at_ends(wall: &[PlaneCurve], program: &Program, seen: &Seen) -> bool {
+fn told_at_ends(wall: &[GougeCurve], program: &Program, seen: &Seen) -> bool {
     let (Some(first), Some(last)) = (wall.first(), wall.last()) else { return false };
     let away = || {
         let ends = [first.from(), last.to()];

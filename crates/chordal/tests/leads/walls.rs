@@ -3,14 +3,14 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use chordal::geometry::Vec2;
-use chordal::path::gouge::PlaneCurve;
+use chordal::path::gouge::GougeCurve;
 
 use crate::support::{Dice, closed_contour, necked_pocket};
 
 /// A closed wall, in the order it is run.
 pub struct Wall {
     pub name: &'static str,
-    pub curves: Vec<PlaneCurve>,
+    pub curves: Vec<GougeCurve>,
 }
 
 fn v(a: f64, b: f64) -> Vec2 {
@@ -18,10 +18,10 @@ fn v(a: f64, b: f64) -> Vec2 {
 }
 
 /// The piece of a curve between two fractions of its way.
-pub fn piece(curve: &PlaneCurve, first: f64, last: f64) -> PlaneCurve {
+pub fn piece(curve: &GougeCurve, first: f64, last: f64) -> GougeCurve {
     match *curve {
-        PlaneCurve::Line { .. } => PlaneCurve::line(curve.at(first), curve.at(last)),
-        PlaneCurve::Arc { center, radius, start, sweep } => PlaneCurve::Arc {
+        GougeCurve::Line { .. } => GougeCurve::line(curve.at(first), curve.at(last)),
+        GougeCurve::Arc { center, radius, start, sweep } => GougeCurve::Arc {
             center,
             radius,
             start: start + first * sweep,
@@ -31,15 +31,15 @@ pub fn piece(curve: &PlaneCurve, first: f64, last: f64) -> PlaneCurve {
 }
 
 /// A circle in equal arcs, counter-clockwise.
-pub fn circle(center: Vec2, radius: f64, start: f64, arcs: u32) -> Vec<PlaneCurve> {
+pub fn circle(center: Vec2, radius: f64, start: f64, arcs: u32) -> Vec<GougeCurve> {
     let sweep = TAU / f64::from(arcs);
     (0..arcs)
-        .map(|k| PlaneCurve::Arc { center, radius, start: start + f64::from(k) * sweep, sweep })
+        .map(|k| GougeCurve::Arc { center, radius, start: start + f64::from(k) * sweep, sweep })
         .collect()
 }
 
 /// A rectangle with round or sharp corners, counter-clockwise.
-fn rectangle(half: Vec2, corner: f64) -> Vec<PlaneCurve> {
+fn rectangle(half: Vec2, corner: f64) -> Vec<GougeCurve> {
     let mut curves = Vec::new();
     for k in 0..4 {
         let angle = FRAC_PI_2 * f64::from(k);
@@ -49,10 +49,10 @@ fn rectangle(half: Vec2, corner: f64) -> Vec<PlaneCurve> {
         // Each side is the lower one, turned; every other one has the other length.
         let (a, b) = if k % 2 == 0 { (half.a, half.b) } else { (half.b, half.a) };
         let (from, to) = (turned(v(corner - a, -b)), turned(v(a - corner, -b)));
-        curves.push(PlaneCurve::line(from, to));
+        curves.push(GougeCurve::line(from, to));
         if corner > 0.0 {
             let center = turned(v(a - corner, corner - b));
-            curves.push(PlaneCurve::Arc {
+            curves.push(GougeCurve::Arc {
                 center,
                 radius: corner,
                 start: angle - FRAC_PI_2,
@@ -64,23 +64,23 @@ fn rectangle(half: Vec2, corner: f64) -> Vec<PlaneCurve> {
 }
 
 /// A slot with round ends, counter-clockwise.
-fn slot(half_length: f64, half_width: f64) -> Vec<PlaneCurve> {
-    let end = |a: f64, start: f64| PlaneCurve::Arc {
+fn slot(half_length: f64, half_width: f64) -> Vec<GougeCurve> {
+    let end = |a: f64, start: f64| GougeCurve::Arc {
         center: v(a, 0.0),
         radius: half_width,
         start,
         sweep: PI,
     };
     vec![
-        PlaneCurve::line(v(-half_length, -half_width), v(half_length, -half_width)),
+        GougeCurve::line(v(-half_length, -half_width), v(half_length, -half_width)),
         end(half_length, -FRAC_PI_2),
-        PlaneCurve::line(v(half_length, half_width), v(-half_length, half_width)),
+        GougeCurve::line(v(half_length, half_width), v(-half_length, half_width)),
         end(-half_length, FRAC_PI_2),
     ]
 }
 
-pub fn reversed(curves: &[PlaneCurve]) -> Vec<PlaneCurve> {
-    curves.iter().rev().map(PlaneCurve::reversed).collect()
+pub fn reversed(curves: &[GougeCurve]) -> Vec<GougeCurve> {
+    curves.iter().rev().map(GougeCurve::reversed).collect()
 }
 
 /// Any closed wall, either way round.
@@ -105,16 +105,16 @@ pub fn any(dice: &mut Dice) -> Wall {
 }
 
 /// The same wall, begun at a joint or within one of its blocks.
-pub fn begun_anywhere(dice: &mut Dice, curves: &[PlaneCurve]) -> Vec<PlaneCurve> {
+pub fn begun_anywhere(dice: &mut Dice, curves: &[GougeCurve]) -> Vec<GougeCurve> {
     let at = ((dice.unit() * curves.len() as f64) as usize).min(curves.len() - 1);
-    let mut chain: Vec<PlaneCurve> = curves[at..].iter().chain(&curves[..at]).copied().collect();
+    let mut chain: Vec<GougeCurve> = curves[at..].iter().chain(&curves[..at]).copied().collect();
     if dice.unit() < 0.6 {
         let first = chain[0];
         let cut = dice.between(0.15, 0.85);
-        if let (true, PlaneCurve::Arc { center, radius, start, sweep }) = (chain.len() == 1, first)
+        if let (true, GougeCurve::Arc { center, radius, start, sweep }) = (chain.len() == 1, first)
         {
             // A full circle stays one block.
-            chain[0] = PlaneCurve::Arc { center, radius, start: start + cut * sweep, sweep };
+            chain[0] = GougeCurve::Arc { center, radius, start: start + cut * sweep, sweep };
         } else {
             chain[0] = piece(&first, cut, 1.0);
             chain.push(piece(&first, 0.0, cut));

@@ -1,6 +1,6 @@
 //! All variables that the tables of the controls have, one of each row.
 
-use chordal_dialect::macros::{MacroForm, MacroRules, System};
+use chordal_dialect::macros::{MacroForm, MacroRules, SystemVariable};
 
 use super::lost_line;
 
@@ -19,17 +19,17 @@ const MACHINES: &[&str] = &[
 
 /// What has a value at the start of every program: constants, the codes of power-on, switches that a reset turns off,
 /// the work offset that acts at power-on and no tool offset, the program's own number, and the alarm that there is not.
-fn is_known_at_start(what: System) -> bool {
+fn is_known_at_start(what: SystemVariable) -> bool {
     matches!(
         what,
-        System::Constant(_)
-            | System::ModalGroup
-            | System::Switch
-            | System::WorkSystem
-            | System::ActiveToolOffset
-            | System::ModalWord(b'O')
-            | System::Alarm
-            | System::Message
+        SystemVariable::Constant(_)
+            | SystemVariable::ModalGroup
+            | SystemVariable::Switch
+            | SystemVariable::WorkSystem
+            | SystemVariable::ActiveToolOffset
+            | SystemVariable::ModalWord(b'O')
+            | SystemVariable::Alarm
+            | SystemVariable::Message
     )
 }
 

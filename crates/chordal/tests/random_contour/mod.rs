@@ -7,19 +7,19 @@ use std::fmt::Write;
 
 use chordal::geometry::Vec2;
 use chordal::path::PathSink;
-use chordal::path::gouge::{PlaneCurve, Side};
+use chordal::path::gouge::{GougeCurve, ToolSide};
 use chordal::{Job, Machine, Source, SourceMap};
 
 /// The program that turns the offset on from `start` to the chain, and off from the chain to `end`.
-pub fn text_of(side: Side, start: Vec2, chain: &[PlaneCurve], end: Vec2) -> String {
-    let code = if side == Side::Left { "G41" } else { "G42" };
+pub fn text_of(side: ToolSide, start: Vec2, chain: &[GougeCurve], end: Vec2) -> String {
+    let code = if side == ToolSide::Left { "G41" } else { "G42" };
     let mut text = String::from("G21 G90 G17 G40\nT1 M6\nS1000 M3\n");
     let at = |p: Vec2| format!("X{:.9} Y{:.9}", p.a, p.b);
     writeln!(text, "G0 {}\nG1 {code} D1 {} F100.", at(start), at(chain[0].from())).unwrap();
     for curve in chain {
         match *curve {
-            PlaneCurve::Line { to, .. } => writeln!(text, "G1 {}", at(to)),
-            PlaneCurve::Arc { center, sweep, .. } => {
+            GougeCurve::Line { to, .. } => writeln!(text, "G1 {}", at(to)),
+            GougeCurve::Arc { center, sweep, .. } => {
                 let arm = center - curve.from();
                 let g = if sweep > 0.0 { "G3" } else { "G2" };
                 writeln!(text, "{g} {} I{:.9} J{:.9}", at(curve.to()), arm.a, arm.b)

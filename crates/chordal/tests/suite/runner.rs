@@ -5,8 +5,8 @@ use chordal::geometry::{ParamCurve, Plane, Vec3};
 use chordal::machine::{AXES, AXIS_LETTERS, PerAxis};
 use chordal::path::curve_of;
 use chordal::{
-    Command, CommandKind, Diagnostic, Job, Machine, PathCommand, Report, Segment, Severity, Source,
-    SourceMap, Watch,
+    Command, CommandKind, Diagnostic, Job, Machine, PathCommand, Report, RunWatch, Segment,
+    Severity, Source, SourceMap,
 };
 
 use crate::grammar::Program;
@@ -154,7 +154,7 @@ impl Seen {
     }
 }
 
-impl Watch for Seen {
+impl RunWatch for Seen {
     fn programmed(&mut self, command: &Command) {
         if !self.of_path {
             self.command(command);

@@ -1,6 +1,6 @@
 //! Sections that are kept for a picture: each is the one before without what its pass takes.
 
-use chordal::stock::section::Segment;
+use chordal::stock::section::OutlineSegment;
 use chordal::stock::{TurnedOptions, TurnedPiece, TurnedReplay, TurnedReport};
 use chordal::{Job, Machine, Source, SourceMap};
 
@@ -83,7 +83,7 @@ fn replayed() -> (TurnedReport, TurnedReplay) {
 }
 
 /// The area within segments, in any order.
-fn area<'s>(segments: impl Iterator<Item = &'s Segment>) -> f64 {
+fn area<'s>(segments: impl Iterator<Item = &'s OutlineSegment>) -> f64 {
     segments
         .map(|segment| {
             let bulge = segment.bend.map_or(0.0, |bend| {

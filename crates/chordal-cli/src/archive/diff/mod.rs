@@ -4,16 +4,16 @@ mod told;
 
 use std::path::PathBuf;
 
-use chordal_archive::Disk;
-use chordal_archive::diff::{DiffOptions, DiffRow, Status, compare_all, write_table};
+use chordal_archive::DiskFiles;
+use chordal_archive::diff::{DiffOptions, DiffRow, FileStatus, compare_all, write_table};
 use clap::ValueEnum;
 
 use super::check::keep_programs;
-use super::progress::Meter;
-use super::{Machines, jobs};
-use crate::failure::{Failure, Verdict};
+use super::progress::ProgressMeter;
+use super::{ArchiveMachines, jobs};
+use crate::failure::{CommandFailure, ExitVerdict};
 use crate::output;
-use crate::terminal::{Terminal, say};
+use crate::terminal::{TerminalSupport, say};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -43,11 +43,11 @@ pub struct Args {
 
     /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
-    format: Format,
+    format: ArchiveDiffFormat,
 
     /// What makes the exit code 1
     #[arg(long, value_enum, default_value = "changes", value_name = "WHAT")]
-    fail_on: FailOn,
+    fail_on: ArchiveFailOn,
 
     /// Writes the comparison as a Parquet table; written completely or not at all
     #[arg(long, short, value_name = "FILE.parquet")]
@@ -70,11 +70,11 @@ pub struct Args {
     jobs: Option<usize>,
 
     #[command(flatten)]
-    machines: Machines,
+    machines: ArchiveMachines,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
+enum ArchiveDiffFormat {
     /// A table for the reader
     Text,
     /// One JSON object for all files
@@ -84,7 +84,7 @@ enum Format {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum FailOn {
+enum ArchiveFailOn {
     /// Any file that does not do the same: motion, feeds, functions, a file missing or new
     Changes,
     /// New errors and warnings, and a file that is missing or cannot be read
@@ -93,18 +93,19 @@ enum FailOn {
     Never,
 }
 
-impl FailOn {
-    fn verdict(self, rows: &[DiffRow]) -> Verdict {
+impl ArchiveFailOn {
+    fn verdict(self, rows: &[DiffRow]) -> ExitVerdict {
         let fails = match self {
-            FailOn::Changes => |row: &DiffRow| {
-                !matches!(row.status, Status::Same | Status::Text) || has_new_problems(row)
+            ArchiveFailOn::Changes => |row: &DiffRow| {
+                !matches!(row.status, FileStatus::Same | FileStatus::Text) || has_new_problems(row)
             },
-            FailOn::Problems => |row: &DiffRow| {
-                has_new_problems(row) || matches!(row.status, Status::Unreadable | Status::Missing)
+            ArchiveFailOn::Problems => |row: &DiffRow| {
+                has_new_problems(row)
+                    || matches!(row.status, FileStatus::Unreadable | FileStatus::Missing)
             },
-            FailOn::Never => |_: &DiffRow| false,
+            ArchiveFailOn::Never => |_: &DiffRow| false,
         };
-        if rows.iter().any(fails) { Verdict::Problems } else { Verdict::Clean }
+        if rows.iter().any(fails) { ExitVerdict::Problems } else { ExitVerdict::Clean }
     }
 }
 
@@ -114,37 +115,37 @@ fn has_new_problems(row: &DiffRow) -> bool {
     row.problems.iter().any(|problem| problem.severity != "note")
 }
 
-pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     for folder in [&args.released, &args.returned] {
         if !folder.is_dir() {
             let message = format!("{} is not a folder", folder.display());
             let help = "name two folders, the one before and the one after; two programs are \
                         compared by chordal compare";
-            return Err(Failure::wrong(message, help));
+            return Err(CommandFailure::wrong(message, help));
         }
     }
     if !(args.tolerance > 0.0 && args.tolerance.is_finite()) {
         let message = format!("a tolerance of {} mm is not above zero", args.tolerance);
-        return Err(Failure::wrong(message, "0.001 is a thousandth of a millimetre"));
+        return Err(CommandFailure::wrong(message, "0.001 is a thousandth of a millimetre"));
     }
     if let Some(out) = &args.out {
         keep_programs(out)?;
     }
     let roots = [args.released.clone(), args.returned.clone()];
-    let disk = Disk::new(args.machines.request(None), &roots)?;
-    let meter = Meter::new(0, false, terminal);
+    let disk = DiskFiles::new(args.machines.request(None), &roots)?;
+    let meter = ProgressMeter::new(0, false, terminal);
     let options = DiffOptions { tolerance_mm: args.tolerance, plan: !args.no_plan };
     let (released, returned) = (&args.released, &args.returned);
     let rows = compare_all(released, returned, jobs(args.jobs), options, || disk.again(), &meter);
     if let Some(out) = &args.out {
         let table = write_table(&rows, Vec::new());
-        let table = table.map_err(|error| Failure::write(out.to_string_lossy(), &error))?;
+        let table = table.map_err(|error| CommandFailure::write(out.to_string_lossy(), &error))?;
         output::write_whole(out, &table)?;
     }
     match args.format {
-        Format::Text => say(&told::text(&rows, args.all))?,
-        Format::Json => say(&told::json(&rows))?,
-        Format::Markdown => say(&told::markdown(&rows, args.all))?,
+        ArchiveDiffFormat::Text => say(&told::text(&rows, args.all))?,
+        ArchiveDiffFormat::Json => say(&told::json(&rows))?,
+        ArchiveDiffFormat::Markdown => say(&told::markdown(&rows, args.all))?,
     }
     Ok(args.fail_on.verdict(&rows))
 }

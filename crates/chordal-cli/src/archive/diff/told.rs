@@ -1,6 +1,6 @@
 //! What `chordal diff` prints.
 
-use chordal_archive::diff::{DiffRow, Status};
+use chordal_archive::diff::{DiffRow, FileStatus};
 
 use crate::numbers::{counted, duration, grouped};
 use crate::summary::plain_table;
@@ -80,13 +80,13 @@ fn new_problems(rows: &[DiffRow]) -> String {
 }
 
 fn listed(rows: &[DiffRow], all: bool) -> impl Iterator<Item = &DiffRow> {
-    rows.iter().filter(move |row| all || row.status != Status::Same)
+    rows.iter().filter(move |row| all || row.status != FileStatus::Same)
 }
 
 /// `11 files: 1 same, 10 path; 2 new problems in 1 file, 3 gone`.
 fn counts(rows: &[DiffRow]) -> String {
-    let count = |status: Status| rows.iter().filter(|row| row.status == status).count() as u64;
-    let counts = Status::ALL.iter().filter(|status| count(**status) > 0);
+    let count = |status: FileStatus| rows.iter().filter(|row| row.status == status).count() as u64;
+    let counts = FileStatus::ALL.iter().filter(|status| count(**status) > 0);
     let counts: Vec<String> =
         counts.map(|status| format!("{} {}", count(*status), status.word())).collect();
     let mut text = counted(rows.len() as u64, "file", "files");
@@ -174,10 +174,12 @@ fn how(row: &DiffRow) -> String {
             false => format!("from lines {before} and {after}"),
         });
     }
-    if row.status == Status::Path && row.feeds_differ == Some(true) {
+    if row.status == FileStatus::Path && row.feeds_differ == Some(true) {
         parts.push("other feeds or speeds".into());
     }
-    if matches!(row.status, Status::Path | Status::Feeds) && row.functions_differ == Some(true) {
+    if matches!(row.status, FileStatus::Path | FileStatus::Feeds)
+        && row.functions_differ == Some(true)
+    {
         parts.push("other functions".into());
     }
     parts.extend(row.message.clone());

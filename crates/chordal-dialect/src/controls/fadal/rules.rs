@@ -43,7 +43,7 @@ const CYCLES: CycleRules = CycleRules {
     missing_r: MissingLevel::Current,
     order: LevelOrder::AllBelowInitial,
     // Section 15: G80, G28, G29, M6, G49 and H0 end a cycle; G0 and G1 are not listed.
-    cancel: Cancel {
+    cancel: CycleCancel {
         by_motion: false,
         by_reference: true,
         by_tool_change: true,
@@ -62,6 +62,6 @@ const CYCLES: CycleRules = CycleRules {
 /// a vector square to the next block.
 const COMPENSATION: CompensationRules = CompensationRules {
     side_change: SideChange::RefusedOnLine,
-    coordinate_change: Allowance::Refused,
+    coordinate_change: AllowanceRule::Refused,
     ..CompensationRules::COMMON
 };

@@ -56,15 +56,15 @@ const COMPENSATION: CompensationRules = CompensationRules {
     idle_blocks: Some(1),
     zero_move_counts: 2,
     off_toward: true,
-    repeated: Repeated::Perpendicular,
+    repeated: RepeatedCodeRule::Perpendicular,
     spirals: SpiralCompensation::ByCircles,
     ..CompensationRules::COMMON
 };
 
 /// Operator's Manual of the 30i, optional chamfering and corner R: one block with G4 may stand between, and
 /// a corner within 1 degree of straight on gets nothing.
-const CORNER: CornerRules =
-    CornerRules { moves: CornerMoves::LinesAndArcs, dwells_between: 1, straight_deg: 1.0 };
+const CORNER: RoundingRules =
+    RoundingRules { moves: CornerMoves::LinesAndArcs, dwells_between: 1, straight_deg: 1.0 };
 
 /// Coordinates of eight digits, and what is known in the trade: no cycle along a mirrored or scaled axis.
 const FRAMES: FrameRules = FrameRules {

@@ -5,7 +5,7 @@ use crate::vocabulary::*;
 pub(super) const SETTINGS: &[Setting] = &[
     setting(
         "cycles in a mirror image",
-        Field::Frame(FrameField::CyclesAlongScaled),
+        SettingField::Frame(FrameField::CyclesAlongScaled),
         &[],
         "canned cycles along an axis that is mirrored or scaled: `warned` or `allowed`",
         Certainty::Trade,
@@ -13,7 +13,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "look-ahead tolerance",
-        Field::Path(PathField::LookAhead),
+        SettingField::Path(PathField::LookAhead),
         &[],
         "how far from a corner the tool may pass with G05.1 Q1, G05 P10000 and G08 P1: the control has speeds at corners instead (No. 1783), so this value is assumed",
         Certainty::Unknown,
@@ -35,7 +35,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     AVOIDANCE,
     setting(
         "No. 6004#0",
-        Field::MacroAngles,
+        SettingField::MacroAngles,
         &[("0", "0-to-360"), ("1", "180")],
         "NAT: ATAN and ASIN give 0 to 360 degrees (0) or -180 to 180 (1)",
         Certainty::Trade,
@@ -43,7 +43,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 3410",
-        Field::RadiusErrorTolerance,
+        SettingField::RadiusErrorTolerance,
         &[],
         "largest difference of an arc's radii at start and end (2410 on 15i); above it PS0020",
         Certainty::Documented,
@@ -51,7 +51,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 2410",
-        Field::RadiusErrorTolerance,
+        SettingField::RadiusErrorTolerance,
         &[],
         "the same on 15i",
         Certainty::Documented,
@@ -59,7 +59,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 3471",
-        Field::SpiralEndTolerance,
+        SettingField::SpiralEndTolerance,
         &[],
         "largest distance of a computed spiral end from the programmed one; above it PS5123",
         Certainty::Documented,
@@ -67,7 +67,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "spiral on the ray",
-        Field::SpiralOnRay,
+        SettingField::SpiralOnRay,
         &[],
         "a spiral with L whose start and end are on one ray from the centre: L1 is `no-turn` or a `full-turn`",
         Certainty::Inferred,
@@ -75,7 +75,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "rotary_in_arc",
-        Field::RotaryInArc,
+        SettingField::RotaryInArc,
         &[],
         "a rotary axis in the block of an arc: `allowed` or `refused`",
         Certainty::Inferred,
@@ -83,7 +83,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "machine_move",
-        Field::MachineMove,
+        SettingField::MachineMove,
         &[],
         "a move of G53 is a `rapid`, or uses the active motion code (`in-force`)",
         Certainty::Trade,
@@ -91,7 +91,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "excess_decimals",
-        Field::ExcessDecimals,
+        SettingField::ExcessDecimals,
         &[],
         "decimals beyond the least increment: `cut`, `rounded` or `exact`",
         Certainty::Trade,
@@ -99,7 +99,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "most_digits",
-        Field::MostDigits,
+        SettingField::MostDigits,
         &[],
         "most digits of a length; above it PS0003",
         Certainty::Trade,
@@ -107,7 +107,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 1403#5",
-        Field::HelixFeed,
+        SettingField::HelixFeed,
         &[("0", "plane"), ("1", "path")],
         "HTG: F of a helix along the circle (0) or along the helix (1)",
         Certainty::Trade,
@@ -115,7 +115,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 1401#1",
-        Field::Rapid,
+        SettingField::Rapid,
         &[("0", "dog-leg"), ("1", "straight")],
         "LRP: straight rapids",
         Certainty::Trade,
@@ -123,7 +123,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 3403#5",
-        Field::ArcWithoutCenter,
+        SettingField::ArcWithoutCenter,
         &[("0", "line"), ("1", "refused")],
         "CIR: a block of G2 or G3 with neither a centre nor a radius is a straight line (0), or alarm PS0022 (1)",
         Certainty::Trade,
@@ -131,7 +131,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 3401#0",
-        Field::DecimalPoint,
+        SettingField::DecimalPoint,
         &[("0", "least-increment"), ("1", "calculator")],
         "DPI: a number without a decimal point",
         Certainty::Trade,
@@ -139,17 +139,17 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5004#2",
-        Field::RadiusOffsets,
+        SettingField::RadiusOffsets,
         &[("0", "radius"), ("1", "diameter")],
         "ODI: compensation values are radii or diameters",
         Certainty::Trade,
         "30i",
     ),
-    setting("No. 5114", Field::ChipBreak, &[], "lift of G73", Certainty::Documented, "16i"),
-    setting("No. 5115", Field::PeckClearance, &[], "clearance of G83", Certainty::Trade, "16i"),
+    setting("No. 5114", SettingField::ChipBreak, &[], "lift of G73", Certainty::Documented, "16i"),
+    setting("No. 5115", SettingField::PeckClearance, &[], "clearance of G83", Certainty::Trade, "16i"),
     setting(
         "unit_codes",
-        Field::UnitCodes,
+        SettingField::UnitCodes,
         &[],
         "the codes that choose inch and millimetres",
         Certainty::Trade,
@@ -157,7 +157,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "offset_memory",
-        Field::OffsetMemory,
+        SettingField::OffsetMemory,
         &[],
         "tool offset memory: `A` (#2001 to #2200 are offsets), `B` or `C` (wear there, geometry from #2201 on), or `not known`",
         Certainty::Documented,
@@ -165,7 +165,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "subprogram_repeats",
-        Field::PackedCalls,
+        SettingField::PackedCalls,
         &[("packed", "on"), ("separate", "off")],
         "`M98 P100013` repeats O0013 ten times, or names program 100013",
         Certainty::Trade,
@@ -173,7 +173,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5101#0",
-        Field::Cycle(CycleField::Axis),
+        SettingField::Cycle(CycleField::Axis),
         &[("0", "z"), ("1", "plane-normal")],
         "FXY: cycles drill along Z, or along the normal of the plane",
         Certainty::Trade,
@@ -181,7 +181,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5101#4-5",
-        Field::Cycle(CycleField::ShiftDirection),
+        SettingField::Cycle(CycleField::ShiftDirection),
         &[("00", "x+"), ("01", "x-"), ("10", "y+"), ("11", "y-")],
         "RD1, RD2: where Q shifts the tool in G76 and G87",
         Certainty::Trade,
@@ -189,7 +189,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5148",
-        Field::Cycle(CycleField::ShiftDirection),
+        SettingField::Cycle(CycleField::ShiftDirection),
         &[("1", "x+"), ("-1", "x-"), ("2", "y+"), ("-2", "y-")],
         "where Q shifts the tool in G76 and G87, as a signed axis",
         Certainty::Trade,
@@ -197,7 +197,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 6240",
-        Field::Cycle(CycleField::ShiftDirection),
+        SettingField::Cycle(CycleField::ShiftDirection),
         &[],
         "the same on 15i: `x+`, `x-`, `y+`, `y-`",
         Certainty::Documented,
@@ -205,7 +205,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 6200#2",
-        Field::Cycle(CycleField::Shift),
+        SettingField::Cycle(CycleField::Shift),
         &[("0", "q"), ("1", "vector")],
         "the shift of G76 and G87 is Q, or I and J",
         Certainty::Documented,
@@ -213,7 +213,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5200#5",
-        Field::Cycle(CycleField::TapFullReturn),
+        SettingField::Cycle(CycleField::TapFullReturn),
         &[("0", "off"), ("1", "on")],
         "PCP: peck tapping returns to R (1), or by No. 5213 (0)",
         Certainty::Trade,
@@ -221,7 +221,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5213",
-        Field::Cycle(CycleField::TapLift),
+        SettingField::Cycle(CycleField::TapLift),
         &[],
         "lift of peck tapping",
         Certainty::Trade,
@@ -229,7 +229,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "tapping dwell at R",
-        Field::Cycle(CycleField::TapDwellAtR),
+        SettingField::Cycle(CycleField::TapDwellAtR),
         &[],
         "the dwell of a tapping cycle is repeated at R",
         Certainty::Trade,
@@ -237,7 +237,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle repeats",
-        Field::Cycle(CycleField::RepeatLetter),
+        SettingField::Cycle(CycleField::RepeatLetter),
         &[],
         "letter of the repeat count: `K`, or `L` on 6M and 15",
         Certainty::Trade,
@@ -245,44 +245,44 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle fires on",
-        Field::Cycle(CycleField::FiresOn),
+        SettingField::Cycle(CycleField::FiresOn),
         &[],
         "which words drill a hole with an active cycle: `place`, `any-axis` or `axis-or-level`",
         Certainty::Trade,
         "",
     ),
-    call("No. 6050", Field::AliasG(0), "G code that calls macro O9010"),
-    call("No. 6051", Field::AliasG(1), "G code that calls macro O9011"),
-    call("No. 6052", Field::AliasG(2), "G code that calls macro O9012"),
-    call("No. 6053", Field::AliasG(3), "G code that calls macro O9013"),
-    call("No. 6054", Field::AliasG(4), "G code that calls macro O9014"),
-    call("No. 6055", Field::AliasG(5), "G code that calls macro O9015"),
-    call("No. 6056", Field::AliasG(6), "G code that calls macro O9016"),
-    call("No. 6057", Field::AliasG(7), "G code that calls macro O9017"),
-    call("No. 6058", Field::AliasG(8), "G code that calls macro O9018"),
-    call("No. 6059", Field::AliasG(9), "G code that calls macro O9019"),
-    call("No. 6071", Field::AliasSubprogram(0), "M code that calls subprogram O9001"),
-    call("No. 6072", Field::AliasSubprogram(1), "M code that calls subprogram O9002"),
-    call("No. 6073", Field::AliasSubprogram(2), "M code that calls subprogram O9003"),
-    call("No. 6074", Field::AliasSubprogram(3), "M code that calls subprogram O9004"),
-    call("No. 6075", Field::AliasSubprogram(4), "M code that calls subprogram O9005"),
-    call("No. 6076", Field::AliasSubprogram(5), "M code that calls subprogram O9006"),
-    call("No. 6077", Field::AliasSubprogram(6), "M code that calls subprogram O9007"),
-    call("No. 6078", Field::AliasSubprogram(7), "M code that calls subprogram O9008"),
-    call("No. 6079", Field::AliasSubprogram(8), "M code that calls subprogram O9009"),
-    call("No. 6080", Field::AliasM(0), "M code that calls macro O9020"),
-    call("No. 6081", Field::AliasM(1), "M code that calls macro O9021"),
-    call("No. 6082", Field::AliasM(2), "M code that calls macro O9022"),
-    call("No. 6083", Field::AliasM(3), "M code that calls macro O9023"),
-    call("No. 6084", Field::AliasM(4), "M code that calls macro O9024"),
-    call("No. 6085", Field::AliasM(5), "M code that calls macro O9025"),
-    call("No. 6086", Field::AliasM(6), "M code that calls macro O9026"),
-    call("No. 6087", Field::AliasM(7), "M code that calls macro O9027"),
-    call("No. 6088", Field::AliasM(8), "M code that calls macro O9028"),
-    call("No. 6089", Field::AliasM(9), "M code that calls macro O9029"),
+    call("No. 6050", SettingField::AliasG(0), "G code that calls macro O9010"),
+    call("No. 6051", SettingField::AliasG(1), "G code that calls macro O9011"),
+    call("No. 6052", SettingField::AliasG(2), "G code that calls macro O9012"),
+    call("No. 6053", SettingField::AliasG(3), "G code that calls macro O9013"),
+    call("No. 6054", SettingField::AliasG(4), "G code that calls macro O9014"),
+    call("No. 6055", SettingField::AliasG(5), "G code that calls macro O9015"),
+    call("No. 6056", SettingField::AliasG(6), "G code that calls macro O9016"),
+    call("No. 6057", SettingField::AliasG(7), "G code that calls macro O9017"),
+    call("No. 6058", SettingField::AliasG(8), "G code that calls macro O9018"),
+    call("No. 6059", SettingField::AliasG(9), "G code that calls macro O9019"),
+    call("No. 6071", SettingField::AliasSubprogram(0), "M code that calls subprogram O9001"),
+    call("No. 6072", SettingField::AliasSubprogram(1), "M code that calls subprogram O9002"),
+    call("No. 6073", SettingField::AliasSubprogram(2), "M code that calls subprogram O9003"),
+    call("No. 6074", SettingField::AliasSubprogram(3), "M code that calls subprogram O9004"),
+    call("No. 6075", SettingField::AliasSubprogram(4), "M code that calls subprogram O9005"),
+    call("No. 6076", SettingField::AliasSubprogram(5), "M code that calls subprogram O9006"),
+    call("No. 6077", SettingField::AliasSubprogram(6), "M code that calls subprogram O9007"),
+    call("No. 6078", SettingField::AliasSubprogram(7), "M code that calls subprogram O9008"),
+    call("No. 6079", SettingField::AliasSubprogram(8), "M code that calls subprogram O9009"),
+    call("No. 6080", SettingField::AliasM(0), "M code that calls macro O9020"),
+    call("No. 6081", SettingField::AliasM(1), "M code that calls macro O9021"),
+    call("No. 6082", SettingField::AliasM(2), "M code that calls macro O9022"),
+    call("No. 6083", SettingField::AliasM(3), "M code that calls macro O9023"),
+    call("No. 6084", SettingField::AliasM(4), "M code that calls macro O9024"),
+    call("No. 6085", SettingField::AliasM(5), "M code that calls macro O9025"),
+    call("No. 6086", SettingField::AliasM(6), "M code that calls macro O9026"),
+    call("No. 6087", SettingField::AliasM(7), "M code that calls macro O9027"),
+    call("No. 6088", SettingField::AliasM(8), "M code that calls macro O9028"),
+    call("No. 6089", SettingField::AliasM(9), "M code that calls macro O9029"),
     setting(
         "No. 5400#0 RIN",
-        Field::Frame(FrameField::AngleAdds),
+        SettingField::Frame(FrameField::AngleAdds),
         &[("0", "absolute"), ("1", "adds")],
         "the angle of a G68 in G91 is `absolute`, or `adds` to the one in force",
         Certainty::Documented,
@@ -290,7 +290,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5400#6 XSC",
-        Field::Frame(FrameField::FactorsByVector),
+        SettingField::Frame(FrameField::FactorsByVector),
         &[("0", "one"), ("1", "each")],
         "factors of G51: `one` by P, or `each` by I, J and K",
         Certainty::Trade,
@@ -298,7 +298,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5410",
-        Field::Frame(FrameField::OmittedAngle),
+        SettingField::Frame(FrameField::OmittedAngle),
         &[],
         "angle of a G68 without R, degrees",
         Certainty::Documented,
@@ -306,7 +306,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5411",
-        Field::Frame(FrameField::OmittedFactor(None)),
+        SettingField::Frame(FrameField::OmittedFactor(None)),
         &[],
         "scale factor of a G51 without P; 1 is no scaling",
         Certainty::Documented,
@@ -314,7 +314,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "unequal scale arcs",
-        Field::Frame(FrameField::UnequalArcs),
+        SettingField::Frame(FrameField::UnequalArcs),
         &[],
         "an arc while the axes of its plane have different factors: `judged` as always, or `refused`",
         Certainty::Inferred,
@@ -322,7 +322,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle without R",
-        Field::Cycle(CycleField::MissingR),
+        SettingField::Cycle(CycleField::MissingR),
         &[],
         "a cycle without R: it feeds from the `initial` level, with a note; or from where the tool stands (`current`), or it is `refused`",
         Certainty::Trade,
@@ -331,14 +331,14 @@ pub(super) const SETTINGS: &[Setting] = &[
 ];
 
 /// A code that calls a program; 0 for none.
-const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
+const fn call(name: &'static str, field: SettingField, text: &'static str) -> Setting {
     setting(name, field, &[], text, Certainty::Trade, "16i")
 }
 
 /// SUP.
 const TYPE: Setting = setting(
     "No. 5003#0",
-    Field::CompensationEntry,
+    SettingField::CompensationEntry,
     &[("0", "A"), ("1", "B")],
     "SUP: start-up and cancel of compensation by type A or B",
     Certainty::Trade,
@@ -402,7 +402,7 @@ const BLOCKS_READ_15I: Setting =
 /// CCC.
 const CORNER: Setting = setting(
     "No. 19607#2",
-    Field::OutsideCorner,
+    SettingField::OutsideCorner,
     &[("0", "linear"), ("1", "arc")],
     "CCC: outside corners by straight lines or by arcs",
     Certainty::Trade,
@@ -427,5 +427,5 @@ const fn rule(
     certainty: Certainty,
     source: &'static str,
 ) -> Setting {
-    setting(name, Field::Compensation(field), values, text, certainty, source)
+    setting(name, SettingField::Compensation(field), values, text, certainty, source)
 }

@@ -1,8 +1,8 @@
 //! How Fanuc lathes want a program begun and ended. Thread mill programs need a live tool.
 
-use crate::post::Post;
+use crate::post::PostTemplate;
 
-pub(in crate::controls) const POST: Post = Post {
+pub(in crate::controls) const POST: PostTemplate = PostTemplate {
     remark: ["(", ")"],
     open: &["%", "O{number} ({title})"],
     begin: &[

@@ -62,5 +62,5 @@ const COMPENSATION: CompensationRules = CompensationRules {
 };
 
 /// Chamfer and corner R with a comma, as on the mills.
-const CORNER: CornerRules =
-    CornerRules { moves: CornerMoves::LinesAndArcs, dwells_between: 1, straight_deg: 1.0 };
+const CORNER: RoundingRules =
+    RoundingRules { moves: CornerMoves::LinesAndArcs, dwells_between: 1, straight_deg: 1.0 };

@@ -5,7 +5,7 @@ use crate::vocabulary::*;
 /// Of the lathes that have G12.1.
 pub(in crate::controls) const FACE_X: Setting = setting(
     "X in G12.1",
-    Field::FaceX,
+    SettingField::FaceX,
     &[],
     "X of polar interpolation is written as `diameters`, as everywhere else, or as `radii`",
     Certainty::Unknown,
@@ -16,7 +16,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     CORNER_ROUNDING,
     setting(
         "P of live tools",
-        Field::LiveToolP,
+        SettingField::LiveToolP,
         &[],
         "M3, M4 and M5 with this P are for the live tool of the turret; 0: M3 has no such P",
         Certainty::Inferred,
@@ -24,7 +24,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 3401",
-        Field::CodeSystem,
+        SettingField::CodeSystem,
         &[],
         "system of G codes: A, B or C (bits GSB and GSC)",
         Certainty::Documented,
@@ -32,7 +32,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 3403#5",
-        Field::ArcWithoutCenter,
+        SettingField::ArcWithoutCenter,
         &[("0", "line"), ("1", "refused")],
         "CIR: a block of G2 or G3 with neither a centre nor a radius is a straight line (0), or alarm PS0022 (1)",
         Certainty::Trade,
@@ -40,7 +40,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "P of the second spindle",
-        Field::SecondSpindleP,
+        SettingField::SecondSpindleP,
         &[],
         "M3 and M4 with this P are for the second spindle, which is not followed; 0: M3 has no such P",
         Certainty::Inferred,
@@ -48,7 +48,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 8110",
-        Field::WaitCode { last: false },
+        SettingField::WaitCode { last: false },
         &[],
         "first M code that waits for another path; 0: none",
         Certainty::Documented,
@@ -56,7 +56,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 8111",
-        Field::WaitCode { last: true },
+        SettingField::WaitCode { last: true },
         &[],
         "last M code that waits for another path",
         Certainty::Documented,
@@ -64,7 +64,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5102#6",
-        Field::Cycle(CycleField::RFromInitial),
+        SettingField::Cycle(CycleField::RFromInitial),
         &[("0", "from-initial"), ("1", "absolute")],
         "R of G83 to G89 is the distance from the initial level, or a level",
         Certainty::Trade,
@@ -72,7 +72,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5101#2",
-        Field::Cycle(CycleField::FullReturn),
+        SettingField::Cycle(CycleField::FullReturn),
         &[("0", "off"), ("1", "on")],
         "pecks of G83 and G87 return to R (1), or by No. 5114 alone (0)",
         Certainty::Trade,
@@ -80,7 +80,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5114",
-        Field::Cycle(CycleField::Lifts),
+        SettingField::Cycle(CycleField::Lifts),
         &[],
         "return and clearance of the pecks of G83 and G87",
         Certainty::Trade,
@@ -88,7 +88,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5132",
-        Field::Turning(TurningField::RoughDepth),
+        SettingField::Turning(TurningField::RoughDepth),
         &[],
         "depth of a pass of G71 and G72 before a program gives one",
         Certainty::Trade,
@@ -96,7 +96,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5133",
-        Field::Turning(TurningField::RoughRetract),
+        SettingField::Turning(TurningField::RoughRetract),
         &[],
         "how far a pass of G71 and G72 backs off",
         Certainty::Documented,
@@ -105,7 +105,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     FACE_X,
     setting(
         "first level",
-        Field::Turning(TurningField::FirstLevel),
+        SettingField::Turning(TurningField::FirstLevel),
         &[],
         "the levels of G71 and G72 begin at the start with the finishing `allowance`, or at the `start` itself",
         Certainty::Trade,
@@ -113,7 +113,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5139",
-        Field::Turning(TurningField::PeckRetract),
+        SettingField::Turning(TurningField::PeckRetract),
         &[],
         "how far a peck of G74 and G75 backs off",
         Certainty::Trade,
@@ -121,7 +121,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5130",
-        Field::Turning(TurningField::ThreadExit),
+        SettingField::Turning(TurningField::ThreadExit),
         &[],
         "length of the exit of G92 and G76, in tenths of the lead",
         Certainty::Documented,
@@ -129,7 +129,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5140",
-        Field::Turning(TurningField::ThreadLeast),
+        SettingField::Turning(TurningField::ThreadLeast),
         &[],
         "least depth of a pass of G76",
         Certainty::Trade,
@@ -137,7 +137,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5141",
-        Field::Turning(TurningField::ThreadFinish),
+        SettingField::Turning(TurningField::ThreadFinish),
         &[],
         "depth of the finishing pass of G76",
         Certainty::Trade,
@@ -145,7 +145,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5142",
-        Field::Turning(TurningField::ThreadFinishPasses),
+        SettingField::Turning(TurningField::ThreadFinishPasses),
         &[],
         "finishing passes of G76",
         Certainty::Trade,
@@ -153,7 +153,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5143",
-        Field::Turning(TurningField::ThreadAngle),
+        SettingField::Turning(TurningField::ThreadAngle),
         &[],
         "angle of the tool of G76, degrees",
         Certainty::Trade,
@@ -161,7 +161,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "point in G76",
-        Field::Turning(TurningField::ThreadPoint),
+        SettingField::Turning(TurningField::ThreadPoint),
         &[],
         "a decimal point in P and Q of G76 is `reported`, or `allowed`: they count least increments",
         Certainty::Trade,

@@ -9,7 +9,7 @@ pub(super) static FIRMWARE: Firmware = Firmware {
         longest: 127,
         counts_blanks: true,
         percent_marks: true,
-        slash: Slash::Kept,
+        slash: SlashMeaning::Kept,
         digits: 8,
         zeros_count: true,
         named_commands: true,
@@ -36,9 +36,9 @@ pub(super) static FIRMWARE: Firmware = Firmware {
 const ROWS: &[RefusalRow] = &[
     family::answer(
         14,
-        Refusal::TooLong,
+        FirmwareError::TooLong,
         "this line has more than 127 characters, blanks and comments included",
         "write it on two lines",
     ),
-    family::answer(37, Refusal::LengthAxis, "G43.1 needs an axis word", "write X, Y or Z"),
+    family::answer(37, FirmwareError::LengthAxis, "G43.1 needs an axis word", "write X, Y or Z"),
 ];

@@ -7,11 +7,11 @@ const NAMES: &[&str] = &["FLUIDNC", "GRBL_ESP32"];
 /// All else that they have GRBL and others have too.
 pub(super) static KIND: MachineKind = MachineKind { turns: false, signs: SIGNS, needed: 10 };
 
-const SIGNS: &[Evidence] = &[
-    evidence(Sign::Header(NAMES), 16, "the header names FluidNC"),
-    evidence(Sign::Comment(NAMES), 12, "a comment names FluidNC"),
-    evidence(Sign::Code(&["$SD/RUN", "$LOCALFS/RUN"]), 12, "$SD/Run is a command of FluidNC"),
+const SIGNS: &[RecognitionEvidence] = &[
+    evidence(RecognitionSign::Header(NAMES), 16, "the header names FluidNC"),
+    evidence(RecognitionSign::Comment(NAMES), 12, "a comment names FluidNC"),
+    evidence(RecognitionSign::Code(&["$SD/RUN", "$LOCALFS/RUN"]), 12, "$SD/Run is a command of FluidNC"),
 ];
 
-pub(super) const EVIDENCE: &[Evidence] =
-    &[evidence(Sign::Block("M3 S !T"), 1, "M3 starts the spindle")];
+pub(super) const EVIDENCE: &[RecognitionEvidence] =
+    &[evidence(RecognitionSign::Block("M3 S !T"), 1, "M3 starts the spindle")];

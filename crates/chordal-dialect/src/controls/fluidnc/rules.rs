@@ -6,7 +6,7 @@ use crate::vocabulary::*;
 /// As GRBL 1.1 does, with parameters and expressions, and a tool changer of its own.
 pub(super) const PARAMETERS: Parameters = Parameters {
     tool_change: ToolChanger::Machine,
-    build: Build { expressions: true, ..FAMILY.build },
+    build: FirmwareBuild { expressions: true, ..FAMILY.build },
     nesting: 10,
     ..FAMILY
 };

@@ -27,5 +27,5 @@ pub(super) const SETTINGS: &[Setting] = &[
 ];
 
 const fn of_file(name: &'static str, field: PathField, text: &'static str) -> Setting {
-    setting(name, Field::Path(field), &[], text, Certainty::Documented, "configuration file")
+    setting(name, SettingField::Path(field), &[], text, Certainty::Documented, "configuration file")
 }

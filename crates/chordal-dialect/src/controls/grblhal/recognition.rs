@@ -7,10 +7,10 @@ const NAMES: &[&str] = &["GRBLHAL", "ALTMILL", "SUPERLONGBOARD", "FLEXI-HAL"];
 /// All else that they have GRBL and others have too.
 pub(super) static KIND: MachineKind = MachineKind { turns: false, signs: SIGNS, needed: 10 };
 
-const SIGNS: &[Evidence] = &[
-    evidence(Sign::Header(NAMES), 16, "the header names grblHAL or a machine that has it"),
-    evidence(Sign::Comment(NAMES), 12, "a comment names grblHAL or a machine that has it"),
+const SIGNS: &[RecognitionEvidence] = &[
+    evidence(RecognitionSign::Header(NAMES), 16, "the header names grblHAL or a machine that has it"),
+    evidence(RecognitionSign::Comment(NAMES), 12, "a comment names grblHAL or a machine that has it"),
 ];
 
-pub(super) const EVIDENCE: &[Evidence] =
-    &[evidence(Sign::Block("M3 S !T"), 1, "M3 starts the spindle")];
+pub(super) const EVIDENCE: &[RecognitionEvidence] =
+    &[evidence(RecognitionSign::Block("M3 S !T"), 1, "M3 starts the spindle")];

@@ -38,7 +38,7 @@ const CYCLES: CycleRules = CycleRules {
     fires_on: FiringWords::AnyAxis,
     order: LevelOrder::DepthBelowR,
     zero_repeats: ZeroRepeats::Refused,
-    approach: Approach::ByClearLevel,
+    approach: HoleApproach::ByClearLevel,
     dwell_integer_s: 1.0,
     dwell_point_s: 1.0,
     needs_p: true,

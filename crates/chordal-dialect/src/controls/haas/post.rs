@@ -1,8 +1,8 @@
 //! How Haas mill wants a program begun and ended.
 
-use crate::post::Post;
+use crate::post::PostTemplate;
 
-pub(super) const POST: Post = Post {
+pub(super) const POST: PostTemplate = PostTemplate {
     remark: ["(", ")"],
     open: &["%", "O{number} ({title})"],
     begin: &[

@@ -68,7 +68,7 @@ const COMPENSATION: CompensationRules = CompensationRules {
     // The note on thread milling: longer than the amount that is compensated.
     lead: LeadLength::AboveOffset,
     planes: CompensationPlanes::XyOnly,
-    new_offset_on_arc: Allowance::Refused,
+    new_offset_on_arc: AllowanceRule::Refused,
     inside_feed_least: 0.5,
     ..CompensationRules::COMMON
 };
@@ -85,5 +85,5 @@ const FRAMES: FrameRules = FrameRules {
 };
 
 /// Haas Mill Operator's Manual, corner rounding and chamfering: between two straight cuts; a G4 may stand between.
-const CORNER: CornerRules =
-    CornerRules { moves: CornerMoves::Lines, dwells_between: 1, ..CornerRules::COMMON };
+const CORNER: RoundingRules =
+    RoundingRules { moves: CornerMoves::Lines, dwells_between: 1, ..RoundingRules::COMMON };

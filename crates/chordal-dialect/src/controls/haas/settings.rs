@@ -6,7 +6,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     INSIDE_FEED,
     setting(
         "Setting 9",
-        Field::Units,
+        SettingField::Units,
         &[("INCH", "inch"), ("MM", "mm")],
         "units at power-on",
         Certainty::Documented,
@@ -14,7 +14,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 15",
-        Field::LengthMustMatchTool,
+        SettingField::LengthMustMatchTool,
         &[],
         "H must be the number of the tool in the spindle (alarm 332)",
         Certainty::Documented,
@@ -22,7 +22,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 22",
-        Field::Cycle(CycleField::Lifts),
+        SettingField::Cycle(CycleField::Lifts),
         &[],
         "lift of G73 and clearance of G83 between pecks",
         Certainty::Documented,
@@ -30,7 +30,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 34",
-        Field::RotaryFeed(RotaryFeedField::FourthDiameter),
+        SettingField::RotaryFeed(RotaryFeedField::FourthDiameter),
         &[],
         "diameter on which F counts the 4th axis",
         Certainty::Documented,
@@ -38,7 +38,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 40",
-        Field::RadiusOffsets,
+        SettingField::RadiusOffsets,
         &[],
         "the tool table holds `diameter` or `radius`",
         Certainty::Documented,
@@ -46,7 +46,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 43",
-        Field::CompensationEntry,
+        SettingField::CompensationEntry,
         &[],
         "cutter compensation type",
         Certainty::Documented,
@@ -54,7 +54,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 58",
-        Field::OutsideCorner,
+        SettingField::OutsideCorner,
         &[("fanuc", "linear"), ("yasnac", "arc")],
         "outside corners of cutter compensation",
         Certainty::Documented,
@@ -62,7 +62,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 79",
-        Field::RotaryFeed(RotaryFeedField::FifthDiameter),
+        SettingField::RotaryFeed(RotaryFeedField::FifthDiameter),
         &[],
         "diameter on which F counts the 5th axis",
         Certainty::Documented,
@@ -70,7 +70,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 85",
-        Field::Path(PathField::Rounding),
+        SettingField::Path(PathField::Rounding),
         &[],
         "how far from a corner the tool may pass: at level rough, if G187 gives no tolerance",
         Certainty::Trade,
@@ -78,7 +78,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 191",
-        Field::Path(PathField::Level),
+        SettingField::Path(PathField::Level),
         &[],
         "smoothness if G187 gives none: `rough`, `medium` or `finish`",
         Certainty::Trade,
@@ -93,7 +93,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     part("G187 P3 part", 3, "part of Setting 85 that level finish uses"),
     setting(
         "Setting 162",
-        Field::DecimalPoint,
+        SettingField::DecimalPoint,
         &[("on", "calculator"), ("off", "least-increment")],
         "on: a number without a decimal point is in whole units",
         Certainty::Documented,
@@ -101,7 +101,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 335",
-        Field::Rapid,
+        SettingField::Rapid,
         &[("none", "dog-leg"), ("linear xyz", "straight"), ("linear xyz + rotary", "straight")],
         "straight rapids",
         Certainty::Documented,
@@ -109,7 +109,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 27",
-        Field::Cycle(CycleField::ShiftDirection),
+        SettingField::Cycle(CycleField::ShiftDirection),
         &[("X+", "x+"), ("X-", "x-"), ("Y+", "y+"), ("Y-", "y-")],
         "where Q shifts the tool in G76 and G77",
         Certainty::Documented,
@@ -117,7 +117,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 28",
-        Field::Cycle(CycleField::Definition),
+        SettingField::Cycle(CycleField::Definition),
         &[("on", "always"), ("off", "with-place")],
         "on: a cycle drills also where it is defined without X and Y",
         Certainty::Documented,
@@ -125,7 +125,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 52",
-        Field::Cycle(CycleField::ReturnAboveR),
+        SettingField::Cycle(CycleField::ReturnAboveR),
         &[],
         "how far above R the chip-clearing return of G83 goes",
         Certainty::Documented,
@@ -133,7 +133,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 52 in G73",
-        Field::Cycle(CycleField::ChipBreakAboveR),
+        SettingField::Cycle(CycleField::ChipBreakAboveR),
         &[],
         "G73 also returns to that height above R",
         Certainty::Documented,
@@ -141,7 +141,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 130",
-        Field::Cycle(CycleField::TapOutFactor),
+        SettingField::Cycle(CycleField::TapOutFactor),
         &[],
         "retract speed of a tap divided by its speed on the way in; 0 or 1: the same speed",
         Certainty::Documented,
@@ -149,7 +149,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle fires on",
-        Field::Cycle(CycleField::FiresOn),
+        SettingField::Cycle(CycleField::FiresOn),
         &[],
         "which words drill a hole with an active cycle: `place`, `any-axis` or `axis-or-level`",
         Certainty::Unknown,
@@ -157,7 +157,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle axis",
-        Field::Cycle(CycleField::Axis),
+        SettingField::Cycle(CycleField::Axis),
         &[],
         "cycles drill along `z` or the `plane-normal`",
         Certainty::Unknown,
@@ -165,35 +165,35 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "G77 scheme",
-        Field::Cycle(CycleField::BackBore),
+        SettingField::Cycle(CycleField::BackBore),
         &[],
         "back boring: `shift-at-initial`, or `shift-at-r` as the text of the manual says",
         Certainty::Unknown,
         "G77",
     ),
-    call("Parameter 81", Field::AliasM(0), "M code that calls O9000"),
-    call("Parameter 82", Field::AliasM(1), "M code that calls O9001"),
-    call("Parameter 83", Field::AliasM(2), "M code that calls O9002"),
-    call("Parameter 84", Field::AliasM(3), "M code that calls O9003"),
-    call("Parameter 85", Field::AliasM(4), "M code that calls O9004"),
-    call("Parameter 86", Field::AliasM(5), "M code that calls O9005"),
-    call("Parameter 87", Field::AliasM(6), "M code that calls O9006"),
-    call("Parameter 88", Field::AliasM(7), "M code that calls O9007"),
-    call("Parameter 89", Field::AliasM(8), "M code that calls O9008"),
-    call("Parameter 90", Field::AliasM(9), "M code that calls O9009"),
-    call("Parameter 91", Field::AliasG(0), "G code that calls macro O9010"),
-    call("Parameter 92", Field::AliasG(1), "G code that calls macro O9011"),
-    call("Parameter 93", Field::AliasG(2), "G code that calls macro O9012"),
-    call("Parameter 94", Field::AliasG(3), "G code that calls macro O9013"),
-    call("Parameter 95", Field::AliasG(4), "G code that calls macro O9014"),
-    call("Parameter 96", Field::AliasG(5), "G code that calls macro O9015"),
-    call("Parameter 97", Field::AliasG(6), "G code that calls macro O9016"),
-    call("Parameter 98", Field::AliasG(7), "G code that calls macro O9017"),
-    call("Parameter 99", Field::AliasG(8), "G code that calls macro O9018"),
-    call("Parameter 100", Field::AliasG(9), "G code that calls macro O9019"),
+    call("Parameter 81", SettingField::AliasM(0), "M code that calls O9000"),
+    call("Parameter 82", SettingField::AliasM(1), "M code that calls O9001"),
+    call("Parameter 83", SettingField::AliasM(2), "M code that calls O9002"),
+    call("Parameter 84", SettingField::AliasM(3), "M code that calls O9003"),
+    call("Parameter 85", SettingField::AliasM(4), "M code that calls O9004"),
+    call("Parameter 86", SettingField::AliasM(5), "M code that calls O9005"),
+    call("Parameter 87", SettingField::AliasM(6), "M code that calls O9006"),
+    call("Parameter 88", SettingField::AliasM(7), "M code that calls O9007"),
+    call("Parameter 89", SettingField::AliasM(8), "M code that calls O9008"),
+    call("Parameter 90", SettingField::AliasM(9), "M code that calls O9009"),
+    call("Parameter 91", SettingField::AliasG(0), "G code that calls macro O9010"),
+    call("Parameter 92", SettingField::AliasG(1), "G code that calls macro O9011"),
+    call("Parameter 93", SettingField::AliasG(2), "G code that calls macro O9012"),
+    call("Parameter 94", SettingField::AliasG(3), "G code that calls macro O9013"),
+    call("Parameter 95", SettingField::AliasG(4), "G code that calls macro O9014"),
+    call("Parameter 96", SettingField::AliasG(5), "G code that calls macro O9015"),
+    call("Parameter 97", SettingField::AliasG(6), "G code that calls macro O9016"),
+    call("Parameter 98", SettingField::AliasG(7), "G code that calls macro O9017"),
+    call("Parameter 99", SettingField::AliasG(8), "G code that calls macro O9018"),
+    call("Parameter 100", SettingField::AliasG(9), "G code that calls macro O9019"),
     setting(
         "Setting 71",
-        Field::Frame(FrameField::OmittedFactor(None)),
+        SettingField::Frame(FrameField::OmittedFactor(None)),
         &[],
         "scale factor of a G51 without P",
         Certainty::Documented,
@@ -201,7 +201,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 188",
-        Field::Frame(FrameField::OmittedFactor(Some(0))),
+        SettingField::Frame(FrameField::OmittedFactor(Some(0))),
         &[],
         "scale factor of X in a G51 without P",
         Certainty::Documented,
@@ -209,7 +209,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 189",
-        Field::Frame(FrameField::OmittedFactor(Some(1))),
+        SettingField::Frame(FrameField::OmittedFactor(Some(1))),
         &[],
         "scale factor of Y in a G51 without P",
         Certainty::Documented,
@@ -217,7 +217,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 190",
-        Field::Frame(FrameField::OmittedFactor(Some(2))),
+        SettingField::Frame(FrameField::OmittedFactor(Some(2))),
         &[],
         "scale factor of Z in a G51 without P",
         Certainty::Documented,
@@ -225,7 +225,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 72",
-        Field::Frame(FrameField::OmittedAngle),
+        SettingField::Frame(FrameField::OmittedAngle),
         &[],
         "angle of a G68 without R, degrees",
         Certainty::Documented,
@@ -233,7 +233,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 73",
-        Field::Frame(FrameField::AngleAdds),
+        SettingField::Frame(FrameField::AngleAdds),
         &[("OFF", "absolute"), ("ON", "adds")],
         "the angle of a G68 in G91 is `absolute`, or `adds` to the one in force",
         Certainty::Documented,
@@ -242,7 +242,7 @@ pub(super) const SETTINGS: &[Setting] = &[
 ];
 
 /// A code that calls a program; 0 for none.
-const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
+const fn call(name: &'static str, field: SettingField, text: &'static str) -> Setting {
     setting(
         name,
         field,
@@ -255,7 +255,7 @@ const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
 
 /// How much of the largest rounding a level of smoothness uses: no text gives figures.
 const fn part(name: &'static str, level: u8, text: &'static str) -> Setting {
-    setting(name, Field::Path(PathField::LevelPart(level)), &[], text, Certainty::Unknown, "G187")
+    setting(name, SettingField::Path(PathField::LevelPart(level)), &[], text, Certainty::Unknown, "G187")
 }
 
 /// Feed of inside arcs.
@@ -276,5 +276,5 @@ const fn rule(
     certainty: Certainty,
     source: &'static str,
 ) -> Setting {
-    setting(name, Field::Compensation(field), values, text, certainty, source)
+    setting(name, SettingField::Compensation(field), values, text, certainty, source)
 }

@@ -23,10 +23,10 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         peck_clearance_mm: 0.508,
         cycles: CYCLES,
         turning: TURNING,
-        corner: CornerRules {
+        corner: RoundingRules {
             moves: CornerMoves::Lines,
             dwells_between: 1,
-            ..CornerRules::COMMON
+            ..RoundingRules::COMMON
         },
         ..FANUC.rules
     },

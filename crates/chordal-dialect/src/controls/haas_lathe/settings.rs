@@ -5,7 +5,7 @@ use crate::vocabulary::*;
 pub(super) const SETTINGS: &[Setting] = &[
     setting(
         "Setting 9",
-        Field::Units,
+        SettingField::Units,
         &[("INCH", "inch"), ("MM", "mm")],
         "units at power-on",
         Certainty::Documented,
@@ -13,7 +13,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 22",
-        Field::Turning(TurningField::PeckRetract),
+        SettingField::Turning(TurningField::PeckRetract),
         &[],
         "how far a peck of G74 and G75 backs off",
         Certainty::Trade,
@@ -21,7 +21,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 33",
-        Field::Turning(TurningField::PocketsByR),
+        SettingField::Turning(TurningField::PocketsByR),
         &[("FANUC", "fanuc"), ("YASNAC", "yasnac")],
         "pockets are cut where the first block of the contour names X and Z (`fanuc`), or with R1 (`yasnac`)",
         Certainty::Documented,
@@ -29,7 +29,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 43",
-        Field::CompensationEntry,
+        SettingField::CompensationEntry,
         &[],
         "tool nose compensation type",
         Certainty::Documented,
@@ -37,7 +37,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 72",
-        Field::Turning(TurningField::RoughDepth),
+        SettingField::Turning(TurningField::RoughDepth),
         &[],
         "depth of a pass of G71 and G72 without D",
         Certainty::Trade,
@@ -45,7 +45,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 73",
-        Field::Turning(TurningField::RoughRetract),
+        SettingField::Turning(TurningField::RoughRetract),
         &[],
         "how far a pass of G71 and G72 backs off",
         Certainty::Documented,
@@ -53,7 +53,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 86",
-        Field::Turning(TurningField::ThreadFinish),
+        SettingField::Turning(TurningField::ThreadFinish),
         &[],
         "depth of the last pass of G76",
         Certainty::Documented,
@@ -61,7 +61,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 95",
-        Field::Turning(TurningField::ThreadExit),
+        SettingField::Turning(TurningField::ThreadExit),
         &[],
         "length of the exit of G92 and G76 with M23, in tenths of the lead",
         Certainty::Documented,
@@ -69,7 +69,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 99",
-        Field::Turning(TurningField::ThreadLeast),
+        SettingField::Turning(TurningField::ThreadLeast),
         &[],
         "least depth of a pass of G76",
         Certainty::Documented,
@@ -77,7 +77,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "X in G112",
-        Field::FaceX,
+        SettingField::FaceX,
         &[],
         "X of polar interpolation is written as `diameters`, as everywhere else, or as `radii`",
         Certainty::Trade,
@@ -85,7 +85,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "first level",
-        Field::Turning(TurningField::FirstLevel),
+        SettingField::Turning(TurningField::FirstLevel),
         &[],
         "the levels of G71 and G72 begin at the `start`, or there with the finishing `allowance`",
         Certainty::Trade,
@@ -93,7 +93,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "return of a contour",
-        Field::Turning(TurningField::ReturnOfContour),
+        SettingField::Turning(TurningField::ReturnOfContour),
         &[],
         "a contour of G71 and G72 whose last block goes back in Z (G72: X) outside the stock: that block is `left out` of roughing, or the cycle is `refused`",
         Certainty::Trade,
@@ -101,7 +101,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "drill clearance",
-        Field::Cycle(CycleField::Lifts),
+        SettingField::Cycle(CycleField::Lifts),
         &[],
         "clearance of the pecks of G83",
         Certainty::Trade,

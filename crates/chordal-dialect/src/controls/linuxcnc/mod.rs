@@ -33,7 +33,7 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
     motion: MotionModality::Exclusive,
     distance_left_to_right: false,
     line_repeat: LineRepeat::None,
-    subroutines: Subroutines::None,
+    subroutines: SubroutineForm::None,
     fixed_routines: &[],
     axis_letters: AXIS_LETTERS,
     arc_turns: ArcTurns::Total,

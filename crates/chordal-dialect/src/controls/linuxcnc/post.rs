@@ -1,8 +1,8 @@
 //! How LinuxCNC wants a program begun and ended.
 
-use crate::post::Post;
+use crate::post::PostTemplate;
 
-pub(super) const POST: Post = Post {
+pub(super) const POST: PostTemplate = PostTemplate {
     // By these the program is known as LinuxCNC's.
     remark: ["; ", ""],
     open: &["%", "; {title}"],

@@ -23,10 +23,10 @@ const VARIABLES: &[VariableRange] = &[
 ];
 
 const SYSTEM: &[SystemRow] = &[
-    system(2000, 2005, System::ProbePosition),
-    system(5161, 5166, System::Home),
-    system(5181, 5186, System::SecondHome),
-    system(5211, 5216, System::Preset),
-    system(5220, 5220, System::WorkSystem),
-    system(5221, 5340, System::WorkTable),
+    system(2000, 2005, SystemVariable::ProbePosition),
+    system(5161, 5166, SystemVariable::Home),
+    system(5181, 5186, SystemVariable::SecondHome),
+    system(5211, 5216, SystemVariable::Preset),
+    system(5220, 5220, SystemVariable::WorkSystem),
+    system(5221, 5340, SystemVariable::WorkTable),
 ];

@@ -36,7 +36,7 @@ const M_GROUPS: &[&[u16]] = &[&[0, 10, 20, 300, 470], &[30, 40, 50], &[480, 490]
 /// A dwell that is left out is none.
 const CYCLES: CycleRules = CycleRules {
     needs_p: false,
-    approach: Approach::FromAboveR,
+    approach: HoleApproach::FromAboveR,
     bore: BoreRules { spindle_must_turn: false, ..FAMILY_CYCLES.bore },
     ..FAMILY_CYCLES
 };

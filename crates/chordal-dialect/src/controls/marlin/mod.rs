@@ -25,7 +25,7 @@ pub static TABLE: ControlTable = ControlTable {
     motion: MotionModality::Exclusive,
     distance_left_to_right: false,
     line_repeat: LineRepeat::None,
-    subroutines: Subroutines::None,
+    subroutines: SubroutineForm::None,
     fixed_routines: &[],
     axis_letters: "XYZ",
     arc_turns: ArcTurns::Extra,

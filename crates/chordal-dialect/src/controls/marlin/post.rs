@@ -1,8 +1,8 @@
 //! How Marlin wants a program begun and ended: one command a line, and no end.
 
-use crate::post::Post;
+use crate::post::PostTemplate;
 
-pub(super) const POST: Post = Post {
+pub(super) const POST: PostTemplate = PostTemplate {
     remark: ["; ", ""],
     open: &["; {title}"],
     begin: &["{units}", "G90", "G0 {clear} F600", "G0 {start} F1500", "M3 {spindle}"],

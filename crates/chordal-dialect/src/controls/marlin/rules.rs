@@ -12,7 +12,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     tool_change: ToolChanger::Nobody,
     zero_feed_passed_over: true,
     preset_writes_system: true,
-    build: Build {
+    build: FirmwareBuild {
         parentheses: false,
         lower_case: false,
         motion_modes: false,
@@ -23,7 +23,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         splines: false,
         probe: false,
         coolant: false,
-        ..Build::COMMON
+        ..FirmwareBuild::COMMON
     },
     rules: Rules {
         length: LengthRules { source: ToolLengths::Absent, ..LengthRules::COMMON },

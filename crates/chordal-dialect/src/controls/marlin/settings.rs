@@ -5,7 +5,7 @@ use crate::vocabulary::*;
 pub(super) const SETTINGS: &[Setting] = &[
     setting(
         "G0_FEEDRATE",
-        Field::RapidFeed,
+        SettingField::RapidFeed,
         &[],
         "G0 moves at this feed, mm/min; `programmed`: at the F in force, as G1 does",
         Certainty::Documented,
@@ -23,7 +23,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     build("GCODE_CASE_INSENSITIVE", BuildOption::LowerCase, "lower-case letters count"),
     setting(
         "M3 P",
-        Field::PowerLetter,
+        SettingField::PowerLetter,
         &[],
         "P of M3 and M4 is the power in percent (Snapmaker): `on` or `off`",
         Certainty::Trade,
@@ -54,7 +54,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     path("BLOCK_BUFFER_SIZE", PathField::JunctionBlocks, "segments that are known ahead: the size of the queue, less one"),
     setting(
         "arc end",
-        Field::RadiusErrorTolerance,
+        SettingField::RadiusErrorTolerance,
         &[],
         "how far the end may be off its arc before it is reported: Marlin itself does not look, and goes there with the \
          last segment",
@@ -66,9 +66,9 @@ pub(super) const SETTINGS: &[Setting] = &[
 const ADVANCED: &str = "Configuration_adv.h";
 
 const fn build(name: &'static str, option: BuildOption, text: &'static str) -> Setting {
-    setting(name, Field::Build(option), &[], text, Certainty::Documented, ADVANCED)
+    setting(name, SettingField::Build(option), &[], text, Certainty::Documented, ADVANCED)
 }
 
 const fn path(name: &'static str, field: PathField, text: &'static str) -> Setting {
-    setting(name, Field::Path(field), &[], text, Certainty::Documented, "Configuration.h, Configuration_adv.h")
+    setting(name, SettingField::Path(field), &[], text, Certainty::Documented, "Configuration.h, Configuration_adv.h")
 }

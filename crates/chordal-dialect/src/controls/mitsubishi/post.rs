@@ -1,5 +1,5 @@
 //! How Mitsubishi M700 and M800 wants a program begun and ended.
 
-use crate::post::Post;
+use crate::post::PostTemplate;
 
-pub(super) const POST: Post = super::super::fanuc::POST;
+pub(super) const POST: PostTemplate = super::super::fanuc::POST;

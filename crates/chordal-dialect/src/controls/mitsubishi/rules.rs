@@ -21,7 +21,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         peck_clearance_mm: 1.0,
         cycles: CYCLES,
         compensation: COMPENSATION,
-        corner: CornerRules { moves: CornerMoves::LinesAndArcs, ..CornerRules::COMMON },
+        corner: RoundingRules { moves: CornerMoves::LinesAndArcs, ..RoundingRules::COMMON },
         path: PathRules { look_ahead_mm: Some(0.01), short_blocks: ShortBlocks::LookAhead, ..PathRules::COMMON },
         arc: ArcRules {
             helix_feed: FeedAlong::Path,
@@ -56,7 +56,7 @@ const COMPENSATION: CompensationRules = CompensationRules {
     idle_blocks: Some(3),
     stops_end_look_ahead: true,
     off_toward: true,
-    interference: Interference::Vectors,
+    interference: InterferenceSearch::Vectors,
     ..CompensationRules::COMMON
 };
 

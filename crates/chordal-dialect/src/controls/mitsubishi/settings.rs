@@ -5,7 +5,7 @@ use crate::vocabulary::*;
 pub(super) const SETTINGS: &[Setting] = &[
     setting(
         "high-accuracy tolerance",
-        Field::Path(PathField::LookAhead),
+        SettingField::Path(PathField::LookAhead),
         &[],
         "how far from a corner the tool may pass with G61.1, G08 P1, G05.1 Q1 and G05 P10000: the control has a coefficient of corner accuracy instead, so this value is assumed",
         Certainty::Unknown,
@@ -21,7 +21,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     NO_CHECK,
     setting(
         "#1084 RadErr",
-        Field::RadiusErrorTolerance,
+        SettingField::RadiusErrorTolerance,
         &[],
         "largest difference of an arc's radii at start and end; above it P70",
         Certainty::Documented,
@@ -29,7 +29,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#11028",
-        Field::SemicircleTolerance,
+        SettingField::SemicircleTolerance,
         &[("0", "two-increments")],
         "|2R - chord| up to here makes the middle of the chord the centre; 0 of the manual is `two-increments`",
         Certainty::Documented,
@@ -37,7 +37,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#1272 ex08/bit2",
-        Field::Spiral,
+        SettingField::Spiral,
         &[("0", "pitches"), ("1", "increment-height-count")],
         "spiral commands: type 1 (G2.1, G3.1 with P) or type 2 (G2, G3 with Q, K, L)",
         Certainty::Documented,
@@ -45,7 +45,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "spiral on the ray",
-        Field::SpiralOnRay,
+        SettingField::SpiralOnRay,
         &[],
         "type 2: a spiral with L whose start and end are on one ray from the centre: L1 is `no-turn` or a `full-turn`",
         Certainty::Inferred,
@@ -53,7 +53,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "machine_move",
-        Field::MachineMove,
+        SettingField::MachineMove,
         &[],
         "a move of G53 is a `rapid`, or uses the active motion code (`in-force`)",
         Certainty::Trade,
@@ -61,7 +61,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "excess_decimals",
-        Field::ExcessDecimals,
+        SettingField::ExcessDecimals,
         &[],
         "decimals beyond the least increment: `cut`, `rounded` or `exact`",
         Certainty::Trade,
@@ -69,7 +69,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#1235 set07/bit0",
-        Field::HelixFeed,
+        SettingField::HelixFeed,
         &[("0", "path"), ("1", "plane")],
         "F of a helix: composite of the three axes, or of the arc plane",
         Certainty::Documented,
@@ -77,17 +77,17 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#1078 Decpt2",
-        Field::DecimalPoint,
+        SettingField::DecimalPoint,
         &[("0", "least-increment"), ("1", "calculator")],
         "a number without a decimal point",
         Certainty::Trade,
         "",
     ),
-    setting("#8012", Field::ChipBreak, &[], "lift of G73", Certainty::Trade, ""),
-    setting("#8013", Field::PeckClearance, &[], "clearance of G83", Certainty::Trade, ""),
+    setting("#8012", SettingField::ChipBreak, &[], "lift of G73", Certainty::Trade, ""),
+    setting("#8013", SettingField::PeckClearance, &[], "clearance of G83", Certainty::Trade, ""),
     setting(
         "#1080 Dril_Z",
-        Field::Cycle(CycleField::Axis),
+        SettingField::Cycle(CycleField::Axis),
         &[("1", "z"), ("0", "plane-normal")],
         "cycles drill along Z, or along the normal of the plane",
         Certainty::Trade,
@@ -95,7 +95,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "G73 dwell",
-        Field::Cycle(CycleField::PeckDwell),
+        SettingField::Cycle(CycleField::PeckDwell),
         &[],
         "P of pecks: `each-peck` of G73, at the `bottom` of G73 and G83, or `none`",
         Certainty::Trade,
@@ -103,7 +103,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "tapping F",
-        Field::Cycle(CycleField::TapFeed),
+        SettingField::Cycle(CycleField::TapFeed),
         &[("asynchronous", "programmed"), ("synchronous", "lead")],
         "F of a tap without ,R: feed per minute, or the pitch",
         Certainty::Trade,
@@ -111,7 +111,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle fires on",
-        Field::Cycle(CycleField::FiresOn),
+        SettingField::Cycle(CycleField::FiresOn),
         &[],
         "which words drill a hole with an active cycle: `place`, `any-axis` or `axis-or-level`",
         Certainty::Trade,
@@ -119,7 +119,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8072 SCALING P",
-        Field::Frame(FrameField::OmittedFactor(None)),
+        SettingField::Frame(FrameField::OmittedFactor(None)),
         &[],
         "scale factor of a G51 without P",
         Certainty::Documented,
@@ -127,7 +127,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "scaling option",
-        Field::Frame(FrameField::HasScaling),
+        SettingField::Frame(FrameField::HasScaling),
         &[],
         "the option of scaling (G51) is `present` or `absent` (P350)",
         Certainty::Unknown,
@@ -135,7 +135,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "rotation option",
-        Field::Frame(FrameField::HasRotation),
+        SettingField::Frame(FrameField::HasRotation),
         &[],
         "the option of coordinate rotation (G68) is `present` or `absent` (P260)",
         Certainty::Unknown,
@@ -143,7 +143,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "unequal scale arcs",
-        Field::Frame(FrameField::UnequalArcs),
+        SettingField::Frame(FrameField::UnequalArcs),
         &[],
         "an arc while both axes of its plane have different factors: `judged`, or `refused` (P70)",
         Certainty::Unknown,
@@ -151,7 +151,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle without R",
-        Field::Cycle(CycleField::MissingR),
+        SettingField::Cycle(CycleField::MissingR),
         &[],
         "a cycle without R: it feeds from the `initial` level, with a note; or from where the tool stands (`current`), or it is `refused`",
         Certainty::Trade,
@@ -162,7 +162,7 @@ pub(super) const SETTINGS: &[Setting] = &[
 /// Type A or B.
 const TYPE: Setting = setting(
     "#1229 set01/bit2",
-    Field::CompensationEntry,
+    SettingField::CompensationEntry,
     &[("0", "A"), ("1", "B")],
     "start-up and cancel of compensation by type A or B",
     Certainty::Documented,
@@ -197,5 +197,5 @@ const fn rule(
     certainty: Certainty,
     source: &'static str,
 ) -> Setting {
-    setting(name, Field::Compensation(field), values, text, certainty, source)
+    setting(name, SettingField::Compensation(field), values, text, certainty, source)
 }

@@ -8,7 +8,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     CORNER_ROUNDING,
     setting(
         "#1037 cmdtyp",
-        Field::CodeSystem,
+        SettingField::CodeSystem,
         &[("2", "A"), ("3", "B"), ("4", "A"), ("5", "B"), ("6", "A"), ("7", "B")],
         "list of G codes: even ones read as system A of Fanuc, odd ones as system B",
         Certainty::Trade,
@@ -16,7 +16,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8051",
-        Field::Turning(TurningField::RoughDepth),
+        SettingField::Turning(TurningField::RoughDepth),
         &[],
         "depth of a pass of G71 and G72 before a program gives one",
         Certainty::Trade,
@@ -24,7 +24,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8052",
-        Field::Turning(TurningField::RoughRetract),
+        SettingField::Turning(TurningField::RoughRetract),
         &[],
         "how far a pass of G71 and G72 backs off",
         Certainty::Trade,
@@ -33,7 +33,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     FACE_X,
     setting(
         "first level",
-        Field::Turning(TurningField::FirstLevel),
+        SettingField::Turning(TurningField::FirstLevel),
         &[],
         "the levels of G71 and G72 begin at the start with the finishing `allowance`, or at the `start` itself",
         Certainty::Unknown,
@@ -41,7 +41,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8056",
-        Field::Turning(TurningField::PeckRetract),
+        SettingField::Turning(TurningField::PeckRetract),
         &[],
         "how far a peck of G74 and G75 backs off",
         Certainty::Documented,
@@ -49,7 +49,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8014",
-        Field::Turning(TurningField::ThreadExit),
+        SettingField::Turning(TurningField::ThreadExit),
         &[],
         "length of the exit of G92 and G76, in tenths of the lead",
         Certainty::Trade,
@@ -57,7 +57,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8057",
-        Field::Turning(TurningField::ThreadFinish),
+        SettingField::Turning(TurningField::ThreadFinish),
         &[],
         "depth of the finishing pass of G76",
         Certainty::Trade,
@@ -65,7 +65,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "point in G76",
-        Field::Turning(TurningField::ThreadPoint),
+        SettingField::Turning(TurningField::ThreadPoint),
         &[],
         "a decimal point in P and Q of G76 is `allowed`, or `reported`: they count least increments",
         Certainty::Unknown,

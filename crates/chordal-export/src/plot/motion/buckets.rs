@@ -6,15 +6,16 @@ const MOST: usize = 4096;
 
 /// The extremes of `N` values in an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Cell<const N: usize> {
+pub(super) struct BucketExtremes<const N: usize> {
     pub low: [f64; N],
     pub high: [f64; N],
     /// The line of the first block in it; 0 where there is none.
     pub line: u32,
 }
 
-impl<const N: usize> Cell<N> {
-    const EMPTY: Cell<N> = Cell { low: [f64::INFINITY; N], high: [f64::NEG_INFINITY; N], line: 0 };
+impl<const N: usize> BucketExtremes<N> {
+    const EMPTY: BucketExtremes<N> =
+        BucketExtremes { low: [f64::INFINITY; N], high: [f64::NEG_INFINITY; N], line: 0 };
 
     fn add(&mut self, values: &[f64; N]) {
         for (index, value) in values.iter().enumerate() {
@@ -23,7 +24,7 @@ impl<const N: usize> Cell<N> {
         }
     }
 
-    fn join(&mut self, later: &Cell<N>) {
+    fn join(&mut self, later: &BucketExtremes<N>) {
         for index in 0..N {
             self.low[index] = self.low[index].min(later.low[index]);
             self.high[index] = self.high[index].max(later.high[index]);
@@ -41,16 +42,16 @@ impl<const N: usize> Cell<N> {
 
 /// Values along a quantity that grows: time, or the way.
 #[derive(Clone, Debug)]
-pub(super) struct Buckets<const N: usize> {
+pub(super) struct ValueBuckets<const N: usize> {
     width: f64,
-    cells: Vec<Cell<N>>,
+    cells: Vec<BucketExtremes<N>>,
     end: f64,
 }
 
-impl<const N: usize> Buckets<N> {
+impl<const N: usize> ValueBuckets<N> {
     /// Intervals of this width at first.
-    pub fn new(width: f64) -> Buckets<N> {
-        Buckets { width, cells: Vec::new(), end: 0.0 }
+    pub fn new(width: f64) -> ValueBuckets<N> {
+        ValueBuckets { width, cells: Vec::new(), end: 0.0 }
     }
 
     /// Takes values at a place; what is not finite is left out.
@@ -64,7 +65,7 @@ impl<const N: usize> Buckets<N> {
         }
         let index = (at / self.width) as usize;
         if index >= self.cells.len() {
-            self.cells.resize(index + 1, Cell::EMPTY);
+            self.cells.resize(index + 1, BucketExtremes::EMPTY);
         }
         let cell = &mut self.cells[index];
         cell.add(values);
@@ -92,7 +93,7 @@ impl<const N: usize> Buckets<N> {
     }
 
     /// The middles of the intervals that anything fell into, and their extremes.
-    pub fn cells(&self) -> impl Iterator<Item = (f64, &Cell<N>)> {
+    pub fn cells(&self) -> impl Iterator<Item = (f64, &BucketExtremes<N>)> {
         let middle = |index: usize| ((index as f64 + 0.5) * self.width).min(self.end);
         self.cells
             .iter()
@@ -122,7 +123,7 @@ mod tests {
 
     #[test]
     fn no_peak_is_lost_however_long_it_goes_on() {
-        let mut buckets = Buckets::<2>::new(0.001);
+        let mut buckets = ValueBuckets::<2>::new(0.001);
         for index in 0..1_000_000 {
             let peak = if index == 123_456 { 7.0 } else { 0.0 };
             buckets.push(index as f64 * 0.001, &[peak, -peak], 1 + index / 1000);
@@ -137,7 +138,7 @@ mod tests {
 
     #[test]
     fn jumps_leave_intervals_empty_and_far_ones_are_held() {
-        let mut buckets = Buckets::<1>::new(1.0);
+        let mut buckets = ValueBuckets::<1>::new(1.0);
         buckets.push(0.0, &[1.0], 3);
         buckets.push(1e15, &[2.0], 9);
         buckets.push(f64::NAN, &[5.0], 9);
@@ -146,6 +147,6 @@ mod tests {
         assert_eq!(buckets.cells().count(), 2);
         assert_eq!(buckets.extent(0), Some((1.0, 2.0)));
         assert_eq!((buckets.line_at(1.0), buckets.line_at(1e15)), (Some(3), Some(9)));
-        assert_eq!(Buckets::<1>::new(1.0).extent(0), None);
+        assert_eq!(ValueBuckets::<1>::new(1.0).extent(0), None);
     }
 }

@@ -2,12 +2,12 @@
 
 use super::super::palette::Palette;
 use super::super::text::{label, push_px, px};
-use super::super::view::Rect;
-use super::buckets::Buckets;
+use super::super::view::PixelRect;
+use super::buckets::ValueBuckets;
 
 /// A curve of a chart: a value of the cells.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Series {
+pub(super) struct ChartSeries {
     /// Its place in a cell.
     pub value: usize,
     /// What it is multiplied by, to be in the unit of the chart.
@@ -19,17 +19,17 @@ pub(super) struct Series {
 
 /// What stands along one side of a chart.
 #[derive(Clone, Debug)]
-pub(super) struct Scale {
+pub(super) struct AxisScale {
     pub low: f64,
     pub high: f64,
     step: f64,
     decimals: usize,
 }
 
-impl Scale {
+impl AxisScale {
     /// From low to high in steps of 1, 2 or 5 times a power of ten, about so many; where
     /// `whole`, it ends at full steps.
-    pub fn new(low: f64, high: f64, ticks: f64, whole: bool) -> Scale {
+    pub fn new(low: f64, high: f64, ticks: f64, whole: bool) -> AxisScale {
         let span = if high > low { high - low } else { 1.0 };
         let power = (span / ticks).log10().floor();
         let unit = 10f64.powf(power);
@@ -45,7 +45,7 @@ impl Scale {
             low = (low / step + 1e-9).floor() * step;
             high = (high / step - 1e-9).ceil() * step;
         }
-        Scale { low, high, step, decimals }
+        AxisScale { low, high, step, decimals }
     }
 
     /// The places with a number.
@@ -81,15 +81,15 @@ impl Scale {
 
 /// A chart on the sheet.
 #[derive(Debug)]
-pub(super) struct Chart {
-    pub rect: Rect,
-    pub x: Scale,
-    pub y: Scale,
+pub(super) struct ChartArea {
+    pub rect: PixelRect,
+    pub x: AxisScale,
+    pub y: AxisScale,
     /// px for each unit of the sheet.
     pub unit: f64,
 }
 
-impl Chart {
+impl ChartArea {
     pub fn across(&self, x: f64) -> f64 {
         self.rect.x + self.rect.width * (x - self.x.low) / (self.x.high - self.x.low)
     }
@@ -100,7 +100,7 @@ impl Chart {
 
     /// Ground, grid and numbers.
     pub fn frame(&self, out: &mut String, title: &str, x_unit: &str, colors: &Palette) {
-        let Rect { x, y, width, height } = self.rect;
+        let PixelRect { x, y, width, height } = self.rect;
         let unit = self.unit;
         out.push_str(&format!(
             "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"{}\" \
@@ -174,9 +174,9 @@ impl Chart {
     pub fn curve<const N: usize>(
         &self,
         out: &mut String,
-        cells: &Buckets<N>,
+        cells: &ValueBuckets<N>,
         x_factor: f64,
-        series: &Series,
+        series: &ChartSeries,
     ) {
         let mut data = String::new();
         let mut here = None;
@@ -213,7 +213,7 @@ mod tests {
     #[test]
     fn ticks_are_round_numbers() {
         let texts = |low: f64, high: f64, count: f64| {
-            let scale = Scale::new(low, high, count, true);
+            let scale = AxisScale::new(low, high, count, true);
             scale.ticks().map(|tick| scale.number(tick)).collect::<Vec<_>>()
         };
         assert_eq!(texts(0.0, 6000.0, 5.0), ["0", "2,000", "4,000", "6,000"]);

@@ -7,7 +7,7 @@ mod sheet;
 use chordal::machine::PerAxis;
 use chordal::motion::{Limits, Sample, Sampler, Sources, Step, StepSource};
 
-use self::buckets::Buckets;
+use self::buckets::ValueBuckets;
 use super::{PlotError, PlotOptions, render};
 
 /// Time between the setpoints that a picture is made of, s.
@@ -19,7 +19,7 @@ const MOST_TOOLS: usize = 500;
 /// Slower than this there is no direction of travel, mm/s.
 const STANDING: f64 = 1e-6;
 
-/// Values of the path and of the axes, by their place in a [`Buckets`] cell.
+/// Values of the path and of the axes, by their place in a [`ValueBuckets`] cell.
 const SPEED: usize = 0;
 const ALONG_ACCELERATION: usize = 1;
 const ALONG_JERK: usize = 2;
@@ -36,8 +36,8 @@ const VALUES: usize = 15;
 pub struct MotionPlot {
     limits: Limits,
     inch: bool,
-    time: Buckets<VALUES>,
-    way: Buckets<1>,
+    time: ValueBuckets<VALUES>,
+    way: ValueBuckets<1>,
     way_mm: f64,
     last: Option<Sample>,
     /// Unit vector of travel.
@@ -54,8 +54,8 @@ impl MotionPlot {
         MotionPlot {
             limits: *limits,
             inch,
-            time: Buckets::new(PERIOD_S),
-            way: Buckets::new(0.01),
+            time: ValueBuckets::new(PERIOD_S),
+            way: ValueBuckets::new(0.01),
             way_mm: 0.0,
             last: None,
             direction: [0.0; 3],
@@ -75,7 +75,7 @@ impl MotionPlot {
     pub fn lasting(self, time_s: f64) -> MotionPlot {
         let period_s = MotionPlot::period_s(time_s);
         let sampler = Sampler::new(period_s).at_most(2 * MOST_SAMPLES);
-        MotionPlot { time: Buckets::new(period_s), sampler: Some(sampler), ..self }
+        MotionPlot { time: ValueBuckets::new(period_s), sampler: Some(sampler), ..self }
     }
 
     /// Numbers the axes in inches, or in millimetres: after a run, `Summary::inch` says what

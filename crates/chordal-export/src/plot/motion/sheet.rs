@@ -4,12 +4,12 @@ use chordal::machine::{AXES, AXIS_NAMES, PerAxis};
 
 use super::super::PlotOptions;
 use super::super::frame::INCH;
-use super::super::layout::{Layout, MARGIN};
+use super::super::layout::{MARGIN, SheetLayout};
 use super::super::palette::Palette;
 use super::super::sheet::{shorten, text_width};
 use super::super::text::{escape, px};
-use super::super::view::Rect;
-use super::chart::{Chart, Scale, Series};
+use super::super::view::PixelRect;
+use super::chart::{AxisScale, ChartArea, ChartSeries};
 use super::{ACCELERATION, ALONG_ACCELERATION, ALONG_JERK, JERK, MotionPlot, SPEED};
 
 /// Units: room for the caption and the legend.
@@ -26,25 +26,25 @@ const SHARES: [f64; 4] = [1.15, 1.0, 1.0, 1.0];
 const FAR: f64 = 1.7;
 
 /// Words and factors of the program's units.
-struct Words {
+struct ChartUnits {
     speed: (&'static str, f64),
     acceleration: (&'static str, f64),
     jerk: (&'static str, f64),
     way: (&'static str, f64),
 }
 
-impl Words {
-    fn of(inch: bool, way_mm: f64) -> Words {
+impl ChartUnits {
+    fn of(inch: bool, way_mm: f64) -> ChartUnits {
         if inch {
             let per = 1.0 / INCH;
-            Words {
+            ChartUnits {
                 speed: ("in/min", 60.0 * per),
                 acceleration: ("in/s²", per),
                 jerk: ("in/s³", per),
                 way: ("in", per),
             }
         } else {
-            Words {
+            ChartUnits {
                 speed: ("mm/min", 60.0),
                 acceleration: ("mm/s²", 1.0),
                 jerk: ("m/s³", 1e-3),
@@ -67,13 +67,13 @@ fn time_unit(seconds: f64) -> (&'static str, f64) {
 pub(super) fn svg(plot: &MotionPlot, options: &PlotOptions) -> String {
     let (width, height) =
         (f64::from(options.width_px.max(200)), f64::from(options.height_px.max(200)));
-    let sheet = Sheet {
+    let sheet = MotionSheet {
         plot,
         colors: Palette::of(options.dark),
-        words: Words::of(plot.inch, plot.way_mm),
+        words: ChartUnits::of(plot.inch, plot.way_mm),
         width,
         height,
-        unit: Layout::unit(width, height),
+        unit: SheetLayout::unit(width, height),
     };
     let mut out = String::new();
     sheet.open(&mut out, options);
@@ -83,10 +83,10 @@ pub(super) fn svg(plot: &MotionPlot, options: &PlotOptions) -> String {
     out
 }
 
-struct Sheet<'p> {
+struct MotionSheet<'p> {
     plot: &'p MotionPlot,
     colors: &'static Palette,
-    words: Words,
+    words: ChartUnits,
     width: f64,
     height: f64,
     unit: f64,
@@ -102,7 +102,7 @@ struct OfAxes {
     limits: PerAxis<f64>,
 }
 
-impl Sheet<'_> {
+impl MotionSheet<'_> {
     fn open(&self, out: &mut String, options: &PlotOptions) {
         let (width, height, unit) = (px(self.width), px(self.height), self.unit);
         out.push_str(&format!(
@@ -168,7 +168,7 @@ impl Sheet<'_> {
     fn charts(&self, out: &mut String) {
         let rects = self.rects();
         let (word, factor) = time_unit(self.plot.time.end());
-        let time = Scale::new(0.0, (self.plot.time.end() * factor).max(1e-9), 12.0, false);
+        let time = AxisScale::new(0.0, (self.plot.time.end() * factor).max(1e-9), 12.0, false);
         self.speed(out, rects[0], &time, (word, factor));
         let limits = &self.plot.limits;
         let charts = [
@@ -193,7 +193,7 @@ impl Sheet<'_> {
         self.along_the_path(out, rects[3]);
     }
 
-    fn rects(&self) -> [Rect; 4] {
+    fn rects(&self) -> [PixelRect; 4] {
         let unit = self.unit;
         let room =
             self.height / unit - 2.0 * MARGIN - HEADER - 4.0 * ABOVE - BELOW.iter().sum::<f64>()
@@ -203,7 +203,7 @@ impl Sheet<'_> {
         std::array::from_fn(|chart| {
             let (share, below) = (SHARES[chart], BELOW[chart]);
             let height = (room * share / whole).max(20.0);
-            let rect = Rect {
+            let rect = PixelRect {
                 x: (MARGIN + LEFT) * unit,
                 y: (top + ABOVE) * unit,
                 width: self.width - (2.0 * MARGIN + LEFT + RIGHT) * unit,
@@ -214,15 +214,21 @@ impl Sheet<'_> {
         })
     }
 
-    fn speed(&self, out: &mut String, rect: Rect, time: &Scale, (word, factor): (&str, f64)) {
+    fn speed(
+        &self,
+        out: &mut String,
+        rect: PixelRect,
+        time: &AxisScale,
+        (word, factor): (&str, f64),
+    ) {
         let (unit, scale) = self.words.speed;
         let high = self.plot.time.extent(SPEED).map_or(0.0, |extent| extent.1) * scale;
-        let y = Scale::new(0.0, high.max(1e-9) * 1.12, 5.0, false);
-        let chart = Chart { rect, x: time.clone(), y, unit: self.unit };
+        let y = AxisScale::new(0.0, high.max(1e-9) * 1.12, 5.0, false);
+        let chart = ChartArea { rect, x: time.clone(), y, unit: self.unit };
         chart.frame(out, &format!("Speed over time, {unit}"), word, self.colors);
         self.tools(out, &chart, factor, true);
         let color = self.colors.faint;
-        let series = Series { value: SPEED, factor: scale, color, stroke: 1.8 };
+        let series = ChartSeries { value: SPEED, factor: scale, color, stroke: 1.8 };
         chart.curve(out, &self.plot.time, factor, &series);
         self.lines(out, &chart, |x| self.plot.time.line_at(x / factor));
     }
@@ -230,8 +236,8 @@ impl Sheet<'_> {
     fn of_axes(
         &self,
         out: &mut String,
-        rect: Rect,
-        time: &Scale,
+        rect: PixelRect,
+        time: &AxisScale,
         (word, factor): (&str, f64),
         what: &OfAxes,
     ) {
@@ -254,18 +260,18 @@ impl Sheet<'_> {
             .collect();
         let drawn = limits.iter().filter(|(_, limit)| *limit <= FAR * largest);
         let high = drawn.clone().map(|(_, limit)| *limit).fold(largest, f64::max) * 1.04;
-        let y = Scale::new(-high, high, 6.0, false);
-        let chart = Chart { rect, x: time.clone(), y, unit: self.unit };
+        let y = AxisScale::new(-high, high, 6.0, false);
+        let chart = ChartArea { rect, x: time.clone(), y, unit: self.unit };
         let title = format!("{} over time, {unit}{}", what.title, told(&limits, &chart.y));
         chart.frame(out, &title, word, self.colors);
         self.tools(out, &chart, factor, false);
         let faint = self.colors.faint;
-        let along = Series { value: what.along, factor: scale, color: faint, stroke: 2.6 };
+        let along = ChartSeries { value: what.along, factor: scale, color: faint, stroke: 2.6 };
         chart.curve(out, &self.plot.time, factor, &along);
         for axis in axes {
             let color = self.colors.tool(axis);
             let value = what.axes + axis;
-            let series = Series { value, factor: factor_of(axis), color, stroke: 1.2 };
+            let series = ChartSeries { value, factor: factor_of(axis), color, stroke: 1.2 };
             chart.curve(out, &self.plot.time, factor, &series);
         }
         let mut seen: Vec<f64> = Vec::new();
@@ -278,26 +284,26 @@ impl Sheet<'_> {
         }
     }
 
-    fn along_the_path(&self, out: &mut String, rect: Rect) {
+    fn along_the_path(&self, out: &mut String, rect: PixelRect) {
         let (way, factor) = self.words.way;
         let (unit, scale) = self.words.speed;
-        let x = Scale::new(0.0, (self.plot.way.end() * factor).max(1e-9), 12.0, false);
+        let x = AxisScale::new(0.0, (self.plot.way.end() * factor).max(1e-9), 12.0, false);
         let high = self.plot.way.extent(0).map_or(0.0, |extent| extent.1) * scale;
-        let y = Scale::new(0.0, high.max(1e-9) * 1.06, 5.0, false);
-        let chart = Chart { rect, x, y, unit: self.unit };
+        let y = AxisScale::new(0.0, high.max(1e-9) * 1.06, 5.0, false);
+        let chart = ChartArea { rect, x, y, unit: self.unit };
         chart.frame(out, &format!("Speed along the path, {unit}"), way, self.colors);
         let color = self.colors.faint;
         chart.curve(
             out,
             &self.plot.way,
             factor,
-            &Series { value: 0, factor: scale, color, stroke: 1.8 },
+            &ChartSeries { value: 0, factor: scale, color, stroke: 1.8 },
         );
         self.lines(out, &chart, |x| self.plot.way.line_at(x / factor));
     }
 
     /// Tool changes where there is room.
-    fn tools(&self, out: &mut String, chart: &Chart, factor: f64, named: bool) {
+    fn tools(&self, out: &mut String, chart: &ChartArea, factor: f64, named: bool) {
         let mut free = f64::NEG_INFINITY;
         for (time_s, tool) in &self.plot.tools {
             let x = chart.across(time_s * factor);
@@ -324,7 +330,7 @@ impl Sheet<'_> {
     }
 
     /// The lines of the program under the numbers.
-    fn lines(&self, out: &mut String, chart: &Chart, line_at: impl Fn(f64) -> Option<u32>) {
+    fn lines(&self, out: &mut String, chart: &ChartArea, line_at: impl Fn(f64) -> Option<u32>) {
         let y = chart.rect.bottom() + 32.0 * self.unit;
         let mut free = f64::NEG_INFINITY;
         for tick in chart.x.ticks() {
@@ -338,7 +344,7 @@ impl Sheet<'_> {
 }
 
 /// `; limits X Y 3,000, Z 2,000`.
-fn told(limits: &[(usize, f64)], scale: &Scale) -> String {
+fn told(limits: &[(usize, f64)], scale: &AxisScale) -> String {
     let mut groups: Vec<(f64, String)> = Vec::new();
     for (axis, limit) in limits {
         match groups.iter_mut().find(|(value, _)| value == limit) {

@@ -2,7 +2,7 @@
 //! the subroutine that G66 runs at every position.
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
-use chordal_dialect::{Action, CodeRow, Group, ModeCode};
+use chordal_dialect::{Action, CodeGroup, CodeRow, ModeCode};
 use chordal_kernel::rules::CycleKind;
 use chordal_kernel::rules::TapFeed;
 use chordal_machine::AXIS_LETTERS;
@@ -14,8 +14,8 @@ const AXIS_WORDS: Letters = Letters::of(AXIS_LETTERS);
 
 impl Interpreter<'_> {
     /// Codes of two groups that this control holds for one.
-    pub(in super::super) fn one_group(&self, first: Group, second: Group) -> bool {
-        let motion = |group| matches!(group, Group::Motion | Group::Cycle);
+    pub(in super::super) fn one_group(&self, first: CodeGroup, second: CodeGroup) -> bool {
+        let motion = |group| matches!(group, CodeGroup::Motion | CodeGroup::Cycle);
         let joined = self.control.parameters.rules.cycles.one_group_with_motion;
         first == second || joined && motion(first) && motion(second)
     }
@@ -28,7 +28,7 @@ impl Interpreter<'_> {
 
     /// The cycle that this block is about: its own, or the one in force.
     fn is_about_tap(&self, codes: &[(&'static CodeRow, usize)]) -> bool {
-        let own = codes.iter().rev().find(|(row, _)| row.group == Group::Cycle);
+        let own = codes.iter().rev().find(|(row, _)| row.group == CodeGroup::Cycle);
         match own.map(|(row, _)| row.action) {
             Some(Action::Cycle(kind)) => kind.is_tap(),
             Some(_) => false,
@@ -57,7 +57,7 @@ impl Interpreter<'_> {
         block: &Block,
         codes: &[(&'static CodeRow, usize)],
     ) -> bool {
-        let takes = |row: &CodeRow| row.words.has(b'L') && row.group != Group::Cycle;
+        let takes = |row: &CodeRow| row.words.has(b'L') && row.group != CodeGroup::Cycle;
         block.letters().has(b'L') && !codes.iter().any(|(row, _)| takes(row))
     }
 

@@ -4,27 +4,31 @@
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_syntax::{
-    Block, BlockKind, BlockReader, Position as TextPosition, Statement, Target, Word,
-    parse_statement,
+    AssignTarget, Block, BlockKind, BlockPosition as TextPosition, BlockReader, MacroStatement,
+    Word, parse_statement,
 };
 
-use super::super::{Flow, Interpreter};
-use crate::macros::evaluate::Purpose;
-use crate::macros::value::Value;
+use super::super::{BlockFlow, Interpreter};
+use crate::macros::evaluate::ValuePurpose;
+use crate::macros::value::MacroValue;
 
 /// Most assignments of a line; the control's lines are 255 characters long.
 const MOST_ASSIGNMENTS: usize = 200;
 
 /// An assignment that is still to be made.
-struct Pending {
-    target: Target,
+struct PendingAssignment {
+    target: AssignTarget,
     index: f64,
-    value: Value,
+    value: MacroValue,
 }
 
 impl Interpreter<'_> {
     /// A line with a statement in it: assignments and words in any order, or an O word.
-    pub(in super::super) fn parameter_line(&mut self, block: &mut Block, range: TextRange) -> Flow {
+    pub(in super::super) fn parameter_line(
+        &mut self,
+        block: &mut Block,
+        range: TextRange,
+    ) -> BlockFlow {
         self.carried_out = true;
         self.macros.used = true;
         let line = block.line;
@@ -34,7 +38,7 @@ impl Interpreter<'_> {
                 let title = self.control.table.title;
                 let message = format!("{title} has no flow control by O words: LinuxCNC has");
                 self.lose_path(range, message);
-                return Flow::Next;
+                return BlockFlow::Next;
             }
             return self.flow_line(range);
         }
@@ -75,7 +79,7 @@ impl Interpreter<'_> {
             return flow;
         }
         if words.is_empty() {
-            return Flow::Next;
+            return BlockFlow::Next;
         }
         block.truncate(0);
         block.kind = BlockKind::Words;
@@ -100,7 +104,11 @@ impl Interpreter<'_> {
     }
 
     /// Reads an assignment and computes it; what is left of the line comes back.
-    fn assignment(&mut self, range: TextRange, pending: &mut Vec<Pending>) -> Option<TextRange> {
+    fn assignment(
+        &mut self,
+        range: TextRange,
+        pending: &mut Vec<PendingAssignment>,
+    ) -> Option<TextRange> {
         let mut parser = self.take_parser();
         parser.start(self.reader.text(), self.file, range);
         let statement = parse_statement(&mut parser);
@@ -108,23 +116,23 @@ impl Interpreter<'_> {
         self.report_problems(&mut parser);
         let mut rest = Some(parser.rest());
         match statement {
-            Statement::Assign { target, value, text } if sound => {
+            MacroStatement::Assign { target, value, text } if sound => {
                 let what = "the number of the variable that is written";
                 let index = match target.index.is_empty() {
                     true => Some(0.0),
-                    false => self.number_of(&parser, target.index, Purpose::VALUE, what),
+                    false => self.number_of(&parser, target.index, ValuePurpose::VALUE, what),
                 };
-                let value = self.value_of(&parser, value, Purpose::VALUE);
+                let value = self.value_of(&parser, value, ValuePurpose::VALUE);
                 if let (Some(index), Some(value)) = (index, value) {
-                    pending.push(Pending { target, index, value });
+                    pending.push(PendingAssignment { target, index, value });
                 }
                 // The comment behind it is one of the line's.
                 if let Some(text) = text {
                     rest = rest.map(|rest| TextRange::new(text.start - 1, rest.end));
                 }
             }
-            Statement::Assign { .. } | Statement::Unknown(_) => rest = None,
-            Statement::Empty => rest = None,
+            MacroStatement::Assign { .. } | MacroStatement::Unknown(_) => rest = None,
+            MacroStatement::Empty => rest = None,
             _ => {
                 self.report_once(
                     Diagnostic::new(
@@ -142,7 +150,7 @@ impl Interpreter<'_> {
         rest
     }
 
-    fn make(&mut self, made: &Pending) {
+    fn make(&mut self, made: &PendingAssignment) {
         if let Err(fault) =
             self.write_target(made.target.kind, made.index, made.value, made.target.range)
         {

@@ -4,15 +4,15 @@ use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::macros::ArgumentScale;
 use chordal_dialect::{Action, CallCode, LengthCode, ModeCode, OnceCode};
-use chordal_dialect::{DecimalPoint, FIRST_ALIAS_SUBPROGRAM, Group, code_number};
+use chordal_dialect::{CodeGroup, DecimalPoint, FIRST_ALIAS_SUBPROGRAM, code_number};
 use chordal_machine::AXIS_LETTERS;
-use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
+use chordal_syntax::{Block, Decimal, Letters, Word, WordValue as Written};
 
-use super::super::shop::Given;
-use super::super::{Flow, Interpreter};
-use crate::macros::arguments::{Assigner, reserved_variable};
-use crate::macros::evaluate::Purpose;
-use crate::macros::value::Value;
+use super::super::shop::CustomCodeCall;
+use super::super::{BlockFlow, Interpreter};
+use crate::macros::arguments::{ArgumentAssigner, reserved_variable};
+use crate::macros::evaluate::ValuePurpose;
+use crate::macros::value::MacroValue;
 
 /// A modal call in force.
 #[derive(Clone, Debug)]
@@ -21,7 +21,7 @@ pub(in super::super) struct ModalCall {
     word: Word,
     program: u32,
     repeats: u32,
-    arguments: Vec<(u32, Value)>,
+    arguments: Vec<(u32, MacroValue)>,
     /// G66.1: every block calls, its words are the arguments.
     every_block: bool,
     /// An L word calls a subroutine, not a program.
@@ -29,7 +29,7 @@ pub(in super::super) struct ModalCall {
 }
 
 /// What a block calls.
-enum Call {
+enum BlockCall {
     Once,
     Modal {
         every_block: bool,
@@ -56,7 +56,7 @@ impl Interpreter<'_> {
     }
 
     /// The call of a block and its word.
-    fn call_of(&self, block: &Block) -> Option<(Call, usize)> {
+    fn call_of(&self, block: &Block) -> Option<(BlockCall, usize)> {
         block.words.iter().enumerate().find_map(|(at, word)| {
             let code = match word.letter {
                 b'G' | b'M' => code_number(word.number()?)?,
@@ -70,8 +70,10 @@ impl Interpreter<'_> {
             }
             let Action::Call(call) = self.control.g_code(code)?.action else { return None };
             match call {
-                CallCode::MacroCall => Some((Call::Once, at)),
-                CallCode::ModalMacroCall { every_block } => Some((Call::Modal { every_block }, at)),
+                CallCode::MacroCall => Some((BlockCall::Once, at)),
+                CallCode::ModalMacroCall { every_block } => {
+                    Some((BlockCall::Modal { every_block }, at))
+                }
                 CallCode::CallProgram
                 | CallCode::CallLabel
                 | CallCode::Return
@@ -82,7 +84,7 @@ impl Interpreter<'_> {
 
     /// The program that a setting gives to a code. Inside a program that was called so the
     /// code acts by itself.
-    fn alias(&self, letter: u8, code: u16) -> Option<Call> {
+    fn alias(&self, letter: u8, code: u16) -> Option<BlockCall> {
         let aliases = &self.control.parameters.aliases;
         if !aliases.any || self.macros.in_alias > 0 || code == 0 {
             return None;
@@ -91,29 +93,34 @@ impl Interpreter<'_> {
         let rules = self.rules();
         if letter == b'G' {
             let at = find(&aliases.g)? as u32;
-            return Some(Call::Alias { program: rules.g_alias_programs + at, arguments: true });
+            return Some(BlockCall::Alias {
+                program: rules.g_alias_programs + at,
+                arguments: true,
+            });
         }
         if let Some(at) = find(&aliases.m) {
             let program = rules.m_alias_programs + at as u32;
-            return Some(Call::Alias { program, arguments: rules.m_alias_arguments });
+            return Some(BlockCall::Alias { program, arguments: rules.m_alias_arguments });
         }
         let at = find(&aliases.m_subprogram)? as u32;
-        Some(Call::Alias { program: FIRST_ALIAS_SUBPROGRAM + at, arguments: false })
+        Some(BlockCall::Alias { program: FIRST_ALIAS_SUBPROGRAM + at, arguments: false })
     }
 
     /// Carries out a block that calls a macro; `None` when it is another sort of block.
-    pub(in super::super) fn macro_call(&mut self, block: &Block) -> Option<Flow> {
+    pub(in super::super) fn macro_call(&mut self, block: &Block) -> Option<BlockFlow> {
         if !self.rules().macro_b {
             return None;
         }
         let Some((call, at)) = self.call_of(block) else { return self.block_in_modal_call(block) };
         self.codes_before_call(block, at);
         match call {
-            Call::Alias { program, arguments } => self.call_alias(block, at, program, arguments),
-            Call::Once => self.call_once(block, at),
-            Call::Modal { every_block } => self.begin_modal_call(block, at, every_block),
+            BlockCall::Alias { program, arguments } => {
+                self.call_alias(block, at, program, arguments)
+            }
+            BlockCall::Once => self.call_once(block, at),
+            BlockCall::Modal { every_block } => self.begin_modal_call(block, at, every_block),
         }
-        Some(Flow::Next)
+        Some(BlockFlow::Next)
     }
 
     /// Whether a word of a block that calls acts before the call: a code that stays in force, and F, M, S and T. The control
@@ -238,7 +245,7 @@ impl Interpreter<'_> {
     }
 
     /// A block while a modal call is in force: G66.1 takes it for itself.
-    fn block_in_modal_call(&mut self, block: &Block) -> Option<Flow> {
+    fn block_in_modal_call(&mut self, block: &Block) -> Option<BlockFlow> {
         if !self.calls_every_block() || self.ends_modal_call(block) {
             return None;
         }
@@ -249,7 +256,7 @@ impl Interpreter<'_> {
         let mut arguments = call.arguments.clone();
         arguments.extend(self.arguments(block, None, true));
         self.enter_modal(&call, &arguments);
-        Some(Flow::Next)
+        Some(BlockFlow::Next)
     }
 
     fn ends_modal_call(&self, block: &Block) -> bool {
@@ -260,17 +267,21 @@ impl Interpreter<'_> {
                     .and_then(|code| self.control.g_code(code))
                     .is_some_and(|row| row.action == Action::Mode(ModeCode::ModalCallOff)),
                 // A return or an end is no argument of a call that goes on.
-                b'M' => code
-                    .and_then(|code| self.control.m_code(code))
-                    .is_some_and(|row| matches!(row.group, Group::Calling | Group::Stopping)),
+                b'M' => code.and_then(|code| self.control.m_code(code)).is_some_and(|row| {
+                    matches!(row.group, CodeGroup::Calling | CodeGroup::Stopping)
+                }),
                 _ => false,
             }
         })
     }
 
     /// After a block that moved: the call in force.
-    pub(in super::super) fn modal_call_after(&mut self, block: &Block, flow: Flow) -> Flow {
-        let moved = block.letters().meets(AXIS_WORDS) && matches!(flow, Flow::Next);
+    pub(in super::super) fn modal_call_after(
+        &mut self,
+        block: &Block,
+        flow: BlockFlow,
+    ) -> BlockFlow {
+        let moved = block.letters().meets(AXIS_WORDS) && matches!(flow, BlockFlow::Next);
         if !moved || self.calls_every_block() || self.takes_axes_alone(block) {
             return flow;
         }
@@ -304,7 +315,7 @@ impl Interpreter<'_> {
         true
     }
 
-    fn enter_modal(&mut self, call: &ModalCall, arguments: &[(u32, Value)]) {
+    fn enter_modal(&mut self, call: &ModalCall, arguments: &[(u32, MacroValue)]) {
         let outer = self.macros.active - 1;
         if call.subroutine {
             let depth = self.frames.len();
@@ -330,7 +341,7 @@ impl Interpreter<'_> {
             let arguments = self.arguments(block, Some(at), false);
             self.enter_macro(&word, program, 1, &arguments)
         } else {
-            let given = Given { block: Some(block), arguments: &[] };
+            let given = CustomCodeCall { block: Some(block), arguments: &[] };
             self.enter_program(&word, program, 1, given)
         };
         if entered {
@@ -347,9 +358,9 @@ impl Interpreter<'_> {
         block: &Block,
         call: Option<usize>,
         all_letters: bool,
-    ) -> Vec<(u32, Value)> {
-        let mut assigner = Assigner::new(self.rules().argument_sets);
-        let mut arguments: Vec<(u32, Value)> = Vec::new();
+    ) -> Vec<(u32, MacroValue)> {
+        let mut assigner = ArgumentAssigner::new(self.rules().argument_sets);
+        let mut arguments: Vec<(u32, MacroValue)> = Vec::new();
         for (at, word) in block.words.iter().enumerate() {
             let own = matches!(word.letter, b'P' | b'L' | b'N' | b'O') && !all_letters;
             let acts = self.acts_before_call(block, call, at);
@@ -365,14 +376,14 @@ impl Interpreter<'_> {
                 continue;
             };
             let value = match word.value {
-                Written::Expression(range) => self.word_value(range, Purpose::VALUE),
+                Written::Expression(range) => self.word_value(range, ValuePurpose::VALUE),
                 _ => self
                     .literal(word)
-                    .map(|number| Value::Number(self.argument(word.letter, number))),
+                    .map(|number| MacroValue::Number(self.argument(word.letter, number))),
             };
             // A null argument arrives as null; what was there before is overwritten.
             arguments.retain(|(earlier, _)| *earlier != variable);
-            if let Some(value) = value.filter(|value| *value != Value::Vacant) {
+            if let Some(value) = value.filter(|value| *value != MacroValue::Vacant) {
                 arguments.push((variable, value));
             }
         }
@@ -418,7 +429,7 @@ impl Interpreter<'_> {
         word: &Word,
         program: u32,
         repeats: u32,
-        arguments: &[(u32, Value)],
+        arguments: &[(u32, MacroValue)],
     ) -> bool {
         let depth = self.macros.store.level() + 1;
         let limit = self.rules().call_depth;
@@ -430,7 +441,7 @@ impl Interpreter<'_> {
             .iter()
             .filter_map(|(number, value)| Some((*number, value.known()?)))
             .collect();
-        let given = Given { block: None, arguments: &given };
+        let given = CustomCodeCall { block: None, arguments: &given };
         if !self.enter_program(word, program, repeats, given) {
             return false;
         }
@@ -441,7 +452,13 @@ impl Interpreter<'_> {
         true
     }
 
-    fn enter_program(&mut self, word: &Word, number: u32, repeats: u32, given: Given<'_>) -> bool {
+    fn enter_program(
+        &mut self,
+        word: &Word,
+        number: u32,
+        repeats: u32,
+        given: CustomCodeCall<'_>,
+    ) -> bool {
         let Some(program) = self.library.find(number, self.file) else {
             return self.shop_program(word, number, repeats, given).unwrap_or_else(|| {
                 self.report_missing_program(word, number);

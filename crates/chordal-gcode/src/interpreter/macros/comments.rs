@@ -6,11 +6,11 @@ use std::fmt::Write;
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 
-use super::super::{EndReason, Flow, Interpreter};
-use crate::macros::evaluate::Purpose;
+use super::super::{BlockFlow, EndReason, Interpreter};
+use crate::macros::evaluate::ValuePurpose;
 
 /// What a comment does with its text.
-enum Act {
+enum CommentAction {
     Show,
     Print,
     Abort,
@@ -19,17 +19,17 @@ enum Act {
 impl Interpreter<'_> {
     /// Carries out the last of a line's comments; a flow where it ends the run.
     #[cold]
-    pub(in super::super) fn acting_comment(&mut self, comments: &[TextRange]) -> Option<Flow> {
+    pub(in super::super) fn acting_comment(&mut self, comments: &[TextRange]) -> Option<BlockFlow> {
         let text = self.reader.text();
         let comment = comments.iter().rfind(|range| range.slice(text).first() == Some(&b'('))?;
         let (act, inner) = act_of(text, *comment)?;
         match act {
-            Act::Show => self.kernel.emit(CommandKind::Message(inner)),
-            Act::Print => {
+            CommentAction::Show => self.kernel.emit(CommandKind::Message(inner)),
+            CommentAction::Print => {
                 let line = self.expanded(inner);
                 self.print_text(inner, line);
             }
-            Act::Abort => {
+            CommentAction::Abort => {
                 let line = self.expanded(inner);
                 let shown = line.trim();
                 let title = self.control.table.title;
@@ -43,7 +43,7 @@ impl Interpreter<'_> {
                     .alarm(format!("{title}: {shown}"))
                     .help("check the conditions that lead to this line"),
                 );
-                return Some(Flow::End(EndReason::Alarm));
+                return Some(BlockFlow::End(EndReason::Alarm));
             }
         }
         None
@@ -79,7 +79,7 @@ impl Interpreter<'_> {
                     _ => digits,
                 };
                 let value = TextRange::new(start, start + 1 + length as u32);
-                match self.word_value(value, Purpose::VALUE) {
+                match self.word_value(value, ValuePurpose::VALUE) {
                     Some(value) => match value.known() {
                         Some(value) => {
                             let _ = write!(line, "{value:.decimals$}");
@@ -100,15 +100,15 @@ impl Interpreter<'_> {
 }
 
 /// What a comment does, and the text behind its word.
-fn act_of(text: &[u8], comment: TextRange) -> Option<(Act, TextRange)> {
+fn act_of(text: &[u8], comment: TextRange) -> Option<(CommentAction, TextRange)> {
     let bytes = comment.slice(text);
     let comma = bytes.iter().take(16).position(|b| *b == b',')?;
     let word: Vec<u8> =
         bytes[1..comma].iter().filter(|b| **b != b' ').map(u8::to_ascii_uppercase).collect();
     let act = match word.as_slice() {
-        b"MSG" => Act::Show,
-        b"PRINT" | b"DEBUG" | b"LOG" => Act::Print,
-        b"ABORT" => Act::Abort,
+        b"MSG" => CommentAction::Show,
+        b"PRINT" | b"DEBUG" | b"LOG" => CommentAction::Print,
+        b"ABORT" => CommentAction::Abort,
         _ => return None,
     };
     let start = comment.start + comma as u32 + 1;

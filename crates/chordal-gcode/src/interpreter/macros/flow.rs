@@ -2,13 +2,13 @@
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_syntax::{
-    Block, BlockKind, Expression, ExpressionParser, Position as TextPosition, Statement,
+    Block, BlockKind, BlockPosition as TextPosition, Expression, ExpressionParser, MacroStatement,
     parse_statement,
 };
 
-use super::super::{EndReason, Flow, Interpreter};
-use super::{Loop, LoopEnds};
-use crate::macros::evaluate::Purpose;
+use super::super::{BlockFlow, EndReason, Interpreter};
+use super::{ActiveLoop, LoopEnds};
+use crate::macros::evaluate::ValuePurpose;
 
 /// DO and END by their numbers stay in a list of this many at most.
 const MOST_LOOPS: usize = 127;
@@ -20,12 +20,12 @@ impl<'a> Interpreter<'a> {
         parser: &ExpressionParser<'a>,
         label: Expression,
     ) -> Option<f64> {
-        self.number_of(parser, label, Purpose::VALUE, "the block that GOTO means")
+        self.number_of(parser, label, ValuePurpose::VALUE, "the block that GOTO means")
     }
 
     /// GOTO: the block of that number nearest below, else the first from the top.
-    pub(super) fn goto(&mut self, range: TextRange, label: Option<f64>) -> Flow {
-        let Some(label) = label else { return Flow::Next };
+    pub(super) fn goto(&mut self, range: TextRange, label: Option<f64>) -> BlockFlow {
+        let Some(label) = label else { return BlockFlow::Next };
         let number = libm::round(label);
         let here = self.kernel.origin.span.range.start;
         let found = if number.abs() < 1e9 {
@@ -42,11 +42,11 @@ impl<'a> Interpreter<'a> {
                 )
                 .help(format!("put N{number} before the block you mean")),
             );
-            return Flow::End(EndReason::LostJump);
+            return BlockFlow::End(EndReason::LostJump);
         };
         self.leave_loops(target);
         self.go_to(target);
-        Flow::Next
+        BlockFlow::Next
     }
 
     /// Loops that a jump leaves are over.
@@ -63,13 +63,13 @@ impl<'a> Interpreter<'a> {
     }
 
     /// WHILE and DO.
-    pub(super) fn while_loop(&mut self, range: TextRange, number: u32, holds: bool) -> Flow {
+    pub(super) fn while_loop(&mut self, range: TextRange, number: u32, holds: bool) -> BlockFlow {
         let rules = self.rules();
         if number == 0 || number > rules.last_loop {
             let last = rules.last_loop;
             let message = format!("DO needs a number from 1 to {last}, not {number}");
             self.report_loop(Code::BadLoopNumber, range, message, "use another number");
-            return Flow::Next;
+            return BlockFlow::Next;
         }
         let head = TextPosition {
             offset: self.kernel.origin.span.range.start,
@@ -78,25 +78,25 @@ impl<'a> Interpreter<'a> {
         let running = self.macros.loops.iter().position(|entry| entry.head == head);
         match running {
             Some(at) => self.macros.loops.truncate(at + 1),
-            None => self.begin_loop(range, Loop { number, head }),
+            None => self.begin_loop(range, ActiveLoop { number, head }),
         }
         if holds {
-            return Flow::Next;
+            return BlockFlow::Next;
         }
         self.macros.loops.pop();
         match self.loop_end(head, number) {
             Some(end) => {
                 self.reader.seek(end);
-                Flow::Next
+                BlockFlow::Next
             }
             None => {
                 self.report_open_loop(range, number);
-                Flow::End(EndReason::LostJump)
+                BlockFlow::End(EndReason::LostJump)
             }
         }
     }
 
-    fn begin_loop(&mut self, range: TextRange, entry: Loop) {
+    fn begin_loop(&mut self, range: TextRange, entry: ActiveLoop) {
         let number = entry.number;
         let same = self.macros.loops.iter().any(|running| running.number == number);
         let deepest = self.rules().loop_depth as usize;
@@ -125,12 +125,12 @@ impl<'a> Interpreter<'a> {
     }
 
     /// END.
-    pub(super) fn end_of_loop(&mut self, range: TextRange, number: u32) -> Flow {
+    pub(super) fn end_of_loop(&mut self, range: TextRange, number: u32) -> BlockFlow {
         let Some(at) = self.macros.loops.iter().rposition(|entry| entry.number == number) else {
             let message = format!("END{number} without a running DO{number}");
             let help = "a GOTO may leave a loop, but not jump into one";
             self.report_loop(Code::LoopMismatch, range, message, help);
-            return Flow::Next;
+            return BlockFlow::Next;
         };
         if at + 1 < self.macros.loops.len() {
             let inner = self.macros.loops[at + 1].number;
@@ -141,7 +141,7 @@ impl<'a> Interpreter<'a> {
         }
         let head = self.macros.loops[at].head;
         self.go_to(head);
-        Flow::Next
+        BlockFlow::Next
     }
 
     fn report_loop(&mut self, code: Code, range: TextRange, message: String, help: &str) {
@@ -172,7 +172,7 @@ impl<'a> Interpreter<'a> {
                 continue;
             }
             parser.start(reader.text(), self.file, range);
-            if let Statement::End(own) = parse_statement(&mut parser) {
+            if let MacroStatement::End(own) = parse_statement(&mut parser) {
                 let end = reader.position();
                 ends.found.push((range.start, own, end));
                 ends.next = Some(end);

@@ -2,15 +2,15 @@
 
 use chordal_command::WorkName;
 use chordal_diagnostics::{Code, TextRange};
-use chordal_geometry::Direction;
-use chordal_kernel::Motion;
+use chordal_geometry::TurnDirection;
+use chordal_kernel::ModalMotion;
 use chordal_kernel::ToolValue;
 use chordal_machine::AXIS_LETTERS;
 
 use super::super::Interpreter;
 use super::words::decimal;
-use crate::macros::evaluate::Fault;
-use crate::macros::value::{Cause, Value};
+use crate::macros::evaluate::EvaluationError;
+use crate::macros::value::{MacroValue, UnknownCause};
 
 /// The last V variable.
 const LAST_VARIABLE: u32 = 100;
@@ -32,7 +32,7 @@ impl Interpreter<'_> {
         letters: u8,
         number: f64,
         range: TextRange,
-    ) -> Result<Value, Fault> {
+    ) -> Result<MacroValue, EvaluationError> {
         let name = self.letters_name(letters);
         let at = self.letters_number(name, number, range)?;
         let axis = axis_of(name).unwrap_or(0);
@@ -41,11 +41,13 @@ impl Interpreter<'_> {
         let value = match name {
             "V" => {
                 let written = self.macros.lines.variables.get(at as usize).copied().flatten();
-                return Ok(written.unwrap_or(Value::Unknown(Cause::Letters(letters, at))));
+                return Ok(
+                    written.unwrap_or(MacroValue::Unknown(UnknownCause::Letters(letters, at)))
+                );
             }
             "R" => match self.registers[at as usize] {
                 Some(register) => Some(register.to_f64()),
-                None => return Ok(Value::Unknown(self.cause_of_register(letters, at))),
+                None => return Ok(MacroValue::Unknown(self.cause_of_register(letters, at))),
             },
             "AX" | "AY" | "AZ" | "AA" | "AB" | "AC" => shown(state.known_position(axis)),
             "PX" | "PY" | "PZ" | "PA" | "PB" => {
@@ -64,19 +66,21 @@ impl Interpreter<'_> {
             "G" if at == 1 => Some(1.0 + self.motion_code()),
             _ => {
                 let written = self.macros.lines.written.get(&(letters, at)).copied();
-                return Ok(written.unwrap_or(Value::Unknown(Cause::Letters(letters, at))));
+                return Ok(
+                    written.unwrap_or(MacroValue::Unknown(UnknownCause::Letters(letters, at)))
+                );
             }
         };
-        Ok(Value::or_unknown(value, Cause::Letters(letters, at)))
+        Ok(MacroValue::or_unknown(value, UnknownCause::Letters(letters, at)))
     }
 
     pub(super) fn write_letters(
         &mut self,
         letters: u8,
         number: f64,
-        value: Value,
+        value: MacroValue,
         range: TextRange,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), EvaluationError> {
         let name = self.letters_name(letters);
         let at = self.letters_number(name, number, range)?;
         let unit = self.unit();
@@ -101,7 +105,7 @@ impl Interpreter<'_> {
         match name {
             "R" => {
                 let value = decimal(value).ok_or_else(|| {
-                    Fault::new(
+                    EvaluationError::new(
                         Code::NumberOverflow,
                         range,
                         format!("{value} is too large for a register"),
@@ -122,10 +126,10 @@ impl Interpreter<'_> {
             "H" => self.kernel.store_tool_value(ToolValue::Length, at, value * unit, false),
             "D" => self.kernel.store_tool_value(ToolValue::Radius, at, value * unit, false),
             "TT" | "TU" | "HO" | "CP" | "CR" | "CC" | "O" => {
-                self.macros.lines.written.insert((letters, at), Value::Number(value));
+                self.macros.lines.written.insert((letters, at), MacroValue::Number(value));
             }
             _ => {
-                return Err(Fault::new(
+                return Err(EvaluationError::new(
                     Code::ReadOnlyVariable,
                     range,
                     format!("{name} can be read, but not written"),
@@ -142,7 +146,12 @@ impl Interpreter<'_> {
     }
 
     /// The number of a variable, if it exists.
-    fn letters_number(&self, name: &str, number: f64, range: TextRange) -> Result<u32, Fault> {
+    fn letters_number(
+        &self,
+        name: &str,
+        number: f64,
+        range: TextRange,
+    ) -> Result<u32, EvaluationError> {
         let (first, last) = match name {
             "V" => (1, LAST_VARIABLE),
             "R" => (0, 9),
@@ -155,7 +164,7 @@ impl Interpreter<'_> {
         if (f64::from(first)..=f64::from(last)).contains(&whole) {
             return Ok(whole as u32);
         }
-        Err(Fault::new(
+        Err(EvaluationError::new(
             Code::BadVariable,
             range,
             format!("there is no {name}{number}: {name} has the numbers {first} to {last}"),
@@ -165,12 +174,12 @@ impl Interpreter<'_> {
 
     fn motion_code(&self) -> f64 {
         match self.kernel.state.motion {
-            Motion::Rapid | Motion::None => 0.0,
-            Motion::Linear | Motion::Thread | Motion::RigidTap => 1.0,
-            Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
-            Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,
-            Motion::Spline(form) => self.spline_code(form) / 10.0,
-            Motion::Turn(_) | Motion::Probe { .. } | Motion::ThreadPasses => {
+            ModalMotion::Rapid | ModalMotion::None => 0.0,
+            ModalMotion::Linear | ModalMotion::Thread | ModalMotion::RigidTap => 1.0,
+            ModalMotion::Arc(TurnDirection::Cw) | ModalMotion::Spiral(TurnDirection::Cw) => 2.0,
+            ModalMotion::Arc(TurnDirection::Ccw) | ModalMotion::Spiral(TurnDirection::Ccw) => 3.0,
+            ModalMotion::Spline(form) => self.spline_code(form) / 10.0,
+            ModalMotion::Turn(_) | ModalMotion::Probe { .. } | ModalMotion::ThreadPasses => {
                 self.motion_row_code() / 10.0
             }
         }

@@ -6,16 +6,16 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_syntax::{
-    Block, BlockKind, ExpressionParser, LineStatement, Op, Position as TextPosition, PrintItem,
-    Target, Value as Written, Word, parse_line_statement,
+    AssignTarget, Block, BlockKind, BlockPosition as TextPosition, ExpressionParser, LineStatement,
+    PrintItem, StackOp, Word, WordValue as Written, parse_line_statement,
 };
 
 use super::super::literals::trim;
-use super::super::{EndReason, Flow, Interpreter};
+use super::super::{BlockFlow, EndReason, Interpreter};
 use super::ConditionOf;
-use crate::macros::evaluate::Purpose;
+use crate::macros::evaluate::ValuePurpose;
 use crate::macros::names::normal;
-use crate::macros::value::Value;
+use crate::macros::value::MacroValue;
 
 /// Most places of RND.
 const MOST_PLACES: f64 = 5.0;
@@ -34,11 +34,11 @@ const PRINTED_DECIMALS: usize = 4;
 
 /// What macro lines keep.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Lines {
+pub(super) struct MacroLineState {
     /// V1, V2, …; empty before the first is written. `None`: it holds what was in it before the program.
-    pub variables: Vec<Option<Value>>,
+    pub variables: Vec<Option<MacroValue>>,
     /// Variables of the machine that the program wrote, by name and number.
-    pub written: BTreeMap<(u8, u32), Value>,
+    pub written: BTreeMap<(u8, u32), MacroValue>,
     /// SET RADIANS.
     pub radians: bool,
     /// SET RND.
@@ -55,10 +55,10 @@ pub(super) struct Lines {
     starts: u32,
 }
 
-impl Lines {
+impl MacroLineState {
     /// All but what was found in the text, which is found again.
-    pub fn lasting(&self) -> Lines {
-        Lines {
+    pub fn lasting(&self) -> MacroLineState {
+        MacroLineState {
             variables: self.variables.clone(),
             written: self.written.clone(),
             held: self.held.clone(),
@@ -76,7 +76,11 @@ impl Lines {
 
 impl<'a> Interpreter<'a> {
     /// A block with a macro line in it.
-    pub(in super::super) fn macro_line(&mut self, block: &mut Block, range: TextRange) -> Flow {
+    pub(in super::super) fn macro_line(
+        &mut self,
+        block: &mut Block,
+        range: TextRange,
+    ) -> BlockFlow {
         self.carried_out = true;
         self.macros.used = true;
         if let Some(number) = block.word(b'N').and_then(|word| word.number()) {
@@ -84,7 +88,7 @@ impl<'a> Interpreter<'a> {
         }
         if block.words.iter().any(|word| word.letter != b'N') {
             self.check_mixed(block, range);
-            if let end @ Flow::End(_) = self.carry_out(block) {
+            if let end @ BlockFlow::End(_) = self.carry_out(block) {
                 return end;
             }
         }
@@ -95,7 +99,7 @@ impl<'a> Interpreter<'a> {
         let mut parser = self.take_parser();
         let behind = TextRange::new(range.start + 1, range.end);
         parser.start(self.reader.text(), self.file, behind);
-        let mut flow = Flow::Next;
+        let mut flow = BlockFlow::Next;
         loop {
             let statement = parse_line_statement(&mut parser);
             let sound = parser.problems.is_empty();
@@ -104,7 +108,7 @@ impl<'a> Interpreter<'a> {
                 break;
             }
             if let LineStatement::If(condition) = statement {
-                let purpose = Purpose { condition: true, ..self.line_purpose() };
+                let purpose = ValuePurpose { condition: true, ..self.line_purpose() };
                 let value = self.value_of(&parser, condition, purpose);
                 if value
                     .is_some_and(|value| self.is_true(value, condition.range, ConditionOf::Branch))
@@ -133,8 +137,8 @@ impl<'a> Interpreter<'a> {
         );
     }
 
-    fn line_purpose(&self) -> Purpose {
-        Purpose { round_digits: Some(self.macros.lines.places), condition: false }
+    fn line_purpose(&self) -> ValuePurpose {
+        ValuePurpose { round_digits: Some(self.macros.lines.places), condition: false }
     }
 
     /// A value, with the limits of the control.
@@ -142,14 +146,14 @@ impl<'a> Interpreter<'a> {
         &mut self,
         parser: &ExpressionParser<'a>,
         expression: chordal_syntax::Expression,
-    ) -> Option<Value> {
+    ) -> Option<MacroValue> {
         let value = match self.value_of(parser, expression, self.line_purpose())?.counted() {
             Ok(value) => value,
-            Err(cause) => return Some(Value::Unknown(cause)),
+            Err(cause) => return Some(MacroValue::Unknown(cause)),
         };
         let size = value.abs();
         if size < LARGEST && (size >= SMALLEST || size == 0.0) {
-            return Some(Value::Number(value));
+            return Some(MacroValue::Number(value));
         }
         let shown = if size < 1.0 { format!("{value:.3e}") } else { format!("{value}") };
         let what = if size < 1.0 { "nearer to zero than 0.0001" } else { "too large" };
@@ -161,7 +165,7 @@ impl<'a> Interpreter<'a> {
             )
             .help("round it with RND, or test it with IF before"),
         );
-        Some(Value::Number(value))
+        Some(MacroValue::Number(value))
     }
 
     fn line_statement(
@@ -169,7 +173,7 @@ impl<'a> Interpreter<'a> {
         range: TextRange,
         parser: &ExpressionParser<'a>,
         statement: LineStatement,
-    ) -> Flow {
+    ) -> BlockFlow {
         match statement {
             LineStatement::Assign { target, value } => {
                 if let Some(value) = self.line_value(parser, value) {
@@ -182,13 +186,13 @@ impl<'a> Interpreter<'a> {
                 return self.goto(range, number);
             }
             LineStatement::Start(number) => {
-                return match self.line_value(parser, number).map(Value::counted) {
+                return match self.line_value(parser, number).map(MacroValue::counted) {
                     Some(Ok(value)) => self.start_program(number.range, value),
                     Some(Err(cause)) => {
                         self.lose_path_by(number.range, "the program that START means", cause);
-                        Flow::Next
+                        BlockFlow::Next
                     }
-                    None => Flow::Next,
+                    None => BlockFlow::Next,
                 };
             }
             LineStatement::Print { items, holds } => self.print_items(parser, range, &items, holds),
@@ -200,7 +204,7 @@ impl<'a> Interpreter<'a> {
             }
             LineStatement::SetRadians(radians) => self.macros.lines.radians = radians,
             LineStatement::SetPlaces(places) => {
-                if let Some(places) = self.line_value(parser, places).and_then(Value::known) {
+                if let Some(places) = self.line_value(parser, places).and_then(MacroValue::known) {
                     self.macros.lines.places = libm::round(places).clamp(0.0, MOST_PLACES) as u8;
                 }
             }
@@ -209,11 +213,11 @@ impl<'a> Interpreter<'a> {
             | LineStatement::If(_)
             | LineStatement::Unknown(_) => {}
         }
-        Flow::Next
+        BlockFlow::Next
     }
 
     /// GOTO :LABEL.
-    fn goto_label(&mut self, label: TextRange) -> Flow {
+    fn goto_label(&mut self, label: TextRange) -> BlockFlow {
         let name = normal(label.slice(self.reader.text()));
         let program = self.program;
         self.look_at(program);
@@ -224,7 +228,7 @@ impl<'a> Interpreter<'a> {
         let labels = self.macros.lines.labels.get(&program);
         if let Some(target) = labels.and_then(|labels| labels.get(&name)).copied() {
             self.go_to(target);
-            return Flow::Next;
+            return BlockFlow::Next;
         }
         let shown = name.to_uppercase();
         self.kernel.report(
@@ -235,7 +239,7 @@ impl<'a> Interpreter<'a> {
             )
             .help(format!("write `#:{shown}` on a line of its own where it is meant")),
         );
-        Flow::End(EndReason::LostJump)
+        BlockFlow::End(EndReason::LostJump)
     }
 
     /// The labels of a program; the first of a name counts.
@@ -260,13 +264,13 @@ impl<'a> Interpreter<'a> {
     }
 
     /// START: another program, without a return.
-    fn start_program(&mut self, range: TextRange, number: f64) -> Flow {
+    fn start_program(&mut self, range: TextRange, number: f64) -> BlockFlow {
         let number = libm::round(number).clamp(0.0, 99_999.0) as u32;
         let Some(program) = self.library.find(number, self.file) else {
             let word =
                 Word { letter: b'O', register: None, comma: false, value: Written::Missing, range };
             self.report_missing_program(&word, number);
-            return Flow::End(EndReason::LostJump);
+            return BlockFlow::End(EndReason::LostJump);
         };
         self.macros.lines.starts += 1;
         if self.macros.lines.starts > MOST_STARTS {
@@ -278,7 +282,7 @@ impl<'a> Interpreter<'a> {
                 )
                 .help("the programs start each other without end"),
             );
-            return Flow::End(EndReason::Budget);
+            return BlockFlow::End(EndReason::Budget);
         }
         self.macros.lines.left.insert(self.program);
         if self.macros.lines.left.contains(&program) {
@@ -294,7 +298,7 @@ impl<'a> Interpreter<'a> {
         self.carried_out = false;
         self.subroutines.clear();
         self.read_subroutine_section();
-        Flow::Next
+        BlockFlow::Next
     }
 
     fn print_items(
@@ -335,7 +339,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// INPUT: the next answer of the machine file.
-    fn input(&mut self, parser: &ExpressionParser<'a>, range: TextRange, targets: &[Target]) {
+    fn input(&mut self, parser: &ExpressionParser<'a>, range: TextRange, targets: &[AssignTarget]) {
         for target in targets {
             let answer = self.machine.macros.inputs.get(self.macros.lines.answered).copied();
             self.macros.lines.answered += 1;
@@ -351,20 +355,21 @@ impl<'a> Interpreter<'a> {
                         .help("give the answers in the machine file: `[macros] inputs = [1.5, 2]`"),
                 );
             }
-            self.assign(parser, target, Value::Number(answer.unwrap_or(0.0)));
+            self.assign(parser, target, MacroValue::Number(answer.unwrap_or(0.0)));
         }
         self.kernel.emit(CommandKind::Stop { optional: false });
     }
 
     /// CLEAR V3-V7.
-    fn clear(&mut self, parser: &ExpressionParser<'a>, first: &Target, last: &Target) {
-        let index = |run: &mut Self, target: &Target| {
+    fn clear(&mut self, parser: &ExpressionParser<'a>, first: &AssignTarget, last: &AssignTarget) {
+        let index = |run: &mut Self, target: &AssignTarget| {
             let what = "the number of a variable that is cleared";
             let value = run.number_of(parser, target.index, run.line_purpose(), what);
             value.map(|value| libm::round(value).clamp(0.0, 1e6) as u32)
         };
         let (Some(from), Some(to)) = (index(self, first), index(self, last)) else { return };
-        let same = matches!((first.kind, last.kind), (Op::Letters(a), Op::Letters(b)) if a == b);
+        let same =
+            matches!((first.kind, last.kind), (StackOp::Letters(a), StackOp::Letters(b)) if a == b);
         if !same || from > to {
             self.report_once(
                 Diagnostic::new(
@@ -379,7 +384,7 @@ impl<'a> Interpreter<'a> {
         }
         // The first number that does not exist ends the row, which is told.
         for number in from..=to {
-            let zero = Value::Number(0.0);
+            let zero = MacroValue::Number(0.0);
             let written = self.write_target(first.kind, f64::from(number), zero, first.range);
             if let Err(fault) = written {
                 return self.report_fault(fault);

@@ -3,15 +3,15 @@
 use chordal_command::Position;
 use std::collections::{BTreeMap, BTreeSet};
 
-use chordal_diagnostics::{Code, FileId, Shift};
-use chordal_syntax::Position as TextPosition;
+use chordal_diagnostics::{Code, FileId, TextShift};
+use chordal_syntax::BlockPosition as TextPosition;
 
 use super::MacroState;
-use super::lines::Lines;
-use super::probe::Probe;
-use super::unknown::Unknown;
-use crate::macros::names::Names;
-use crate::macros::value::Value;
+use super::lines::MacroLineState;
+use super::probe::ProbeResults;
+use super::unknown::UnknownValues;
+use crate::macros::names::NamedVariables;
+use crate::macros::value::MacroValue;
 use crate::macros::variables::VariableStore;
 
 /// With more problems told a rest would cost more than it saves.
@@ -28,12 +28,12 @@ pub(in super::super) struct MacroMemory {
     skip: Position,
     port_open: bool,
     printed: usize,
-    names: Names,
-    returned: (Value, bool),
+    names: NamedVariables,
+    returned: (MacroValue, bool),
     called: BTreeMap<(usize, u32), TextPosition>,
-    lines: Lines,
-    probe: Probe,
-    unknown: Unknown,
+    lines: MacroLineState,
+    probe: ProbeResults,
+    unknown: UnknownValues,
 }
 
 impl MacroState<'_> {
@@ -92,7 +92,7 @@ impl MacroState<'_> {
 
 impl MacroMemory {
     /// Moves its places to those of a text that has changed elsewhere.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         let told = std::mem::take(&mut self.told);
         for (file, at, code) in told {
             let at = if file == FileId(0) { shift.offset(at)? } else { at };

@@ -28,16 +28,18 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
 use chordal_machine::{AXES, Machine};
-use chordal_syntax::{Expression, ExpressionParser, Op, Position as TextPosition, Target, Word};
+use chordal_syntax::{
+    AssignTarget, BlockPosition as TextPosition, Expression, ExpressionParser, StackOp, Word,
+};
 
 pub(super) use memory::MacroMemory;
 pub(super) use system::given_references;
 
 use super::Interpreter;
 
-use crate::macros::evaluate::{Fault, Purpose, Variables, evaluate};
-use crate::macros::names::Names;
-use crate::macros::value::{Truth, Value};
+use crate::macros::evaluate::{EvaluationError, ValuePurpose, VariableReader, evaluate};
+use crate::macros::names::NamedVariables;
+use crate::macros::value::{MacroValue, Truth};
 use crate::macros::variables::VariableStore;
 
 /// What depends on a condition.
@@ -64,13 +66,13 @@ struct LoopEnds {
 pub(super) struct MacroState<'a> {
     /// Reads statements and expressions; taken out while its steps are carried out.
     parser: ExpressionParser<'a>,
-    stack: Vec<Value>,
+    stack: Vec<MacroValue>,
     words: Vec<Word>,
     pub(super) store: VariableStore,
     /// Values of system variables that the program or the machine file gives.
     pub(super) kept: BTreeMap<u32, f64>,
     /// Loops that run in this program, outermost first.
-    pub(super) loops: Vec<Loop>,
+    pub(super) loops: Vec<ActiveLoop>,
     /// The ENDs of each program of each file, as far as they were looked for.
     loop_ends: HashMap<(FileId, usize), LoopEnds>,
     /// Places of which a problem was told: a loop would tell it again and again.
@@ -92,20 +94,20 @@ pub(super) struct MacroState<'a> {
     /// Bytes printed.
     printed: usize,
     /// Named variables.
-    pub(super) names: Names,
+    pub(super) names: NamedVariables,
     /// O words.
     owords: owords::OWords,
     /// Macro lines.
-    lines: lines::Lines,
+    lines: lines::MacroLineState,
     /// Probe moves.
-    pub(super) probe: probe::Probe,
+    pub(super) probe: probe::ProbeResults,
     /// Values that the run met and nobody knows.
-    pub(super) unknown: unknown::Unknown,
+    pub(super) unknown: unknown::UnknownValues,
 }
 
 /// A loop that runs.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Loop {
+pub(super) struct ActiveLoop {
     /// n of DOn.
     number: u32,
     /// Its first block.
@@ -117,12 +119,12 @@ impl MacroState<'_> {
         let mut store = VariableStore::new(table.macros);
         let mut kept = BTreeMap::new();
         for (&number, &value) in &machine.macros.variables {
-            if store.write(number, Value::Number(value)).is_err() {
+            if store.write(number, MacroValue::Number(value)).is_err() {
                 kept.insert(number, value);
             }
         }
         for &number in &machine.macros.vacant {
-            let _ = store.write(number, Value::Vacant);
+            let _ = store.write(number, MacroValue::Vacant);
         }
         MacroState {
             parser: ExpressionParser::new(&[], FileId(0), table.lexicon.grammar),
@@ -141,11 +143,11 @@ impl MacroState<'_> {
             skip: [0.0; AXES],
             port_open: false,
             printed: 0,
-            names: Names::default(),
+            names: NamedVariables::default(),
             owords: owords::OWords::default(),
-            lines: lines::Lines::default(),
-            probe: probe::Probe::default(),
-            unknown: unknown::Unknown::default(),
+            lines: lines::MacroLineState::default(),
+            probe: probe::ProbeResults::default(),
+            unknown: unknown::UnknownValues::default(),
         }
     }
 }
@@ -167,8 +169,8 @@ impl<'a> Interpreter<'a> {
         &mut self,
         parser: &ExpressionParser<'a>,
         expression: Expression,
-        purpose: Purpose,
-    ) -> Option<Value> {
+        purpose: ValuePurpose,
+    ) -> Option<MacroValue> {
         let mut stack = std::mem::take(&mut self.macros.stack);
         let rules = self.rules();
         let result = evaluate(parser.steps(expression), rules, purpose, &mut stack, self);
@@ -182,7 +184,7 @@ impl<'a> Interpreter<'a> {
         &mut self,
         parser: &ExpressionParser<'a>,
         expression: Expression,
-        purpose: Purpose,
+        purpose: ValuePurpose,
         what: &str,
     ) -> Option<f64> {
         match self.value_of(parser, expression, purpose)?.counted() {
@@ -201,14 +203,14 @@ impl<'a> Interpreter<'a> {
         condition: Expression,
         of: ConditionOf,
     ) -> bool {
-        let Some(value) = self.value_of(parser, condition, Purpose::CONDITION) else {
+        let Some(value) = self.value_of(parser, condition, ValuePurpose::CONDITION) else {
             return false;
         };
         self.is_true(value, condition.range, of)
     }
 
     /// The same of a value that is there already.
-    fn is_true(&mut self, value: Value, range: TextRange, of: ConditionOf) -> bool {
+    fn is_true(&mut self, value: MacroValue, range: TextRange, of: ConditionOf) -> bool {
         match Truth::from(value) {
             Truth::Holds => true,
             Truth::Fails => false,
@@ -217,12 +219,13 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Writes a variable.
-    fn assign(&mut self, parser: &ExpressionParser<'a>, target: &Target, value: Value) {
+    fn assign(&mut self, parser: &ExpressionParser<'a>, target: &AssignTarget, value: MacroValue) {
         let index = match target.kind {
-            Op::ReadNamed(_) => 0.0,
+            StackOp::ReadNamed(_) => 0.0,
             _ => {
                 let what = "the number of the variable that is written";
-                let Some(index) = self.number_of(parser, target.index, Purpose::VALUE, what) else {
+                let Some(index) = self.number_of(parser, target.index, ValuePurpose::VALUE, what)
+                else {
                     return;
                 };
                 index
@@ -235,20 +238,20 @@ impl<'a> Interpreter<'a> {
 
     fn write_target(
         &mut self,
-        kind: Op,
+        kind: StackOp,
         index: f64,
-        value: Value,
+        value: MacroValue,
         range: TextRange,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), EvaluationError> {
         match kind {
-            Op::Read => self.write_number(index, value, range),
-            Op::ReadNamed(name) => self.write_named(name, value, range),
-            Op::Letters(letters) => self.write_letters(letters, index, value, range),
+            StackOp::Read => self.write_number(index, value, range),
+            StackOp::ReadNamed(name) => self.write_named(name, value, range),
+            StackOp::Letters(letters) => self.write_letters(letters, index, value, range),
             _ => Ok(()),
         }
     }
 
-    fn report_fault(&mut self, fault: Fault) {
+    fn report_fault(&mut self, fault: EvaluationError) {
         if fault.is_told() {
             return;
         }
@@ -273,7 +276,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The whole number of a variable, where the value is near enough to one.
-    fn variable_number(&self, number: f64, range: TextRange) -> Result<u32, Fault> {
+    fn variable_number(&self, number: f64, range: TextRange) -> Result<u32, EvaluationError> {
         let whole = libm::round(number);
         let near = (number - whole).abs() <= self.rules().index_tolerance;
         if near && (0.0..=9_999_999.0).contains(&whole) {
@@ -283,8 +286,8 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-impl Variables for Interpreter<'_> {
-    fn read(&mut self, number: f64, range: TextRange) -> Result<Value, Fault> {
+impl VariableReader for Interpreter<'_> {
+    fn read(&mut self, number: f64, range: TextRange) -> Result<MacroValue, EvaluationError> {
         let number = self.variable_number(number, range)?;
         let value = match self.macros.store.read(number) {
             Ok(value) => value,
@@ -294,7 +297,11 @@ impl Variables for Interpreter<'_> {
         Ok(value)
     }
 
-    fn read_named(&mut self, name: TextRange, range: TextRange) -> Result<Value, Fault> {
+    fn read_named(
+        &mut self,
+        name: TextRange,
+        range: TextRange,
+    ) -> Result<MacroValue, EvaluationError> {
         self.named(name, range)
     }
 
@@ -302,7 +309,12 @@ impl Variables for Interpreter<'_> {
         self.is_named(name)
     }
 
-    fn read_letters(&mut self, letters: u8, number: f64, range: TextRange) -> Result<Value, Fault> {
+    fn read_letters(
+        &mut self,
+        letters: u8,
+        number: f64,
+        range: TextRange,
+    ) -> Result<MacroValue, EvaluationError> {
         let value = self.letter_variable(letters, number, range)?;
         self.note_unknown(value, range);
         Ok(value)
@@ -314,7 +326,12 @@ impl Variables for Interpreter<'_> {
 }
 
 impl Interpreter<'_> {
-    fn write_number(&mut self, number: f64, value: Value, range: TextRange) -> Result<(), Fault> {
+    fn write_number(
+        &mut self,
+        number: f64,
+        value: MacroValue,
+        range: TextRange,
+    ) -> Result<(), EvaluationError> {
         let number = self.variable_number(number, range)?;
         if number == 0 {
             return Err(system::read_only(number, range));

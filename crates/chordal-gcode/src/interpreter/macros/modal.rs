@@ -1,10 +1,10 @@
 //! What macro programs read of words and codes in force.
 
-use chordal_command::{FeedMode, Side, Units, WorkName};
+use chordal_command::{CompensationSide, FeedMode, Units, WorkName};
 use chordal_dialect::Action;
 use chordal_dialect::macros::ModalGroup;
-use chordal_geometry::{Direction, Plane};
-use chordal_kernel::Motion;
+use chordal_geometry::{Plane, TurnDirection};
+use chordal_kernel::ModalMotion;
 use chordal_kernel::rules::CycleKind;
 
 use super::super::Interpreter;
@@ -54,13 +54,15 @@ impl Interpreter<'_> {
         let state = &self.kernel.state;
         match group {
             ModalGroup::Motion => match state.motion {
-                Motion::Rapid | Motion::None => 0.0,
-                Motion::Linear => 1.0,
-                Motion::Thread | Motion::RigidTap => 33.0,
-                Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
-                Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,
-                Motion::Spline(form) => self.spline_code(form) / 10.0,
-                Motion::Turn(_) | Motion::Probe { .. } | Motion::ThreadPasses => {
+                ModalMotion::Rapid | ModalMotion::None => 0.0,
+                ModalMotion::Linear => 1.0,
+                ModalMotion::Thread | ModalMotion::RigidTap => 33.0,
+                ModalMotion::Arc(TurnDirection::Cw) | ModalMotion::Spiral(TurnDirection::Cw) => 2.0,
+                ModalMotion::Arc(TurnDirection::Ccw) | ModalMotion::Spiral(TurnDirection::Ccw) => {
+                    3.0
+                }
+                ModalMotion::Spline(form) => self.spline_code(form) / 10.0,
+                ModalMotion::Turn(_) | ModalMotion::Probe { .. } | ModalMotion::ThreadPasses => {
                     self.motion_row_code() / 10.0
                 }
             },
@@ -78,9 +80,9 @@ impl Interpreter<'_> {
             },
             ModalGroup::Units => self.units_code(),
             ModalGroup::Compensation => match state.side {
-                Side::Off => 40.0,
-                Side::Left => 41.0,
-                Side::Right => 42.0,
+                CompensationSide::Off => 40.0,
+                CompensationSide::Left => 41.0,
+                CompensationSide::Right => 42.0,
             },
             ModalGroup::Length => match state.offsets.length() {
                 length if length.number.is_none() => 49.0,

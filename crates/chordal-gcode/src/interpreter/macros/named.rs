@@ -1,21 +1,25 @@
 //! Named variables, and those that LinuxCNC defines ("Predefined Named Parameters").
 
-use chordal_command::{FeedMode, Side, SpindleState, Units, WorkName};
+use chordal_command::{CompensationSide, FeedMode, SpindleState, Units, WorkName};
 use chordal_diagnostics::{Code, TextRange};
 use chordal_dialect::Action;
-use chordal_geometry::{Direction, Plane};
-use chordal_kernel::Motion;
+use chordal_geometry::{Plane, TurnDirection};
+use chordal_kernel::ModalMotion;
 use chordal_kernel::rules::ArcCenter;
 use chordal_machine::AXES;
 
 use super::super::Interpreter;
-use crate::macros::evaluate::Fault;
+use crate::macros::evaluate::EvaluationError;
 use crate::macros::names::normal;
-use crate::macros::value::Value;
+use crate::macros::value::MacroValue;
 
 impl Interpreter<'_> {
     /// The value of a named variable.
-    pub(super) fn named(&mut self, name: TextRange, range: TextRange) -> Result<Value, Fault> {
+    pub(super) fn named(
+        &mut self,
+        name: TextRange,
+        range: TextRange,
+    ) -> Result<MacroValue, EvaluationError> {
         let name = normal(name.slice(self.reader.text()));
         if name == "_value" {
             return Ok(self.macros.owords.value);
@@ -26,11 +30,11 @@ impl Interpreter<'_> {
         if let Some(value) = self.predefined(&name) {
             let given = || self.machine.macros.named_variables.get(&name).copied();
             let cause = self.cause_of_name(&name);
-            let value = Value::or_unknown(value.or_else(given), cause);
+            let value = MacroValue::or_unknown(value.or_else(given), cause);
             self.note_unknown(value, range);
             return Ok(value);
         }
-        Err(Fault::new(
+        Err(EvaluationError::new(
             Code::UnsetName,
             range,
             format!("`#<{name}>` is read but was never set"),
@@ -47,12 +51,12 @@ impl Interpreter<'_> {
     pub(super) fn write_named(
         &mut self,
         name: TextRange,
-        value: Value,
+        value: MacroValue,
         range: TextRange,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), EvaluationError> {
         let name = normal(name.slice(self.reader.text()));
         if self.predefined(&name).is_some() {
-            return Err(Fault::new(
+            return Err(EvaluationError::new(
                 Code::ReadOnlyVariable,
                 range,
                 format!("`#<{name}>` shows the state of the control and cannot be written"),
@@ -62,7 +66,7 @@ impl Interpreter<'_> {
         if self.macros.names.set(name, value) {
             return Ok(());
         }
-        Err(Fault::new(
+        Err(EvaluationError::new(
             Code::BadVariable,
             range,
             "there are too many named variables",
@@ -130,9 +134,9 @@ impl Interpreter<'_> {
                 Plane::Yz => 190.0,
             },
             "ccomp" => match state.side {
-                Side::Off => 400.0,
-                Side::Left => 410.0,
-                Side::Right => 420.0,
+                CompensationSide::Off => 400.0,
+                CompensationSide::Left => 410.0,
+                CompensationSide::Right => 420.0,
             },
             "metric" => flag(!inch),
             "imperial" => flag(inch),
@@ -176,15 +180,17 @@ impl Interpreter<'_> {
             return row.map_or(800.0, |row| f64::from(row.code));
         }
         match self.kernel.state.motion {
-            Motion::None => 800.0,
-            Motion::Rapid => 0.0,
-            Motion::Linear => 10.0,
-            Motion::Thread => 330.0,
-            Motion::RigidTap => 331.0,
-            Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 20.0,
-            Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 30.0,
-            Motion::Spline(form) => self.spline_code(form),
-            Motion::Turn(_) | Motion::Probe { .. } | Motion::ThreadPasses => self.motion_row_code(),
+            ModalMotion::None => 800.0,
+            ModalMotion::Rapid => 0.0,
+            ModalMotion::Linear => 10.0,
+            ModalMotion::Thread => 330.0,
+            ModalMotion::RigidTap => 331.0,
+            ModalMotion::Arc(TurnDirection::Cw) | ModalMotion::Spiral(TurnDirection::Cw) => 20.0,
+            ModalMotion::Arc(TurnDirection::Ccw) | ModalMotion::Spiral(TurnDirection::Ccw) => 30.0,
+            ModalMotion::Spline(form) => self.spline_code(form),
+            ModalMotion::Turn(_) | ModalMotion::Probe { .. } | ModalMotion::ThreadPasses => {
+                self.motion_row_code()
+            }
         }
     }
 }

@@ -2,22 +2,22 @@
 
 use chordal_command::CommandKind;
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
-use chordal_syntax::Output;
+use chordal_syntax::OutputCode;
 
 use super::super::Interpreter;
-use crate::macros::evaluate::Purpose;
-use crate::macros::output::{Format, Part, next_part, write_number};
+use crate::macros::evaluate::ValuePurpose;
+use crate::macros::output::{NumberFormat, OutputPart, next_part, write_number};
 
 /// Most bytes that a run prints.
 const MOST_OUTPUT: usize = 1 << 20;
 
 impl Interpreter<'_> {
-    pub(super) fn print(&mut self, range: TextRange, output: Output) {
+    pub(super) fn print(&mut self, range: TextRange, output: OutputCode) {
         match output {
-            Output::Open => self.macros.port_open = true,
-            Output::Close => self.macros.port_open = false,
-            Output::Text(text) => self.print_line(range, text),
-            Output::Binary(_) => self.report_once(
+            OutputCode::Open => self.macros.port_open = true,
+            OutputCode::Close => self.macros.port_open = false,
+            OutputCode::Text(text) => self.print_line(range, text),
+            OutputCode::Binary(_) => self.report_once(
                 Diagnostic::new(
                     Code::UnsupportedMacro,
                     self.span(range),
@@ -71,13 +71,13 @@ impl Interpreter<'_> {
         while let Some(part) = next_part(whole, &mut rest) {
             match part {
                 // What would steer a terminal is no text.
-                Part::Text(byte) if byte < b' ' => {}
-                Part::Text(byte) => line.push(byte as char),
-                Part::Value { expression, format } => {
-                    let value = self.word_value(expression, Purpose::VALUE)?;
+                OutputPart::Text(byte) if byte < b' ' => {}
+                OutputPart::Text(byte) => line.push(byte as char),
+                OutputPart::Value { expression, format } => {
+                    let value = self.word_value(expression, ValuePurpose::VALUE)?;
                     let format = format.unwrap_or_else(|| {
                         self.report_format(expression);
-                        Format { whole: 4, decimals: 4 }
+                        NumberFormat { whole: 4, decimals: 4 }
                     });
                     match value.known() {
                         Some(value) => write_number(&mut line, value, format, blanks),

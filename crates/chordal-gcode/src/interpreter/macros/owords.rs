@@ -9,17 +9,17 @@ use std::rc::Rc;
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_syntax::{
-    Block, BlockKind, BlockReader, ExpressionParser, FlowWord, OLabel, OWord,
-    Position as TextPosition, Value as Written, Word, parse_o_word,
+    Block, BlockKind, BlockPosition as TextPosition, BlockReader, ExpressionParser, FlowWord,
+    OLabel, OWord, Word, WordValue as Written, parse_o_word,
 };
 
 mod labels;
 
-use super::super::{EndReason, Flow, Interpreter};
+use super::super::{BlockFlow, EndReason, Interpreter};
 use super::ConditionOf;
-use crate::macros::evaluate::Purpose;
+use crate::macros::evaluate::ValuePurpose;
 use crate::macros::names::normal;
-use crate::macros::value::Value;
+use crate::macros::value::MacroValue;
 
 /// Most arguments of a call.
 const MOST_ARGUMENTS: usize = 30;
@@ -29,7 +29,7 @@ const NONE: usize = usize::MAX;
 
 /// A line of flow control.
 #[derive(Clone, Copy, PartialEq, Debug)]
-struct Line {
+struct FlowLine {
     /// Where it begins.
     at: TextPosition,
     /// Where the next line begins.
@@ -47,15 +47,15 @@ struct Line {
 
 /// The lines of flow control of a program.
 #[derive(Debug, Default)]
-struct Index {
-    lines: Vec<Line>,
+struct FlowIndex {
+    lines: Vec<FlowLine>,
     /// Subroutines by label.
     subs: HashMap<String, usize>,
 }
 
 /// A `repeat` that runs.
 #[derive(Clone, Copy, PartialEq, Debug)]
-struct Repeat {
+struct ActiveRepeat {
     /// How many calls deep.
     depth: usize,
     line: usize,
@@ -65,16 +65,16 @@ struct Repeat {
 /// What O words keep.
 #[derive(Debug)]
 pub(super) struct OWords {
-    indexes: HashMap<usize, Rc<Index>>,
+    indexes: HashMap<usize, Rc<FlowIndex>>,
     /// Lines with nothing but a label (`O5`) of each program.
     heads: HashMap<usize, Vec<(u32, TextPosition)>>,
     /// The first program of each file by the file's name.
     files: Option<HashMap<String, usize>>,
-    repeats: Vec<Repeat>,
+    repeats: Vec<ActiveRepeat>,
     /// Labels that calls have found, by program and number.
     pub called: BTreeMap<(usize, u32), TextPosition>,
     /// What the last subroutine returned.
-    pub value: Value,
+    pub value: MacroValue,
     /// It returned something.
     pub value_returned: bool,
 }
@@ -87,7 +87,7 @@ impl Default for OWords {
             files: None,
             repeats: Vec::new(),
             called: BTreeMap::new(),
-            value: Value::Number(0.0),
+            value: MacroValue::Number(0.0),
             value_returned: false,
         }
     }
@@ -110,9 +110,9 @@ fn label_text(text: &[u8]) -> String {
     }
 }
 
-impl Index {
-    fn of<'a>(mut reader: BlockReader<'a>, mut parser: ExpressionParser<'a>) -> Index {
-        let mut index = Index::default();
+impl FlowIndex {
+    fn of<'a>(mut reader: BlockReader<'a>, mut parser: ExpressionParser<'a>) -> FlowIndex {
+        let mut index = FlowIndex::default();
         // Lines of structures that are not closed, by subroutine and label.
         let mut open: HashMap<(usize, String), Vec<usize>> = HashMap::new();
         let mut labels: HashMap<(usize, String), usize> = HashMap::new();
@@ -133,7 +133,7 @@ impl Index {
             let here = index.lines.len();
             let at = TextPosition { offset: block.range.start, line: block.line };
             let after = reader.position();
-            index.lines.push(Line {
+            index.lines.push(FlowLine {
                 at,
                 after,
                 word,
@@ -206,7 +206,7 @@ impl Index {
 
 impl<'a> Interpreter<'a> {
     /// A line of flow control.
-    pub(super) fn flow_line(&mut self, range: TextRange) -> Flow {
+    pub(super) fn flow_line(&mut self, range: TextRange) -> BlockFlow {
         let mut parser = self.take_parser();
         parser.start(self.reader.text(), self.file, range);
         let line = parse_o_word(&mut parser);
@@ -215,17 +215,17 @@ impl<'a> Interpreter<'a> {
             Some(FlowWord::EndSub | FlowWord::Return) => self.return_value(&mut parser, &line),
             Some(_) if matches!(line.label, OLabel::Computed(_)) => {
                 self.report_structure(&line, "a computed O word can only call a subroutine");
-                Flow::Next
+                BlockFlow::Next
             }
             Some(word) => self.structure(&mut parser, &line, word),
-            None => Flow::Next,
+            None => BlockFlow::Next,
         };
         self.report_problems(&mut parser);
         self.macros.parser = parser;
         flow
     }
 
-    fn index(&mut self, program: usize) -> Rc<Index> {
+    fn index(&mut self, program: usize) -> Rc<FlowIndex> {
         self.look_at(program);
         if let Some(index) = self.macros.owords.indexes.get(&program) {
             return index.clone();
@@ -234,7 +234,7 @@ impl<'a> Interpreter<'a> {
         let reader = self.reader_of(program);
         let file = self.program_at(program).file;
         let parser = ExpressionParser::new(reader.text(), file, lexicon.grammar);
-        let index = Rc::new(Index::of(reader, parser));
+        let index = Rc::new(FlowIndex::of(reader, parser));
         self.macros.owords.indexes.insert(program, index.clone());
         index
     }
@@ -242,12 +242,16 @@ impl<'a> Interpreter<'a> {
     /// True when the value behind the word is not zero.
     fn bracket_holds(&mut self, parser: &mut ExpressionParser<'a>, of: ConditionOf) -> bool {
         let start = parser.rest();
-        let value = self.bracket(parser, Purpose::CONDITION);
+        let value = self.bracket(parser, ValuePurpose::CONDITION);
         value.is_some_and(|value| self.is_true(value, start, of))
     }
 
     /// The value of the bracket that is due here.
-    fn bracket(&mut self, parser: &mut ExpressionParser<'a>, purpose: Purpose) -> Option<Value> {
+    fn bracket(
+        &mut self,
+        parser: &mut ExpressionParser<'a>,
+        purpose: ValuePurpose,
+    ) -> Option<MacroValue> {
         let problems = parser.problems.len();
         let value = parser.value();
         if parser.problems.len() > problems {
@@ -261,9 +265,11 @@ impl<'a> Interpreter<'a> {
         parser: &mut ExpressionParser<'a>,
         line: &OWord,
         word: FlowWord,
-    ) -> Flow {
+    ) -> BlockFlow {
         let index = self.index(self.program);
-        let Some(here) = index.at(self.kernel.origin.span.range.start) else { return Flow::Next };
+        let Some(here) = index.at(self.kernel.origin.span.range.start) else {
+            return BlockFlow::Next;
+        };
         let row = index.lines[here];
         let holds = match word {
             FlowWord::If => self.bracket_holds(parser, ConditionOf::Branch),
@@ -275,24 +281,24 @@ impl<'a> Interpreter<'a> {
         }
         self.check_label(&index, line, here);
         match word {
-            FlowWord::Sub if self.is_again(&index, line, here) => Flow::Next,
+            FlowWord::Sub if self.is_again(&index, line, here) => BlockFlow::Next,
             FlowWord::Sub => self.after(&index, line, row.close),
-            FlowWord::If if holds => Flow::Next,
+            FlowWord::If if holds => BlockFlow::Next,
             FlowWord::If => self.next_branch(parser, &index, line, row.next),
             // Reached from above: the branch before it was taken.
             FlowWord::ElseIf | FlowWord::Else => self.after(&index, line, row.close),
-            FlowWord::Do => Flow::Next,
-            FlowWord::EndIf if row.open != here => Flow::Next,
+            FlowWord::Do => BlockFlow::Next,
+            FlowWord::EndIf if row.open != here => BlockFlow::Next,
             FlowWord::While if row.open != here => match holds {
                 // The end of do … while.
                 true => self.after(&index, line, row.open),
-                false => Flow::Next,
+                false => BlockFlow::Next,
             },
-            FlowWord::While if holds => Flow::Next,
+            FlowWord::While if holds => BlockFlow::Next,
             FlowWord::While => self.after(&index, line, row.close),
             FlowWord::EndWhile if row.open != here => {
                 self.go_to(index.lines[row.open].at);
-                Flow::Next
+                BlockFlow::Next
             }
             FlowWord::Repeat => self.begin_repeat(parser, &index, line, here),
             FlowWord::EndRepeat if row.open != here => self.end_repeat(&index, line, here),
@@ -316,25 +322,25 @@ impl<'a> Interpreter<'a> {
                     return self.after(&index, line, row.close);
                 }
                 self.go_to(index.lines[row.close].at);
-                Flow::Next
+                BlockFlow::Next
             }
             _ => {
                 self.report_structure(line, "no structure with this label is open here");
-                Flow::Next
+                BlockFlow::Next
             }
         }
     }
 
     /// Goes on behind a line.
-    fn after(&mut self, index: &Index, line: &OWord, to: usize) -> Flow {
+    fn after(&mut self, index: &FlowIndex, line: &OWord, to: usize) -> BlockFlow {
         match index.lines.get(to) {
             Some(row) => {
                 self.go_to(row.after);
-                Flow::Next
+                BlockFlow::Next
             }
             None => {
                 self.report_structure(line, "this structure is not closed");
-                Flow::End(EndReason::LostJump)
+                BlockFlow::End(EndReason::LostJump)
             }
         }
     }
@@ -343,10 +349,10 @@ impl<'a> Interpreter<'a> {
     fn next_branch(
         &mut self,
         parser: &mut ExpressionParser<'a>,
-        index: &Index,
+        index: &FlowIndex,
         line: &OWord,
         mut next: usize,
-    ) -> Flow {
+    ) -> BlockFlow {
         while let Some(row) = index.lines.get(next) {
             let taken = match row.word {
                 FlowWord::Else | FlowWord::EndIf => true,
@@ -354,7 +360,7 @@ impl<'a> Interpreter<'a> {
                     self.report_problems(parser);
                     let counts = !self.frames.is_empty() || self.repeat_until != 0;
                     if counts && !self.kernel.count_repeated() {
-                        return Flow::End(EndReason::Budget);
+                        return BlockFlow::End(EndReason::Budget);
                     }
                     let rest = TextRange::new(row.at.offset, row.after.offset);
                     parser.start(self.reader.text(), self.file, rest);
@@ -378,11 +384,11 @@ impl<'a> Interpreter<'a> {
     fn begin_repeat(
         &mut self,
         parser: &mut ExpressionParser<'a>,
-        index: &Index,
+        index: &FlowIndex,
         line: &OWord,
         here: usize,
-    ) -> Flow {
-        let times = match self.bracket(parser, Purpose::VALUE).map(Value::counted) {
+    ) -> BlockFlow {
+        let times = match self.bracket(parser, ValuePurpose::VALUE).map(MacroValue::counted) {
             Some(Ok(times)) => times,
             Some(Err(cause)) => {
                 self.lose_path_by(line.range, "how often this is repeated", cause);
@@ -397,21 +403,21 @@ impl<'a> Interpreter<'a> {
             return self.after(index, line, index.lines[here].close);
         }
         let depth = self.frames.len();
-        let repeat = Repeat { depth, line: here, remaining: times as u64 };
+        let repeat = ActiveRepeat { depth, line: here, remaining: times as u64 };
         self.macros.owords.repeats.push(repeat);
-        Flow::Next
+        BlockFlow::Next
     }
 
-    fn end_repeat(&mut self, index: &Index, line: &OWord, here: usize) -> Flow {
+    fn end_repeat(&mut self, index: &FlowIndex, line: &OWord, here: usize) -> BlockFlow {
         let open = index.lines[here].open;
         let depth = self.frames.len();
         let repeats = &mut self.macros.owords.repeats;
         let running = repeats.iter_mut().rfind(|r| r.depth == depth && r.line == open);
-        let Some(repeat) = running else { return Flow::Next };
+        let Some(repeat) = running else { return BlockFlow::Next };
         repeat.remaining -= 1;
         if repeat.remaining == 0 {
             self.drop_repeat(open);
-            return Flow::Next;
+            return BlockFlow::Next;
         }
         self.after(index, line, open)
     }
@@ -423,20 +429,22 @@ impl<'a> Interpreter<'a> {
         while repeats.pop_if(|last| (last.depth, last.line) >= (depth, line)).is_some() {}
     }
 
-    fn call_sub(&mut self, parser: &mut ExpressionParser<'a>, line: &OWord) -> Flow {
+    fn call_sub(&mut self, parser: &mut ExpressionParser<'a>, line: &OWord) -> BlockFlow {
         let label = match line.label {
             OLabel::Text(range) => label_text(range.slice(self.reader.text())),
             OLabel::Computed(expression) => {
                 let what = "the subroutine that is called";
-                match self.number_of(parser, expression, Purpose::VALUE, what) {
+                match self.number_of(parser, expression, ValuePurpose::VALUE, what) {
                     Some(number) => libm::round(number).to_string(),
-                    None => return Flow::Next,
+                    None => return BlockFlow::Next,
                 }
             }
         };
         let mut arguments = Vec::new();
         while parser.next_mark_after_comments() == b'[' {
-            let Some(value) = self.bracket(parser, Purpose::VALUE) else { return Flow::Next };
+            let Some(value) = self.bracket(parser, ValuePurpose::VALUE) else {
+                return BlockFlow::Next;
+            };
             arguments.push((arguments.len() as u32 + 1, value));
         }
         self.check_line_end(parser);
@@ -450,7 +458,7 @@ impl<'a> Interpreter<'a> {
                 )
                 .help("pass more values in #31 and above, or in named variables"),
             );
-            return Flow::Next;
+            return BlockFlow::Next;
         }
         let Some((program, start)) = self.find_sub(&label) else {
             self.report_once(
@@ -464,7 +472,7 @@ impl<'a> Interpreter<'a> {
                 .label("the call is skipped")
                 .help(format!("write `o<{label}> sub`, or put it into the file {label}.ngc")),
             );
-            return Flow::Next;
+            return BlockFlow::Next;
         };
         let depth = self.frames.len();
         let repeats = &mut self.macros.owords.repeats;
@@ -479,13 +487,13 @@ impl<'a> Interpreter<'a> {
         if self.enter(&word, program, start, 1, false) {
             self.macros.store.enter(&arguments);
             self.macros.names.enter();
-            self.macros.owords.value = Value::Number(0.0);
+            self.macros.owords.value = MacroValue::Number(0.0);
             self.macros.owords.value_returned = false;
             if let Some(frame) = self.frames.last_mut() {
                 frame.own_locals = true;
             }
         }
-        Flow::Next
+        BlockFlow::Next
     }
 
     /// The program and the first line of a subroutine: of this file, else of the file that is
@@ -519,7 +527,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `endsub [v]` and `return [v]`.
-    fn return_value(&mut self, parser: &mut ExpressionParser<'a>, line: &OWord) -> Flow {
+    fn return_value(&mut self, parser: &mut ExpressionParser<'a>, line: &OWord) -> BlockFlow {
         if !self.frames.last().is_some_and(|frame| frame.own_locals) {
             self.report_once(
                 Diagnostic::new(
@@ -531,15 +539,15 @@ impl<'a> Interpreter<'a> {
                 .alarm(format!("{}: not in a subroutine definition", self.control.table.title))
                 .help("call the subroutine; its lines do not run by themselves"),
             );
-            return Flow::Next;
+            return BlockFlow::Next;
         }
         if parser.next_mark() == b'[' {
-            let value = self.bracket(parser, Purpose::VALUE);
-            self.macros.owords.value = value.unwrap_or(Value::Number(0.0));
+            let value = self.bracket(parser, ValuePurpose::VALUE);
+            self.macros.owords.value = value.unwrap_or(MacroValue::Number(0.0));
             self.macros.owords.value_returned = true;
         }
         self.leave(None);
-        Flow::Next
+        BlockFlow::Next
     }
 
     fn report_structure(&mut self, line: &OWord, message: &str) {

@@ -1,6 +1,8 @@
 //! Probe and skip moves: G31, G38.2 to G38.5. Where they touch is what the machine file says.
 
-use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, Side, Units};
+use chordal_command::{
+    AxisMask, CommandKind, CompensationSide, Feed, FeedAlong, FeedMode, Position, Units,
+};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_machine::{AXES, AXIS_LETTERS, ProbeHit};
 use chordal_syntax::Block;
@@ -10,7 +12,7 @@ use super::super::literals::trim;
 
 /// What the probe moves found.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub(in super::super) struct Probe {
+pub(in super::super) struct ProbeResults {
     /// There was one.
     pub skipped: bool,
     /// The last one touched something.
@@ -36,7 +38,7 @@ impl Interpreter<'_> {
             }
             return;
         }
-        if self.kernel.state.side != Side::Off {
+        if self.kernel.state.side != CompensationSide::Off {
             self.report_probe(span, "a probe move while cutter compensation is on");
         }
         if self.control.parameters.strict_words

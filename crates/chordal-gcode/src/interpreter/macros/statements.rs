@@ -1,29 +1,30 @@
 //! Macro statements of the macro B family.
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
-use chordal_dialect::macros::Then;
+use chordal_dialect::macros::ThenClause;
 use chordal_syntax::{
-    Block, BlockKind, BlockReader, Branch, Position as TextPosition, Statement, parse_statement,
+    Block, BlockKind, BlockPosition as TextPosition, BlockReader, ConditionBranch, MacroStatement,
+    parse_statement,
 };
 
-use super::super::{Flow, Interpreter};
+use super::super::{BlockFlow, Interpreter};
 use super::ConditionOf;
-use crate::macros::evaluate::Purpose;
+use crate::macros::evaluate::ValuePurpose;
 
 /// What follows a statement.
-enum Next {
+enum StatementFlow {
     /// What is left of the line.
     Rest(TextRange),
     /// What is left of it and belongs to a condition.
     Then(TextRange),
     /// The next block.
-    Over(Flow),
+    Over(BlockFlow),
 }
 
 impl Interpreter<'_> {
     /// A block with a macro statement in it: its words, the statement, and what is left of the
     /// line, in this order.
-    pub(in super::super) fn macro_block(&mut self, block: &mut Block) -> Flow {
+    pub(in super::super) fn macro_block(&mut self, block: &mut Block) -> BlockFlow {
         self.carried_out = true;
         self.macros.used = true;
         let line = block.line;
@@ -43,21 +44,21 @@ impl Interpreter<'_> {
                 if block.expressions {
                     self.resolve_words(block);
                 }
-                if let end @ Flow::End(_) = self.carry_out(block) {
+                if let end @ BlockFlow::End(_) = self.carry_out(block) {
                     return end;
                 }
             }
-            let Some(range) = statement else { return Flow::Next };
+            let Some(range) = statement else { return BlockFlow::Next };
             let rest = match self.statement(range) {
-                Next::Rest(rest) => {
+                StatementFlow::Rest(rest) => {
                     before = before.or(Some(range));
                     rest
                 }
-                Next::Then(rest) => {
+                StatementFlow::Then(rest) => {
                     before = None;
                     rest
                 }
-                Next::Over(flow) => return flow,
+                StatementFlow::Over(flow) => return flow,
             };
             // The rest is read as a block of its own. It is shorter every time.
             let lexicon = self.control.table.lexicon;
@@ -65,7 +66,7 @@ impl Interpreter<'_> {
             reader.seek(TextPosition { offset: rest.start, line });
             reader.limit(rest.end);
             if !reader.read(block) {
-                return Flow::Next;
+                return BlockFlow::Next;
             }
             for problem in std::mem::take(&mut block.problems) {
                 self.report_once(problem);
@@ -90,58 +91,60 @@ impl Interpreter<'_> {
         );
     }
 
-    fn statement(&mut self, range: TextRange) -> Next {
+    fn statement(&mut self, range: TextRange) -> StatementFlow {
         let mut parser = self.take_parser();
         parser.start(self.reader.text(), self.file, range);
         let statement = parse_statement(&mut parser);
         let sound = parser.problems.is_empty();
         self.report_problems(&mut parser);
-        let mut next = Next::Rest(parser.rest());
+        let mut next = StatementFlow::Rest(parser.rest());
         match statement {
-            Statement::Empty if parser.rest().start == range.start => {
-                next = Next::Over(Flow::Next);
+            MacroStatement::Empty if parser.rest().start == range.start => {
+                next = StatementFlow::Over(BlockFlow::Next);
             }
-            _ if !sound => next = Next::Over(Flow::Next),
-            Statement::Empty | Statement::Unknown(_) => {}
-            Statement::Assign { target, value, text } => {
-                if let Some(value) = self.value_of(&parser, value, Purpose::VALUE) {
+            _ if !sound => next = StatementFlow::Over(BlockFlow::Next),
+            MacroStatement::Empty | MacroStatement::Unknown(_) => {}
+            MacroStatement::Assign { target, value, text } => {
+                if let Some(value) = self.value_of(&parser, value, ValuePurpose::VALUE) {
                     self.message = text;
                     self.assign(&parser, &target, value);
                     self.message = None;
                 }
             }
-            Statement::If { condition, branch } => {
+            MacroStatement::If { condition, branch } => {
                 let holds = self.holds(&parser, condition, ConditionOf::Branch);
                 match branch {
-                    _ if !holds => next = Next::Over(Flow::Next),
-                    Branch::Goto(label) => {
+                    _ if !holds => next = StatementFlow::Over(BlockFlow::Next),
+                    ConditionBranch::Goto(label) => {
                         let label = self.label_of(&parser, label);
-                        next = Next::Over(self.goto(range, label));
+                        next = StatementFlow::Over(self.goto(range, label));
                     }
-                    Branch::Then => {
+                    ConditionBranch::Then => {
                         self.check_then(parser.rest());
-                        next = Next::Then(parser.rest());
+                        next = StatementFlow::Then(parser.rest());
                     }
-                    Branch::Rest => next = Next::Then(parser.rest()),
+                    ConditionBranch::Rest => next = StatementFlow::Then(parser.rest()),
                 }
             }
-            Statement::Goto(label) => {
+            MacroStatement::Goto(label) => {
                 let label = self.label_of(&parser, label);
-                next = Next::Over(self.goto(range, label));
+                next = StatementFlow::Over(self.goto(range, label));
             }
-            Statement::While { condition, number } => {
+            MacroStatement::While { condition, number } => {
                 let holds = match condition {
                     None => true,
                     Some(condition) => self.holds(&parser, condition, ConditionOf::Loop),
                 };
-                next = Next::Over(self.while_loop(range, number, holds));
+                next = StatementFlow::Over(self.while_loop(range, number, holds));
             }
-            Statement::End(number) => next = Next::Over(self.end_of_loop(range, number)),
-            Statement::Output(output) => self.print(range, output),
+            MacroStatement::End(number) => {
+                next = StatementFlow::Over(self.end_of_loop(range, number))
+            }
+            MacroStatement::Output(output) => self.print(range, output),
         }
         self.macros.parser = parser;
         if let Some(reason) = self.stopped.take() {
-            return Next::Over(Flow::End(reason));
+            return StatementFlow::Over(BlockFlow::End(reason));
         }
         next
     }
@@ -151,7 +154,7 @@ impl Interpreter<'_> {
         let text = rest.slice(self.reader.text());
         let first = text.iter().find(|byte| !byte.is_ascii_whitespace()).copied();
         let statement = first == Some(b'#');
-        if self.rules().then == Then::Anything || statement {
+        if self.rules().then == ThenClause::Anything || statement {
             return;
         }
         self.report_once(

@@ -2,7 +2,7 @@
 
 use chordal_command::{AxisMask, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
-use chordal_dialect::macros::{OFFSET_STEP, System, TURN_PLACE};
+use chordal_dialect::macros::{OFFSET_STEP, SystemVariable, TURN_PLACE};
 use chordal_dialect::{Control, OffsetMemory};
 use chordal_kernel::ToolValue;
 use chordal_kernel::rules::OffsetKind;
@@ -11,22 +11,22 @@ use chordal_machine::{AXES, Machine, PerAxis};
 use super::super::Interpreter;
 use super::ConditionOf;
 use crate::macros::arguments::letter_of;
-use crate::macros::evaluate::Fault;
-use crate::macros::value::{Cause, Value};
+use crate::macros::evaluate::EvaluationError;
+use crate::macros::value::{MacroValue, UnknownCause};
 
 /// From here on variables are those of the system.
 const FIRST_OF_SYSTEM: f64 = 1000.0;
 
-pub(super) fn no_variable(number: f64, range: TextRange) -> Fault {
+pub(super) fn no_variable(number: f64, range: TextRange) -> EvaluationError {
     if number >= FIRST_OF_SYSTEM {
-        return Fault::new(
+        return EvaluationError::new(
             Code::BadVariable,
             range,
             format!("Chordal knows no system variable #{number} of this control"),
             "if the control has it, give its value in the machine file, in `variables` of `[macros]`",
         );
     }
-    Fault::new(
+    EvaluationError::new(
         Code::BadVariable,
         range,
         format!("there is no variable #{number} on this control"),
@@ -34,8 +34,8 @@ pub(super) fn no_variable(number: f64, range: TextRange) -> Fault {
     )
 }
 
-pub(super) fn read_only(number: u32, range: TextRange) -> Fault {
-    Fault::new(
+pub(super) fn read_only(number: u32, range: TextRange) -> EvaluationError {
+    EvaluationError::new(
         Code::ReadOnlyVariable,
         range,
         format!("#{number} can be read, but not written"),
@@ -51,8 +51,8 @@ pub(in super::super) fn given_references(
     let mut references = [[None; AXES]; 2];
     for (&number, &value) in &machine.macros.variables {
         let (at, axis) = match control.macros.system_at(number) {
-            Some((System::Home, axis)) => (0, axis as usize),
-            Some((System::SecondHome, axis)) => (1, axis as usize),
+            Some((SystemVariable::Home, axis)) => (0, axis as usize),
+            Some((SystemVariable::SecondHome, axis)) => (1, axis as usize),
             _ => continue,
         };
         references[at][axis] = Some(stored_place(control, axis, value));
@@ -75,105 +75,112 @@ const OFFSETS_OF_MEMORY: u32 = 200;
 
 impl Interpreter<'_> {
     /// What a variable of the system shows on this machine.
-    pub(super) fn system_at(&self, number: u32) -> Option<(System, u32)> {
+    pub(super) fn system_at(&self, number: u32) -> Option<(SystemVariable, u32)> {
         let (what, at) = self.rules().system_at(number)?;
-        if what != System::OffsetOfMemory {
+        if what != SystemVariable::OffsetOfMemory {
             return Some((what, at));
         }
         match (self.control.parameters.offset_memory, at.checked_sub(OFFSETS_OF_MEMORY)) {
-            (OffsetMemory::NotKnown, _) => Some((System::MachineState, at)),
-            (OffsetMemory::Whole, None) => Some((System::Length, at)),
+            (OffsetMemory::NotKnown, _) => Some((SystemVariable::MachineState, at)),
+            (OffsetMemory::Whole, None) => Some((SystemVariable::Length, at)),
             (OffsetMemory::Whole, Some(_)) => None,
-            (OffsetMemory::GeometryAndWear, None) => Some((System::LengthWear, at)),
-            (OffsetMemory::GeometryAndWear, Some(at)) => Some((System::Length, at)),
+            (OffsetMemory::GeometryAndWear, None) => Some((SystemVariable::LengthWear, at)),
+            (OffsetMemory::GeometryAndWear, Some(at)) => Some((SystemVariable::Length, at)),
         }
     }
 
     /// The value of a variable of the system: of the state of the run, else what the program or the machine file has
     /// written there. Neither of them: it is not known.
-    pub(super) fn read_system(&mut self, index: u32, range: TextRange) -> Result<Value, Fault> {
+    pub(super) fn read_system(
+        &mut self,
+        index: u32,
+        range: TextRange,
+    ) -> Result<MacroValue, EvaluationError> {
         let given = self.macros.kept.get(&index).copied();
         let Some((what, at)) = self.system_at(index) else {
-            return given.map(Value::Number).ok_or_else(|| no_variable(f64::from(index), range));
+            return given
+                .map(MacroValue::Number)
+                .ok_or_else(|| no_variable(f64::from(index), range));
         };
-        if matches!(what, System::Date | System::Time) {
+        if matches!(what, SystemVariable::Date | SystemVariable::Time) {
             return Ok(self.date_or_time(index, what, range));
         }
         let value = match what {
-            System::WorkSystem | System::WorkTable | System::ProbeResult => {
-                given.or_else(|| self.system_value(what, at))
-            }
+            SystemVariable::WorkSystem
+            | SystemVariable::WorkTable
+            | SystemVariable::ProbeResult => given.or_else(|| self.system_value(what, at)),
             _ => self.system_value(what, at).or(given),
         };
-        Ok(Value::or_unknown(value, Cause::Variable(index)))
+        Ok(MacroValue::or_unknown(value, UnknownCause::Variable(index)))
     }
 
     /// What a variable of the system shows where that follows from the program and the machine file.
-    fn system_value(&self, what: System, at: u32) -> Option<f64> {
+    fn system_value(&self, what: SystemVariable, at: u32) -> Option<f64> {
         let axis = at as usize;
         let state = &self.kernel.state;
         let shown = |place: Option<f64>| Some(self.axis_out(axis, place?));
         let stored = |place: Option<f64>| Some(self.stored_out(axis, place?));
         match what {
-            System::BlockEnd => shown(state.known_position(axis)),
-            System::MachinePosition => shown(state.known_machine_position(axis)),
-            System::WorkPosition => {
+            SystemVariable::BlockEnd => shown(state.known_position(axis)),
+            SystemVariable::MachinePosition => shown(state.known_machine_position(axis)),
+            SystemVariable::WorkPosition => {
                 let length = state.offsets.known_tool_offset(axis)?;
                 shown(state.known_position(axis).map(|place| place + length))
             }
-            System::SkipPosition | System::ProbePosition => {
+            SystemVariable::SkipPosition | SystemVariable::ProbePosition => {
                 shown(self.macros.probe.skipped.then(|| self.macros.skip[axis]))
             }
-            System::ActiveToolOffset => shown(state.offsets.known_tool_offset(axis)),
-            System::ModalGroup => Some(match self.rules().modal_groups.get(axis) {
+            SystemVariable::ActiveToolOffset => shown(state.offsets.known_tool_offset(axis)),
+            SystemVariable::ModalGroup => Some(match self.rules().modal_groups.get(axis) {
                 Some(group) => self.modal_code(*group),
                 None => 0.0,
             }),
-            System::ModalWord(letter) => self.modal_word(letter),
-            System::ModalArgument => self.modal_word(letter_of(at + 1)?),
-            System::Length | System::LengthWear | System::Radius | System::RadiusWear => {
-                self.tool_value(what, at + 1)
-            }
-            System::ExternalOffset
-            | System::WorkOffsets
-            | System::ExtendedOffsets
-            | System::OffsetsOfAxis(_) => {
+            SystemVariable::ModalWord(letter) => self.modal_word(letter),
+            SystemVariable::ModalArgument => self.modal_word(letter_of(at + 1)?),
+            SystemVariable::Length
+            | SystemVariable::LengthWear
+            | SystemVariable::Radius
+            | SystemVariable::RadiusWear => self.tool_value(what, at + 1),
+            SystemVariable::ExternalOffset
+            | SystemVariable::WorkOffsets
+            | SystemVariable::ExtendedOffsets
+            | SystemVariable::OffsetsOfAxis(_) => {
                 // Of an axis that Chordal does not have: none.
                 let (key, axis) = self.offset_place(what, at)?;
                 Some(self.axis_out(axis, state.offsets.known_work_value(&key, axis)?))
             }
-            System::Kept
-            | System::Input
-            | System::Timer
-            | System::Setting
-            | System::MachineState
-            | System::OffsetOfMemory
-            | System::Date
-            | System::Time => None,
-            System::Switch | System::Alarm | System::Message => Some(0.0),
-            System::Tool => self.tool_in_spindle(),
-            System::SpindleSpeed => self.speed_word(),
-            System::Constant(value) => Some(f64::from(value)),
-            System::Home => stored(self.stored_reference(1, axis)),
-            System::SecondHome => stored(self.stored_reference(2, axis)),
-            System::Preset => {
+            SystemVariable::Kept
+            | SystemVariable::Input
+            | SystemVariable::Timer
+            | SystemVariable::Setting
+            | SystemVariable::MachineState
+            | SystemVariable::OffsetOfMemory
+            | SystemVariable::Date
+            | SystemVariable::Time => None,
+            SystemVariable::Switch | SystemVariable::Alarm | SystemVariable::Message => Some(0.0),
+            SystemVariable::Tool => self.tool_in_spindle(),
+            SystemVariable::SpindleSpeed => self.speed_word(),
+            SystemVariable::Constant(value) => Some(f64::from(value)),
+            SystemVariable::Home => stored(self.stored_reference(1, axis)),
+            SystemVariable::SecondHome => stored(self.stored_reference(2, axis)),
+            SystemVariable::Preset => {
                 let is_known = self.kernel.presets_known.has(axis);
                 stored(is_known.then(|| self.kernel.kept_presets.values[axis]))
             }
-            System::PresetActs => {
+            SystemVariable::PresetActs => {
                 let is_known = self.kernel.presets_known != AxisMask::NONE;
                 is_known.then(|| f64::from(u8::from(self.kernel.preset_acts)))
             }
-            System::WorkSystem => Some(self.work_system()),
-            System::WorkTable => self.work_table(at),
-            System::SpindleTool => {
+            SystemVariable::WorkSystem => Some(self.work_system()),
+            SystemVariable::WorkTable => self.work_table(at),
+            SystemVariable::SpindleTool => {
                 let tool = state.offsets.tool(state.tool)?;
                 stored(tool.offset_of(axis))
             }
-            System::ToolDiameter => {
+            SystemVariable::ToolDiameter => {
                 Some(2.0 * self.stored_out(0, state.offsets.radius_mm(state.tool)?))
             }
-            System::ProbeResult => {
+            SystemVariable::ProbeResult => {
                 let probe = &self.macros.probe;
                 probe.skipped.then(|| f64::from(u8::from(probe.found)))
             }
@@ -183,9 +190,9 @@ impl Interpreter<'_> {
     pub(super) fn write_system(
         &mut self,
         index: u32,
-        value: Value,
+        value: MacroValue,
         range: TextRange,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), EvaluationError> {
         let Some((what, at)) = self.system_at(index) else {
             let given = self.macros.kept.get_mut(&index);
             let place = given.ok_or_else(|| no_variable(f64::from(index), range))?;
@@ -202,50 +209,55 @@ impl Interpreter<'_> {
             Err(cause) => return self.write_unknown(index, what, cause, range),
         };
         match what {
-            System::Alarm => self.alarm(value, range),
-            System::Message => self.message_stop(),
-            System::Kept
-            | System::Switch
-            | System::Setting
-            | System::MachineState
-            | System::OffsetOfMemory => {
+            SystemVariable::Alarm => self.alarm(value, range),
+            SystemVariable::Message => self.message_stop(),
+            SystemVariable::Kept
+            | SystemVariable::Switch
+            | SystemVariable::Setting
+            | SystemVariable::MachineState
+            | SystemVariable::OffsetOfMemory => {
                 self.macros.kept.insert(index, value);
             }
             // It runs on from what was written.
-            System::Timer => {
+            SystemVariable::Timer => {
                 self.macros.kept.remove(&index);
             }
-            System::Home | System::SecondHome => {
+            SystemVariable::Home | SystemVariable::SecondHome => {
                 let axis = at as usize;
                 let place = self.stored_in(axis, value);
-                self.references[usize::from(what == System::SecondHome)][axis] = Some(place);
+                self.references[usize::from(what == SystemVariable::SecondHome)][axis] =
+                    Some(place);
             }
-            System::Preset => {
+            SystemVariable::Preset => {
                 self.kernel.kept_presets.values[at as usize] = self.stored_in(at as usize, value);
                 self.kernel.presets_known.insert(at as usize);
             }
-            System::PresetActs => self.kernel.preset_acts = value != 0.0,
-            System::ProbePosition => {
+            SystemVariable::PresetActs => self.kernel.preset_acts = value != 0.0,
+            SystemVariable::ProbePosition => {
                 self.macros.kept.insert(index, value);
                 self.macros.skip[at as usize] = self.axis_in(at as usize, value);
             }
-            System::WorkSystem | System::ProbeResult => {
+            SystemVariable::WorkSystem | SystemVariable::ProbeResult => {
                 self.macros.kept.insert(index, value);
             }
-            System::WorkTable => {
+            SystemVariable::WorkTable => {
                 let acts = f64::from(at / OFFSET_STEP) + 1.0 == self.work_system();
                 if acts || !self.write_work_table(at, value) {
                     self.macros.kept.insert(index, value);
                 }
             }
-            System::Length => self.write_tool_value(ToolValue::Length, at + 1, value),
-            System::LengthWear => self.write_tool_value(ToolValue::LengthWear, at + 1, value),
-            System::Radius => self.write_tool_value(ToolValue::Radius, at + 1, value),
-            System::RadiusWear => self.write_tool_value(ToolValue::RadiusWear, at + 1, value),
-            System::ExternalOffset
-            | System::WorkOffsets
-            | System::ExtendedOffsets
-            | System::OffsetsOfAxis(_) => match self.offset_place(what, at) {
+            SystemVariable::Length => self.write_tool_value(ToolValue::Length, at + 1, value),
+            SystemVariable::LengthWear => {
+                self.write_tool_value(ToolValue::LengthWear, at + 1, value)
+            }
+            SystemVariable::Radius => self.write_tool_value(ToolValue::Radius, at + 1, value),
+            SystemVariable::RadiusWear => {
+                self.write_tool_value(ToolValue::RadiusWear, at + 1, value)
+            }
+            SystemVariable::ExternalOffset
+            | SystemVariable::WorkOffsets
+            | SystemVariable::ExtendedOffsets
+            | SystemVariable::OffsetsOfAxis(_) => match self.offset_place(what, at) {
                 Some((key, axis)) => {
                     let value = self.axis_in(axis, value);
                     self.kernel.state.shift_coordinates(|offsets| {
@@ -284,7 +296,7 @@ impl Interpreter<'_> {
     pub(super) fn forget_probe_result(&mut self) {
         let rules = self.rules();
         self.macros.kept.retain(|number, _| {
-            !matches!(rules.system_at(*number), Some((System::ProbeResult, _)))
+            !matches!(rules.system_at(*number), Some((SystemVariable::ProbeResult, _)))
         });
     }
 
@@ -311,14 +323,14 @@ impl Interpreter<'_> {
     pub(in super::super) fn take_written_offsets(&mut self) {
         let rules = self.rules();
         let is_work = |number: u32| match rules.system_at(number) {
-            Some((System::WorkTable, at)) => Some(at),
+            Some((SystemVariable::WorkTable, at)) => Some(at),
             _ => None,
         };
         let kept = std::mem::take(&mut self.macros.kept);
         let (written, kept): (Vec<_>, Vec<_>) =
             kept.into_iter().partition(|(number, _)| is_work(*number).is_some());
         let is_system =
-            |number: u32| matches!(rules.system_at(number), Some((System::WorkSystem, _)));
+            |number: u32| matches!(rules.system_at(number), Some((SystemVariable::WorkSystem, _)));
         self.macros.kept = kept.into_iter().filter(|(number, _)| !is_system(*number)).collect();
         if written.is_empty() {
             return;
@@ -358,16 +370,18 @@ impl Interpreter<'_> {
     }
 
     /// Key and axis of a work offset's variable.
-    fn offset_place(&self, what: System, at: u32) -> Option<(String, usize)> {
+    fn offset_place(&self, what: SystemVariable, at: u32) -> Option<(String, usize)> {
         let (system, axis) = (at / OFFSET_STEP, (at % OFFSET_STEP) as usize);
         let name = match what {
-            System::ExternalOffset => return Some(("EXT".into(), at as usize)),
-            System::OffsetsOfAxis(axis) if at == 0 => return Some(("EXT".into(), axis as usize)),
-            System::OffsetsOfAxis(axis) => {
+            SystemVariable::ExternalOffset => return Some(("EXT".into(), at as usize)),
+            SystemVariable::OffsetsOfAxis(axis) if at == 0 => {
+                return Some(("EXT".into(), axis as usize));
+            }
+            SystemVariable::OffsetsOfAxis(axis) => {
                 let key = self.kernel.state.offsets.key(WorkName::G(53 + at as u16));
                 return Some((key, axis as usize));
             }
-            System::ExtendedOffsets => WorkName::Extended(system as u16 + 1),
+            SystemVariable::ExtendedOffsets => WorkName::Extended(system as u16 + 1),
             _ => WorkName::G(54 + system as u16),
         };
         (axis < 6).then(|| (self.kernel.state.offsets.key(name), axis))
@@ -392,16 +406,16 @@ impl Interpreter<'_> {
     }
 
     /// A value of the table of tools. A tool of which the size is known and no wear has none.
-    fn tool_value(&self, what: System, number: u32) -> Option<f64> {
+    fn tool_value(&self, what: SystemVariable, number: u32) -> Option<f64> {
         let tool = self.kernel.state.offsets.tool(number)?;
         let per_radius = match self.control.parameters.rules.radius_offsets {
             OffsetKind::Diameter => 1.0,
             OffsetKind::Radius => 2.0,
         };
         let mm = match what {
-            System::Length => tool.offset[2]?,
-            System::LengthWear => tool.offset_wear[2].or(tool.offset[2].map(|_| 0.0))?,
-            System::Radius => tool.diameter_mm? / per_radius,
+            SystemVariable::Length => tool.offset[2]?,
+            SystemVariable::LengthWear => tool.offset_wear[2].or(tool.offset[2].map(|_| 0.0))?,
+            SystemVariable::Radius => tool.diameter_mm? / per_radius,
             _ => tool.diameter_wear_mm.or(tool.diameter_mm.map(|_| 0.0))? / per_radius,
         };
         Some(mm / self.unit())
@@ -433,73 +447,73 @@ impl Interpreter<'_> {
     fn write_unknown(
         &mut self,
         index: u32,
-        what: System,
-        cause: Cause,
+        what: SystemVariable,
+        cause: UnknownCause,
         range: TextRange,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), EvaluationError> {
         match what {
-            System::Alarm | System::Message => {
+            SystemVariable::Alarm | SystemVariable::Message => {
                 self.assume(range, cause, ConditionOf::Branch);
                 Ok(())
             }
-            System::Kept
-            | System::Switch
-            | System::Timer
-            | System::Setting
-            | System::MachineState
-            | System::OffsetOfMemory => {
+            SystemVariable::Kept
+            | SystemVariable::Switch
+            | SystemVariable::Timer
+            | SystemVariable::Setting
+            | SystemVariable::MachineState
+            | SystemVariable::OffsetOfMemory => {
                 self.macros.kept.remove(&index);
                 Ok(())
             }
-            System::BlockEnd
-            | System::MachinePosition
-            | System::WorkPosition
-            | System::SkipPosition
-            | System::ActiveToolOffset
-            | System::ModalGroup
-            | System::ModalWord(_)
-            | System::ModalArgument
-            | System::Input
-            | System::Date
-            | System::Time
-            | System::Tool
-            | System::SpindleSpeed
-            | System::Constant(_)
-            | System::SpindleTool
-            | System::ToolDiameter => Err(read_only(index, range)),
-            System::Length
-            | System::LengthWear
-            | System::Radius
-            | System::RadiusWear
-            | System::ExternalOffset
-            | System::WorkOffsets
-            | System::ExtendedOffsets
-            | System::OffsetsOfAxis(_)
-            | System::Home
-            | System::SecondHome
-            | System::Preset
-            | System::PresetActs
-            | System::ProbePosition
-            | System::ProbeResult
-            | System::WorkSystem
-            | System::WorkTable => {
+            SystemVariable::BlockEnd
+            | SystemVariable::MachinePosition
+            | SystemVariable::WorkPosition
+            | SystemVariable::SkipPosition
+            | SystemVariable::ActiveToolOffset
+            | SystemVariable::ModalGroup
+            | SystemVariable::ModalWord(_)
+            | SystemVariable::ModalArgument
+            | SystemVariable::Input
+            | SystemVariable::Date
+            | SystemVariable::Time
+            | SystemVariable::Tool
+            | SystemVariable::SpindleSpeed
+            | SystemVariable::Constant(_)
+            | SystemVariable::SpindleTool
+            | SystemVariable::ToolDiameter => Err(read_only(index, range)),
+            SystemVariable::Length
+            | SystemVariable::LengthWear
+            | SystemVariable::Radius
+            | SystemVariable::RadiusWear
+            | SystemVariable::ExternalOffset
+            | SystemVariable::WorkOffsets
+            | SystemVariable::ExtendedOffsets
+            | SystemVariable::OffsetsOfAxis(_)
+            | SystemVariable::Home
+            | SystemVariable::SecondHome
+            | SystemVariable::Preset
+            | SystemVariable::PresetActs
+            | SystemVariable::ProbePosition
+            | SystemVariable::ProbeResult
+            | SystemVariable::WorkSystem
+            | SystemVariable::WorkTable => {
                 self.lose_path_by(range, &format!("#{index}"), cause);
                 Ok(())
             }
         }
     }
 
-    fn date_or_time(&mut self, index: u32, what: System, range: TextRange) -> Value {
+    fn date_or_time(&mut self, index: u32, what: SystemVariable, range: TextRange) -> MacroValue {
         let macros = &self.machine.macros;
         let (value, name, form) = match what {
-            System::Date => (macros.date, "date", "2024-05-17"),
+            SystemVariable::Date => (macros.date, "date", "2024-05-17"),
             _ => (macros.time, "time", "13:45:00"),
         };
         if let Some(value) = value {
-            return Value::Number(f64::from(value));
+            return MacroValue::Number(f64::from(value));
         }
         if let Some(&value) = self.macros.kept.get(&index) {
-            return Value::Number(value);
+            return MacroValue::Number(value);
         }
         self.report_once(
             Diagnostic::new(
@@ -511,6 +525,6 @@ impl Interpreter<'_> {
             )
             .help(format!("give it in the machine file: `[macros] {name} = \"{form}\"`")),
         );
-        Value::Unknown(Cause::Variable(index))
+        MacroValue::Unknown(UnknownCause::Variable(index))
     }
 }

@@ -7,16 +7,16 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use chordal_command::AxisMask;
-use chordal_diagnostics::{Code, Diagnostic, FileId, Shift, Span, TextRange};
-use chordal_dialect::macros::{Held, System};
+use chordal_diagnostics::{Code, Diagnostic, FileId, Span, TextRange, TextShift};
+use chordal_dialect::macros::{SystemVariable, VariableRetention};
 use chordal_dialect::{Action, CallCode, OnceCode, code_number};
-use chordal_kernel::Motion;
+use chordal_kernel::ModalMotion;
 use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Letters, Word};
 
 use super::super::Interpreter;
 use super::ConditionOf;
-use crate::macros::value::{Cause, Value};
+use crate::macros::value::{MacroValue, UnknownCause};
 
 /// Most variables that are noted.
 const MOST_NOTED: usize = 1000;
@@ -32,9 +32,9 @@ const KEPT_WORDS: Letters = Letters::of("GMNFSTDH");
 
 /// What the run has met that nobody knows.
 #[derive(Clone, Default, Debug, PartialEq)]
-pub(in super::super) struct Unknown {
+pub(in super::super) struct UnknownValues {
     /// Variables that were read.
-    read: BTreeSet<Cause>,
+    read: BTreeSet<UnknownCause>,
     /// Where the first of the program's own was read.
     first: Option<Span>,
     /// Where the first of the control's was.
@@ -47,25 +47,25 @@ pub(in super::super) struct Unknown {
     branch_assumed: bool,
     /// How often conditions were met that this run takes as fulfilled.
     assumed: BTreeMap<(FileId, u32), u32>,
-    /// The names of [`Cause::Name`].
+    /// The names of [`UnknownCause::Name`].
     names: Vec<String>,
     /// Why registers R0 to R9 that the program has set are not known.
-    registers: [Option<Cause>; 10],
+    registers: [Option<UnknownCause>; 10],
 }
 
-impl Unknown {
+impl UnknownValues {
     /// Whether a condition holds was assumed, and nobody knows.
     pub fn branch_assumed(&self) -> bool {
         self.branch_assumed
     }
 
     /// A register got an unknown value.
-    pub fn lose_register(&mut self, index: usize, cause: Cause) {
+    pub fn lose_register(&mut self, index: usize, cause: UnknownCause) {
         self.registers[index] = Some(cause);
     }
 
     /// Moves its places to those of a text that has changed elsewhere.
-    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+    pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         for span in [&mut self.first, &mut self.first_of_system].into_iter().flatten() {
             if span.file == FileId(0) {
                 span.range = shift.range(span.range)?;
@@ -77,7 +77,7 @@ impl Unknown {
 
 /// What a word of an unknown value says.
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum Part {
+enum WordRole {
     Feed,
     Speed,
     Tool,
@@ -99,11 +99,12 @@ enum Part {
 
 impl Interpreter<'_> {
     /// A variable was read.
-    pub(super) fn note_unknown(&mut self, value: Value, range: TextRange) {
-        let Value::Unknown(cause) = value else { return };
+    pub(super) fn note_unknown(&mut self, value: MacroValue, range: TextRange) {
+        let MacroValue::Unknown(cause) = value else { return };
         // Of date and time their own note is told.
-        if let Cause::Variable(number) = cause
-            && let Some((System::Date | System::Time, _)) = self.rules().system_at(number)
+        if let UnknownCause::Variable(number) = cause
+            && let Some((SystemVariable::Date | SystemVariable::Time, _)) =
+                self.rules().system_at(number)
         {
             return;
         }
@@ -118,16 +119,16 @@ impl Interpreter<'_> {
     }
 
     /// A variable of programs, not one that shows something of the control.
-    fn is_own(&self, cause: Cause) -> bool {
+    fn is_own(&self, cause: UnknownCause) -> bool {
         match cause {
-            Cause::Variable(number) => self.rules().common_range(number).is_some(),
-            Cause::Letters(letters, _) => matches!(self.letters_name(letters), "V" | "R"),
-            Cause::Name(_) => false,
+            UnknownCause::Variable(number) => self.rules().common_range(number).is_some(),
+            UnknownCause::Letters(letters, _) => matches!(self.letters_name(letters), "V" | "R"),
+            UnknownCause::Name(_) => false,
         }
     }
 
     /// The cause that a named variable of the control is not known.
-    pub(super) fn cause_of_name(&mut self, name: &str) -> Cause {
+    pub(super) fn cause_of_name(&mut self, name: &str) -> UnknownCause {
         let names = &mut self.macros.unknown.names;
         let at = names.iter().position(|known| known == name).unwrap_or_else(|| {
             if names.len() < MOST_NOTED {
@@ -135,19 +136,21 @@ impl Interpreter<'_> {
             }
             names.len() - 1
         });
-        Cause::Name(at as u32)
+        UnknownCause::Name(at as u32)
     }
 
-    fn name_of(&self, cause: Cause) -> String {
+    fn name_of(&self, cause: UnknownCause) -> String {
         match cause {
-            Cause::Variable(number) => format!("#{number}"),
-            Cause::Letters(letters, number) => format!("{}{number}", self.letters_name(letters)),
-            Cause::Name(at) => format!("#<{}>", self.macros.unknown.names[at as usize]),
+            UnknownCause::Variable(number) => format!("#{number}"),
+            UnknownCause::Letters(letters, number) => {
+                format!("{}{number}", self.letters_name(letters))
+            }
+            UnknownCause::Name(at) => format!("#<{}>", self.macros.unknown.names[at as usize]),
         }
     }
 
     /// From here on the path is not known, because something (`what`) is an unknown value. Told once.
-    pub(super) fn lose_path_by(&mut self, range: TextRange, what: &str, cause: Cause) {
+    pub(super) fn lose_path_by(&mut self, range: TextRange, what: &str, cause: UnknownCause) {
         if self.macros.unknown.path_lost {
             return;
         }
@@ -170,7 +173,7 @@ impl Interpreter<'_> {
     }
 
     /// The time of what follows is not known. Told once.
-    fn lose_time_by(&mut self, range: TextRange, letter: u8, cause: Cause) {
+    fn lose_time_by(&mut self, range: TextRange, letter: u8, cause: UnknownCause) {
         if std::mem::replace(&mut self.macros.unknown.time_lost, true) {
             return;
         }
@@ -188,7 +191,12 @@ impl Interpreter<'_> {
 
     /// Whether a condition that depends on an unknown value is taken as fulfilled: not, unless the run is one that
     /// takes this side of it.
-    pub(super) fn assume(&mut self, range: TextRange, cause: Cause, of: ConditionOf) -> bool {
+    pub(super) fn assume(
+        &mut self,
+        range: TextRange,
+        cause: UnknownCause,
+        of: ConditionOf,
+    ) -> bool {
         self.macros.unknown.branch_assumed = true;
         let is_fulfilled = self.takes_as_fulfilled(range, of);
         let name = self.name_of(cause);
@@ -223,7 +231,7 @@ impl Interpreter<'_> {
     /// Names the variables that the run has read and nobody knows.
     pub(in super::super) fn report_unknown_variables(&mut self) {
         let unknown = &self.macros.unknown;
-        let (own, others): (Vec<Cause>, Vec<Cause>) =
+        let (own, others): (Vec<UnknownCause>, Vec<UnknownCause>) =
             unknown.read.iter().copied().partition(|cause| self.is_own(*cause));
         let (first, first_of_system) = (unknown.first, unknown.first_of_system);
         if let (Some(span), Some(&cause)) = (first, own.first()) {
@@ -235,20 +243,20 @@ impl Interpreter<'_> {
             let mut diagnostic = Diagnostic::new(Code::UnknownVariable, span, message)
                 .label("the first one")
                 .help(self.give(cause, &self.name_of(cause)));
-            let held = |held: Held| -> Vec<Cause> {
-                let is_held = |cause: &Cause| match *cause {
-                    Cause::Variable(number) => {
+            let held = |held: VariableRetention| -> Vec<UnknownCause> {
+                let is_held = |cause: &UnknownCause| match *cause {
+                    UnknownCause::Variable(number) => {
                         self.rules().common_range(number).is_some_and(|range| range.held == held)
                     }
-                    Cause::Letters(..) | Cause::Name(_) => false,
+                    UnknownCause::Letters(..) | UnknownCause::Name(_) => false,
                 };
                 own.iter().copied().filter(is_held).collect()
             };
-            let keep = |some: &[Cause]| {
+            let keep = |some: &[UnknownCause]| {
                 if some.len() == 1 { "keeps its value" } else { "keep their values" }
             };
-            let over = held(Held::OverPowerOff);
-            let until = held(Held::UntilPowerOff);
+            let over = held(VariableRetention::OverPowerOff);
+            let until = held(VariableRetention::UntilPowerOff);
             for (some, how) in [(over, "over power-off"), (until, "until power-off")] {
                 if !some.is_empty() {
                     let text = format!("{} {} {how}", self.names_of(&some), keep(&some));
@@ -270,20 +278,20 @@ impl Interpreter<'_> {
     }
 
     /// How a user gives a value, in short.
-    fn give_it(&self, cause: Cause, name: &str) -> String {
+    fn give_it(&self, cause: UnknownCause, name: &str) -> String {
         match cause {
-            Cause::Letters(letters, number) => self.give_letters(letters, number, name),
-            Cause::Variable(number) => match self.place_of(number) {
+            UnknownCause::Letters(letters, number) => self.give_letters(letters, number, name),
+            UnknownCause::Variable(number) => match self.place_of(number) {
                 Some(place) => place,
                 None => format!("give the value with `--set '{name}=1.5'`"),
             },
-            Cause::Name(_) => format!("give the value with `--set '{name}=1.5'`"),
+            UnknownCause::Name(_) => format!("give the value with `--set '{name}=1.5'`"),
         }
     }
 
     /// All the ways in which a user gives a value.
-    fn give(&self, cause: Cause, name: &str) -> String {
-        let Cause::Variable(number) = cause else { return self.give_it(cause, name) };
+    fn give(&self, cause: UnknownCause, name: &str) -> String {
+        let UnknownCause::Variable(number) = cause else { return self.give_it(cause, name) };
         if let Some(place) = self.place_of(number) {
             return place;
         }
@@ -307,32 +315,38 @@ impl Interpreter<'_> {
     fn place_of(&self, number: u32) -> Option<String> {
         let (what, _) = self.system_at(number)?;
         Some(match what {
-            System::BlockEnd | System::MachinePosition | System::WorkPosition => {
+            SystemVariable::BlockEnd
+            | SystemVariable::MachinePosition
+            | SystemVariable::WorkPosition => {
                 "name the axis in G90 before this, and give the work offset in the machine file"
                     .into()
             }
-            System::SkipPosition | System::ProbePosition | System::ProbeResult => {
+            SystemVariable::SkipPosition
+            | SystemVariable::ProbePosition
+            | SystemVariable::ProbeResult => {
                 "read it after a probe move, or give the value in the machine file".into()
             }
-            System::ActiveToolOffset
-            | System::Length
-            | System::LengthWear
-            | System::Radius
-            | System::RadiusWear
-            | System::SpindleTool
-            | System::ToolDiameter => "give the tool in the machine file: `[tools.1]`".into(),
-            System::ExternalOffset
-            | System::WorkOffsets
-            | System::ExtendedOffsets
-            | System::OffsetsOfAxis(_)
-            | System::WorkTable => {
+            SystemVariable::ActiveToolOffset
+            | SystemVariable::Length
+            | SystemVariable::LengthWear
+            | SystemVariable::Radius
+            | SystemVariable::RadiusWear
+            | SystemVariable::SpindleTool
+            | SystemVariable::ToolDiameter => {
+                "give the tool in the machine file: `[tools.1]`".into()
+            }
+            SystemVariable::ExternalOffset
+            | SystemVariable::WorkOffsets
+            | SystemVariable::ExtendedOffsets
+            | SystemVariable::OffsetsOfAxis(_)
+            | SystemVariable::WorkTable => {
                 "give the work offset in the machine file: `[work_offsets.G54]`".into()
             }
             _ => return None,
         })
     }
 
-    fn names_of(&self, causes: &[Cause]) -> String {
+    fn names_of(&self, causes: &[UnknownCause]) -> String {
         let mut names: Vec<String> =
             causes.iter().take(MOST_NAMED).map(|cause| self.name_of(*cause)).collect();
         match causes.len().saturating_sub(MOST_NAMED) {
@@ -347,8 +361,8 @@ impl Interpreter<'_> {
     }
 
     /// A word that names a register which nobody has set, in no word before it.
-    pub(super) fn unset_register(&self, word: &Word, before: &[Word]) -> Option<Cause> {
-        let chordal_syntax::Value::Register { index, .. } = word.value else { return None };
+    pub(super) fn unset_register(&self, word: &Word, before: &[Word]) -> Option<UnknownCause> {
+        let chordal_syntax::WordValue::Register { index, .. } = word.value else { return None };
         let is_set = self.registers[index as usize].is_some()
             || before.iter().any(|word| word.register == Some(index));
         if is_set {
@@ -360,58 +374,62 @@ impl Interpreter<'_> {
     }
 
     /// Why a register is not known: what was written into it, or that nothing was.
-    pub(super) fn cause_of_register(&self, letters: u8, index: u32) -> Cause {
+    pub(super) fn cause_of_register(&self, letters: u8, index: u32) -> UnknownCause {
         let written = self.macros.unknown.registers.get(index as usize).copied().flatten();
-        written.unwrap_or(Cause::Letters(letters, index))
+        written.unwrap_or(UnknownCause::Letters(letters, index))
     }
 
     /// Takes the words of a block that have unknown values, which are not in it any more, and leaves out of the
     /// block what cannot be carried out without them.
-    pub(super) fn take_unknown_words(&mut self, block: &mut Block, unknown: &[(Word, Cause)]) {
+    pub(super) fn take_unknown_words(
+        &mut self,
+        block: &mut Block,
+        unknown: &[(Word, UnknownCause)],
+    ) {
         let actions: Vec<Action> =
             block.words.iter().filter_map(|word| self.action_of(word)).collect();
-        let mut drops = Drops::default();
+        let mut drops = DroppedWords::default();
         let mut astray = AxisMask::NONE;
         for (word, cause) in unknown {
             let letter = char::from(word.letter);
             match self.part_of(word, &actions) {
-                Part::Feed => {
+                WordRole::Feed => {
                     self.kernel.set_unknown_feed();
                     self.lose_time_by(word.range, word.letter, *cause);
                 }
-                Part::Speed => {
+                WordRole::Speed => {
                     self.kernel.set_unknown_speed();
                     self.lose_time_by(word.range, word.letter, *cause);
                 }
-                Part::Tool => {
+                WordRole::Tool => {
                     self.kernel.select_unknown_tool();
                     self.lose_path_by(word.range, "`T`", *cause);
                 }
-                Part::RadiusOffset => {
+                WordRole::RadiusOffset => {
                     self.kernel.state.radius_offset = None;
                     self.kernel.state.unknown.radius_offset = true;
                     self.lose_path_by(word.range, "`D`", *cause);
                 }
-                Part::LengthOffset => {
+                WordRole::LengthOffset => {
                     drops.length = true;
                     self.lose_path_by(word.range, "`H`", *cause);
                 }
-                Part::Label => {}
-                Part::Wait => {
+                WordRole::Label => {}
+                WordRole::Wait => {
                     drops.once = true;
                     self.lose_time_by(word.range, word.letter, *cause);
                 }
-                Part::Callee => {
+                WordRole::Callee => {
                     drops.call = true;
                     self.lose_path_by(word.range, &format!("`{letter}`"), *cause);
                 }
-                Part::Repeats => self.lose_path_by(word.range, &format!("`{letter}`"), *cause),
-                Part::Place(axis) => {
+                WordRole::Repeats => self.lose_path_by(word.range, &format!("`{letter}`"), *cause),
+                WordRole::Place(axis) => {
                     astray.insert(axis);
                     drops.motion |= !self.goes_straight(block, &actions);
                     self.lose_path_by(word.range, &format!("`{letter}`"), *cause);
                 }
-                Part::Shape => {
+                WordRole::Shape => {
                     drops.motion = true;
                     self.lose_path_by(word.range, &format!("`{letter}`"), *cause);
                 }
@@ -436,25 +454,25 @@ impl Interpreter<'_> {
         }
     }
 
-    fn part_of(&self, word: &Word, actions: &[Action]) -> Part {
+    fn part_of(&self, word: &Word, actions: &[Action]) -> WordRole {
         let has = |test: fn(&Action) -> bool| actions.iter().any(test);
         let calls = has(|action| matches!(action, Action::Call(_)));
         let waits = has(|action| *action == Action::Once(OnceCode::Dwell));
         let alone = has(|action| action.cycle().is_some() || matches!(action, Action::Once(_)));
         let axis = AXIS_LETTERS.find(char::from(word.letter)).or_else(|| self.increment_axis(word));
         match word.letter {
-            _ if word.comma => Part::Shape,
-            b'N' | b'O' => Part::Label,
-            b'P' | b'Q' if calls => Part::Callee,
-            b'L' if calls => Part::Repeats,
-            b'P' | b'X' | b'U' | b'S' | b'F' if waits => Part::Wait,
-            b'F' => Part::Feed,
-            b'S' => Part::Speed,
-            b'T' => Part::Tool,
-            _ if axis.is_some() => Part::Place(axis.unwrap_or(0)),
-            b'D' if !alone => Part::RadiusOffset,
-            b'H' if !alone && !calls => Part::LengthOffset,
-            _ => Part::Shape,
+            _ if word.comma => WordRole::Shape,
+            b'N' | b'O' => WordRole::Label,
+            b'P' | b'Q' if calls => WordRole::Callee,
+            b'L' if calls => WordRole::Repeats,
+            b'P' | b'X' | b'U' | b'S' | b'F' if waits => WordRole::Wait,
+            b'F' => WordRole::Feed,
+            b'S' => WordRole::Speed,
+            b'T' => WordRole::Tool,
+            _ if axis.is_some() => WordRole::Place(axis.unwrap_or(0)),
+            b'D' if !alone => WordRole::RadiusOffset,
+            b'H' if !alone && !calls => WordRole::LengthOffset,
+            _ => WordRole::Shape,
         }
     }
 
@@ -467,7 +485,10 @@ impl Interpreter<'_> {
                 chordal_dialect::MotionCode::Rapid | chordal_dialect::MotionCode::Linear
             ),
             None => {
-                matches!(self.kernel.state.motion, Motion::Rapid | Motion::Linear | Motion::None)
+                matches!(
+                    self.kernel.state.motion,
+                    ModalMotion::Rapid | ModalMotion::Linear | ModalMotion::None
+                )
             }
         };
         let special = |action: &Action| {
@@ -502,8 +523,8 @@ impl Interpreter<'_> {
         axes
     }
 
-    fn drop_words(&self, block: &mut Block, drops: Drops) {
-        if drops == Drops::default() {
+    fn drop_words(&self, block: &mut Block, drops: DroppedWords) {
+        if drops == DroppedWords::default() {
             return;
         }
         // The words of a macro call are its arguments.
@@ -537,7 +558,7 @@ impl Interpreter<'_> {
 
 /// What of a block is left out.
 #[derive(Clone, Copy, Default, PartialEq, Debug)]
-struct Drops {
+struct DroppedWords {
     /// The words of its motion.
     motion: bool,
     /// The dwell.

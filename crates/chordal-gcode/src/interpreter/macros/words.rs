@@ -2,12 +2,12 @@
 
 use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
-use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
+use chordal_syntax::{Block, Decimal, Letters, Word, WordValue as Written};
 
 use super::super::Interpreter;
-use crate::macros::evaluate::{Fault, Purpose};
+use crate::macros::evaluate::{EvaluationError, ValuePurpose};
 use crate::macros::functions::round;
-use crate::macros::value::{Cause, Value};
+use crate::macros::value::{MacroValue, UnknownCause};
 
 /// Addresses that take whole numbers.
 const WHOLE: Letters = Letters::of("NOLMSTHD");
@@ -36,7 +36,7 @@ impl Interpreter<'_> {
         let units = self.units_of(block);
         let call = self.is_macro_call(block);
         let mut words = std::mem::take(&mut self.macros.words);
-        let mut unknown: Vec<(Word, Cause)> = Vec::new();
+        let mut unknown: Vec<(Word, UnknownCause)> = Vec::new();
         words.clear();
         words.extend_from_slice(&block.words);
         words.extend_from_slice(&block.polar);
@@ -45,7 +45,7 @@ impl Interpreter<'_> {
             let Written::Expression(range) = word.value else {
                 match self.unset_register(word, &words[..at]) {
                     Some(cause) => {
-                        self.note_unknown(Value::Unknown(cause), word.range);
+                        self.note_unknown(MacroValue::Unknown(cause), word.range);
                         unknown.push((*word, cause));
                     }
                     None => block.push_any(*word),
@@ -59,14 +59,14 @@ impl Interpreter<'_> {
             }
             let digits = self.digits_of(word.letter, units);
             let round_digits = self.rules().round_words.then_some(digits);
-            let purpose = Purpose { round_digits, condition: false };
+            let purpose = ValuePurpose { round_digits, condition: false };
             let value = match self.word_value(range, purpose) {
-                Some(Value::Vacant) => continue,
-                Some(Value::Unknown(cause)) => {
+                Some(MacroValue::Vacant) => continue,
+                Some(MacroValue::Unknown(cause)) => {
                     unknown.push((*word, cause));
                     continue;
                 }
-                Some(Value::Number(value)) => self.decimal_of(word, value, digits),
+                Some(MacroValue::Number(value)) => self.decimal_of(word, value, digits),
                 None => None,
             };
             let value = value.map_or(Written::Missing, Written::Number);
@@ -89,7 +89,11 @@ impl Interpreter<'_> {
     }
 
     /// The value of the expression at a place of the text.
-    pub(super) fn word_value(&mut self, range: TextRange, purpose: Purpose) -> Option<Value> {
+    pub(super) fn word_value(
+        &mut self,
+        range: TextRange,
+        purpose: ValuePurpose,
+    ) -> Option<MacroValue> {
         let mut parser = self.take_parser();
         parser.start(self.reader.text(), self.file, range);
         let expression = parser.expression();
@@ -137,7 +141,7 @@ impl Interpreter<'_> {
         let scaled = value * 10f64.powi(i32::from(digits));
         let scaled = round(scaled);
         if scaled.abs() > LARGEST {
-            self.report_fault(Fault::new(
+            self.report_fault(EvaluationError::new(
                 Code::NumberOverflow,
                 word.range,
                 format!("{value} is too large for `{}`", letter as char),

@@ -1,7 +1,7 @@
 //! Fadal's bore milling: L94NN counter-clockwise, L95NN clockwise, NN passes.
 
 use chordal_command::AxisMask;
-use chordal_geometry::{Direction, Vec2};
+use chordal_geometry::{TurnDirection, Vec2};
 use chordal_kernel::shapes::{Step, rings};
 use chordal_syntax::{Block, Word};
 
@@ -14,7 +14,7 @@ impl Interpreter<'_> {
         &mut self,
         block: &Block,
         word: &Word,
-        direction: Direction,
+        direction: TurnDirection,
         count: u32,
     ) {
         let register = self.control.parameters.bore_diameter_register;

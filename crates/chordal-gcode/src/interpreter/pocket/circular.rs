@@ -3,9 +3,9 @@
 //! Haas Mill Operator's Manual (1999 and NGC): the offset is applied by the cycle itself, all
 //! cutting is circular; the arcs between the circles are a model, tangent and of one sense.
 
-use chordal_command::{AxisMask, Side};
+use chordal_command::{AxisMask, CompensationSide};
 use chordal_diagnostics::{Code, Diagnostic};
-use chordal_geometry::{Direction, Plane};
+use chordal_geometry::{Plane, TurnDirection};
 use chordal_kernel::shapes::ring_radii;
 use chordal_syntax::{Block, Letters};
 
@@ -21,7 +21,7 @@ impl Interpreter<'_> {
         &mut self,
         block: &Block,
         at: usize,
-        direction: Direction,
+        direction: TurnDirection,
     ) {
         if self.control.parameters.rules.pocket_is_one_circle {
             return self.one_circle(block, at, direction);
@@ -35,7 +35,7 @@ impl Interpreter<'_> {
             false => 1,
         };
         let repeats = self.repeats_of_pocket(block, repeats);
-        let name = format!("G1{}", if direction == Direction::Cw { 2 } else { 3 });
+        let name = format!("G1{}", if direction == TurnDirection::Cw { 2 } else { 3 });
         let pocket = CirclesWords {
             word: self.span(block.words[at].range),
             name: &name,
@@ -49,7 +49,7 @@ impl Interpreter<'_> {
     }
 
     /// G12 and G13 of Mach3: I alone is how far the centre of the tool goes out.
-    fn one_circle(&mut self, block: &Block, at: usize, direction: Direction) {
+    fn one_circle(&mut self, block: &Block, at: usize, direction: TurnDirection) {
         self.unused_axes(block, |_, _| false);
         if !self.may_have_pocket(block, at) {
             return;
@@ -69,7 +69,7 @@ impl Interpreter<'_> {
             self.refuse_pocket(block, at, "pockets are milled only in G17", "choose G17 before");
             return false;
         }
-        if self.kernel.state.side != Side::Off {
+        if self.kernel.state.side != CompensationSide::Off {
             let message = "a pocket cycle while cutter compensation is on";
             self.refuse_pocket(block, at, message, "cancel compensation with G40 before it");
             return false;

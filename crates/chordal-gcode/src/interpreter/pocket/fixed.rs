@@ -2,11 +2,11 @@
 //!
 //! Fadal User Manual, sections 6 and 18 (messages), and the programs of section 13.
 
-use chordal_command::{AxisMask, Side, SpindleState};
+use chordal_command::{AxisMask, CompensationSide, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::FixedRoutineCount;
 use chordal_dialect::table::FixedRoutine;
-use chordal_geometry::{Direction, Vec2};
+use chordal_geometry::{TurnDirection, Vec2};
 use chordal_kernel::shapes::{CORNER_STEP, Step, rectangle, rings};
 use chordal_syntax::{Block, Word};
 
@@ -51,7 +51,7 @@ impl Interpreter<'_> {
         true
     }
 
-    fn rectangle_routine(&mut self, block: &Block, word: &Word, direction: Direction) {
+    fn rectangle_routine(&mut self, block: &Block, word: &Word, direction: TurnDirection) {
         let Some(call) = self.pocket_call(block, word, &[0, 1, 2, 3]) else { return };
         let (Some(x), Some(y)) = (self.register_length(block, 2), self.register_length(block, 3))
         else {
@@ -69,7 +69,7 @@ impl Interpreter<'_> {
         }
     }
 
-    fn circle_routine(&mut self, block: &Block, word: &Word, direction: Direction) {
+    fn circle_routine(&mut self, block: &Block, word: &Word, direction: TurnDirection) {
         let Some(call) = self.pocket_call(block, word, &[0, 1, 2]) else { return };
         let Some(diameter) = self.register_length(block, 2) else { return };
         if !self.fits(block, word, (2, diameter), call.tool) {
@@ -196,7 +196,7 @@ impl Interpreter<'_> {
             self.improper(word, message, "cancel the cycle with G80 in a block before it");
             return false;
         }
-        if self.kernel.state.side != Side::Off {
+        if self.kernel.state.side != CompensationSide::Off {
             let message = "a fixed routine while cutter compensation is on".to_string();
             self.improper(
                 word,

@@ -16,7 +16,7 @@ use crate::interpreter::Interpreter;
 use chordal_kernel::{RegionWords, rings_to_depth};
 
 /// The numbers of the block, mm.
-struct Words {
+struct PocketWords {
     tool: f64,
     start: Position,
     named: AxisMask,
@@ -54,7 +54,7 @@ impl Interpreter<'_> {
     }
 
     /// Reads and judges the words of the block.
-    fn general_words(&mut self, block: &Block, at: usize, tool: f64) -> Option<Words> {
+    fn general_words(&mut self, block: &Block, at: usize, tool: f64) -> Option<PocketWords> {
         let (target, named) = self.target(block);
         let (r, z) = (self.length_of(block, b'R'), named.has(2).then_some(target[2]));
         let (Some(r), Some(z)) = (r, z) else {
@@ -90,7 +90,7 @@ impl Interpreter<'_> {
             self.refuse_pocket(block, at, message, "check I or J, and K");
             return None;
         }
-        Some(Words { tool, start: target, named, r, levels, along, step, allowance })
+        Some(PocketWords { tool, start: target, named, r, levels, along, step, allowance })
     }
 
     /// R − Q, R − 2Q, …, Z; without Q, Z alone.

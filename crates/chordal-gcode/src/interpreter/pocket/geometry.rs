@@ -3,9 +3,9 @@
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_dialect::code_number;
 use chordal_dialect::{Action, AfterCode, CallCode, MotionCode, ReadingCode};
-use chordal_geometry::{Direction, Plane, Vec2, Vec3, arc_from_center, center_from_radius};
-use chordal_kernel::shapes::{Element, Outline, OutlineError};
-use chordal_syntax::{Block, BlockKind, BlockReader, Value};
+use chordal_geometry::{Plane, TurnDirection, Vec2, Vec3, arc_from_center, center_from_radius};
+use chordal_kernel::shapes::{Outline, OutlineElement, OutlineError};
+use chordal_syntax::{Block, BlockKind, BlockReader, WordValue};
 
 use crate::interpreter::Interpreter;
 
@@ -16,15 +16,15 @@ const MAX_MOVES: usize = 40;
 const MAX_BLOCKS: usize = 1_000;
 
 /// What stays in force from block to block of an outline.
-struct Pen {
+struct OutlineState {
     place: Vec2,
     motion: Action,
     incremental: bool,
 }
 
 /// What a block of an outline is.
-enum Reading {
-    Move(Element),
+enum OutlineBlock {
+    Move(OutlineElement),
     Nothing,
     End,
     /// It was told why the outline is no good.
@@ -96,8 +96,8 @@ impl Interpreter<'_> {
         reader: &mut BlockReader<'_>,
         named: Span,
         start: Vec2,
-    ) -> Option<Vec<Element>> {
-        let mut pen = Pen {
+    ) -> Option<Vec<OutlineElement>> {
+        let mut pen = OutlineState {
             place: start,
             motion: Action::Motion(MotionCode::Linear),
             incremental: self.kernel.state.incremental,
@@ -109,10 +109,10 @@ impl Interpreter<'_> {
                 break;
             }
             match self.outline_block(&block, &mut pen) {
-                Reading::Move(element) => moves.push(element),
-                Reading::Nothing => {}
-                Reading::End => return Some(moves),
-                Reading::Wrong => return None,
+                OutlineBlock::Move(element) => moves.push(element),
+                OutlineBlock::Nothing => {}
+                OutlineBlock::End => return Some(moves),
+                OutlineBlock::Wrong => return None,
             }
             if moves.len() > MAX_MOVES {
                 let message = format!("the outline has more than {MAX_MOVES} moves");
@@ -123,17 +123,16 @@ impl Interpreter<'_> {
         Some(moves)
     }
 
-    fn outline_block(&mut self, block: &Block, pen: &mut Pen) -> Reading {
-        let computed = block
-            .words
-            .iter()
-            .any(|word| matches!(word.value, Value::Expression(_) | Value::Register { .. }));
+    fn outline_block(&mut self, block: &Block, pen: &mut OutlineState) -> OutlineBlock {
+        let computed = block.words.iter().any(|word| {
+            matches!(word.value, WordValue::Expression(_) | WordValue::Register { .. })
+        });
         if computed || matches!(block.kind, BlockKind::Macro(_)) {
             let message = "the outline of a pocket cannot have macro variables".to_string();
             return self.wrong_outline(block, message, "write numbers");
         }
         if block.kind != BlockKind::Words {
-            return Reading::Nothing;
+            return OutlineBlock::Nothing;
         }
         let mut ends = false;
         for word in &block.words {
@@ -165,12 +164,12 @@ impl Interpreter<'_> {
             }
         }
         if ends {
-            return Reading::End;
+            return OutlineBlock::End;
         }
         self.outline_move(block, pen)
     }
 
-    fn outline_move(&mut self, block: &Block, pen: &mut Pen) -> Reading {
+    fn outline_move(&mut self, block: &Block, pen: &mut OutlineState) -> OutlineBlock {
         let letters = block.letters();
         if letters.has(b'Z') {
             let message = "Z in the outline of a pocket".to_string();
@@ -189,16 +188,16 @@ impl Interpreter<'_> {
         let is_arc = pen.motion != Action::Motion(MotionCode::Linear);
         let has_center = letters.has(b'I') || letters.has(b'J') || letters.has(b'R');
         if to == from && !(is_arc && has_center) {
-            return Reading::Nothing;
+            return OutlineBlock::Nothing;
         }
         pen.place = to;
         if !is_arc {
-            return Reading::Move(Element::Line { from, to });
+            return OutlineBlock::Move(OutlineElement::Line { from, to });
         }
         let direction = if pen.motion == Action::Motion(MotionCode::ArcCw) {
-            Direction::Cw
+            TurnDirection::Cw
         } else {
-            Direction::Ccw
+            TurnDirection::Ccw
         };
         self.outline_arc(block, from, to, direction)
     }
@@ -208,8 +207,8 @@ impl Interpreter<'_> {
         block: &Block,
         from: Vec2,
         to: Vec2,
-        direction: Direction,
-    ) -> Reading {
+        direction: TurnDirection,
+    ) -> OutlineBlock {
         let flat = |p: Vec2| Vec3::new(p.a, p.b, 0.0);
         let tolerance = self.control.parameters.rules.arc.radius_error_tolerance_mm;
         let center = match self.length_of(block, b'R') {
@@ -235,7 +234,7 @@ impl Interpreter<'_> {
                     && fit.radius_start > 0.0 =>
             {
                 let center = Vec2::new(center.0, center.1);
-                Reading::Move(Element::Arc { from, to, center, sweep: fit.sweep })
+                OutlineBlock::Move(OutlineElement::Arc { from, to, center, sweep: fit.sweep })
             }
             Some((_, fit)) => {
                 let off = self.kernel.length_text(fit.radius_error().abs());
@@ -250,9 +249,14 @@ impl Interpreter<'_> {
     }
 
     /// The first move leads from the start hole to the outline, the others are the outline.
-    fn close_outline(&mut self, moves: Vec<Element>, named: Span, start: Vec2) -> Option<Outline> {
+    fn close_outline(
+        &mut self,
+        moves: Vec<OutlineElement>,
+        named: Span,
+        start: Vec2,
+    ) -> Option<Outline> {
         let tolerance = self.control.parameters.rules.arc.radius_error_tolerance_mm;
-        let last = moves.last().map_or(start, Element::to);
+        let last = moves.last().map_or(start, OutlineElement::to);
         let (message, help) = match Outline::new(moves.into_iter().skip(1).collect(), tolerance) {
             Ok(outline) => return Some(outline),
             Err(OutlineError::Open(_)) if last.distance(start) <= tolerance => (
@@ -279,9 +283,9 @@ impl Interpreter<'_> {
         None
     }
 
-    fn wrong_outline(&mut self, block: &Block, message: String, help: &str) -> Reading {
+    fn wrong_outline(&mut self, block: &Block, message: String, help: &str) -> OutlineBlock {
         self.report_outline(self.span(block.range), message, help);
-        Reading::Wrong
+        OutlineBlock::Wrong
     }
 
     pub(super) fn report_outline(&mut self, span: Span, message: String, help: &str) {

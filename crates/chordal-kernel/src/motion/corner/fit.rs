@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-type Point = [f64; 2];
+type CornerPoint = [f64; 2];
 
 /// A length that only rounding has made longer than its move, mm.
 const ROUNDING_MM: f64 = 1e-6;
@@ -13,65 +13,65 @@ const ROUNDING_RAD: f64 = 1e-9;
 
 /// A move in its plane; with the centre and the directed angle where it is an arc.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Leg {
-    pub from: Point,
-    pub to: Point,
-    pub arc: Option<(Point, f64)>,
+pub(super) struct CornerLeg {
+    pub from: CornerPoint,
+    pub to: CornerPoint,
+    pub arc: Option<(CornerPoint, f64)>,
 }
 
 /// What stands in the corner, and what the moves lose.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Fit {
-    pub start: Point,
-    pub end: Point,
+pub(super) struct CornerFit {
+    pub start: CornerPoint,
+    pub end: CornerPoint,
     /// Centre and directed angle of a rounding.
-    pub arc: Option<(Point, f64)>,
+    pub arc: Option<(CornerPoint, f64)>,
     /// Lengths that the first and the second move lose; angles, on arcs.
     pub lost: [f64; 2],
 }
 
 /// Nothing can stand there.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Misfit {
+pub(super) enum CornerMisfit {
     /// The second move goes back over the first.
     Reversal,
     /// It is too large; so much has room, mm.
     TooLarge(f64),
 }
 
-fn minus(a: Point, b: Point) -> Point {
+fn minus(a: CornerPoint, b: CornerPoint) -> CornerPoint {
     [a[0] - b[0], a[1] - b[1]]
 }
 
 /// From a point along a direction.
-fn along(a: Point, direction: Point, length: f64) -> Point {
+fn along(a: CornerPoint, direction: CornerPoint, length: f64) -> CornerPoint {
     [a[0] + direction[0] * length, a[1] + direction[1] * length]
 }
 
-fn dot(a: Point, b: Point) -> f64 {
+fn dot(a: CornerPoint, b: CornerPoint) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-fn cross(a: Point, b: Point) -> f64 {
+fn cross(a: CornerPoint, b: CornerPoint) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-fn norm(a: Point) -> f64 {
+fn norm(a: CornerPoint) -> f64 {
     libm::hypot(a[0], a[1])
 }
 
-fn left_of(direction: Point) -> Point {
+fn left_of(direction: CornerPoint) -> CornerPoint {
     [-direction[1], direction[0]]
 }
 
 /// The angle from one direction to another in a sense (1 to the left), from 0 to a turn.
-fn turn(from: Point, to: Point, sense: f64) -> f64 {
+fn turn(from: CornerPoint, to: CornerPoint, sense: f64) -> f64 {
     let angle = sense * libm::atan2(cross(from, to), dot(from, to));
     let angle = if angle < 0.0 { angle + TAU } else { angle };
     if angle > TAU - ROUNDING_RAD { 0.0 } else { angle }
 }
 
-impl Leg {
+impl CornerLeg {
     /// Its length, mm.
     pub fn length(&self) -> f64 {
         match self.arc {
@@ -81,7 +81,7 @@ impl Leg {
     }
 
     /// Its direction at a point of it.
-    fn direction_at(&self, place: Point) -> Point {
+    fn direction_at(&self, place: CornerPoint) -> CornerPoint {
         match self.arc {
             None => {
                 let way = minus(self.to, self.from);
@@ -98,30 +98,36 @@ impl Leg {
     }
 
     /// What lies at a distance to its left, seen from a point of it.
-    fn beside(&self, place: Point, distance: f64) -> Option<Offset> {
+    fn beside(&self, place: CornerPoint, distance: f64) -> Option<OffsetShape> {
         match self.arc {
             None => {
                 let direction = self.direction_at(place);
                 let start = along(place, left_of(direction), distance);
-                Some(Offset::Line { start, direction })
+                Some(OffsetShape::Line { start, direction })
             }
             Some((center, sweep)) => {
                 let radius = norm(minus(place, center)) - sweep.signum() * distance;
-                (radius > 0.0).then_some(Offset::Circle { center, radius })
+                (radius > 0.0).then_some(OffsetShape::Circle { center, radius })
             }
         }
     }
 
     /// Where a circle about `center` touches it, and how far that is from its corner: before it
     /// on the first move, after it on the second. `corner` is a point of the move.
-    fn touch(&self, center: Point, distance: f64, corner: Point, is_first: bool) -> Touch {
+    fn touch(
+        &self,
+        center: CornerPoint,
+        distance: f64,
+        corner: CornerPoint,
+        is_first: bool,
+    ) -> TouchPoint {
         let sign = if is_first { -1.0 } else { 1.0 };
         match self.arc {
             None => {
                 let direction = self.direction_at(corner);
                 let place = along(center, left_of(direction), -distance);
                 let lost = sign * dot(minus(place, corner), direction);
-                Touch { place, lost, length: lost }
+                TouchPoint { place, lost, length: lost }
             }
             Some((middle, sweep)) => {
                 let radius = norm(minus(corner, middle));
@@ -129,38 +135,38 @@ impl Leg {
                 let place = along(middle, spoke, radius / norm(spoke));
                 let from = minus(corner, middle);
                 let lost = turn(from, spoke, sign * sweep.signum());
-                Touch { place, lost, length: lost * radius }
+                TouchPoint { place, lost, length: lost * radius }
             }
         }
     }
 }
 
 #[derive(Clone, Copy)]
-struct Touch {
-    place: Point,
+struct TouchPoint {
+    place: CornerPoint,
     lost: f64,
     length: f64,
 }
 
 #[derive(Clone, Copy)]
-enum Offset {
-    Line { start: Point, direction: Point },
-    Circle { center: Point, radius: f64 },
+enum OffsetShape {
+    Line { start: CornerPoint, direction: CornerPoint },
+    Circle { center: CornerPoint, radius: f64 },
 }
 
 /// Where two of them meet.
-fn meetings(first: Offset, second: Offset) -> [Option<Point>; 2] {
+fn meetings(first: OffsetShape, second: OffsetShape) -> [Option<CornerPoint>; 2] {
     match (first, second) {
         (
-            Offset::Line { start, direction },
-            Offset::Line { start: other, direction: other_direction },
+            OffsetShape::Line { start, direction },
+            OffsetShape::Line { start: other, direction: other_direction },
         ) => {
             let across = cross(direction, other_direction);
             let length = cross(minus(other, start), other_direction) / across;
             [length.is_finite().then(|| along(start, direction, length)), None]
         }
-        (Offset::Line { start, direction }, Offset::Circle { center, radius })
-        | (Offset::Circle { center, radius }, Offset::Line { start, direction }) => {
+        (OffsetShape::Line { start, direction }, OffsetShape::Circle { center, radius })
+        | (OffsetShape::Circle { center, radius }, OffsetShape::Line { start, direction }) => {
             let middle = dot(minus(center, start), direction);
             let foot = along(start, direction, middle);
             let half = radius * radius - dot(minus(foot, center), minus(foot, center));
@@ -171,8 +177,8 @@ fn meetings(first: Offset, second: Offset) -> [Option<Point>; 2] {
             [Some(along(foot, direction, half)), Some(along(foot, direction, -half))]
         }
         (
-            Offset::Circle { center, radius },
-            Offset::Circle { center: other, radius: other_radius },
+            OffsetShape::Circle { center, radius },
+            OffsetShape::Circle { center: other, radius: other_radius },
         ) => {
             let way = minus(other, center);
             let apart = norm(way);
@@ -195,27 +201,31 @@ fn meetings(first: Offset, second: Offset) -> [Option<Point>; 2] {
 }
 
 /// The directed angle between two moves, rad, and whether the second goes back over the first.
-fn angle_between(first: &Leg, second: &Leg) -> f64 {
+fn angle_between(first: &CornerLeg, second: &CornerLeg) -> f64 {
     let (into, out) = (first.direction_at(first.to), second.direction_at(second.from));
     libm::atan2(cross(into, out), dot(into, out))
 }
 
 /// The angle of a corner; nothing where the two go on straight.
-fn corner_angle(first: &Leg, second: &Leg, straight: f64) -> Result<Option<f64>, Misfit> {
+fn corner_angle(
+    first: &CornerLeg,
+    second: &CornerLeg,
+    straight: f64,
+) -> Result<Option<f64>, CornerMisfit> {
     let angle = angle_between(first, second);
     if angle.abs() > TAU / 2.0 - ROUNDING_RAD {
-        return Err(Misfit::Reversal);
+        return Err(CornerMisfit::Reversal);
     }
     Ok((angle.abs() > straight.max(ROUNDING_RAD)).then_some(angle))
 }
 
 /// An arc of a radius that touches both; nothing where they go on straight.
 pub(super) fn rounding(
-    first: &Leg,
-    second: &Leg,
+    first: &CornerLeg,
+    second: &CornerLeg,
     radius: f64,
     straight: f64,
-) -> Result<Option<Fit>, Misfit> {
+) -> Result<Option<CornerFit>, CornerMisfit> {
     let Some(angle) = corner_angle(first, second, straight)? else { return Ok(None) };
     if let Some(fit) = tangent_arc(first, second, radius, angle.signum()) {
         return Ok(Some(fit));
@@ -228,13 +238,18 @@ pub(super) fn rounding(
             None => large = middle,
         }
     }
-    Err(Misfit::TooLarge(fits))
+    Err(CornerMisfit::TooLarge(fits))
 }
 
-fn tangent_arc(first: &Leg, second: &Leg, radius: f64, sense: f64) -> Option<Fit> {
+fn tangent_arc(
+    first: &CornerLeg,
+    second: &CornerLeg,
+    radius: f64,
+    sense: f64,
+) -> Option<CornerFit> {
     let distance = sense * radius;
     let (into, out) = (first.beside(first.to, distance)?, second.beside(second.from, distance)?);
-    let mut best: Option<(f64, Fit)> = None;
+    let mut best: Option<(f64, CornerFit)> = None;
     for center in meetings(into, out).into_iter().flatten() {
         let mut begin = first.touch(center, distance, first.to, true);
         let mut end = second.touch(center, distance, second.from, false);
@@ -249,7 +264,7 @@ fn tangent_arc(first: &Leg, second: &Leg, radius: f64, sense: f64) -> Option<Fit
         let lost = begin.length + end.length;
         if fits && best.is_none_or(|(least, _)| lost < least) {
             let sweep = turn(minus(begin.place, center), minus(end.place, center), sense);
-            let fit = Fit {
+            let fit = CornerFit {
                 start: begin.place,
                 end: end.place,
                 arc: Some((center, sense * sweep)),
@@ -263,19 +278,19 @@ fn tangent_arc(first: &Leg, second: &Leg, radius: f64, sense: f64) -> Option<Fit
 
 /// A line from a distance before the corner of two lines to the same distance after it.
 pub(super) fn chamfer(
-    first: &Leg,
-    second: &Leg,
+    first: &CornerLeg,
+    second: &CornerLeg,
     length: f64,
     straight: f64,
-) -> Result<Option<Fit>, Misfit> {
+) -> Result<Option<CornerFit>, CornerMisfit> {
     if corner_angle(first, second, straight)?.is_none() {
         return Ok(None);
     }
     let room = [first.length(), second.length()];
     if length > room[0].min(room[1]) + ROUNDING_MM {
-        return Err(Misfit::TooLarge(room[0].min(room[1])));
+        return Err(CornerMisfit::TooLarge(room[0].min(room[1])));
     }
-    let place = |leg: &Leg, corner: Point, far: Point, sign: f64, room: f64| {
+    let place = |leg: &CornerLeg, corner: CornerPoint, far: CornerPoint, sign: f64, room: f64| {
         if length > room - ROUNDING_MM {
             return far;
         }
@@ -283,7 +298,7 @@ pub(super) fn chamfer(
     };
     let start = place(first, first.to, first.from, -1.0, room[0]);
     let end = place(second, second.from, second.to, 1.0, room[1]);
-    Ok(Some(Fit { start, end, arc: None, lost: [length; 2] }))
+    Ok(Some(CornerFit { start, end, arc: None, lost: [length; 2] }))
 }
 
 #[cfg(test)]
@@ -292,11 +307,11 @@ mod tests {
 
     use super::*;
 
-    fn line(from: Point, to: Point) -> Leg {
-        Leg { from, to, arc: None }
+    fn line(from: CornerPoint, to: CornerPoint) -> CornerLeg {
+        CornerLeg { from, to, arc: None }
     }
 
-    fn near(a: Point, b: Point) {
+    fn near(a: CornerPoint, b: CornerPoint) {
         assert!(norm(minus(a, b)) < 1e-9, "{a:?} {b:?}");
     }
 
@@ -309,18 +324,23 @@ mod tests {
         let (center, sweep) = fit.arc.unwrap();
         near(center, [8.0, 2.0]);
         assert!((sweep - FRAC_PI_2).abs() < 1e-12);
-        let Err(Misfit::TooLarge(room)) = rounding(&legs[0], &legs[1], 11.0, 0.0) else { panic!() };
+        let Err(CornerMisfit::TooLarge(room)) = rounding(&legs[0], &legs[1], 11.0, 0.0) else {
+            panic!()
+        };
         assert!((room - 10.0).abs() < 1e-5);
         let fit = chamfer(&legs[0], &legs[1], 3.0, 0.0).unwrap().unwrap();
         near(fit.start, [7.0, 0.0]);
         near(fit.end, [10.0, 3.0]);
-        assert_eq!(chamfer(&legs[0], &legs[1], 12.0, 0.0).unwrap_err(), Misfit::TooLarge(10.0));
+        assert_eq!(
+            chamfer(&legs[0], &legs[1], 12.0, 0.0).unwrap_err(),
+            CornerMisfit::TooLarge(10.0)
+        );
     }
 
     #[test]
     fn back_and_straight_on() {
         let legs = [line([0.0, 0.0], [10.0, 0.0]), line([10.0, 0.0], [0.0, 0.0])];
-        assert_eq!(rounding(&legs[0], &legs[1], 2.0, 0.0).unwrap_err(), Misfit::Reversal);
+        assert_eq!(rounding(&legs[0], &legs[1], 2.0, 0.0).unwrap_err(), CornerMisfit::Reversal);
         let on = line([10.0, 0.0], [20.0, 0.1]);
         assert!(rounding(&legs[0], &on, 2.0, 1f64.to_radians()).unwrap().is_none());
     }
@@ -331,7 +351,7 @@ mod tests {
         let first = line([0.0, 5.0], [5.0, 5.0]);
         // Clockwise from (5, 5) over the top to (15, 5).
         let second =
-            Leg { from: [5.0, 5.0], to: [15.0, 5.0], arc: Some(([10.0, 5.0], -TAU / 2.0)) };
+            CornerLeg { from: [5.0, 5.0], to: [15.0, 5.0], arc: Some(([10.0, 5.0], -TAU / 2.0)) };
         // The rounding lies to the left of the line and outside the circle: its centre is 1 above
         // the line and 6 from (10, 5): x = 10 - √35.
         let fit = rounding(&first, &second, 1.0, 0.0).unwrap().unwrap();
@@ -347,9 +367,9 @@ mod tests {
     fn two_arcs() {
         let quarter = TAU / 4.0;
         let first =
-            Leg { from: [25.0, 10.0], to: [35.0, 20.0], arc: Some(([25.0, 20.0], quarter)) };
+            CornerLeg { from: [25.0, 10.0], to: [35.0, 20.0], arc: Some(([25.0, 20.0], quarter)) };
         let second =
-            Leg { from: [35.0, 20.0], to: [45.0, 30.0], arc: Some(([35.0, 30.0], quarter)) };
+            CornerLeg { from: [35.0, 20.0], to: [45.0, 30.0], arc: Some(([35.0, 30.0], quarter)) };
         let fit = rounding(&first, &second, 1.0, 0.0).unwrap().unwrap();
         let (center, sweep) = fit.arc.unwrap();
         let beside = 71f64.sqrt() * FRAC_1_SQRT_2;

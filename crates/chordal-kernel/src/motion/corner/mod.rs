@@ -9,8 +9,8 @@ use chordal_command::{
 };
 use chordal_diagnostics::{Code, Diagnostic};
 
-use self::fit::{Leg, Misfit};
-use crate::corner_queue::{Corner, CornerForm, Held, Waiting};
+use self::fit::{CornerLeg, CornerMisfit};
+use crate::corner_queue::{CornerForm, CornerRequest, QueuedItem, QueuedMove};
 use crate::frames::InPlane;
 use crate::kernel::Kernel;
 use crate::modal::Modal;
@@ -27,21 +27,21 @@ const LEFT_MM: f64 = 1e-6;
 const CIRCLE_MM: f64 = 0.05;
 
 /// Two moves with what stands between them; a move may be gone whole.
-struct Joined {
+struct JoinedMoves {
     first: Option<CommandKind>,
     corner: CommandKind,
     next: Option<CommandKind>,
 }
 
 /// Why nothing stands in a corner.
-struct Refusal {
+struct CornerRefusal {
     code: Code,
     what: String,
     help: String,
 }
 
-fn refusal(code: Code, what: impl Into<String>, help: &str) -> Refusal {
-    Refusal { code, what: what.into(), help: help.into() }
+fn refusal(code: Code, what: impl Into<String>, help: &str) -> CornerRefusal {
+    CornerRefusal { code, what: what.into(), help: help.into() }
 }
 
 impl Kernel<'_> {
@@ -67,7 +67,7 @@ impl Kernel<'_> {
     }
 
     /// Takes back what was asked, where the move of the block comes later.
-    pub fn take_asked_corner(&mut self) -> Option<Corner> {
+    pub fn take_asked_corner(&mut self) -> Option<CornerRequest> {
         self.corners.asked.take()
     }
 
@@ -79,7 +79,7 @@ impl Kernel<'_> {
     }
 
     /// The next move of this block ends in a corner.
-    pub fn ask_corner(&mut self, corner: Corner) {
+    pub fn ask_corner(&mut self, corner: CornerRequest) {
         self.corners.asked = Some(corner);
     }
 
@@ -94,7 +94,7 @@ impl Kernel<'_> {
         if kind.motion().is_none() {
             let command = self.in_work(kind, self.origin);
             match &mut self.corners.held {
-                Some(held) => held.waiting.push(Waiting::Command(command)),
+                Some(held) => held.waiting.push(QueuedItem::Command(command)),
                 None => self.hand_over(&command),
             }
             return;
@@ -127,12 +127,12 @@ impl Kernel<'_> {
     }
 
     /// Keeps a move until the next one is known, if it can end in a corner.
-    fn hold(&mut self, corner: Corner, kind: CommandKind) {
+    fn hold(&mut self, corner: CornerRequest, kind: CommandKind) {
         if let Err(refusal) = self.may_end_in_corner(&corner, &kind) {
             self.refuse(&corner, refusal, None);
             return self.push(kind);
         }
-        self.corners.held = Some(Box::new(Held {
+        self.corners.held = Some(Box::new(QueuedMove {
             corner,
             kind,
             origin: self.origin,
@@ -147,7 +147,11 @@ impl Kernel<'_> {
         }));
     }
 
-    fn may_end_in_corner(&self, corner: &Corner, kind: &CommandKind) -> Result<(), Refusal> {
+    fn may_end_in_corner(
+        &self,
+        corner: &CornerRequest,
+        kind: &CommandKind,
+    ) -> Result<(), CornerRefusal> {
         let help = "write it into a block that cuts a line or an arc in the active plane";
         if self.origin.cycle || self.state.overrides.in_tap {
             return Err(refusal(Code::CornerBlock, "this block makes a cycle or a thread", help));
@@ -169,10 +173,10 @@ impl Kernel<'_> {
     /// A cut in the plane, or why it is none: the codes for no move and for another move.
     fn leg(
         &self,
-        corner: &Corner,
+        corner: &CornerRequest,
         kind: &CommandKind,
         [nothing, other]: [Code; 2],
-    ) -> Result<Leg, Refusal> {
+    ) -> Result<CornerLeg, CornerRefusal> {
         let plane = self.state.plane;
         let (a, b, _) = plane.axes();
         let help = "write a line or an arc in the active plane";
@@ -224,7 +228,7 @@ impl Kernel<'_> {
             }
         }
         let pick = |place: &chordal_command::Position| [place[a], place[b]];
-        let leg = Leg {
+        let leg = CornerLeg {
             from: pick(&motion.from),
             to: pick(&motion.to),
             arc: shape.map(|shape| (shape.center, shape.sweep)),
@@ -236,9 +240,9 @@ impl Kernel<'_> {
     }
 
     /// The move that was held, its corner, and what came after; gives what is left of the next move.
-    fn join(&mut self, held: Held, next: CommandKind) -> Option<CommandKind> {
+    fn join(&mut self, held: QueuedMove, next: CommandKind) -> Option<CommandKind> {
         match self.corner_between(&held, &next) {
-            Ok(Some(Joined { first, corner, next })) => {
+            Ok(Some(JoinedMoves { first, corner, next })) => {
                 for part in first.into_iter().chain([corner]) {
                     let command = self.in_work(part, held.origin);
                     self.hand_over(&command);
@@ -258,7 +262,11 @@ impl Kernel<'_> {
     }
 
     /// The first move and the corner; the second move.
-    fn corner_between(&self, held: &Held, next: &CommandKind) -> Result<Option<Joined>, Refusal> {
+    fn corner_between(
+        &self,
+        held: &QueuedMove,
+        next: &CommandKind,
+    ) -> Result<Option<JoinedMoves>, CornerRefusal> {
         let codes = [Code::CornerNext, Code::CornerNextMotion];
         let help = "write a line or an arc in the same plane after it";
         if self.origin.cycle || self.state.overrides.in_tap {
@@ -275,7 +283,7 @@ impl Kernel<'_> {
             return Err(refusal(codes[0], "the coordinates change before the next move", help));
         }
         let one = self.leg(&held.corner, &held.kind, codes)?;
-        let two = self.leg(&held.corner, next, codes).map_err(|refusal| Refusal {
+        let two = self.leg(&held.corner, next, codes).map_err(|refusal| CornerRefusal {
             what: format!("after this block {}", refusal.what),
             ..refusal
         })?;
@@ -285,14 +293,14 @@ impl Kernel<'_> {
             CornerForm::Chamfer => fit::chamfer(&one, &two, held.corner.size_mm, straight),
             CornerForm::ChordOfRounding => {
                 let fit = fit::rounding(&one, &two, held.corner.size_mm, straight);
-                fit.map(|fit| fit.map(|fit| fit::Fit { arc: None, ..fit }))
+                fit.map(|fit| fit.map(|fit| fit::CornerFit { arc: None, ..fit }))
             }
         };
         let fit = match fit {
             Ok(Some(fit)) => fit,
             Ok(None) => return Ok(None),
             // Moves that go on into one another leave no room for one, and need none.
-            Err(Misfit::TooLarge(room))
+            Err(CornerMisfit::TooLarge(room))
                 if self.reads_contour_words() && room < self.least_corner_of_contour() =>
             {
                 return Ok(None);
@@ -317,7 +325,7 @@ impl Kernel<'_> {
         };
         let (start, end) = (place(fit.start), place(fit.end));
         let shortened = Move { to: start, to_known: known, ..*first };
-        let rest = [&one, &two].map(Leg::length);
+        let rest = [&one, &two].map(CornerLeg::length);
         let rest =
             [rest[0] - fit_length(&one, fit.lost[0]), rest[1] - fit_length(&two, fit.lost[1])];
         let first_part =
@@ -341,30 +349,35 @@ impl Kernel<'_> {
         };
         let shortened = Move { from: end, from_known: known, ..*after };
         let next = (rest[1] > LEFT_MM).then(|| trimmed(next, shortened, fit.lost[1], false));
-        Ok(Some(Joined { first: first_part, corner, next }))
+        Ok(Some(JoinedMoves { first: first_part, corner, next }))
     }
 
-    fn too_large(&self, corner: &Corner, misfit: Misfit, legs: [&Leg; 2]) -> Refusal {
+    fn too_large(
+        &self,
+        corner: &CornerRequest,
+        misfit: CornerMisfit,
+        legs: [&CornerLeg; 2],
+    ) -> CornerRefusal {
         let form = match corner.form {
             CornerForm::Rounding => "a radius",
             CornerForm::Chamfer | CornerForm::ChordOfRounding => "a chamfer",
         };
         let room = match misfit {
-            Misfit::Reversal => {
+            CornerMisfit::Reversal => {
                 return refusal(
                     Code::CornerTooLarge,
                     "the next move goes back over this one: there is no corner",
                     "remove the word, or check the end points",
                 );
             }
-            Misfit::TooLarge(room) => room,
+            CornerMisfit::TooLarge(room) => room,
         };
         // Rounded down, so that what is named has room; bisection ends a little below it.
         let increment = self.rules.least_increment(self.state.units);
         let room = ((room / increment + 1e-4).floor()) * increment;
         let [first, second] = legs.map(|leg| self.length_text(leg.length()));
         let size = self.length_text(corner.size_mm);
-        Refusal {
+        CornerRefusal {
             code: Code::CornerTooLarge,
             what: format!(
                 "{form} of {size} does not fit between this move of {first} and the next of {second}"
@@ -389,7 +402,7 @@ impl Kernel<'_> {
         }
         let mut between = None;
         for waiting in &held.waiting[fresh..] {
-            let Waiting::Command(command) = waiting else { continue };
+            let QueuedItem::Command(command) = waiting else { continue };
             match command.kind {
                 CommandKind::Idle => {}
                 CommandKind::Dwell { .. } => held.dwells += 1,
@@ -431,7 +444,7 @@ impl Kernel<'_> {
             let modal = Box::new(modal(&self.state));
             let origin = self.origin;
             if let Some(held) = &mut self.corners.held {
-                held.waiting.push(Waiting::BlockDone(origin, modal));
+                held.waiting.push(QueuedItem::BlockDone(origin, modal));
             }
             return;
         }
@@ -439,7 +452,7 @@ impl Kernel<'_> {
         sink.block_done(origin, &|| modal(state));
     }
 
-    fn give_up(&mut self, held: Held, refusal: Refusal) {
+    fn give_up(&mut self, held: QueuedMove, refusal: CornerRefusal) {
         let corner = held.corner;
         let reached = (held.call, held.block_number);
         self.pass_on(held);
@@ -447,17 +460,17 @@ impl Kernel<'_> {
     }
 
     /// The move as it was written, and what came after.
-    fn pass_on(&mut self, held: Held) {
+    fn pass_on(&mut self, held: QueuedMove) {
         let kind = held.frames.map().command(held.kind, held.plane);
         self.hand_over(&Command { kind, origin: held.origin });
         self.push_waiting(held.waiting);
     }
 
-    fn push_waiting(&mut self, waiting: Vec<Waiting>) {
+    fn push_waiting(&mut self, waiting: Vec<QueuedItem>) {
         for item in waiting {
             match item {
-                Waiting::Command(command) => self.hand_over(&command),
-                Waiting::BlockDone(origin, modal) => {
+                QueuedItem::Command(command) => self.hand_over(&command),
+                QueuedItem::BlockDone(origin, modal) => {
                     self.sink.block_done(&origin, &|| (*modal).clone())
                 }
             }
@@ -466,8 +479,8 @@ impl Kernel<'_> {
 
     fn refuse(
         &mut self,
-        corner: &Corner,
-        refusal: Refusal,
+        corner: &CornerRequest,
+        refusal: CornerRefusal,
         reached: Option<(CallPath, Option<f64>)>,
     ) {
         let own = (self.call, self.block_number);
@@ -505,7 +518,7 @@ fn feed_of(kind: &CommandKind) -> Feed {
     }
 }
 
-fn fit_length(leg: &Leg, lost: f64) -> f64 {
+fn fit_length(leg: &CornerLeg, lost: f64) -> f64 {
     match leg.arc {
         None => lost,
         Some((_, sweep)) => leg.length() * lost / sweep.abs(),

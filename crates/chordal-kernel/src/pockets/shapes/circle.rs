@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use chordal_geometry::{Direction, Vec2};
+use chordal_geometry::{TurnDirection, Vec2};
 
 use super::Step;
 
@@ -12,7 +12,7 @@ const RING_EPSILON_MM: f64 = 1e-9;
 /// From the centre (the origin) by a half circle to the first radius, `turns` full circles
 /// there, by a half circle to the opposite side of the next radius, and so on; a last half
 /// circle leads back to the centre. Radii (mm) are those of the tool centre.
-pub fn rings(radii: &[f64], turns: u32, direction: Direction) -> Vec<Step> {
+pub fn rings(radii: &[f64], turns: u32, direction: TurnDirection) -> Vec<Step> {
     let sign = direction.sign();
     let mut steps = Vec::with_capacity(radii.len() * (turns as usize + 1) + 1);
     let mut at = 0.0;

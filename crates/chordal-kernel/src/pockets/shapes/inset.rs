@@ -9,7 +9,7 @@ use core::f64::consts::TAU;
 
 use chordal_geometry::Vec2;
 
-use super::outline::{Element, Outline, SAME_POINT_MM};
+use super::outline::{Outline, OutlineElement, SAME_POINT_MM};
 
 /// Parts whose middle comes nearer than the distance by more than this, mm, are dropped.
 const NEARER_MM: f64 = 1e-9;
@@ -27,7 +27,7 @@ pub fn inset(outline: &Outline, distance: f64) -> Vec<Outline> {
         return vec![outline.clone()];
     }
     let candidates = candidates(outline, distance);
-    let mut kept: Vec<Element> = Vec::new();
+    let mut kept: Vec<OutlineElement> = Vec::new();
     for (index, candidate) in candidates.iter().enumerate() {
         for (begin, end) in
             kept_ranges(outline, distance, candidate, &cuts(candidate, index, &candidates))
@@ -42,22 +42,22 @@ pub fn inset(outline: &Outline, distance: f64) -> Vec<Outline> {
 }
 
 /// Moved lines, arcs of another radius, and a circle about every corner.
-fn candidates(outline: &Outline, distance: f64) -> Vec<Element> {
+fn candidates(outline: &Outline, distance: f64) -> Vec<OutlineElement> {
     let mut candidates = Vec::new();
     for element in outline.elements() {
         match *element {
-            Element::Line { from, to } => {
+            OutlineElement::Line { from, to } => {
                 let Some(along) = (to - from).normalized() else { continue };
                 let by = along.turned_left() * distance;
-                candidates.push(Element::Line { from: from + by, to: to + by });
+                candidates.push(OutlineElement::Line { from: from + by, to: to + by });
             }
-            Element::Arc { from, to, center, sweep } => {
+            OutlineElement::Arc { from, to, center, sweep } => {
                 let radius = element.radius();
                 let moved = radius - distance * sweep.signum();
                 // An arc of no radius is its centre, which no loop passes as an arc.
                 if moved > SAME_POINT_MM {
                     let scale = moved / radius;
-                    candidates.push(Element::Arc {
+                    candidates.push(OutlineElement::Arc {
                         from: center + (from - center) * scale,
                         to: center + (to - center) * scale,
                         center,
@@ -70,13 +70,13 @@ fn candidates(outline: &Outline, distance: f64) -> Vec<Element> {
     for element in outline.elements() {
         let center = element.from();
         let from = center + Vec2::new(distance, 0.0);
-        candidates.push(Element::Arc { from, to: from, center, sweep: -TAU });
+        candidates.push(OutlineElement::Arc { from, to: from, center, sweep: -TAU });
     }
     candidates
 }
 
 /// Where a candidate meets the others, as fractions in order, its ends among them.
-fn cuts(candidate: &Element, index: usize, all: &[Element]) -> Vec<f64> {
+fn cuts(candidate: &OutlineElement, index: usize, all: &[OutlineElement]) -> Vec<f64> {
     let mut at = Vec::new();
     for (other_index, other) in all.iter().enumerate() {
         if other_index == index {
@@ -109,7 +109,7 @@ fn cuts(candidate: &Element, index: usize, all: &[Element]) -> Vec<f64> {
 fn kept_ranges(
     outline: &Outline,
     distance: f64,
-    candidate: &Element,
+    candidate: &OutlineElement,
     cuts: &[f64],
 ) -> Vec<(f64, f64)> {
     let mut ranges: Vec<(f64, f64)> = Vec::new();
@@ -129,19 +129,19 @@ fn kept_ranges(
 }
 
 /// Two parts that are one: same ends, same middle.
-fn same(a: &Element, b: &Element) -> bool {
+fn same(a: &OutlineElement, b: &OutlineElement) -> bool {
     let near = |p: Vec2, q: Vec2| p.distance(q) < 10.0 * SAME_POINT_MM;
     near(a.from(), b.from()) && near(a.to(), b.to()) && near(a.point(0.5), b.point(0.5))
 }
 
 /// Closes parts into loops, each joined to the nearest beginning.
-fn chain(mut parts: Vec<Element>) -> Vec<Outline> {
+fn chain(mut parts: Vec<OutlineElement>) -> Vec<Outline> {
     let mut loops = Vec::new();
     while let Some(first) = parts.pop() {
         let start = first.from();
         let mut chain = vec![first];
         loop {
-            let end = chain.last().map_or(start, Element::to);
+            let end = chain.last().map_or(start, OutlineElement::to);
             let home = end.distance(start);
             let next = parts
                 .iter()
@@ -152,19 +152,21 @@ fn chain(mut parts: Vec<Element>) -> Vec<Outline> {
             let Some((_, index)) = next else { break };
             let mut part = parts.swap_remove(index);
             match &mut part {
-                Element::Line { from, .. } | Element::Arc { from, .. } => *from = end,
+                OutlineElement::Line { from, .. } | OutlineElement::Arc { from, .. } => *from = end,
             }
             chain.push(part);
         }
-        let end = chain.last().map_or(start, Element::to);
+        let end = chain.last().map_or(start, OutlineElement::to);
         if end.distance(start) > JOIN_MM {
             // A loose part is a touch of two candidates and borders nothing.
             continue;
         }
-        if let Some(Element::Line { to, .. } | Element::Arc { to, .. }) = chain.last_mut() {
+        if let Some(OutlineElement::Line { to, .. } | OutlineElement::Arc { to, .. }) =
+            chain.last_mut()
+        {
             *to = start;
         }
-        if chain.iter().map(Element::length).sum::<f64>() > SHORT_LOOP_MM {
+        if chain.iter().map(OutlineElement::length).sum::<f64>() > SHORT_LOOP_MM {
             loops.push(Outline::of_loop(chain));
         }
     }

@@ -11,8 +11,8 @@ mod tests;
 
 pub use circle::{ring_radii, rings};
 pub use inset::inset;
-pub use outline::{Element, Outline, OutlineError};
-pub use raster::{RasterAlong, Region};
+pub use outline::{Outline, OutlineElement, OutlineError};
+pub use raster::{PocketRegion, RasterAlong};
 pub use rectangle::{CORNER_STEP, rectangle};
 
 use chordal_geometry::Vec2;

@@ -9,7 +9,7 @@ pub(super) const SAME_POINT_MM: f64 = 1e-6;
 
 /// A straight or circular part, with its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Element {
+pub enum OutlineElement {
     /// A line.
     Line {
         /// Its start, mm.
@@ -30,33 +30,33 @@ pub enum Element {
     },
 }
 
-impl Element {
+impl OutlineElement {
     /// Where it begins.
     pub fn from(&self) -> Vec2 {
         match *self {
-            Element::Line { from, .. } | Element::Arc { from, .. } => from,
+            OutlineElement::Line { from, .. } | OutlineElement::Arc { from, .. } => from,
         }
     }
 
     /// Where it ends.
     pub fn to(&self) -> Vec2 {
         match *self {
-            Element::Line { to, .. } | Element::Arc { to, .. } => to,
+            OutlineElement::Line { to, .. } | OutlineElement::Arc { to, .. } => to,
         }
     }
 
     /// Its radius, mm; zero for a line.
     pub(super) fn radius(&self) -> f64 {
         match *self {
-            Element::Line { .. } => 0.0,
-            Element::Arc { from, center, .. } => from.distance(center),
+            OutlineElement::Line { .. } => 0.0,
+            OutlineElement::Arc { from, center, .. } => from.distance(center),
         }
     }
 
     pub(super) fn length(&self) -> f64 {
         match *self {
-            Element::Line { from, to } => from.distance(to),
-            Element::Arc { sweep, .. } => self.radius() * sweep.abs(),
+            OutlineElement::Line { from, to } => from.distance(to),
+            OutlineElement::Arc { sweep, .. } => self.radius() * sweep.abs(),
         }
     }
 
@@ -65,28 +65,30 @@ impl Element {
         match *self {
             _ if t <= 0.0 => self.from(),
             _ if t >= 1.0 => self.to(),
-            Element::Line { from, to } => from + (to - from) * t,
-            Element::Arc { from, center, sweep, .. } => center + turned(from - center, sweep * t),
+            OutlineElement::Line { from, to } => from + (to - from) * t,
+            OutlineElement::Arc { from, center, sweep, .. } => {
+                center + turned(from - center, sweep * t)
+            }
         }
     }
 
     /// The part between two fractions.
-    pub(super) fn part(&self, t0: f64, t1: f64) -> Element {
+    pub(super) fn part(&self, t0: f64, t1: f64) -> OutlineElement {
         let (from, to) = (self.point(t0), self.point(t1));
         match *self {
-            Element::Line { .. } => Element::Line { from, to },
-            Element::Arc { center, sweep, .. } => {
-                Element::Arc { from, to, center, sweep: sweep * (t1 - t0) }
+            OutlineElement::Line { .. } => OutlineElement::Line { from, to },
+            OutlineElement::Arc { center, sweep, .. } => {
+                OutlineElement::Arc { from, to, center, sweep: sweep * (t1 - t0) }
             }
         }
     }
 
     /// The same the other way.
-    pub(super) fn reversed(&self) -> Element {
+    pub(super) fn reversed(&self) -> OutlineElement {
         match *self {
-            Element::Line { from, to } => Element::Line { from: to, to: from },
-            Element::Arc { from, to, center, sweep } => {
-                Element::Arc { from: to, to: from, center, sweep: -sweep }
+            OutlineElement::Line { from, to } => OutlineElement::Line { from: to, to: from },
+            OutlineElement::Arc { from, to, center, sweep } => {
+                OutlineElement::Arc { from: to, to: from, center, sweep: -sweep }
             }
         }
     }
@@ -100,8 +102,8 @@ impl Element {
         }
         let slack = tolerance / length;
         let t = match *self {
-            Element::Line { from, to } => (p - from).dot(to - from) / (length * length),
-            Element::Arc { from, center, sweep, .. } => {
+            OutlineElement::Line { from, to } => (p - from).dot(to - from) / (length * length),
+            OutlineElement::Arc { from, center, sweep, .. } => {
                 let (u, v) = (from - center, p - center);
                 let angle = libm::atan2(u.cross(v), u.dot(v)) * sweep.signum();
                 let t = angle / sweep.abs();
@@ -117,11 +119,11 @@ impl Element {
     pub(super) fn distance(&self, p: Vec2) -> f64 {
         let ends = p.distance(self.from()).min(p.distance(self.to()));
         match *self {
-            Element::Line { from, to } => match self.fraction(p, 0.0) {
+            OutlineElement::Line { from, to } => match self.fraction(p, 0.0) {
                 Some(_) => ((to - from).cross(p - from) / self.length()).abs(),
                 None => ends,
             },
-            Element::Arc { center, .. } => match self.fraction(p, 0.0) {
+            OutlineElement::Arc { center, .. } => match self.fraction(p, 0.0) {
                 Some(_) => (p.distance(center) - self.radius()).abs().min(ends),
                 None => ends,
             },
@@ -129,20 +131,21 @@ impl Element {
     }
 
     /// The points that two elements have in common, within a tolerance beyond their ends, mm.
-    pub(super) fn crossings(&self, other: &Element, tolerance: f64) -> Vec<Vec2> {
+    pub(super) fn crossings(&self, other: &OutlineElement, tolerance: f64) -> Vec<Vec2> {
         let line = |from: Vec2, to: Vec2| Line2 { point: from, direction: to - from };
-        let circle = |element: &Element, center: Vec2| Circle2 { center, radius: element.radius() };
+        let circle =
+            |element: &OutlineElement, center: Vec2| Circle2 { center, radius: element.radius() };
         let points: Vec<Vec2> = match (*self, *other) {
-            (Element::Line { from, to }, Element::Line { from: a, to: b }) => {
+            (OutlineElement::Line { from, to }, OutlineElement::Line { from: a, to: b }) => {
                 line_line(line(from, to), line(a, b), 1e-12).map(|c| c.point).into_iter().collect()
             }
-            (Element::Line { from, to }, Element::Arc { center, .. }) => {
+            (OutlineElement::Line { from, to }, OutlineElement::Arc { center, .. }) => {
                 line_circle(line(from, to), circle(other, center), tolerance).points().collect()
             }
-            (Element::Arc { center, .. }, Element::Line { from, to }) => {
+            (OutlineElement::Arc { center, .. }, OutlineElement::Line { from, to }) => {
                 line_circle(line(from, to), circle(self, center), tolerance).points().collect()
             }
-            (Element::Arc { center, .. }, Element::Arc { center: second, .. }) => {
+            (OutlineElement::Arc { center, .. }, OutlineElement::Arc { center: second, .. }) => {
                 circle_circle(circle(self, center), circle(other, second), tolerance)
                     .points()
                     .collect()
@@ -157,7 +160,7 @@ impl Element {
     /// Its ends, and the points of an arc that lie farthest along the axes.
     pub(super) fn extremes(&self) -> Vec<Vec2> {
         let mut points = vec![self.from(), self.to()];
-        if let Element::Arc { center, .. } = *self {
+        if let OutlineElement::Arc { center, .. } = *self {
             let radius = self.radius();
             let along = [(radius, 0.0), (0.0, radius), (-radius, 0.0), (0.0, -radius)];
             points.extend(
@@ -173,8 +176,8 @@ impl Element {
     /// Corners of chords that stay within `tolerance` mm of it, without the start.
     fn chords(&self, tolerance: f64, into: &mut Vec<Vec2>) {
         let count = match *self {
-            Element::Line { .. } => 1.0,
-            Element::Arc { sweep, .. } => {
+            OutlineElement::Line { .. } => 1.0,
+            OutlineElement::Arc { sweep, .. } => {
                 let cosine = (1.0 - tolerance / self.radius()).clamp(-1.0, 1.0);
                 (sweep.abs() / (2.0 * libm::acos(cosine)).max(1e-3)).ceil().clamp(2.0, 10_000.0)
             }
@@ -204,7 +207,7 @@ pub enum OutlineError {
 /// A simple closed outline, counter-clockwise.
 #[derive(Clone, Debug)]
 pub struct Outline {
-    elements: Vec<Element>,
+    elements: Vec<OutlineElement>,
     /// Fine chords, to tell inside from outside.
     polygon: Vec<Vec2>,
     clockwise: bool,
@@ -212,8 +215,8 @@ pub struct Outline {
 
 impl Outline {
     /// Checks that the elements close (within `tolerance`, mm) and do not cross.
-    pub fn new(elements: Vec<Element>, tolerance: f64) -> Result<Outline, OutlineError> {
-        let mut elements: Vec<Element> = elements.iter().filter_map(settled).collect();
+    pub fn new(elements: Vec<OutlineElement>, tolerance: f64) -> Result<Outline, OutlineError> {
+        let mut elements: Vec<OutlineElement> = elements.iter().filter_map(settled).collect();
         let (Some(first), Some(last)) = (elements.first().copied(), elements.last().copied())
         else {
             return Err(OutlineError::Empty);
@@ -223,7 +226,7 @@ impl Outline {
             return Err(OutlineError::Open(gap));
         }
         if gap > 0.0 {
-            elements.push(Element::Line { from: last.to(), to: first.from() });
+            elements.push(OutlineElement::Line { from: last.to(), to: first.from() });
             elements.retain(|element| element.length() > SAME_POINT_MM);
             close(&mut elements);
         }
@@ -236,20 +239,20 @@ impl Outline {
         }
         let clockwise = area < 0.0;
         if clockwise {
-            elements = elements.iter().rev().map(Element::reversed).collect();
+            elements = elements.iter().rev().map(OutlineElement::reversed).collect();
         }
         let polygon = polygon(&elements);
         Ok(Outline { elements, polygon, clockwise })
     }
 
     /// A loop that is known to be closed and simple.
-    pub(super) fn of_loop(elements: Vec<Element>) -> Outline {
+    pub(super) fn of_loop(elements: Vec<OutlineElement>) -> Outline {
         let polygon = polygon(&elements);
         Outline { elements, polygon, clockwise: false }
     }
 
     /// Counter-clockwise, in order.
-    pub fn elements(&self) -> &[Element] {
+    pub fn elements(&self) -> &[OutlineElement] {
         &self.elements
     }
 
@@ -284,10 +287,10 @@ impl Outline {
 }
 
 /// An element whose arc goes exactly through both of its ends; `None` where it has no length.
-fn settled(element: &Element) -> Option<Element> {
+fn settled(element: &OutlineElement) -> Option<OutlineElement> {
     let settled = match *element {
-        Element::Line { .. } => *element,
-        Element::Arc { from, to, center, sweep } => {
+        OutlineElement::Line { .. } => *element,
+        OutlineElement::Arc { from, to, center, sweep } => {
             let chord = to - from;
             match chord.normalized().filter(|_| chord.length() > SAME_POINT_MM) {
                 None => *element,
@@ -299,7 +302,7 @@ fn settled(element: &Element) -> Option<Element> {
                     let angle = libm::atan2(u.cross(v), u.dot(v));
                     let turned =
                         if angle * sweep < 0.0 { angle + TAU * sweep.signum() } else { angle };
-                    Element::Arc { from, to, center, sweep: turned }
+                    OutlineElement::Arc { from, to, center, sweep: turned }
                 }
             }
         }
@@ -308,23 +311,23 @@ fn settled(element: &Element) -> Option<Element> {
 }
 
 /// Makes the ends of neighbours the same doubles.
-fn close(elements: &mut [Element]) {
+fn close(elements: &mut [OutlineElement]) {
     let count = elements.len();
     for index in 0..count {
         let next = elements[(index + 1) % count].from();
         match &mut elements[index] {
-            Element::Line { to, .. } | Element::Arc { to, .. } => *to = next,
+            OutlineElement::Line { to, .. } | OutlineElement::Arc { to, .. } => *to = next,
         }
     }
 }
 
 /// A place where the chain meets itself elsewhere than at the ends of neighbours.
-fn self_crossing(elements: &[Element]) -> Option<Vec2> {
+fn self_crossing(elements: &[OutlineElement]) -> Option<Vec2> {
     let count = elements.len();
     for (i, first) in elements.iter().enumerate() {
         for (j, second) in elements.iter().enumerate().skip(i + 1) {
             for point in first.crossings(second, SAME_POINT_MM) {
-                let joint = |a: &Element, b: &Element| {
+                let joint = |a: &OutlineElement, b: &OutlineElement| {
                     a.to().distance(point) < 1e-3 && b.from().distance(point) < 1e-3
                 };
                 let after = j == i + 1 && joint(first, second);
@@ -333,7 +336,8 @@ fn self_crossing(elements: &[Element]) -> Option<Vec2> {
                     return Some(point);
                 }
             }
-            if let (Element::Line { from, to }, Element::Line { to: end, .. }) = (first, second)
+            if let (OutlineElement::Line { from, to }, OutlineElement::Line { to: end, .. }) =
+                (first, second)
                 && j == i + 1
             {
                 let (u, v) = (*to - *from, *end - *to);
@@ -347,11 +351,11 @@ fn self_crossing(elements: &[Element]) -> Option<Vec2> {
 }
 
 /// Directed area, mm²: positive counter-clockwise.
-fn area(elements: &[Element]) -> f64 {
+fn area(elements: &[OutlineElement]) -> f64 {
     let mut twice = 0.0;
     for element in elements {
         twice += element.from().cross(element.to());
-        if let Element::Arc { sweep, .. } = *element {
+        if let OutlineElement::Arc { sweep, .. } = *element {
             let radius = element.radius();
             twice += radius * radius * (sweep - libm::sin(sweep));
         }
@@ -359,7 +363,7 @@ fn area(elements: &[Element]) -> f64 {
     0.5 * twice
 }
 
-fn polygon(elements: &[Element]) -> Vec<Vec2> {
+fn polygon(elements: &[OutlineElement]) -> Vec<Vec2> {
     let mut corners = Vec::new();
     for element in elements {
         element.chords(1e-3, &mut corners);

@@ -3,7 +3,7 @@
 use chordal_geometry::Vec2;
 
 use super::Step;
-use super::outline::{Element, Outline, SAME_POINT_MM};
+use super::outline::{Outline, OutlineElement, SAME_POINT_MM};
 
 /// Rows and links shorter than this, mm, are nothing.
 const SHORT_MM: f64 = 1e-3;
@@ -26,7 +26,7 @@ pub enum ClearError {
 
 /// One connected part of what a tool's centre may reach, with a place in it to begin.
 #[derive(Clone, Debug)]
-pub struct Region<'a> {
+pub struct PocketRegion<'a> {
     outline: &'a Outline,
     border: &'a Outline,
     /// Distance that the centre keeps from the outline, mm.
@@ -40,20 +40,20 @@ pub struct Region<'a> {
 
 /// A row within the region; both of its ends lie on the border.
 #[derive(Clone, Copy, Debug)]
-struct Row {
+struct RasterRow {
     line: usize,
     /// Places on the border, mm along it, and their points.
     ends: [(f64, Vec2); 2],
 }
 
-impl<'a> Region<'a> {
+impl<'a> PocketRegion<'a> {
     /// The part in which the start lies; `None` when it lies in no part.
     pub fn around(
         outline: &'a Outline,
         borders: &'a [Outline],
         distance: f64,
         start: Vec2,
-    ) -> Option<Region<'a>> {
+    ) -> Option<PocketRegion<'a>> {
         if outline.distance(start) < distance - SAME_POINT_MM {
             return None;
         }
@@ -67,7 +67,7 @@ impl<'a> Region<'a> {
             let sum = before[before.len() - 1] + element.length();
             before.push(sum);
         }
-        let mut region = Region { outline, border, distance, start, before, entry: 0.0 };
+        let mut region = PocketRegion { outline, border, distance, start, before, entry: 0.0 };
         region.entry = region.nearest_place(start);
         Some(region)
     }
@@ -120,7 +120,7 @@ impl<'a> Region<'a> {
 
     /// The row to go on with and its end: the first line, then the nearest end, so that an arm
     /// is finished before the next one.
-    fn next_row(&self, rows: &[Row], first: bool, place: f64) -> (usize, usize) {
+    fn next_row(&self, rows: &[RasterRow], first: bool, place: f64) -> (usize, usize) {
         let here = self.point(place);
         let mut best = (usize::MAX, f64::INFINITY, 0, 0);
         for (index, row) in rows.iter().enumerate() {
@@ -136,7 +136,12 @@ impl<'a> Region<'a> {
     }
 
     /// The rows of the region.
-    fn rows(&self, along: RasterAlong, step: f64, limit: usize) -> Result<Vec<Row>, ClearError> {
+    fn rows(
+        &self,
+        along: RasterAlong,
+        step: f64,
+        limit: usize,
+    ) -> Result<Vec<RasterRow>, ClearError> {
         let level = |p: Vec2| if along == RasterAlong::First { p.a } else { p.b };
         let other = |p: Vec2| if along == RasterAlong::First { p.b } else { p.a };
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -160,7 +165,8 @@ impl<'a> Region<'a> {
         let mut rows = Vec::new();
         for line in 1..=count as usize {
             let at = low + step * line as f64;
-            let scan = Element::Line { from: place(left - 1.0, at), to: place(right + 1.0, at) };
+            let scan =
+                OutlineElement::Line { from: place(left - 1.0, at), to: place(right + 1.0, at) };
             self.rows_of_line(line, &scan, &mut rows);
             if rows.len() > limit {
                 return Err(ClearError::TooManyRows);
@@ -169,7 +175,7 @@ impl<'a> Region<'a> {
         Ok(rows)
     }
 
-    fn rows_of_line(&self, line: usize, scan: &Element, rows: &mut Vec<Row>) {
+    fn rows_of_line(&self, line: usize, scan: &OutlineElement, rows: &mut Vec<RasterRow>) {
         let mut ends: Vec<(f64, f64, Vec2)> = Vec::new();
         for (index, element) in self.border.elements().iter().enumerate() {
             for point in element.crossings(scan, SAME_POINT_MM) {
@@ -186,7 +192,7 @@ impl<'a> Region<'a> {
             if a.distance(b) < SHORT_MM || !self.holds((a + b) * 0.5) {
                 continue;
             }
-            rows.push(Row { line, ends: [(pair[0].1, a), (pair[1].1, b)] });
+            rows.push(RasterRow { line, ends: [(pair[0].1, a), (pair[1].1, b)] });
         }
     }
 
@@ -197,7 +203,7 @@ impl<'a> Region<'a> {
 
     /// True when the straight way stays in the region.
     fn is_clear(&self, from: Vec2, to: Vec2) -> bool {
-        let way = Element::Line { from, to };
+        let way = OutlineElement::Line { from, to };
         if way.length() < SHORT_MM {
             return true;
         }
@@ -262,9 +268,9 @@ impl<'a> Region<'a> {
         let mut best = (f64::INFINITY, 0.0);
         for (index, element) in self.border.elements().iter().enumerate() {
             let foot = match *element {
-                Element::Line { .. } => element.fraction(p, 0.0),
-                Element::Arc { center, .. } if center == p => Some(0.0),
-                Element::Arc { .. } => element.fraction(p, 0.0),
+                OutlineElement::Line { .. } => element.fraction(p, 0.0),
+                OutlineElement::Arc { center, .. } if center == p => Some(0.0),
+                OutlineElement::Arc { .. } => element.fraction(p, 0.0),
             };
             for t in [Some(0.0), foot].into_iter().flatten() {
                 let distance = element.point(t).distance(p);
@@ -325,9 +331,9 @@ impl<'a> Region<'a> {
 /// Links run along the border itself, whose points are as near as rounding has them.
 const NEAR_ENOUGH_MM: f64 = 1e-7;
 
-fn step_of(element: &Element) -> Step {
+fn step_of(element: &OutlineElement) -> Step {
     match *element {
-        Element::Line { to, .. } => Step::Line { to },
-        Element::Arc { to, center, sweep, .. } => Step::Arc { to, center, sweep },
+        OutlineElement::Line { to, .. } => Step::Line { to },
+        OutlineElement::Arc { to, center, sweep, .. } => Step::Arc { to, center, sweep },
     }
 }

@@ -1,6 +1,6 @@
 //! Rectangular pockets: square-cornered rings from the middle line outwards.
 
-use chordal_geometry::{Direction, Vec2};
+use chordal_geometry::{TurnDirection, Vec2};
 
 use super::Step;
 
@@ -13,7 +13,7 @@ pub const CORNER_STEP: f64 = 1.0 + core::f64::consts::FRAC_1_SQRT_2;
 /// the walls, then straight back to the centre. `half` are the half sizes (mm) that the tool
 /// centre may reach, `step` (mm) the largest distance of two rings. `None` when there would be
 /// more than `limit` rings.
-pub fn rectangle(half: Vec2, step: f64, direction: Direction, limit: u32) -> Option<Vec<Step>> {
+pub fn rectangle(half: Vec2, step: f64, direction: TurnDirection, limit: u32) -> Option<Vec<Step>> {
     let upright = half.b > half.a;
     let (long, short) = if upright { (half.b, half.a) } else { (half.a, half.b) };
     let count = (short / step - 1e-9).ceil().max(0.0);

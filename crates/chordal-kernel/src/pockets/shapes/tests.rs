@@ -2,26 +2,26 @@
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use chordal_geometry::{Direction, Vec2};
+use chordal_geometry::{TurnDirection, Vec2};
 
-use super::outline::Element;
+use super::outline::OutlineElement;
 use super::*;
 
 /// Rounding, mm; far below the 1e-6 that is promised.
 const EXACT_MM: f64 = 1e-7;
 
 /// A path as elements, to measure distances with.
-fn elements(start: Vec2, steps: &[Step]) -> Vec<Element> {
+fn elements(start: Vec2, steps: &[Step]) -> Vec<OutlineElement> {
     let mut from = start;
     let mut all = Vec::new();
     for step in steps {
         let to = step.to();
         all.push(match *step {
-            Step::Line { .. } => Element::Line { from, to },
+            Step::Line { .. } => OutlineElement::Line { from, to },
             Step::Arc { center, sweep, .. } => {
                 let (r0, r1) = (from.distance(center), to.distance(center));
                 assert!((r0 - r1).abs() < 1e-4, "an arc from radius {r0} to {r1}");
-                Element::Arc { from, to, center, sweep }
+                OutlineElement::Arc { from, to, center, sweep }
             }
         });
         from = to;
@@ -29,12 +29,12 @@ fn elements(start: Vec2, steps: &[Step]) -> Vec<Element> {
     all
 }
 
-fn distance(path: &[Element], p: Vec2) -> f64 {
+fn distance(path: &[OutlineElement], p: Vec2) -> f64 {
     path.iter().map(|element| element.distance(p)).fold(f64::INFINITY, f64::min)
 }
 
 /// Points of the path, closely.
-fn samples(path: &[Element]) -> impl Iterator<Item = Vec2> + '_ {
+fn samples(path: &[OutlineElement]) -> impl Iterator<Item = Vec2> + '_ {
     path.iter().flat_map(|element| (0..=40).map(|i| element.point(f64::from(i) / 40.0)))
 }
 
@@ -52,7 +52,7 @@ fn a_rectangle_is_cut_wall_to_wall_without_islands() {
     let sizes = [(2.98, 1.98), (3.0, 3.0), (1.0, 6.0), (8.0, 0.5), (0.5, 0.5), (0.51, 0.52)];
     for (x, y) in sizes {
         for tool in [0.25, 0.1875, 0.04] {
-            for direction in [Direction::Cw, Direction::Ccw] {
+            for direction in [TurnDirection::Cw, TurnDirection::Ccw] {
                 let half = Vec2::new(x / 2.0 - tool, y / 2.0 - tool);
                 let steps = rectangle(half, CORNER_STEP * tool, direction, 10_000).unwrap();
                 let path = elements(Vec2::ZERO, &steps);
@@ -76,7 +76,7 @@ fn a_rectangle_is_cut_wall_to_wall_without_islands() {
 #[test]
 fn a_wider_step_leaves_islands_between_the_corners() {
     // What the limit is for: with 1.9 radii the point between two corners is left.
-    let steps = rectangle(Vec2::new(1.9, 1.9), 1.9, Direction::Ccw, 10).unwrap();
+    let steps = rectangle(Vec2::new(1.9, 1.9), 1.9, TurnDirection::Ccw, 10).unwrap();
     let path = elements(Vec2::ZERO, &steps);
     assert!(distance(&path, Vec2::new(0.8, 0.8)) > 1.0);
 }
@@ -84,10 +84,10 @@ fn a_wider_step_leaves_islands_between_the_corners() {
 #[test]
 fn directions_turn_as_they_say() {
     for (half, direction) in [
-        (Vec2::new(2.0, 1.0), Direction::Ccw),
-        (Vec2::new(1.0, 2.0), Direction::Ccw),
-        (Vec2::new(2.0, 1.0), Direction::Cw),
-        (Vec2::new(1.0, 2.0), Direction::Cw),
+        (Vec2::new(2.0, 1.0), TurnDirection::Ccw),
+        (Vec2::new(1.0, 2.0), TurnDirection::Ccw),
+        (Vec2::new(2.0, 1.0), TurnDirection::Cw),
+        (Vec2::new(1.0, 2.0), TurnDirection::Cw),
     ] {
         let steps = rectangle(half, 5.0, direction, 10).unwrap();
         let mut from = Vec2::ZERO;
@@ -103,8 +103,11 @@ fn directions_turn_as_they_say() {
 
 #[test]
 fn a_round_pocket_is_cut_and_its_arcs_are_tangent() {
-    let cases: [(f64, f64, Direction); 3] =
-        [(1.5, 0.125, Direction::Ccw), (0.4, 0.25, Direction::Cw), (7.0, 1.0, Direction::Ccw)];
+    let cases: [(f64, f64, TurnDirection); 3] = [
+        (1.5, 0.125, TurnDirection::Ccw),
+        (0.4, 0.25, TurnDirection::Cw),
+        (7.0, 1.0, TurnDirection::Ccw),
+    ];
     for (radius, tool, direction) in cases {
         let last = radius - tool;
         let count = (last / (2.0 * tool)).ceil();
@@ -117,9 +120,9 @@ fn a_round_pocket_is_cut_and_its_arcs_are_tangent() {
         for p in grid(Vec2::new(-radius, -radius), Vec2::new(radius, radius), 80) {
             assert!(p.length() > radius || distance(&path, p) <= tool + 1e-9, "{p:?} is left");
         }
-        let leaving = |element: &Element, at: f64| match *element {
-            Element::Line { .. } => panic!("all cutting is circular"),
-            Element::Arc { center, sweep, .. } => {
+        let leaving = |element: &OutlineElement, at: f64| match *element {
+            OutlineElement::Line { .. } => panic!("all cutting is circular"),
+            OutlineElement::Arc { center, sweep, .. } => {
                 (element.point(at) - center).turned_left() * sweep.signum()
             }
         };
@@ -136,8 +139,8 @@ fn the_length_of_the_manuals_pocket() {
     let radii = ring_radii(0.3, 0.3, 1.5, 100).unwrap();
     assert_eq!(radii.len(), 5);
     let centers: Vec<f64> = radii.iter().map(|radius| radius - 0.125).collect();
-    let path = elements(Vec2::ZERO, &rings(&centers, 1, Direction::Ccw));
-    let length: f64 = path.iter().map(Element::length).sum();
+    let path = elements(Vec2::ZERO, &rings(&centers, 1, TurnDirection::Ccw));
+    let length: f64 = path.iter().map(OutlineElement::length).sum();
     assert!((length - 11.625 * PI).abs() < 1e-12);
     assert_eq!(ring_radii(0.3, 0.5, 1.5, 100).unwrap(), [0.3, 0.8, 1.3, 1.5]);
     assert_eq!(ring_radii(0.3, 1e-9, 1.5, 100), None);
@@ -146,7 +149,7 @@ fn the_length_of_the_manuals_pocket() {
 fn polygon(corners: &[(f64, f64)]) -> Outline {
     let points: Vec<Vec2> = corners.iter().map(|(a, b)| Vec2::new(*a, *b)).collect();
     let elements = (0..points.len())
-        .map(|i| Element::Line { from: points[i], to: points[(i + 1) % points.len()] })
+        .map(|i| OutlineElement::Line { from: points[i], to: points[(i + 1) % points.len()] })
         .collect();
     Outline::new(elements, 1e-3).unwrap()
 }
@@ -155,10 +158,15 @@ fn polygon(corners: &[(f64, f64)]) -> Outline {
 fn slot() -> Outline {
     let p = Vec2::new;
     let elements = vec![
-        Element::Line { from: p(-10.0, -10.0), to: p(10.0, -10.0) },
-        Element::Arc { from: p(10.0, -10.0), to: p(10.0, 10.0), center: p(10.0, 0.0), sweep: PI },
-        Element::Line { from: p(10.0, 10.0), to: p(-10.0, 10.0) },
-        Element::Arc {
+        OutlineElement::Line { from: p(-10.0, -10.0), to: p(10.0, -10.0) },
+        OutlineElement::Arc {
+            from: p(10.0, -10.0),
+            to: p(10.0, 10.0),
+            center: p(10.0, 0.0),
+            sweep: PI,
+        },
+        OutlineElement::Line { from: p(10.0, 10.0), to: p(-10.0, 10.0) },
+        OutlineElement::Arc {
             from: p(-10.0, 10.0),
             to: p(-10.0, -10.0),
             center: p(-10.0, 0.0),
@@ -172,18 +180,23 @@ fn slot() -> Outline {
 fn bay() -> Outline {
     let p = Vec2::new;
     let elements = vec![
-        Element::Line { from: p(-20.0, -20.0), to: p(-6.0, -20.0) },
-        Element::Arc { from: p(-6.0, -20.0), to: p(6.0, -20.0), center: p(0.0, -20.0), sweep: -PI },
-        Element::Line { from: p(6.0, -20.0), to: p(20.0, -20.0) },
-        Element::Line { from: p(20.0, -20.0), to: p(20.0, 10.0) },
-        Element::Arc {
+        OutlineElement::Line { from: p(-20.0, -20.0), to: p(-6.0, -20.0) },
+        OutlineElement::Arc {
+            from: p(-6.0, -20.0),
+            to: p(6.0, -20.0),
+            center: p(0.0, -20.0),
+            sweep: -PI,
+        },
+        OutlineElement::Line { from: p(6.0, -20.0), to: p(20.0, -20.0) },
+        OutlineElement::Line { from: p(20.0, -20.0), to: p(20.0, 10.0) },
+        OutlineElement::Arc {
             from: p(20.0, 10.0),
             to: p(10.0, 20.0),
             center: p(10.0, 10.0),
             sweep: FRAC_PI_2,
         },
-        Element::Line { from: p(10.0, 20.0), to: p(-20.0, 20.0) },
-        Element::Line { from: p(-20.0, 20.0), to: p(-20.0, -20.0) },
+        OutlineElement::Line { from: p(10.0, 20.0), to: p(-20.0, 20.0) },
+        OutlineElement::Line { from: p(-20.0, 20.0), to: p(-20.0, -20.0) },
     ];
     Outline::new(elements, 1e-3).unwrap()
 }
@@ -248,7 +261,7 @@ fn bent_star(seed: u64) -> Option<Outline> {
             };
             let center = from + half + half.turned_left() * bend;
             let angle = 2.0 * libm::atan(1.0 / bend);
-            Element::Arc { from, to, center, sweep: angle }
+            OutlineElement::Arc { from, to, center, sweep: angle }
         })
         .collect();
     Outline::new(elements, 1e-3).ok()
@@ -268,7 +281,7 @@ fn check_cleared(outline: &Outline, tool: f64, start: Vec2, along: RasterAlong, 
             }
         }
     }
-    let Some(region) = Region::around(outline, &border, tool, start) else { return false };
+    let Some(region) = PocketRegion::around(outline, &border, tool, start) else { return false };
     let steps = region.clear(along, step, 10_000).unwrap();
     assert_eq!(steps.last().map(Step::to), Some(start));
     let path = elements(start, &steps);
@@ -352,18 +365,22 @@ fn random_outlines_with_arcs_are_cleared_and_never_left() {
 fn rounded(noise: f64) -> Outline {
     let p = Vec2::new;
     let n = noise;
-    let arc =
-        |from: Vec2, to: Vec2, center: Vec2| Element::Arc { from, to, center, sweep: FRAC_PI_2 };
+    let arc = |from: Vec2, to: Vec2, center: Vec2| OutlineElement::Arc {
+        from,
+        to,
+        center,
+        sweep: FRAC_PI_2,
+    };
     let elements = vec![
-        Element::Line { from: p(0.0, -20.0), to: p(25.0 + n, -20.0) },
+        OutlineElement::Line { from: p(0.0, -20.0), to: p(25.0 + n, -20.0) },
         arc(p(25.0 + n, -20.0), p(30.0, -15.0 - n), p(25.0, -15.0)),
-        Element::Line { from: p(30.0, -15.0 - n), to: p(30.0, 15.0 - n) },
+        OutlineElement::Line { from: p(30.0, -15.0 - n), to: p(30.0, 15.0 - n) },
         arc(p(30.0, 15.0 - n), p(25.0 + n, 20.0), p(25.0, 15.0)),
-        Element::Line { from: p(25.0 + n, 20.0), to: p(-25.0 + n, 20.0) },
+        OutlineElement::Line { from: p(25.0 + n, 20.0), to: p(-25.0 + n, 20.0) },
         arc(p(-25.0 + n, 20.0), p(-30.0, 15.0 + n), p(-25.0, 15.0)),
-        Element::Line { from: p(-30.0, 15.0 + n), to: p(-30.0, -15.0) },
+        OutlineElement::Line { from: p(-30.0, 15.0 + n), to: p(-30.0, -15.0) },
         arc(p(-30.0, -15.0), p(-25.0, -20.0 + n), p(-25.0, -15.0)),
-        Element::Line { from: p(-25.0, -20.0 + n), to: p(0.0, -20.0) },
+        OutlineElement::Line { from: p(-25.0, -20.0 + n), to: p(0.0, -20.0) },
     ];
     Outline::new(elements, 1e-2).unwrap()
 }
@@ -383,7 +400,8 @@ fn a_tool_as_large_as_the_corners_and_corners_off_by_rounding() {
     // A slot as wide as the tool is a line there and back.
     for off in [0.0, -1e-9, -1e-6, -1e-4] {
         let border = inset(&slot(), 10.0 + off);
-        let length: f64 = border.iter().flat_map(Outline::elements).map(Element::length).sum();
+        let length: f64 =
+            border.iter().flat_map(Outline::elements).map(OutlineElement::length).sum();
         assert!(border.len() == 1 && (length - 40.0).abs() < 1e-2, "{off}: {length}");
     }
 }
@@ -393,7 +411,7 @@ fn the_border_of_a_square_and_of_a_throat() {
     let square = polygon(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)]);
     let border = inset(&square, 2.0);
     assert_eq!(border.len(), 1);
-    let length: f64 = border[0].elements().iter().map(Element::length).sum();
+    let length: f64 = border[0].elements().iter().map(OutlineElement::length).sum();
     assert!((length - 24.0).abs() < 1e-9);
     assert!(inset(&square, 5.1).is_empty());
     // A throat of 4: a tool of radius 1.5 passes, one of 3 finds two rooms.
@@ -408,10 +426,10 @@ fn the_border_of_a_square_and_of_a_throat() {
 #[test]
 fn what_is_no_outline() {
     let p = Vec2::new;
-    let lines = |points: &[(f64, f64)]| -> Vec<Element> {
+    let lines = |points: &[(f64, f64)]| -> Vec<OutlineElement> {
         points
             .windows(2)
-            .map(|w| Element::Line { from: p(w[0].0, w[0].1), to: p(w[1].0, w[1].1) })
+            .map(|w| OutlineElement::Line { from: p(w[0].0, w[0].1), to: p(w[1].0, w[1].1) })
             .collect()
     };
     let open = Outline::new(lines(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0)]), 1e-2);
@@ -421,7 +439,11 @@ fn what_is_no_outline() {
     let back = lines(&[(0.0, 0.0), (10.0, 0.0), (5.0, 0.0), (0.0, 0.0)]);
     assert!(Outline::new(back, 1e-2).is_err());
     assert_eq!(Outline::new(Vec::new(), 1e-2).err(), Some(OutlineError::Empty));
-    let circle =
-        Element::Arc { from: p(1.0, 0.0), to: p(1.0, 0.0), center: p(0.0, 0.0), sweep: -TAU };
+    let circle = OutlineElement::Arc {
+        from: p(1.0, 0.0),
+        to: p(1.0, 0.0),
+        center: p(0.0, 0.0),
+        sweep: -TAU,
+    };
     assert!(Outline::new(vec![circle], 1e-2).unwrap().was_clockwise());
 }

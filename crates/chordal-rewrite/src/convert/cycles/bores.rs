@@ -2,20 +2,20 @@
 
 use chordal::control::{BoreRules, CycleKind, ShiftWords};
 
-use crate::convert::context::Context;
-use crate::convert::draft::{Draft, Expand};
+use crate::convert::context::ConvertContext;
+use crate::convert::draft::{BlockDraft, NeedsExpansion};
 use crate::convert::numbers;
-use crate::convert::trace::Exec;
+use crate::convert::trace::BlockExecution;
 
 const CENTERS: &[u8; 3] = b"IJK";
 
 /// The words that another control reads otherwise.
 pub(super) fn words(
-    context: &Context,
-    draft: &mut Draft,
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
     kind: CycleKind,
-    run: &Exec,
-) -> Result<(), Expand> {
+    run: &BlockExecution,
+) -> Result<(), NeedsExpansion> {
     let [one, other] = context.controls().map(|control| control.parameters.rules.cycles.bore);
     match kind {
         CycleKind::FineBore | CycleKind::BackBore => shift(context, draft, run, [one, other]),
@@ -27,12 +27,16 @@ pub(super) fn words(
 }
 
 /// P of G86 where only one of the controls waits.
-fn dwell(context: &Context, draft: &mut Draft, old: BoreRules) -> Result<(), Expand> {
+fn dwell(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    old: BoreRules,
+) -> Result<(), NeedsExpansion> {
     let title = context.to.table.title;
     let Some(p) = draft.place(b'P') else { return Ok(()) };
     let waits = draft.block.words[p].number().is_none_or(|number| number.to_f64() != 0.0);
     if old.dwell_before_stop && waits {
-        return Err(Expand(format!("{title} does not wait for P in this cycle")));
+        return Err(NeedsExpansion(format!("{title} does not wait for P in this cycle")));
     }
     let needs = context.to.parameters.rules.cycles.needs_p;
     let new = if needs { "P0" } else { "" };
@@ -42,11 +46,11 @@ fn dwell(context: &Context, draft: &mut Draft, old: BoreRules) -> Result<(), Exp
 
 /// Q along an axis that a parameter names, or the vector I, J.
 fn shift(
-    context: &Context,
-    draft: &mut Draft,
-    run: &Exec,
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    run: &BlockExecution,
     rules: [BoreRules; 2],
-) -> Result<(), Expand> {
+) -> Result<(), NeedsExpansion> {
     let [one, other] = rules;
     let (q, has_vector) = (draft.place(b'Q'), draft.place(b'I').or(draft.place(b'J')).is_some());
     let by_q = q.is_some() && one.shift != ShiftWords::Vector;
@@ -58,7 +62,8 @@ fn shift(
         return Ok(());
     }
     let title = context.to.table.title;
-    let refuse = || Expand(format!("{title} steps aside in another direction in this cycle"));
+    let refuse =
+        || NeedsExpansion(format!("{title} steps aside in another direction in this cycle"));
     let (a, b, _) = run.after.plane.axes();
     let value = |letter: u8| {
         let Some(word) = draft.place(letter) else { return Some(0.0) };

@@ -4,13 +4,17 @@ use chordal::control::{Action, Control, CycleKind};
 use chordal::geometry::Plane;
 
 use crate::convert::codes;
-use crate::convert::context::Context;
-use crate::convert::draft::Expand;
-use crate::convert::trace::Exec;
+use crate::convert::context::ConvertContext;
+use crate::convert::draft::NeedsExpansion;
+use crate::convert::trace::BlockExecution;
 
 /// Whether the words of a cycle may stay. The proof has the last word: this keeps away what is known to be
 /// otherwise.
-pub(super) fn is_kept(context: &Context, kind: CycleKind, run: &Exec) -> Result<(), Expand> {
+pub(super) fn is_kept(
+    context: &ConvertContext,
+    kind: CycleKind,
+    run: &BlockExecution,
+) -> Result<(), NeedsExpansion> {
     let [from, to] = context.controls();
     let axes = context.controls().map(|control| control.parameters.rules.cycles.axis);
     let is_same_axis = axes[0] == axes[1] || run.after.plane == Plane::Xy || kind.is_tap();
@@ -18,7 +22,7 @@ pub(super) fn is_kept(context: &Context, kind: CycleKind, run: &Exec) -> Result<
     if has_code && is_same_axis && has_same_moves(kind, from, to, context.exact_cycles) {
         return Ok(());
     }
-    Err(Expand(format!("{} works differently on {}", kind.name(), to.table.title)))
+    Err(NeedsExpansion(format!("{} works differently on {}", kind.name(), to.table.title)))
 }
 
 /// The moves of a hole are the same; those of pecks may differ unless `exact`.

@@ -12,14 +12,18 @@ use chordal::control::{Control, DefinitionFires, IncrementalLevels, TapFeed};
 use chordal::geometry::Plane;
 
 use super::codes;
-use super::context::Context;
-use super::draft::{Draft, Expand};
+use super::context::ConvertContext;
+use super::draft::{BlockDraft, NeedsExpansion};
 use super::numbers;
-use super::trace::Exec;
+use super::trace::BlockExecution;
 use crate::source::code_action;
 
 /// Words of cycles, and codes that end them.
-pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+pub(crate) fn translate(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+) -> Result<(), NeedsExpansion> {
     ending(context, draft, at);
     apart_from_motion(context, draft, at);
     let codes = || {
@@ -34,7 +38,7 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     }
     let title = context.to.table.title;
     if pocket && !context.same_control() {
-        return Err(Expand(format!("{title} mills a pocket in another way")));
+        return Err(NeedsExpansion(format!("{title} mills a pocket in another way")));
     }
     let Some(kind) = kind else {
         count(context, draft, run);
@@ -47,7 +51,7 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     if run.before.incremental
         && context.to.parameters.rules.cycles.incremental == IncrementalLevels::Refused
     {
-        return Err(Expand(format!("{title} accepts cycles only in absolute coordinates")));
+        return Err(NeedsExpansion(format!("{title} accepts cycles only in absolute coordinates")));
     }
     if kind.is_peck() {
         pecks::words(context, draft, kind, run)?;
@@ -61,7 +65,9 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     if kind.is_tap() {
         without_r(context, draft)?;
         if draft.block.words.iter().any(|word| word.comma) {
-            return Err(Expand(format!("a word of the tap means something else on {title}")));
+            return Err(NeedsExpansion(format!(
+                "a word of the tap means something else on {title}"
+            )));
         }
         tap(context, draft, run)?;
     }
@@ -80,7 +86,7 @@ fn needs_p(control: &Control) -> bool {
 
 /// R and the depth, where the new control does not take the level of the tool for R, or forgets both when
 /// another cycle begins.
-fn levels(context: &Context, draft: &mut Draft, run: &Exec) {
+fn levels(context: &ConvertContext, draft: &mut BlockDraft, run: &BlockExecution) {
     let [one, other] = context.controls().map(|control| control.parameters.rules.cycles);
     let forgets = one.keeps_words && !other.keeps_words;
     let wants_r = forgets || (one.missing_r != other.missing_r);
@@ -111,7 +117,7 @@ fn levels(context: &Context, draft: &mut Draft, run: &Exec) {
 }
 
 /// G98 or G99 where the program relies on the one that its own control begins with.
-fn return_level(context: &Context, draft: &mut Draft, at: usize) {
+fn return_level(context: &ConvertContext, draft: &mut BlockDraft, at: usize) {
     let [one, other] =
         context.controls().map(|control| control.parameters.rules.cycles.starts_at_r);
     let is_level = |action: Action| {
@@ -129,7 +135,7 @@ fn return_level(context: &Context, draft: &mut Draft, at: usize) {
 }
 
 /// A hole of a cycle that a block before set up.
-fn hole(context: &Context, run: &Exec) -> Result<(), Expand> {
+fn hole(context: &ConvertContext, run: &BlockExecution) -> Result<(), NeedsExpansion> {
     let Some(Action::Cycle(kind)) = run.after.motion else { return Ok(()) };
     if context.same_control() || !context.in_cycle(run) {
         return Ok(());
@@ -139,11 +145,11 @@ fn hole(context: &Context, run: &Exec) -> Result<(), Expand> {
 
 /// Holes on a circle or a line, or where the tool stands, as places: the cycle stays.
 fn places_alone(
-    context: &Context,
-    draft: &mut Draft,
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
     at: usize,
-    run: &Exec,
-) -> Result<bool, Expand> {
+    run: &BlockExecution,
+) -> Result<bool, NeedsExpansion> {
     let is_pattern = |action| {
         matches!(
             action,
@@ -162,7 +168,7 @@ fn places_alone(
     let others = context.source.has_action(at, context.from, |action| !is_pattern(action));
     if meaning::is_kept(context, kind, run).is_err() || others {
         let title = context.to.table.title;
-        return Err(Expand(format!("{title} has no code for these holes")));
+        return Err(NeedsExpansion(format!("{title} has no code for these holes")));
     }
     let (a, b, _) = run.after.plane.axes();
     let mut holes: Vec<[f64; 2]> = Vec::new();
@@ -203,7 +209,11 @@ fn places_alone(
 const LINEAR_AXES: [char; 3] = ['X', 'Y', 'Z'];
 
 /// The place of the first hole, where the new control drills only at a place that is named.
-fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
+fn first_hole(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    run: &BlockExecution,
+) -> Result<(), NeedsExpansion> {
     let rules = context.controls().map(|control| control.parameters.rules.cycles);
     let (a, b, _) = run.after.plane.axes();
     let letters = draft.block.letters();
@@ -214,11 +224,11 @@ fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Ex
         _ if named => Ok(()),
         DefinitionFires::Always if fires => Ok(()),
         DefinitionFires::Always => {
-            Err(Expand(format!("{title} drills in the block that calls the cycle")))
+            Err(NeedsExpansion(format!("{title} drills in the block that calls the cycle")))
         }
         _ if !fires => Ok(()),
         DefinitionFires::Never => {
-            Err(Expand(format!("{title} does not drill in the block that calls the cycle")))
+            Err(NeedsExpansion(format!("{title} does not drill in the block that calls the cycle")))
         }
         DefinitionFires::WithPlace => {
             let digits = numbers::digits(context.to, run.after.units);
@@ -236,7 +246,11 @@ fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Ex
 }
 
 /// R as a level or as the distance from where the tool is, along Z or X.
-fn level_or_distance(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
+fn level_or_distance(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    run: &BlockExecution,
+) -> Result<(), NeedsExpansion> {
     let [one, other] =
         context.controls().map(|control| control.parameters.rules.cycles.r_from_initial);
     let Some(r) = draft.place(b'R').filter(|r| one != other && !draft.is_gone(*r)) else {
@@ -252,7 +266,7 @@ fn level_or_distance(context: &Context, draft: &mut Draft, run: &Exec) -> Result
         <[usize; 1]>::try_from(changes).ok()
     });
     let (Some(cut), Some([axis @ (0 | 2)])) = (first, axis) else {
-        return Err(Expand(format!("{title} counts R of this cycle in another way")));
+        return Err(NeedsExpansion(format!("{title} counts R of this cycle in another way")));
     };
     let digits = numbers::digits(context.to, run.after.units);
     let is_diameter = axis == 0 && context.to.parameters.rules.cycles.radial_r_is_diameter;
@@ -267,7 +281,7 @@ fn level_or_distance(context: &Context, draft: &mut Draft, run: &Exec) -> Result
 }
 
 /// R of a tap, where the code that taps on the new control has none: it taps from where the tool is.
-fn without_r(context: &Context, draft: &Draft) -> Result<(), Expand> {
+fn without_r(context: &ConvertContext, draft: &BlockDraft) -> Result<(), NeedsExpansion> {
     let takes_r = |word: usize| {
         let number = chordal::syntax::Decimal::parse(draft.now(word).get(1..)?.as_bytes())?;
         let row = context.to.g_code(chordal::control::code_number(number)?)?;
@@ -276,7 +290,7 @@ fn without_r(context: &Context, draft: &Draft) -> Result<(), Expand> {
     let words = (0..draft.block.words.len()).filter(|word| draft.block.words[*word].letter == b'G');
     let takes = words.into_iter().find_map(takes_r).unwrap_or(true);
     match draft.place(b'R').filter(|r| !takes && !draft.is_gone(*r)) {
-        Some(_) => Err(Expand(format!(
+        Some(_) => Err(NeedsExpansion(format!(
             "{} has no R in this tap: it begins where the tool is",
             context.to.table.title
         ))),
@@ -285,7 +299,7 @@ fn without_r(context: &Context, draft: &Draft) -> Result<(), Expand> {
 }
 
 /// The letter that counts holes.
-fn count(context: &Context, draft: &mut Draft, run: &Exec) {
+fn count(context: &ConvertContext, draft: &mut BlockDraft, run: &BlockExecution) {
     let [one, other] =
         context.controls().map(|control| control.parameters.rules.cycles.repeat_letter);
     if one == other || !matches!(run.after.motion, Some(Action::Cycle(_))) {
@@ -302,7 +316,11 @@ fn count(context: &Context, draft: &mut Draft, run: &Exec) {
 }
 
 /// F and Q of a tap.
-fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
+fn tap(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    run: &BlockExecution,
+) -> Result<(), NeedsExpansion> {
     let [one, other] = context.controls().map(|control| control.parameters.rules.cycles.tap.feed);
     if one == other {
         return Ok(());
@@ -311,7 +329,9 @@ fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
         CommandKind::Line { feed, .. } => Some(*feed),
         _ => None,
     });
-    let Some(cut) = cut else { return Err(Expand("a tap without a hole in its block".into())) };
+    let Some(cut) = cut else {
+        return Err(NeedsExpansion("a tap without a hole in its block".into()));
+    };
     let unit = run.after.units.mm();
     let speed = cut.spindle_rev_per_s * 60.0;
     let per_minute = match cut.mode {
@@ -342,12 +362,12 @@ fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
             draft.append(format!("Q{lead}"), format!("{title} takes the lead from Q"));
             Ok(())
         }
-        _ => Err(Expand(format!("F of a tap means something else on {title}"))),
+        _ => Err(NeedsExpansion(format!("F of a tap means something else on {title}"))),
     }
 }
 
 /// P of a cycle.
-fn dwell(context: &Context, draft: &mut Draft) {
+fn dwell(context: &ConvertContext, draft: &mut BlockDraft) {
     let [one, other] = context.controls().map(|control| control.parameters.rules.cycles);
     let Some(p) = draft.place(b'P').filter(|p| !draft.is_gone(*p)) else { return };
     let Some(number) = draft.block.words[p].number() else { return };
@@ -370,7 +390,7 @@ fn dwell(context: &Context, draft: &mut Draft) {
 }
 
 /// G80 in a block of its own, where it excludes motion codes.
-fn apart_from_motion(context: &Context, draft: &mut Draft, at: usize) {
+fn apart_from_motion(context: &ConvertContext, draft: &mut BlockDraft, at: usize) {
     let [one, other] =
         context.controls().map(|control| control.parameters.rules.cycles.one_group_with_motion);
     let moves = context.source.has_action(at, context.from, Action::is_plain_motion);
@@ -393,7 +413,7 @@ fn apart_from_motion(context: &Context, draft: &mut Draft, at: usize) {
 }
 
 /// G80 where only the old control ends a cycle by another code.
-fn ending(context: &Context, draft: &mut Draft, at: usize) {
+fn ending(context: &ConvertContext, draft: &mut BlockDraft, at: usize) {
     let Some(run) = context.run(at) else { return };
     let was = matches!(run.before.motion, Some(Action::Cycle(_)));
     let is = matches!(run.after.motion, Some(Action::Cycle(_)));

@@ -3,14 +3,14 @@
 use chordal::CommandKind;
 use chordal::control::{Control, CycleKind, PeckDwell};
 
-use crate::convert::context::Context;
-use crate::convert::draft::{Draft, Expand};
+use crate::convert::context::ConvertContext;
+use crate::convert::draft::{BlockDraft, NeedsExpansion};
 use crate::convert::numbers;
-use crate::convert::trace::Exec;
+use crate::convert::trace::BlockExecution;
 
 /// What P is in a cycle with pecks.
 #[derive(Clone, Copy, PartialEq)]
-enum Meaning {
+enum PeckWordMeaning {
     Nothing,
     /// How far the tool goes back.
     Lift,
@@ -20,37 +20,37 @@ enum Meaning {
 
 /// The words that another control reads otherwise.
 pub(super) fn words(
-    context: &Context,
-    draft: &mut Draft,
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
     kind: CycleKind,
-    run: &Exec,
-) -> Result<(), Expand> {
+    run: &BlockExecution,
+) -> Result<(), NeedsExpansion> {
     dwell_or_lift(context, draft, kind, run)?;
     steps(context, draft, kind, run)?;
     positive(context, draft);
     Ok(())
 }
 
-fn meaning_of_p(control: &Control, kind: CycleKind) -> Meaning {
+fn meaning_of_p(control: &Control, kind: CycleKind) -> PeckWordMeaning {
     let rules = control.parameters.rules.cycles.peck;
     let is_lift = match kind {
         CycleKind::ChipBreak => rules.p_is_lift,
         _ => rules.p_is_clearance,
     };
     match rules.dwell {
-        _ if is_lift => Meaning::Lift,
-        PeckDwell::Bottom => Meaning::DwellAtBottom,
-        PeckDwell::EachPeck if kind == CycleKind::ChipBreak => Meaning::DwellAtEachPeck,
-        PeckDwell::EachPeck | PeckDwell::None => Meaning::Nothing,
+        _ if is_lift => PeckWordMeaning::Lift,
+        PeckDwell::Bottom => PeckWordMeaning::DwellAtBottom,
+        PeckDwell::EachPeck if kind == CycleKind::ChipBreak => PeckWordMeaning::DwellAtEachPeck,
+        PeckDwell::EachPeck | PeckDwell::None => PeckWordMeaning::Nothing,
     }
 }
 
 fn dwell_or_lift(
-    context: &Context,
-    draft: &mut Draft,
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
     kind: CycleKind,
-    run: &Exec,
-) -> Result<(), Expand> {
+    run: &BlockExecution,
+) -> Result<(), NeedsExpansion> {
     let title = context.to.table.title;
     let [one, other] = context.controls().map(|control| meaning_of_p(control, kind));
     if one == other {
@@ -60,14 +60,16 @@ fn dwell_or_lift(
         let number = draft.block.words[p].number();
         let waits = number.is_none_or(|number| number.to_f64() != 0.0);
         match one {
-            Meaning::DwellAtBottom | Meaning::DwellAtEachPeck if waits => {
-                return Err(Expand(format!("{title} does not wait for P in this cycle")));
+            PeckWordMeaning::DwellAtBottom | PeckWordMeaning::DwellAtEachPeck if waits => {
+                return Err(NeedsExpansion(format!("{title} does not wait for P in this cycle")));
             }
-            Meaning::Lift => draft.remove(p, format!("{title} takes the lift from a setting")),
+            PeckWordMeaning::Lift => {
+                draft.remove(p, format!("{title} takes the lift from a setting"))
+            }
             _ => draft.remove(p, format!("P does nothing here, and would on {title}")),
         }
     }
-    if other == Meaning::Lift {
+    if other == PeckWordMeaning::Lift {
         let rules = &context.from.parameters.rules;
         let mm = match kind {
             CycleKind::ChipBreak => rules.chip_break_mm,
@@ -81,17 +83,22 @@ fn dwell_or_lift(
 }
 
 /// I, J and K as Q. No peck gets deeper than it was: Q is the smallest of them.
-fn steps(context: &Context, draft: &mut Draft, kind: CycleKind, run: &Exec) -> Result<(), Expand> {
+fn steps(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    kind: CycleKind,
+    run: &BlockExecution,
+) -> Result<(), NeedsExpansion> {
     let [one, other] = context.controls().map(|control| control.parameters.rules.cycles.peck);
     let title = context.to.table.title;
     let first = draft.place(b'I').filter(|_| one.decreasing);
     let returns = kind == CycleKind::ChipBreak && one.return_after_k && !other.return_after_k;
     if first.is_none() && returns && draft.place(b'K').is_some() {
-        return Err(Expand(format!("{title} does not return to R within this cycle")));
+        return Err(NeedsExpansion(format!("{title} does not return to R within this cycle")));
     }
     let Some(first) = first.filter(|_| !other.decreasing) else { return Ok(()) };
     let Some(smallest) = smallest_step(context, run) else {
-        return Err(Expand(format!("{title} has no I, J and K for pecks")));
+        return Err(NeedsExpansion(format!("{title} has no I, J and K for pecks")));
     };
     let digits = numbers::digits(context.to, run.after.units);
     let text = numbers::length(smallest, run.after.units, digits, context.style());
@@ -106,7 +113,7 @@ fn steps(context: &Context, draft: &mut Draft, kind: CycleKind, run: &Exec) -> R
 }
 
 /// The smallest peck of the first hole, mm; the last one, which ends at the bottom, only where it is alone.
-fn smallest_step(context: &Context, run: &Exec) -> Option<f64> {
+fn smallest_step(context: &ConvertContext, run: &BlockExecution) -> Option<f64> {
     let commands = context.trace.commands_of(run).iter().filter(|command| command.origin.cycle);
     let cuts = commands.filter_map(|command| match &command.kind {
         CommandKind::Line { motion, .. } => Some(motion),
@@ -134,7 +141,7 @@ fn smallest_step(context: &Context, run: &Exec) -> Option<f64> {
 }
 
 /// A minus in front of Q, which some controls do not heed.
-fn positive(context: &Context, draft: &mut Draft) {
+fn positive(context: &ConvertContext, draft: &mut BlockDraft) {
     let [one, other] =
         context.controls().map(|control| control.parameters.rules.cycles.peck.positive_only);
     let Some(q) = draft.place(b'Q').filter(|q| !one && other && !draft.is_changed(*q)) else {

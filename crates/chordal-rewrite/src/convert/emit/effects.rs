@@ -2,9 +2,9 @@
 
 use chordal::Effect;
 
-use super::{Emitter, codes};
+use super::{CommandEmitter, codes};
 
-impl Emitter<'_> {
+impl CommandEmitter<'_> {
     /// Writes a code that means the same on both controls. What else a block does without a move is not written, and the
     /// proof tells where it is missing.
     pub(super) fn effect(&mut self, effect: &Effect) {

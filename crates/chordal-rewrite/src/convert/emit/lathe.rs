@@ -2,16 +2,16 @@
 
 use chordal::control::{Action, Control, MotionCode, Move, ReadingCode, SpindleState, ToolWord};
 
-use super::{Emitter, Refused};
+use super::{CommandEmitter, EmitRefusal};
 use crate::convert::codes;
 use crate::convert::numbers;
-use crate::convert::tap::Tap;
+use crate::convert::tap::TappedThread;
 use crate::convert::thread;
-use crate::convert::trace::Modes;
+use crate::convert::trace::ActiveModes;
 
 /// What a program of a lathe has active besides.
 #[derive(Clone, Copy)]
-pub(super) struct Lathe {
+pub(super) struct LatheModes {
     /// The program is for a lathe.
     pub(super) is_one: bool,
     pub(super) tool: u32,
@@ -22,9 +22,9 @@ pub(super) struct Lathe {
     pub(super) keeps_surface_speed: bool,
 }
 
-impl Lathe {
-    pub(super) fn of(is_one: bool, before: &Modes) -> Lathe {
-        Lathe {
+impl LatheModes {
+    pub(super) fn of(is_one: bool, before: &ActiveModes) -> LatheModes {
+        LatheModes {
             is_one,
             tool: before.tool,
             spindle: before.spindle,
@@ -34,9 +34,9 @@ impl Lathe {
     }
 }
 
-impl Emitter<'_> {
+impl CommandEmitter<'_> {
     /// What holds for the spindle in a block.
-    pub fn enter(&mut self, before: &Modes, after: &Modes, is_live: bool) {
+    pub fn enter(&mut self, before: &ActiveModes, after: &ActiveModes, is_live: bool) {
         self.lathe.is_live = is_live || before.live.is_some() || after.live.is_some();
         self.lathe.spindle = before.spindle;
         self.lathe.tool = before.tool;
@@ -48,7 +48,7 @@ impl Emitter<'_> {
     }
 
     /// A cut in step with the spindle.
-    pub(super) fn thread(&mut self, motion: &Move, lead_mm: f64) -> Result<(), Refused> {
+    pub(super) fn thread(&mut self, motion: &Move, lead_mm: f64) -> Result<(), EmitRefusal> {
         let axes = self.axes(motion)?;
         if axes.is_empty() {
             return Ok(());
@@ -69,7 +69,7 @@ impl Emitter<'_> {
     }
 
     /// A tap as a cut in step with the spindle, there and back, where the control has it; false where it has not.
-    pub(super) fn tap_in_step(&mut self, tap: &Tap) -> Result<bool, Refused> {
+    pub(super) fn tap_in_step(&mut self, tap: &TappedThread) -> Result<bool, EmitRefusal> {
         let action = Action::Motion(MotionCode::RigidTap);
         let Some((bottom, lead)) = tap.in_step().filter(|_| self.code(action).is_some()) else {
             return Ok(false);

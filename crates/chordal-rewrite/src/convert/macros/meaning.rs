@@ -4,15 +4,15 @@ use chordal::control::Control;
 use chordal::control::macros::MacroForm;
 use chordal::diagnostics::{FileId, TextRange};
 use chordal::syntax::{
-    Branch, Expression, ExpressionParser, LineStatement, Op, Statement, Target,
-    parse_line_statement, parse_statement,
+    AssignTarget, ConditionBranch, Expression, ExpressionParser, LineStatement, MacroStatement,
+    StackOp, parse_line_statement, parse_statement,
 };
 
-use super::tree::{Tree, Variable};
+use super::tree::{ExpressionTree, VariableRef};
 
 /// Where a jump goes.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Label {
+pub(super) enum JumpLabel {
     /// An N number.
     Number(u32),
     /// `:LABEL`, in upper case.
@@ -21,15 +21,15 @@ pub(super) enum Label {
 
 /// A statement.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Meaning {
+pub(super) enum MacroMeaning {
     Nothing,
-    Assign(Variable, Tree),
+    Assign(VariableRef, ExpressionTree),
     /// A condition, and what is done where it holds.
-    If(Tree, Box<Meaning>),
-    Goto(Label),
-    Label(Label),
+    If(ExpressionTree, Box<MacroMeaning>),
+    Goto(JumpLabel),
+    Label(JumpLabel),
     /// The beginning of a loop and its number.
-    While(Tree, u32),
+    While(ExpressionTree, u32),
     End(u32),
     /// A line that is printed: it steers nothing.
     Print,
@@ -40,7 +40,7 @@ pub(super) fn of(
     text: &[u8],
     range: TextRange,
     control: &Control,
-) -> Option<(Meaning, Option<String>)> {
+) -> Option<(MacroMeaning, Option<String>)> {
     let grammar = control.table.lexicon.grammar;
     let mut parser = ExpressionParser::new(text, FileId(0), grammar);
     let written = |range: TextRange| String::from_utf8_lossy(range.slice(text)).trim().to_string();
@@ -62,57 +62,59 @@ pub(super) fn of(
 }
 
 /// The value of a word.
-pub(super) fn value(text: &[u8], range: TextRange, control: &Control) -> Option<Tree> {
+pub(super) fn value(text: &[u8], range: TextRange, control: &Control) -> Option<ExpressionTree> {
     let grammar = control.table.lexicon.grammar;
     let mut parser = ExpressionParser::new(text, FileId(0), grammar);
     parser.start(text, FileId(0), range);
     let value = parser.value();
-    Tree::of(&parser, value, text).filter(|_| parser.rest().is_empty())
+    ExpressionTree::of(&parser, value, text).filter(|_| parser.rest().is_empty())
 }
 
-fn target(parser: &ExpressionParser, target: &Target, text: &[u8]) -> Option<Variable> {
-    let number = Tree::of(parser, target.index, text)?;
-    let Tree::Number(number) = number else { return None };
+fn target(parser: &ExpressionParser, target: &AssignTarget, text: &[u8]) -> Option<VariableRef> {
+    let number = ExpressionTree::of(parser, target.index, text)?;
+    let ExpressionTree::Number(number) = number else { return None };
     let number = number.parse().ok()?;
     match target.kind {
-        Op::Read => Some(Variable::Number(number)),
-        Op::Letters(place) => {
+        StackOp::Read => Some(VariableRef::Number(number)),
+        StackOp::Letters(place) => {
             let letters = *parser.grammar().letter_variables.get(usize::from(place))?;
-            Some(Variable::Letter(letters, number))
+            Some(VariableRef::Letter(letters, number))
         }
         _ => None,
     }
 }
 
-fn number_of(parser: &ExpressionParser, expression: Expression, text: &[u8]) -> Option<Label> {
-    match Tree::of(parser, expression, text)? {
-        Tree::Number(number) => Some(Label::Number(number.parse().ok()?)),
+fn number_of(parser: &ExpressionParser, expression: Expression, text: &[u8]) -> Option<JumpLabel> {
+    match ExpressionTree::of(parser, expression, text)? {
+        ExpressionTree::Number(number) => Some(JumpLabel::Number(number.parse().ok()?)),
         _ => None,
     }
 }
 
 /// A statement of macro B, alone in its block.
-fn block(parser: &mut ExpressionParser, text: &[u8]) -> Option<Meaning> {
+fn block(parser: &mut ExpressionParser, text: &[u8]) -> Option<MacroMeaning> {
     let meaning = match parse_statement(parser) {
-        Statement::Empty => Meaning::Nothing,
-        Statement::Assign { target: to, value, text: None } => {
-            Meaning::Assign(target(parser, &to, text)?, Tree::of(parser, value, text)?)
+        MacroStatement::Empty => MacroMeaning::Nothing,
+        MacroStatement::Assign { target: to, value, text: None } => MacroMeaning::Assign(
+            target(parser, &to, text)?,
+            ExpressionTree::of(parser, value, text)?,
+        ),
+        MacroStatement::If { condition, branch: ConditionBranch::Goto(to) } => {
+            let condition = ExpressionTree::of(parser, condition, text)?;
+            MacroMeaning::If(condition, Box::new(MacroMeaning::Goto(number_of(parser, to, text)?)))
         }
-        Statement::If { condition, branch: Branch::Goto(to) } => {
-            let condition = Tree::of(parser, condition, text)?;
-            Meaning::If(condition, Box::new(Meaning::Goto(number_of(parser, to, text)?)))
-        }
-        Statement::If { condition, branch: Branch::Then } => {
-            let condition = Tree::of(parser, condition, text)?;
+        MacroStatement::If { condition, branch: ConditionBranch::Then } => {
+            let condition = ExpressionTree::of(parser, condition, text)?;
             let then = block(parser, text)?;
-            matches!(then, Meaning::Assign(..)).then(|| Meaning::If(condition, Box::new(then)))?
+            matches!(then, MacroMeaning::Assign(..))
+                .then(|| MacroMeaning::If(condition, Box::new(then)))?
         }
-        Statement::Goto(to) => Meaning::Goto(number_of(parser, to, text)?),
-        Statement::While { condition: Some(condition), number } => {
-            Meaning::While(Tree::of(parser, condition, text)?, number)
+        MacroStatement::Goto(to) => MacroMeaning::Goto(number_of(parser, to, text)?),
+        MacroStatement::While { condition: Some(condition), number } => {
+            MacroMeaning::While(ExpressionTree::of(parser, condition, text)?, number)
         }
-        Statement::End(number) => Meaning::End(number),
-        Statement::Output(_) => return Some(Meaning::Print),
+        MacroStatement::End(number) => MacroMeaning::End(number),
+        MacroStatement::Output(_) => return Some(MacroMeaning::Print),
         _ => return None,
     };
     let rest = parser.rest().slice(text).trim_ascii();
@@ -120,22 +122,23 @@ fn block(parser: &mut ExpressionParser, text: &[u8]) -> Option<Meaning> {
 }
 
 /// A macro line.
-fn line(parser: &mut ExpressionParser, text: &[u8]) -> Option<Meaning> {
+fn line(parser: &mut ExpressionParser, text: &[u8]) -> Option<MacroMeaning> {
     Some(match parse_line_statement(parser) {
-        LineStatement::Empty => Meaning::Nothing,
-        LineStatement::Assign { target: to, value } => {
-            Meaning::Assign(target(parser, &to, text)?, Tree::of(parser, value, text)?)
-        }
+        LineStatement::Empty => MacroMeaning::Nothing,
+        LineStatement::Assign { target: to, value } => MacroMeaning::Assign(
+            target(parser, &to, text)?,
+            ExpressionTree::of(parser, value, text)?,
+        ),
         LineStatement::If(condition) => {
-            let condition = Tree::of(parser, condition, text)?;
+            let condition = ExpressionTree::of(parser, condition, text)?;
             let then = line(parser, text)?;
-            matches!(then, Meaning::Assign(..) | Meaning::Goto(_))
-                .then(|| Meaning::If(condition, Box::new(then)))?
+            matches!(then, MacroMeaning::Assign(..) | MacroMeaning::Goto(_))
+                .then(|| MacroMeaning::If(condition, Box::new(then)))?
         }
-        LineStatement::GotoLabel(name) => Meaning::Goto(Label::Name(named(name, text))),
-        LineStatement::GotoNumber(to) => Meaning::Goto(number_of(parser, to, text)?),
-        LineStatement::Label(name) => Meaning::Label(Label::Name(named(name, text))),
-        LineStatement::Print { .. } => Meaning::Print,
+        LineStatement::GotoLabel(name) => MacroMeaning::Goto(JumpLabel::Name(named(name, text))),
+        LineStatement::GotoNumber(to) => MacroMeaning::Goto(number_of(parser, to, text)?),
+        LineStatement::Label(name) => MacroMeaning::Label(JumpLabel::Name(named(name, text))),
+        LineStatement::Print { .. } => MacroMeaning::Print,
         _ => return None,
     })
 }

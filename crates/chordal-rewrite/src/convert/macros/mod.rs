@@ -8,13 +8,13 @@ mod write;
 
 use chordal::control::Control;
 use chordal::diagnostics::TextRange;
-use chordal::syntax::Value;
+use chordal::syntax::WordValue;
 
-pub(crate) use self::names::Names;
-use self::tree::Tree;
+pub(crate) use self::names::MacroNames;
+use self::tree::ExpressionTree;
 use super::comments;
-use super::draft::{Draft, Expand};
-use crate::source::Source;
+use super::draft::{BlockDraft, NeedsExpansion};
+use crate::source::SourceBlocks;
 
 /// Letters whose values may be computed on both.
 const COMPUTED: &[u8] = b"XYZABCIJKFS";
@@ -23,22 +23,27 @@ const COMPUTED: &[u8] = b"XYZABCIJKFS";
 const REGISTERS: std::ops::RangeInclusive<usize> = 1..=9;
 
 /// Macro statements of a program for another control.
-pub(crate) struct Macros<'a> {
-    source: &'a Source<'a>,
+pub(crate) struct MacroConverter<'a> {
+    source: &'a SourceBlocks<'a>,
     controls: [&'a Control; 2],
     /// Nothing where the two languages have nothing in common.
-    names: Option<Names>,
+    names: Option<MacroNames>,
 }
 
-impl<'a> Macros<'a> {
-    pub fn of(source: &'a Source<'a>, controls: [&'a Control; 2]) -> Macros<'a> {
-        Macros { source, controls, names: Names::of(source, controls) }
+impl<'a> MacroConverter<'a> {
+    pub fn of(source: &'a SourceBlocks<'a>, controls: [&'a Control; 2]) -> MacroConverter<'a> {
+        MacroConverter { source, controls, names: MacroNames::of(source, controls) }
     }
 
     /// A block with a statement.
-    pub fn statement(&self, draft: &mut Draft, at: usize, range: TextRange) -> Result<(), Expand> {
+    pub fn statement(
+        &self,
+        draft: &mut BlockDraft,
+        at: usize,
+        range: TextRange,
+    ) -> Result<(), NeedsExpansion> {
         let title = self.controls[1].table.title;
-        let unknown = || Expand(format!("{title} does not have this statement"));
+        let unknown = || NeedsExpansion(format!("{title} does not have this statement"));
         let names = self.names.as_ref().ok_or_else(unknown)?;
         let block = &self.source.blocks[at];
         let is_alone = block.words.iter().all(|word| word.letter == b'N') && block.delete.is_none();
@@ -62,22 +67,25 @@ impl<'a> Macros<'a> {
     }
 
     /// Words whose values are computed.
-    pub fn values(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+    pub fn values(&self, draft: &mut BlockDraft, at: usize) -> Result<(), NeedsExpansion> {
         let title = self.controls[1].table.title;
         let mut registers = REGISTERS;
         for word in 0..self.source.blocks[at].words.len() {
             let own = self.source.blocks[at].words[word];
-            if !matches!(own.value, Value::Expression(_) | Value::Register { .. }) {
+            if !matches!(own.value, WordValue::Expression(_) | WordValue::Register { .. }) {
                 continue;
             }
-            let unknown = || Expand(format!("{title} does not have `{}`", draft.written(word)));
+            let unknown =
+                || NeedsExpansion(format!("{title} does not have `{}`", draft.written(word)));
             let is_usual = COMPUTED.contains(&own.letter) && own.register.is_none() && !own.comma;
             let names = self.names.as_ref().filter(|_| is_usual).ok_or_else(unknown)?;
             let tree = match own.value {
-                Value::Expression(range) => {
+                WordValue::Expression(range) => {
                     meaning::value(self.source.text, range, self.controls[0]).ok_or_else(unknown)?
                 }
-                Value::Register { index, negative } => Tree::register(index, negative),
+                WordValue::Register { index, negative } => {
+                    ExpressionTree::register(index, negative)
+                }
                 _ => continue,
             };
             let letter = char::from(own.letter);

@@ -1,13 +1,13 @@
 //! Expressions as trees.
 
-use chordal::syntax::{Expression, ExpressionParser, Function, Op, Operator};
+use chordal::syntax::{Expression, ExpressionParser, Function, Operator, StackOp};
 
 /// Longer expressions are not carried over.
 const MOST_STEPS: usize = 200;
 
 /// A variable by its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) enum Variable {
+pub(super) enum VariableRef {
     /// `#101`.
     Number(u32),
     /// `V20`, `R3`: by the letters of the language.
@@ -16,47 +16,57 @@ pub(super) enum Variable {
 
 /// An expression.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Tree {
+pub(super) enum ExpressionTree {
     /// A number as it is written.
     Number(String),
-    Variable(Variable),
-    Negate(Box<Tree>),
-    Binary(Operator, Box<Tree>, Box<Tree>),
-    Call(Function, Box<Tree>),
+    Variable(VariableRef),
+    Negate(Box<ExpressionTree>),
+    Binary(Operator, Box<ExpressionTree>, Box<ExpressionTree>),
+    Call(Function, Box<ExpressionTree>),
 }
 
-impl Tree {
-    pub fn register(index: u8, negative: bool) -> Tree {
-        let register = Tree::Variable(Variable::Letter("R", u32::from(index)));
-        if negative { Tree::Negate(Box::new(register)) } else { register }
+impl ExpressionTree {
+    pub fn register(index: u8, negative: bool) -> ExpressionTree {
+        let register = ExpressionTree::Variable(VariableRef::Letter("R", u32::from(index)));
+        if negative { ExpressionTree::Negate(Box::new(register)) } else { register }
     }
 
     /// The tree of an expression; nothing where it takes more than numbers, variables of fixed numbers,
     /// operators and functions of one value.
-    pub fn of(parser: &ExpressionParser, expression: Expression, text: &[u8]) -> Option<Tree> {
+    pub fn of(
+        parser: &ExpressionParser,
+        expression: Expression,
+        text: &[u8],
+    ) -> Option<ExpressionTree> {
         let steps = parser.steps(expression);
         if steps.len() > MOST_STEPS || !parser.problems.is_empty() {
             return None;
         }
-        let mut stack: Vec<Tree> = Vec::new();
+        let mut stack: Vec<ExpressionTree> = Vec::new();
         for step in steps {
             let tree = match step.op {
-                Op::Number(_) => {
+                StackOp::Number(_) => {
                     let written = String::from_utf8_lossy(step.range.slice(text));
-                    Tree::Number(written.chars().filter(|c| !c.is_whitespace()).collect())
+                    ExpressionTree::Number(written.chars().filter(|c| !c.is_whitespace()).collect())
                 }
-                Op::Read => Tree::Variable(Variable::Number(whole(stack.pop()?)?)),
-                Op::Letters(place) => {
+                StackOp::Read => {
+                    ExpressionTree::Variable(VariableRef::Number(whole(stack.pop()?)?))
+                }
+                StackOp::Letters(place) => {
                     let letters = *parser.grammar().letter_variables.get(usize::from(place))?;
-                    Tree::Variable(Variable::Letter(letters, whole(stack.pop()?)?))
+                    ExpressionTree::Variable(VariableRef::Letter(letters, whole(stack.pop()?)?))
                 }
-                Op::Negate => Tree::Negate(Box::new(stack.pop()?)),
-                Op::Binary(operator) => {
+                StackOp::Negate => ExpressionTree::Negate(Box::new(stack.pop()?)),
+                StackOp::Binary(operator) => {
                     let right = Box::new(stack.pop()?);
-                    Tree::Binary(operator, Box::new(stack.pop()?), right)
+                    ExpressionTree::Binary(operator, Box::new(stack.pop()?), right)
                 }
-                Op::Call { function, two: false } => Tree::Call(function, Box::new(stack.pop()?)),
-                Op::Call { two: true, .. } | Op::Unreadable | Op::ReadNamed(_) => return None,
+                StackOp::Call { function, two: false } => {
+                    ExpressionTree::Call(function, Box::new(stack.pop()?))
+                }
+                StackOp::Call { two: true, .. } | StackOp::Unreadable | StackOp::ReadNamed(_) => {
+                    return None;
+                }
             };
             stack.push(tree);
         }
@@ -65,12 +75,12 @@ impl Tree {
     }
 
     /// All variables in it.
-    pub fn variables(&self, see: &mut impl FnMut(Variable)) {
+    pub fn variables(&self, see: &mut impl FnMut(VariableRef)) {
         match self {
-            Tree::Number(_) => {}
-            Tree::Variable(variable) => see(*variable),
-            Tree::Negate(one) | Tree::Call(_, one) => one.variables(see),
-            Tree::Binary(_, one, other) => {
+            ExpressionTree::Number(_) => {}
+            ExpressionTree::Variable(variable) => see(*variable),
+            ExpressionTree::Negate(one) | ExpressionTree::Call(_, one) => one.variables(see),
+            ExpressionTree::Binary(_, one, other) => {
                 one.variables(see);
                 other.variables(see);
             }
@@ -78,8 +88,8 @@ impl Tree {
     }
 
     /// The condition that holds where this one does not; nothing where it is no comparison.
-    pub fn inverted(&self) -> Option<Tree> {
-        let Tree::Binary(operator, one, other) = self else { return None };
+    pub fn inverted(&self) -> Option<ExpressionTree> {
+        let ExpressionTree::Binary(operator, one, other) = self else { return None };
         let operator = match operator {
             Operator::Equal => Operator::NotEqual,
             Operator::NotEqual => Operator::Equal,
@@ -89,14 +99,14 @@ impl Tree {
             Operator::LessOrEqual => Operator::Greater,
             _ => return None,
         };
-        Some(Tree::Binary(operator, one.clone(), other.clone()))
+        Some(ExpressionTree::Binary(operator, one.clone(), other.clone()))
     }
 }
 
 /// A number that is whole and not below zero.
-fn whole(tree: Tree) -> Option<u32> {
+fn whole(tree: ExpressionTree) -> Option<u32> {
     match tree {
-        Tree::Number(text) => text.trim_end_matches('.').parse().ok(),
+        ExpressionTree::Number(text) => text.trim_end_matches('.').parse().ok(),
         _ => None,
     }
 }

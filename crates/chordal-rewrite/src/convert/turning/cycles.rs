@@ -7,15 +7,19 @@ use chordal::control::{Action, ModeCode, OnceCode, TurnCycle, TurningRules};
 use chordal::syntax::{Block, Decimal, Letters};
 
 use crate::convert::codes;
-use crate::convert::context::Context;
-use crate::convert::draft::{Draft, Expand};
+use crate::convert::context::ConvertContext;
+use crate::convert::draft::{BlockDraft, NeedsExpansion};
 use crate::convert::numbers;
 use crate::source::{code_action, lacks_ends, turning_cycle};
 
 /// Angles of the tool that a packed word may name, degrees.
 const ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
 
-pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+pub(super) fn translate(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+) -> Result<(), NeedsExpansion> {
     let found = draft.block.words.iter().enumerate().find_map(|(word, own)| {
         let once = code_action(own, context.from)?.once()?;
         Some((word, turning_cycle(once)?))
@@ -24,9 +28,9 @@ pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     let title = context.to.table.title;
     let action = Action::Once(OnceCode::Turning(cycle));
     if codes::row(action, context.to).is_none() {
-        return Err(Expand(format!("{title} has no such cycle ({})", codes::what(action))));
+        return Err(NeedsExpansion(format!("{title} has no such cycle ({})", codes::what(action))));
     }
-    let one = Cycle { context, cycle, code, at };
+    let one = LatheCycleBlock { context, cycle, code, at };
     one.pockets(draft)?;
     match one.rules().map(|rules| rules.two_blocks) {
         [true, false] => one.in_one_block(draft),
@@ -35,21 +39,21 @@ pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     }
 }
 
-struct Cycle<'c> {
-    context: &'c Context<'c>,
+struct LatheCycleBlock<'c> {
+    context: &'c ConvertContext<'c>,
     cycle: TurnCycle,
     /// The place of its code among the words.
     code: usize,
     at: usize,
 }
 
-impl Cycle<'_> {
+impl LatheCycleBlock<'_> {
     fn rules(&self) -> [TurningRules; 2] {
         self.context.controls().map(|control| control.parameters.rules.turning)
     }
 
     /// A letter that says whether pockets are cut means nothing on the other control.
-    fn pockets(&self, draft: &Draft) -> Result<(), Expand> {
+    fn pockets(&self, draft: &BlockDraft) -> Result<(), NeedsExpansion> {
         let [one, other] = self.rules();
         let cuts = matches!(self.cycle, TurnCycle::Rough | TurnCycle::RoughFace);
         let letters = [one.pockets_by, other.pockets_by].into_iter().flatten();
@@ -58,20 +62,22 @@ impl Cycle<'_> {
         };
         if one.pockets_by != other.pockets_by && letters.into_iter().any(says) {
             let title = self.context.to.table.title;
-            return Err(Expand(format!("{title} says in another way whether pockets are cut")));
+            return Err(NeedsExpansion(format!(
+                "{title} says in another way whether pockets are cut"
+            )));
         }
         Ok(())
     }
 
     /// The number of a word; nothing where it is computed.
-    fn number(&self, block: &Block, letter: u8) -> Result<Option<Decimal>, Expand> {
+    fn number(&self, block: &Block, letter: u8) -> Result<Option<Decimal>, NeedsExpansion> {
         let Some(word) = block.last(letter) else { return Ok(None) };
-        let computed = || Expand("a word of the cycle is computed".into());
+        let computed = || NeedsExpansion("a word of the cycle is computed".into());
         word.number().map(Some).ok_or_else(computed)
     }
 
     /// A length, mm on the radius as the cycle counts it.
-    fn length(&self, block: &Block, letter: u8) -> Result<Option<f64>, Expand> {
+    fn length(&self, block: &Block, letter: u8) -> Result<Option<f64>, NeedsExpansion> {
         let units = self.units();
         let number = self.number(block, letter)?;
         Ok(number.map(|number| {
@@ -80,7 +86,7 @@ impl Cycle<'_> {
     }
 
     /// The same where a number without a point counts least increments, whatever the settings.
-    fn increments(&self, block: &Block, letter: u8) -> Result<Option<f64>, Expand> {
+    fn increments(&self, block: &Block, letter: u8) -> Result<Option<f64>, NeedsExpansion> {
         let number = self.number(block, letter)?.filter(|number| !number.has_point);
         match number {
             Some(number) => Ok(Some(number.to_f64() * self.least())),
@@ -109,7 +115,7 @@ impl Cycle<'_> {
         found.map(|at| &source.blocks[at])
     }
 
-    fn setup_length(&self, letter: u8) -> Result<Option<f64>, Expand> {
+    fn setup_length(&self, letter: u8) -> Result<Option<f64>, NeedsExpansion> {
         self.setup().map_or(Ok(None), |block| self.length(block, letter))
     }
 
@@ -131,7 +137,7 @@ impl Cycle<'_> {
     }
 
     /// Puts a word in the place of one, or after the others.
-    fn put(&self, draft: &mut Draft, letter: Option<u8>, new: String, reason: &str) {
+    fn put(&self, draft: &mut BlockDraft, letter: Option<u8>, new: String, reason: &str) {
         match letter.and_then(|letter| draft.place(letter)) {
             Some(word) => draft.replace(word, new, reason),
             None => draft.append(new, reason),
@@ -139,7 +145,7 @@ impl Cycle<'_> {
     }
 
     /// Two blocks as one.
-    fn in_one_block(&self, draft: &mut Draft) -> Result<(), Expand> {
+    fn in_one_block(&self, draft: &mut BlockDraft) -> Result<(), NeedsExpansion> {
         let [one, other] = self.rules();
         let reason = self.reason();
         if lacks_ends(self.cycle, draft.block) {
@@ -197,9 +203,9 @@ impl Cycle<'_> {
 
     fn thread_in_one_block(
         &self,
-        draft: &mut Draft,
+        draft: &mut BlockDraft,
         [one, other]: [TurningRules; 2],
-    ) -> Result<(), Expand> {
+    ) -> Result<(), NeedsExpansion> {
         let block = draft.block;
         if block.letters().meets(Letters::of("KD")) {
             return Ok(());
@@ -211,7 +217,7 @@ impl Cycle<'_> {
         let angle = packed.map_or(one.thread_angle_deg, |p| f64::from(p % 100));
         if exit != 0.0 && exit != other.thread_exit_leads {
             let title = self.context.to.table.title;
-            return Err(Expand(format!(
+            return Err(NeedsExpansion(format!(
                 "the exit of this thread is {exit} leads long, and {} on {title}, by a setting",
                 other.thread_exit_leads
             )));
@@ -237,14 +243,14 @@ impl Cycle<'_> {
     }
 
     /// Codes about a thread that ends without an exit.
-    fn without_exit(&self, draft: &mut Draft) -> Result<(), Expand> {
+    fn without_exit(&self, draft: &mut BlockDraft) -> Result<(), NeedsExpansion> {
         let code = |on: bool| {
             let action = Action::Mode(ModeCode::ThreadExit { on });
             codes::name(action, self.context.to, self.context.style())
         };
         let title = self.context.to.table.title;
         let (Some(off), Some(on)) = (code(false), code(true)) else {
-            return Err(Expand(format!("{title} has no thread without an exit")));
+            return Err(NeedsExpansion(format!("{title} has no thread without an exit")));
         };
         let reason = format!("{title} ends threads without an exit by a code");
         draft.note(String::new(), format!("{off}\n{on}"), reason);
@@ -254,7 +260,7 @@ impl Cycle<'_> {
     }
 
     /// One block as two.
-    fn in_two_blocks(&self, draft: &mut Draft) -> Result<(), Expand> {
+    fn in_two_blocks(&self, draft: &mut BlockDraft) -> Result<(), NeedsExpansion> {
         let [one, _] = self.rules();
         if lacks_ends(self.cycle, draft.block) {
             return Ok(());
@@ -271,7 +277,9 @@ impl Cycle<'_> {
             TurnCycle::Rough | TurnCycle::RoughFace => {
                 if block.letters().meets(Letters::of("IK")) {
                     let title = self.context.to.table.title;
-                    return Err(Expand(format!("{title} has no second contour pass (I, K)")));
+                    return Err(NeedsExpansion(format!(
+                        "{title} has no second contour pass (I, K)"
+                    )));
                 }
                 let depth = self.length(block, b'D')?.unwrap_or(one.rough_depth_mm).abs();
                 let words = vec![
@@ -317,7 +325,7 @@ impl Cycle<'_> {
     }
 
     /// Puts the first of two blocks before the cycle, with words that leave its own.
-    fn lead_in(&self, draft: &mut Draft, code: &str, words: Vec<String>, gone: &[u8]) {
+    fn lead_in(&self, draft: &mut BlockDraft, code: &str, words: Vec<String>, gone: &[u8]) {
         let gap = if self.context.style().spaced { " " } else { "" };
         let mut line = vec![code.to_string()];
         line.extend(words);
@@ -333,20 +341,22 @@ impl Cycle<'_> {
 
     fn thread_in_two_blocks(
         &self,
-        draft: &mut Draft,
+        draft: &mut BlockDraft,
         code: &str,
         one: TurningRules,
-    ) -> Result<(), Expand> {
+    ) -> Result<(), NeedsExpansion> {
         let block = draft.block;
         let title = self.context.to.table.title;
         if block.letters().meets(Letters::of("PQ")) {
-            return Err(Expand(format!("{title} feeds the tool of a thread in another way")));
+            return Err(NeedsExpansion(format!(
+                "{title} feeds the tool of a thread in another way"
+            )));
         }
         let angle = self.number(block, b'A')?.map_or(0.0, |angle| angle.to_f64());
         let exit = if self.is_without_exit() { 0.0 } else { one.thread_exit_leads };
         let tenths = (exit * 10.0).round();
         if !ANGLES.contains(&angle) || !(0.0..=99.0).contains(&tenths) {
-            return Err(Expand(format!("{title} has no tool angle of {angle} degrees")));
+            return Err(NeedsExpansion(format!("{title} has no tool angle of {angle} degrees")));
         }
         let passes = one.thread_finish_passes.min(99);
         let words = vec![

@@ -4,18 +4,22 @@ use chordal::control::{Action, CallCode, OnceCode, ReadingCode};
 use chordal::machine::AXIS_LETTERS;
 
 use crate::convert::codes;
-use crate::convert::context::Context;
-use crate::convert::draft::{Draft, Expand};
+use crate::convert::context::ConvertContext;
+use crate::convert::draft::{BlockDraft, NeedsExpansion};
 use crate::convert::numbers;
-use crate::convert::trace::Exec;
+use crate::convert::trace::BlockExecution;
 use crate::source::code_action;
 
-pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+pub(super) fn translate(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+) -> Result<(), NeedsExpansion> {
     letters(context, draft, at)?;
     distance_codes(context, draft, at)
 }
 
-fn takes_words(context: &Context, at: usize) -> bool {
+fn takes_words(context: &ConvertContext, at: usize) -> bool {
     context.source.has_action(at, context.from, |action| {
         matches!(
             action,
@@ -26,7 +30,11 @@ fn takes_words(context: &Context, at: usize) -> bool {
 }
 
 /// U and W as X and Z.
-fn letters(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+fn letters(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+) -> Result<(), NeedsExpansion> {
     let increments = context.from.parameters.increments;
     if increments == context.to.parameters.increments || takes_words(context, at) {
         return Ok(());
@@ -53,11 +61,11 @@ fn letters(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand
     let is_mixed = AXIS_LETTERS.bytes().any(|letter| draft.block.letters().has(letter));
     let code = |code: ReadingCode| {
         codes::name(Action::Reading(code), context.to, context.style())
-            .ok_or_else(|| Expand(reason.clone()))
+            .ok_or_else(|| NeedsExpansion(reason.clone()))
     };
     let (absolute, incremental) = (code(ReadingCode::Absolute)?, code(ReadingCode::Incremental)?);
     if is_mixed {
-        return Err(Expand(reason));
+        return Err(NeedsExpansion(reason));
     }
     for (word, letter) in words {
         let new = format!("{}{}", char::from(letter), &draft.written(word)[1..]);
@@ -69,7 +77,7 @@ fn letters(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand
 }
 
 /// Where the block's last move ends along an axis, as the new control reads it.
-fn place(context: &Context, run: &Exec, letter: u8) -> Option<String> {
+fn place(context: &ConvertContext, run: &BlockExecution, letter: u8) -> Option<String> {
     let axis = AXIS_LETTERS.bytes().position(|own| own == letter)?;
     let mut moves = context.trace.commands_of(run).iter().filter_map(|one| one.kind.motion());
     let last = moves.next_back().filter(|motion| motion.to_known.has(axis))?;
@@ -83,7 +91,11 @@ fn place(context: &Context, run: &Exec, letter: u8) -> Option<String> {
 }
 
 /// G90 and G91, where the new control has letters in their place.
-fn distance_codes(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+fn distance_codes(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+) -> Result<(), NeedsExpansion> {
     let has = codes::row(Action::Reading(ReadingCode::Incremental), context.to).is_some();
     if has {
         return Ok(());

@@ -3,22 +3,26 @@
 use chordal::CommandKind;
 use chordal::control::{Action, AfterCode, BeforeCode, ReadingCode, SpindleState};
 
-use crate::convert::codes::{self, Drilling};
-use crate::convert::context::Context;
-use crate::convert::draft::{Draft, Expand};
+use crate::convert::codes::{self, LatheDrilling};
+use crate::convert::context::ConvertContext;
+use crate::convert::draft::{BlockDraft, NeedsExpansion};
 use crate::convert::live::has_codes;
 use crate::convert::numbers;
-use crate::convert::trace::Exec;
+use crate::convert::trace::BlockExecution;
 use crate::source::code_action;
 
 /// Words about live tools of a block.
-pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+pub(super) fn translate(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+) -> Result<(), NeedsExpansion> {
     let Some(run) = context.run(at) else { return Ok(()) };
     let [from, to] = context.controls().map(has_codes);
     match (from, to) {
         (false, true) => {
             if context.live.unclear.contains(&at) {
-                return Err(Expand(
+                return Err(NeedsExpansion(
                     "C moves after a cut while it turns: whether this is the spindle or a live tool is not \
                      clear; name the live tool by P, or stop the spindle before C moves"
                         .into(),
@@ -34,7 +38,7 @@ pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
 }
 
 /// The spindle becomes the C axis before C moves.
-fn axis_on(context: &Context, draft: &mut Draft, at: usize) {
+fn axis_on(context: &ConvertContext, draft: &mut BlockDraft, at: usize) {
     let code = Action::Before(BeforeCode::CAxisOn);
     if context.live.axis_on.contains(&at)
         && let Some(code) = codes::name(code, context.to, context.style())
@@ -46,13 +50,13 @@ fn axis_on(context: &Context, draft: &mut Draft, at: usize) {
     }
 }
 
-fn rpm_text(context: &Context, rpm: f64) -> String {
+fn rpm_text(context: &ConvertContext, rpm: f64) -> String {
     let text = numbers::plain(rpm, 3, context.style());
     text.strip_suffix('.').map_or(text.clone(), str::to_string)
 }
 
 /// M3 and M5 of a live tool as codes of their own.
-fn by_code(context: &Context, draft: &mut Draft, at: usize, run: &Exec) {
+fn by_code(context: &ConvertContext, draft: &mut BlockDraft, at: usize, run: &BlockExecution) {
     let title = context.to.table.title;
     let gap = if context.style().spaced { " " } else { "" };
     let place = |wanted: &dyn Fn(Action) -> bool| {
@@ -89,7 +93,7 @@ fn by_code(context: &Context, draft: &mut Draft, at: usize, run: &Exec) {
     let cycle = place(&|action| matches!(action, Action::Cycle(_)));
     let own = cycle.and_then(|word| context.from.row_of(&draft.block.words[word]));
     if let (true, Some(word), Some(own)) = (context.live.taps.contains(&at), cycle, own) {
-        let drilling = Drilling { live: true, ..codes::is_in(own, context.from) };
+        let drilling = LatheDrilling { live: true, ..codes::is_in(own, context.from) };
         if let Some(row) = codes::cycle_row(own, drilling, context.to) {
             let new = codes::spelt(row, b'G', context.style());
             draft.replace(
@@ -117,7 +121,11 @@ const LIKE: [(Action, Action, bool); 3] = [
 ];
 
 /// Codes for live tools as M3 and M5 with the P that names them.
-fn by_p(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
+fn by_p(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    run: &BlockExecution,
+) -> Result<(), NeedsExpansion> {
     let title = context.to.table.title;
     let gap = if context.style().spaced { " " } else { "" };
     let number = context.to.parameters.live_tool_p;
@@ -135,7 +143,7 @@ fn by_p(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> 
             continue;
         };
         let Some(words) = named(own, number).filter(|_| number > 0) else {
-            return Err(Expand(format!(
+            return Err(NeedsExpansion(format!(
                 "{title} has no code for live tools: the builder chooses it"
             )));
         };
@@ -165,7 +173,12 @@ fn by_p(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> 
 }
 
 /// The new control has no code for the C axis that is known: the spindle stops, where it turned.
-fn axis_without_code(context: &Context, draft: &mut Draft, word: usize, run: &Exec) {
+fn axis_without_code(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    word: usize,
+    run: &BlockExecution,
+) {
     let title = context.to.table.title;
     let turned = matches!(run.before.spindle, SpindleState::Cw | SpindleState::Ccw);
     let stop = codes::name(Action::After(AfterCode::SpindleStop), context.to, context.style());

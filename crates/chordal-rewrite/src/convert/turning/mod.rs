@@ -10,8 +10,8 @@ use chordal::control::{Action, MotionCode, OnceCode, ReadingCode};
 use chordal::syntax::Letters;
 
 use super::codes;
-use super::context::Context;
-use super::draft::{Draft, Expand};
+use super::context::ConvertContext;
+use super::draft::{BlockDraft, NeedsExpansion};
 use super::numbers;
 use crate::source::code_action;
 
@@ -21,7 +21,11 @@ pub(crate) use self::stations::station;
 const ENDS: Letters = Letters::of("XZUW");
 
 /// Words of a block of a lathe, before its codes are looked at.
-pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+pub(super) fn translate(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+) -> Result<(), NeedsExpansion> {
     if !context.turns() || context.same_control() {
         return Ok(());
     }
@@ -36,7 +40,7 @@ pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
 }
 
 /// Codes that say whether X is a diameter, where the new control has no other way.
-fn reading_of_x(context: &Context, draft: &mut Draft) {
+fn reading_of_x(context: &ConvertContext, draft: &mut BlockDraft) {
     for word in 0..draft.block.words.len() {
         let action = code_action(&draft.block.words[word], context.from);
         let Some(Action::Reading(code)) = action else { continue };
@@ -48,7 +52,11 @@ fn reading_of_x(context: &Context, draft: &mut Draft) {
 }
 
 /// Passes of one block (G90, G92, G94), and threads whose lead changes.
-fn passes(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+fn passes(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+) -> Result<(), NeedsExpansion> {
     let title = context.to.table.title;
     let has = |code: MotionCode| codes::row(Action::Motion(code), context.to).is_some();
     for word in 0..draft.block.words.len() {
@@ -63,13 +71,17 @@ fn passes(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand>
                 let same = context.to.row_of(&own).map(|row| (row.action, row.words))
                     == context.from.row_of(&own).map(|row| (row.action, row.words));
                 if !same {
-                    return Err(Expand(format!("{title} has no thread whose lead changes")));
+                    return Err(NeedsExpansion(format!(
+                        "{title} has no thread whose lead changes"
+                    )));
                 }
             }
             Some(Action::Motion(MotionCode::Thread))
                 if context.from.parameters.thread_lead != context.to.parameters.thread_lead =>
             {
-                return Err(Expand(format!("{title} gives the lead of a thread in another way")));
+                return Err(NeedsExpansion(format!(
+                    "{title} gives the lead of a thread in another way"
+                )));
             }
             _ => {}
         }
@@ -77,14 +89,14 @@ fn passes(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand>
     let Some(run) = context.run(at) else { return Ok(()) };
     match run.after.motion {
         Some(Action::Motion(code @ MotionCode::Turn(_))) if !has(code) && context.in_cycle(run) => {
-            Err(Expand(format!("{title} has no cycle of one pass")))
+            Err(NeedsExpansion(format!("{title} has no cycle of one pass")))
         }
         _ => Ok(()),
     }
 }
 
 /// A thread whose lead changes: its moves show a mean lead, so that it cannot be written out.
-pub(super) fn changes_lead(context: &Context, at: usize) -> bool {
+pub(super) fn changes_lead(context: &ConvertContext, at: usize) -> bool {
     let by_feed = context.from.parameters.thread_lead == b'F';
     let thread = Action::Motion(MotionCode::Thread);
     by_feed
@@ -93,7 +105,7 @@ pub(super) fn changes_lead(context: &Context, at: usize) -> bool {
 }
 
 /// A block that does what no command shows: its words are needed.
-pub(crate) fn is_hidden(context: &Context, at: usize) -> bool {
+pub(crate) fn is_hidden(context: &ConvertContext, at: usize) -> bool {
     context.turns()
         && (changes_lead(context, at)
             || context.source.has_action(at, context.from, |action| {
@@ -106,7 +118,11 @@ pub(crate) fn is_hidden(context: &Context, at: usize) -> bool {
 }
 
 /// Words X of a program that is written in radii.
-fn diameters(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+fn diameters(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+) -> Result<(), NeedsExpansion> {
     let Some(run) = context.run(at) else { return Ok(()) };
     let factor = context.x_factor * run.after.per_x;
     if factor == 1.0 || context.waits(at) {
@@ -118,7 +134,9 @@ fn diameters(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expa
             continue;
         }
         let Some(number) = own.number() else {
-            return Err(Expand("X is computed, and is a diameter on the new control".into()));
+            return Err(NeedsExpansion(
+                "X is computed, and is a diameter on the new control".into(),
+            ));
         };
         let text = numbers::plain(number.to_f64() * factor, number.scale.into(), context.style());
         let reason = format!("X is a diameter on {}", context.to.table.title);

@@ -4,15 +4,15 @@ use chordal::control::{Action, OnceCode, ReadingCode, Units};
 use chordal::syntax::Letters;
 
 use crate::convert::codes;
-use crate::convert::context::Context;
-use crate::convert::draft::Draft;
+use crate::convert::context::ConvertContext;
+use crate::convert::draft::BlockDraft;
 use crate::convert::numbers;
-use crate::convert::trace::{Exec, Modes};
+use crate::convert::trace::{ActiveModes, BlockExecution};
 use crate::source::code_action;
 
 const AXES: Letters = Letters::of("XYZUVWCH");
 
-pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) {
+pub(super) fn translate(context: &ConvertContext, draft: &mut BlockDraft, at: usize) {
     let Some(run) = context.run(at) else { return };
     match context.controls().map(|control| control.parameters.preset_limits_speed) {
         [true, false] => {
@@ -24,18 +24,18 @@ pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) {
     }
 }
 
-fn place_of(context: &Context, draft: &Draft, action: Action) -> Option<usize> {
+fn place_of(context: &ConvertContext, draft: &BlockDraft, action: Action) -> Option<usize> {
     let words = 0..draft.block.words.len();
     words.into_iter().find(|at| code_action(&draft.block.words[*at], context.from) == Some(action))
 }
 
-fn text(value: f64, context: &Context) -> String {
+fn text(value: f64, context: &ConvertContext) -> String {
     let text = numbers::plain(value, 4, context.style());
     text.strip_suffix('.').map_or(text.clone(), str::to_string)
 }
 
 /// `G96 D3000 S200` as it is active.
-fn in_force(context: &Context, modes: &Modes) -> Option<String> {
+fn in_force(context: &ConvertContext, modes: &ActiveModes) -> Option<String> {
     let style = context.style();
     let code = codes::name(Action::Reading(ReadingCode::SurfaceSpeed), context.to, style)?;
     let mut words = vec![code];
@@ -44,19 +44,19 @@ fn in_force(context: &Context, modes: &Modes) -> Option<String> {
     Some(words.join(if style.spaced { " " } else { "" }))
 }
 
-fn limit_word(context: &Context, modes: &Modes) -> Option<String> {
+fn limit_word(context: &ConvertContext, modes: &ActiveModes) -> Option<String> {
     let limit = modes.speed_limit.filter(|limit| limit.is_finite())?;
     Some(format!("D{}", text(limit, context)))
 }
 
 /// The cutting speed in the unit of S.
-fn per_minute(modes: &Modes) -> Option<f64> {
+fn per_minute(modes: &ActiveModes) -> Option<f64> {
     let unit = if modes.units == Units::Inch { 304.8 } else { 1000.0 };
     Some(modes.surface_speed? * 60.0 / unit)
 }
 
 /// `G50 S3000` where the limit stands in the block of the cutting speed.
-fn limit_with_speed(context: &Context, draft: &mut Draft, run: &Exec) {
+fn limit_with_speed(context: &ConvertContext, draft: &mut BlockDraft, run: &BlockExecution) {
     let preset = place_of(context, draft, Action::Once(OnceCode::PresetPosition));
     let (Some(preset), Some(s)) = (preset, draft.place(b'S')) else { return };
     let title = context.to.table.title;
@@ -77,7 +77,7 @@ fn limit_with_speed(context: &Context, draft: &mut Draft, run: &Exec) {
 }
 
 /// D of the limit that is active, and S, without which there is no cutting speed.
-fn speed_with_limit(context: &Context, draft: &mut Draft, run: &Exec) {
+fn speed_with_limit(context: &ConvertContext, draft: &mut BlockDraft, run: &BlockExecution) {
     let speed = Action::Reading(ReadingCode::SurfaceSpeed);
     let Some(code) = place_of(context, draft, speed) else { return };
     let title = context.to.table.title;
@@ -97,7 +97,7 @@ fn speed_with_limit(context: &Context, draft: &mut Draft, run: &Exec) {
 }
 
 /// D of a cutting speed as a block before it.
-fn limit_before_speed(context: &Context, draft: &mut Draft) {
+fn limit_before_speed(context: &ConvertContext, draft: &mut BlockDraft) {
     let speed = Action::Reading(ReadingCode::SurfaceSpeed);
     if place_of(context, draft, speed).is_none() {
         return;

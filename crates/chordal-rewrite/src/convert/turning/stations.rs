@@ -6,10 +6,10 @@ use chordal::control::{
 };
 
 use crate::convert::codes;
-use crate::convert::context::Context;
-use crate::convert::draft::Draft;
-use crate::convert::trace::Exec;
-use crate::source::{Style, code_action};
+use crate::convert::context::ConvertContext;
+use crate::convert::draft::BlockDraft;
+use crate::convert::trace::BlockExecution;
+use crate::source::{WordStyle, code_action};
 
 /// The word of a station and its offset; 0 ends the offset.
 pub(crate) fn station(control: &Control, tool: u32, offset: Option<u32>) -> Option<String> {
@@ -26,7 +26,7 @@ pub(crate) fn station(control: &Control, tool: u32, offset: Option<u32>) -> Opti
 /// The words for a tool with its offset on a control whose T names a tool alone.
 pub(crate) fn tool_words(
     control: &Control,
-    style: Style,
+    style: WordStyle,
     tool: Option<u32>,
     offset: Option<u32>,
     current: u32,
@@ -47,7 +47,7 @@ pub(crate) fn tool_words(
     words
 }
 
-pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) {
+pub(super) fn translate(context: &ConvertContext, draft: &mut BlockDraft, at: usize) {
     let by_station = |control: &Control| {
         matches!(control.parameters.tool_word, ToolWord::StationAndOffset { .. })
     };
@@ -68,19 +68,24 @@ pub(super) fn translate(context: &Context, draft: &mut Draft, at: usize) {
 }
 
 /// T as a station, not as a word of a cycle or of data.
-fn station_word(context: &Context, draft: &Draft, at: usize) -> Option<usize> {
+fn station_word(context: &ConvertContext, draft: &BlockDraft, at: usize) -> Option<usize> {
     let is_other = context.source.has_action(at, context.from, |action| {
         matches!(action, Action::Once(OnceCode::SetData | OnceCode::Turning(_)))
     });
     draft.place(b'T').filter(|_| !is_other)
 }
 
-fn changes_tool(context: &Context, run: &Exec) -> bool {
+fn changes_tool(context: &ConvertContext, run: &BlockExecution) -> bool {
     let mut commands = context.trace.commands_of(run).iter();
     commands.any(|command| matches!(command.kind, CommandKind::Tool { .. }))
 }
 
-fn station_as_tool(context: &Context, draft: &mut Draft, at: usize, run: &Exec) {
+fn station_as_tool(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+    run: &BlockExecution,
+) {
     let Some(word) = station_word(context, draft, at) else { return };
     let style = context.style();
     let changes = changes_tool(context, run);
@@ -111,7 +116,12 @@ fn station_as_tool(context: &Context, draft: &mut Draft, at: usize, run: &Exec) 
     }
 }
 
-fn tool_as_station(context: &Context, draft: &mut Draft, at: usize, run: &Exec) {
+fn tool_as_station(
+    context: &ConvertContext,
+    draft: &mut BlockDraft,
+    at: usize,
+    run: &BlockExecution,
+) {
     let is = |word: usize, wanted: fn(Action) -> bool| {
         code_action(&draft.block.words[word], context.from).is_some_and(wanted)
     };

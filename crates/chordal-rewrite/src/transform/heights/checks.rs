@@ -1,28 +1,32 @@
 //! What cannot be bent over a map, each with its reason and what to do.
 
-use chordal::control::{Action, FeedMode, ModeCode, OnceCode, PathCode, Side};
+use chordal::control::{Action, CompensationSide, FeedMode, ModeCode, OnceCode, PathCode};
 use chordal::diagnostics::TextRange;
 use chordal::geometry::Plane;
 use chordal::syntax::{Block, Word};
 
-use super::super::edit::{Refusal, line_end};
-use super::super::record::{Did, Run, Runs};
+use super::super::edit::{TransformRefusal, line_end};
+use super::super::record::{BlockEffect, BlockPass, BlockRuns};
 use super::super::roles::actions;
-use super::super::writer::Writer;
+use super::super::writer::WordWriter;
 use super::grid::HeightMap;
 use super::way::PlanePath;
 
-type Reason = (String, &'static str);
+type HeightsRefusal = (String, &'static str);
 
-fn told(writer: &Writer, block: &Block, reason: Option<Reason>) -> Result<(), Refusal> {
+fn told(
+    writer: &WordWriter,
+    block: &Block,
+    reason: Option<HeightsRefusal>,
+) -> Result<(), TransformRefusal> {
     match reason {
-        Some((what, help)) => Err(Refusal::new(writer.text, block, what, help)),
+        Some((what, help)) => Err(TransformRefusal::new(writer.text, block, what, help)),
         None => Ok(()),
     }
 }
 
 /// The work offset that a block chooses, as it is written.
-fn work_offset(writer: &Writer, block: &Block) -> Option<String> {
+fn work_offset(writer: &WordWriter, block: &Block) -> Option<String> {
     let by_code = actions(block, writer.control)
         .find(|(_, action)| matches!(action, Action::Mode(code) if code.is_work_offset()));
     let by_word = block.word(b'E').filter(|_| writer.control.table.work_names.by_e);
@@ -33,10 +37,10 @@ fn work_offset(writer: &Writer, block: &Block) -> Option<String> {
 
 /// Codes under which words are no places on the map. `work` is the work offset that was chosen first.
 pub(super) fn codes(
-    writer: &Writer,
+    writer: &WordWriter,
     block: &Block,
     work: &mut Option<String>,
-) -> Result<(), Refusal> {
+) -> Result<(), TransformRefusal> {
     for (word, action) in actions(block, writer.control) {
         told(writer, block, of_code(&writer.word(word), action))?;
     }
@@ -52,7 +56,7 @@ pub(super) fn codes(
 }
 
 /// Why a code does not go with a map; nothing where it does.
-fn of_code(word: &str, action: Action) -> Option<Reason> {
+fn of_code(word: &str, action: Action) -> Option<HeightsRefusal> {
     let once = action.once();
     let is = |codes: fn(OnceCode) -> bool| once.is_some_and(codes);
     let turns = action == Action::Mode(ModeCode::Polar { on: true })
@@ -86,14 +90,18 @@ fn of_code(word: &str, action: Action) -> Option<Reason> {
 }
 
 /// A move that the map says nothing of.
-pub(super) fn of_move(writer: &Writer, block: &Block, runs: &Runs) -> Result<(), Refusal> {
+pub(super) fn of_move(
+    writer: &WordWriter,
+    block: &Block,
+    runs: &BlockRuns,
+) -> Result<(), TransformRefusal> {
     let run = &runs.first;
     let context = &run.context;
-    let is_arc = matches!(context.did, Did::Arc | Did::Spiral);
+    let is_arc = matches!(context.did, BlockEffect::Arc | BlockEffect::Spiral);
     let computed = |word: &Word| b"XYZ".contains(&word.letter) && word.number().is_none();
-    let (what, help) = if context.did == Did::Cycle {
+    let (what, help) = if context.did == BlockEffect::Cycle {
         ("a canned cycle has one depth for all of its holes", "write the holes as single moves")
-    } else if matches!(context.did, Did::Spiral | Did::Spline) {
+    } else if matches!(context.did, BlockEffect::Spiral | BlockEffect::Spline) {
         ("a spiral does not lie on the map as one block", "write it as chords first (--chords)")
     } else if is_arc && context.plane != Plane::Xy {
         ("an arc in G18 or G19 does not stay one on the map", "write it as chords first (--chords)")
@@ -101,7 +109,7 @@ pub(super) fn of_move(writer: &Writer, block: &Block, runs: &Runs) -> Result<(),
         ("the block runs several times, from different places", "copy the subprogram for each use")
     } else if context.incremental {
         ("G91 is active: a distance says nothing of the place on the map", "write the moves in G90")
-    } else if context.side != Side::Off {
+    } else if context.side != CompensationSide::Off {
         ("cutter compensation is on", "let the CAM system compute the path of the tool centre")
     } else if block.words.iter().any(|word| b"ABC".contains(&word.letter)) {
         ("a rotary axis turns the part under the map", "bend only programs of three axes")
@@ -119,12 +127,12 @@ pub(super) fn of_move(writer: &Writer, block: &Block, runs: &Runs) -> Result<(),
 
 /// A cut that leaves the map.
 pub(super) fn inside(
-    writer: &Writer,
+    writer: &WordWriter,
     map: &HeightMap,
     block: &Block,
-    run: &Run,
+    run: &BlockPass,
     way: &PlanePath,
-) -> Result<(), Refusal> {
+) -> Result<(), TransformRefusal> {
     let most = way.extremes().into_iter().map(|at| map.outside(at)).fold(0.0, f64::max);
     let unit = run.context.units.mm();
     let name = if unit == 1.0 { "mm" } else { "in" };
@@ -139,11 +147,11 @@ pub(super) fn inside(
 
 /// A block that becomes several, and cannot. `alone` is said of one that has its line for itself.
 pub(super) fn several(
-    writer: &Writer,
+    writer: &WordWriter,
     block: &Block,
-    run: &Run,
+    run: &BlockPass,
     alone: bool,
-) -> Result<(), Refusal> {
+) -> Result<(), TransformRefusal> {
     let rest = TextRange::new(block.range.end, line_end(writer.text, block.range.end));
     let rest = String::from_utf8_lossy(rest.slice(writer.text));
     let rest = rest.trim_matches([' ', ';', '\t']);
@@ -155,7 +163,8 @@ pub(super) fn several(
         !lasts || action == Action::Mode(ModeCode::Path(PathCode::ExactStopOnce))
     };
     let once = actions(block, writer.control).find(|(_, action)| is_once(*action));
-    let turns = run.context.did == Did::Arc && b"PLQ".iter().any(|word| block.letters().has(*word));
+    let turns =
+        run.context.did == BlockEffect::Arc && b"PLQ".iter().any(|word| block.letters().has(*word));
     let (what, help) = if !(alone && (rest.is_empty() || rest.starts_with('('))) {
         (
             "something else follows the block on its line".to_string(),

@@ -42,14 +42,14 @@ impl MapError {
 
 /// One measured point, mm, and its line.
 #[derive(Clone, Copy)]
-struct Point {
+struct MeasuredPoint {
     at: [f64; 3],
     line: u32,
 }
 
 /// The surface about a place: height, slopes along X and Y, and the twist (of X times Y).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Local {
+pub(super) struct LocalSurface {
     pub(super) height: f64,
     pub(super) slope: [f64; 2],
     pub(super) twist: f64,
@@ -92,12 +92,12 @@ impl HeightMap {
                 let what = format!("the map has more than {MOST_POINTS} points");
                 return Err(MapError::of_line(line, whole, what, "measure fewer points"));
             }
-            points.push(Point { at: at.map(|value| value * unit_mm), line });
+            points.push(MeasuredPoint { at: at.map(|value| value * unit_mm), line });
         }
         HeightMap::of(&points, unit_mm)
     }
 
-    fn of(points: &[Point], unit_mm: f64) -> Result<HeightMap, MapError> {
+    fn of(points: &[MeasuredPoint], unit_mm: f64) -> Result<HeightMap, MapError> {
         let [columns, rows] = [0, 1].map(|axis| places(points, axis));
         if columns.len() < 2 || rows.len() < 2 {
             let what = format!(
@@ -108,11 +108,11 @@ impl HeightMap {
             );
             return Err(MapError::of_map(what, "a map needs at least two columns and two rows"));
         }
-        let place_of = |point: &Point| {
+        let place_of = |point: &MeasuredPoint| {
             nearest(&rows, point.at[1]) * columns.len() + nearest(&columns, point.at[0])
         };
         // Sorted and not put in a table: points on a slanting line would want a table of their square.
-        let mut placed: Vec<(usize, Point)> =
+        let mut placed: Vec<(usize, MeasuredPoint)> =
             points.iter().map(|point| (place_of(point), *point)).collect();
         placed.sort_by_key(|(place, point)| (*place, point.line));
         if let Some(pair) = placed.windows(2).find(|pair| pair[0].0 == pair[1].0) {
@@ -217,7 +217,7 @@ impl HeightMap {
         most
     }
 
-    pub(super) fn about(&self, at: [f64; 2]) -> Local {
+    pub(super) fn about(&self, at: [f64; 2]) -> LocalSurface {
         let [x, y] = [(&self.columns, at[0]), (&self.rows, at[1])].map(|(places, value)| {
             let cell = places.partition_point(|place| *place <= value);
             let cell = cell.clamp(1, places.len() - 1) - 1;
@@ -230,7 +230,7 @@ impl HeightMap {
         let (u, v) = ((x.1 - self.columns[x.0]) / wide, (y.1 - self.rows[y.0]) / high);
         let twist = (a - b - c + d) / (wide * high);
         let only = |is_inside: bool, value: f64| if is_inside { value } else { 0.0 };
-        Local {
+        LocalSurface {
             height: (a * (1.0 - u) + b * u) * (1.0 - v) + (c * (1.0 - u) + d * u) * v,
             slope: [
                 only(x.2, ((b - a) * (1.0 - v) + (d - c) * v) / wide),
@@ -298,7 +298,7 @@ fn point(cells: &[String], order: [usize; 3]) -> Result<[f64; 3], String> {
 }
 
 /// The different places of points along an axis, in order.
-fn places(points: &[Point], axis: usize) -> Vec<f64> {
+fn places(points: &[MeasuredPoint], axis: usize) -> Vec<f64> {
     let mut all: Vec<f64> = points.iter().map(|point| point.at[axis]).collect();
     all.sort_unstable_by(f64::total_cmp);
     all.dedup_by(|next, before| *next - *before <= SAME_MM);

@@ -5,13 +5,13 @@ use std::collections::HashMap;
 use chordal::control::{Action, OnceCode};
 use chordal::syntax::Block;
 
-use super::super::record::{Did, Record, Runs};
+use super::super::record::{BlockEffect, BlockRuns, RunRecord};
 use super::super::roles::actions;
-use super::super::writer::Writer;
+use super::super::writer::WordWriter;
 
 /// Where Z stands before a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Level {
+pub(super) enum ZLevel {
     /// Where a move to a place of the machine has left it, or nowhere known.
     #[default]
     Machine,
@@ -22,7 +22,7 @@ pub(super) enum Level {
 }
 
 /// The block goes to a place of the machine.
-pub(super) fn is_machine(writer: &Writer, block: &Block) -> bool {
+pub(super) fn is_machine(writer: &WordWriter, block: &Block) -> bool {
     actions(block, writer.control).any(|(_, action)| {
         matches!(
             action,
@@ -37,27 +37,31 @@ pub(super) fn is_machine(writer: &Writer, block: &Block) -> bool {
 }
 
 /// The level before each block, by its first byte, as the first run of it finds it.
-pub(super) fn levels(writer: &Writer, record: &Record, blocks: &[Block]) -> HashMap<u32, Level> {
-    let mut ran: Vec<(&Block, &Runs)> = blocks
+pub(super) fn levels(
+    writer: &WordWriter,
+    record: &RunRecord,
+    blocks: &[Block],
+) -> HashMap<u32, ZLevel> {
+    let mut ran: Vec<(&Block, &BlockRuns)> = blocks
         .iter()
         .filter_map(|block| Some((block, record.blocks.get(&block.range.start)?)))
         .collect();
     ran.sort_by_key(|(_, runs)| runs.order);
-    let (mut levels, mut level) = (HashMap::new(), Level::Machine);
+    let (mut levels, mut level) = (HashMap::new(), ZLevel::Machine);
     for (block, runs) in ran {
         levels.insert(block.range.start, level);
         let run = &runs.first;
         let is_elsewhere = run.from[2] != run.to[2] || run.known[0].has(2) != run.known[1].has(2);
         level = match run.context.did {
-            Did::Nothing if is_elsewhere => Level::Machine,
-            Did::Nothing => level,
-            _ if is_machine(writer, block) && is_elsewhere => Level::Machine,
+            BlockEffect::Nothing if is_elsewhere => ZLevel::Machine,
+            BlockEffect::Nothing => level,
+            _ if is_machine(writer, block) && is_elsewhere => ZLevel::Machine,
             _ if is_machine(writer, block) => level,
-            Did::Rapid if block.word(b'Z').is_some() => Level::Rapid,
+            BlockEffect::Rapid if block.word(b'Z').is_some() => ZLevel::Rapid,
             // Aside from a cut it is lifted before.
-            Did::Rapid if level == Level::Cut => Level::Rapid,
-            Did::Rapid => level,
-            _ => Level::Cut,
+            BlockEffect::Rapid if level == ZLevel::Cut => ZLevel::Rapid,
+            BlockEffect::Rapid => level,
+            _ => ZLevel::Cut,
         };
     }
     levels

@@ -12,18 +12,18 @@ mod way;
 mod write;
 
 use chordal::Job;
-use chordal_compare::{Category, Mapping, Options, Verdict};
+use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, RunMapping};
 
 pub use grid::{HeightMap, MapError};
 
-use super::edit::{self, Refusal};
-use super::{Meant, Transformed, refuse_what_has_no_roles};
+use super::edit::{self, TransformRefusal};
+use super::{IntendedMotion, TransformedProgram, refuse_what_has_no_roles};
 use crate::prove;
 use crate::source::first_text;
 
 /// How a program is bent.
 #[derive(Clone, Copy, Debug)]
-pub struct Warp {
+pub struct HeightOptions {
     /// The new path may be so far off the old one on the surface, mm.
     pub tolerance_mm: f64,
     /// Beyond the map its edge goes on; otherwise a cut there is refused.
@@ -32,9 +32,9 @@ pub struct Warp {
 
 /// A program bent over a map.
 #[derive(Debug)]
-pub struct Warped {
+pub struct HeightCorrection {
     /// The new text, its changes and its proof; distances are those from the old path on the surface.
-    pub done: Transformed,
+    pub done: TransformedProgram,
     /// The lowest and the highest height under a cut, mm; nothing where there is no cut.
     pub heights_mm: Option<[f64; 2]>,
     /// How many moves the old program makes, and the new one.
@@ -61,7 +61,11 @@ const BETWEEN_MOVES: &[Category] = &[
 ///
 /// # Errors
 /// The first block that cannot be bent, and why.
-pub fn warp(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Warped, Refusal> {
+pub fn warp(
+    job: &Job,
+    map: &HeightMap,
+    warp: &HeightOptions,
+) -> Result<HeightCorrection, TransformRefusal> {
     refuse_what_has_no_roles(job)?;
     let mut written = write::write(job, map, warp)?;
     let old = first_text(job);
@@ -72,7 +76,7 @@ pub fn warp(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Warped, Refusal> 
     // against each other move by move; of the comparison what happens between the moves is kept, and what both runs say
     // of themselves.
     let ignored = Category::ALL.into_iter().filter(|category| !BETWEEN_MOVES.contains(category));
-    let options = Options { ignored: ignored.collect(), ..Options::default() };
+    let options = ComparisonOptions { ignored: ignored.collect(), ..ComparisonOptions::default() };
     let mut certificate = prove(job, &new, &options, &[]);
     let mut notes = written.notes;
     let proved = proof::prove(job, &new, map, &written.trail, warp);
@@ -85,14 +89,15 @@ pub fn warp(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Warped, Refusal> 
         Ok(proved) => {
             comparison.max_distance_mm = Some(proved.deviation_mm);
             if !comparison.differences.is_empty() {
-                comparison.verdict = Verdict::Different;
-            } else if comparison.verdict != Verdict::NotVerified {
+                comparison.verdict = ComparisonVerdict::Different;
+            } else if comparison.verdict != ComparisonVerdict::NotVerified {
                 let is_same = proved.deviation_mm <= chordal_compare::SAME_MM;
-                comparison.verdict = if is_same { Verdict::Same } else { Verdict::Within };
+                comparison.verdict =
+                    if is_same { ComparisonVerdict::Same } else { ComparisonVerdict::Within };
             }
         }
         Err(why) => {
-            comparison.verdict = Verdict::Different;
+            comparison.verdict = ComparisonVerdict::Different;
             notes.push(why.clone());
         }
     }
@@ -100,10 +105,10 @@ pub fn warp(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Warped, Refusal> 
         Ok(proved) => (proved.heights_mm, proved.moves),
         Err(_) => (None, [0, 0]),
     };
-    if comparison.verdict == Verdict::NotVerified {
+    if comparison.verdict == ComparisonVerdict::NotVerified {
         notes.push(super::NOT_FOLLOWED.into());
     }
-    let meant = Meant { options, expected: Vec::new(), mapping: Mapping::default() };
-    let done = Transformed { text, changes, notes, certificate, meant };
-    Ok(Warped { done, heights_mm, moves })
+    let meant = IntendedMotion { options, expected: Vec::new(), mapping: RunMapping::default() };
+    let done = TransformedProgram { text, changes, notes, certificate, meant };
+    Ok(HeightCorrection { done, heights_mm, moves })
 }

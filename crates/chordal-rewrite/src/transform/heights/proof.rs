@@ -8,17 +8,17 @@ use chordal::control::{ArcShape, AxisMask, Feed, Position};
 use chordal::diagnostics::FileId;
 use chordal::{Command, CommandKind, Diagnostic, Job, RunSink, Severity, Sink};
 
-use super::Warp;
+use super::HeightOptions;
 use super::grid::HeightMap;
 use super::way::PlanePath;
-use super::write::{Trail, arc};
+use super::write::{WrittenTrail, arc};
 
 /// Steps of the bisection for all pieces of one move.
 const MOST_STEPS: u32 = 2_000_000;
 
 /// What was found.
 #[derive(Debug, Default)]
-pub(super) struct Proved {
+pub(super) struct ProofResult {
     pub(super) deviation_mm: f64,
     pub(super) heights_mm: Option<[f64; 2]>,
     pub(super) moves: [u64; 2],
@@ -26,7 +26,7 @@ pub(super) struct Proved {
 
 /// A move of a run.
 #[derive(Clone, Debug)]
-struct Step {
+struct ProofMove {
     rapid: bool,
     from: Position,
     to: Position,
@@ -41,20 +41,20 @@ struct Step {
 
 /// A run, in its order.
 #[derive(Default)]
-struct Course {
-    steps: Vec<Step>,
+struct ProofRun {
+    steps: Vec<ProofMove>,
     /// What is done between moves, each with the count of moves before it.
     others: Vec<(usize, CommandKind)>,
     errors: u64,
 }
 
-impl Sink for Course {
+impl Sink for ProofRun {
     fn command(&mut self, command: &Command) {
         let Some(motion) = command.kind.motion() else {
             self.others.push((self.steps.len(), command.kind.clone()));
             return;
         };
-        self.steps.push(Step {
+        self.steps.push(ProofMove {
             rapid: matches!(command.kind, CommandKind::Rapid { .. }),
             from: motion.from,
             to: motion.to,
@@ -72,18 +72,18 @@ impl Sink for Course {
     }
 }
 
-impl RunSink for Course {}
+impl RunSink for ProofRun {}
 
 /// Holds the new run against the old one and the map.
 pub(super) fn prove(
     old: &Job,
     new: &Job,
     map: &HeightMap,
-    trail: &Trail,
-    warp: &Warp,
-) -> Result<Proved, String> {
+    trail: &WrittenTrail,
+    warp: &HeightOptions,
+) -> Result<ProofResult, String> {
     let [old, new] = [old, new].map(|job| {
-        let mut course = Course::default();
+        let mut course = ProofRun::default();
         job.run(&mut course);
         course
     });
@@ -93,13 +93,13 @@ pub(super) fn prove(
             new.errors, old.errors
         ));
     }
-    let mut prover = Prover {
+    let mut prover = HeightProver {
         map,
         allowed: warp.tolerance_mm,
         rise: map.rise(),
-        proved: Proved {
+        proved: ProofResult {
             moves: [old.steps.len() as u64, new.steps.len() as u64],
-            ..Proved::default()
+            ..ProofResult::default()
         },
     };
     let mut at = 0;
@@ -129,7 +129,7 @@ pub(super) fn prove(
 }
 
 /// What is done between moves is the same, and at the same places among them.
-fn same_others(old: &Course, new: &Course, starts: &[usize]) -> Result<(), String> {
+fn same_others(old: &ProofRun, new: &ProofRun, starts: &[usize]) -> Result<(), String> {
     if old.others.len() != new.others.len() {
         return Err("the new program does something else between its moves".into());
     }
@@ -143,7 +143,7 @@ fn same_others(old: &Course, new: &Course, starts: &[usize]) -> Result<(), Strin
 }
 
 /// A move to a place of the machine, or aside from one, is the same; Z may come from another height.
-fn stays(old: &Step, new: &Step) -> Result<(), String> {
+fn stays(old: &ProofMove, new: &ProofMove) -> Result<(), String> {
     let same = |one: &Position, other: &Position, known: AxisMask| {
         (0..one.len()).all(|axis| !known.has(axis) || axis == 2 || one[axis] == other[axis])
     };
@@ -155,18 +155,18 @@ fn stays(old: &Step, new: &Step) -> Result<(), String> {
     is_same.then_some(()).ok_or_else(|| "the move is another one".into())
 }
 
-struct Prover<'a> {
+struct HeightProver<'a> {
     map: &'a HeightMap,
     allowed: f64,
     /// How far rapids are raised, mm.
     rise: f64,
-    proved: Proved,
+    proved: ProofResult,
 }
 
-impl Prover<'_> {
+impl HeightProver<'_> {
     /// The same F. Where it is the feed in the plane of an arc, the slope of the map changes that along the arc:
     /// from √(1 + s²) to √(1 + (s + m)²), which is no more than m of it.
-    fn same_feed(&self, old: &Step, new: &Step) -> bool {
+    fn same_feed(&self, old: &ProofMove, new: &ProofMove) -> bool {
         let (Some(one), Some(other)) = (old.feed, new.feed) else {
             return old.feed.is_none() && new.feed.is_none();
         };
@@ -182,7 +182,12 @@ impl Prover<'_> {
                 || (one.value - other.value).abs() <= one.value * (slope() + 1e-6))
     }
 
-    fn step(&mut self, old: &Step, pieces: &[Step], is_level: bool) -> Result<(), String> {
+    fn step(
+        &mut self,
+        old: &ProofMove,
+        pieces: &[ProofMove],
+        is_level: bool,
+    ) -> Result<(), String> {
         if pieces.iter().any(|new| new.rapid != old.rapid || !self.same_feed(old, new)) {
             return Err("the move or its feed is another one".into());
         }
@@ -193,7 +198,7 @@ impl Prover<'_> {
             return self.rapid(old, pieces);
         }
         // From the level of rapids a cut first goes down to the surface.
-        let aside = |step: &Step| step.from[..2] != step.to[..2] || step.shape.is_some();
+        let aside = |step: &ProofMove| step.from[..2] != step.to[..2] || step.shape.is_some();
         let pieces = match pieces {
             [down, rest @ ..] if !rest.is_empty() && aside(old) && !aside(down) => {
                 let wanted = old.from[2] + self.map.height([old.from[0], old.from[1]]);
@@ -212,7 +217,7 @@ impl Prover<'_> {
 
     /// A rapid of the program: it ends where Z is above the whole map, and on its way, which may first go straight
     /// up, it is nowhere nearer to the surface than it was.
-    fn rapid(&mut self, old: &Step, pieces: &[Step]) -> Result<(), String> {
+    fn rapid(&mut self, old: &ProofMove, pieces: &[ProofMove]) -> Result<(), String> {
         let last = &pieces[pieces.len() - 1];
         let same = (0..old.to.len())
             .all(|axis| axis == 2 || !old.known[1].has(axis) || old.to[axis] == last.to[axis]);
@@ -255,7 +260,7 @@ impl Prover<'_> {
         }
     }
 
-    fn line(&mut self, old: &Step, pieces: &[Step]) -> Result<(), String> {
+    fn line(&mut self, old: &ProofMove, pieces: &[ProofMove]) -> Result<(), String> {
         let way = [old.to[0] - old.from[0], old.to[1] - old.from[1]];
         let square = way[0] * way[0] + way[1] * way[1];
         if square == 0.0 {
@@ -287,7 +292,7 @@ impl Prover<'_> {
     }
 
     /// A cut straight up or down, which may begin at the level of rapids: its end is on the surface.
-    fn down(&mut self, old: &Step, pieces: &[Step]) -> Result<(), String> {
+    fn down(&mut self, old: &ProofMove, pieces: &[ProofMove]) -> Result<(), String> {
         let [new] = pieces else { return Err("a cut straight down became several".into()) };
         let height = self.map.height([old.to[0], old.to[1]]);
         let off = (new.to[2] - (old.to[2] + height)).abs();
@@ -298,7 +303,12 @@ impl Prover<'_> {
         self.ends(old, pieces)
     }
 
-    fn arc(&mut self, old: &Step, shape: &ArcShape, pieces: &[Step]) -> Result<(), String> {
+    fn arc(
+        &mut self,
+        old: &ProofMove,
+        shape: &ArcShape,
+        pieces: &[ProofMove],
+    ) -> Result<(), String> {
         let radius = (old.from[0] - shape.center[0]).hypot(old.from[1] - shape.center[1]);
         let mut swept = 0.0;
         for new in pieces {
@@ -327,7 +337,7 @@ impl Prover<'_> {
         self.ends(old, pieces)
     }
 
-    fn ends(&self, old: &Step, pieces: &[Step]) -> Result<(), String> {
+    fn ends(&self, old: &ProofMove, pieces: &[ProofMove]) -> Result<(), String> {
         let last = &pieces[pieces.len() - 1];
         let same = |a: &Position, b: &Position| {
             (0..a.len()).all(|axis| axis == 2 || (a[axis] - b[axis]).abs() < 1e-9)
@@ -339,8 +349,8 @@ impl Prover<'_> {
     /// One piece that stands for a part of an old move, `aside` off it in X and Y.
     fn piece(
         &mut self,
-        old: &Step,
-        new: &Step,
+        old: &ProofMove,
+        new: &ProofMove,
         way: &PlanePath,
         part: [f64; 2],
         aside: f64,

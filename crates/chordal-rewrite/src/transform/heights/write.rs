@@ -13,16 +13,16 @@ use chordal::geometry::Plane;
 use chordal::syntax::{Block, BlockKind, BlockReader, Word};
 
 use super::super::arcs::center_words;
-use super::super::edit::{Edit, Refusal, line_end, replace_words, with_number};
+use super::super::edit::{TransformRefusal, WordEdit, line_end, replace_words, with_number};
 use super::super::fit::center;
-use super::super::lines::{Words, newline};
-use super::super::record::{Did, Record, Run, Runs};
-use super::super::roles::{Role, actions, roles};
-use super::super::writer::Writer;
-use super::Warp;
+use super::super::lines::{BlockWords, newline};
+use super::super::record::{BlockEffect, BlockPass, BlockRuns, RunRecord};
+use super::super::roles::{NumberRole, actions, roles};
+use super::super::writer::WordWriter;
+use super::HeightOptions;
 use super::checks;
 use super::grid::HeightMap;
-use super::levels::{Level, is_machine, levels};
+use super::levels::{ZLevel, is_machine, levels};
 use super::way::PlanePath;
 
 const REASON: &str = "the height of the map";
@@ -31,26 +31,30 @@ const ROUNDING: f64 = 2.0;
 
 /// What was written, for the proof: by the first byte of an old block.
 #[derive(Debug, Default)]
-pub(super) struct Trail {
+pub(super) struct WrittenTrail {
     /// Blocks that became several, and how many.
     pub(super) pieces: HashMap<u32, u32>,
     /// Blocks that go to places of the machine, or aside from one: they stay.
     pub(super) level: HashSet<u32>,
 }
 
-pub(super) struct Written {
-    pub(super) edits: Vec<Edit>,
+pub(super) struct HeightEdits {
+    pub(super) edits: Vec<WordEdit>,
     pub(super) notes: Vec<String>,
-    pub(super) trail: Trail,
+    pub(super) trail: WrittenTrail,
 }
 
 /// The edits that bend a program over a map.
-pub(super) fn write(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Written, Refusal> {
-    let writer = Writer::new(job);
-    let record = Record::of(job);
+pub(super) fn write(
+    job: &Job,
+    map: &HeightMap,
+    warp: &HeightOptions,
+) -> Result<HeightEdits, TransformRefusal> {
+    let writer = WordWriter::new(job);
+    let record = RunRecord::of(job);
     if let Some((file, line)) = record.elsewhere {
         let name = job.sources().get(file).map_or("", |source| source.name());
-        return Err(Refusal {
+        return Err(TransformRefusal {
             line,
             text: String::new(),
             what: format!("line {line} of {name} moves, and only the first file is changed"),
@@ -59,9 +63,18 @@ pub(super) fn write(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Written, 
     }
     let blocks = blocks(&writer);
     let levels = levels(&writer, &record, &blocks);
-    let written = Written { edits: Vec::new(), notes: Vec::new(), trail: Trail::default() };
-    let mut bender =
-        Bender { writer, map, rise: map.rise(), warp, levels, written, work: None, units: None };
+    let written =
+        HeightEdits { edits: Vec::new(), notes: Vec::new(), trail: WrittenTrail::default() };
+    let mut bender = HeightWriter {
+        writer,
+        map,
+        rise: map.rise(),
+        warp,
+        levels,
+        written,
+        work: None,
+        units: None,
+    };
     let mut idle = Vec::new();
     for (index, block) in blocks.iter().enumerate() {
         let alone = blocks.get(index + 1).is_none_or(|next| next.line > block.line);
@@ -80,7 +93,7 @@ pub(super) fn write(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Written, 
     Ok(bender.written)
 }
 
-fn blocks(writer: &Writer) -> Vec<Block> {
+fn blocks(writer: &WordWriter) -> Vec<Block> {
     let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
     let mut block = Block::new();
     let mut blocks = Vec::new();
@@ -92,35 +105,40 @@ fn blocks(writer: &Writer) -> Vec<Block> {
     blocks
 }
 
-struct Bender<'a> {
-    writer: Writer<'a>,
+struct HeightWriter<'a> {
+    writer: WordWriter<'a>,
     map: &'a HeightMap,
     /// How far rapids are raised, mm.
     rise: f64,
-    warp: &'a Warp,
-    levels: HashMap<u32, Level>,
-    written: Written,
+    warp: &'a HeightOptions,
+    levels: HashMap<u32, ZLevel>,
+    written: HeightEdits,
     /// The work offset of the program, and its units.
     work: Option<String>,
     units: Option<Units>,
 }
 
 /// The end of a piece: as it is written.
-struct Piece {
+struct CorrectedPiece {
     to: [f64; 3],
     sweep: f64,
 }
 
-impl Bender<'_> {
-    fn refuse(&self, block: &Block, what: impl Into<String>, help: &str) -> Refusal {
-        Refusal::new(self.writer.text, block, what, help)
+impl HeightWriter<'_> {
+    fn refuse(&self, block: &Block, what: impl Into<String>, help: &str) -> TransformRefusal {
+        TransformRefusal::new(self.writer.text, block, what, help)
     }
 
-    fn block(&mut self, block: &Block, runs: &Runs, alone: bool) -> Result<(), Refusal> {
+    fn block(
+        &mut self,
+        block: &Block,
+        runs: &BlockRuns,
+        alone: bool,
+    ) -> Result<(), TransformRefusal> {
         let start = block.range.start;
         let run = &runs.first;
         checks::codes(&self.writer, block, &mut self.work)?;
-        if run.context.did == Did::Nothing || run.moves == 0 {
+        if run.context.did == BlockEffect::Nothing || run.moves == 0 {
             return Ok(());
         }
         if is_machine(&self.writer, block) {
@@ -137,13 +155,13 @@ impl Bender<'_> {
             ));
         }
         let level = self.levels.get(&start).copied().unwrap_or_default();
-        if run.context.did == Did::Rapid {
+        if run.context.did == BlockEffect::Rapid {
             self.rapid(block, run, level);
             return Ok(());
         }
-        let moves_aside = run.from[..2] != run.to[..2] || run.context.did == Did::Arc;
+        let moves_aside = run.from[..2] != run.to[..2] || run.context.did == BlockEffect::Arc;
         let knows = (0..3).all(|axis| run.known[1].has(axis));
-        if !knows || (moves_aside && level == Level::Machine) {
+        if !knows || (moves_aside && level == ZLevel::Machine) {
             return Err(self.refuse(
                 block,
                 "the height that the cut begins at is not given by the program",
@@ -153,7 +171,7 @@ impl Bender<'_> {
         self.cut(block, run, level, alone)
     }
 
-    fn number(&self, run: &Run, mm: f64) -> (String, f64) {
+    fn number(&self, run: &BlockPass, mm: f64) -> (String, f64) {
         let units = run.context.units;
         let number = self.writer.length(mm, units, None, 0);
         let value = number.parse::<f64>().unwrap_or(f64::NAN) * units.mm();
@@ -161,28 +179,28 @@ impl Bender<'_> {
     }
 
     /// The Z of a cut at a place, as it is written, mm.
-    fn on_surface(&self, run: &Run, at: [f64; 3]) -> f64 {
+    fn on_surface(&self, run: &BlockPass, at: [f64; 3]) -> f64 {
         self.number(run, at[2] + self.map.height([at[0], at[1]])).1
     }
 
     /// A rapid: its Z above the whole map; aside from a cut it is lifted to there before.
-    fn rapid(&mut self, block: &Block, run: &Run, level: Level) {
+    fn rapid(&mut self, block: &Block, run: &BlockPass, level: ZLevel) {
         let rise = self.rise;
         let aside = run.from[..2] != run.to[..2] || !run.known[0].has(0) || !run.known[0].has(1);
-        if level == Level::Cut && aside {
+        if level == ZLevel::Cut && aside {
             let (number, value) = self.number(run, run.from[2] + rise);
             if value != self.on_surface(run, [run.from[0], run.from[1], run.from[2]]) {
                 let code =
                     self.writer.g_code(Action::Motion(MotionCode::Rapid)).unwrap_or_default();
                 let gap = self.writer.style.gap();
                 let line = format!("{code}{gap}Z{number}{}", newline(self.writer.text));
-                self.written.edits.push(Edit::insert(block.range.start, line, REASON));
+                self.written.edits.push(WordEdit::insert(block.range.start, line, REASON));
                 self.written.trail.pieces.insert(block.range.start, 2);
             }
         }
         match block.last(b'Z') {
             Some(word) => self.put_z(run, word, run.to[2] + rise),
-            None if level == Level::Machine => {
+            None if level == ZLevel::Machine => {
                 self.written.trail.level.insert(block.range.start);
             }
             None => {}
@@ -190,16 +208,22 @@ impl Bender<'_> {
     }
 
     /// Another Z in the place of one that is written.
-    fn put_z(&mut self, run: &Run, word: &Word, mm: f64) {
+    fn put_z(&mut self, run: &BlockPass, word: &Word, mm: f64) {
         if self.number(run, mm).1 == run.to[2] {
             return;
         }
         let number = self.writer.length(mm, run.context.units, word.number(), 0);
         let text = with_number(self.writer.text, word, &number);
-        self.written.edits.push(Edit::new(word.range, text, REASON));
+        self.written.edits.push(WordEdit::new(word.range, text, REASON));
     }
 
-    fn cut(&mut self, block: &Block, run: &Run, level: Level, alone: bool) -> Result<(), Refusal> {
+    fn cut(
+        &mut self,
+        block: &Block,
+        run: &BlockPass,
+        level: ZLevel,
+        alone: bool,
+    ) -> Result<(), TransformRefusal> {
         let way = way(run);
         if !self.warp.clamp {
             checks::inside(&self.writer, self.map, block, run, &way)?;
@@ -225,12 +249,12 @@ impl Bender<'_> {
         })?;
         let mut pieces = self.rounded(run, &way, &ends);
         let begin = [run.from[0], run.from[1], self.on_surface(run, point(run))];
-        let is_aside = run.from[..2] != run.to[..2] || run.context.did == Did::Arc;
-        if level == Level::Rapid
+        let is_aside = run.from[..2] != run.to[..2] || run.context.did == BlockEffect::Arc;
+        if level == ZLevel::Rapid
             && is_aside
             && begin[2] != self.number(run, run.from[2] + self.rise).1
         {
-            if run.context.did == Did::Arc {
+            if run.context.did == BlockEffect::Arc {
                 return Err(self.refuse(
                     block,
                     "the arc begins at the height of a rapid",
@@ -238,7 +262,7 @@ impl Bender<'_> {
                 ));
             }
             // From the level of rapids down to the surface first, at the feed of the cut.
-            pieces.insert(0, Piece { to: begin, sweep: 0.0 });
+            pieces.insert(0, CorrectedPiece { to: begin, sweep: 0.0 });
         }
         if let [only] = &pieces[..] {
             self.one(block, run, only.to[2], begin[2]);
@@ -250,9 +274,9 @@ impl Bender<'_> {
     }
 
     /// The ends of pieces as they are written; those that come to nothing are left out.
-    fn rounded(&self, run: &Run, way: &PlanePath, ends: &[f64]) -> Vec<Piece> {
+    fn rounded(&self, run: &BlockPass, way: &PlanePath, ends: &[f64]) -> Vec<CorrectedPiece> {
         let sweep = run.shape.map_or(0.0, |shape| shape.sweep);
-        let mut pieces: Vec<Piece> = Vec::new();
+        let mut pieces: Vec<CorrectedPiece> = Vec::new();
         let (mut at, mut before) = (point(run), 0.0);
         for (index, end) in ends.iter().enumerate() {
             let is_last = index + 1 == ends.len();
@@ -265,14 +289,14 @@ impl Bender<'_> {
             }
             let rise = (run.to[2] - run.from[2]) * end;
             let to = [x, y, self.on_surface(run, [x, y, run.from[2] + rise])];
-            pieces.push(Piece { to, sweep: sweep * (end - before) });
+            pieces.push(CorrectedPiece { to, sweep: sweep * (end - before) });
             (at, before) = (to, *end);
         }
         pieces
     }
 
     /// A cut that stays one block, from one Z to another.
-    fn one(&mut self, block: &Block, run: &Run, z: f64, before: f64) {
+    fn one(&mut self, block: &Block, run: &BlockPass, z: f64, before: f64) {
         if let Some(word) = block.last(b'Z') {
             self.put_z(run, word, z);
             return;
@@ -284,23 +308,25 @@ impl Bender<'_> {
         let gap = self.writer.style.gap();
         let last = block.words.iter().rposition(|word| b"XY".contains(&word.letter));
         let edit = match last {
-            Some(at) => Edit::insert(block.words[at].range.end, format!("{gap}Z{number}"), REASON),
+            Some(at) => {
+                WordEdit::insert(block.words[at].range.end, format!("{gap}Z{number}"), REASON)
+            }
             None => {
                 let center = block.words.iter().find(|word| b"IJKR".contains(&word.letter));
                 let Some(word) = center else { return };
-                Edit::insert(word.range.start, format!("Z{number}{gap}"), REASON)
+                WordEdit::insert(word.range.start, format!("Z{number}{gap}"), REASON)
             }
         };
         self.written.edits.push(edit);
     }
 
-    fn several(&mut self, block: &Block, run: &Run, pieces: &[Piece]) {
+    fn several(&mut self, block: &Block, run: &BlockPass, pieces: &[CorrectedPiece]) {
         let text = self.writer.text;
         let lines = self.lines(run, pieces);
         let roles = roles(block, &run.context, self.writer.control);
-        let is_shape = |(word, role): &(&Word, &Role)| {
-            matches!(role, Role::Place(_) | Role::Center(_) | Role::Spoke(_))
-                || (word.letter == b'R' && **role == Role::Length)
+        let is_shape = |(word, role): &(&Word, &NumberRole)| {
+            matches!(role, NumberRole::Place(_) | NumberRole::Center(_) | NumberRole::Spoke(_))
+                || (word.letter == b'R' && **role == NumberRole::Length)
         };
         let both = block.words.iter().zip(&roles).filter(is_shape);
         let old: Vec<Word> = both.map(|(word, _)| *word).collect();
@@ -318,13 +344,13 @@ impl Bender<'_> {
                 None => format!("{line_feed}{line}{tail}"),
             })
             .collect();
-        self.written.edits.push(Edit::insert(end, more, REASON));
+        self.written.edits.push(WordEdit::insert(end, more, REASON));
         self.written.trail.pieces.insert(block.range.start, pieces.len() as u32);
     }
 
     /// The code that each further piece begins with: not every control goes on with an arc.
-    fn code_of(&self, block: &Block, run: &Run) -> Option<String> {
-        if run.context.did != Did::Arc {
+    fn code_of(&self, block: &Block, run: &BlockPass) -> Option<String> {
+        if run.context.did != BlockEffect::Arc {
             return None;
         }
         let own = actions(block, self.writer.control)
@@ -338,13 +364,13 @@ impl Bender<'_> {
     }
 
     /// The words of each piece.
-    fn lines(&self, run: &Run, pieces: &[Piece]) -> Vec<String> {
+    fn lines(&self, run: &BlockPass, pieces: &[CorrectedPiece]) -> Vec<String> {
         let mut at = [run.from[0], run.from[1], f64::NAN];
         let units = run.context.units;
         let gap = self.writer.style.gap();
         let mut lines = Vec::new();
         for piece in pieces {
-            let mut words = Words::default();
+            let mut words = BlockWords::default();
             for (axis, (to, from)) in piece.to.into_iter().zip(at).enumerate() {
                 let is_arc_end = run.shape.is_some() && axis < 2;
                 if is_arc_end || to != from {
@@ -370,14 +396,14 @@ impl Bender<'_> {
 }
 
 /// Where a move begins.
-fn point(run: &Run) -> [f64; 3] {
+fn point(run: &BlockPass) -> [f64; 3] {
     [run.from[0], run.from[1], run.from[2]]
 }
 
 /// The way of a cut in X and Y.
-fn way(run: &Run) -> PlanePath {
+fn way(run: &BlockPass) -> PlanePath {
     let [from, to] = [run.from, run.to].map(|at| [at[0], at[1]]);
-    match run.shape.filter(|_| run.context.did == Did::Arc) {
+    match run.shape.filter(|_| run.context.did == BlockEffect::Arc) {
         Some(shape) => arc(&shape, from),
         None => PlanePath::Line { from, to },
     }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 /// A point on a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Point {
+pub(super) struct BlockPoint {
     /// Where it is, as a share of the block's length.
     pub share: f64,
     /// Its coordinates in increments.
@@ -13,11 +13,11 @@ pub(super) struct Point {
 
 /// All points of a block that are exact, its ends left out.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Points {
+pub(super) enum ExactPoints {
     /// A line: its start, one step, and how many steps it has.
     Line { from: [i64; 3], step: [i64; 3], count: i64 },
     /// An arc: its points in order.
-    Arc(Vec<Point>),
+    Arc(Vec<BlockPoint>),
 }
 
 /// Larger coordinates have no exact points, in increments: their products stay below 2^53.
@@ -34,19 +34,19 @@ pub(super) fn whole(length: f64, increment: f64) -> Option<i64> {
     ((count - near).abs() < NEAR && near.abs() < LARGEST).then_some(near as i64)
 }
 
-impl Points {
+impl ExactPoints {
     /// Those of a line.
-    pub fn of_line(from: [i64; 3], to: [i64; 3]) -> Points {
+    pub fn of_line(from: [i64; 3], to: [i64; 3]) -> ExactPoints {
         let way = [0, 1, 2].map(|axis| to[axis] - from[axis]);
         let count = way.iter().fold(0, |count, length| common(count, length.abs()));
         let step = way.map(|length| if count > 0 { length / count } else { 0 });
-        Points::Line { from, step, count }
+        ExactPoints::Line { from, step, count }
     }
 
     /// The nearest point at or before a share of the length, and the nearest at or after it.
-    pub fn around(&self, share: f64) -> [Option<Point>; 2] {
+    pub fn around(&self, share: f64) -> [Option<BlockPoint>; 2] {
         match self {
-            Points::Line { from, step, count } => {
+            ExactPoints::Line { from, step, count } => {
                 // What is on a point but for rounding is on it.
                 let steps = share * *count as f64;
                 let on = Some(steps.round()).filter(|on| (steps - on).abs() < NEAR);
@@ -54,10 +54,10 @@ impl Points {
                     let steps = steps as i64;
                     let at = [0, 1, 2].map(|axis| from[axis] + step[axis] * steps);
                     let share = steps as f64 / *count as f64;
-                    (steps > 0 && steps < *count).then_some(Point { share, at })
+                    (steps > 0 && steps < *count).then_some(BlockPoint { share, at })
                 })
             }
-            Points::Arc(points) => {
+            ExactPoints::Arc(points) => {
                 let after = points.partition_point(|point| point.share < share);
                 let before = points.partition_point(|point| point.share <= share);
                 [before.checked_sub(1).map(|at| points[at]), points.get(after).copied()]
@@ -76,7 +76,7 @@ fn common(mut a: i64, mut b: i64) -> i64 {
 
 /// An arc without rise, in increments: the axes of its plane and where its centre is on them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Round {
+pub(super) struct ExactArc {
     pub axes: [usize; 2],
     pub center: [i64; 2],
     pub from: [i64; 3],
@@ -87,11 +87,11 @@ pub(super) struct Round {
 
 /// Circles whose points are known, by the square of their radius.
 #[derive(Debug, Default)]
-pub(super) struct Circles(HashMap<i64, Vec<[i64; 2]>>);
+pub(super) struct CirclePoints(HashMap<i64, Vec<[i64; 2]>>);
 
-impl Circles {
+impl CirclePoints {
     /// The points of an arc; `None` where one of its ends is not exactly on its circle.
-    pub fn points(&mut self, arc: &Round) -> Option<Points> {
+    pub fn points(&mut self, arc: &ExactArc) -> Option<ExactPoints> {
         let spoke = |at: [i64; 3]| [0, 1].map(|k| at[arc.axes[k]] - arc.center[k]);
         let [first, last] = [spoke(arc.from), spoke(arc.to)];
         let square = |[a, b]: [i64; 2]| a * a + b * b;
@@ -112,7 +112,7 @@ impl Circles {
             if angle < 0.0 { angle + turn } else { angle }
         };
         let all = self.0.entry(radius).or_insert_with(|| on_circle(radius));
-        let mut points: Vec<Point> = all
+        let mut points: Vec<BlockPoint> = all
             .iter()
             .filter(|point| **point != first && **point != last)
             .map(|point| {
@@ -120,12 +120,12 @@ impl Circles {
                 for k in 0..2 {
                     at[arc.axes[k]] = arc.center[k] + point[k];
                 }
-                Point { share: angle(*point) / sweep, at }
+                BlockPoint { share: angle(*point) / sweep, at }
             })
             .filter(|point| point.share > 0.0 && point.share < 1.0)
             .collect();
         points.sort_by(|a, b| a.share.total_cmp(&b.share));
-        Some(Points::Arc(points))
+        Some(ExactPoints::Arc(points))
     }
 }
 
@@ -155,15 +155,15 @@ mod tests {
     #[test]
     fn lines_have_the_points_of_their_common_divisor() {
         // 118 mm by 10 mm in thousandths: 2000 steps of (59, 5).
-        let line = Points::of_line([-8000, -4000, 0], [110_000, 6000, 0]);
+        let line = ExactPoints::of_line([-8000, -4000, 0], [110_000, 6000, 0]);
         let [before, after] = line.around(0.30001).map(Option::unwrap);
         assert_eq!(before.at, [-8000 + 600 * 59, -4000 + 600 * 5, 0]);
         assert_eq!(after.at, [-8000 + 601 * 59, -4000 + 601 * 5, 0]);
         assert_eq!(line.around(0.5).map(|point| point.unwrap().share), [0.5, 0.5]);
         // A prime and its neighbour have none.
-        let line = Points::of_line([0, 0, 0], [7919, 7920, 0]);
+        let line = ExactPoints::of_line([0, 0, 0], [7919, 7920, 0]);
         assert_eq!(line.around(0.5), [None, None]);
-        assert_eq!(Points::of_line([5; 3], [5; 3]).around(0.5), [None, None]);
+        assert_eq!(ExactPoints::of_line([5; 3], [5; 3]).around(0.5), [None, None]);
     }
 
     #[test]
@@ -171,20 +171,20 @@ mod tests {
         // 3² + 4² = 5²; 5000 = 2³·5⁴ has 4·(2·4 + 1).
         assert_eq!(on_circle(25).len(), 12);
         assert_eq!(on_circle(5000 * 5000).len(), 36);
-        let mut circles = Circles::default();
-        let mut half = Round {
+        let mut circles = CirclePoints::default();
+        let mut half = ExactArc {
             axes: [0, 1],
             center: [0, 0],
             from: [5, 0, 7],
             to: [-5, 0, 7],
             sweep: std::f64::consts::PI,
         };
-        let Some(Points::Arc(points)) = circles.points(&half) else { panic!("an arc") };
+        let Some(ExactPoints::Arc(points)) = circles.points(&half) else { panic!("an arc") };
         let at: Vec<[i64; 3]> = points.iter().map(|point| point.at).collect();
         assert_eq!(at, [[4, 3, 7], [3, 4, 7], [0, 5, 7], [-3, 4, 7], [-4, 3, 7]]);
         // Clockwise it is the other half.
         half.sweep = -half.sweep;
-        let Some(Points::Arc(points)) = circles.points(&half) else { panic!("an arc") };
+        let Some(ExactPoints::Arc(points)) = circles.points(&half) else { panic!("an arc") };
         assert_eq!(points[0].at, [4, -3, 7]);
         // An end that is not on the circle.
         half.to = [-5, 1, 7];

@@ -27,13 +27,13 @@ use chordal::diagnostics::SourceMap;
 use chordal::motion::{LimitError, MotionOptions};
 use chordal::stock::{EngagementOptions, EngagementReport, StockRunError};
 
-use super::edit::{Edit, Refusal, apply, changes};
+use super::edit::{TransformRefusal, WordEdit, apply, changes};
 use crate::Change;
 use crate::source::first_text;
-use slices::Slices;
+use slices::MoveSlices;
 
 pub use proof::FeedProof;
-pub use split::{NotSplit, Splits};
+pub use split::{NotSplit, SplitResult};
 
 /// How thick chips may be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,7 +71,7 @@ pub enum OptimizeError {
     Limits(#[from] LimitError),
     /// A block stands in the way.
     #[error(transparent)]
-    Refused(#[from] Refusal),
+    Refused(#[from] TransformRefusal),
     /// What is known of program and setup is not enough.
     #[error("{what}")]
     NotKnown {
@@ -98,7 +98,7 @@ pub struct ToolChips {
 
 /// A program with other feeds.
 #[derive(Debug)]
-pub struct Optimized {
+pub struct OptimizedProgram {
     /// The new text.
     pub text: Vec<u8>,
     /// What was changed.
@@ -116,13 +116,13 @@ pub struct Optimized {
     /// What was compared.
     pub proof: FeedProof,
     /// What was split; `None` where nothing was.
-    pub splits: Option<Splits>,
+    pub splits: Option<SplitResult>,
     /// What would be split but for its form.
     pub not_split: Vec<NotSplit>,
 }
 
 /// Gives the bytes of a file that a setup names.
-type Files<'f> = &'f dyn Fn(&str) -> Result<Vec<u8>, String>;
+type SetupFiles<'f> = &'f dyn Fn(&str) -> Result<Vec<u8>, String>;
 
 /// Changes the F words of the first text of a job, and proves that nothing else changes.
 ///
@@ -131,9 +131,9 @@ type Files<'f> = &'f dyn Fn(&str) -> Result<Vec<u8>, String>;
 pub fn optimize(
     job: &Job,
     options: &OptimizeOptions,
-    files: Files<'_>,
-) -> Result<Optimized, OptimizeError> {
-    let mut slices = Slices::default();
+    files: SetupFiles<'_>,
+) -> Result<OptimizedProgram, OptimizeError> {
+    let mut slices = MoveSlices::default();
     let before = job.engagement_with(&options.engagement, files, &mut |number, slice| {
         if options.split {
             slices.add(number, slice);
@@ -147,7 +147,7 @@ pub fn optimize(
     let mut splits = None;
     let mut not_split = Vec::new();
     if options.split {
-        let choice = split::Choice {
+        let choice = split::JointChoice {
             job,
             before: &before,
             slices: &slices,
@@ -188,7 +188,7 @@ pub fn optimize(
         .collect();
     let engaged =
         |report: &EngagementReport| report.tools.iter().map(|tool| tool.engaged_s).sum::<f64>();
-    Ok(Optimized {
+    Ok(OptimizedProgram {
         changes: all_changes,
         blocks: [fed.changed.len(), fed.shares.len()],
         chips,
@@ -203,9 +203,9 @@ pub fn optimize(
 }
 
 /// A text with other feeds, proved.
-struct Fed {
+struct FeedEdits {
     new: Job<'static>,
-    edits: Vec<Edit>,
+    edits: Vec<WordEdit>,
     /// The blocks whose moves have another feed, and the share of each block that may have one.
     changed: HashSet<u32>,
     shares: HashMap<u32, f64>,
@@ -221,10 +221,10 @@ fn feed(
     before: &EngagementReport,
     limits: &BTreeMap<u32, f64>,
     options: &OptimizeOptions,
-    files: Files<'_>,
-) -> Result<Fed, OptimizeError> {
-    let visits = visits::Visits::of(job);
-    let shares = shares::Shares::new(job, before, limits, options).by_block();
+    files: SetupFiles<'_>,
+) -> Result<FeedEdits, OptimizeError> {
+    let visits = visits::RunVisits::of(job);
+    let shares = shares::ShareInputs::new(job, before, limits, options).by_block();
     let mut written = words::write(job, &visits, &shares)?;
     let new = job.with_text(apply(first_text(job), &mut written.edits));
     let after = new.engagement(&options.engagement, files)?;
@@ -232,8 +232,8 @@ fn feed(
     proof.cells = proof::same_cut(before, &after)?;
     proof::within(before, &after, limits, options.faster.max(1.0))?;
     let seconds = new.time(&options.motion)?.time.total_s();
-    let words::Written { edits, changed } = written;
-    Ok(Fed { new, edits, changed, shares, after, proof, seconds })
+    let words::FeedText { edits, changed } = written;
+    Ok(FeedEdits { new, edits, changed, shares, after, proof, seconds })
 }
 
 /// Refuses where what tools meet is not known.

@@ -3,51 +3,51 @@
 use std::collections::HashMap;
 
 use chordal::Job;
-use chordal::control::{Action, ArcShape, FeedMode, MotionCode, Side};
+use chordal::control::{Action, ArcShape, CompensationSide, FeedMode, MotionCode};
 use chordal::diagnostics::FileId;
-use chordal::syntax::{Block, BlockKind, BlockReader, Value};
+use chordal::syntax::{Block, BlockKind, BlockReader, WordValue};
 
 use super::super::arcs::center_words;
-use super::super::edit::{Edit, with_number};
-use super::super::lines::{Words, newline, tail};
-use super::super::record::{Did, Record, Run};
+use super::super::edit::{WordEdit, with_number};
+use super::super::lines::{BlockWords, newline, tail};
+use super::super::record::{BlockEffect, BlockPass, RunRecord};
 use super::super::roles::actions;
-use super::super::writer::Writer;
-use super::exact::{Circles, Point, Points, Round, whole};
+use super::super::writer::WordWriter;
+use super::exact::{BlockPoint, CirclePoints, ExactArc, ExactPoints, whole};
 
 pub(super) const REASON: &str = "the block in parts, each with the feed for what the tool meets";
 
 /// Why a block is not split; a clause for people.
-pub(super) type Why = &'static str;
+pub(super) type SplitObjection = &'static str;
 
 /// No place of the block comes out in the digits of the program, where a split pays.
-pub(super) const NO_POINT: Why =
+pub(super) const NO_POINT: SplitObjection =
     "there is no exact point in the digits of the program where it would pay";
 
 /// A block that may be split.
 #[derive(Clone, Debug)]
-struct Whole {
+struct SplittableBlock {
     block: Block,
-    run: Run,
+    run: BlockPass,
     from: [i64; 3],
     to: [i64; 3],
     /// Of an arc.
     shape: Option<ArcShape>,
-    points: Points,
+    points: ExactPoints,
 }
 
 /// The blocks of a text, as they may be written in parts.
-pub(super) struct Parts<'a> {
-    writer: Writer<'a>,
-    record: Record,
+pub(super) struct BlockSplitter<'a> {
+    writer: WordWriter<'a>,
+    record: RunRecord,
     blocks: HashMap<u32, Block>,
-    circles: Circles,
-    known: HashMap<u32, Result<Whole, Why>>,
+    circles: CirclePoints,
+    known: HashMap<u32, Result<SplittableBlock, SplitObjection>>,
 }
 
-impl<'a> Parts<'a> {
-    pub fn new(job: &'a Job<'_>) -> Parts<'a> {
-        let writer = Writer::new(job);
+impl<'a> BlockSplitter<'a> {
+    pub fn new(job: &'a Job<'_>) -> BlockSplitter<'a> {
+        let writer = WordWriter::new(job);
         let mut blocks = HashMap::new();
         let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
         let mut block = Block::new();
@@ -56,8 +56,8 @@ impl<'a> Parts<'a> {
                 blocks.insert(block.range.start, block.clone());
             }
         }
-        let (circles, known) = (Circles::default(), HashMap::new());
-        Parts { writer, record: Record::of(job), blocks, circles, known }
+        let (circles, known) = (CirclePoints::default(), HashMap::new());
+        BlockSplitter { writer, record: RunRecord::of(job), blocks, circles, known }
     }
 
     /// The line of a block.
@@ -69,7 +69,7 @@ impl<'a> Parts<'a> {
     ///
     /// # Errors
     /// Why it may not be.
-    pub fn points(&mut self, start: u32) -> Result<&Points, Why> {
+    pub fn points(&mut self, start: u32) -> Result<&ExactPoints, SplitObjection> {
         if !self.known.contains_key(&start) {
             let whole = self.whole(start);
             self.known.insert(start, whole);
@@ -80,8 +80,8 @@ impl<'a> Parts<'a> {
         }
     }
 
-    fn whole(&mut self, start: u32) -> Result<Whole, Why> {
-        const OTHER: Why = "other words than those of a line or an arc";
+    fn whole(&mut self, start: u32) -> Result<SplittableBlock, SplitObjection> {
+        const OTHER: SplitObjection = "other words than those of a line or an arc";
         let (Some(block), Some(runs)) = (self.blocks.get(&start), self.record.blocks.get(&start))
         else {
             return Err(OTHER);
@@ -90,11 +90,11 @@ impl<'a> Parts<'a> {
         if runs.count > 1 {
             return Err("it runs several times");
         }
-        if run.context.side != Side::Off {
+        if run.context.side != CompensationSide::Off {
             return Err("cutter compensation is active");
         }
-        let is_line = run.context.did == Did::Line;
-        if run.moves != 1 || !(is_line || run.context.did == Did::Arc) {
+        let is_line = run.context.did == BlockEffect::Line;
+        if run.moves != 1 || !(is_line || run.context.did == BlockEffect::Arc) {
             return Err("several moves, or a spiral");
         }
         let letters: &[u8] = if is_line { b"XYZNGF" } else { b"XYZIJKRNGF" };
@@ -117,7 +117,7 @@ impl<'a> Parts<'a> {
         {
             return Err(OTHER);
         }
-        if block.words.iter().any(|word| !matches!(word.value, Value::Number(_))) {
+        if block.words.iter().any(|word| !matches!(word.value, WordValue::Number(_))) {
             return Err("its position is computed");
         }
         if block.word(b'R').is_some() {
@@ -127,8 +127,8 @@ impl<'a> Parts<'a> {
     }
 
     /// The block by whole increments.
-    fn exact(&mut self, block: Block, run: Run) -> Result<Whole, Why> {
-        const BETWEEN: Why = "its ends are not exact in the digits of the program";
+    fn exact(&mut self, block: Block, run: BlockPass) -> Result<SplittableBlock, SplitObjection> {
+        const BETWEEN: SplitObjection = "its ends are not exact in the digits of the program";
         let increment = self.increment(&run);
         let coordinates = |position: [f64; 6]| -> Option<[i64; 3]> {
             let [x, y, z] = [0, 1, 2].map(|axis| whole(position[axis], increment));
@@ -152,9 +152,9 @@ impl<'a> Parts<'a> {
                 return Err("its words are turned, scaled or polar");
             }
         }
-        if run.context.did == Did::Line {
-            let points = Points::of_line(from, to);
-            return Ok(Whole { block, run, from, to, shape: None, points });
+        if run.context.did == BlockEffect::Line {
+            let points = ExactPoints::of_line(from, to);
+            return Ok(SplittableBlock { block, run, from, to, shape: None, points });
         }
         let Some(shape) = run.shape else { return Err(BETWEEN) };
         let (a, b, normal) = shape.plane.axes();
@@ -162,7 +162,7 @@ impl<'a> Parts<'a> {
             return Err("a helix");
         }
         let [first, second] = shape.center.map(|place| whole(place, increment));
-        let round = first.zip(second).map(|(first, second)| Round {
+        let round = first.zip(second).map(|(first, second)| ExactArc {
             axes: [a, b],
             center: [first, second],
             from,
@@ -173,17 +173,17 @@ impl<'a> Parts<'a> {
         let Some(points) = points else {
             return Err("its centre or its ends are not exactly on a circle");
         };
-        Ok(Whole { block, run, from, to, shape: Some(shape), points })
+        Ok(SplittableBlock { block, run, from, to, shape: Some(shape), points })
     }
 
     /// The last digit of the program, mm.
-    fn increment(&self, run: &Run) -> f64 {
+    fn increment(&self, run: &BlockPass) -> f64 {
         let units = run.context.units;
         units.mm() / 10f64.powi(i32::from(self.writer.style.digits(units)))
     }
 
     /// The edits that write a block in parts.
-    pub fn edits(&self, start: u32, joints: &[Point]) -> Vec<Edit> {
+    pub fn edits(&self, start: u32, joints: &[BlockPoint]) -> Vec<WordEdit> {
         let Some(Ok(whole)) = self.known.get(&start) else { return Vec::new() };
         let Some((first, more)) = joints.split_first() else { return Vec::new() };
         let mut edits = self.first(whole, first.at);
@@ -197,28 +197,28 @@ impl<'a> Parts<'a> {
             from = to;
         }
         let at = whole.block.range.end + tail.len() as u32;
-        edits.push(Edit::insert(at, text, REASON));
+        edits.push(WordEdit::insert(at, text, REASON));
         edits
     }
 
     /// What a word of an axis says on the way from one point to another.
-    fn number(&self, whole: &Whole, axis: usize, from: [i64; 3], to: [i64; 3]) -> String {
-        let Run { context, .. } = &whole.run;
+    fn number(&self, whole: &SplittableBlock, axis: usize, from: [i64; 3], to: [i64; 3]) -> String {
+        let BlockPass { context, .. } = &whole.run;
         let way = if context.incremental { to[axis] - from[axis] } else { to[axis] };
         let old = whole.block.last(b"XYZ"[axis]).and_then(|word| word.number());
         self.writer.length(way as f64 * self.increment(&whole.run), context.units, old, 0)
     }
 
     /// The edits of the block's own words, for its first part.
-    fn first(&self, whole: &Whole, to: [i64; 3]) -> Vec<Edit> {
+    fn first(&self, whole: &SplittableBlock, to: [i64; 3]) -> Vec<WordEdit> {
         let mut edits = Vec::new();
-        let mut put_in = Words::default();
+        let mut put_in = BlockWords::default();
         for axis in 0..3 {
             let number = self.number(whole, axis, whole.from, to);
             match whole.block.last(b"XYZ"[axis]) {
                 Some(word) => {
                     let new = with_number(self.writer.text, word, &number);
-                    edits.push(Edit::new(word.range, new, REASON));
+                    edits.push(WordEdit::new(word.range, new, REASON));
                 }
                 None if to[axis] != whole.from[axis] => {
                     put_in.push(format!("{}{number}", char::from(b"XYZ"[axis])));
@@ -232,14 +232,14 @@ impl<'a> Parts<'a> {
             // An axis that an arc comes back to may have no word: before the centre.
             let center = letters.clone().find(|word| b"IJK".contains(&word.letter));
             let at = center.map_or(whole.block.range.start, |word| word.range.start);
-            edits.push(Edit::insert(at, format!("{words}{gap}"), REASON));
+            edits.push(WordEdit::insert(at, format!("{words}{gap}"), REASON));
         }
         edits
     }
 
     /// The words of a further part.
-    fn words(&self, whole: &Whole, from: [i64; 3], to: [i64; 3]) -> String {
-        let mut words = Words::default();
+    fn words(&self, whole: &SplittableBlock, from: [i64; 3], to: [i64; 3]) -> String {
+        let mut words = BlockWords::default();
         let is_arc = |axis: usize| {
             whole.shape.is_some_and(|shape| {
                 let (a, b, _) = shape.plane.axes();

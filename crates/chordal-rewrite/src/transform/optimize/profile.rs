@@ -1,6 +1,6 @@
 //! How much of its feed a block may have along its length, and where it is split.
 
-use super::exact::{Point, Points};
+use super::exact::{BlockPoint, ExactPoints};
 
 /// A part is not shorter than this, mm.
 const SHORTEST: f64 = 2.0;
@@ -17,16 +17,16 @@ const MOST_BINS: f64 = 20_000.0;
 
 /// The share of its feed that a block may have, by bins along its length.
 #[derive(Clone, Debug)]
-pub(super) struct Profile {
+pub(super) struct FeedProfile {
     length: f64,
     bins: Vec<f64>,
 }
 
-impl Profile {
+impl FeedProfile {
     /// A block of a length, mm, that has the share `most` wherever nothing lowers it; bins about so long, mm.
-    pub fn new(length: f64, bin: f64, most: f64) -> Profile {
+    pub fn new(length: f64, bin: f64, most: f64) -> FeedProfile {
         let count = (length / bin).ceil().clamp(1.0, MOST_BINS) as usize;
-        Profile { length, bins: vec![most; count] }
+        FeedProfile { length, bins: vec![most; count] }
     }
 
     fn bin(&self, at: f64) -> f64 {
@@ -73,7 +73,7 @@ impl Profile {
 
     /// The places where it pays to split the block at its programmed feed, mm/s, in order; `points` are those that may
     /// be places, any where there are none.
-    pub fn joints(&self, feed: f64, points: Option<&Points>) -> Vec<Point> {
+    pub fn joints(&self, feed: f64, points: Option<&ExactPoints>) -> Vec<BlockPoint> {
         let places = self.places(feed, points);
         let ends = |k: usize| match k {
             0 => 0.0,
@@ -115,11 +115,11 @@ impl Profile {
 
     /// The exact places around each change and around what is as far from it, or from an end, as a part must be long;
     /// in order.
-    fn places(&self, feed: f64, points: Option<&Points>) -> Vec<Point> {
+    fn places(&self, feed: f64, points: Option<&ExactPoints>) -> Vec<BlockPoint> {
         let around = |share: f64| match points {
             _ if share <= 0.0 || share >= 1.0 => [None; 2],
             Some(points) => points.around(share),
-            None => [Some(Point { share, at: [0; 3] }), None],
+            None => [Some(BlockPoint { share, at: [0; 3] }), None],
         };
         let changes = self.changes();
         if changes.is_empty() {
@@ -129,7 +129,7 @@ impl Profile {
         let end = |share: f64| (QUICKEST * feed * share / self.length).max(short);
         let ends = [end(self.bins[0]), 1.0 - end(self.bins[self.bins.len() - 1])];
         let near = changes.into_iter().flat_map(|at| [at - short, at, at + short]);
-        let mut places: Vec<Point> = near.chain(ends).flat_map(around).flatten().collect();
+        let mut places: Vec<BlockPoint> = near.chain(ends).flat_map(around).flatten().collect();
         places.sort_by(|a, b| a.share.total_cmp(&b.share));
         places.dedup_by(|a, b| a.share == b.share);
         places
@@ -140,45 +140,45 @@ impl Profile {
 mod tests {
     use super::*;
 
-    fn shares(joints: &[Point]) -> Vec<f64> {
+    fn shares(joints: &[BlockPoint]) -> Vec<f64> {
         joints.iter().map(|joint| joint.share).collect()
     }
 
     #[test]
     fn a_block_is_split_where_its_share_changes() {
         // 100 mm, the last 20 into a corner.
-        let mut profile = Profile::new(100.0, 0.5, 2.0);
+        let mut profile = FeedProfile::new(100.0, 0.5, 2.0);
         profile.lower(80.0, 100.0, 1.0);
         assert_eq!(shares(&profile.joints(10.0, None)), [0.8]);
         // By thirds, the nearest before it; there is none at the ends.
-        let thirds = Points::Line { from: [0; 3], step: [1, 0, 0], count: 3 };
+        let thirds = ExactPoints::Line { from: [0; 3], step: [1, 0, 0], count: 3 };
         assert_eq!(shares(&profile.joints(10.0, Some(&thirds))), [2.0 / 3.0]);
-        let none = Points::Line { from: [0; 3], step: [1, 0, 0], count: 1 };
+        let none = ExactPoints::Line { from: [0; 3], step: [1, 0, 0], count: 1 };
         assert!(profile.joints(10.0, Some(&none)).is_empty());
     }
 
     #[test]
     fn what_saves_nothing_and_what_is_short_stays_whole() {
-        let whole = Profile::new(100.0, 0.5, 1.5);
+        let whole = FeedProfile::new(100.0, 0.5, 1.5);
         assert!(whole.joints(10.0, None).is_empty());
         // 1 mm of 100 in material: a part is 2 mm long.
-        let mut profile = Profile::new(100.0, 0.5, 1.0);
+        let mut profile = FeedProfile::new(100.0, 0.5, 1.0);
         profile.lower(99.0, 100.0, 0.1);
         assert_eq!(shares(&profile.joints(10.0, None)), [0.98]);
         // Where that takes less than a tenth of a second, a part is longer: 0.1 s at 50 mm/s.
         assert_eq!(shares(&profile.joints(500.0, None)), [0.95]);
         // Not long enough for two parts, and not slow enough to pay.
-        let mut profile = Profile::new(3.9, 0.1, 1.0);
+        let mut profile = FeedProfile::new(3.9, 0.1, 1.0);
         profile.lower(3.0, 3.9, 0.5);
         assert!(profile.joints(1.0, None).is_empty());
-        let mut profile = Profile::new(100.0, 0.5, 1.0);
+        let mut profile = FeedProfile::new(100.0, 0.5, 1.0);
         profile.lower(98.0, 100.0, 0.9);
         assert!(profile.joints(400.0, None).is_empty());
     }
 
     #[test]
     fn many_changes_are_looked_at_in_steps() {
-        let mut profile = Profile::new(1000.0, 0.05, 4.0);
+        let mut profile = FeedProfile::new(1000.0, 0.05, 4.0);
         for k in 0..2000 {
             let at = 0.5 * f64::from(k);
             profile.lower(at, at + 0.5, 1.0 + 0.001 * f64::from(k));

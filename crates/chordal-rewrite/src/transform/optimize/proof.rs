@@ -23,9 +23,9 @@ const ROUNDING: f64 = 1e-9;
 
 /// The commands of a run, each with its line.
 #[derive(Default)]
-struct Commands(Vec<Command>);
+struct LineCommands(Vec<Command>);
 
-impl Sink for Commands {
+impl Sink for LineCommands {
     fn command(&mut self, command: &Command) {
         if !matches!(command.kind, CommandKind::FeedRate { .. }) {
             self.0.push(command.clone());
@@ -35,7 +35,7 @@ impl Sink for Commands {
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for Commands {}
+impl RunSink for LineCommands {}
 
 /// Compares the commands of both: all are equal, exactly, but for the feeds of blocks in `changed`.
 pub(super) fn prove(
@@ -44,7 +44,7 @@ pub(super) fn prove(
     changed: &HashSet<u32>,
 ) -> Result<FeedProof, OptimizeError> {
     let [old, new] = [old, new].map(|job| {
-        let mut commands = Commands::default();
+        let mut commands = LineCommands::default();
         job.run(&mut commands);
         commands.0
     });

@@ -18,7 +18,7 @@ const FLOOR: f64 = 0.05;
 const ON_STEP: f64 = 1e-9;
 
 /// What shares depend on.
-pub(super) struct Shares<'a> {
+pub(super) struct ShareInputs<'a> {
     moves: &'a [MoveEngagement],
     /// The thickest chip of each tool, mm.
     limits: &'a BTreeMap<u32, f64>,
@@ -41,7 +41,7 @@ fn power(found: &EngagementReport) -> BTreeMap<u32, f64> {
 
 /// A visit of a block: moves of one block that follow each other.
 #[derive(Clone, Copy, Debug)]
-struct Visit {
+struct BlockVisit {
     block: Option<u32>,
     share: f64,
     /// How long it takes at its programmed feed, s.
@@ -49,14 +49,14 @@ struct Visit {
     tool: u32,
 }
 
-impl<'a> Shares<'a> {
+impl<'a> ShareInputs<'a> {
     pub fn new(
         job: &Job,
         before: &'a EngagementReport,
         limits: &'a BTreeMap<u32, f64>,
         options: &OptimizeOptions,
-    ) -> Shares<'a> {
-        Shares {
+    ) -> ShareInputs<'a> {
+        ShareInputs {
             moves: &before.moves,
             limits,
             faster: options.faster.max(1.0),
@@ -78,8 +78,8 @@ impl<'a> Shares<'a> {
         known.collect()
     }
 
-    fn visits(&self) -> Vec<Visit> {
-        let mut visits: Vec<Visit> = Vec::new();
+    fn visits(&self) -> Vec<BlockVisit> {
+        let mut visits: Vec<BlockVisit> = Vec::new();
         let mut last = None;
         for each in self.moves {
             let changeable = self.is_changeable(each);
@@ -92,7 +92,7 @@ impl<'a> Shares<'a> {
                         visit.block = None;
                     }
                 }
-                None => visits.push(Visit {
+                None => visits.push(BlockVisit {
                     block: changeable.then_some(each.origin.span.range.start),
                     share,
                     seconds: each.seconds(),
@@ -139,7 +139,7 @@ fn step_below(share: f64) -> f64 {
 }
 
 /// Gives every visit of a block its least share.
-fn even(visits: &mut [Visit]) {
+fn even(visits: &mut [BlockVisit]) {
     let mut least: HashMap<u32, f64> = HashMap::new();
     for visit in visits.iter() {
         if let Some(block) = visit.block {
@@ -155,10 +155,10 @@ fn even(visits: &mut [Visit]) {
 }
 
 /// Keeps a lower share where a higher one would not last.
-fn steady(visits: &mut [Visit]) {
+fn steady(visits: &mut [BlockVisit]) {
     let mut now: Option<(f64, u32)> = None;
     for at in 0..visits.len() {
-        let Visit { block, share, tool, .. } = visits[at];
+        let BlockVisit { block, share, tool, .. } = visits[at];
         if block.is_none() {
             now = None;
             continue;
@@ -175,7 +175,7 @@ fn steady(visits: &mut [Visit]) {
 }
 
 /// The least share of the blocks over which a higher one must last, by their time at the share `now`.
-fn lasting(visits: &[Visit], tool: u32, now: f64) -> f64 {
+fn lasting(visits: &[BlockVisit], tool: u32, now: f64) -> f64 {
     let (mut least, mut seconds) = (f64::INFINITY, 0.0);
     for visit in visits {
         if visit.block.is_none() || visit.tool != tool || seconds >= STEADY {
@@ -191,14 +191,19 @@ fn lasting(visits: &[Visit], tool: u32, now: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn visits(of: &[(f64, f64)]) -> Vec<Visit> {
+    fn visits(of: &[(f64, f64)]) -> Vec<BlockVisit> {
         let numbered = of.iter().enumerate();
         numbered
-            .map(|(n, &(share, seconds))| Visit { block: Some(n as u32), share, seconds, tool: 1 })
+            .map(|(n, &(share, seconds))| BlockVisit {
+                block: Some(n as u32),
+                share,
+                seconds,
+                tool: 1,
+            })
             .collect()
     }
 
-    fn shares(visits: &[Visit]) -> Vec<f64> {
+    fn shares(visits: &[BlockVisit]) -> Vec<f64> {
         visits.iter().map(|visit| visit.share).collect()
     }
 

@@ -1,13 +1,15 @@
 //! The slices of long moves, kept until it is known which blocks are split.
 
-use chordal::stock::{Between, Chip, Effort, Material, MoveEngagement, Slice};
+use chordal::stock::{
+    BoundedValue, ChipThickness, CuttingLoad, EngagementSlice, MaterialData, MoveEngagement,
+};
 
 /// More slices are not kept: 100 MB.
 const MOST: usize = 4_000_000;
 
 /// One slice of a move.
 #[derive(Clone, Copy, Debug)]
-struct Kept {
+struct MoveSlice {
     number: u32,
     at: f32,
     length: f32,
@@ -18,13 +20,13 @@ struct Kept {
 
 /// The slices of all moves in order.
 #[derive(Debug, Default)]
-pub(super) struct Slices(Vec<Kept>);
+pub(super) struct MoveSlices(Vec<MoveSlice>);
 
-impl Slices {
+impl MoveSlices {
     /// Keeps a slice of the move of a number.
-    pub fn add(&mut self, number: usize, slice: &Slice) {
+    pub fn add(&mut self, number: usize, slice: &EngagementSlice) {
         if self.0.len() < MOST {
-            self.0.push(Kept {
+            self.0.push(MoveSlice {
                 number: number as u32,
                 at: slice.at as f32,
                 length: slice.length as f32,
@@ -47,7 +49,7 @@ impl Slices {
         number: usize,
         each: &'a MoveEngagement,
         feed_per_tooth: f64,
-        material: Option<&'a Material>,
+        material: Option<&'a MaterialData>,
     ) -> impl Iterator<Item = ([f64; 2], MoveEngagement)> + 'a {
         let number = number as u32;
         let first = self.0.partition_point(|kept| kept.number < number);
@@ -56,10 +58,12 @@ impl Slices {
             let [at, half] = [f64::from(kept.at), 0.5 * f64::from(kept.length)];
             let most = f64::from(kept.chip) * feed_per_tooth;
             let mean_mm = f64::from(kept.mean) * feed_per_tooth;
-            let chip = Chip { peak_mm: Between { least: 0.0, most }, mean_mm };
+            let chip = ChipThickness { peak_mm: BoundedValue { least: 0.0, most }, mean_mm };
             let rate = f64::from(kept.section) * each.feed_mm_per_s;
-            let effort = material
-                .map(|material| Effort { power_kw: material.power(rate, mean_mm), torque_nm: 0.0 });
+            let effort = material.map(|material| CuttingLoad {
+                power_kw: material.power(rate, mean_mm),
+                torque_nm: 0.0,
+            });
             let there = MoveEngagement { chip: Some(chip), effort, ..*each };
             ([at - half, at + half], there)
         })

@@ -6,17 +6,17 @@ use std::collections::{BTreeMap, HashMap};
 use chordal::Job;
 use chordal::diagnostics::{FileId, Source, TextRange};
 use chordal::stock::{EngagementReport, MoveEngagement};
-use chordal_compare::{Options, Verdict};
+use chordal_compare::{ComparisonOptions, ComparisonVerdict};
 
 use super::super::edit::{apply, changes, line_end};
 use super::super::proved::old_text;
-use super::exact::Point;
-use super::parts::{NO_POINT, Parts, Why};
-use super::profile::Profile;
+use super::exact::BlockPoint;
+use super::parts::{BlockSplitter, NO_POINT, SplitObjection};
+use super::profile::FeedProfile;
 use super::proof::same_within;
-use super::shares::Shares;
-use super::slices::Slices;
-use super::{Fed, Files, OptimizeError, OptimizeOptions, feed, is_known};
+use super::shares::ShareInputs;
+use super::slices::MoveSlices;
+use super::{FeedEdits, OptimizeError, OptimizeOptions, SetupFiles, feed, is_known};
 use crate::source::first_text;
 use crate::{Change, prove};
 
@@ -25,7 +25,7 @@ const ROUNDS: usize = 4;
 
 /// What was split.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Splits {
+pub struct SplitResult {
     /// Blocks that were split.
     pub blocks: usize,
     /// What they are now.
@@ -48,29 +48,29 @@ pub struct NotSplit {
 }
 
 /// The joints of each block, by the byte that it begins at.
-type Joints = BTreeMap<u32, Vec<Point>>;
+type BlockJoints = BTreeMap<u32, Vec<BlockPoint>>;
 
 /// A text in parts with its feeds.
 pub(super) struct InParts {
-    pub fed: Fed,
-    pub splits: Splits,
+    pub fed: FeedEdits,
+    pub splits: SplitResult,
     pub changes: Vec<Change>,
 }
 
 /// What the joints are chosen by.
-pub(super) struct Choice<'a> {
+pub(super) struct JointChoice<'a> {
     pub job: &'a Job<'a>,
     pub before: &'a EngagementReport,
-    pub slices: &'a Slices,
+    pub slices: &'a MoveSlices,
     pub limits: &'a BTreeMap<u32, f64>,
     pub options: &'a OptimizeOptions,
-    pub files: Files<'a>,
+    pub files: SetupFiles<'a>,
 }
 
-impl Choice<'_> {
+impl JointChoice<'_> {
     /// The text in parts, where any block is worth it, and which blocks are not split that would be.
     pub fn in_parts(&self) -> Result<(Option<InParts>, Vec<NotSplit>), OptimizeError> {
-        let mut parts = Parts::new(self.job);
+        let mut parts = BlockSplitter::new(self.job);
         let (mut joints, why) = self.joints(&mut parts);
         for round in 0..ROUNDS {
             if joints.is_empty() {
@@ -81,10 +81,11 @@ impl Choice<'_> {
                 edits.extend(parts.edits(*block, joints));
             }
             let new = self.job.with_text(apply(first_text(self.job), &mut edits));
-            let options = Options { kept: 100_000, ..Options::default() };
+            let options = ComparisonOptions { kept: 100_000, ..ComparisonOptions::default() };
             let certificate = prove(self.job, &new, &options, &[]);
             let off_mm = certificate.comparison.max_distance_mm;
-            let Some(off_mm) = off_mm.filter(|_| certificate.comparison.verdict == Verdict::Same)
+            let Some(off_mm) =
+                off_mm.filter(|_| certificate.comparison.verdict == ComparisonVerdict::Same)
             else {
                 let hits = certificate.comparison.differences.iter().filter_map(old_text);
                 let hits: Vec<[u32; 2]> = hits.collect();
@@ -101,12 +102,12 @@ impl Choice<'_> {
             is_known(&before, new.sources())?;
             let same_cells = same_within(self.before, &before)?;
             let fed = feed(&new, &before, self.limits, self.options, self.files)?;
-            let lines = Lines::new(&parts, &joints);
+            let lines = PartLines::new(&parts, &joints);
             if lines.without_same(&mut joints, &fed, &before.moves) && round + 1 < ROUNDS {
                 continue;
             }
             let parts = lines.split.iter().map(|&(_, _, count)| count as usize).sum();
-            let splits = Splits { blocks: lines.split.len(), parts, off_mm, same_cells };
+            let splits = SplitResult { blocks: lines.split.len(), parts, off_mm, same_cells };
             let changes = lines.changes(first_text(self.job), &new, &fed);
             return Ok((Some(InParts { fed, splits, changes }), why));
         }
@@ -114,16 +115,16 @@ impl Choice<'_> {
     }
 
     /// Where blocks are split.
-    fn joints(&self, parts: &mut Parts) -> (Joints, Vec<NotSplit>) {
-        let shares = Shares::new(self.job, self.before, self.limits, self.options);
+    fn joints(&self, parts: &mut BlockSplitter) -> (BlockJoints, Vec<NotSplit>) {
+        let shares = ShareInputs::new(self.job, self.before, self.limits, self.options);
         let teeth: HashMap<u32, u32> =
             self.before.tools.iter().filter_map(|tool| Some((tool.number, tool.teeth?))).collect();
         let mut moves: HashMap<u32, u32> = HashMap::new();
         for each in self.before.moves.iter().filter(|each| each.origin.span.file == FileId(0)) {
             *moves.entry(each.origin.span.range.start).or_default() += 1;
         }
-        let mut joints = Joints::new();
-        let mut why: BTreeMap<Why, NotSplit> = BTreeMap::new();
+        let mut joints = BlockJoints::new();
+        let mut why: BTreeMap<SplitObjection, NotSplit> = BTreeMap::new();
         for (number, each) in self.before.moves.iter().enumerate() {
             let start = each.origin.span.range.start;
             if !shares.is_changeable(each) || moves.get(&start) != Some(&1) {
@@ -163,14 +164,14 @@ impl Choice<'_> {
     /// that ends between two keeps its share.
     fn profile(
         &self,
-        shares: &Shares,
+        shares: &ShareInputs,
         number: usize,
         each: &MoveEngagement,
         feed_per_tooth: f64,
-    ) -> Profile {
+    ) -> FeedProfile {
         let air = MoveEngagement { chip: None, effort: None, ..*each };
         let mut profile =
-            Profile::new(each.length_mm, self.before.resolution_mm, shares.share(&air));
+            FeedProfile::new(each.length_mm, self.before.resolution_mm, shares.share(&air));
         let material = self.before.material.as_ref();
         for ([from, to], there) in self.slices.of(number, each, feed_per_tooth, material) {
             let more = to - from;
@@ -181,17 +182,17 @@ impl Choice<'_> {
 }
 
 /// Where the parts of blocks stand in the text in parts.
-struct Lines {
+struct PartLines {
     /// Of each split block: the byte that it begins at, its line in the old text, and how many parts it has.
     split: Vec<(u32, u32, u32)>,
 }
 
-impl Lines {
-    fn new(parts: &Parts, joints: &Joints) -> Lines {
-        let one = |(start, joints): (&u32, &Vec<Point>)| {
+impl PartLines {
+    fn new(parts: &BlockSplitter, joints: &BlockJoints) -> PartLines {
+        let one = |(start, joints): (&u32, &Vec<BlockPoint>)| {
             (*start, parts.line(*start), joints.len() as u32 + 1)
         };
-        Lines { split: joints.iter().map(one).collect() }
+        PartLines { split: joints.iter().map(one).collect() }
     }
 
     /// The split blocks with the line of their first part in the new text.
@@ -205,7 +206,12 @@ impl Lines {
     }
 
     /// Takes out the joints between parts of one feed; says whether there were any.
-    fn without_same(&self, joints: &mut Joints, fed: &Fed, moves: &[MoveEngagement]) -> bool {
+    fn without_same(
+        &self,
+        joints: &mut BlockJoints,
+        fed: &FeedEdits,
+        moves: &[MoveEngagement],
+    ) -> bool {
         let starts: HashMap<u32, u32> = moves
             .iter()
             .filter(|each| each.origin.span.file == FileId(0))
@@ -228,7 +234,7 @@ impl Lines {
     }
 
     /// What was changed of the old text, by its lines.
-    fn changes(&self, old: &[u8], parted: &Job, fed: &Fed) -> Vec<Change> {
+    fn changes(&self, old: &[u8], parted: &Job, fed: &FeedEdits) -> Vec<Change> {
         let text = first_text(&fed.new);
         let [old_source, source] = [old, text].map(|text| Source::new("", text));
         let words = |text: &[u8], source: &Source, first: u32, count: u32| {

@@ -6,7 +6,7 @@ use chordal::{Command, Diagnostic, Job, RunSink, Sink};
 
 /// A block that ran.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Visit {
+pub(super) struct RunVisit {
     /// The byte that it begins at, in the first text.
     pub block: Option<u32>,
     /// Its line.
@@ -20,20 +20,20 @@ pub(super) struct Visit {
 
 /// All blocks that ran, in order.
 #[derive(Debug, Default)]
-pub(super) struct Visits {
-    pub list: Vec<Visit>,
+pub(super) struct RunVisits {
+    pub list: Vec<RunVisit>,
     used: Option<(f64, FeedMode)>,
 }
 
-impl Visits {
-    pub fn of(job: &Job) -> Visits {
-        let mut visits = Visits::default();
+impl RunVisits {
+    pub fn of(job: &Job) -> RunVisits {
+        let mut visits = RunVisits::default();
         job.run(&mut visits);
         visits
     }
 }
 
-impl Sink for Visits {
+impl Sink for RunVisits {
     fn command(&mut self, command: &Command) {
         if let Some(feed) = command.kind.feed() {
             self.used = Some((feed.value, feed.mode));
@@ -43,7 +43,7 @@ impl Sink for Visits {
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
-impl RunSink for Visits {
+impl RunSink for RunVisits {
     fn wants_blocks(&self) -> bool {
         true
     }
@@ -51,7 +51,7 @@ impl RunSink for Visits {
     fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
         let modal = modal();
         let is_own = origin.span.file == FileId(0);
-        self.list.push(Visit {
+        self.list.push(RunVisit {
             block: is_own.then_some(origin.span.range.start),
             line: origin.line,
             used: self.used.take(),

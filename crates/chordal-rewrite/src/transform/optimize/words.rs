@@ -5,11 +5,11 @@ use std::collections::{HashMap, HashSet};
 use chordal::Job;
 use chordal::control::{FeedMode, Units};
 use chordal::diagnostics::FileId;
-use chordal::syntax::{Block, BlockKind, BlockReader, Value, Word};
+use chordal::syntax::{Block, BlockKind, BlockReader, Word, WordValue};
 
-use super::super::edit::{Edit, Refusal, with_number};
-use super::super::writer::Writer;
-use super::visits::{Visit, Visits};
+use super::super::edit::{TransformRefusal, WordEdit, with_number};
+use super::super::writer::WordWriter;
+use super::visits::{RunVisit, RunVisits};
 
 /// Digits of a new feed: it is rounded down to three.
 const DIGITS: i32 = 3;
@@ -24,14 +24,14 @@ const REASON: &str = "the feed for what the tool meets here";
 const BACK: &str = "the feed that it had";
 
 /// The new text as edits.
-pub(super) struct Written {
-    pub edits: Vec<Edit>,
+pub(super) struct FeedText {
+    pub edits: Vec<WordEdit>,
     /// The blocks whose moves have another feed.
     pub changed: HashSet<u32>,
 }
 
 /// A block of the text that ran.
-struct Place {
+struct ExecutedBlock {
     block: Block,
     /// Its F, where it is a feed.
     own: Option<Word>,
@@ -40,10 +40,10 @@ struct Place {
 /// Writes F words so that every block of `wanted` runs at its share of its feed, and all others as before.
 pub(super) fn write(
     job: &Job,
-    visits: &Visits,
+    visits: &RunVisits,
     wanted: &HashMap<u32, f64>,
-) -> Result<Written, Refusal> {
-    let writer = Writer::new(job);
+) -> Result<FeedText, TransformRefusal> {
+    let writer = WordWriter::new(job);
     let places = places(&writer);
     let mut targets: HashMap<u32, f64> = HashMap::new();
     for visit in &visits.list {
@@ -63,7 +63,7 @@ pub(super) fn write(
     // An F that is not a number cannot be replaced by what it is once.
     targets.retain(|block, _| {
         places.get(block).is_some_and(|place| {
-            place.own.as_ref().is_none_or(|word| matches!(word.value, Value::Number(_)))
+            place.own.as_ref().is_none_or(|word| matches!(word.value, WordValue::Number(_)))
         })
     });
     let explicit = explicit(&writer, visits, &places, &targets)?;
@@ -73,25 +73,27 @@ pub(super) fn write(
         let reason = if targets.contains_key(block) { REASON } else { BACK };
         let number = writer.style.number(*value, 0, DECIMALS, true);
         edits.push(match &place.own {
-            Some(word) => Edit::new(word.range, with_number(writer.text, word, &number), reason),
+            Some(word) => {
+                WordEdit::new(word.range, with_number(writer.text, word, &number), reason)
+            }
             None => {
                 let gap = writer.style.gap();
-                Edit::insert(end_of_words(&place.block), format!("{gap}F{number}"), reason)
+                WordEdit::insert(end_of_words(&place.block), format!("{gap}F{number}"), reason)
             }
         });
     }
-    Ok(Written { edits, changed: targets.into_keys().collect() })
+    Ok(FeedText { edits, changed: targets.into_keys().collect() })
 }
 
 /// The blocks of words, by the byte that they begin at.
-fn places(writer: &Writer) -> HashMap<u32, Place> {
+fn places(writer: &WordWriter) -> HashMap<u32, ExecutedBlock> {
     let mut places = HashMap::new();
     let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
     let mut block = Block::new();
     while reader.read(&mut block) {
         if block.kind == BlockKind::Words && !block.words.is_empty() {
             let own = block.word(b'F').copied();
-            places.insert(block.range.start, Place { block: block.clone(), own });
+            places.insert(block.range.start, ExecutedBlock { block: block.clone(), own });
         }
     }
     places
@@ -99,11 +101,11 @@ fn places(writer: &Writer) -> HashMap<u32, Place> {
 
 /// The blocks that must have an F, with its value, so that each move has the feed it should have.
 fn explicit(
-    writer: &Writer,
-    visits: &Visits,
-    places: &HashMap<u32, Place>,
+    writer: &WordWriter,
+    visits: &RunVisits,
+    places: &HashMap<u32, ExecutedBlock>,
     targets: &HashMap<u32, f64>,
-) -> Result<HashMap<u32, f64>, Refusal> {
+) -> Result<HashMap<u32, f64>, TransformRefusal> {
     let mut explicit: HashMap<u32, f64> = HashMap::new();
     // A block with an F of its own keeps none but its own.
     for (block, target) in targets {
@@ -156,12 +158,12 @@ fn explicit(
 
 /// The block of a visit, where an F can be written in it.
 fn can_write(
-    writer: &Writer,
-    visit: &Visit,
-    place: Option<&Place>,
+    writer: &WordWriter,
+    visit: &RunVisit,
+    place: Option<&ExecutedBlock>,
     mode: FeedMode,
     due: f64,
-) -> Result<u32, Refusal> {
+) -> Result<u32, TransformRefusal> {
     let stand = |what: &str| Err(refusal(writer, visit, place, what));
     let (Some(block), Some(found)) = (visit.block, place) else {
         return stand("it needs its old feed again, and no F can be written here");
@@ -169,7 +171,8 @@ fn can_write(
     if mode != FeedMode::PerTime {
         return stand("it takes the F of a block before it, and counts it otherwise");
     }
-    let is_number = found.own.as_ref().is_none_or(|word| matches!(word.value, Value::Number(_)));
+    let is_number =
+        found.own.as_ref().is_none_or(|word| matches!(word.value, WordValue::Number(_)));
     let exact = writer.style.number(due, 0, DECIMALS, true).parse::<f64>();
     if !is_number || !exact.is_ok_and(|exact| is_same(exact, due)) {
         return stand("its feed cannot be written as a number of four decimals");
@@ -177,11 +180,16 @@ fn can_write(
     Ok(block)
 }
 
-fn refusal(writer: &Writer, visit: &Visit, place: Option<&Place>, what: &str) -> Refusal {
+fn refusal(
+    writer: &WordWriter,
+    visit: &RunVisit,
+    place: Option<&ExecutedBlock>,
+    what: &str,
+) -> TransformRefusal {
     const HELP: &str = "write an F in this block, then run it again";
     match place {
-        Some(place) => Refusal::new(writer.text, &place.block, what, HELP),
-        None => Refusal {
+        Some(place) => TransformRefusal::new(writer.text, &place.block, what, HELP),
+        None => TransformRefusal {
             line: visit.line,
             text: String::new(),
             what: what.to_string(),

@@ -4,13 +4,13 @@ use chordal::Control;
 use chordal::control::{Action, MotionCode, OnceCode, TurnCycle, TurnPass, code_number};
 use chordal::syntax::{Block, Letters, Word};
 
-use super::super::record::{Context, Did};
-use super::{Role, actions};
+use super::super::record::{BlockEffect, ReadingContext};
+use super::{NumberRole, actions};
 use crate::source::{is_setup, turning_cycle};
 
 /// What a block of a lathe is, where its words do not mean what they mean next to a move.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(in crate::transform) enum Turned {
+pub(in crate::transform) enum LatheBlockSort {
     /// A move, or a cycle of holes.
     Move,
     /// A cycle; the first of two blocks only sets it up.
@@ -23,33 +23,38 @@ pub(in crate::transform) enum Turned {
     Preset,
 }
 
-impl Turned {
-    pub(in crate::transform) fn of(block: &Block, context: &Context, control: &Control) -> Turned {
+impl LatheBlockSort {
+    pub(in crate::transform) fn of(
+        block: &Block,
+        context: &ReadingContext,
+        control: &Control,
+    ) -> LatheBlockSort {
         let named = actions(block, control).find_map(|(_, action)| {
             if let Some(code) = action.once() {
-                let cycle = turning_cycle(code).map(|cycle| Turned::Cycle {
+                let cycle = turning_cycle(code).map(|cycle| LatheBlockSort::Cycle {
                     cycle,
                     is_setup: is_setup(cycle, block, control),
                 });
-                let preset = (code == OnceCode::PresetPosition).then_some(Turned::Preset);
+                let preset = (code == OnceCode::PresetPosition).then_some(LatheBlockSort::Preset);
                 return cycle.or(preset);
             }
             action.motion().map(of_motion)
         });
-        let modal = || context.motion.and_then(Action::motion).map_or(Turned::Move, of_motion);
+        let modal =
+            || context.motion.and_then(Action::motion).map_or(LatheBlockSort::Move, of_motion);
         named.unwrap_or_else(modal)
     }
 
     /// It cuts a thread, whose lead belongs to its size.
     pub(in crate::transform) fn is_thread(self) -> bool {
         match self {
-            Turned::Thread | Turned::Pass(TurnPass::Thread) => true,
-            Turned::Cycle { cycle, .. } => {
+            LatheBlockSort::Thread | LatheBlockSort::Pass(TurnPass::Thread) => true,
+            LatheBlockSort::Cycle { cycle, .. } => {
                 matches!(cycle, TurnCycle::Thread | TurnCycle::LineThread)
             }
-            Turned::Pass(TurnPass::Turning | TurnPass::Facing) | Turned::Move | Turned::Preset => {
-                false
-            }
+            LatheBlockSort::Pass(TurnPass::Turning | TurnPass::Facing)
+            | LatheBlockSort::Move
+            | LatheBlockSort::Preset => false,
         }
     }
 
@@ -58,34 +63,36 @@ impl Turned {
         self,
         word: &Word,
         block: &Block,
-        context: &Context,
+        context: &ReadingContext,
         control: &Control,
-    ) -> Option<Role> {
+    ) -> Option<NumberRole> {
         if word.comma {
             return None;
         }
         match self {
-            Turned::Cycle { cycle, is_setup } => of_cycle(word, block, cycle, is_setup, control),
-            Turned::Pass(pass) => match word.letter {
-                b'R' | b'I' if pass != TurnPass::Facing => Some(Role::Way(0)),
-                b'R' | b'K' if pass == TurnPass::Facing => Some(Role::Way(2)),
-                b'F' if pass == TurnPass::Thread => Some(Role::Lead),
-                b'Q' => Some(Role::Other),
+            LatheBlockSort::Cycle { cycle, is_setup } => {
+                of_cycle(word, block, cycle, is_setup, control)
+            }
+            LatheBlockSort::Pass(pass) => match word.letter {
+                b'R' | b'I' if pass != TurnPass::Facing => Some(NumberRole::Way(0)),
+                b'R' | b'K' if pass == TurnPass::Facing => Some(NumberRole::Way(2)),
+                b'F' if pass == TurnPass::Thread => Some(NumberRole::Lead),
+                b'Q' => Some(NumberRole::Other),
                 _ => increment(word, control),
             },
-            Turned::Thread => match word.letter {
+            LatheBlockSort::Thread => match word.letter {
                 letter if letter == control.parameters.thread_lead || letter == b'K' => {
-                    Some(Role::Lead)
+                    Some(NumberRole::Lead)
                 }
-                b'Q' => Some(Role::Other),
+                b'Q' => Some(NumberRole::Other),
                 _ => increment(word, control),
             },
-            Turned::Preset => increment(word, control),
-            Turned::Move => match word.letter {
+            LatheBlockSort::Preset => increment(word, control),
+            LatheBlockSort::Move => match word.letter {
                 b'I' | b'K' | b'R'
-                    if control.parameters.corners_of_lines && context.did == Did::Line =>
+                    if control.parameters.corners_of_lines && context.did == BlockEffect::Line =>
                 {
-                    Some(Role::Length)
+                    Some(NumberRole::Length)
                 }
                 b'R' if context.cycle.is_some() => Some(level_of_hole(block, control)),
                 _ => increment(word, control),
@@ -95,25 +102,25 @@ impl Turned {
 }
 
 /// R of a hole: along X where its code drills along X, else along Z.
-fn level_of_hole(block: &Block, control: &Control) -> Role {
+fn level_of_hole(block: &Block, control: &Control) -> NumberRole {
     let rules = control.parameters.rules.cycles;
     let is_radial = block.all(b'G').any(|word| {
         let code = word.number().and_then(code_number);
         code.is_some_and(|code| control.table.radial_cycles.contains(&code))
     });
     match (is_radial, rules.r_from_initial) {
-        (false, true) => Role::Way(2),
-        (false, false) => Role::Place(2),
-        (true, false) if rules.radial_r_is_diameter => Role::Place(0),
-        (true, _) => Role::Way(0),
+        (false, true) => NumberRole::Way(2),
+        (false, false) => NumberRole::Place(2),
+        (true, false) if rules.radial_r_is_diameter => NumberRole::Place(0),
+        (true, _) => NumberRole::Way(0),
     }
 }
 
 /// What a motion code makes of its block.
-fn of_motion(code: MotionCode) -> Turned {
+fn of_motion(code: MotionCode) -> LatheBlockSort {
     match code {
-        MotionCode::Turn(pass) => Turned::Pass(pass),
-        MotionCode::Thread | MotionCode::RigidTap => Turned::Thread,
+        MotionCode::Turn(pass) => LatheBlockSort::Pass(pass),
+        MotionCode::Thread | MotionCode::RigidTap => LatheBlockSort::Thread,
         MotionCode::Rapid
         | MotionCode::Linear
         | MotionCode::ArcCw
@@ -121,15 +128,15 @@ fn of_motion(code: MotionCode) -> Turned {
         | MotionCode::SpiralCw
         | MotionCode::SpiralCcw
         | MotionCode::Spline(_)
-        | MotionCode::SplineEnd => Turned::Move,
+        | MotionCode::SplineEnd => LatheBlockSort::Move,
     }
 }
 
 /// U of X, W of Z.
-fn increment(word: &Word, control: &Control) -> Option<Role> {
+fn increment(word: &Word, control: &Control) -> Option<NumberRole> {
     let increments = control.parameters.increments;
     let (_, of) = increments.iter().find(|(letter, _)| *letter == word.letter)?;
-    b"XYZ".iter().position(|axis| axis == of).map(Role::Way)
+    b"XYZ".iter().position(|axis| axis == of).map(NumberRole::Way)
 }
 
 fn of_cycle(
@@ -138,65 +145,65 @@ fn of_cycle(
     cycle: TurnCycle,
     is_setup: bool,
     control: &Control,
-) -> Option<Role> {
+) -> Option<NumberRole> {
     let one_line = block.letters().meets(Letters::of("KD"));
     let counted = counted_or_length(word);
     Some(match (cycle, word.letter) {
         (_, b'G' | b'M' | b'N' | b'T' | b'O') => return None,
-        (TurnCycle::LineThread, b'P') => Role::Lead,
-        (TurnCycle::Thread, b'F') => Role::Lead,
+        (TurnCycle::LineThread, b'P') => NumberRole::Lead,
+        (TurnCycle::Thread, b'F') => NumberRole::Lead,
         (_, b'F' | b'S') => return None,
         (TurnCycle::Rough | TurnCycle::RoughFace, letter) => match (is_setup, letter) {
-            (true, b'U' | b'W' | b'R') => Role::Length,
-            (false, b'U') => Role::Way(0),
-            (false, b'W') => Role::Way(2),
-            (false, b'D' | b'I' | b'K') => Role::Length,
-            _ => Role::Other,
+            (true, b'U' | b'W' | b'R') => NumberRole::Length,
+            (false, b'U') => NumberRole::Way(0),
+            (false, b'W') => NumberRole::Way(2),
+            (false, b'D' | b'I' | b'K') => NumberRole::Length,
+            _ => NumberRole::Other,
         },
         (TurnCycle::Pattern, letter) => match letter {
-            b'U' | b'I' => Role::Way(0),
-            b'W' | b'K' => Role::Way(2),
-            _ => Role::Other,
+            b'U' | b'I' => NumberRole::Way(0),
+            b'W' | b'K' => NumberRole::Way(2),
+            _ => NumberRole::Other,
         },
         (TurnCycle::PeckZ | TurnCycle::PeckX, letter) => match letter {
             b'X' | b'Z' | b'U' | b'W' => return increment(word, control),
             b'P' | b'Q' => counted,
-            b'R' | b'I' | b'K' | b'D' => Role::Length,
-            _ => Role::Other,
+            b'R' | b'I' | b'K' | b'D' => NumberRole::Length,
+            _ => NumberRole::Other,
         },
         (TurnCycle::Thread, letter) => match letter {
             b'X' | b'Z' | b'U' | b'W' => return increment(word, control),
             b'Q' if is_setup || !one_line => counted,
             b'P' if !is_setup && !one_line => counted,
-            b'R' if is_setup => Role::Length,
-            b'R' | b'I' => Role::Way(0),
+            b'R' if is_setup => NumberRole::Length,
+            b'R' | b'I' => NumberRole::Way(0),
             b'K' | b'D' => counted,
-            _ => Role::Other,
+            _ => NumberRole::Other,
         },
-        (TurnCycle::Finish, _) => Role::Other,
+        (TurnCycle::Finish, _) => NumberRole::Other,
         (TurnCycle::FinishSubroutine, letter) => match letter {
             b'X' | b'Z' => return None,
-            b'D' | b'E' => Role::Length,
-            _ => Role::Other,
+            b'D' | b'E' => NumberRole::Length,
+            _ => NumberRole::Other,
         },
         (TurnCycle::RoughSubroutine(_) | TurnCycle::RoughFaceSubroutine(_), letter) => match letter
         {
             b'X' | b'Z' => return None,
-            b'D' | b'I' | b'R' => Role::Length,
-            _ => Role::Other,
+            b'D' | b'I' | b'R' => NumberRole::Length,
+            _ => NumberRole::Other,
         },
         (TurnCycle::LineThread, letter) => match letter {
             b'X' | b'Z' => return None,
-            b'I' => Role::Way(0),
-            b'J' | b'K' | b'E' => Role::Length,
-            _ => Role::Other,
+            b'I' => NumberRole::Way(0),
+            b'J' | b'K' | b'E' => NumberRole::Length,
+            _ => NumberRole::Other,
         },
     })
 }
 
-fn counted_or_length(word: &Word) -> Role {
+fn counted_or_length(word: &Word) -> NumberRole {
     match word.number() {
-        Some(number) if number.has_point => Role::Length,
-        _ => Role::Counted,
+        Some(number) if number.has_point => NumberRole::Length,
+        _ => NumberRole::Counted,
     }
 }

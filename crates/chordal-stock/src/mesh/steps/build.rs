@@ -2,16 +2,16 @@
 
 use chordal_geometry::Vec3;
 
-use super::cover::{Cover, NONE, Rectangle};
-use super::node::{Face, Node};
-use super::{HeightField, Plan, Touching};
+use super::cover::{CellRectangle, NONE, RectangleCover};
+use super::node::{CornerNode, FaceKind};
+use super::{HeightField, PlanGrid, TouchingVertex};
 use crate::mesh::Mesh;
 
 /// No vertex at this corner.
 const NO_VERTEX: u32 = u32::MAX;
 
 /// A side of a rectangle as it is run through counter-clockwise.
-pub(super) struct Side {
+pub(super) struct RectangleSide {
     /// Its first corner.
     from: [usize; 2],
     /// One cell on.
@@ -24,18 +24,18 @@ pub(super) struct Side {
     ahead: usize,
 }
 
-pub(super) fn sides(rectangle: &Rectangle) -> [Side; 4] {
-    let Rectangle { columns: [left, right], rows: [low, high], .. } = *rectangle;
+pub(super) fn sides(rectangle: &CellRectangle) -> [RectangleSide; 4] {
+    let CellRectangle { columns: [left, right], rows: [low, high], .. } = *rectangle;
     let (width, depth) = (right - left, high - low);
     [
-        Side { from: [left, low], step: [1, 0], cells: width, cell: 0, ahead: 3 },
-        Side { from: [right, low], step: [0, 1], cells: depth, cell: 1, ahead: 0 },
-        Side { from: [right, high], step: [-1, 0], cells: width, cell: 2, ahead: 1 },
-        Side { from: [left, high], step: [0, -1], cells: depth, cell: 3, ahead: 2 },
+        RectangleSide { from: [left, low], step: [1, 0], cells: width, cell: 0, ahead: 3 },
+        RectangleSide { from: [right, low], step: [0, 1], cells: depth, cell: 1, ahead: 0 },
+        RectangleSide { from: [right, high], step: [-1, 0], cells: width, cell: 2, ahead: 1 },
+        RectangleSide { from: [left, high], step: [0, -1], cells: depth, cell: 3, ahead: 2 },
     ]
 }
 
-impl Side {
+impl RectangleSide {
     /// The corner after so many cells.
     pub(super) fn corner(&self, cells: usize) -> [usize; 2] {
         [0, 1].map(|axis| self.from[axis].wrapping_add_signed(self.step[axis] * cells as isize))
@@ -44,39 +44,39 @@ impl Side {
 
 /// Which faces have a vertex at a corner.
 #[derive(Clone, Copy, PartialEq, Eq)]
-struct Used {
+struct UsedFaces {
     tops: bool,
     bottom: bool,
 }
 
-pub(super) struct Builder<'a> {
+pub(super) struct StepBuilder<'a> {
     field: &'a HeightField<'a>,
-    plan: Plan,
-    tops: &'a Cover,
-    bottoms: &'a Cover,
+    plan: PlanGrid,
+    tops: &'a RectangleCover,
+    bottoms: &'a RectangleCover,
     /// The height of each cell and of a border around them: that of its rectangle, or the bottom.
     heights: Vec<f64>,
     /// For each corner of cells its first vertex, and which faces have one there.
     first: Vec<u32>,
-    used: Vec<Used>,
+    used: Vec<UsedFaces>,
     vertices: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
-    touching: Vec<Touching>,
+    touching: Vec<TouchingVertex>,
     /// The vertices around a face, kept for the next one.
     around: Vec<u32>,
 }
 
-impl<'a> Builder<'a> {
+impl<'a> StepBuilder<'a> {
     pub(super) fn new(
         field: &'a HeightField<'a>,
-        tops: &'a Cover,
-        bottoms: &'a Cover,
-    ) -> Builder<'a> {
+        tops: &'a RectangleCover,
+        bottoms: &'a RectangleCover,
+    ) -> StepBuilder<'a> {
         let corners = (field.columns + 1) * (field.rows + 1);
         let (first, used) = (Vec::with_capacity(corners), Vec::with_capacity(corners));
         let heights = bordered(field, tops);
         let (vertices, triangles, touching) = (Vec::new(), Vec::new(), Vec::new());
-        let mut builder = Builder {
+        let mut builder = StepBuilder {
             field,
             plan: field.plan(),
             tops,
@@ -93,7 +93,7 @@ impl<'a> Builder<'a> {
         builder
     }
 
-    pub(super) fn mesh(mut self) -> (Mesh, Vec<Touching>) {
+    pub(super) fn mesh(mut self) -> (Mesh, Vec<TouchingVertex>) {
         for rectangle in &self.tops.rectangles {
             self.face(rectangle, true);
             for side in sides(rectangle) {
@@ -122,7 +122,8 @@ impl<'a> Builder<'a> {
                 let node = self.node(at, used);
                 for (height, &way) in node.vertices().zip(node.ways()) {
                     if way != [0, 0] {
-                        self.touching.push(Touching { vertex: self.vertices.len() as u32, way });
+                        self.touching
+                            .push(TouchingVertex { vertex: self.vertices.len() as u32, way });
                     }
                     self.vertices.push(self.point(at, height));
                 }
@@ -145,9 +146,9 @@ impl<'a> Builder<'a> {
 
     /// Whether a corner ends an edge of some rectangle. Beside a hole tops and bottoms share the wall, and so
     /// its ends.
-    fn used(&self, at: [usize; 2]) -> Used {
+    fn used(&self, at: [usize; 2]) -> UsedFaces {
         let cells = self.cells(at);
-        let ends = |cover: &Cover| {
+        let ends = |cover: &RectangleCover| {
             let [a, b, c, d] = cells.map(|cell| cell.map_or(NONE, |cell| cover.of[cell]));
             let straight = (a == b && c == d) || (b == c && d == a);
             let whole = a == b && b == c && c == d;
@@ -157,9 +158,9 @@ impl<'a> Builder<'a> {
         let hole = cells.iter().any(|cell| cell.is_none_or(|cell| self.tops.of[cell] == NONE));
         if hole {
             let either = tops || bottom;
-            Used { tops: either, bottom: either }
+            UsedFaces { tops: either, bottom: either }
         } else {
-            Used { tops, bottom }
+            UsedFaces { tops, bottom }
         }
     }
 
@@ -167,8 +168,8 @@ impl<'a> Builder<'a> {
         f64::from(self.field.floor)
     }
 
-    fn node(&self, at: [usize; 2], used: Used) -> Node {
-        Node::new(self.heights_at(at), self.floor(), used.tops, used.bottom)
+    fn node(&self, at: [usize; 2], used: UsedFaces) -> CornerNode {
+        CornerNode::new(self.heights_at(at), self.floor(), used.tops, used.bottom)
     }
 
     /// The heights of the four cells around a corner.
@@ -180,7 +181,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The number of the first vertex of a corner, and what meets there; `None` where no edge ends.
-    fn corner(&self, at: [usize; 2], tops: bool) -> Option<(u32, Node)> {
+    fn corner(&self, at: [usize; 2], tops: bool) -> Option<(u32, CornerNode)> {
         let corner = at[1] * (self.field.columns + 1) + at[0];
         let used = self.used[corner];
         let here = if tops { used.tops } else { used.bottom };
@@ -188,14 +189,14 @@ impl<'a> Builder<'a> {
     }
 
     /// The top or the bottom of a rectangle.
-    fn face(&mut self, rectangle: &Rectangle, tops: bool) {
+    fn face(&mut self, rectangle: &CellRectangle, tops: bool) {
         let height = if tops { rectangle.height } else { self.floor() };
         let mut around = std::mem::take(&mut self.around);
         around.clear();
         for side in sides(rectangle) {
             for cells in 0..side.cells {
                 if let Some((first, node)) = self.corner(side.corner(cells), tops) {
-                    let vertex = node.vertex(node.level(height), Face::Flat(side.cell));
+                    let vertex = node.vertex(node.level(height), FaceKind::Flat(side.cell));
                     around.push(first + vertex as u32);
                 }
             }
@@ -209,8 +210,8 @@ impl<'a> Builder<'a> {
     }
 
     /// The walls below a side of a rectangle, where its neighbours are lower.
-    fn walls(&mut self, rectangle: &Rectangle, side: &Side) {
-        let mut begin: Option<(u32, Node)> = None;
+    fn walls(&mut self, rectangle: &CellRectangle, side: &RectangleSide) {
+        let mut begin: Option<(u32, CornerNode)> = None;
         for cells in 0..=side.cells {
             let at = side.corner(cells);
             let Some((first, node)) = self.corner(at, true) else { continue };
@@ -220,8 +221,8 @@ impl<'a> Builder<'a> {
                 if low < rectangle.height {
                     let span = [low, rectangle.height];
                     let back = (side.ahead + 2) % 4;
-                    let left = Line::new(*from, before, side.ahead, span);
-                    let right = Line::new(first, &node, back, span);
+                    let left = WallLine::new(*from, before, side.ahead, span);
+                    let right = WallLine::new(first, &node, back, span);
                     self.strip(left, right);
                 }
             }
@@ -230,14 +231,14 @@ impl<'a> Builder<'a> {
     }
 
     /// The height on the other side of a side of a rectangle, after so many cells.
-    fn across(&self, side: &Side, cells: usize) -> f64 {
+    fn across(&self, side: &RectangleSide, cells: usize) -> f64 {
         // Seen from the corner, the wall ahead has the rectangle on its left and the neighbour on its right.
         self.heights_at(side.corner(cells))[side.ahead]
     }
 
     /// Triangles between two upright lines of vertices: the one on the left, then the one on the right, seen from
     /// outside.
-    fn strip<'b>(&mut self, mut left: Line<'b>, mut right: Line<'b>) {
+    fn strip<'b>(&mut self, mut left: WallLine<'b>, mut right: WallLine<'b>) {
         while left.level < left.top || right.level < right.top {
             let on_the_left = left.level < left.top
                 && (right.level >= right.top || left.next_height() < right.next_height());
@@ -269,23 +270,23 @@ pub(super) fn fill(
 }
 
 /// The vertices of a wall over a corner, from the lowest.
-struct Line<'a> {
+struct WallLine<'a> {
     first: u32,
-    node: &'a Node,
+    node: &'a CornerNode,
     wall: usize,
     level: usize,
     top: usize,
 }
 
-impl Line<'_> {
+impl WallLine<'_> {
     /// From one height to another, mm.
-    fn new(first: u32, node: &Node, wall: usize, [low, high]: [f64; 2]) -> Line<'_> {
-        Line { first, node, wall, level: node.level(low), top: node.level(high) }
+    fn new(first: u32, node: &CornerNode, wall: usize, [low, high]: [f64; 2]) -> WallLine<'_> {
+        WallLine { first, node, wall, level: node.level(low), top: node.level(high) }
     }
 
     fn vertex(&self) -> u32 {
         let below_top = self.level < self.top;
-        let face = if below_top { Face::Up(self.wall) } else { Face::Down(self.wall) };
+        let face = if below_top { FaceKind::Up(self.wall) } else { FaceKind::Down(self.wall) };
         self.first + self.node.vertex(self.level, face) as u32
     }
 
@@ -296,7 +297,7 @@ impl Line<'_> {
 
 /// The heights of rectangles for each cell, the bottom for a cell that is cut through and for a border of
 /// one cell.
-fn bordered(field: &HeightField, tops: &Cover) -> Vec<f64> {
+fn bordered(field: &HeightField, tops: &RectangleCover) -> Vec<f64> {
     let width = field.columns + 2;
     let mut heights = vec![f64::from(field.floor); width * (field.rows + 2)];
     for rectangle in &tops.rectangles {

@@ -4,7 +4,7 @@ use super::HeightField;
 
 /// Cells that become one face.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rectangle {
+pub(super) struct CellRectangle {
     /// The first cell along X and the one after the last.
     pub columns: [usize; 2],
     /// The first cell along Y and the one after the last.
@@ -13,7 +13,7 @@ pub(super) struct Rectangle {
     pub height: f64,
 }
 
-impl Rectangle {
+impl CellRectangle {
     /// Its first corner and the one across.
     pub fn ends(&self) -> [[usize; 2]; 2] {
         [0, 1].map(|end| [self.columns[end], self.rows[end]])
@@ -21,8 +21,8 @@ impl Rectangle {
 }
 
 /// Every cell that is not cut through in one rectangle.
-pub(super) struct Cover {
-    pub rectangles: Vec<Rectangle>,
+pub(super) struct RectangleCover {
+    pub rectangles: Vec<CellRectangle>,
     /// For each cell the number of its rectangle, or [`NONE`].
     pub of: Vec<u32>,
     /// How far a cell is from the height of its rectangle at most, mm.
@@ -34,19 +34,19 @@ pub(super) const NONE: u32 = u32::MAX;
 
 /// What the cells of a rectangle have in common.
 #[derive(Clone, Copy)]
-pub(super) struct Heights {
+pub(super) struct HeightSummary {
     low: f64,
     high: f64,
     sum: f64,
     count: usize,
 }
 
-impl Heights {
-    pub(super) const NO: Heights =
-        Heights { low: f64::INFINITY, high: f64::NEG_INFINITY, sum: 0.0, count: 0 };
+impl HeightSummary {
+    pub(super) const NO: HeightSummary =
+        HeightSummary { low: f64::INFINITY, high: f64::NEG_INFINITY, sum: 0.0, count: 0 };
 
-    pub(super) fn with(self, height: f64) -> Heights {
-        Heights {
+    pub(super) fn with(self, height: f64) -> HeightSummary {
+        HeightSummary {
             low: self.low.min(height),
             high: self.high.max(height),
             sum: self.sum + height,
@@ -74,13 +74,13 @@ const STEP: f64 = 1.0 / 65536.0;
 
 /// Rounds means to multiples of [`STEP`], and gives what that takes from the volume to the next ones.
 #[derive(Default)]
-struct Rounder {
+struct HeightRounder {
     /// What is missing so far, mm times cells.
     missing: f64,
 }
 
-impl Rounder {
-    fn height(&mut self, heights: &Heights, tolerance: f64) -> f64 {
+impl HeightRounder {
+    fn height(&mut self, heights: &HeightSummary, tolerance: f64) -> f64 {
         let mean = heights.mean();
         let cells = heights.count as f64;
         let wanted = mean + (self.missing / cells).clamp(-STEP, STEP);
@@ -95,36 +95,43 @@ impl Rounder {
     }
 }
 
-impl Cover {
+impl RectangleCover {
     /// Rectangles in which no height is further from the mean than the tolerance, mm.
-    pub(super) fn of_tops(field: &HeightField, tolerance: f64) -> Cover {
-        Cover::new(field, |column, row| field.height(column, row), tolerance)
+    pub(super) fn of_tops(field: &HeightField, tolerance: f64) -> RectangleCover {
+        RectangleCover::new(field, |column, row| field.height(column, row), tolerance)
     }
 
     /// Rectangles at the bottom.
-    pub(super) fn of_bottoms(field: &HeightField) -> Cover {
+    pub(super) fn of_bottoms(field: &HeightField) -> RectangleCover {
         let floor = f64::from(field.floor);
-        Cover::new(field, |_, _| floor, 0.0)
+        RectangleCover::new(field, |_, _| floor, 0.0)
     }
 
     /// From each first free cell as far along X as the tolerance allows, then along Y.
-    fn new(field: &HeightField, height: impl Fn(usize, usize) -> f64, tolerance: f64) -> Cover {
+    fn new(
+        field: &HeightField,
+        height: impl Fn(usize, usize) -> f64,
+        tolerance: f64,
+    ) -> RectangleCover {
         let HeightField { columns, rows, .. } = *field;
         let floor = f64::from(field.floor);
-        let mut cover =
-            Cover { rectangles: Vec::new(), of: vec![NONE; columns * rows], deviation: 0.0 };
-        let mut rounder = Rounder::default();
+        let mut cover = RectangleCover {
+            rectangles: Vec::new(),
+            of: vec![NONE; columns * rows],
+            deviation: 0.0,
+        };
+        let mut rounder = HeightRounder::default();
         for row in 0..rows {
             let mut column = 0;
             while column < columns {
-                let free = |cover: &Cover, column: usize, row: usize| {
+                let free = |cover: &RectangleCover, column: usize, row: usize| {
                     cover.of[row * columns + column] == NONE && field.height(column, row) > floor
                 };
                 if !free(&cover, column, row) {
                     column += 1;
                     continue;
                 }
-                let mut heights = Heights::NO.with(height(column, row));
+                let mut heights = HeightSummary::NO.with(height(column, row));
                 let mut end = column + 1;
                 while end < columns && free(&cover, end, row) {
                     let more = heights.with(height(end, row));
@@ -149,7 +156,7 @@ impl Cover {
                 }
                 let height = rounder.height(&heights, tolerance);
                 cover.deviation = cover.deviation.max(heights.deviation_from(height));
-                cover.rectangles.push(Rectangle {
+                cover.rectangles.push(CellRectangle {
                     columns: [column, end],
                     rows: [row, top],
                     height,

@@ -16,7 +16,7 @@ use chordal_geometry::Vec3;
 
 use super::{LARGEST_COORDINATE, Mesh};
 
-pub use layers::{LayerField, Stretches};
+pub use layers::{LayerField, SolidIntervals};
 
 /// Heights over a grid of square cells, row by row: the top of the body over each cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,12 +44,12 @@ pub struct HeightMesh {
     pub mesh: Mesh,
     /// How far the height of a cell differs from that of the surface there at most, mm.
     pub deviation: f64,
-    touching: Vec<Touching>,
+    touching: Vec<TouchingVertex>,
 }
 
 /// A vertex of a column that touches another one in an upright edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Touching {
+struct TouchingVertex {
     vertex: u32,
     /// The way to its own column, along X and Y.
     way: [i8; 2],
@@ -63,7 +63,7 @@ impl HeightMesh {
     /// small beside a cell, and more than the rounding of the form.
     #[must_use]
     pub fn parted(mut self, gap: f64) -> Mesh {
-        for Touching { vertex, way: [x, y] } in self.touching {
+        for TouchingVertex { vertex, way: [x, y] } in self.touching {
             let way = Vec3::new(f64::from(x), f64::from(y), 0.0);
             self.mesh.vertices[vertex as usize] += way * gap;
         }
@@ -120,14 +120,14 @@ const NARROWEST: f64 = 0.01;
 
 /// A grid of cells in plan.
 #[derive(Clone, Copy)]
-struct Plan {
+struct PlanGrid {
     origin: Vec3,
     cell: f64,
     cells: [usize; 2],
     size: [f64; 2],
 }
 
-impl Plan {
+impl PlanGrid {
     /// How far a corner is from the first one along an axis, mm.
     fn along(&self, axis: usize, corner: usize) -> f64 {
         if corner >= self.cells[axis] {
@@ -164,9 +164,9 @@ impl HeightField<'_> {
     /// When the grid is none, or a height is no number.
     pub fn mesh(&self, tolerance: f64) -> Result<HeightMesh, HeightFieldError> {
         self.check(tolerance)?;
-        let tops = cover::Cover::of_tops(self, tolerance);
-        let bottoms = cover::Cover::of_bottoms(self);
-        let (mesh, touching) = build::Builder::new(self, &tops, &bottoms).mesh();
+        let tops = cover::RectangleCover::of_tops(self, tolerance);
+        let bottoms = cover::RectangleCover::of_bottoms(self);
+        let (mesh, touching) = build::StepBuilder::new(self, &tops, &bottoms).mesh();
         Ok(HeightMesh { mesh, deviation: tops.deviation, touching })
     }
 
@@ -177,9 +177,9 @@ impl HeightField<'_> {
         self.plan().integral(solid)
     }
 
-    fn plan(&self) -> Plan {
+    fn plan(&self) -> PlanGrid {
         let HeightField { origin, cell, columns, rows, size, .. } = *self;
-        Plan { origin, cell, cells: [columns, rows], size }
+        PlanGrid { origin, cell, cells: [columns, rows], size }
     }
 
     /// The height of a cell, mm above the origin; the bottom where it is cut through.

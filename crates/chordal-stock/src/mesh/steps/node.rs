@@ -5,7 +5,7 @@
 
 /// A face at a corner and a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Face {
+pub(super) enum FaceKind {
     /// The wall of this number, from the level up.
     Up(usize),
     /// The wall of this number, from the level down.
@@ -14,14 +14,14 @@ pub(super) enum Face {
     Flat(usize),
 }
 
-impl Face {
+impl FaceKind {
     const COUNT: usize = 12;
 
     const fn index(self) -> usize {
         match self {
-            Face::Up(wall) => wall,
-            Face::Down(wall) => 4 + wall,
-            Face::Flat(cell) => 8 + cell,
+            FaceKind::Up(wall) => wall,
+            FaceKind::Down(wall) => 4 + wall,
+            FaceKind::Flat(cell) => 8 + cell,
         }
     }
 }
@@ -46,12 +46,12 @@ const MOST_LEVELS: usize = 5;
 const MOST_VERTICES: usize = 2 * MOST_LEVELS;
 
 /// The vertices over one corner.
-pub(super) struct Node {
+pub(super) struct CornerNode {
     levels: [f64; MOST_LEVELS],
     count: usize,
     /// The vertex of each face at each level, where two bodies touch in the upright line; otherwise there is one
     /// vertex for each level.
-    touching: Option<[[u8; Face::COUNT]; MOST_LEVELS]>,
+    touching: Option<[[u8; FaceKind::COUNT]; MOST_LEVELS]>,
     /// The level of each vertex.
     vertex_levels: [u8; MOST_VERTICES],
     vertices: usize,
@@ -59,11 +59,11 @@ pub(super) struct Node {
     ways: [[i8; 2]; MOST_VERTICES],
 }
 
-impl Node {
+impl CornerNode {
     /// `heights` of the four cells, the bottom for one that is cut through; whether the tops and whether
     /// the bottom have a vertex here.
-    pub(super) fn new(heights: [f64; 4], floor: f64, tops: bool, bottom: bool) -> Node {
-        let mut node = Node {
+    pub(super) fn new(heights: [f64; 4], floor: f64, tops: bool, bottom: bool) -> CornerNode {
+        let mut node = CornerNode {
             levels: [0.0; MOST_LEVELS],
             count: 0,
             touching: None,
@@ -102,7 +102,7 @@ impl Node {
     }
 
     /// The vertex of a face at a level, from zero.
-    pub(super) fn vertex(&self, level: usize, face: Face) -> usize {
+    pub(super) fn vertex(&self, level: usize, face: FaceKind) -> usize {
         self.touching.map_or(level, |of| usize::from(of[level][face.index()]))
     }
 
@@ -122,13 +122,13 @@ impl Node {
 
     /// Two bodies may touch in the line: each level has the vertices of each of them.
     fn part(&mut self, heights: [f64; 4], floor: f64) {
-        let mut of = [[0; Face::COUNT]; MOST_LEVELS];
+        let mut of = [[0; FaceKind::COUNT]; MOST_LEVELS];
         let (mut first, mut vertex_levels) = (0, [0; MOST_VERTICES]);
         for (level, of) in of.iter_mut().enumerate().take(self.count) {
             let z = self.levels[level];
             let above = heights.map(|height| height > z);
             let below = heights.map(|height| height >= z && z > floor);
-            let meeting = Meeting::of(above, below);
+            let meeting = LevelMeeting::of(above, below);
             *of = meeting.vertex.map(|vertex| vertex + first as u8);
             let next = first + meeting.count;
             vertex_levels[first..next].fill(level as u8);
@@ -142,31 +142,31 @@ impl Node {
 
 /// What meets at a corner and a level.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Meeting {
+pub(super) struct LevelMeeting {
     /// The vertex of each face that is there, from zero.
-    vertex: [u8; Face::COUNT],
+    vertex: [u8; FaceKind::COUNT],
     /// How many vertices there are: two where two bodies touch.
     pub count: usize,
     /// For each the way to its body, along X and Y, where there are two.
     pub ways: [[i8; 2]; 2],
 }
 
-impl Meeting {
+impl LevelMeeting {
     /// Of four cells, by whether each is solid right above and right below the level. No cell's top may be where the
     /// stretch of another one begins.
     ///
     /// Faces that share an edge share a vertex. In an upright edge between two solid cells that face each
     /// other across it, the two faces of the same cell share it.
-    pub fn of(above: [bool; 4], below: [bool; 4]) -> Meeting {
-        let mut class: [usize; Face::COUNT] = std::array::from_fn(|face| face);
-        let mut present = [false; Face::COUNT];
+    pub fn of(above: [bool; 4], below: [bool; 4]) -> LevelMeeting {
+        let mut class: [usize; FaceKind::COUNT] = std::array::from_fn(|face| face);
+        let mut present = [false; FaceKind::COUNT];
         for cell in 0..4 {
             let next = (cell + 1) % 4;
-            present[Face::Up(cell).index()] = above[cell] != above[next];
-            present[Face::Down(cell).index()] = below[cell] != below[next];
-            present[Face::Flat(cell).index()] = above[cell] != below[cell];
+            present[FaceKind::Up(cell).index()] = above[cell] != above[next];
+            present[FaceKind::Down(cell).index()] = below[cell] != below[next];
+            present[FaceKind::Flat(cell).index()] = above[cell] != below[cell];
         }
-        let mut join = |faces: &[Face]| {
+        let mut join = |faces: &[FaceKind]| {
             let mut there = faces.iter().map(|face| face.index()).filter(|face| present[*face]);
             if let Some(first) = there.next() {
                 for face in there {
@@ -177,18 +177,26 @@ impl Meeting {
         };
         for cell in 0..4 {
             let next = (cell + 1) % 4;
-            join(&[Face::Up(cell), Face::Down(cell), Face::Flat(cell), Face::Flat(next)]);
+            join(&[
+                FaceKind::Up(cell),
+                FaceKind::Down(cell),
+                FaceKind::Flat(cell),
+                FaceKind::Flat(next),
+            ]);
             // A run of solid cells begins after one wall and ends at the next.
-            for (solid, face) in [(above, Face::Up as fn(usize) -> Face), (below, Face::Down)] {
+            for (solid, face) in
+                [(above, FaceKind::Up as fn(usize) -> FaceKind), (below, FaceKind::Down)]
+            {
                 if solid[next] && !solid[cell] {
                     let run = (1..4).take_while(|more| solid[(cell + more) % 4]).count();
                     join(&[face(cell), face((cell + run) % 4)]);
                 }
             }
         }
-        let mut meeting = Meeting { vertex: [0; Face::COUNT], count: 0, ways: [[0; 2]; 2] };
-        let mut numbers = [None; Face::COUNT];
-        for face in (0..Face::COUNT).filter(|face| present[*face]) {
+        let mut meeting =
+            LevelMeeting { vertex: [0; FaceKind::COUNT], count: 0, ways: [[0; 2]; 2] };
+        let mut numbers = [None; FaceKind::COUNT];
+        for face in (0..FaceKind::COUNT).filter(|face| present[*face]) {
             let number = *numbers[class[face]].get_or_insert_with(|| {
                 meeting.count += 1;
                 meeting.count - 1
@@ -205,7 +213,7 @@ impl Meeting {
     }
 
     /// The vertex of a face, from zero.
-    pub fn vertex(&self, face: Face) -> u32 {
+    pub fn vertex(&self, face: FaceKind) -> u32 {
         u32::from(self.vertex[face.index()])
     }
 }

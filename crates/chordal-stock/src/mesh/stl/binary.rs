@@ -1,7 +1,7 @@
 //! Binary STL: 80 bytes of anything, the count, then for each triangle a normal, three corners (12 floats)
 //! and two bytes.
 
-use super::{Soup, StlError};
+use super::{StlError, TriangleSoup};
 
 /// The head and the count behind it.
 const HEAD: usize = 84;
@@ -27,7 +27,7 @@ pub(super) fn has_size(bytes: &[u8]) -> bool {
     declared(bytes).is_some_and(|count| needed(count) == bytes.len() as u64)
 }
 
-pub(super) fn read(bytes: &[u8], soup: &mut Soup) -> Result<(), StlError> {
+pub(super) fn read(bytes: &[u8], soup: &mut TriangleSoup) -> Result<(), StlError> {
     let size = bytes.len();
     let declared = declared(bytes).ok_or(StlError::NoHead { size })?;
     if needed(declared) != size as u64 {

@@ -9,7 +9,7 @@ mod text;
 
 use chordal_geometry::Vec3;
 
-use super::weld::Welder;
+use super::weld::VertexWelder;
 use super::{Mesh, beyond};
 
 pub use text::TextProblem;
@@ -148,7 +148,7 @@ pub fn read_stl(bytes: &[u8], options: &StlOptions) -> Result<Stl, StlError> {
     if bytes.is_empty() {
         return Err(StlError::Empty);
     }
-    let mut soup = Soup::new(options);
+    let mut soup = TriangleSoup::new(options);
     let form = if !binary::has_size(bytes) && text::looks_like(bytes) {
         text::read(bytes, &mut soup)?;
         StlForm::Text
@@ -160,17 +160,17 @@ pub fn read_stl(bytes: &[u8], options: &StlOptions) -> Result<Stl, StlError> {
 }
 
 /// Triangles as they come from a file.
-struct Soup {
+struct TriangleSoup {
     options: StlOptions,
-    welder: Welder,
+    welder: VertexWelder,
     triangles: Vec<[u32; 3]>,
     read: usize,
 }
 
-impl Soup {
-    fn new(options: &StlOptions) -> Soup {
-        let welder = Welder::new(options.weld);
-        Soup { options: *options, welder, triangles: Vec::new(), read: 0 }
+impl TriangleSoup {
+    fn new(options: &StlOptions) -> TriangleSoup {
+        let welder = VertexWelder::new(options.weld);
+        TriangleSoup { options: *options, welder, triangles: Vec::new(), read: 0 }
     }
 
     /// Takes three corners in the unit of the file, each with its place there.

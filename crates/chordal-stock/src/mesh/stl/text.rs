@@ -1,7 +1,7 @@
 //! STL as text: `facet normal … outer loop vertex … vertex … vertex … endloop endfacet` between
 //! `solid` and `endsolid` with a name up to the end of the line.
 
-use super::{Soup, StlError};
+use super::{StlError, TriangleSoup};
 
 /// What is wrong with a word of the text.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -35,13 +35,13 @@ const HEAD: usize = 84;
 
 /// Whether bytes that are no binary STL by their size are text.
 pub(super) fn looks_like(bytes: &[u8]) -> bool {
-    let mut words = Words::new(bytes);
+    let mut words = StlWords::new(bytes);
     words.next().is_some_and(|word| word.is("solid"))
         && !bytes[..bytes.len().min(HEAD)].contains(&0)
 }
 
-pub(super) fn read(bytes: &[u8], soup: &mut Soup) -> Result<(), StlError> {
-    let mut words = Words::new(bytes);
+pub(super) fn read(bytes: &[u8], soup: &mut TriangleSoup) -> Result<(), StlError> {
+    let mut words = StlWords::new(bytes);
     words.expect("solid")?;
     loop {
         words.skip_line();
@@ -63,7 +63,7 @@ pub(super) fn read(bytes: &[u8], soup: &mut Soup) -> Result<(), StlError> {
     }
 }
 
-fn facet(words: &mut Words, soup: &mut Soup) -> Result<(), StlError> {
+fn facet(words: &mut StlWords, soup: &mut TriangleSoup) -> Result<(), StlError> {
     words.expect("normal")?;
     for _ in 0..3 {
         // Not read: it follows from the corners, and writers put "nan" there for thin triangles.
@@ -77,18 +77,18 @@ fn facet(words: &mut Words, soup: &mut Soup) -> Result<(), StlError> {
     soup.push(corners)
 }
 
-fn corner(words: &mut Words) -> Result<([f64; 3], usize), StlError> {
+fn corner(words: &mut StlWords) -> Result<([f64; 3], usize), StlError> {
     let offset = words.expect("vertex")?;
     Ok(([words.number()?, words.number()?, words.number()?], offset))
 }
 
-struct Word<'a> {
+struct StlWord<'a> {
     bytes: &'a [u8],
     line: usize,
     offset: usize,
 }
 
-impl Word<'_> {
+impl StlWord<'_> {
     fn is(&self, word: &str) -> bool {
         self.bytes.eq_ignore_ascii_case(word.as_bytes())
     }
@@ -107,31 +107,31 @@ impl Word<'_> {
 }
 
 /// Words between blanks, with their lines.
-struct Words<'a> {
+struct StlWords<'a> {
     bytes: &'a [u8],
     at: usize,
     line: usize,
 }
 
-impl<'a> Words<'a> {
-    fn new(bytes: &'a [u8]) -> Words<'a> {
+impl<'a> StlWords<'a> {
+    fn new(bytes: &'a [u8]) -> StlWords<'a> {
         const MARK: &[u8] = b"\xef\xbb\xbf";
-        Words { bytes, at: if bytes.starts_with(MARK) { MARK.len() } else { 0 }, line: 1 }
+        StlWords { bytes, at: if bytes.starts_with(MARK) { MARK.len() } else { 0 }, line: 1 }
     }
 
-    fn next(&mut self) -> Option<Word<'a>> {
+    fn next(&mut self) -> Option<StlWord<'a>> {
         while let Some(byte) = self.bytes.get(self.at).filter(|byte| byte.is_ascii_whitespace()) {
             self.line += usize::from(*byte == b'\n');
             self.at += 1;
         }
         let rest = &self.bytes[self.at..];
         let length = rest.iter().take_while(|byte| !byte.is_ascii_whitespace()).count();
-        let word = Word { bytes: &rest[..length], line: self.line, offset: self.at };
+        let word = StlWord { bytes: &rest[..length], line: self.line, offset: self.at };
         self.at += length;
         (length > 0).then_some(word)
     }
 
-    fn take(&mut self, expected: &'static str) -> Result<Word<'a>, StlError> {
+    fn take(&mut self, expected: &'static str) -> Result<StlWord<'a>, StlError> {
         let word = self.next();
         let (line, offset) = (self.line, self.at);
         word.ok_or(StlError::Text { line, offset, problem: TextProblem::End { expected } })

@@ -38,7 +38,7 @@ pub fn write_glb(
         return Err(WriteError::Colours { colours: colours.len(), vertices });
     }
     let mut numbers = Vec::new();
-    let mut parts = Parts::default();
+    let mut parts = BufferParts::default();
     let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     for &vertex in mesh.vertices() {
         for (axis, value) in upright(vertex).into_iter().enumerate() {
@@ -115,14 +115,14 @@ fn quoted(text: &str) -> String {
 
 /// The parts of the numbers that were added one after the other.
 #[derive(Default)]
-struct Parts {
+struct BufferParts {
     accessors: String,
     views: String,
     count: usize,
     end: usize,
 }
 
-impl Parts {
+impl BufferParts {
     /// The numbers from the end of the last part on.
     fn add(
         &mut self,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use chordal_command::{Units, number_text, telling_number};
 use chordal_diagnostics::{Code, Diagnostic, SourceMap};
 use chordal_machine::Tool;
-use chordal_stock::engagement::Between;
+use chordal_stock::engagement::BoundedValue;
 
 use super::materials::POWER_SHARE;
 use super::report::{EngagementProblem, MoveEngagement};
@@ -14,7 +14,7 @@ use super::report::{EngagementProblem, MoveEngagement};
 const MOST: usize = 1000;
 
 /// What tools and spindle may do.
-pub(super) struct Limits<'a> {
+pub(super) struct EngagementLimits<'a> {
     pub tools: &'a BTreeMap<u32, Tool>,
     /// For every tool, mm; before that of the tool.
     pub max_chip: Option<f64>,
@@ -25,16 +25,16 @@ pub(super) struct Limits<'a> {
 
 /// What was found.
 #[derive(Default)]
-pub(super) struct Found {
+pub(super) struct LimitFindings {
     pub list: Vec<EngagementProblem>,
     pub diagnostics: Vec<Diagnostic>,
     pub more: u64,
 }
 
-impl Limits<'_> {
+impl EngagementLimits<'_> {
     /// The problems of all moves; of moves of one block that follow each other only the worst.
-    pub fn problems(&self, moves: &[MoveEngagement]) -> Found {
-        let mut found = Found::default();
+    pub fn problems(&self, moves: &[MoveEngagement]) -> LimitFindings {
+        let mut found = LimitFindings::default();
         let mut last: Option<(MoveEngagement, Code)> = None;
         for each in moves {
             for (code, value, limit) in self.broken(each) {
@@ -78,7 +78,7 @@ impl Limits<'_> {
     }
 
     /// The limits that a move breaks.
-    fn broken(&self, each: &MoveEngagement) -> Vec<(Code, Between, f64)> {
+    fn broken(&self, each: &MoveEngagement) -> Vec<(Code, BoundedValue, f64)> {
         let tool = self.tools.get(&each.tool);
         let mut broken = Vec::new();
         if let Some(chip) = each.chip {
@@ -99,7 +99,7 @@ impl Limits<'_> {
         {
             let [least, most] =
                 [1.0 - POWER_SHARE, 1.0 + POWER_SHARE].map(|share| effort.power_kw * share);
-            broken.push((Code::SpindleOverloaded, Between { least, most }, limit));
+            broken.push((Code::SpindleOverloaded, BoundedValue { least, most }, limit));
         }
         broken
     }

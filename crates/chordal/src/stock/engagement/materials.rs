@@ -10,7 +10,7 @@ use chordal_machine::CuttingForce;
 
 /// A material with its values.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Material {
+pub struct MaterialData {
     /// Its name for people.
     pub name: String,
     /// Its number in VDI 3323, where it is of the table.
@@ -32,12 +32,15 @@ pub enum NoMaterial {
     Lacks(&'static str),
 }
 
-impl Material {
+impl MaterialData {
     /// The material that a word means: one of `[materials]`, else one of the table.
     ///
     /// # Errors
     /// Where there is none, or a value of it is missing.
-    pub fn of(word: &str, own: &BTreeMap<String, CuttingForce>) -> Result<Material, NoMaterial> {
+    pub fn of(
+        word: &str,
+        own: &BTreeMap<String, CuttingForce>,
+    ) -> Result<MaterialData, NoMaterial> {
         let known = MaterialGroup::named(word);
         let is_meant = |name: &str| name.trim().eq_ignore_ascii_case(word.trim());
         let Some((name, own)) = own.iter().find(|(name, _)| is_meant(name)) else {
@@ -46,7 +49,7 @@ impl Material {
         let value = |own: Option<f64>, of: fn(&MaterialGroup) -> f64, key: &'static str| {
             own.or(known.map(of)).ok_or(NoMaterial::Lacks(key))
         };
-        Ok(Material {
+        Ok(MaterialData {
             k_c1: value(own.k_c1_n_per_mm2, |group| group.k_c1, "k_c1")?,
             m_c: value(own.m_c, |group| group.m_c, "m_c")?,
             name: name.trim().to_string(),
@@ -184,8 +187,8 @@ impl MaterialGroup {
     }
 
     /// A material of it.
-    pub fn material(&self) -> Material {
-        Material {
+    pub fn material(&self) -> MaterialData {
+        MaterialData {
             name: self.name.to_string(),
             group: Some(self.group),
             k_c1: self.k_c1,
@@ -254,13 +257,13 @@ mod tests {
             ("aluminium".to_string(), force(Some(700.0), None)),
             ("unobtainium".to_string(), force(None, Some(0.3))),
         ]);
-        let bronze = Material::of(" bronze", &own).unwrap();
+        let bronze = MaterialData::of(" bronze", &own).unwrap();
         assert_eq!((bronze.k_c1, bronze.m_c, bronze.group), (1780.0, 0.17, None));
         // What is not given is that of the table; another word of the group stays as it is there.
-        let aluminium = Material::of("Aluminium", &own).unwrap();
+        let aluminium = MaterialData::of("Aluminium", &own).unwrap();
         assert_eq!((aluminium.k_c1, aluminium.m_c), (700.0, 0.25));
-        assert_eq!(Material::of("6061", &own).unwrap().k_c1, 800.0);
-        assert_eq!(Material::of("unobtainium", &own), Err(NoMaterial::Lacks("k_c1")));
-        assert_eq!(Material::of("wood", &own), Err(NoMaterial::Unknown));
+        assert_eq!(MaterialData::of("6061", &own).unwrap().k_c1, 800.0);
+        assert_eq!(MaterialData::of("unobtainium", &own), Err(NoMaterial::Lacks("k_c1")));
+        assert_eq!(MaterialData::of("wood", &own), Err(NoMaterial::Unknown));
     }
 }

@@ -14,9 +14,10 @@ mod report;
 mod run;
 mod typical;
 
-pub use chordal_stock::engagement::{Between, Slice, engagement_angle};
-pub use materials::{MATERIALS, Material, MaterialGroup, NoMaterial, POWER_SHARE};
+pub use chordal_stock::engagement::{BoundedValue, EngagementSlice, engagement_angle};
+pub use materials::{MATERIALS, MaterialData, MaterialGroup, NoMaterial, POWER_SHARE};
 pub use report::{
-    Chip, Effort, EngagementProblem, EngagementReport, MoveEngagement, Peak, ToolEngagement,
+    ChipThickness, CuttingLoad, EngagementProblem, EngagementReport, LoadPeak, MoveEngagement,
+    ToolEngagement,
 };
 pub use run::EngagementOptions;

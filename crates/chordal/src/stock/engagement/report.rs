@@ -4,25 +4,25 @@ use std::collections::BTreeMap;
 
 use chordal_command::{Origin, Units};
 use chordal_diagnostics::Code;
-use chordal_stock::Stock;
-use chordal_stock::engagement::Between;
+use chordal_stock::ColumnStock;
+use chordal_stock::engagement::BoundedValue;
 
-use super::materials::{Material, NoMaterial};
-use super::typical::Typical;
+use super::materials::{MaterialData, NoMaterial};
+use super::typical::TimeWeightedValues;
 use crate::report::Report;
 
 /// The thickness of chips, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Chip {
+pub struct ChipThickness {
     /// The thickest one.
-    pub peak_mm: Between,
+    pub peak_mm: BoundedValue,
     /// The mean at that place of the move where the cut is hardest, by the middle heights of columns.
     pub mean_mm: f64,
 }
 
 /// Power and torque, estimated: see [`POWER_SHARE`](super::POWER_SHARE).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Effort {
+pub struct CuttingLoad {
     /// kW.
     pub power_kw: f64,
     /// N·m.
@@ -51,15 +51,15 @@ pub struct MoveEngagement {
     /// How long the tool may be in material on it, mm.
     pub engaged_mm: f64,
     /// Radial depth of cut, mm: from the first to the last engaged place across the feed.
-    pub across_mm: Between,
+    pub across_mm: BoundedValue,
     /// Axial depth of cut, mm.
-    pub axial_mm: Between,
+    pub axial_mm: BoundedValue,
     /// Angle of engagement, rad.
-    pub angle_rad: Between,
+    pub angle_rad: BoundedValue,
     /// The thickest chip as a share of the feed of a tooth.
-    pub facing: Between,
+    pub facing: BoundedValue,
     /// The chip; `None` without teeth, feed or spindle speed.
-    pub chip: Option<Chip>,
+    pub chip: Option<ChipThickness>,
     /// What it removes, mm³, by the middle heights of columns.
     pub removed_mm3: f64,
     /// At its worst place, mm³/s, by the middle heights of columns.
@@ -67,7 +67,7 @@ pub struct MoveEngagement {
     /// The same at most.
     pub most_rate_mm3_per_s: f64,
     /// `None` without a material or a chip.
-    pub effort: Option<Effort>,
+    pub effort: Option<CuttingLoad>,
     /// What is too much or too little on it.
     pub problem: Option<Code>,
 }
@@ -87,7 +87,7 @@ impl MoveEngagement {
 
 /// The most of a number, where it is, and what it is for half of the time in material.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Peak {
+pub struct LoadPeak {
     /// The most.
     pub peak: f64,
     /// The line of that.
@@ -110,19 +110,19 @@ pub struct ToolEngagement {
     /// What it removes, mm³, by the middle heights of columns.
     pub removed_mm3: f64,
     /// At most, mm.
-    pub across_mm: Peak,
+    pub across_mm: LoadPeak,
     /// At most, mm.
-    pub axial_mm: Peak,
+    pub axial_mm: LoadPeak,
     /// The thickest chip, at most, mm.
-    pub chip_mm: Option<Peak>,
+    pub chip_mm: Option<LoadPeak>,
     /// The thickest chip that it has for half a second or longer in all, at most, mm.
     pub lasting_chip_mm: Option<f64>,
     /// mm³/s.
-    pub rate_mm3_per_s: Peak,
+    pub rate_mm3_per_s: LoadPeak,
     /// kW.
-    pub power_kw: Option<Peak>,
+    pub power_kw: Option<LoadPeak>,
     /// N·m.
-    pub torque_nm: Option<Peak>,
+    pub torque_nm: Option<LoadPeak>,
 }
 
 /// A block that is too much for a tool or the spindle, or too little to cut.
@@ -137,7 +137,7 @@ pub struct EngagementProblem {
     /// The tool.
     pub tool: u32,
     /// The chip in mm, at least and at most; or the power in kW, with the share that its estimate may be off.
-    pub value: Between,
+    pub value: BoundedValue,
     /// What is allowed: mm, or kW.
     pub limit: f64,
 }
@@ -150,7 +150,7 @@ pub struct EngagementReport {
     /// What the setup says of the stock's material.
     pub material_word: Option<String>,
     /// The material of that word.
-    pub material: Option<Material>,
+    pub material: Option<MaterialData>,
     /// Why there is none.
     pub no_material: Option<NoMaterial>,
     /// The power of the spindle, kW, where it is given.
@@ -170,20 +170,20 @@ pub struct EngagementReport {
     /// Tools with undercuts: they cut, and what they engage is not measured.
     pub not_measured: Vec<u32>,
     /// The stock as it is left.
-    pub stock: Stock,
+    pub stock: ColumnStock,
     /// The run, with the problems as diagnostics among the others.
     pub report: Report,
 }
 
 /// A number of a tool, gathered.
 #[derive(Debug, Default)]
-struct Gathering {
+struct PeakRecorder {
     peak: f64,
     line: u32,
-    typical: Typical,
+    typical: TimeWeightedValues,
 }
 
-impl Gathering {
+impl PeakRecorder {
     fn add(&mut self, value: f64, seconds: f64, line: u32) {
         if value > self.peak {
             (self.peak, self.line) = (value, line);
@@ -191,12 +191,12 @@ impl Gathering {
         self.typical.add(value, seconds);
     }
 
-    fn peak(&self) -> Peak {
+    fn peak(&self) -> LoadPeak {
         let typical = self.typical.median().unwrap_or(self.peak);
-        Peak { peak: self.peak, line: self.line, typical }
+        LoadPeak { peak: self.peak, line: self.line, typical }
     }
 
-    fn some(&self) -> Option<Peak> {
+    fn some(&self) -> Option<LoadPeak> {
         (self.peak > 0.0).then(|| self.peak())
     }
 }
@@ -207,7 +207,7 @@ const LASTING: f64 = 0.5;
 /// Adds up moves by tool.
 pub(super) fn by_tool(moves: &[MoveEngagement], teeth: &BTreeMap<u32, u32>) -> Vec<ToolEngagement> {
     let mut order: Vec<u32> = Vec::new();
-    let mut sums: BTreeMap<u32, (ToolEngagement, [Gathering; 6])> = BTreeMap::new();
+    let mut sums: BTreeMap<u32, (ToolEngagement, [PeakRecorder; 6])> = BTreeMap::new();
     for each in moves {
         if !order.contains(&each.tool) {
             order.push(each.tool);

@@ -4,18 +4,18 @@ use std::collections::BTreeMap;
 
 use chordal_geometry::ParamCurve;
 use chordal_machine::{Tool, ToolShape};
-use chordal_stock::engagement::{Between, Measuring, Meter, Slice};
-use chordal_stock::{Move, Options, Stock};
+use chordal_stock::engagement::{BoundedValue, EngagementMeter, EngagementSlice, MeasureOptions};
+use chordal_stock::{ColumnOptions, ColumnStock, TipMove};
 
-use super::super::gather::{Batch, Gathered, Kind};
-use super::super::heights::Heights;
+use super::super::gather::{BatchKind, MoveBatch, StockMoves};
+use super::super::heights::ShapeHeights;
 use super::super::pass::StockOptions;
 use super::super::run::{StockRunError, usual_resolution};
-use super::super::setup::{Files, Named, shift_between};
+use super::super::setup::{NamedBody, SetupFileReader, shift_between};
 use super::super::tools::tools_of;
-use super::limits::Limits;
-use super::materials::{Material, torque};
-use super::report::{Chip, Effort, EngagementReport, MoveEngagement, by_tool};
+use super::limits::EngagementLimits;
+use super::materials::{MaterialData, torque};
+use super::report::{ChipThickness, CuttingLoad, EngagementReport, MoveEngagement, by_tool};
 use crate::job::Job;
 use crate::tool_comments::known_tools;
 
@@ -36,7 +36,7 @@ impl Job<'_> {
     pub fn engagement(
         &self,
         options: &EngagementOptions,
-        files: Files<'_>,
+        files: SetupFileReader<'_>,
     ) -> Result<EngagementReport, StockRunError> {
         self.engagement_with(options, files, &mut |_, _| {})
     }
@@ -48,25 +48,25 @@ impl Job<'_> {
     pub fn engagement_with(
         &self,
         options: &EngagementOptions,
-        files: Files<'_>,
-        see: &mut dyn FnMut(usize, &Slice),
+        files: SetupFileReader<'_>,
+        see: &mut dyn FnMut(usize, &EngagementSlice),
     ) -> Result<EngagementReport, StockRunError> {
         if self.turns() {
             return Err(StockRunError::Turns);
         }
         let bodies = tools_of(self);
-        let mut gathered = Gathered::new(self, &bodies, false);
+        let mut gathered = StockMoves::new(self, &bodies, false);
         let mut report = self.report_watched(&mut gathered);
         let premise = self.stock_premise()?;
         report.add(premise.note());
-        let named = Named { name: "stock", body: &premise.body };
+        let named = NamedBody { name: "stock", body: &premise.body };
         let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
         let shape = named.shape(shift, files, false)?;
         let resolution = options.stock.resolution_mm.unwrap_or_else(|| usual_resolution(&shape));
-        let heights = Heights::new(&shape, resolution);
-        let mut stock = Stock::shaped(
+        let heights = ShapeHeights::new(&shape, resolution);
+        let mut stock = ColumnStock::shaped(
             shape.bounds(),
-            Options::new(resolution, options.stock.budget),
+            ColumnOptions::new(resolution, options.stock.budget),
             |low, high| heights.of(low, high),
         )?;
         if heights.is_hollow() {
@@ -79,15 +79,15 @@ impl Job<'_> {
         let material_word = premise.body.material.clone();
         let own = &self.machine().setup.materials;
         let (material, no_material) =
-            match material_word.as_deref().map(|word| Material::of(word, own)) {
+            match material_word.as_deref().map(|word| MaterialData::of(word, own)) {
                 Some(Ok(material)) => (Some(material), None),
                 Some(Err(why)) => (None, Some(why)),
                 None => (None, None),
             };
-        let measuring = Measuring { spacing: resolution, graze: options.stock.tolerance_mm };
+        let measuring = MeasureOptions { spacing: resolution, graze: options.stock.tolerance_mm };
         let mut moves = Vec::new();
         let mut not_measured: Vec<u32> = Vec::new();
-        for batch in gathered.batches.iter().filter(|batch| batch.kind != Kind::Rapid) {
+        for batch in gathered.batches.iter().filter(|batch| batch.kind != BatchKind::Rapid) {
             let Some(Ok(tool)) = bodies.get(&batch.tool) else { continue };
             // What undercuts engage is not measured.
             if !tool.undercuts.is_empty() {
@@ -97,8 +97,8 @@ impl Job<'_> {
                 }
                 continue;
             }
-            let meter = Meter::new(tool.removes().clone(), resolution, measuring);
-            let cut = Cut {
+            let meter = EngagementMeter::new(tool.removes().clone(), resolution, measuring);
+            let cut = EngagementBatch {
                 batch,
                 meter: &meter,
                 teeth: teeth.get(&batch.tool).copied(),
@@ -109,14 +109,14 @@ impl Job<'_> {
                     return Err(StockRunError::Interrupted);
                 }
                 let number = moves.len();
-                let mut see = |slice: &Slice| see(number, slice);
+                let mut see = |slice: &EngagementSlice| see(number, slice);
                 moves.push(cut.engagement(&mut stock, index, &mut see));
             }
             if tool.core.is_some() {
                 stock.cut_at_most(&tool.cutter, &batch.moves);
             }
         }
-        let limits = Limits {
+        let limits = EngagementLimits {
             tools: &tools,
             max_chip: options.max_chip_mm,
             spindle_kw: self.machine().spindle_power_kw,
@@ -158,22 +158,22 @@ fn teeth_of(tool: &Tool) -> Option<u32> {
 }
 
 /// Moves of a tool, to be measured.
-struct Cut<'a> {
-    batch: &'a Batch,
-    meter: &'a Meter,
+struct EngagementBatch<'a> {
+    batch: &'a MoveBatch,
+    meter: &'a EngagementMeter,
     teeth: Option<u32>,
-    material: Option<&'a Material>,
+    material: Option<&'a MaterialData>,
 }
 
-impl Cut<'_> {
+impl EngagementBatch<'_> {
     fn engagement(
         &self,
-        stock: &mut Stock,
+        stock: &mut ColumnStock,
         index: usize,
-        see: &mut dyn FnMut(&Slice),
+        see: &mut dyn FnMut(&EngagementSlice),
     ) -> MoveEngagement {
-        let path: &Move = &self.batch.moves[index];
-        let mut worst = Worst::new(self.batch, index, path);
+        let path: &TipMove = &self.batch.moves[index];
+        let mut worst = WorstSlice::new(self.batch, index, path);
         let feed_per_tooth = self.teeth.and_then(|teeth| worst.total.feed_per_tooth(teeth));
         let removed = stock.cut_measuring(self.meter, path, &mut |slice| {
             worst.slice(slice, feed_per_tooth, self.material);
@@ -188,16 +188,16 @@ impl Cut<'_> {
 const LEVEL: f64 = 1e-9;
 
 /// The worst of each number on a move.
-struct Worst {
+struct WorstSlice {
     total: MoveEngagement,
     mean: f64,
 }
 
-impl Worst {
-    fn new(batch: &Batch, index: usize, path: &Move) -> Worst {
-        let none = Between::default();
+impl WorstSlice {
+    fn new(batch: &MoveBatch, index: usize, path: &TipMove) -> WorstSlice {
+        let none = BoundedValue::default();
         let rate = batch.rates[index];
-        Worst {
+        WorstSlice {
             total: MoveEngagement {
                 origin: batch.origins[index],
                 tool: batch.tool,
@@ -223,7 +223,12 @@ impl Worst {
         }
     }
 
-    fn slice(&mut self, slice: &Slice, feed_per_tooth: Option<f64>, material: Option<&Material>) {
+    fn slice(
+        &mut self,
+        slice: &EngagementSlice,
+        feed_per_tooth: Option<f64>,
+        material: Option<&MaterialData>,
+    ) {
         let total = &mut self.total;
         let feed = total.feed_mm_per_s;
         total.engaged_mm += slice.length;
@@ -245,15 +250,15 @@ impl Worst {
         let power_kw = material.power(rate, slice.mean * feed_per_tooth);
         let known = total.effort.get_or_insert_default();
         if power_kw > known.power_kw {
-            *known = Effort { power_kw, torque_nm: torque(power_kw, total.rpm) };
+            *known = CuttingLoad { power_kw, torque_nm: torque(power_kw, total.rpm) };
         }
     }
 
     fn finish(mut self, feed_per_tooth: Option<f64>) -> MoveEngagement {
         let facing = self.total.facing;
         if facing.most > 0.0 {
-            self.total.chip = feed_per_tooth.map(|feed| Chip {
-                peak_mm: Between { least: facing.least * feed, most: facing.most * feed },
+            self.total.chip = feed_per_tooth.map(|feed| ChipThickness {
+                peak_mm: BoundedValue { least: facing.least * feed, most: facing.most * feed },
                 mean_mm: self.mean * feed,
             });
         }

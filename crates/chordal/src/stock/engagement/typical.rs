@@ -7,12 +7,12 @@ const SHARE: f64 = 0.01;
 
 /// Numbers with the time for which they held.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Typical {
+pub(super) struct TimeWeightedValues {
     /// By steps of `SHARE`: the time, and the sum of number times time.
     steps: BTreeMap<i32, (f64, f64)>,
 }
 
-impl Typical {
+impl TimeWeightedValues {
     /// Takes a number above zero.
     pub fn add(&mut self, value: f64, seconds: f64) {
         if value > 0.0 && value.is_finite() && seconds > 0.0 {
@@ -49,7 +49,7 @@ mod tests {
 
     #[test]
     fn the_median_is_by_time() {
-        let mut typical = Typical::default();
+        let mut typical = TimeWeightedValues::default();
         assert_eq!(typical.median(), None);
         typical.add(10.0, 1.0);
         typical.add(2.0, 5.0);

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use chordal_geometry::ParamCurve;
-use chordal_stock::{Move, Stock};
+use chordal_stock::{ColumnStock, TipMove};
 
 use super::super::tools::ToolBody;
-use super::{Drop, GapChange, StockBefore};
+use super::{ColumnDrop, GapChange, StockBefore};
 
 /// Columns that are lower by less are as they were, mm: rounding.
 const NEAR: f32 = 1e-3;
@@ -16,7 +16,7 @@ const COLUMNS: f64 = 4.0;
 const MOST_PIECES: f64 = 64.0;
 
 /// The gaps and heights that were told last.
-pub(super) struct Hollows {
+pub(super) struct ReplayHollows {
     columns: [u32; 2],
     low: [f64; 2],
     top: f64,
@@ -25,9 +25,9 @@ pub(super) struct Hollows {
     heights: Vec<f32>,
 }
 
-impl Hollows {
-    pub fn new(before: &StockBefore) -> Hollows {
-        Hollows {
+impl ReplayHollows {
+    pub fn new(before: &StockBefore) -> ReplayHollows {
+        ReplayHollows {
             columns: before.columns,
             low: [before.low[0], before.low[1]],
             top: before.high[2],
@@ -38,13 +38,13 @@ impl Hollows {
     }
 
     /// All gaps, before anything is cut.
-    pub fn all(&mut self, stock: &Stock) -> Vec<GapChange> {
+    pub fn all(&mut self, stock: &ColumnStock) -> Vec<GapChange> {
         let everywhere = [[0, self.columns[0]], [0, self.columns[1]]];
         self.changed(stock, everywhere, 0, 0.0).1
     }
 
     /// Other cutters have lowered columns.
-    pub fn lowered(&mut self, drops: &[Drop]) {
+    pub fn lowered(&mut self, drops: &[ColumnDrop]) {
         for drop in drops {
             self.heights[drop.column as usize] = drop.height;
         }
@@ -53,11 +53,11 @@ impl Hollows {
     /// Cuts a move of a tool with undercuts: the columns that are lower, and those with other gaps.
     pub fn cut(
         &mut self,
-        stock: &mut Stock,
+        stock: &mut ColumnStock,
         tool: &ToolBody,
-        path: &Move,
+        path: &TipMove,
         row: u32,
-    ) -> (Vec<Drop>, Vec<GapChange>) {
+    ) -> (Vec<ColumnDrop>, Vec<GapChange>) {
         let length = path.curve.length();
         let count = (length / (COLUMNS * self.side)).ceil().clamp(1.0, MOST_PIECES);
         let (mut drops, mut gaps) = (Vec::new(), Vec::new());
@@ -67,7 +67,7 @@ impl Hollows {
                 true => path.curve.subsegment(length * from, length * to),
                 false => path.curve,
             };
-            stock.cut_below(&tool.undercuts, &[Move { curve, ..*path }]);
+            stock.cut_below(&tool.undercuts, &[TipMove { curve, ..*path }]);
             let (bounds, margin) = (curve.bounds(), tool.radius() + self.side);
             let ends = [[bounds.min.x, bounds.max.x], [bounds.min.y, bounds.max.y]];
             let near = [0, 1].map(|axis| {
@@ -87,11 +87,11 @@ impl Hollows {
     /// What is other than it was told, on columns and rows from and up to some.
     fn changed(
         &mut self,
-        stock: &Stock,
+        stock: &ColumnStock,
         [across, up]: [[u32; 2]; 2],
         row: u32,
         share: f32,
-    ) -> (Vec<Drop>, Vec<GapChange>) {
+    ) -> (Vec<ColumnDrop>, Vec<GapChange>) {
         let (mut drops, mut changes) = (Vec::new(), Vec::new());
         for y in up[0]..up[1] {
             for x in across[0]..across[1] {
@@ -101,7 +101,7 @@ impl Hollows {
                 let known = &mut self.heights[column as usize];
                 if height < *known - NEAR {
                     *known = height;
-                    drops.push(Drop { column, row, share, height });
+                    drops.push(ColumnDrop { column, row, share, height });
                 }
                 let [surely, _] = stock.gaps_at(x, y);
                 let gaps: Vec<[f32; 2]> = surely

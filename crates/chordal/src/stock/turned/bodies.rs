@@ -2,13 +2,19 @@
 
 use chordal_geometry::{Vec2, Vec3};
 use chordal_machine::{Axis, Body, BodyShape, ContourPoint, MeshUnit};
-use chordal_stock::turned::{DxfError, Region, RegionError, Segment, Tip, Tool, Turned, read_dxf};
+use chordal_stock::turned::{
+    DxfError, LatheStock, OutlineSegment, Region, RegionError, Tip, ToolOutline, read_dxf,
+};
 
-use super::super::setup::{Files, Named, SetupError};
+use super::super::setup::{NamedBody, SetupError, SetupFileReader};
 
-impl Named<'_> {
+impl NamedBody<'_> {
     /// The half section, moved by `shift` along Z.
-    pub(super) fn section(&self, shift: Vec3, files: Files<'_>) -> Result<Region, SetupError> {
+    pub(super) fn section(
+        &self,
+        shift: Vec3,
+        files: SetupFileReader<'_>,
+    ) -> Result<Region, SetupError> {
         let name = self.name;
         let loops = match self.shape_word() {
             None => {
@@ -25,7 +31,7 @@ impl Named<'_> {
         };
         // `from` says where the zero of a contour or drawing is.
         let along = shift.z + self.body.from[2].unwrap_or(0.0);
-        let moved: Vec<Vec<Segment>> = loops
+        let moved: Vec<Vec<OutlineSegment>> = loops
             .iter()
             .map(|segments| segments.iter().map(|segment| along_z(segment, along)).collect())
             .collect();
@@ -63,7 +69,7 @@ impl Named<'_> {
     }
 
     /// The segments of `contour`, closed along the axis where it is open.
-    fn outline(&self) -> Result<Vec<Segment>, SetupError> {
+    fn outline(&self) -> Result<Vec<OutlineSegment>, SetupError> {
         let points = &self.body.contour;
         let place = |point: &ContourPoint| Vec2::new(point.z_mm, point.radius_mm);
         let (Some(first), Some(last)) = (points.first(), points.last()) else {
@@ -74,7 +80,7 @@ impl Named<'_> {
         for pair in points.windows(2) {
             let (start, end) = (place(&pair[0]), place(&pair[1]));
             segments.push(match pair[1].arc_mm {
-                None => Segment::line(start, end),
+                None => OutlineSegment::line(start, end),
                 Some(radius) => self.arc(start, end, radius)?,
             });
         }
@@ -85,7 +91,7 @@ impl Named<'_> {
                 [(end, on_axis(end)), (on_axis(end), on_axis(begin)), (on_axis(begin), begin)]
             {
                 if from != to {
-                    segments.push(Segment::line(from, to));
+                    segments.push(OutlineSegment::line(from, to));
                 }
             }
         }
@@ -93,7 +99,7 @@ impl Named<'_> {
     }
 
     /// An arc of less than half a turn.
-    fn arc(&self, start: Vec2, end: Vec2, radius: f64) -> Result<Segment, SetupError> {
+    fn arc(&self, start: Vec2, end: Vec2, radius: f64) -> Result<OutlineSegment, SetupError> {
         let (chord, half) = (end - start, 0.5 * start.distance(end));
         let square = radius * radius - half * half;
         // A half circle whose ends were rounded is one.
@@ -108,10 +114,10 @@ impl Named<'_> {
         }
         let side = square.max(0.0).sqrt() / (2.0 * half);
         let left = chord.turned_left() * (side * radius.signum());
-        Ok(Segment::arc(start, end, (start + end) * 0.5 + left, radius > 0.0))
+        Ok(OutlineSegment::arc(start, end, (start + end) * 0.5 + left, radius > 0.0))
     }
 
-    fn drawing(&self, files: Files<'_>) -> Result<Vec<Vec<Segment>>, SetupError> {
+    fn drawing(&self, files: SetupFileReader<'_>) -> Result<Vec<Vec<OutlineSegment>>, SetupError> {
         let name = self.name;
         let Some(file) = self.body.file.as_deref() else {
             return Err(self.error(format!("`{name}` has no `file`"), "name the DXF file"));
@@ -135,19 +141,21 @@ impl Named<'_> {
     }
 }
 
-fn along_z(segment: &Segment, by: f64) -> Segment {
+fn along_z(segment: &OutlineSegment, by: f64) -> OutlineSegment {
     let by = Vec2::new(by, 0.0);
     let (start, end) = (segment.start + by, segment.end + by);
     match segment.bend {
-        None => Segment::line(start, end),
-        Some(bend) => Segment::arc(start, end, bend.center + by, bend.counterclockwise),
+        None => OutlineSegment::line(start, end),
+        Some(bend) => OutlineSegment::arc(start, end, bend.center + by, bend.counterclockwise),
     }
 }
 
 /// What is left of stock after a circle of this radius (mm) went along an outline.
-pub(super) fn without_skin(stock: &Region, outline: &Region, radius: f64) -> Turned {
-    let mut left = Turned::new(stock);
-    let Ok(circle) = Tip::new(0).and_then(|tip| Tool::round(radius, tip)) else { return left };
+pub(super) fn without_skin(stock: &Region, outline: &Region, radius: f64) -> LatheStock {
+    let mut left = LatheStock::new(stock);
+    let Ok(circle) = Tip::new(0).and_then(|tip| ToolOutline::round(radius, tip)) else {
+        return left;
+    };
     for segment in outline.shape().iter().flatten() {
         // The axis is not a surface.
         if !is_on_axis(segment) {
@@ -158,7 +166,7 @@ pub(super) fn without_skin(stock: &Region, outline: &Region, radius: f64) -> Tur
     left
 }
 
-pub(super) fn is_on_axis(segment: &Segment) -> bool {
+pub(super) fn is_on_axis(segment: &OutlineSegment) -> bool {
     segment.bend.is_none() && segment.start.b == 0.0 && segment.end.b == 0.0
 }
 

@@ -4,9 +4,9 @@
 //! into the surface before.
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{Region, Segment};
+use chordal_stock::turned::{OutlineSegment, Region};
 
-use super::gather::{MoveKind, TurnMove};
+use super::gather::{TurnMove, TurnedMoveKind};
 use super::tools::LatheTool;
 
 /// Walls that are remembered: a flank is not longer than some moves.
@@ -20,15 +20,15 @@ const LEADS: f64 = 1e-3;
 
 /// Moves at feed of one tool without a break, with the part on one side of travel.
 #[derive(Debug, Default)]
-pub(super) struct Chain {
-    walls: Vec<Segment>,
+pub(super) struct FeedChain {
+    walls: Vec<OutlineSegment>,
     /// The part is to the left of travel.
     left: bool,
     end: Vec2,
     tool: u32,
 }
 
-impl Chain {
+impl FeedChain {
     /// A break: a rapid, another tool.
     pub fn clear(&mut self) {
         self.walls.clear();
@@ -48,7 +48,7 @@ impl Chain {
     fn side(&mut self, tool: &LatheTool, move_: &TurnMove) -> Option<Vec2> {
         let path = &move_.path;
         let goes_on = self.tool == move_.tool && self.end.distance(path.start) <= SAME;
-        if move_.kind != MoveKind::Cut || !goes_on {
+        if move_.kind != TurnedMoveKind::Cut || !goes_on {
             self.walls.clear();
         }
         (self.tool, self.end) = (move_.tool, path.end);
@@ -72,7 +72,7 @@ impl Chain {
 
     /// Adds the contour of a move.
     pub fn add(&mut self, move_: &TurnMove) {
-        if move_.kind != MoveKind::Cut {
+        if move_.kind != TurnedMoveKind::Cut {
             return;
         }
         if self.walls.len() == WALLS {
@@ -108,7 +108,7 @@ impl Chain {
 }
 
 /// The direction at the end of a segment.
-fn end_tangent(segment: &Segment) -> Vec2 {
+fn end_tangent(segment: &OutlineSegment) -> Vec2 {
     let along = match segment.bend {
         None => segment.end - segment.start,
         Some(bend) => {
@@ -120,7 +120,7 @@ fn end_tangent(segment: &Segment) -> Vec2 {
 }
 
 /// How far a point is on the part's side of a wall, mm.
-fn depth_in(wall: &Segment, left: bool, point: Vec2) -> f64 {
+fn depth_in(wall: &OutlineSegment, left: bool, point: Vec2) -> f64 {
     let to_left = match wall.bend {
         None => {
             let along = (wall.end - wall.start).normalized().unwrap_or(Vec2::new(1.0, 0.0));
@@ -135,7 +135,7 @@ fn depth_in(wall: &Segment, left: bool, point: Vec2) -> f64 {
 }
 
 /// What is within `reach` (mm) on the part's side of a wall, square to it.
-fn behind(wall: &Segment, left: bool, reach: f64) -> Option<Region> {
+fn behind(wall: &OutlineSegment, left: bool, reach: f64) -> Option<Region> {
     let side = if left { 1.0 } else { -1.0 };
     let outline = match wall.bend {
         None => {
@@ -145,10 +145,10 @@ fn behind(wall: &Segment, left: bool, reach: f64) -> Option<Region> {
             let reach = if normal.b < 0.0 { reach.min(room / -normal.b) } else { reach };
             let (far_end, far_start) = (wall.end + normal * reach, wall.start + normal * reach);
             vec![
-                Segment::line(wall.start, wall.end),
-                Segment::line(wall.end, far_end),
-                Segment::line(far_end, far_start),
-                Segment::line(far_start, wall.start),
+                OutlineSegment::line(wall.start, wall.end),
+                OutlineSegment::line(wall.end, far_end),
+                OutlineSegment::line(far_end, far_start),
+                OutlineSegment::line(far_start, wall.start),
             ]
         }
         Some(bend) => {
@@ -158,12 +158,17 @@ fn behind(wall: &Segment, left: bool, reach: f64) -> Option<Region> {
             let (far_end, far_start) = (at(wall.end), at(wall.start));
             let mut outline = vec![*wall];
             if radius > 0.0 {
-                outline.push(Segment::line(wall.end, far_end));
-                outline.push(Segment::arc(far_end, far_start, bend.center, !bend.counterclockwise));
-                outline.push(Segment::line(far_start, wall.start));
+                outline.push(OutlineSegment::line(wall.end, far_end));
+                outline.push(OutlineSegment::arc(
+                    far_end,
+                    far_start,
+                    bend.center,
+                    !bend.counterclockwise,
+                ));
+                outline.push(OutlineSegment::line(far_start, wall.start));
             } else {
-                outline.push(Segment::line(wall.end, bend.center));
-                outline.push(Segment::line(bend.center, wall.start));
+                outline.push(OutlineSegment::line(wall.end, bend.center));
+                outline.push(OutlineSegment::line(bend.center, wall.start));
             }
             outline
         }

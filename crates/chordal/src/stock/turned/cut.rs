@@ -4,68 +4,68 @@ use std::collections::BTreeMap;
 
 use chordal_diagnostics::Code;
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{Pass, PassError, Region, Tool as Outline, Turned};
+use chordal_stock::turned::{LatheStock, PassError, Region, ToolOutline as Outline, TurnedPass};
 
-use super::contour::Chain;
-use super::gather::{MoveKind, TurnMove};
-use super::grooves::Grooves;
-use super::helix::Helix;
-use super::recorder::Recorder;
-use super::report::{Loose, Thread, TurnedMove, TurnedToolRemoved};
-use super::said::{At, Found, More};
-use super::target::Target;
-use super::threads::Revolutions;
-use super::tools::{Kind, LatheTool, NoOutline};
+use super::contour::FeedChain;
+use super::gather::{TurnMove, TurnedMoveKind};
+use super::grooves::GrooveRecord;
+use super::helix::ThreadGrooves;
+use super::recorder::SectionRecorder;
+use super::report::{CutOffPart, TurnedMove, TurnedThread, TurnedToolRemoved};
+use super::said::{MessageDetail, ProblemLocation, TurnedProblems};
+use super::target::TurnedTargetPart;
+use super::threads::SpindleRevolutions;
+use super::tools::{LatheTool, NoOutline, TurningToolKind};
 
 /// A fixture: its name, clearance and half section, grown by the clearance.
-pub(super) struct Fixture<'a> {
+pub(super) struct TurnedFixture<'a> {
     pub name: &'a str,
     pub clearance: f64,
-    pub body: Turned,
+    pub body: LatheStock,
 }
 
 /// A run on stock under way.
-pub(super) struct Cutting<'a> {
+pub(super) struct TurnedRun<'a> {
     pub tools: &'a BTreeMap<u32, Result<LatheTool, NoOutline>>,
     pub tolerance: f64,
-    pub stock: Turned,
-    pub fixtures: Vec<Fixture<'a>>,
-    pub target: Option<Target>,
-    pub found: Found<'a>,
-    pub grooves: Grooves,
-    pub loose: Vec<Loose>,
-    pub threads: Vec<Thread>,
+    pub stock: LatheStock,
+    pub fixtures: Vec<TurnedFixture<'a>>,
+    pub target: Option<TurnedTargetPart>,
+    pub found: TurnedProblems<'a>,
+    pub grooves: GrooveRecord,
+    pub loose: Vec<CutOffPart>,
+    pub threads: Vec<TurnedThread>,
     /// The grooves of each of them, for what it removes at most, and the tool that began it.
-    pub helices: Vec<(Helix, u32)>,
+    pub helices: Vec<(ThreadGrooves, u32)>,
     /// The box around the stock before the first cut.
     extent: (Vec2, Vec2),
     pub moves: Vec<TurnedMove>,
     pub bound: f64,
     /// Keeps what is left after every pass, where it is wanted.
-    pub recorder: Option<Recorder>,
+    pub recorder: Option<SectionRecorder>,
     sums: BTreeMap<u32, TurnedToolRemoved>,
     order: Vec<u32>,
-    chain: Chain,
+    chain: FeedChain,
     /// The move before was a thread: its tool stands in the groove.
     in_thread: bool,
-    revolutions: Revolutions,
+    revolutions: SpindleRevolutions,
 }
 
-impl<'a> Cutting<'a> {
+impl<'a> TurnedRun<'a> {
     pub fn new(
         tools: &'a BTreeMap<u32, Result<LatheTool, NoOutline>>,
         tolerance: f64,
         stock: &Region,
-        found: Found<'a>,
-    ) -> Cutting<'a> {
-        Cutting {
+        found: TurnedProblems<'a>,
+    ) -> TurnedRun<'a> {
+        TurnedRun {
             tools,
             tolerance,
-            stock: Turned::new(stock),
+            stock: LatheStock::new(stock),
             fixtures: Vec::new(),
             target: None,
             found,
-            grooves: Grooves::new(stock),
+            grooves: GrooveRecord::new(stock),
             loose: Vec::new(),
             threads: Vec::new(),
             helices: Vec::new(),
@@ -75,9 +75,9 @@ impl<'a> Cutting<'a> {
             recorder: None,
             sums: BTreeMap::new(),
             order: Vec::new(),
-            chain: Chain::default(),
+            chain: FeedChain::default(),
             in_thread: false,
-            revolutions: Revolutions::default(),
+            revolutions: SpindleRevolutions::default(),
         }
     }
 
@@ -99,17 +99,17 @@ impl<'a> Cutting<'a> {
             recorder.begin(move_, &self.stock);
         }
         match move_.kind {
-            MoveKind::Rapid => {
+            TurnedMoveKind::Rapid => {
                 self.chain.clear();
                 self.rapid(move_, tool);
                 self.in_thread = false;
             }
-            MoveKind::Thread => {
+            TurnedMoveKind::Thread => {
                 self.chain.clear();
                 self.thread(move_, tool);
                 self.in_thread = true;
             }
-            MoveKind::Cut | MoveKind::Still => {
+            TurnedMoveKind::Cut | TurnedMoveKind::Still => {
                 self.cut(number, move_, tool);
                 self.in_thread = false;
                 if self.grooves.cut(number, move_, tool) {
@@ -161,10 +161,13 @@ impl<'a> Cutting<'a> {
         }
         self.count(move_, tool, &pass);
         let is_deep = pass.touched && pass.depth() > self.tolerance;
-        if is_deep && move_.kind == MoveKind::Still {
+        if is_deep && move_.kind == TurnedMoveKind::Still {
             self.say(Code::CutsWithoutSpindle, pass.depth(), move_, middle(&pass));
         }
-        if is_deep && matches!(tool.kind, Kind::Insert { .. }) && pass.across > tool.reach {
+        if is_deep
+            && matches!(tool.kind, TurningToolKind::Insert { .. })
+            && pass.across > tool.reach
+        {
             let deeper = pass.across - tool.reach;
             self.say(Code::DeeperThanFlutes, deeper, move_, middle(&pass));
         }
@@ -188,11 +191,11 @@ impl<'a> Cutting<'a> {
         if !self.in_thread {
             self.revolutions.begin();
         }
-        let mut helix = Helix::default();
+        let mut helix = ThreadGrooves::default();
         if !taken.is_empty() {
             helix.add(&self.revolutions, self.extent, &tool.edges, move_);
         }
-        self.count(move_, tool, &Pass { volume: helix.volume(&taken), ..pass });
+        self.count(move_, tool, &TurnedPass { volume: helix.volume(&taken), ..pass });
         let grooves = self.revolutions.grooves(&self.stock, &tool.edges, move_);
         if !taken.is_empty() {
             let line = move_.origin.line;
@@ -208,7 +211,7 @@ impl<'a> Cutting<'a> {
                     let (grooves, lead_mm) = grooves.unzip();
                     let lead_mm = lead_mm.flatten();
                     let row = move_.row;
-                    self.threads.push(Thread { section: taken, grooves, lead_mm, line, row });
+                    self.threads.push(TurnedThread { section: taken, grooves, lead_mm, line, row });
                     self.helices.push((helix, move_.tool));
                 }
             }
@@ -228,8 +231,8 @@ impl<'a> Cutting<'a> {
     }
 
     fn not_cut(&mut self, move_: &TurnMove, error: &PassError) {
-        let at = At { origin: move_.origin, tool: move_.tool, place: move_.path.end };
-        self.found.push(Code::NotProved, 0.0, &at, More::Why(&error.to_string()));
+        let at = ProblemLocation { origin: move_.origin, tool: move_.tool, place: move_.path.end };
+        self.found.push(Code::NotProved, 0.0, &at, MessageDetail::Why(&error.to_string()));
     }
 
     /// What carries the edges must not touch on any move; of several the first is said.
@@ -278,8 +281,9 @@ impl<'a> Cutting<'a> {
             });
             let deepest = touches.max_by(|x, y| x.depth().total_cmp(&y.depth()));
             let Some(pass) = deepest else { continue };
-            let at = At { origin: move_.origin, tool: move_.tool, place: middle(&pass) };
-            let more = More::Fixture(fixture.name, fixture.clearance);
+            let at =
+                ProblemLocation { origin: move_.origin, tool: move_.tool, place: middle(&pass) };
+            let more = MessageDetail::Fixture(fixture.name, fixture.clearance);
             self.found.push(Code::FixtureHit, pass.depth(), &at, more);
         }
     }
@@ -298,13 +302,13 @@ impl<'a> Cutting<'a> {
     }
 
     fn say(&mut self, code: Code, depth: f64, move_: &TurnMove, place: Vec2) {
-        let at = At { origin: move_.origin, tool: move_.tool, place };
-        self.found.push(code, depth, &at, More::Nothing);
+        let at = ProblemLocation { origin: move_.origin, tool: move_.tool, place };
+        self.found.push(code, depth, &at, MessageDetail::Nothing);
     }
 
     /// Counts what a move takes.
-    fn count(&mut self, move_: &TurnMove, tool: &LatheTool, pass: &Pass) {
-        let is_thread = move_.kind == MoveKind::Thread;
+    fn count(&mut self, move_: &TurnMove, tool: &LatheTool, pass: &TurnedPass) {
+        let is_thread = move_.kind == TurnedMoveKind::Thread;
         let path = &move_.path;
         let length = match path.bend {
             None => path.start.distance(path.end),
@@ -313,8 +317,11 @@ impl<'a> Cutting<'a> {
         let by_turn = (move_.rev_per_s > 0.0).then(|| move_.feed / move_.rev_per_s);
         let mean_depth = if pass.along > 0.0 { pass.area / pass.along } else { 0.0 };
         let squarely = match tool.kind {
-            Kind::Insert { approach: Some(angle), .. } => libm::sin(angle),
-            Kind::Insert { .. } | Kind::Round | Kind::Blade { .. } | Kind::Drill => 1.0,
+            TurningToolKind::Insert { approach: Some(angle), .. } => libm::sin(angle),
+            TurningToolKind::Insert { .. }
+            | TurningToolKind::Round
+            | TurningToolKind::Blade { .. }
+            | TurningToolKind::Drill => 1.0,
         };
         let in_cut = if move_.feed > 0.0 { pass.along.min(length) / move_.feed } else { 0.0 };
         let cut = TurnedMove {
@@ -369,13 +376,13 @@ impl<'a> Cutting<'a> {
 }
 
 /// How far what was touched extends into the tool.
-fn into(body: Vec2, move_: &TurnMove, pass: &Pass) -> f64 {
+fn into(body: Vec2, move_: &TurnMove, pass: &TurnedPass) -> f64 {
     let along = (move_.path.end - move_.path.start).normalized().unwrap_or(Vec2::new(1.0, 0.0));
     if along.dot(body).abs() > 0.7 { pass.along } else { pass.across }
 }
 
 /// The middle of what was touched.
-fn middle(pass: &Pass) -> Vec2 {
+fn middle(pass: &TurnedPass) -> Vec2 {
     pass.place.map_or(Vec2::ZERO, |(low, high)| (low + high) * 0.5)
 }
 

@@ -3,18 +3,18 @@
 use std::collections::BTreeMap;
 
 use chordal_command::{
-    Command, CommandKind, Feed, FeedMode, Origin, Side, SpindleState, Units, WorkNaming,
+    Command, CommandKind, CompensationSide, Feed, FeedMode, Origin, SpindleState, Units, WorkNaming,
 };
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Curve, Vec2};
 use chordal_path::{PathCommand, Segment as PathSegment};
-use chordal_stock::turned::Segment;
+use chordal_stock::turned::OutlineSegment;
 
 use super::super::gather::{FRAME_NOT_KNOWN, TIP_NOT_KNOWN};
 use super::super::problems::{assumed_point_angle, not_cut};
-use super::report::Maker;
-use super::tools::{Kind, LatheTool, NoOutline};
-use crate::report::Watch;
+use super::report::SegmentOrigin;
+use super::tools::{LatheTool, NoOutline, TurningToolKind};
+use crate::report::RunWatch;
 
 /// Angles of rotary axes that differ by less are the same, rad; places, mm.
 const SAME: f64 = 1e-9;
@@ -23,7 +23,7 @@ const ON_AXIS: f64 = 1e-4;
 
 /// What a move is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum MoveKind {
+pub(super) enum TurnedMoveKind {
     /// At rapid speed: nothing may be cut.
     Rapid,
     /// At feed.
@@ -38,8 +38,8 @@ pub(super) enum MoveKind {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TurnMove {
     /// The path of the programmed point.
-    pub path: Segment,
-    pub kind: MoveKind,
+    pub path: OutlineSegment,
+    pub kind: TurnedMoveKind,
     pub tool: u32,
     /// Its piece of path, by its number among all of the run.
     pub row: u32,
@@ -53,17 +53,17 @@ pub(super) struct TurnMove {
     /// Nose radius compensation is on.
     pub is_compensated: bool,
     /// Then the contour as programmed, where it is known.
-    pub contour: Option<Segment>,
+    pub contour: Option<OutlineSegment>,
 }
 
 impl TurnMove {
-    pub fn maker(&self) -> Maker {
-        Maker { tool: self.tool, line: self.origin.line }
+    pub fn maker(&self) -> SegmentOrigin {
+        SegmentOrigin { tool: self.tool, line: self.origin.line }
     }
 }
 
 /// Gathers what a run moves.
-pub(super) struct Gathered<'a> {
+pub(super) struct TurnedMoves<'a> {
     tools: &'a BTreeMap<u32, Result<LatheTool, NoOutline>>,
     pub moves: Vec<TurnMove>,
     /// Pieces of path so far.
@@ -81,20 +81,20 @@ pub(super) struct Gathered<'a> {
     /// Two coordinates lie on a surface that turns with the part.
     on_surface: bool,
     /// Programmed moves that compensation holds back.
-    programmed: Vec<(Origin, Segment)>,
+    programmed: Vec<(Origin, OutlineSegment)>,
     /// Drills of which a point angle was assumed, and said.
     assumed: Vec<u32>,
     told: Vec<(Code, u32)>,
     pub diagnostics: Vec<Diagnostic>,
 }
 
-impl<'a> Gathered<'a> {
+impl<'a> TurnedMoves<'a> {
     pub fn new(
         tools: &'a BTreeMap<u32, Result<LatheTool, NoOutline>>,
         naming: WorkNaming,
         units: Units,
-    ) -> Gathered<'a> {
-        Gathered {
+    ) -> TurnedMoves<'a> {
+        TurnedMoves {
             tools,
             moves: Vec::new(),
             row: 0,
@@ -120,7 +120,7 @@ impl<'a> Gathered<'a> {
         self.told.is_empty()
     }
 
-    fn segment(&mut self, path: &PathCommand<'_>, segment: &PathSegment, kind: MoveKind) {
+    fn segment(&mut self, path: &PathCommand<'_>, segment: &PathSegment, kind: TurnedMoveKind) {
         let row = self.row;
         self.row = self.row.saturating_add(1);
         let tool = match self.tools.get(&segment.tool) {
@@ -129,7 +129,7 @@ impl<'a> Gathered<'a> {
             None => return self.no_tool(segment, kind, "its shape is not known"),
         };
         if self.on_surface {
-            if kind != MoveKind::Rapid {
+            if kind != TurnedMoveKind::Rapid {
                 let why =
                     "it mills a face or a cylinder: polar or cylindrical interpolation is active";
                 self.tell(Code::StockNotFollowed, segment, why);
@@ -140,7 +140,7 @@ impl<'a> Gathered<'a> {
         let same = |a: &[f64; 3]| a.iter().zip(&angles).all(|(a, b)| (a - b).abs() < SAME);
         if !same(&segment.rotary_from) || !same(&segment.rotary_to) {
             self.rotary = Some(segment.rotary_to);
-            if kind == MoveKind::Rapid {
+            if kind == TurnedMoveKind::Rapid {
                 return;
             }
             return self.tell(Code::StockNotFollowed, segment, "a rotary axis moves with it");
@@ -152,21 +152,22 @@ impl<'a> Gathered<'a> {
             (false, ..) => Some("where the tool is relative to the part is not known"),
         };
         if let Some(why) = unknown {
-            if kind != MoveKind::Rapid {
+            if kind != TurnedMoveKind::Rapid {
                 self.tell(Code::StockNotFollowed, segment, why);
             }
             return;
         }
         let Some(curve) = flat(&segment.curve) else {
-            if kind != MoveKind::Rapid {
+            if kind != TurnedMoveKind::Rapid {
                 let why = "it is not a line or an arc in the plane of Z and X at Y0";
                 self.tell(Code::StockNotFollowed, segment, why);
             }
             return;
         };
-        let cuts = kind != MoveKind::Rapid;
+        let cuts = kind != TurnedMoveKind::Rapid;
         let is_off = |p: Vec2| p.b.abs() > ON_AXIS;
-        if cuts && tool.kind == Kind::Drill && (is_off(curve.start) || is_off(curve.end)) {
+        if cuts && tool.kind == TurningToolKind::Drill && (is_off(curve.start) || is_off(curve.end))
+        {
             let why = "a drill that is not on the axis does not turn the part";
             return self.tell(Code::StockNotFollowed, segment, why);
         }
@@ -174,18 +175,18 @@ impl<'a> Gathered<'a> {
             self.assumed.push(segment.tool);
             self.diagnostics.push(assumed_point_angle(&segment.origin, segment.tool));
         }
-        let is_compensated = path.side != Side::Off;
+        let is_compensated = path.side != CompensationSide::Off;
         let contour = (cuts && is_compensated && !path.inserted)
             .then(|| self.contour_of(path.command))
             .flatten();
         let feed = path.command.kind.feed();
         let middle = 0.5 * (curve.start.b + curve.end.b);
-        let is_thread = kind == MoveKind::Cut && (self.threading || tool.threads);
+        let is_thread = kind == TurnedMoveKind::Cut && (self.threading || tool.threads);
         let mean_feed =
             if segment.duration_s > 0.0 { segment.length_mm / segment.duration_s } else { 0.0 };
         self.moves.push(TurnMove {
             path: curve,
-            kind: if is_thread { MoveKind::Thread } else { kind },
+            kind: if is_thread { TurnedMoveKind::Thread } else { kind },
             tool: segment.tool,
             row,
             origin: segment.origin,
@@ -211,7 +212,7 @@ impl<'a> Gathered<'a> {
     }
 
     /// The programmed move behind a move of the tool.
-    fn contour_of(&mut self, command: &Command) -> Option<Segment> {
+    fn contour_of(&mut self, command: &Command) -> Option<OutlineSegment> {
         let at = self.programmed.iter().position(|(origin, _)| *origin == command.origin)?;
         let found = self.programmed[at].1;
         // It and those before it have had their turn.
@@ -219,8 +220,8 @@ impl<'a> Gathered<'a> {
         Some(found)
     }
 
-    fn no_tool(&mut self, segment: &PathSegment, kind: MoveKind, why: &str) {
-        if kind != MoveKind::Rapid {
+    fn no_tool(&mut self, segment: &PathSegment, kind: TurnedMoveKind, why: &str) {
+        if kind != TurnedMoveKind::Rapid {
             self.tell(Code::ToolWithoutShape, segment, why);
         }
     }
@@ -235,11 +236,13 @@ impl<'a> Gathered<'a> {
     }
 }
 
-impl Watch for Gathered<'_> {
+impl RunWatch for TurnedMoves<'_> {
     fn programmed(&mut self, command: &Command) {
         match &command.kind {
             // What is held back of a compensation that ends is still asked for.
-            CommandKind::Compensation { side, .. } if *side != Side::Off => self.programmed.clear(),
+            CommandKind::Compensation { side, .. } if *side != CompensationSide::Off => {
+                self.programmed.clear()
+            }
             kind if kind.feed().is_some() => {
                 let mut found = None;
                 chordal_path::curves_of(kind, |curve| found = flat(&curve));
@@ -278,9 +281,9 @@ impl Watch for Gathered<'_> {
             _ => {}
         }
         let kind = match kind.feed() {
-            None => MoveKind::Rapid,
-            Some(_) if self.spindle_turns => MoveKind::Cut,
-            Some(_) => MoveKind::Still,
+            None => TurnedMoveKind::Rapid,
+            Some(_) if self.spindle_turns => TurnedMoveKind::Cut,
+            Some(_) => TurnedMoveKind::Still,
         };
         for segment in segments {
             self.segment(&path, segment, kind);
@@ -289,12 +292,12 @@ impl Watch for Gathered<'_> {
 }
 
 /// A curve in the plane of Z and X: z and the radius; `None` of another one.
-fn flat(curve: &Curve) -> Option<Segment> {
+fn flat(curve: &Curve) -> Option<OutlineSegment> {
     let in_plane = |p: chordal_geometry::Vec3| p.y.abs() <= SAME;
     let place = |p: chordal_geometry::Vec3| Vec2::new(p.z, p.x);
     match curve {
         Curve::Line(line) if in_plane(line.start) && in_plane(line.end) => {
-            Some(Segment::line(place(line.start), place(line.end)))
+            Some(OutlineSegment::line(place(line.start), place(line.end)))
         }
         Curve::Arc(arc) if arc.w.y.abs() > 1.0 - SAME && arc.rise.abs() <= SAME => {
             if !in_plane(arc.start) {
@@ -302,7 +305,7 @@ fn flat(curve: &Curve) -> Option<Segment> {
             }
             // About +Y it turns from Z to X.
             let counterclockwise = arc.sweep * arc.w.y > 0.0;
-            Some(Segment::arc(
+            Some(OutlineSegment::arc(
                 place(arc.start),
                 place(arc.end),
                 place(arc.center),

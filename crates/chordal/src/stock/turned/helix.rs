@@ -5,10 +5,10 @@
 //! moves along the thread, and its mean over each revolution.
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{Region, Segment, Tool as Outline, Turned};
+use chordal_stock::turned::{LatheStock, OutlineSegment, Region, ToolOutline as Outline};
 
 use super::gather::TurnMove;
-use super::threads::{Revolutions, Turning};
+use super::threads::{SpindleRevolutions, ThreadAdvance};
 
 /// Advances that differ by less are the same, mm.
 const SAME_MM: f64 = 1e-9;
@@ -21,7 +21,7 @@ const MOST_STEPS: i64 = 16;
 
 /// Moves of one thread that advance alike.
 #[derive(Clone, Debug)]
-struct Course {
+struct ThreadCourse {
     /// In one revolution: along z and r, mm.
     advance: Vec2,
     /// Where the tool of the first move is at first.
@@ -34,32 +34,32 @@ struct Course {
 
 /// The grooves of a thread as the part sees them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Helix {
-    courses: Vec<Course>,
+pub(super) struct ThreadGrooves {
+    courses: Vec<ThreadCourse>,
     /// The revolutions of a move are not known: only what it touches all round is a bound.
     is_unknown: bool,
 }
 
-impl Helix {
+impl ThreadGrooves {
     /// With a further move; `stock` is the box around it.
     pub fn add(
         &mut self,
-        revolutions: &Revolutions,
+        revolutions: &SpindleRevolutions,
         stock: (Vec2, Vec2),
         tool: &Outline,
         move_: &TurnMove,
     ) {
         let course = revolutions.turn_of(move_).and_then(|turning| {
             let groove = groove_of(tool, &turning, stock)?;
-            let Turning { advance, start, turns } = turning;
-            Some(Course { advance, start, groove, turns: (0, turns) })
+            let ThreadAdvance { advance, start, turns } = turning;
+            Some(ThreadCourse { advance, start, groove, turns: (0, turns) })
         });
         let added = course.and_then(|course| self.with(course));
         self.is_unknown |= added.is_none();
     }
 
-    fn with(&mut self, course: Course) -> Option<()> {
-        let alike = |known: &&mut Course| known.advance.distance(course.advance) < SAME_MM;
+    fn with(&mut self, course: ThreadCourse) -> Option<()> {
+        let alike = |known: &&mut ThreadCourse| known.advance.distance(course.advance) < SAME_MM;
         match self.courses.iter_mut().find(alike) {
             Some(known) => known.join(&course)?,
             None => self.courses.push(course),
@@ -68,7 +68,7 @@ impl Helix {
     }
 
     /// With the moves of another one.
-    pub fn join(&mut self, other: Helix) {
+    pub fn join(&mut self, other: ThreadGrooves) {
         self.is_unknown |= other.is_unknown;
         for course in other.courses {
             self.is_unknown |= self.with(course).is_none();
@@ -87,19 +87,20 @@ impl Helix {
 }
 
 /// What a tool takes of a solid body at the start of a move, so far from the axis as the stock is anywhere along it.
-fn groove_of(tool: &Outline, turning: &Turning, (low, high): (Vec2, Vec2)) -> Option<Region> {
-    let Turning { advance, start, turns } = *turning;
+fn groove_of(tool: &Outline, turning: &ThreadAdvance, (low, high): (Vec2, Vec2)) -> Option<Region> {
+    let ThreadAdvance { advance, start, turns } = *turning;
     let rise = (turns as f64 * advance.b).abs();
     let radius = high.b + rise + advance.b.abs() + 1.0;
     let length = high.a - low.a + 2.0 * radius;
     let solid = Region::bar(radius, start.a - length, start.a + length).ok()?;
-    let (_, taken) = Turned::new(&solid).touch(tool, &Segment::line(start, start)).ok()?;
+    let (_, taken) =
+        LatheStock::new(&solid).touch(tool, &OutlineSegment::line(start, start)).ok()?;
     Some(taken)
 }
 
-impl Course {
+impl ThreadCourse {
     /// With the moves of another one, whose grooves lie whole revolutions and less than one away.
-    fn join(&mut self, other: &Course) -> Option<()> {
+    fn join(&mut self, other: &ThreadCourse) -> Option<()> {
         let square = self.advance.dot(self.advance);
         // Rounding must not put a groove that is cut again next to itself.
         let away = ((other.start - self.start).dot(self.advance) / square + SAME_TURN).floor();

@@ -3,7 +3,7 @@
 use chordal_command::{Units, number_text, telling_number};
 use chordal_diagnostics::{Code, Diagnostic};
 
-use super::super::engagement::Material;
+use super::super::engagement::MaterialData;
 use super::report::{TurnedMove, TurnedToolRemoved};
 use crate::job::Job;
 
@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn give_power(
     moves: &mut [TurnedMove],
     tools: &mut [TurnedToolRemoved],
-    material: &Material,
+    material: &MaterialData,
 ) {
     for move_ in moves {
         let Some(chip) = move_.chip_mm.filter(|chip| *chip > 0.0) else { continue };

@@ -22,6 +22,9 @@ mod tools;
 mod way_in;
 
 pub use replay::{TurnedPiece, TurnedReplay, TurnedShape};
-pub use report::{Loose, Maker, Thread, TurnedMove, TurnedReport, TurnedTarget, TurnedToolRemoved};
+pub use report::{
+    CutOffPart, SegmentOrigin, TurnedMove, TurnedReport, TurnedTarget, TurnedThread,
+    TurnedToolRemoved,
+};
 pub use run::TurnedOptions;
 pub use way_in::{WayHit, WayIn};

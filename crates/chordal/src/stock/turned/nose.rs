@@ -5,11 +5,11 @@
 
 use chordal_diagnostics::Code;
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{Region, Segment};
+use chordal_stock::turned::{OutlineSegment, Region};
 
-use super::gather::{MoveKind, TurnMove};
-use super::said::{At, Found, More};
-use super::tools::{Kind, LatheTool};
+use super::gather::{TurnMove, TurnedMoveKind};
+use super::said::{MessageDetail, ProblemLocation, TurnedProblems};
+use super::tools::{LatheTool, TurningToolKind};
 
 /// Parts of the outline shorter than this are rounding, mm.
 const SHORT: f64 = 0.01;
@@ -22,16 +22,16 @@ pub(super) fn look_at_surface<'t>(
     moves: &[TurnMove],
     tool_of: impl Fn(u32) -> Option<&'t LatheTool>,
     tolerance: f64,
-    found: &mut Found<'_>,
+    found: &mut TurnedProblems<'_>,
 ) {
     let mut misses: Vec<(usize, f64, Vec2)> = Vec::new();
     for segment in region.outline().iter().flatten() {
         let Some(number) = (segment.tag as usize).checked_sub(1) else { continue };
         let Some(move_) = moves.get(number) else { continue };
-        if move_.kind != MoveKind::Cut || move_.is_compensated {
+        if move_.kind != TurnedMoveKind::Cut || move_.is_compensated {
             continue;
         }
-        let Some(Kind::Insert { nose, centered: false, .. }) =
+        let Some(TurningToolKind::Insert { nose, centered: false, .. }) =
             tool_of(move_.tool).map(|tool| tool.kind)
         else {
             continue;
@@ -52,14 +52,14 @@ pub(super) fn look_at_surface<'t>(
     for (number, off, place) in misses {
         let move_ = &moves[number];
         let code = if off > 0.0 { Code::NoseLeaves } else { Code::NoseGouge };
-        let at = At { origin: move_.origin, tool: move_.tool, place };
-        found.push(code, off.abs(), &at, More::Nothing);
+        let at = ProblemLocation { origin: move_.origin, tool: move_.tool, place };
+        found.push(code, off.abs(), &at, MessageDetail::Nothing);
     }
 }
 
 /// How far a part of the outline is outside of the move that made it (below zero: inside), and where; `None`
 /// where it is not parallel to it.
-fn miss(segment: &Segment, path: &Segment, nose: f64) -> Option<(f64, Vec2)> {
+fn miss(segment: &OutlineSegment, path: &OutlineSegment, nose: f64) -> Option<(f64, Vec2)> {
     match (segment.bend, path.bend) {
         (None, None) => {
             let along = (segment.end - segment.start).normalized()?;
@@ -95,8 +95,8 @@ fn miss(segment: &Segment, path: &Segment, nose: f64) -> Option<(f64, Vec2)> {
 }
 
 /// Whether a point of a circle lies on its arc.
-fn is_on(arc: &Segment, p: Vec2) -> bool {
+fn is_on(arc: &OutlineSegment, p: Vec2) -> bool {
     let Some(bend) = arc.bend else { return false };
-    let part = Segment::arc(arc.start, p, bend.center, bend.counterclockwise);
+    let part = OutlineSegment::arc(arc.start, p, bend.center, bend.counterclockwise);
     part.sweep().abs() <= arc.sweep().abs()
 }

@@ -3,20 +3,20 @@
 use std::collections::BTreeMap;
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{Region, Segment, Turned};
+use chordal_stock::turned::{LatheStock, OutlineSegment, Region};
 
 use super::gather::TurnMove;
 use super::replay::{TurnedPiece, TurnedReplay, TurnedShape};
-use super::report::Loose;
+use super::report::CutOffPart;
 use super::tools::{LatheTool, NoOutline};
 
 /// Segments that are compared with those before, of a run; then only the section after each tool is kept.
 const MOST: usize = 20_000_000;
 
 /// What two segments have in common that are the same: their numbers, bit by bit, and their tag.
-type Key = ([u64; 7], u32);
+type SegmentKey = ([u64; 7], u32);
 
-fn key(segment: &Segment) -> Key {
+fn key(segment: &OutlineSegment) -> SegmentKey {
     let (center, sense) = match segment.bend {
         None => (Vec2::ZERO, 0),
         Some(bend) => (bend.center, 1 + u64::from(bend.counterclockwise)),
@@ -27,10 +27,10 @@ fn key(segment: &Segment) -> Key {
 
 /// Keeps sections while a run is cut.
 #[derive(Debug)]
-pub(super) struct Recorder {
+pub(super) struct SectionRecorder {
     replay: TurnedReplay,
     /// The pieces of the last section by what they are.
-    now: BTreeMap<Key, usize>,
+    now: BTreeMap<SegmentKey, usize>,
     loose: usize,
     compared: usize,
     has_cut: bool,
@@ -38,9 +38,9 @@ pub(super) struct Recorder {
     due: Option<(u32, u32)>,
 }
 
-impl Recorder {
-    pub fn new(stock: &Region) -> Recorder {
-        let mut recorder = Recorder {
+impl SectionRecorder {
+    pub fn new(stock: &Region) -> SectionRecorder {
+        let mut recorder = SectionRecorder {
             replay: TurnedReplay { is_whole: true, ..TurnedReplay::default() },
             now: BTreeMap::new(),
             loose: 0,
@@ -57,7 +57,7 @@ impl Recorder {
     }
 
     /// A move begins.
-    pub fn begin(&mut self, move_: &TurnMove, stock: &Turned) {
+    pub fn begin(&mut self, move_: &TurnMove, stock: &LatheStock) {
         if self.due.is_some_and(|(_, tool)| tool != move_.tool) {
             self.settle(&stock.region());
         }
@@ -69,7 +69,7 @@ impl Recorder {
     }
 
     /// A move has ended.
-    pub fn end(&mut self, move_: &TurnMove, stock: &Turned, loose: &[Loose]) {
+    pub fn end(&mut self, move_: &TurnMove, stock: &LatheStock, loose: &[CutOffPart]) {
         let comes_off = loose.len() > self.loose;
         if !std::mem::take(&mut self.has_cut) && !comes_off {
             return;

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use chordal_stock::turned::{Region, Segment};
+use chordal_stock::turned::{OutlineSegment, Region};
 
 /// A line or an arc that bounds what is left for a while.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurnedPiece {
     /// The material lies to its left, seen with z to the right and r up. Its tag is the tool that made it; 0 is
     /// the stock.
-    pub segment: Segment,
+    pub segment: OutlineSegment,
     /// The first section that has it: 0 is the stock before the first cut.
     pub from: u32,
     /// The first section that has it no more; `u32::MAX` where it stays.
@@ -22,9 +22,9 @@ pub struct TurnedPiece {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TurnedShape {
     /// What cuts.
-    pub edges: Vec<Vec<Segment>>,
+    pub edges: Vec<Vec<OutlineSegment>>,
     /// Shank and holder, where they are given.
-    pub body: Vec<Vec<Segment>>,
+    pub body: Vec<Vec<OutlineSegment>>,
 }
 
 /// The sections of a run, and what is drawn with them.

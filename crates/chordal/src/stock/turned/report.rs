@@ -3,8 +3,8 @@
 use chordal_command::Origin;
 use chordal_diagnostics::Code;
 use chordal_geometry::Vec2;
-use chordal_stock::Amount;
-use chordal_stock::turned::{Region, Segment};
+use chordal_stock::VolumeInterval;
+use chordal_stock::turned::{OutlineSegment, Region};
 
 use super::super::problems::StockProblem;
 use super::super::report::StockVerdict;
@@ -20,7 +20,7 @@ pub struct TurnedToolRemoved {
     /// Moves at feed that were cut from the stock.
     pub moves: u64,
     /// mm³; one number but for threads.
-    pub removed_mm3: Amount,
+    pub removed_mm3: VolumeInterval,
     /// The least radius and Z of its programmed point at feed, mm.
     pub lowest: Vec2,
     /// The greatest depth of cut, mm, and its line.
@@ -72,7 +72,7 @@ pub struct TurnedMove {
 
 /// A part that was cut off.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Loose {
+pub struct CutOffPart {
     /// Its half section.
     pub section: Region,
     /// The line that cut it off.
@@ -83,7 +83,7 @@ pub struct Loose {
 
 /// A thread: it lies within the stock that is left, and takes at most what its grooves are all along.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Thread {
+pub struct TurnedThread {
     /// Where its grooves are, all round.
     pub section: Region,
     /// The grooves themselves, in the plane where the spindle's index is; `None` where the revolutions of a pass are not known.
@@ -111,7 +111,7 @@ pub struct TurnedTarget {
 
 /// The move that made a line or an arc of a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Maker {
+pub struct SegmentOrigin {
     /// Its tool.
     pub tool: u32,
     /// Its line.
@@ -124,9 +124,9 @@ pub struct TurnedReport {
     /// Before the first cut, mm³.
     pub before_mm3: f64,
     /// What is removed, mm³: one number but for threads.
-    pub removed_mm3: Amount,
+    pub removed_mm3: VolumeInterval,
     /// What is left, parted parts with it, mm³.
-    pub left_mm3: Amount,
+    pub left_mm3: VolumeInterval,
     /// How far the outline may be off the exact one, mm: 0 as a rule.
     pub bound_mm: f64,
     /// What can be said.
@@ -144,15 +144,15 @@ pub struct TurnedReport {
     /// What is left in the chuck.
     pub section: Region,
     /// What was cut off, in that order.
-    pub loose: Vec<Loose>,
+    pub loose: Vec<CutOffPart>,
     /// Threads, which the section does not show.
-    pub threads: Vec<Thread>,
+    pub threads: Vec<TurnedThread>,
     /// The part as it should be, where one is given.
     pub target_section: Option<Region>,
     /// What is left on the part, where one is given.
     pub target: Option<TurnedTarget>,
     /// Every move that was followed, rapids too, by the tag of what it made, less one.
-    pub makers: Vec<Maker>,
+    pub makers: Vec<SegmentOrigin>,
     /// What a picture that goes forward and backward needs, where it was asked for.
     pub replay: Option<TurnedReplay>,
     /// The run, with the problems as diagnostics among the others.
@@ -169,7 +169,7 @@ impl TurnedReport {
     }
 
     /// The move that made a line or an arc of a section; `None` of the stock's own.
-    pub fn made_by(&self, segment: &Segment) -> Option<Maker> {
+    pub fn made_by(&self, segment: &OutlineSegment) -> Option<SegmentOrigin> {
         self.makers.get((segment.tag as usize).checked_sub(1)?).copied()
     }
 

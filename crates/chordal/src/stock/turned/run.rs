@@ -2,23 +2,23 @@
 
 use chordal_diagnostics::Code;
 use chordal_machine::Body;
-use chordal_stock::Amount;
+use chordal_stock::VolumeInterval;
 use chordal_stock::turned::Region;
 
-use super::super::engagement::Material;
+use super::super::engagement::MaterialData;
 use super::super::report::{StockVerdict, knows_tips};
 use super::super::run::{StockRunError, cut_other_sides};
-use super::super::setup::{Files, Named, SetupError, shift_between};
+use super::super::setup::{NamedBody, SetupError, SetupFileReader, shift_between};
 use super::super::target::TARGET_TOLERANCE;
 use super::bodies::grown;
-use super::cut::{Cutting, Fixture};
-use super::gather::{Gathered, TurnMove};
+use super::cut::{TurnedFixture, TurnedRun};
+use super::gather::{TurnMove, TurnedMoves};
 use super::load::{give_power, overloads};
 use super::nose::look_at_surface;
-use super::recorder::Recorder;
+use super::recorder::SectionRecorder;
 use super::report::TurnedReport;
-use super::said::{At, Found, More};
-use super::target::Target;
+use super::said::{MessageDetail, ProblemLocation, TurnedProblems};
+use super::target::TurnedTargetPart;
 use super::tools::{LatheTool, tools_of};
 use crate::job::Job;
 use crate::report::Report;
@@ -55,7 +55,7 @@ impl Job<'_> {
     pub fn turned_stock(
         &self,
         options: &TurnedOptions,
-        files: Files<'_>,
+        files: SetupFileReader<'_>,
     ) -> Result<TurnedReport, StockRunError> {
         let mut found = self.turned_stock_of_run(options, files)?;
         cut_other_sides(self, &mut found.report, &mut found.verdict, |job| {
@@ -69,25 +69,25 @@ impl Job<'_> {
     fn turned_stock_of_run(
         &self,
         options: &TurnedOptions,
-        files: Files<'_>,
+        files: SetupFileReader<'_>,
     ) -> Result<TurnedReport, StockRunError> {
         let tools = tools_of(self);
         let control = self.control();
         let mut gathered =
-            Gathered::new(&tools, control.table.work_names, control.parameters.rules.units);
+            TurnedMoves::new(&tools, control.table.work_names, control.parameters.rules.units);
         let report = self.report_watched(&mut gathered);
         let section_of = |name: &str, body: &Body| -> Result<Region, SetupError> {
-            let named = Named { name, body };
+            let named = NamedBody { name, body };
             let shift = shift_between(self.machine(), &named, gathered.work.as_deref())?;
             named.section(shift, files)
         };
         let setup = &self.machine().setup;
         let premise = self.stock_premise()?;
         let stock = section_of("stock", &premise.body)?;
-        let found = Found::new(gathered.units, self.sources());
-        let mut cutting = Cutting::new(&tools, options.tolerance_mm, &stock, found);
+        let found = TurnedProblems::new(gathered.units, self.sources());
+        let mut cutting = TurnedRun::new(&tools, options.tolerance_mm, &stock, found);
         if options.replay {
-            cutting.recorder = Some(Recorder::new(&stock));
+            cutting.recorder = Some(SectionRecorder::new(&stock));
         }
         for (name, body) in &setup.fixtures {
             let section = section_of(&format!("fixtures.{name}"), body)?;
@@ -95,12 +95,12 @@ impl Job<'_> {
                 recorder.fixture(name, &section);
             }
             let clearance = body.clearance_mm.unwrap_or(0.0);
-            let body = chordal_stock::turned::Turned::new(&grown(&section, clearance));
-            cutting.fixtures.push(Fixture { name, clearance, body });
+            let body = chordal_stock::turned::LatheStock::new(&grown(&section, clearance));
+            cutting.fixtures.push(TurnedFixture { name, clearance, body });
         }
         if let Some(body) = &setup.target {
             let tolerance = body.tolerance_mm.unwrap_or(TARGET_TOLERANCE);
-            cutting.target = Some(Target::new(section_of("target", body)?, tolerance));
+            cutting.target = Some(TurnedTargetPart::new(section_of("target", body)?, tolerance));
         }
         for number in 0..gathered.moves.len() {
             if number % AT_ONCE == 0 && self.is_interrupted() {
@@ -121,8 +121,8 @@ impl Job<'_> {
         &self,
         mut report: Report,
         before: &Region,
-        mut cutting: Cutting<'_>,
-        gathered: Gathered<'_>,
+        mut cutting: TurnedRun<'_>,
+        gathered: TurnedMoves<'_>,
         options: &TurnedOptions,
     ) -> TurnedReport {
         let section = cutting.stock.region();
@@ -145,8 +145,8 @@ impl Job<'_> {
             (&target, &cutting.target, gathered.moves.last())
             && found.highest_mm > target.tolerance
         {
-            let at = At { origin: last.origin, tool: last.tool, place: found.at };
-            cutting.found.push(Code::MaterialLeft, found.highest_mm, &at, More::Nothing);
+            let at = ProblemLocation { origin: last.origin, tool: last.tool, place: found.at };
+            cutting.found.push(Code::MaterialLeft, found.highest_mm, &at, MessageDetail::Nothing);
         }
         // What a thread takes lies within what is left.
         let of_threads = cutting.most_of_threads(&sections);
@@ -158,11 +158,11 @@ impl Job<'_> {
         let mut tools = cutting.tools_in_order();
         let setup = &self.machine().setup;
         let material = setup.stock.as_ref().and_then(|stock| stock.material.as_deref());
-        if let Some(Ok(material)) = material.map(|word| Material::of(word, &setup.materials)) {
+        if let Some(Ok(material)) = material.map(|word| MaterialData::of(word, &setup.materials)) {
             give_power(&mut moves, &mut tools, &material);
         }
         let mut too_hard = overloads(self, &mut moves, gathered.units);
-        let Cutting { found, threads, target: wanted, bound, .. } = cutting;
+        let TurnedRun { found, threads, target: wanted, bound, .. } = cutting;
         let has_problems = found.hits > 0 || !too_hard.is_empty() || report.counts.errors > 0;
         let is_proved = gathered.is_whole()
             && found.undecided == 0
@@ -174,8 +174,11 @@ impl Job<'_> {
         report.add(diagnostics);
         TurnedReport {
             before_mm3,
-            removed_mm3: Amount { least: before_mm3 - left, most: before_mm3 - surely_left },
-            left_mm3: Amount { least: surely_left, most: left },
+            removed_mm3: VolumeInterval {
+                least: before_mm3 - left,
+                most: before_mm3 - surely_left,
+            },
+            left_mm3: VolumeInterval { least: surely_left, most: left },
             bound_mm: bound,
             verdict: match (has_problems, is_proved) {
                 (true, _) => StockVerdict::Problems,

@@ -3,7 +3,7 @@
 use chordal_command::{Origin, Units};
 use chordal_diagnostics::{Code, Diagnostic, SourceMap};
 use chordal_geometry::{Vec2, Vec3};
-use chordal_stock::Amount;
+use chordal_stock::VolumeInterval;
 
 use super::super::problems::StockProblem;
 
@@ -12,7 +12,7 @@ const MOST: usize = 1000;
 
 /// What a message needs in addition to the depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum More<'a> {
+pub(super) enum MessageDetail<'a> {
     Nothing,
     /// The name of a fixture and its clearance, mm.
     Fixture(&'a str, f64),
@@ -28,7 +28,7 @@ pub(super) enum More<'a> {
 
 /// Where a problem is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct At {
+pub(super) struct ProblemLocation {
     pub origin: Origin,
     pub tool: u32,
     /// z and radius, mm.
@@ -36,7 +36,7 @@ pub(super) struct At {
 }
 
 /// Gathers problems.
-pub(super) struct Found<'a> {
+pub(super) struct TurnedProblems<'a> {
     pub list: Vec<StockProblem>,
     pub diagnostics: Vec<Diagnostic>,
     pub more: u64,
@@ -48,9 +48,9 @@ pub(super) struct Found<'a> {
     last: Option<(Origin, Code, String)>,
 }
 
-impl<'a> Found<'a> {
-    pub fn new(units: Units, sources: &'a SourceMap<'a>) -> Found<'a> {
-        Found {
+impl<'a> TurnedProblems<'a> {
+    pub fn new(units: Units, sources: &'a SourceMap<'a>) -> TurnedProblems<'a> {
+        TurnedProblems {
             list: Vec::new(),
             diagnostics: Vec::new(),
             more: 0,
@@ -63,14 +63,14 @@ impl<'a> Found<'a> {
     }
 
     /// Adds a problem, or widens the last one where it is of the same block.
-    pub fn push(&mut self, code: Code, depth: f64, at: &At, more: More<'_>) {
+    pub fn push(&mut self, code: Code, depth: f64, at: &ProblemLocation, more: MessageDetail<'_>) {
         match code {
             Code::NotProved => self.undecided += 1,
             // Material that a nose leaves may be an allowance.
             Code::NoseLeaves | Code::MaterialLeft => {}
             _ => self.hits += 1,
         }
-        let name = if let More::Fixture(name, _) = more { name } else { "" };
+        let name = if let MessageDetail::Fixture(name, _) = more { name } else { "" };
         let is_same = self.last.as_ref().is_some_and(|(origin, known, of)| {
             (*origin, *known, of.as_str()) == (at.origin, code, name)
         });
@@ -78,7 +78,7 @@ impl<'a> Found<'a> {
             && let (Some(last), Some(said)) = (self.list.last_mut(), self.diagnostics.last_mut())
         {
             if depth > last.depth_mm.most {
-                last.depth_mm = Amount { least: depth, most: depth };
+                last.depth_mm = VolumeInterval { least: depth, most: depth };
                 last.at = Vec3::new(at.place.b, 0.0, at.place.a);
                 *said = diagnostic(code, depth, at, more, self.units);
             }
@@ -95,14 +95,20 @@ impl<'a> Found<'a> {
             file: file.to_string(),
             line: at.origin.line,
             tool: at.tool,
-            depth_mm: Amount { least: depth, most: depth },
+            depth_mm: VolumeInterval { least: depth, most: depth },
             at: Vec3::new(at.place.b, 0.0, at.place.a),
         });
         self.diagnostics.push(diagnostic(code, depth, at, more, self.units));
     }
 }
 
-fn diagnostic(code: Code, depth: f64, at: &At, more: More<'_>, units: Units) -> Diagnostic {
+fn diagnostic(
+    code: Code,
+    depth: f64,
+    at: &ProblemLocation,
+    more: MessageDetail<'_>,
+    units: Units,
+) -> Diagnostic {
     let tool = at.tool;
     let length = |mm: f64| units.length_text(mm);
     let depth_text = length(depth);
@@ -142,7 +148,7 @@ fn diagnostic(code: Code, depth: f64, at: &At, more: More<'_>, units: Units) -> 
             "the last move",
             "check the finishing passes, or the tolerance of the target",
         ),
-        (Code::FixtureHit, More::Fixture(name, clearance)) => (
+        (Code::FixtureHit, MessageDetail::Fixture(name, clearance)) => (
             if clearance > 0.0 {
                 let clearance = length(clearance);
                 format!(
@@ -154,7 +160,7 @@ fn diagnostic(code: Code, depth: f64, at: &At, more: More<'_>, units: Units) -> 
             "too near",
             "stop before it, or move the fixture",
         ),
-        (Code::GrooveRidge, More::Ridge(width)) => (
+        (Code::GrooveRidge, MessageDetail::Ridge(width)) => (
             format!(
                 "a ridge {} wide and {depth_text} high is left next to this plunge",
                 length(width)
@@ -162,12 +168,12 @@ fn diagnostic(code: Code, depth: f64, at: &At, more: More<'_>, units: Units) -> 
             "the step is wider than the tool",
             "use a smaller step (Q of G75), or enter the true width of the tool",
         ),
-        (Code::PartOffPip, More::Off) => (
+        (Code::PartOffPip, MessageDetail::Off) => (
             format!("the part is cut off with a pip of diameter {} on it", length(2.0 * depth)),
             "leaves a pip",
             "feed past the axis by the corner radius of the tool",
         ),
-        (Code::PartOffPip, More::Ring) => (
+        (Code::PartOffPip, MessageDetail::Ring) => (
             format!("the part is not cut off: a ring {depth_text} thick holds it"),
             "ends before the bore",
             "feed further, into the bore",
@@ -198,7 +204,7 @@ fn diagnostic(code: Code, depth: f64, at: &At, more: More<'_>, units: Units) -> 
             "no G41 or G42",
             "switch nose radius compensation on, if this is not an allowance",
         ),
-        (_, More::Why(why)) => (
+        (_, MessageDetail::Why(why)) => (
             format!("this move of tool {tool} could not be cut exactly: {why}"),
             "not proved",
             "nothing after it is proved; check its coordinates",

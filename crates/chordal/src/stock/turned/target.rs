@@ -1,23 +1,23 @@
 //! The part as it should be: cuts into it, and what is left on it.
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{Region, Segment, Turned};
+use chordal_stock::turned::{LatheStock, OutlineSegment, Region};
 
 use super::bodies::{is_on_axis, without_skin};
 use super::report::TurnedTarget;
 
 /// A part, how near to it the cuts must be, and what of it no cut may reach.
-pub(super) struct Target {
+pub(super) struct TurnedTargetPart {
     pub section: Region,
     pub tolerance: f64,
     /// The part without its skin; cuts into it are taken away, so that each is said once.
-    pub core: Turned,
+    pub core: LatheStock,
 }
 
-impl Target {
-    pub fn new(section: Region, tolerance: f64) -> Target {
+impl TurnedTargetPart {
+    pub fn new(section: Region, tolerance: f64) -> TurnedTargetPart {
         let core = without_skin(&section, &section, tolerance);
-        Target { core, section, tolerance }
+        TurnedTargetPart { core, section, tolerance }
     }
 
     /// The deepest place of what was taken from the part.
@@ -65,7 +65,7 @@ const POINTS: u32 = 64;
 
 /// The point of a region's outline that is farthest from the outline of another one, among many of each segment.
 fn farthest(region: &Region, from: &Region) -> Option<(f64, Vec2)> {
-    let outline: Vec<Segment> =
+    let outline: Vec<OutlineSegment> =
         from.shape().into_iter().flatten().filter(|segment| !is_on_axis(segment)).collect();
     let near =
         |p: Vec2| outline.iter().map(|segment| distance(segment, p)).fold(f64::INFINITY, f64::min);
@@ -75,7 +75,7 @@ fn farthest(region: &Region, from: &Region) -> Option<(f64, Vec2)> {
     points.map(|p| (near(p), p)).max_by(|x, y| x.0.total_cmp(&y.0))
 }
 
-fn point_at(segment: &Segment, part: f64) -> Vec2 {
+fn point_at(segment: &OutlineSegment, part: f64) -> Vec2 {
     match segment.bend {
         None => segment.start + (segment.end - segment.start) * part,
         Some(bend) => {
@@ -86,7 +86,7 @@ fn point_at(segment: &Segment, part: f64) -> Vec2 {
     }
 }
 
-fn distance(segment: &Segment, p: Vec2) -> f64 {
+fn distance(segment: &OutlineSegment, p: Vec2) -> f64 {
     let ends = segment.start.distance(p).min(segment.end.distance(p));
     match segment.bend {
         None => {
@@ -99,7 +99,7 @@ fn distance(segment: &Segment, p: Vec2) -> f64 {
             p.distance(segment.start + way * part)
         }
         Some(bend) => {
-            let on = Segment::arc(segment.start, p, bend.center, bend.counterclockwise);
+            let on = OutlineSegment::arc(segment.start, p, bend.center, bend.counterclockwise);
             let within = on.sweep().abs() <= segment.sweep().abs();
             if within { (p.distance(bend.center) - bend.radius).abs() } else { ends }
         }

@@ -1,17 +1,17 @@
 //! Where a thread cuts the half section: the tool comes by once in each revolution of the spindle.
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{Region, Segment, Tool as Outline, Turned};
+use chordal_stock::turned::{LatheStock, OutlineSegment, Region, ToolOutline as Outline};
 
 use super::gather::TurnMove;
-use super::report::Thread;
+use super::report::TurnedThread;
 
 /// Grooves of one move that are drawn; a finer thread is shown by where it lies.
 const MOST_TURNS: f64 = 5000.0;
 
 /// How a move of a thread goes round.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Turning {
+pub(super) struct ThreadAdvance {
     /// In one revolution: along z and r, mm.
     pub advance: Vec2,
     /// Where the tool is, or would be, when the spindle's index comes by first.
@@ -22,12 +22,12 @@ pub(super) struct Turning {
 
 /// What the spindle has turned since its index, over the moves of one pass.
 #[derive(Debug, Default)]
-pub(super) struct Revolutions {
+pub(super) struct SpindleRevolutions {
     /// Part of a revolution at the end of the last move.
     since: f64,
 }
 
-impl Revolutions {
+impl SpindleRevolutions {
     /// A pass begins: it waits for the spindle's index.
     pub fn begin(&mut self) {
         self.since = 0.0;
@@ -62,7 +62,7 @@ impl Revolutions {
     }
 
     /// How a move goes round: nothing where its advance is not known or changes.
-    pub fn turn_of(&self, move_: &TurnMove) -> Option<Turning> {
+    pub fn turn_of(&self, move_: &TurnMove) -> Option<ThreadAdvance> {
         let path = &move_.path;
         let length = path.start.distance(path.end);
         let advance = move_.feed / move_.rev_per_s;
@@ -73,7 +73,7 @@ impl Revolutions {
         }
         let along = (path.end - path.start) * (advance / length);
         let first = self.since.floor();
-        Some(Turning {
+        Some(ThreadAdvance {
             advance: along,
             start: path.start + along * (first - self.since),
             turns: (self.since + turns - first).ceil() as i64,
@@ -83,14 +83,14 @@ impl Revolutions {
     /// What a move takes from the section; the stock stays as it is.
     pub fn grooves(
         &mut self,
-        stock: &Turned,
+        stock: &LatheStock,
         tool: &Outline,
         move_: &TurnMove,
     ) -> Option<(Region, Option<f64>)> {
         let (places, advance) = self.places(move_)?;
         let mut grooves = Region::default();
         for place in places {
-            let (_, taken) = stock.touch(tool, &Segment::line(place, place)).ok()?;
+            let (_, taken) = stock.touch(tool, &OutlineSegment::line(place, place)).ok()?;
             if !taken.is_empty() {
                 grooves = grooves.union(&taken).ok()?.region;
             }
@@ -99,7 +99,7 @@ impl Revolutions {
     }
 }
 
-impl Thread {
+impl TurnedThread {
     /// With a further pass.
     pub(super) fn add(
         &mut self,

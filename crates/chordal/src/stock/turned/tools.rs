@@ -5,10 +5,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use chordal_geometry::Vec2;
 use chordal_machine::{
-    Cutter as Shape, InsertLetter, Solid, Tool, ToolFacing, ToolShape, mirrored_tip,
+    Cutter as Shape, HolderSegment, InsertLetter, Tool, ToolFacing, ToolShape, mirrored_tip,
 };
 use chordal_stock::turned::{
-    Blade, BladePoint, Facing, Insert, InsertShape, Tip, Tool as Outline, ToolError,
+    Blade, BladeFacing, BladePoint, Insert, InsertShape, Tip, ToolError, ToolOutline as Outline,
 };
 
 use crate::job::Job;
@@ -28,7 +28,7 @@ pub(super) struct LatheTool {
     /// A drill whose point angle nobody gives.
     pub has_assumed_point_angle: bool,
     pub edges: Outline,
-    pub kind: Kind,
+    pub kind: TurningToolKind,
     /// How long the cutting edges are, or how deep a blade reaches, mm.
     pub reach: f64,
     /// From the programmed point into the tool; zero where it has no direction.
@@ -43,14 +43,14 @@ pub(super) struct LatheTool {
 
 /// What a tool is, as far as questions depend on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum TurningToolKind {
     /// A nose between two flanks: its radius, mm, and the directions of the flanks, rad. A point in the middle of
     /// the nose is programmed where the tip is 0 or 9.
     Insert { nose: f64, flanks: [f64; 2], centered: bool, approach: Option<f64> },
     /// A round insert.
     Round,
     /// A front edge; where it begins and ends along the axis that it is wide on, as seen from the point.
-    Blade { facing: Facing, from: f64, to: f64 },
+    Blade { facing: BladeFacing, from: f64, to: f64 },
     /// On the axis.
     Drill,
 }
@@ -101,7 +101,7 @@ fn insert(tool: &Tool) -> Result<LatheTool, NoOutline> {
         return Ok(LatheTool {
             has_assumed_point_angle: tool.has_assumed_point_angle(),
             edges: Outline::round(nose, tip)?,
-            kind: Kind::Round,
+            kind: TurningToolKind::Round,
             reach: 2.0 * nose,
             body: tip.to_center(),
             above: None,
@@ -142,7 +142,7 @@ fn insert(tool: &Tool) -> Result<LatheTool, NoOutline> {
     Ok(LatheTool {
         has_assumed_point_angle: tool.has_assumed_point_angle(),
         edges: held.outline()?,
-        kind: Kind::Insert {
+        kind: TurningToolKind::Insert {
             nose,
             flanks: held.flanks,
             centered: false,
@@ -157,12 +157,12 @@ fn insert(tool: &Tool) -> Result<LatheTool, NoOutline> {
     })
 }
 
-fn facing_of(tool: &Tool, tip: Tip) -> Result<Facing, NoOutline> {
+fn facing_of(tool: &Tool, tip: Tip) -> Result<BladeFacing, NoOutline> {
     Ok(match (tool.turning.facing, tip.number()) {
-        (Some(ToolFacing::Outside), _) | (None, 3 | 4 | 8) => Facing::Outside,
-        (Some(ToolFacing::Inside), _) | (None, 1 | 2 | 6) => Facing::Inside,
-        (Some(ToolFacing::Face), _) | (None, 7) => Facing::Face,
-        (Some(ToolFacing::BackFace), _) | (None, 5) => Facing::BackFace,
+        (Some(ToolFacing::Outside), _) | (None, 3 | 4 | 8) => BladeFacing::Outside,
+        (Some(ToolFacing::Inside), _) | (None, 1 | 2 | 6) => BladeFacing::Inside,
+        (Some(ToolFacing::Face), _) | (None, 7) => BladeFacing::Face,
+        (Some(ToolFacing::BackFace), _) | (None, 5) => BladeFacing::BackFace,
         (None, _) => {
             return Err(missing("facing", "where it cuts, which the tip 0 or 9 does not say"));
         }
@@ -170,11 +170,11 @@ fn facing_of(tool: &Tool, tip: Tip) -> Result<Facing, NoOutline> {
 }
 
 /// Which corner is programmed: the tip lies there as seen from the middle of the edge.
-fn point_of(facing: Facing, tip: Tip) -> BladePoint {
+fn point_of(facing: BladeFacing, tip: Tip) -> BladePoint {
     let to = tip.to_center();
     let along = match facing {
-        Facing::Outside | Facing::Inside => to.a,
-        Facing::Face | Facing::BackFace => to.b,
+        BladeFacing::Outside | BladeFacing::Inside => to.a,
+        BladeFacing::Face | BladeFacing::BackFace => to.b,
     };
     match along {
         along if along > 0.0 => BladePoint::Lower,
@@ -202,10 +202,10 @@ fn blade(tool: &Tool) -> Result<LatheTool, NoOutline> {
     let to = from + width;
     // Across the width and into the body.
     let place = |across: f64, depth: f64| match facing {
-        Facing::Outside => Vec2::new(across, depth),
-        Facing::Inside => Vec2::new(across, -depth),
-        Facing::Face => Vec2::new(depth, across),
-        Facing::BackFace => Vec2::new(-depth, across),
+        BladeFacing::Outside => Vec2::new(across, depth),
+        BladeFacing::Inside => Vec2::new(across, -depth),
+        BladeFacing::Face => Vec2::new(depth, across),
+        BladeFacing::BackFace => Vec2::new(-depth, across),
     };
     // What holds the blade is wider than it.
     let (left, right) = (from - BLOCK, to + BLOCK);
@@ -218,12 +218,12 @@ fn blade(tool: &Tool) -> Result<LatheTool, NoOutline> {
     Ok(LatheTool {
         has_assumed_point_angle: tool.has_assumed_point_angle(),
         edges,
-        kind: Kind::Blade { facing, from, to },
+        kind: TurningToolKind::Blade { facing, from, to },
         reach: length,
         body: place(0.0, 1.0),
         // In a bore the body of the blade is a bar, whose size is not known.
         above: match facing {
-            Facing::Inside => None,
+            BladeFacing::Inside => None,
             _ => Some(Outline::polygon(&above)?),
         },
         shank: bar(tool, tip, to)?,
@@ -250,15 +250,16 @@ fn on_axis(tool: &Tool, shape: ToolShape) -> Result<LatheTool, NoOutline> {
     let length = tool.flute_length_mm.unwrap_or(LONG);
     let mut at = length;
     let shank = match tool.shank_diameter_mm.filter(|_| tool.shank.is_empty()) {
-        Some(diameter) => {
-            stack(&[Solid { height_mm: LONG, lower_mm: diameter, upper_mm: diameter }], &mut at)?
-        }
+        Some(diameter) => stack(
+            &[HolderSegment { height_mm: LONG, lower_mm: diameter, upper_mm: diameter }],
+            &mut at,
+        )?,
         None => stack(&tool.shank, &mut at)?,
     };
     Ok(LatheTool {
         has_assumed_point_angle: tool.has_assumed_point_angle(),
         edges: Outline::drill(diameter, angle, length)?,
-        kind: Kind::Drill,
+        kind: TurningToolKind::Drill,
         reach: length,
         body: Vec2::new(1.0, 0.0),
         above: None,
@@ -269,7 +270,7 @@ fn on_axis(tool: &Tool, shape: ToolShape) -> Result<LatheTool, NoOutline> {
 }
 
 /// Cylinders and cones on the axis, one after the other towards +z.
-fn stack(solids: &[Solid], at: &mut f64) -> Result<Option<Outline>, NoOutline> {
+fn stack(solids: &[HolderSegment], at: &mut f64) -> Result<Option<Outline>, NoOutline> {
     let mut all: Option<Outline> = None;
     for solid in solids.iter().filter(|solid| solid.height_mm > 0.0) {
         let (from, to) = (*at, *at + solid.height_mm);
@@ -318,7 +319,9 @@ fn holder(tool: &Tool) -> Result<Option<Outline>, NoOutline> {
 impl LatheTool {
     /// Directions square to a flank, out of the insert; none of another tool.
     pub fn flank_normals(&self) -> Option<[Vec2; 2]> {
-        let Kind::Insert { flanks: [first, second], .. } = self.kind else { return None };
+        let TurningToolKind::Insert { flanks: [first, second], .. } = self.kind else {
+            return None;
+        };
         let out = |angle: f64| {
             let (sine, cosine) = libm::sincos(angle);
             Vec2::new(cosine, sine)

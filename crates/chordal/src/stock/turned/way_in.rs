@@ -4,15 +4,15 @@ use std::ops::Range;
 
 use chordal_command::Origin;
 use chordal_diagnostics::FileId;
-use chordal_stock::turned::{Region, Turned};
+use chordal_stock::turned::{LatheStock, Region};
 
 use super::super::run::StockRunError;
-use super::super::setup::{Files, Named, shift_between};
+use super::super::setup::{NamedBody, SetupFileReader, shift_between};
 use super::bodies::grown;
-use super::cut::{Cutting, Fixture};
-use super::gather::{Gathered, MoveKind, TurnMove};
+use super::cut::{TurnedFixture, TurnedRun};
+use super::gather::{TurnMove, TurnedMoveKind, TurnedMoves};
 use super::run::TurnedOptions;
-use super::said::Found;
+use super::said::TurnedProblems;
 use super::tools::tools_of;
 use crate::job::Job;
 
@@ -51,13 +51,13 @@ impl Job<'_> {
         new: &Job<'_>,
         head: Range<u32>,
         options: &TurnedOptions,
-        files: Files<'_>,
+        files: SetupFileReader<'_>,
     ) -> Result<WayIn, StockRunError> {
         let tools = tools_of(self);
         let (naming, units) =
             (self.control().table.work_names, self.control().parameters.rules.units);
         let mut gathered =
-            [Gathered::new(&tools, naming, units), Gathered::new(&tools, naming, units)];
+            [TurnedMoves::new(&tools, naming, units), TurnedMoves::new(&tools, naming, units)];
         self.report_watched(&mut gathered[0]);
         new.report_watched(&mut gathered[1]);
         let [old, begun] = gathered;
@@ -75,17 +75,17 @@ impl Job<'_> {
         let setup = &self.machine().setup;
         let section_of =
             |name: &str, body: &chordal_machine::Body| -> Result<Region, StockRunError> {
-                let named = Named { name, body };
+                let named = NamedBody { name, body };
                 let shift = shift_between(self.machine(), &named, old.work.as_deref())?;
                 Ok(named.section(shift, files)?)
             };
         let premise = self.stock_premise()?;
         let stock = section_of("stock", &premise.body)?;
-        let mut cutting = Cutting::new(
+        let mut cutting = TurnedRun::new(
             &tools,
             options.tolerance_mm,
             &stock,
-            Found::new(old.units, self.sources()),
+            TurnedProblems::new(old.units, self.sources()),
         );
         let moves: Vec<TurnMove> = old.moves[..before].iter().chain(&way).copied().collect();
         for number in 0..before {
@@ -103,10 +103,10 @@ impl Job<'_> {
         for (name, body) in &setup.fixtures {
             let section = section_of(&format!("fixtures.{name}"), body)?;
             let clearance = body.clearance_mm.unwrap_or(0.0);
-            let body = Turned::new(&grown(&section, clearance));
-            cutting.fixtures.push(Fixture { name, clearance, body });
+            let body = LatheStock::new(&grown(&section, clearance));
+            cutting.fixtures.push(TurnedFixture { name, clearance, body });
         }
-        cutting.found = Found::new(old.units, new.sources());
+        cutting.found = TurnedProblems::new(old.units, new.sources());
         for number in before..moves.len() {
             meet(&mut cutting, number, &moves, &mut found);
         }
@@ -115,7 +115,7 @@ impl Job<'_> {
 }
 
 /// Carries out a move of the way in, and keeps what it meets.
-fn meet(cutting: &mut Cutting<'_>, number: usize, moves: &[TurnMove], found: &mut WayIn) {
+fn meet(cutting: &mut TurnedRun<'_>, number: usize, moves: &[TurnMove], found: &mut WayIn) {
     let (known, cuts) = (cutting.found.list.len(), cutting.moves.len());
     cutting.step(number, moves);
     let move_ = &moves[number];
@@ -131,7 +131,9 @@ fn meet(cutting: &mut Cutting<'_>, number: usize, moves: &[TurnMove], found: &mu
     }
     let deepest = cutting.moves[cuts..].iter().max_by(|a, b| a.depth_mm.total_cmp(&b.depth_mm));
     if let Some(cut) = deepest.filter(|cut| {
-        move_.kind != MoveKind::Rapid && cut.depth_mm > cutting.tolerance && cut.area_mm2 > 0.0
+        move_.kind != TurnedMoveKind::Rapid
+            && cut.depth_mm > cutting.tolerance
+            && cut.area_mm2 > 0.0
     }) {
         let depth = cutting.found.units.length_text(cut.depth_mm);
         found.hits.push(WayHit {

@@ -1,9 +1,11 @@
 //! What the labels of O words must keep to, and the labels that M98 calls.
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
-use chordal_syntax::{Block, ExpressionParser, FlowWord, OLabel, OWord, Position as TextPosition};
+use chordal_syntax::{
+    Block, BlockPosition as TextPosition, ExpressionParser, FlowWord, OLabel, OWord,
+};
 
-use super::{Index, Interpreter, NONE, label_text};
+use super::{FlowIndex, Interpreter, NONE, label_text};
 
 impl<'a> Interpreter<'a> {
     /// `continue` in a `do` with a `break` below it.
@@ -21,7 +23,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A label that names two structures, and a subroutine within another.
-    pub(super) fn check_label(&mut self, index: &Index, line: &OWord, here: usize) {
+    pub(super) fn check_label(&mut self, index: &FlowIndex, line: &OWord, here: usize) {
         let row = index.lines[here];
         let title = self.control.table.title;
         if row.same != NONE && row.open == here && row.close != NONE {
@@ -55,7 +57,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A subroutine that was defined before in its file.
-    pub(super) fn is_again(&mut self, index: &Index, line: &OWord, here: usize) -> bool {
+    pub(super) fn is_again(&mut self, index: &FlowIndex, line: &OWord, here: usize) -> bool {
         let OLabel::Text(range) = line.label else { return false };
         let label = label_text(range.slice(self.reader.text()));
         let Some(first) = index.subs.get(&label).copied().filter(|first| *first != here) else {

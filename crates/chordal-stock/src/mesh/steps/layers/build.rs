@@ -3,37 +3,37 @@
 use chordal_geometry::Vec3;
 
 use super::super::build::{fill, sides};
-use super::super::cover::Rectangle;
-use super::super::node::Face;
-use super::super::{Plan, Touching};
+use super::super::cover::CellRectangle;
+use super::super::node::FaceKind;
+use super::super::{PlanGrid, TouchingVertex};
 use super::LayerField;
-use super::corner::{Cell, Corner, is_passed};
-use super::cover::Cover;
+use super::corner::{LayerCell, LayerCorner, is_passed};
+use super::cover::LayerCover;
 use crate::mesh::Mesh;
 
 /// A corner without vertices.
 const NO_CORNER: u32 = u32::MAX;
 
-pub(super) struct Builder<'a> {
+pub(super) struct LayerBuilder<'a> {
     field: &'a LayerField<'a>,
-    plan: Plan,
-    cover: &'a Cover,
+    plan: PlanGrid,
+    cover: &'a LayerCover,
     /// For each corner of cells its number among those with vertices.
     numbers: Vec<u32>,
-    corners: Vec<Corner>,
+    corners: Vec<LayerCorner>,
     vertices: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
-    touching: Vec<Touching>,
+    touching: Vec<TouchingVertex>,
 }
 
-impl<'a> Builder<'a> {
-    pub fn new(field: &'a LayerField<'a>, cover: &'a Cover) -> Builder<'a> {
+impl<'a> LayerBuilder<'a> {
+    pub fn new(field: &'a LayerField<'a>, cover: &'a LayerCover) -> LayerBuilder<'a> {
         let numbers = Vec::with_capacity((field.columns + 1) * (field.rows + 1));
         let (corners, vertices) = (Vec::new(), Vec::new());
         let (triangles, touching) = (Vec::new(), Vec::new());
         let plan = field.plan();
         let mut builder =
-            Builder { field, plan, cover, numbers, corners, vertices, triangles, touching };
+            LayerBuilder { field, plan, cover, numbers, corners, vertices, triangles, touching };
         for row in 0..=field.rows {
             for column in 0..=field.columns {
                 builder.number([column, row]);
@@ -42,7 +42,7 @@ impl<'a> Builder<'a> {
         builder
     }
 
-    pub fn mesh(mut self) -> (Mesh, Vec<Touching>) {
+    pub fn mesh(mut self) -> (Mesh, Vec<TouchingVertex>) {
         let cover = self.cover;
         for rectangle in &cover.tops {
             self.face(rectangle, true);
@@ -52,10 +52,10 @@ impl<'a> Builder<'a> {
         }
         let LayerField { columns, rows, .. } = *self.field;
         for row in 0..=rows {
-            self.walls((0..=columns).map(|column| [column, row]), Along::X);
+            self.walls((0..=columns).map(|column| [column, row]), CornerLine::X);
         }
         for column in 0..=columns {
-            self.walls((0..=rows).map(|row| [column, row]), Along::Y);
+            self.walls((0..=rows).map(|row| [column, row]), CornerLine::Y);
         }
         (Mesh { vertices: self.vertices, triangles: self.triangles }, self.touching)
     }
@@ -68,11 +68,11 @@ impl<'a> Builder<'a> {
             return;
         }
         // The count was checked against 32 bits before.
-        let corner = Corner::new(&cells, self.vertices.len() as u32);
+        let corner = LayerCorner::new(&cells, self.vertices.len() as u32);
         for level in &corner.levels {
             for &way in &level.meeting.ways[..level.meeting.count] {
                 if way != [0, 0] {
-                    self.touching.push(Touching { vertex: self.vertices.len() as u32, way });
+                    self.touching.push(TouchingVertex { vertex: self.vertices.len() as u32, way });
                 }
                 self.vertices.push(self.point(at, level.height));
             }
@@ -86,34 +86,34 @@ impl<'a> Builder<'a> {
     }
 
     /// The four cells around a corner, counter-clockwise from the one with higher x and y; empty outside.
-    fn cells(&self, [column, row]: [usize; 2]) -> [Cell<'a>; 4] {
+    fn cells(&self, [column, row]: [usize; 2]) -> [LayerCell<'a>; 4] {
         let LayerField { columns, rows, .. } = *self.field;
         let cover = self.cover;
         [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[left, down]| {
             let (Some(column), Some(row)) = (column.checked_sub(left), row.checked_sub(down))
             else {
-                return Cell::default();
+                return LayerCell::default();
             };
             if column >= columns || row >= rows {
-                return Cell::default();
+                return LayerCell::default();
             }
             let cell = row * columns + column;
-            Cell { stretches: cover.stretches.of(cell), rectangles: cover.rectangles(cell) }
+            LayerCell { stretches: cover.stretches.of(cell), rectangles: cover.rectangles(cell) }
         })
     }
 
-    fn corner(&self, [column, row]: [usize; 2]) -> Option<&Corner> {
+    fn corner(&self, [column, row]: [usize; 2]) -> Option<&LayerCorner> {
         let number = self.numbers[row * (self.field.columns + 1) + column];
         (number != NO_CORNER).then(|| &self.corners[number as usize])
     }
 
     /// A top or an underside.
-    fn face(&mut self, rectangle: &Rectangle, is_top: bool) {
+    fn face(&mut self, rectangle: &CellRectangle, is_top: bool) {
         let mut around: Vec<u32> = Vec::new();
         for side in sides(rectangle) {
             for cells in 0..side.cells {
                 let corner = self.corner(side.corner(cells));
-                let face = Face::Flat(side.cell);
+                let face = FaceKind::Flat(side.cell);
                 around.extend(corner.and_then(|corner| corner.vertex(rectangle.height, face)));
             }
         }
@@ -125,7 +125,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The walls over a line of corners.
-    fn walls(&mut self, line: impl Iterator<Item = [usize; 2]>, along: Along) {
+    fn walls(&mut self, line: impl Iterator<Item = [usize; 2]>, along: CornerLine) {
         let mut begin: Option<[usize; 2]> = None;
         for at in line {
             if self.corner(at).is_none() {
@@ -144,7 +144,13 @@ impl<'a> Builder<'a> {
     }
 
     /// A wall between two corners, of the cell on the left of the line or of that on its right.
-    fn wall(&mut self, [from, to]: [[usize; 2]; 2], along: Along, span: [f64; 2], is_left: bool) {
+    fn wall(
+        &mut self,
+        [from, to]: [[usize; 2]; 2],
+        along: CornerLine,
+        span: [f64; 2],
+        is_left: bool,
+    ) {
         let (mut begin, mut end) = (Vec::new(), Vec::new());
         let [ahead, back] = along.walls();
         if let Some(corner) = self.corner(from) {
@@ -182,25 +188,25 @@ impl<'a> Builder<'a> {
 
 /// The direction of a line of corners.
 #[derive(Clone, Copy)]
-enum Along {
+enum CornerLine {
     X,
     Y,
 }
 
-impl Along {
+impl CornerLine {
     /// The cells on the left and on the right of the line, by their numbers around its first corner.
     fn cells(self) -> [usize; 2] {
         match self {
-            Along::X => [0, 3],
-            Along::Y => [1, 0],
+            CornerLine::X => [0, 3],
+            CornerLine::Y => [1, 0],
         }
     }
 
     /// The numbers of a wall on the line around its first and its last corner.
     fn walls(self) -> [usize; 2] {
         match self {
-            Along::X => [3, 1],
-            Along::Y => [0, 2],
+            CornerLine::X => [3, 1],
+            CornerLine::Y => [0, 2],
         }
     }
 }

@@ -1,16 +1,16 @@
 //! The vertices over a corner of four cells with gaps.
 
 use super::super::cover::NONE;
-use super::super::node::{Face, Meeting};
+use super::super::node::{FaceKind, LevelMeeting};
 
 /// The stretches of a cell, and the rectangles of their ends.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Cell<'a> {
+pub(super) struct LayerCell<'a> {
     pub stretches: &'a [[f64; 2]],
     pub rectangles: &'a [[u32; 2]],
 }
 
-impl Cell<'_> {
+impl LayerCell<'_> {
     fn is_solid_above(&self, height: f64) -> bool {
         self.stretches.iter().any(|[from, to]| *from <= height && height < *to)
     }
@@ -29,29 +29,29 @@ impl Cell<'_> {
 }
 
 /// A level of a corner.
-pub(super) struct Level {
+pub(super) struct LayerLevel {
     pub height: f64,
     /// Its first vertex.
     pub first: u32,
-    pub meeting: Meeting,
+    pub meeting: LevelMeeting,
 }
 
 /// The levels of a corner that have vertices, from the lowest.
-pub(super) struct Corner {
-    pub levels: Vec<Level>,
+pub(super) struct LayerCorner {
+    pub levels: Vec<LayerLevel>,
 }
 
 /// Whether nothing but straight edges of the same rectangles passes a corner: then it has no vertex.
-pub(super) fn is_passed(cells: &[Cell<'_>; 4]) -> bool {
+pub(super) fn is_passed(cells: &[LayerCell<'_>; 4]) -> bool {
     let same = |a: usize, b: usize| cells[a].rectangles == cells[b].rectangles;
     (same(0, 1) && same(2, 3)) || (same(1, 2) && same(3, 0))
 }
 
-impl Corner {
+impl LayerCorner {
     /// Of the four cells around it, with vertices from a number on.
-    pub fn new(cells: &[Cell<'_>; 4], first: u32) -> Corner {
+    pub fn new(cells: &[LayerCell<'_>; 4], first: u32) -> LayerCorner {
         let heights = heights(cells);
-        let mut corner = Corner { levels: Vec::with_capacity(heights.len()) };
+        let mut corner = LayerCorner { levels: Vec::with_capacity(heights.len()) };
         let mut first = first;
         for height in heights {
             let of = cells.map(|cell| cell.rectangle(height));
@@ -61,15 +61,15 @@ impl Corner {
             }
             let above = cells.map(|cell| cell.is_solid_above(height));
             let below = cells.map(|cell| cell.is_solid_below(height));
-            let meeting = Meeting::of(above, below);
-            corner.levels.push(Level { height, first, meeting });
+            let meeting = LevelMeeting::of(above, below);
+            corner.levels.push(LayerLevel { height, first, meeting });
             first += meeting.count as u32;
         }
         corner
     }
 
     /// The vertex of a face at the level of a height.
-    pub fn vertex(&self, height: f64, face: Face) -> Option<u32> {
+    pub fn vertex(&self, height: f64, face: FaceKind) -> Option<u32> {
         let level = self.levels.iter().find(|level| level.height == height)?;
         Some(level.first + level.meeting.vertex(face))
     }
@@ -77,9 +77,9 @@ impl Corner {
     /// The vertices of a wall from one height to another, with their heights.
     pub fn line(&self, wall: usize, [low, high]: [f64; 2], into: &mut Vec<(f64, u32)>) {
         into.clear();
-        for Level { height, first, meeting } in &self.levels {
+        for LayerLevel { height, first, meeting } in &self.levels {
             if low <= *height && *height <= high {
-                let face = if *height < high { Face::Up(wall) } else { Face::Down(wall) };
+                let face = if *height < high { FaceKind::Up(wall) } else { FaceKind::Down(wall) };
                 into.push((*height, first + meeting.vertex(face)));
             }
         }
@@ -88,7 +88,7 @@ impl Corner {
 
 /// The ends of all stretches, and heights between the ends of an edge in which two cells touch: there its two sides
 /// have vertices of their own, whatever is at its ends.
-fn heights(cells: &[Cell<'_>; 4]) -> Vec<f64> {
+fn heights(cells: &[LayerCell<'_>; 4]) -> Vec<f64> {
     let mut heights: Vec<f64> =
         cells.iter().flat_map(|cell| cell.stretches.iter().flatten().copied()).collect();
     heights.sort_by(f64::total_cmp);

@@ -1,28 +1,28 @@
 //! The tops and undersides of columns as rectangles, each of one height.
 
-use super::super::cover::{Heights, NONE, Rectangle};
-use super::{LayerField, STEP, Stretches};
+use super::super::cover::{CellRectangle, HeightSummary, NONE};
+use super::{LayerField, STEP, SolidIntervals};
 
 /// An end of a stretch.
 const UNDERSIDE: usize = 0;
 const TOP: usize = 1;
 
 /// Every top and every underside in one rectangle.
-pub(super) struct Cover {
-    pub undersides: Vec<Rectangle>,
-    pub tops: Vec<Rectangle>,
+pub(super) struct LayerCover {
+    pub undersides: Vec<CellRectangle>,
+    pub tops: Vec<CellRectangle>,
     /// The stretches of each cell, with the heights of their rectangles, mm.
-    pub stretches: Stretches,
+    pub stretches: SolidIntervals,
     /// For each stretch the numbers of the rectangles of its underside and of its top.
     pub of: Vec<[u32; 2]>,
     /// How far an end is from its rectangle at most, mm.
     pub deviation: f64,
 }
 
-impl Cover {
+impl LayerCover {
     /// Rectangles in which no end of a stretch is further from the mean than the tolerance, mm.
-    pub fn new(field: &LayerField<'_>, stretches: &Stretches, tolerance: f64) -> Cover {
-        let mut cover = Cover {
+    pub fn new(field: &LayerField<'_>, stretches: &SolidIntervals, tolerance: f64) -> LayerCover {
+        let mut cover = LayerCover {
             undersides: Vec::new(),
             tops: Vec::new(),
             stretches: stretches.clone(),
@@ -30,7 +30,7 @@ impl Cover {
             deviation: 0.0,
         };
         for end in [UNDERSIDE, TOP] {
-            let mut growing = Growing { field, stretches, tolerance, end, row: Vec::new() };
+            let mut growing = RectangleGrowth { field, stretches, tolerance, end, row: Vec::new() };
             for cell in 0..stretches.len() {
                 for stretch in stretches.range(cell) {
                     if cover.of[stretch][end] == NONE {
@@ -58,21 +58,21 @@ fn height(mean: f64, end: usize) -> f64 {
 }
 
 /// Rectangles of one kind of end.
-struct Growing<'a> {
+struct RectangleGrowth<'a> {
     field: &'a LayerField<'a>,
-    stretches: &'a Stretches,
+    stretches: &'a SolidIntervals,
     tolerance: f64,
     end: usize,
     /// The stretches of the row that is tried, kept for the next one.
     row: Vec<usize>,
 }
 
-impl Growing<'_> {
+impl RectangleGrowth<'_> {
     /// From an end as far along X as the tolerance allows, then along Y.
-    fn rectangle(&mut self, cell: usize, stretch: usize, cover: &mut Cover) {
+    fn rectangle(&mut self, cell: usize, stretch: usize, cover: &mut LayerCover) {
         let LayerField { columns, rows, .. } = *self.field;
         let (column, row) = (cell % columns, cell / columns);
-        let mut heights = Heights::NO.with(self.stretches.all[stretch][self.end]);
+        let mut heights = HeightSummary::NO.with(self.stretches.all[stretch][self.end]);
         let mut all = vec![stretch];
         let mut right = column + 1;
         while right < columns {
@@ -102,7 +102,7 @@ impl Growing<'_> {
         cover.deviation = cover.deviation.max(heights.deviation_from(height));
         let into = if self.end == TOP { &mut cover.tops } else { &mut cover.undersides };
         let number = into.len() as u32;
-        into.push(Rectangle { columns: [column, right], rows: [row, top], height });
+        into.push(CellRectangle { columns: [column, right], rows: [row, top], height });
         for stretch in all {
             cover.of[stretch][self.end] = number;
             cover.stretches.all[stretch][self.end] = height;
@@ -110,7 +110,12 @@ impl Growing<'_> {
     }
 
     /// The free end of a cell that is nearest to others, where it is near enough, and what they have in common then.
-    fn next(&self, cell: usize, heights: Heights, cover: &Cover) -> Option<(usize, Heights)> {
+    fn next(
+        &self,
+        cell: usize,
+        heights: HeightSummary,
+        cover: &LayerCover,
+    ) -> Option<(usize, HeightSummary)> {
         let mean = heights.mean();
         let off = |stretch: &usize| (self.stretches.all[*stretch][self.end] - mean).abs();
         let free = self.stretches.range(cell).filter(|at| cover.of[*at][self.end] == NONE);

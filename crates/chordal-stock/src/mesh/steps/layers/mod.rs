@@ -11,7 +11,7 @@ mod cover;
 
 use chordal_geometry::Vec3;
 
-use super::{HeightField, HeightFieldError, HeightMesh, Plan};
+use super::{HeightField, HeightFieldError, HeightMesh, PlanGrid};
 use crate::mesh::LARGEST_COORDINATE;
 
 /// Tops have heights in such steps, mm: files of floats of 32 bits tell half of one apart up to four metres.
@@ -19,13 +19,13 @@ pub(super) const STEP: f64 = 1.0 / 1024.0;
 
 /// The stretches of columns, one column after the other.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Stretches {
+pub struct SolidIntervals {
     /// Where the stretches of each column end.
     ends: Vec<usize>,
     all: Vec<[f64; 2]>,
 }
 
-impl Stretches {
+impl SolidIntervals {
     /// Adds a column: its stretches of material, each from a height to another, mm, from the lowest.
     pub fn push(&mut self, column: impl IntoIterator<Item = [f64; 2]>) {
         self.all.extend(column);
@@ -76,7 +76,7 @@ pub struct LayerField<'a> {
     /// How far the grid reaches along X and along Y, mm: there the last cells end, at their sides at the latest.
     pub size: [f64; 2],
     /// The stretches above the origin: `columns` of the lowest row first.
-    pub stretches: &'a Stretches,
+    pub stretches: &'a SolidIntervals,
 }
 
 impl LayerField<'_> {
@@ -88,8 +88,8 @@ impl LayerField<'_> {
     pub fn mesh(&self, tolerance: f64) -> Result<HeightMesh, HeightFieldError> {
         self.check(tolerance)?;
         let thick = self.without_thin(2.0 * (tolerance + STEP));
-        let cover = cover::Cover::new(self, &thick, tolerance);
-        let (mesh, touching) = build::Builder::new(self, &cover).mesh();
+        let cover = cover::LayerCover::new(self, &thick, tolerance);
+        let (mesh, touching) = build::LayerBuilder::new(self, &cover).mesh();
         Ok(HeightMesh { mesh, deviation: cover.deviation, touching })
     }
 
@@ -99,9 +99,9 @@ impl LayerField<'_> {
         self.plan().integral(solid)
     }
 
-    fn plan(&self) -> Plan {
+    fn plan(&self) -> PlanGrid {
         let LayerField { origin, cell, columns, rows, size, .. } = *self;
-        Plan { origin, cell, cells: [columns, rows], size }
+        PlanGrid { origin, cell, cells: [columns, rows], size }
     }
 
     fn check(&self, tolerance: f64) -> Result<(), HeightFieldError> {
@@ -129,8 +129,8 @@ impl LayerField<'_> {
     }
 
     /// The stretches of each column, of which neither they nor the gaps between them are thinner than so much, mm.
-    fn without_thin(&self, least: f64) -> Stretches {
-        let mut kept = Stretches::default();
+    fn without_thin(&self, least: f64) -> SolidIntervals {
+        let mut kept = SolidIntervals::default();
         let mut column: Vec<[f64; 2]> = Vec::new();
         for cell in 0..self.stretches.len() {
             column.clear();
